@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace tiprub {
+
+enum class Verbosity { quiet, normal, verbose };
+
+/// What to do with the inputs: the work itself, or only a look at whether it could be done.
+enum class Action { run, check };
+
+/// How a stage presents itself on the command line.
+struct Stage {
+  struct Input {
+    std::string name;  ///< "case.toml"
+    std::string help;
+  };
+  std::string name;     ///< "tiprub-mesh"
+  std::string summary;  ///< one line
+  std::vector<Input> inputs;
+  std::string output;                               ///< default of -o, "sector.msh"
+  std::function<void(CLI::App&)> add_options = {};  ///< what only this stage has
+};
+
+struct StageArguments {
+  std::vector<std::filesystem::path> inputs;
+  std::filesystem::path output;
+  Verbosity verbosity = Verbosity::normal;
+  Action action = Action::run;
+};
+
+/// The one `main` of all stages: reads the command line (inputs in chain order, -o, -q, -v, --check, --version,
+/// --help), runs the body, and turns what it throws into one line on stderr. Returns the exit code: 0; 1 for a
+/// computation that failed or a file that can't be read or written; 2 for wrong input.
+int run_stage(int argc, char** argv, const Stage& stage, const std::function<void(const StageArguments&)>& body);
+
+/// "tiprub-mesh 0.1.0", as --version prints it and as files carry it.
+std::string program_version(const std::string& program);
+
+/// One line to stderr, unless quiet.
+void say(const StageArguments& arguments, const std::string& line);
+
+}  // namespace tiprub

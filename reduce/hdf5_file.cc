@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/hdf5_file.h"
+
+#include <H5Cpp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace tiprub {
+
+namespace {
+
+using Shape = std::vector<hsize_t>;
+
+/// h5py's convention for complex numbers.
+H5::CompType complex_type() {
+  H5::CompType type(2 * sizeof(double));
+  type.insertMember("r", 0, H5::PredType::NATIVE_DOUBLE);
+  type.insertMember("i", sizeof(double), H5::PredType::NATIVE_DOUBLE);
+  return type;
+}
+
+H5::DSetCreatPropList plain_creation() {
+  H5::DSetCreatPropList list;
+  H5Pset_obj_track_times(list.getId(), false);
+  return list;
+}
+
+std::size_t product(const Shape& shape) {
+  std::size_t count = 1;
+  for (hsize_t extent : shape) count *= extent;
+  return count;
+}
+
+std::string text(const Shape& shape) {
+  std::string words;
+  for (hsize_t extent : shape) words += (words.empty() ? "" : " x ") + std::to_string(extent);
+  return words.empty() ? "scalar" : words;
+}
+
+}  // namespace
+
+struct Hdf5File::Handle {
+  H5::H5File file;
+
+  void make_groups(const std::string& name) const {
+    for (std::size_t at = name.find('/', 1); at != std::string::npos; at = name.find('/', at + 1))
+      if (const std::string group = name.substr(0, at); !file.nameExists(group)) file.createGroup(group);
+  }
+  void write(const std::string& name, const H5::DataType& type, const Shape& shape, const void* data,
+             const std::string& unit) const {
+    make_groups(name);
+    const H5::DataSpace space(static_cast<int>(shape.size()), shape.data());
+    const H5::DataSet set = file.createDataSet(name, type, space, plain_creation());
+    if (product(shape) > 0) set.write(data, type);
+    const H5::StrType string_type(H5::PredType::C_S1, std::max<std::size_t>(unit.size(), 1));
+    set.createAttribute("unit", string_type, H5::DataSpace(H5S_SCALAR)).write(string_type, unit);
+  }
+  template <class Body>
+  void with_attributes(const std::string& object, Body body) const {
+    if (object == "/") {
+      body(file.openGroup("/"));
+    } else if (file.childObjType(object) == H5O_TYPE_GROUP) {
+      body(file.openGroup(object));
+    } else {
+      body(file.openDataSet(object));
+    }
+  }
+  void set_attribute(const std::string& object, const std::string& name, const H5::DataType& type,
+                     const void* value) const {
+    if (object != "/") make_groups(object + "/");
+    with_attributes(object, [&](const H5::H5Object& at) {
+      at.createAttribute(name, type, H5::DataSpace(H5S_SCALAR)).write(type, value);
+    });
+  }
+};
+
+Hdf5File::Hdf5File(std::string path, std::unique_ptr<Handle> handle)
+    : path_(std::move(path)), handle_(std::move(handle)) {}
+Hdf5File::~Hdf5File() = default;
+Hdf5File::Hdf5File(Hdf5File&&) noexcept = default;
+Hdf5File& Hdf5File::operator=(Hdf5File&&) noexcept = default;
+
+void Hdf5File::fail(const std::string& object, const std::string& what) const {
+  throw RunError(path_ + ": " + object + ": " + what);
+}
+
+Hdf5File Hdf5File::create(const std::filesystem::path& path) {
+  H5::Exception::dontPrint();
+  try {
+    return {path.string(), std::make_unique<Handle>(Handle{H5::H5File(path.string(), H5F_ACC_TRUNC)})};
+  } catch (const H5::Exception&) {
+    throw RunError(path.string() + ": can't be written");
+  }
+}
+
+Hdf5File Hdf5File::open(const std::filesystem::path& path) {
+  H5::Exception::dontPrint();
+  if (!std::filesystem::exists(path)) throw RunError(path.string() + ": no such file");
+  try {
+    return {path.string(), std::make_unique<Handle>(Handle{H5::H5File(path.string(), H5F_ACC_RDONLY)})};
+  } catch (const H5::Exception&) {
+    throw RunError(path.string() + ": is not an HDF5 file, or is damaged");
+  }
+}
+
+void Hdf5File::set_attribute(const std::string& object, const std::string& name, const std::string& value) {
+  try {
+    handle_->set_attribute(object, name, H5::StrType(H5::PredType::C_S1, std::max<std::size_t>(value.size(), 1)),
+                           value.c_str());
+  } catch (const H5::Exception&) {
+    fail(object, "attribute " + name + " can't be written");
+  }
+}
+
+void Hdf5File::set_attribute(const std::string& object, const std::string& name, double value) {
+  try {
+    handle_->set_attribute(object, name, H5::PredType::NATIVE_DOUBLE, &value);
+  } catch (const H5::Exception&) {
+    fail(object, "attribute " + name + " can't be written");
+  }
+}
+
+void Hdf5File::set_attribute(const std::string& object, const std::string& name, int value) {
+  try {
+    handle_->set_attribute(object, name, H5::PredType::NATIVE_INT, &value);
+  } catch (const H5::Exception&) {
+    fail(object, "attribute " + name + " can't be written");
+  }
+}
+
+std::string Hdf5File::text_attribute(const std::string& object, const std::string& name) const {
+  std::string value;
+  try {
+    handle_->with_attributes(object, [&](const H5::H5Object& at) {
+      const H5::Attribute attribute = at.openAttribute(name);
+      attribute.read(attribute.getStrType(), value);
+    });
+  } catch (const H5::Exception&) {
+    fail(object, "has no text attribute " + name);
+  }
+  return value.substr(0, value.find('\0'));
+}
+
+double Hdf5File::number_attribute(const std::string& object, const std::string& name) const {
+  double value = 0.0;
+  try {
+    handle_->with_attributes(
+        object, [&](const H5::H5Object& at) { at.openAttribute(name).read(H5::PredType::NATIVE_DOUBLE, &value); });
+  } catch (const H5::Exception&) {
+    fail(object, "has no number attribute " + name);
+  }
+  if (!std::isfinite(value)) fail(object, "attribute " + name + " is not finite");
+  return value;
+}
+
+int Hdf5File::integer_attribute(const std::string& object, const std::string& name) const {
+  const double value = number_attribute(object, name);
+  if (value != std::floor(value)) fail(object, "attribute " + name + " is not a whole number");
+  return static_cast<int>(value);
+}
+
+bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {
+  bool found = false;
+  try {
+    handle_->with_attributes(object, [&](const H5::H5Object& at) { found = at.attrExists(name); });
+  } catch (const H5::Exception&) {
+    return false;
+  }
+  return found;
+}
+
+void Hdf5File::write(const std::string& name, const Array<double>& array, const std::string& unit) {
+  try {
+    handle_->write(name, H5::PredType::NATIVE_DOUBLE, Shape(array.shape.begin(), array.shape.end()),
+                   array.values.data(), unit);
+  } catch (const H5::Exception&) {
+    fail(name, "can't be written");
+  }
+}
+
+void Hdf5File::write(const std::string& name, const Array<std::int32_t>& array, const std::string& unit) {
+  try {
+    handle_->write(name, H5::PredType::NATIVE_INT32, Shape(array.shape.begin(), array.shape.end()),
+                   array.values.data(), unit);
+  } catch (const H5::Exception&) {
+    fail(name, "can't be written");
+  }
+}
+
+void Hdf5File::write(const std::string& name, const Eigen::MatrixXd& matrix, const std::string& unit) {
+  const Eigen::MatrixXd transposed = matrix.transpose();  // row-major in the file
+  write(name,
+        Array<double>{{static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())},
+                      {transposed.data(), transposed.data() + transposed.size()}},
+        unit);
+}
+
+void Hdf5File::write(const std::string& name, const Eigen::VectorXd& vector, const std::string& unit) {
+  write(name,
+        Array<double>{{static_cast<std::size_t>(vector.size())}, {vector.data(), vector.data() + vector.size()}},
+        unit);
+}
+
+void Hdf5File::write(const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit) {
+  const Eigen::MatrixXcd transposed = matrix.transpose();
+  try {
+    handle_->write(name, complex_type(), {static_cast<hsize_t>(matrix.rows()), static_cast<hsize_t>(matrix.cols())},
+                   transposed.data(), unit);
+  } catch (const H5::Exception&) {
+    fail(name, "can't be written");
+  }
+}
+
+bool Hdf5File::exists(const std::string& name) const {
+  for (std::size_t at = name.find('/', 1);; at = name.find('/', at + 1)) {
+    if (!handle_->file.nameExists(name.substr(0, at))) return false;
+    if (at == std::string::npos) return true;
+  }
+}
+
+std::vector<std::string> Hdf5File::members(const std::string& group) const {
+  if (!exists(group)) fail(group, "is missing");
+  std::vector<std::string> names;
+  const H5::Group at = handle_->file.openGroup(group);
+  for (hsize_t i = 0; i < at.getNumObjs(); ++i) names.push_back(at.getObjnameByIdx(i));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Array<double> Hdf5File::read_array(const std::string& name) const {
+  if (!exists(name)) fail(name, "is missing");
+  Array<double> array;
+  try {
+    const H5::DataSet set = handle_->file.openDataSet(name);
+    const H5::DataSpace space = set.getSpace();
+    Shape shape(space.getSimpleExtentNdims());
+    space.getSimpleExtentDims(shape.data());
+    array.shape.assign(shape.begin(), shape.end());
+    array.values.resize(product(shape));
+    if (set.getTypeClass() != H5T_FLOAT && set.getTypeClass() != H5T_INTEGER) fail(name, "is not real numbers");
+    if (!array.values.empty()) set.read(array.values.data(), H5::PredType::NATIVE_DOUBLE);
+  } catch (const H5::Exception&) {
+    fail(name, "can't be read as an array of numbers");
+  }
+  const auto bad = std::find_if(array.values.begin(), array.values.end(), [](double v) { return !std::isfinite(v); });
+  if (bad != array.values.end())
+    fail(name, "value " + std::to_string(bad - array.values.begin()) + " (row-major, from 0) is not finite");
+  return array;
+}
+
+Array<std::int32_t> Hdf5File::read_integers(const std::string& name) const {
+  const Array<double> array = read_array(name);
+  return {array.shape, {array.values.begin(), array.values.end()}};
+}
+
+Eigen::MatrixXd Hdf5File::read_matrix(const std::string& name) const {
+  const Array<double> array = read_array(name);
+  if (array.shape.size() != 2)
+    fail(name, "has shape " + text({array.shape.begin(), array.shape.end()}) + ", must have two axes");
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const RowMajor>(array.values.data(), array.shape[0], array.shape[1]);
+}
+
+Eigen::VectorXd Hdf5File::read_vector(const std::string& name) const {
+  const Array<double> array = read_array(name);
+  if (array.shape.size() != 1)
+    fail(name, "has shape " + text({array.shape.begin(), array.shape.end()}) + ", must have one axis");
+  return Eigen::Map<const Eigen::VectorXd>(array.values.data(), array.values.size());
+}
+
+Eigen::MatrixXcd Hdf5File::read_complex_matrix(const std::string& name) const {
+  if (!exists(name)) fail(name, "is missing");
+  using RowMajor = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  RowMajor matrix;
+  try {
+    const H5::DataSet set = handle_->file.openDataSet(name);
+    if (set.getTypeClass() != H5T_COMPOUND) return read_matrix(name).cast<std::complex<double>>();
+    const H5::DataSpace space = set.getSpace();
+    Shape shape(space.getSimpleExtentNdims());
+    space.getSimpleExtentDims(shape.data());
+    if (shape.size() != 2) fail(name, "has shape " + text(shape) + ", must have two axes");
+    matrix.resize(static_cast<Eigen::Index>(shape[0]), static_cast<Eigen::Index>(shape[1]));
+    if (matrix.size() > 0) set.read(matrix.data(), complex_type());
+  } catch (const H5::Exception&) {
+    fail(name, "can't be read as a complex matrix; members must be r and i");
+  }
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+      if (!std::isfinite(matrix(row, column).real()) || !std::isfinite(matrix(row, column).imag()))
+        fail(name, "row " + std::to_string(row) + ", column " + std::to_string(column) + " is not finite");
+  return matrix;
+}
+
+void Hdf5File::set_schema(const std::string& schema, int version, const std::string& generator) {
+  set_attribute("/", "schema", schema);
+  set_attribute("/", "schema_version", version);
+  set_attribute("/", "generator", generator);
+}
+
+void Hdf5File::require_schema(const std::string& schema, int version) const {
+  if (!has_attribute("/", "schema"))
+    throw RunError(path_ + ": has no schema; expected " + schema + " version " + std::to_string(version));
+  const std::string found = text_attribute("/", "schema");
+  const int found_version = has_attribute("/", "schema_version") ? integer_attribute("/", "schema_version") : 0;
+  if (found != schema || found_version != version)
+    throw RunError(path_ + ": is " + found + " version " + std::to_string(found_version) + ", expected " + schema +
+                   " version " + std::to_string(version));
+}
+
+}  // namespace tiprub

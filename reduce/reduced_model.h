@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+namespace tiprub {
+
+/// The reduced matrices of one nodal diameter n: a travelling wave u_j = Re(u e^{i n j alpha}) over the sectors j,
+/// alpha = 2 pi / N (the paper's eq. 6 in half the size). Rows: r, theta, z of each contact node from leading to
+/// trailing edge, then the generalized dofs. All n x n and Hermitian; real for n = 0 and n = N/2.
+struct NodalDiameterModel {
+  Eigen::MatrixXcd K0;  ///< [N/m in contact rows] stiffness at rest (eq. 7)
+  Eigen::MatrixXcd K1;  ///< [N/m s^2] its part with Omega^2
+  Eigen::MatrixXcd K2;  ///< [N/m s^4] its part with Omega^4
+  Eigen::MatrixXcd M;   ///< [kg in contact rows] mass, positive definite
+
+  /// K0 + Omega^2 K1 + Omega^4 K2 (eq. 11), Omega in rad/s.
+  Eigen::MatrixXcd stiffness(double speed) const;
+  /// [Hz], ascending, at a speed in rad/s. A negative eigenvalue (an unstable rotor) gives a negative frequency.
+  Eigen::VectorXd natural_frequencies(double speed) const;
+};
+
+/// The tip line of the main blade of sector 0, from leading to trailing edge; n_c nodes.
+struct ContactLine {
+  Eigen::MatrixX3d position;        ///< [m, rad, m] r, theta, z; n_c x 3
+  Eigen::MatrixX3d normal;          ///< unit, from the blade to the casing, components r, theta, z; n_c x 3
+  Eigen::VectorXd arc_length;       ///< [m] from the leading edge; n_c
+  Eigen::MatrixX3d static_shift_1;  ///< [m s^2] displacement under spin over Omega^2; n_c x 3 (r, theta, z)
+  Eigen::MatrixX3d static_shift_2;  ///< [m s^4] its part with Omega^4; n_c x 3
+
+  int size() const { return static_cast<int>(arc_length.size()); }
+  /// [m] displacement under spin at a speed in rad/s; n_c x 3.
+  Eigen::MatrixX3d static_shift(double speed) const;
+};
+
+/// Frequencies of the unreduced sector that verify the reduction, with those of the model beside them.
+struct Verification {
+  Eigen::VectorXd speeds;                  ///< [rad/s]; n_s
+  std::vector<Eigen::MatrixXd> unreduced;  ///< [Hz] one a nodal diameter; n_s x n_f
+  std::vector<Eigen::MatrixXd> reduced;    ///< [Hz] the same from the model; n_s x n_f
+};
+
+/// What happens to a rotor between its stages: a small model that knows its speed. Schema "tiprub-model".
+struct ReducedModel {
+  int sector_count = 0;   ///< N
+  double speed_max = 0;   ///< [rad/s] the model holds for 0 .. speed_max
+  std::string prestress;  ///< how K1, K2 came to be: "linear", ...; "given" for a model by hand
+  ContactLine contact;
+  std::vector<NodalDiameterModel> nodal_diameters;  ///< n = 0 .. floor(N/2)
+  Verification verification;                        ///< may be empty
+  std::string provenance;                           ///< the case and the chain that made it, as text
+
+  /// floor(N/2)
+  int nodal_diameter_max() const { return sector_count / 2; }
+  int contact_dofs() const { return 3 * contact.size(); }
+};
+
+/// Raises RunError (prefixed by `name`) if a shape is wrong, a matrix is not Hermitian, a mass is not positive
+/// definite, a contact dof has no mass, or a normal is not of unit length.
+void check(const ReducedModel& model, const std::string& name);
+
+}  // namespace tiprub

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tiprub {
+
+/// What the motion had become when a speed was left.
+enum class MotionClass {
+  periodic,     ///< the same every revolution
+  subharmonic,  ///< the same every `period_revolutions` revolutions
+  irregular,    ///< neither, within the revolutions allowed
+};
+
+/// Where the energy of a speed went, over the recorded revolutions.
+struct EnergyLedger {
+  double contact_work = 0;   ///< [J] done by the casing on the rotor
+  double dissipated = 0;     ///< [J] taken by damping
+  double energy_change = 0;  ///< [J] of kinetic and elastic energy, end minus start
+  double closing_error = 0;  ///< [1] (work - dissipated - change) over the largest of the three
+};
+
+/// The settled response at one speed. A sample is an instant on whole revolutions: sample s of the recorded ones lies
+/// at the rotor angle 2 pi s / samples_per_revolution. Only the `independent_sectors` = N / g first sectors are held,
+/// g = gcd(N, orders of the casing): sector j moves as sector j mod (N / g) at every instant.
+struct SpeedResponse {
+  double speed = 0;     ///< [rad/s]
+  std::string failure;  ///< empty, or why this speed has no response; then the arrays are empty
+  int steps_per_revolution = 0;
+  int samples_per_revolution = 0;
+  int recorded_revolutions = 0;
+  int revolutions = 0;  ///< marched in all, the recorded ones included
+  MotionClass motion = MotionClass::irregular;
+  int period_revolutions = 0;  ///< 1 for periodic, the order for subharmonic, 0 for irregular
+  double change = 0;           ///< [1] relative change of the motion over the last period
+  double change_rate = 0;      ///< [1] factor of that change per revolution; below 1 it decays
+
+  /// [m] r, theta, z in the rotor frame, without the static shift; samples x (sector, node, component), the last
+  /// index fastest.
+  Eigen::MatrixXd displacement;
+  /// [N] along -normal, never negative with complementarity; the mean over the sample interval that starts at the
+  /// sample; samples x (sector, node).
+  Eigen::MatrixXd contact_force;
+  /// Steps in contact by area of the casing, over the recorded revolutions; (sector, node) x areas. Area a spans
+  /// the absolute angles 2 pi a/areas .. 2 pi (a+1)/areas.
+  Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic> contact_count;
+
+  EnergyLedger energy;
+  double step_ratio = 0;              ///< h omega_max / 2; central differences hold below 1
+  double largest_penetration = 0;     ///< [m] of a node not in contact, over the recorded revolutions; 0 if none
+  double smallest_multiplier = 0;     ///< [N] below zero where the casing pulled
+  std::int64_t contact_steps = 0;     ///< recorded steps with at least one closed node
+  std::int64_t tension_steps = 0;     ///< recorded steps with a negative multiplier (only the paper's rule has them)
+  std::int64_t solver_fallbacks = 0;  ///< steps in which the active set needed its finite fallback
+};
+
+/// The casing and the scene as they were simulated, for drawing and for the record.
+struct SimulatedScene {
+  int sector_count = 0;               ///< N
+  int independent_sectors = 0;        ///< N / g
+  std::vector<int> nodal_diameters;   ///< those that move
+  Eigen::VectorXd casing_angle;       ///< [rad] 0 .. 2 pi
+  Eigen::VectorXd casing_distortion;  ///< [m] inward, at these angles, after the ramp
+  int lobes = 0;                      ///< N_l: the casing repeats every 2 pi / lobes
+  Eigen::VectorXd clearance;          ///< [m] cold or running as the case says, at the contact nodes
+  std::string clearance_state;        ///< "cold" or "running"
+  std::string scope;                  ///< what was modelled, what was left out, and why; one reason a line
+  std::string provenance;             ///< the case and the chain that made it, as text
+};
+
+/// response.h5 in memory. Schema "tiprub-response".
+struct Response {
+  SimulatedScene scene;
+  std::string key;  ///< names all that decides a speed's result (model, casing, scheme): equal keys, equal results
+  std::vector<SpeedResponse> speeds;  ///< ascending in speed
+};
+
+}  // namespace tiprub

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/response_file.h"
+
+#include <array>
+#include <utility>
+
+#include "reduce/hdf5_file.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr const char* schema = "tiprub-response";
+constexpr int schema_version = 1;
+
+constexpr std::array<std::pair<MotionClass, const char*>, 3> motion_names = {{
+    {MotionClass::periodic, "periodic"},
+    {MotionClass::subharmonic, "subharmonic"},
+    {MotionClass::irregular, "irregular"},
+}};
+
+std::string group_of(std::size_t index) {
+  const std::string digits = std::to_string(index);
+  return "/speed/" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
+}
+
+/// The columns of a matrix seen as further axes of an array; rows first.
+Array<double> unfold(const Eigen::MatrixXd& matrix, const std::vector<std::size_t>& column_axes) {
+  Array<double> array;
+  array.shape = {static_cast<std::size_t>(matrix.rows())};
+  array.shape.insert(array.shape.end(), column_axes.begin(), column_axes.end());
+  array.values.resize(matrix.size());
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Map<RowMajor>(array.values.data(), matrix.rows(), matrix.cols()) = matrix;
+  return array;
+}
+
+Eigen::MatrixXd fold(const Array<double>& array) {
+  const Eigen::Index rows = array.shape.empty() ? 0 : static_cast<Eigen::Index>(array.shape.front());
+  const Eigen::Index columns = rows == 0 ? 0 : static_cast<Eigen::Index>(array.values.size()) / rows;
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const RowMajor>(array.values.data(), rows, columns);
+}
+
+void write_speed(Hdf5File& file, const std::string& group, const SpeedResponse& at, const SimulatedScene& scene) {
+  file.set_attribute(group, "speed", at.speed);
+  file.set_attribute(group, "failure", at.failure);
+  file.set_attribute(group, "steps_per_revolution", at.steps_per_revolution);
+  file.set_attribute(group, "samples_per_revolution", at.samples_per_revolution);
+  file.set_attribute(group, "recorded_revolutions", at.recorded_revolutions);
+  file.set_attribute(group, "revolutions", at.revolutions);
+  for (const auto& [motion, name] : motion_names)
+    if (motion == at.motion) file.set_attribute(group, "motion", std::string(name));
+  file.set_attribute(group, "period_revolutions", at.period_revolutions);
+  file.set_attribute(group, "change", at.change);
+  file.set_attribute(group, "change_rate", at.change_rate);
+  file.set_attribute(group, "contact_work", at.energy.contact_work);
+  file.set_attribute(group, "dissipated", at.energy.dissipated);
+  file.set_attribute(group, "energy_change", at.energy.energy_change);
+  file.set_attribute(group, "energy_closing_error", at.energy.closing_error);
+  file.set_attribute(group, "step_ratio", at.step_ratio);
+  file.set_attribute(group, "largest_penetration", at.largest_penetration);
+  file.set_attribute(group, "smallest_multiplier", at.smallest_multiplier);
+  file.set_attribute(group, "contact_steps", static_cast<double>(at.contact_steps));
+  file.set_attribute(group, "tension_steps", static_cast<double>(at.tension_steps));
+  file.set_attribute(group, "solver_fallbacks", static_cast<double>(at.solver_fallbacks));
+  if (!at.failure.empty()) return;
+  const auto sectors = static_cast<std::size_t>(scene.independent_sectors);
+  const auto nodes = static_cast<std::size_t>(scene.clearance.size());
+  file.write(group + "/displacement", unfold(at.displacement, {sectors, nodes, 3}), "m");
+  file.write(group + "/contact_force", unfold(at.contact_force, {sectors, nodes}), "N");
+  const Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> counts = at.contact_count;
+  file.write(group + "/contact_count",
+             Array<std::int32_t>{{sectors, nodes, static_cast<std::size_t>(counts.cols())},
+                                 {counts.data(), counts.data() + counts.size()}},
+             "steps");
+}
+
+MotionClass motion_named(const std::string& name, const std::string& where) {
+  for (const auto& [motion, known] : motion_names)
+    if (name == known) return motion;
+  throw RunError(where + ": motion \"" + name + "\" is not periodic, subharmonic or irregular");
+}
+
+void require_columns(const Eigen::MatrixXd& table, const std::string& where, Eigen::Index rows,
+                     Eigen::Index columns) {
+  if (table.rows() != rows || table.cols() != columns)
+    throw RunError(where + ": has " + std::to_string(table.rows()) + " samples of " + std::to_string(table.cols()) +
+                   " values, must have " + std::to_string(rows) + " of " + std::to_string(columns));
+}
+
+SpeedResponse read_speed(const Hdf5File& file, const std::string& group, const SimulatedScene& scene) {
+  SpeedResponse at;
+  at.speed = file.number_attribute(group, "speed");
+  at.failure = file.text_attribute(group, "failure");
+  at.steps_per_revolution = file.integer_attribute(group, "steps_per_revolution");
+  at.samples_per_revolution = file.integer_attribute(group, "samples_per_revolution");
+  at.recorded_revolutions = file.integer_attribute(group, "recorded_revolutions");
+  at.revolutions = file.integer_attribute(group, "revolutions");
+  at.motion = motion_named(file.text_attribute(group, "motion"), file.path() + ": " + group);
+  at.period_revolutions = file.integer_attribute(group, "period_revolutions");
+  at.change = file.number_attribute(group, "change");
+  at.change_rate = file.number_attribute(group, "change_rate");
+  at.energy.contact_work = file.number_attribute(group, "contact_work");
+  at.energy.dissipated = file.number_attribute(group, "dissipated");
+  at.energy.energy_change = file.number_attribute(group, "energy_change");
+  at.energy.closing_error = file.number_attribute(group, "energy_closing_error");
+  at.step_ratio = file.number_attribute(group, "step_ratio");
+  at.largest_penetration = file.number_attribute(group, "largest_penetration");
+  at.smallest_multiplier = file.number_attribute(group, "smallest_multiplier");
+  at.contact_steps = static_cast<std::int64_t>(file.number_attribute(group, "contact_steps"));
+  at.tension_steps = static_cast<std::int64_t>(file.number_attribute(group, "tension_steps"));
+  at.solver_fallbacks = static_cast<std::int64_t>(file.number_attribute(group, "solver_fallbacks"));
+  if (!at.failure.empty()) return at;
+  const Eigen::Index samples = static_cast<Eigen::Index>(at.samples_per_revolution) * at.recorded_revolutions;
+  const Eigen::Index points = scene.independent_sectors * scene.clearance.size();
+  at.displacement = fold(file.read_array(group + "/displacement"));
+  at.contact_force = fold(file.read_array(group + "/contact_force"));
+  require_columns(at.displacement, file.path() + ": " + group + "/displacement", samples, 3 * points);
+  require_columns(at.contact_force, file.path() + ": " + group + "/contact_force", samples, points);
+  const Array<std::int32_t> counts = file.read_integers(group + "/contact_count");
+  if (counts.shape.size() != 3 || static_cast<Eigen::Index>(counts.shape[0] * counts.shape[1]) != points)
+    throw RunError(file.path() + ": " + group + "/contact_count must have the axes sector, node, area");
+  using RowMajor = Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  at.contact_count =
+      Eigen::Map<const RowMajor>(counts.values.data(), points, static_cast<Eigen::Index>(counts.shape[2]));
+  return at;
+}
+
+void write_scene(Hdf5File& file, const SimulatedScene& scene) {
+  file.set_attribute("/", "sector_count", scene.sector_count);
+  file.set_attribute("/", "independent_sectors", scene.independent_sectors);
+  file.set_attribute("/", "provenance", scene.provenance);
+  file.set_attribute("/", "scope", scene.scope);
+  file.write("/nodal_diameters",
+             Array<std::int32_t>{{scene.nodal_diameters.size()},
+                                 {scene.nodal_diameters.begin(), scene.nodal_diameters.end()}},
+             "1");
+  file.write("/casing/angle", scene.casing_angle, "rad");
+  file.write("/casing/distortion", scene.casing_distortion, "m");
+  file.write("/casing/clearance", scene.clearance, "m");
+  file.set_attribute("/casing", "lobes", scene.lobes);
+  file.set_attribute("/casing", "clearance_state", scene.clearance_state);
+}
+
+SimulatedScene read_scene(const Hdf5File& file) {
+  SimulatedScene scene;
+  scene.sector_count = file.integer_attribute("/", "sector_count");
+  scene.independent_sectors = file.integer_attribute("/", "independent_sectors");
+  scene.provenance = file.text_attribute("/", "provenance");
+  scene.scope = file.text_attribute("/", "scope");
+  const Array<std::int32_t> moving = file.read_integers("/nodal_diameters");
+  scene.nodal_diameters.assign(moving.values.begin(), moving.values.end());
+  scene.casing_angle = file.read_vector("/casing/angle");
+  scene.casing_distortion = file.read_vector("/casing/distortion");
+  scene.clearance = file.read_vector("/casing/clearance");
+  scene.lobes = file.integer_attribute("/casing", "lobes");
+  scene.clearance_state = file.text_attribute("/casing", "clearance_state");
+  if (scene.independent_sectors < 1 || scene.sector_count % scene.independent_sectors != 0)
+    throw RunError(file.path() + ": independent_sectors must divide sector_count");
+  return scene;
+}
+
+}  // namespace
+
+void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator) {
+  Hdf5File file = Hdf5File::create(path);
+  file.set_schema(schema, schema_version, generator);
+  file.set_attribute("/", "key", response.key);
+  write_scene(file, response.scene);
+  for (std::size_t i = 0; i < response.speeds.size(); ++i)
+    write_speed(file, group_of(i), response.speeds[i], response.scene);
+}
+
+Response read_response(const std::filesystem::path& path) {
+  const Hdf5File file = Hdf5File::open(path);
+  file.require_schema(schema, schema_version);
+  Response response;
+  response.key = file.text_attribute("/", "key");
+  response.scene = read_scene(file);
+  if (!file.exists("/speed")) return response;
+  for (const std::string& name : file.members("/speed"))
+    response.speeds.push_back(read_speed(file, "/speed/" + name, response.scene));
+  return response;
+}
+
+}  // namespace tiprub

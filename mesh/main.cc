@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/case_file.h"
+#include "cases/command_line.h"
+#include "cases/output_file.h"
+#include "mesh/sector_check.h"
+#include "mesh/sector_file.h"
+#include "mesh/sector_mesher.h"
+
+namespace {
+
+using namespace tiprub;
+
+void run(const StageArguments& arguments) {
+  CaseTable table = CaseFile(arguments.inputs[0]).table("mesh");
+  const Wheel wheel = read_wheel(table);
+  if (arguments.verbosity == Verbosity::verbose) say(arguments, table.resolved());
+  const SectorMesh mesh = mesh_sector(wheel);
+  const SectorReport report = check_sector(mesh, wheel);
+  say(arguments, describe(report, mesh, wheel));
+  if (arguments.action == Action::check) return;
+  OutputFile output(arguments.output);
+  write_sector(mesh, output.scratch());
+  output.commit();
+  say(arguments, "wrote " + arguments.output.string());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Stage stage{.name = "tiprub-mesh",
+                    .summary = "Meshes one sector of a wheel with quadratic hexahedra.",
+                    .inputs = {{"case.toml", "the scene; only its table [mesh] is read"}},
+                    .output = "sector.msh"};
+  return run_stage(argc, argv, stage, run);
+}

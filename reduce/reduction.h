@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cases/case_file.h"
+#include "cases/progress.h"
+#include "reduce/reduced_model.h"
+#include "reduce/rotating_elasticity.h"
+#include "reduce/sector_mesh.h"
+
+namespace tiprub {
+
+/// The table [reduce] of a case file.
+struct ReductionParameters {
+  Material material;
+  double speed_max = 0;  ///< [rad/s] Omega_max of eq. 7
+  Prestress prestress = Prestress::linear;
+  int contact_nodes = 10;
+  int fixed_interface_modes = 0;            ///< at each of the two speeds that give modes, 0 and Omega_max
+  std::vector<double> verification_speeds;  ///< [1] over Omega_max
+  int verification_modes = 0;               ///< a nodal diameter
+  double cyclic_tolerance = 0;              ///< [1] over the largest radius
+  int threads = 1;                          ///< of the BLAS
+
+  static ReductionParameters read(CaseTable& table);
+};
+
+/// What the reduction tells about itself.
+struct ReductionReport {
+  int sector_dofs = 0;
+  int clamped_face_nodes = 0;
+  std::vector<int> generalized_dofs;  ///< a nodal diameter
+  std::vector<int> dropped;           ///< a nodal diameter
+};
+
+/// The name of a prestress model in case files and in model.h5.
+std::string name_of(Prestress prestress);
+
+/// Eqs. 3-10 of the paper: K(0), K(Omega_max/2), K(Omega_max) and M of a sector, nodal diameter by nodal diameter on
+/// one Craig-Bampton basis, eq. 7 through the three, and the unreduced frequencies that verify it. Costs one
+/// factorization a speed, for all nodal diameters. Raises RunError for an unstable rotor, with the speed.
+ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown progress,
+                    ReductionReport& report);
+
+/// Whether a sector can be reduced: contact nodes can be chosen and are free, no cell is inverted. Raises InputError.
+void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters);
+
+/// Largest relative difference of the first `count` frequencies of the whole wheel (nodal diameters strictly between
+/// 0 and N/2 count twice) over all verification speeds, model against unreduced sector.
+double verification_error(const ReducedModel& model, int count);
+
+}  // namespace tiprub

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/rotating_elasticity.h"
+
+#include <algorithm>
+
+namespace tiprub {
+
+namespace {
+
+using Strain = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+/// Green-Lagrange strain per nodal displacement at the deformation gradient F:
+/// dE_ij = (F_ki dN_a/dX_j + F_kj dN_a/dX_i) / 2 du_ka; shears doubled. 6 x 3 nodes.
+void strain_operator(const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient, const Eigen::Matrix3d& F,
+                     Eigen::Ref<Strain> B) {
+  for (Eigen::Index a = 0; a < gradient.rows(); ++a)
+    for (int k = 0; k < 3; ++k) {
+      const double gx = gradient(a, 0), gy = gradient(a, 1), gz = gradient(a, 2);
+      const double fx = F(k, 0), fy = F(k, 1), fz = F(k, 2);
+      B.col(3 * a + k) << fx * gx, fy * gy, fz * gz, fx * gy + fy * gx, fy * gz + fz * gy, fz * gx + fx * gz;
+    }
+}
+
+/// The linear stress tensor of a displacement gradient H = du_i/dX_j [Pa].
+Eigen::Matrix3d linear_stress(const Eigen::Matrix3d& H, const Material& material) {
+  const double shear = material.young / (2 * (1 + material.poisson));
+  const double lame = 2 * shear * material.poisson / (1 - 2 * material.poisson);
+  return lame * H.trace() * Eigen::Matrix3d::Identity() + shear * (H + H.transpose());
+}
+
+/// Adds `factor * scalar(a, b)` times a diagonal 3 x 3 matrix to each node pair's block.
+void add_blocks(const Eigen::MatrixXd& scalar, const Eigen::Vector3d& diagonal, Eigen::MatrixXd& matrix) {
+  for (Eigen::Index b = 0; b < scalar.cols(); ++b)
+    for (Eigen::Index a = 0; a < scalar.rows(); ++a)
+      for (int k = 0; k < 3; ++k) matrix(3 * a + k, 3 * b + k) += diagonal[k] * scalar(a, b);
+}
+
+Eigen::MatrixXd consistent_mass(const BrickPoints& points, double density) {
+  return density * points.shape * points.weight.asDiagonal() * points.shape.transpose();
+}
+
+}  // namespace
+
+Eigen::Matrix<double, 6, 6> Material::elasticity() const {
+  const double shear = young / (2 * (1 + poisson));
+  const double lame = 2 * shear * poisson / (1 - 2 * poisson);
+  Eigen::Matrix<double, 6, 6> C = Eigen::Matrix<double, 6, 6>::Zero();
+  C.topLeftCorner<3, 3>().setConstant(lame);
+  C.diagonal() << lame + 2 * shear, lame + 2 * shear, lame + 2 * shear, shear, shear, shear;
+  return C;
+}
+
+RotatingElasticity::RotatingElasticity(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material)
+    : mesh_(mesh), dofs_(dofs), material_(material), quadrature_(mesh) {}
+
+SymmetricMatrix RotatingElasticity::empty_matrix() const {
+  const std::vector<std::vector<int>> neighbours = node_neighbours(mesh_);
+  std::vector<int> node_of(dofs_.sector() / 3);
+  for (int node = 0; node < mesh_.node_count(); ++node)
+    if (dofs_.first[node] >= 0) node_of[dofs_.first[node] / 3] = node;
+  SymmetricMatrix matrix(dofs_.sector(), dofs_.sector());
+  std::vector<std::vector<int>> rows(node_of.size());  // first dofs of the row nodes, one list a column node
+  Eigen::VectorXi sizes(dofs_.sector());
+  for (std::size_t column = 0; column < node_of.size(); ++column) {
+    for (const int node : neighbours[node_of[column]])
+      if (dofs_.first[node] >= static_cast<int>(3 * column)) rows[column].push_back(dofs_.first[node]);
+    std::sort(rows[column].begin(), rows[column].end());
+    for (int k = 0; k < 3; ++k) sizes[3 * column + k] = static_cast<int>(3 * rows[column].size()) - k;
+  }
+  matrix.reserve(sizes);
+  for (std::size_t column = 0; column < node_of.size(); ++column)
+    for (int k = 0; k < 3; ++k)
+      for (const int first : rows[column])
+        for (int i = (first == static_cast<int>(3 * column) ? k : 0); i < 3; ++i)
+          matrix.insert(first + i, static_cast<Eigen::Index>(3 * column) + k) = 0.0;
+  matrix.makeCompressed();
+  return matrix;
+}
+
+void RotatingElasticity::scatter(const Eigen::MatrixXd& cell_matrix, const std::vector<int>& nodes,
+                                 SymmetricMatrix& into) const {
+  const int count = static_cast<int>(nodes.size());
+  std::vector<Eigen::Matrix3d> frames(count);
+  for (int a = 0; a < count; ++a) frames[a] = cylindrical_frame(mesh_.nodes.col(nodes[a]));
+  const int* starts = into.outerIndexPtr();
+  const int* rows = into.innerIndexPtr();
+  for (int b = 0; b < count; ++b)
+    for (int a = 0; a < count; ++a) {
+      const int row = dofs_.first[nodes[a]], column = dofs_.first[nodes[b]];
+      if (row < column || column < 0) continue;
+      const Eigen::Matrix3d block = frames[a].transpose() * cell_matrix.block<3, 3>(3 * a, 3 * b) * frames[b];
+      for (int k = 0; k < 3; ++k) {
+        const int skip = row == column ? k : 0;
+        const int* at = std::lower_bound(rows + starts[column + k], rows + starts[column + k + 1], row + skip);
+        double* value = into.valuePtr() + (at - rows);
+        for (int i = skip; i < 3; ++i) value[i - skip] += block(i, k);
+      }
+    }
+}
+
+SymmetricMatrix RotatingElasticity::mass() {
+  SymmetricMatrix matrix = empty_matrix();
+  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
+    const BrickPoints& points = quadrature_.at(cell);
+    Eigen::MatrixXd cell_matrix = Eigen::MatrixXd::Zero(3 * points.nodes.size(), 3 * points.nodes.size());
+    add_blocks(consistent_mass(points, material_.density), Eigen::Vector3d::Ones(), cell_matrix);
+    scatter(cell_matrix, points.nodes, matrix);
+  }
+  return matrix;
+}
+
+SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3Xd& displacement,
+                                              Prestress prestress) {
+  SymmetricMatrix matrix = empty_matrix();
+  const Eigen::Matrix<double, 6, 6> C = material_.elasticity();
+  const Eigen::Vector3d softened(-speed * speed, -speed * speed, 0.0);
+  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
+    const BrickPoints& points = quadrature_.at(cell);
+    const Eigen::Index count = static_cast<Eigen::Index>(points.nodes.size()), gauss = points.weight.size();
+    const Eigen::Matrix3Xd moved = displacement(Eigen::all, points.nodes);
+    Eigen::MatrixXd B(6 * gauss, 3 * count), CB(6 * gauss, 3 * count);
+    Eigen::MatrixXd stress_stiffness = Eigen::MatrixXd::Zero(count, count);
+    for (Eigen::Index q = 0; q < gauss; ++q) {
+      const Eigen::Matrix3d H = moved * points.gradient[q];  // du_i/dX_j
+      Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+      if (prestress == Prestress::linear) F += H;
+      strain_operator(points.gradient[q], F, B.middleRows<6>(6 * q));
+      CB.middleRows<6>(6 * q) = points.weight[q] * C * B.middleRows<6>(6 * q);
+      stress_stiffness +=
+          points.weight[q] * points.gradient[q] * linear_stress(H, material_) * points.gradient[q].transpose();
+    }
+    Eigen::MatrixXd cell_matrix = B.transpose() * CB;                               // material stiffness
+    add_blocks(stress_stiffness, Eigen::Vector3d::Ones(), cell_matrix);             // K_sigma
+    add_blocks(consistent_mass(points, material_.density), softened, cell_matrix);  // spin softening, -Omega^2 M_perp
+    scatter(cell_matrix, points.nodes, matrix);
+  }
+  return matrix;
+}
+
+Eigen::VectorXd RotatingElasticity::centrifugal_load() {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(dofs_.sector());
+  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
+    const BrickPoints& points = quadrature_.at(cell);
+    Eigen::Matrix3Xd radius = points.position;
+    radius.row(2).setZero();
+    const Eigen::Matrix3Xd nodal = material_.density * radius * points.weight.asDiagonal() * points.shape.transpose();
+    for (std::size_t a = 0; a < points.nodes.size(); ++a)
+      if (const int first = dofs_.first[points.nodes[a]]; first >= 0)
+        load.segment<3>(first) +=
+            cylindrical_frame(mesh_.nodes.col(points.nodes[a])).transpose() * nodal.col(static_cast<Eigen::Index>(a));
+  }
+  return load;
+}
+
+double RotatingElasticity::volume() {
+  double sum = 0;
+  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) sum += quadrature_.at(cell).weight.sum();
+  return sum;
+}
+
+}  // namespace tiprub

@@ -81,7 +81,7 @@ BladedDiscParameters read_bladed_disc(CaseTable& table, SectorPlan& plan) {
   p.disc_profile = read_disc_profile(table, p);
   plan.blades = table.choice<Blades>("blade", Blades::main, {{"present", Blades::main}, {"none", Blades::none}});
   if (plan.blades == Blades::main) read_blade(table, p);
-  read_common(table, plan);
+  read_common(table, plan, 1);
   return p;
 }
 

@@ -10,7 +10,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr int panels_in_height = 8;
+constexpr int panels_in_height = 2;
+constexpr int least_panels_along = 160;   // many, since the curvature of tables may jump between two stations
 constexpr double difference_step = 1e-5;  // of the unit square; central differences are then good to 1e-10
 
 using Section = std::function<MeridionalPoint(double station, double height)>;
@@ -38,9 +39,13 @@ double slice_volume(const Section& section, const Angle& angle, double from, dou
 }
 
 double volume_between(const SectorPlan& plan, int first_station, const Section& section, const Angle& angle) {
+  const int panels = 1 + least_panels_along / plan.elements.chord;
   double volume = 0.0;
-  for (int i = first_station; i < plan.elements.chord; ++i)
-    volume += slice_volume(section, angle, plan.station(2 * i), plan.station(2 * i + 2));
+  for (int i = first_station; i < plan.elements.chord; ++i) {
+    const double from = plan.station(2 * i), width = (plan.station(2 * i + 2) - from) / panels;
+    for (int panel = 0; panel < panels; ++panel)
+      volume += slice_volume(section, angle, from + panel * width, from + (panel + 1) * width);
+  }
   return volume;
 }
 

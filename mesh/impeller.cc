@@ -13,6 +13,7 @@ constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double steepest_angle_deg = 80.0;
 constexpr double quarter_ellipse_arm = 0.5523;
 constexpr double usual_bore_share = 0.45;  // of the stations that stand on the bore
+constexpr int bore_and_back_face = 2;      // stations: one on either at least
 
 std::array<double, 2> read_arms(CaseTable& table, const char* key) {
   const std::vector<double> arms = table.numbers(key, std::vector<double>{quarter_ellipse_arm, quarter_ellipse_arm},
@@ -31,13 +32,6 @@ BladeAngles read_blade_angles(CaseTable& table) {
           radians_per_degree * table.number("tip_lean_deg", 0.0, Range::between(-45.0, 45.0), "deg")};
 }
 
-SmoothTable read_back_profile(CaseTable& table, double bore_radius, double exit_radius) {
-  SmoothTable profile(table.points("back_profile", std::nullopt, Range::any(), "m"));
-  if (profile.first_x() != bore_radius || profile.last_x() != exit_radius)
-    table.reject("back_profile", "must go from bore_radius to exit_radius; mend its first or its last radius");
-  return profile;
-}
-
 void read_splitter(CaseTable& table, SectorPlan& plan) {
   plan.blades = table.flag("splitter", true) ? Blades::main_and_splitter : Blades::main;
   if (plan.blades != Blades::main_and_splitter) return;
@@ -54,6 +48,8 @@ void check_channel(const CaseTable& table, const ImpellerParameters& p) {
     table.reject("exit_radius", "must be more than inlet_tip_radius; a centrifugal wheel grows towards its exit");
   if (p.exit_tip_width >= p.axial_length)
     table.reject("exit_tip_width", "must be less than axial_length; else the tip curve runs backwards");
+  if (p.back_profile.first_x() != p.bore_radius || p.back_profile.last_x() != p.exit_radius)
+    table.reject("back_profile", "must go from bore_radius to exit_radius; mend its first or its last radius");
 }
 
 void read_bore_elements(CaseTable& table, SectorPlan& plan) {
@@ -120,11 +116,12 @@ ImpellerParameters read_impeller(CaseTable& table, SectorPlan& plan) {
   const BladeAngles angles = read_blade_angles(table);
   const SmoothTable root = thickness("thickness_root"), tip = thickness("thickness_tip");
   const double bore = size("bore_radius");
-  ImpellerParameters parameters{inlet_hub, inlet_tip, exit, width, length, hub_arms,
-                                tip_arms,  angles,    root, tip,   bore,   read_back_profile(table, bore, exit)};
+  const SmoothTable back(table.points("back_profile", std::nullopt, Range::any(), "m"));
+  const ImpellerParameters parameters{inlet_hub, inlet_tip, exit, width, length, hub_arms,
+                                      tip_arms,  angles,    root, tip,   bore,   back};
   check_channel(table, parameters);
   read_splitter(table, plan);
-  read_common(table, plan);
+  read_common(table, plan, bore_and_back_face);
   read_bore_elements(table, plan);
   return parameters;
 }

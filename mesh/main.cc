@@ -14,8 +14,8 @@ void run(const StageArguments& arguments) {
   CaseTable table = CaseFile(arguments.inputs[0]).table("mesh");
   const Wheel wheel = read_wheel(table);
   if (arguments.verbosity == Verbosity::verbose) say(arguments, table.resolved());
-  const SectorMesh mesh = mesh_sector(wheel);
-  const SectorReport report = check_sector(mesh, wheel);
+  const MeshedSector mesh = mesh_sector(wheel);
+  const SectorReport report = measure_sector(mesh, wheel);
   say(arguments, describe(report, mesh, wheel));
   if (arguments.action == Action::check) return;
   OutputFile output(arguments.output);

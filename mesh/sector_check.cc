@@ -17,7 +17,7 @@ namespace tiprub {
 
 namespace {
 
-HexCoordinates coordinates_of(const SectorMesh& mesh, const SectorCell& cell) {
+HexCoordinates coordinates_of(const MeshedSector& mesh, const SectorCell& cell) {
   HexCoordinates coordinates;
   for (int n = 0; n < node_count(mesh.element); ++n) coordinates.col(n) = mesh.nodes[cell.nodes[n]];
   if (mesh.element == ElementKind::hex20) complete_hex20(coordinates);
@@ -28,7 +28,7 @@ double scaled_jacobian(const Eigen::Matrix3d& jacobian) {
   return jacobian.determinant() / (jacobian.col(0).norm() * jacobian.col(1).norm() * jacobian.col(2).norm());
 }
 
-void measure_cells(const SectorMesh& mesh, SectorReport& report) {
+void measure_cells(const MeshedSector& mesh, SectorReport& report) {
   report.worst_scaled_jacobian = 1.0;
   report.worst_cell = 0;
   report.mesh_volume = 0.0;
@@ -45,7 +45,7 @@ void measure_cells(const SectorMesh& mesh, SectorReport& report) {
   }
 }
 
-void measure_dimensions(const SectorMesh& mesh, SectorReport& report) {
+void measure_dimensions(const MeshedSector& mesh, SectorReport& report) {
   double z_low = mesh.nodes[0][2], z_high = z_low;
   report.smallest_radius = report.largest_radius = mesh.nodes[0].head<2>().norm();
   for (const Eigen::Vector3d& x : mesh.nodes) {
@@ -57,7 +57,7 @@ void measure_dimensions(const SectorMesh& mesh, SectorReport& report) {
   report.axial_extent = z_high - z_low;
 }
 
-void measure_pairing(const SectorMesh& mesh, SectorReport& report) {
+void measure_pairing(const MeshedSector& mesh, SectorReport& report) {
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(2.0 * std::numbers::pi / mesh.sector_count, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   report.pairing_mismatch = 0.0;
@@ -66,12 +66,12 @@ void measure_pairing(const SectorMesh& mesh, SectorReport& report) {
         std::max(report.pairing_mismatch, (turn * mesh.nodes[low] - mesh.nodes[high]).norm() / report.largest_radius);
 }
 
-std::set<std::size_t> nodes_on(const SectorMesh& mesh, const std::string& name) {
+std::set<std::size_t> nodes_on(const MeshedSector& mesh, const std::string& name) {
   const std::vector<std::size_t>& nodes = mesh.surface(name).face_nodes;
   return {nodes.begin(), nodes.end()};
 }
 
-void count_clamp(const SectorMesh& mesh, SectorReport& report) {
+void count_clamp(const MeshedSector& mesh, SectorReport& report) {
   const std::set<std::size_t> clamped = nodes_on(mesh, "clamped");
   report.clamped_nodes = clamped.size();
   report.clamped_cyclic_nodes = 0;
@@ -100,7 +100,7 @@ std::string place_of(const SectorCell& cell, const Wheel& wheel) {
   return text.str();
 }
 
-void refuse_inverted(const SectorReport& report, const SectorMesh& mesh, const Wheel& wheel) {
+void refuse_inverted(const SectorReport& report, const MeshedSector& mesh, const Wheel& wheel) {
   if (report.worst_scaled_jacobian > 0.0) return;
   const SectorCell& cell = mesh.cells[report.worst_cell];
   std::ostringstream text;
@@ -110,7 +110,7 @@ void refuse_inverted(const SectorReport& report, const SectorMesh& mesh, const W
 }
 
 // The normal of the face that is turned away from the axis, at one of its nodes.
-Eigen::Vector3d tip_normal(const SectorMesh& mesh, const SectorCell& cell, int local_node) {
+Eigen::Vector3d tip_normal(const MeshedSector& mesh, const SectorCell& cell, int local_node) {
   const auto& reference = hex_reference_nodes()[local_node];
   const Eigen::Vector3d at(reference[0], reference[1], reference[2]);
   const Eigen::Matrix3d jacobian = coordinates_of(mesh, cell) * hex_gradients(at);
@@ -124,7 +124,7 @@ double angle_from_radial_deg(const Eigen::Vector3d& normal, const Eigen::Vector3
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> contact_normals(const SectorMesh& mesh) {
+std::vector<Eigen::Vector3d> contact_normals(const MeshedSector& mesh) {
   std::vector<Eigen::Vector3d> sums(mesh.contact.size(), Eigen::Vector3d::Zero());
   const int top_layer = std::max_element(mesh.cells.begin(), mesh.cells.end(), [](const auto& a, const auto& b) {
                           return a.layer < b.layer;
@@ -140,7 +140,7 @@ std::vector<Eigen::Vector3d> contact_normals(const SectorMesh& mesh) {
   return sums;
 }
 
-SectorReport check_sector(const SectorMesh& mesh, const Wheel& wheel) {
+SectorReport measure_sector(const MeshedSector& mesh, const Wheel& wheel) {
   SectorReport report{};
   measure_cells(mesh, report);
   refuse_inverted(report, mesh, wheel);
@@ -154,7 +154,7 @@ SectorReport check_sector(const SectorMesh& mesh, const Wheel& wheel) {
   return report;
 }
 
-std::string describe(const SectorReport& report, const SectorMesh& mesh, const Wheel& wheel) {
+std::string describe(const SectorReport& report, const MeshedSector& mesh, const Wheel& wheel) {
   const ElementCounts& elements = wheel.plan.elements;
   std::ostringstream text;
   text << "radii " << report.smallest_radius << " to " << report.largest_radius << " m, axial extent "

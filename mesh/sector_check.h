@@ -25,12 +25,12 @@ struct SectorReport {
 };
 
 /// Measures the sector. Raises InputError at an inverted element: where it is and which keys shape it.
-SectorReport check_sector(const SectorMesh& mesh, const Wheel& wheel);
+SectorReport measure_sector(const MeshedSector& mesh, const Wheel& wheel);
 
 /// Unit normals of the tip surface at the contact nodes, outward, leading to trailing edge.
-std::vector<Eigen::Vector3d> contact_normals(const SectorMesh& mesh);
+std::vector<Eigen::Vector3d> contact_normals(const MeshedSector& mesh);
 
 /// The report in lines for a person: dimensions, counts, quality.
-std::string describe(const SectorReport& report, const SectorMesh& mesh, const Wheel& wheel);
+std::string describe(const SectorReport& report, const MeshedSector& mesh, const Wheel& wheel);
 
 }  // namespace tiprub

@@ -4,7 +4,11 @@
 #include <gmsh.h>
 
 #include <exception>
+#include <fstream>
 #include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "cases/errors.h"
 
@@ -42,7 +46,7 @@ void add_named_group(int dimension, const std::vector<int>& entities, const std:
   gmsh::model::setPhysicalName(dimension, group, name);
 }
 
-void add_nodes(const SectorMesh& mesh, int entity) {
+void add_nodes(const MeshedSector& mesh, int entity) {
   std::vector<std::size_t> tags(mesh.nodes.size());
   std::iota(tags.begin(), tags.end(), std::size_t{1});
   std::vector<double> coordinates;
@@ -51,7 +55,7 @@ void add_nodes(const SectorMesh& mesh, int entity) {
   gmsh::model::mesh::addNodes(volume_dimension, entity, tags, coordinates);
 }
 
-std::vector<std::size_t> nodes_of(const SectorMesh& mesh, Region region) {
+std::vector<std::size_t> nodes_of(const MeshedSector& mesh, Region region) {
   std::vector<std::size_t> nodes;
   for (const SectorCell& cell : mesh.cells) {
     if (cell.region != region) continue;
@@ -61,7 +65,7 @@ std::vector<std::size_t> nodes_of(const SectorMesh& mesh, Region region) {
   return nodes;
 }
 
-void add_volumes(const SectorMesh& mesh) {
+void add_volumes(const MeshedSector& mesh) {
   struct Volume {
     Region region;
     const char* name;
@@ -82,7 +86,7 @@ void add_volumes(const SectorMesh& mesh) {
   for (const Volume& volume : volumes) add_named_group(volume_dimension, {volume.entity}, volume.name);
 }
 
-void add_surface(const SectorMesh& mesh, const SectorSurface& surface) {
+void add_surface(const MeshedSector& mesh, const SectorSurface& surface) {
   const int entity = gmsh::model::addDiscreteEntity(surface_dimension);
   const std::size_t* first = surface.face_nodes.data();
   gmsh::model::mesh::addElementsByType(entity, mesh.element == ElementKind::hex20 ? quad8 : quad9, {},
@@ -90,7 +94,7 @@ void add_surface(const SectorMesh& mesh, const SectorSurface& surface) {
   add_named_group(surface_dimension, {entity}, surface.name);
 }
 
-void add_contact_curve(const SectorMesh& mesh) {
+void add_contact_curve(const MeshedSector& mesh) {
   const int entity = gmsh::model::addDiscreteEntity(curve_dimension);
   std::vector<std::size_t> ends;
   for (std::size_t n = 0; n + 1 < mesh.contact.size(); ++n)
@@ -99,15 +103,25 @@ void add_contact_curve(const SectorMesh& mesh) {
   add_named_group(curve_dimension, {entity}, "contact");
 }
 
+// gmsh says nothing of a folder that isn't there or a disc that is full; the last words of a whole file do.
+void require_whole(const std::filesystem::path& path) {
+  const std::string last_words = "$EndElements\n";
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(-static_cast<std::streamoff>(last_words.size()), std::ios::end);
+  const std::string end(std::istreambuf_iterator<char>(file), {});
+  if (end != last_words) throw std::runtime_error("it is not there, or not whole; is the disc full?");
+}
+
 }  // namespace
 
-void write_sector(const SectorMesh& mesh, const std::filesystem::path& path) {
+void write_sector(const MeshedSector& mesh, const std::filesystem::path& path) {
   try {
     const GmshSession session;
     add_volumes(mesh);
     for (const SectorSurface& surface : mesh.surfaces) add_surface(mesh, surface);
     add_contact_curve(mesh);
     gmsh::write(path.string());
+    require_whole(path);
   } catch (const std::exception& error) {
     throw RunError(path.string() + ": can't be written: " + error.what());
   }

@@ -46,7 +46,7 @@ class Mesher {
     mesh_.sector_count = wheel.plan.sector_count;
   }
 
-  SectorMesh run() {
+  MeshedSector run() {
     mark_nodes();
     place_nodes();
     for_each_cell([&](const Index& cell, Region region) { add_cell(cell, region); });
@@ -188,23 +188,23 @@ class Mesher {
   SectorLattice lattice_;
   Index nodes_across_{};
   std::vector<std::size_t> number_;  // of each lattice node, no_node where none is
-  SectorMesh mesh_;
+  MeshedSector mesh_;
 };
 
 }  // namespace
 
-const SectorSurface& SectorMesh::surface(const std::string& name) const {
+const SectorSurface& MeshedSector::surface(const std::string& name) const {
   const auto found =
       std::find_if(surfaces.begin(), surfaces.end(), [&](const SectorSurface& one) { return one.name == name; });
   assert(found != surfaces.end());
   return *found;
 }
 
-int SectorMesh::nodes_per_face() const {
+int MeshedSector::nodes_per_face() const {
   return element == ElementKind::hex20 ? 8 : 9;
 }
 
-SectorMesh mesh_sector(const Wheel& wheel) {
+MeshedSector mesh_sector(const Wheel& wheel) {
   return Mesher(wheel).run();
 }
 

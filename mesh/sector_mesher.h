@@ -27,7 +27,7 @@ struct SectorSurface {
 };
 
 /// One sector, in memory.
-struct SectorMesh {
+struct MeshedSector {
   ElementKind element;
   int sector_count;                    ///< N
   std::vector<Eigen::Vector3d> nodes;  ///< [m], axis of rotation z
@@ -43,6 +43,6 @@ struct SectorMesh {
 /// A structured lattice of blocks (gap, main blade, gap, splitter, gap round the sector; disc and blade in depth), on
 /// the wheel's own map: mid-side nodes lie on the true geometry, and cyclic_high is cyclic_low turned by 2 pi/N. A
 /// lattice is taken rather than a CAD volume because it conforms whatever the counts, and pairs node for node.
-SectorMesh mesh_sector(const Wheel& wheel);
+MeshedSector mesh_sector(const Wheel& wheel);
 
 }  // namespace tiprub

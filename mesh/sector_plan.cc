@@ -44,7 +44,7 @@ double SectorPlan::splitter_chord(double station_fraction) const {
   return std::max(0.0, (station_fraction - splitter_start) / (1.0 - splitter_start));
 }
 
-void read_common(CaseTable& table, SectorPlan& plan) {
+void read_common(CaseTable& table, SectorPlan& plan, int fewest_along_chord) {
   ElementCounts& elements = plan.elements;
   plan.element = table.choice<ElementKind>("element", ElementKind::hex20,
                                            {{"hex20", ElementKind::hex20}, {"hex27", ElementKind::hex27}});
@@ -52,7 +52,7 @@ void read_common(CaseTable& table, SectorPlan& plan) {
                                               {{"bore", ClampedSurface::bore},
                                                {"front_face", ClampedSurface::front_face},
                                                {"bore_and_front_face", ClampedSurface::bore_and_front_face}});
-  elements.chord = count(table, "elements_along_chord", 12, 1);
+  elements.chord = count(table, "elements_along_chord", 12, fewest_along_chord);
   elements.disc = count(table, "elements_through_disc", 3, 1);
   elements.between_blades = count(table, "elements_between_blades", 4, 1);
   elements.bore = elements.chord;

@@ -45,6 +45,6 @@ struct SectorPlan {
 };
 
 /// What both families say in the same words: element, clamped, the counts of elements. Blades must be known already.
-void read_common(CaseTable& table, SectorPlan& plan);
+void read_common(CaseTable& table, SectorPlan& plan, int fewest_along_chord);
 
 }  // namespace tiprub

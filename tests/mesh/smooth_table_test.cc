@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/smooth_table.h"
+
+#include <gtest/gtest.h>
+
+namespace tiprub {
+namespace {
+
+TEST(SmoothTable, GoesThroughItsPoints) {
+  const SmoothTable table({{0.0, 1.0}, {0.3, 4.0}, {1.0, 2.0}});
+  EXPECT_DOUBLE_EQ(table.at(0.0), 1.0);
+  EXPECT_DOUBLE_EQ(table.at(0.3), 4.0);
+  EXPECT_DOUBLE_EQ(table.at(1.0), 2.0);
+}
+
+TEST(SmoothTable, NeverOvershoots) {
+  const SmoothTable table({{0.0, 1.0}, {0.3, 4.0}, {1.0, 2.0}});
+  for (double x = 0.0; x <= 1.0; x += 0.01) {
+    EXPECT_GE(table.at(x), 1.0);
+    EXPECT_LE(table.at(x), 4.0);
+  }
+}
+
+TEST(SmoothTable, ReproducesAStraightLineAndAConstant) {
+  const SmoothTable line({{0.0, 1.0}, {0.2, 1.4}, {1.0, 3.0}});
+  for (double x = 0.0; x <= 1.0; x += 0.05) EXPECT_NEAR(line.at(x), 1.0 + 2.0 * x, 1e-14);
+  EXPECT_DOUBLE_EQ(SmoothTable({{0.0, 7.0}}).at(0.4), 7.0);
+}
+
+TEST(SmoothTable, HasNoKinkAtItsPoints) {
+  const SmoothTable table({{0.0, 0.0}, {0.4, 1.0}, {1.0, 5.0}});
+  const double h = 1e-6;
+  const double left = (table.at(0.4) - table.at(0.4 - h)) / h;
+  const double right = (table.at(0.4 + h) - table.at(0.4)) / h;
+  EXPECT_NEAR(left, right, 1e-4);
+}
+
+}  // namespace
+}  // namespace tiprub

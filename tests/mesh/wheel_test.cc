@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/wheel.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/mesh/mesh_cases.h"
+
+namespace tiprub {
+namespace {
+
+using test::case_text;
+using test::complaint;
+using test::wheel_from;
+using test::with;
+
+TEST(Wheel, TheSplitterAlwaysStartsBetweenTwoElements) {
+  const Wheel wheel = wheel_from(case_text("impeller_quick"));
+  EXPECT_DOUBLE_EQ(wheel.plan.station(2 * wheel.plan.elements.upstream), 0.45);
+  EXPECT_DOUBLE_EQ(wheel.plan.station(2 * wheel.plan.elements.chord), 1.0);
+}
+
+TEST(Wheel, DefaultsMeshTheRootAndTheDiscAsAsked) {
+  const Wheel wheel = wheel_from(test::twisted_blades());
+  EXPECT_GE(wheel.plan.elements.blade, 3);  // 2 through a blade, 3 at its root: one count, since blocks conform
+  EXPECT_GE(wheel.plan.elements.disc, 3);
+  EXPECT_EQ(wheel.plan.element, ElementKind::hex20);
+}
+
+struct Wrong {
+  const char* key;
+  const char* value;
+  const char* phrase;
+};
+
+class WrongKey : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongKey, IsRefusedInPlainWords) {
+  const auto [key, value, phrase] = GetParam();
+  const std::string message = complaint(with(case_text("impeller_quick"), key, value));
+  EXPECT_NE(message.find(phrase), std::string::npos) << message;
+  EXPECT_NE(message.find(".toml:"), std::string::npos) << message;  // file and line
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Impeller, WrongKey,
+    ::testing::Values(
+        Wrong{"exit_tip_width", "0.07", "must be less than axial_length"},
+        Wrong{"inlet_tip_radius", "0.03", "must be more than inlet_hub_radius"},
+        Wrong{"exit_radius", "0.07", "must be more than inlet_tip_radius"},
+        Wrong{"hub_arms", "[0.4]", "must hold two numbers"},
+        Wrong{"hub_angle_deg", "[[0.0, -38.0], [0.9, -28.0]]", "from chord fraction 0 to chord fraction 1"},
+        Wrong{"tip_angle_deg", "[[0.0, -88.0]]", "tip_angle_deg = -88 must be at least -80"},
+        Wrong{"back_profile", "[[0.03, 0.092], [0.122, 0.07]]", "must go from bore_radius to exit_radius"},
+        Wrong{"thickness_tip", "[[0.0, 0.04]]", "thickness_tip makes blades cross"},
+        Wrong{"elements_along_chord", "1", "must be at least 2"}, Wrong{"blade_count", "2", "must be at least 3"},
+        Wrong{"axial_length", "nan", "must be more than 0"}));
+
+}  // namespace
+}  // namespace tiprub

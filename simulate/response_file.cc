@@ -163,13 +163,29 @@ SimulatedScene read_scene(const Hdf5File& file) {
 
 }  // namespace
 
+struct ResponseWriter::State {
+  Hdf5File file;
+  SimulatedScene scene;
+  std::size_t count = 0;
+};
+
+ResponseWriter::ResponseWriter(const std::filesystem::path& path, const SimulatedScene& scene, const std::string& key,
+                               const std::string& generator)
+    : state_(std::make_unique<State>(State{Hdf5File::create(path), scene})) {
+  state_->file.set_schema(schema, schema_version, generator);
+  state_->file.set_attribute("/", "key", key);
+  write_scene(state_->file, scene);
+}
+
+ResponseWriter::~ResponseWriter() = default;
+
+void ResponseWriter::add(const SpeedResponse& speed) {
+  write_speed(state_->file, group_of(state_->count++), speed, state_->scene);
+}
+
 void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator) {
-  Hdf5File file = Hdf5File::create(path);
-  file.set_schema(schema, schema_version, generator);
-  file.set_attribute("/", "key", response.key);
-  write_scene(file, response.scene);
-  for (std::size_t i = 0; i < response.speeds.size(); ++i)
-    write_speed(file, group_of(i), response.speeds[i], response.scene);
+  ResponseWriter writer(path, response.scene, response.key, generator);
+  for (const SpeedResponse& speed : response.speeds) writer.add(speed);
 }
 
 Response read_response(const std::filesystem::path& path) {

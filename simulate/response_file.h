@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "simulate/response.h"
@@ -10,6 +11,20 @@ namespace tiprub {
 
 /// response.h5, schema "tiprub-response" version 1; the format is described in simulate/README.md.
 void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator);
+
+/// The same file speed by speed, for sweeps that don't fit into memory. Speeds must come in ascending order.
+class ResponseWriter {
+ public:
+  ResponseWriter(const std::filesystem::path& path, const SimulatedScene& scene, const std::string& key,
+                 const std::string& generator);
+  ~ResponseWriter();
+
+  void add(const SpeedResponse& speed);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// Raises RunError if the file is missing, damaged, of another schema, or its arrays don't fit together.
 Response read_response(const std::filesystem::path& path);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <cstdint>
+#include <vector>
+
+namespace tiprub {
+
+enum class ContactRule {
+  complementarity,  ///< 0 <= lambda perpendicular to g >= 0, in every step
+  paper,            ///< eqs. 14-15: every node that the free step pushes through is closed once, as an equality
+};
+
+/// The contact forces of one step. With g the gaps of the free step (positive open) and W the compliance of the
+/// contact nodes over one step (block circulant, built once a speed), finds lambda >= 0 with
+///   g+ = g + W lambda >= 0,  lambda . g+ = 0
+/// by a primal-dual active set (Hintermueller, Ito, Kunisch 2003), warm-started from the last step's set: 1-2
+/// factorizations of the closed nodes' block, none if the set stands. If that doesn't settle, Murty's least-index
+/// method (1974), which is finite for a positive definite W. W gets a relative shift on its diagonal, so that tied
+/// or doubled nodes (a singular W) keep a solution; it moves a closed node by 1e-12 of its correction.
+///
+/// The paper's rule holds a negative multiplier (the casing pulls) in some steps and leaves other nodes penetrating
+/// in many; it is kept for reproduction, and its violations are counted. Its eq. 15 has the opposite sign of eq. 14:
+/// here g+ = g + W lambda.
+class ContactImpulses {
+ public:
+  /// W [m/N]; n x n, symmetric positive semidefinite. Rows of zeros are nodes that are never closed.
+  ContactImpulses(Eigen::MatrixXd compliance, ContactRule rule);
+
+  /// Takes the gaps [m] of the free step to those of the step: g += W lambda. At least one gap must be negative.
+  /// Raises RunError if no solution is found (W has a negative eigenvalue).
+  void solve(Eigen::Ref<Eigen::VectorXd> gap);
+  /// For a step without contact.
+  void open();
+
+  /// [N]; n, zero for open nodes.
+  const Eigen::VectorXd& multipliers() const { return multipliers_; }
+  /// Indices of closed nodes, ascending.
+  const std::vector<int>& closed() const { return closed_; }
+
+  std::int64_t factorizations() const { return factorizations_; }
+  std::int64_t fallbacks() const { return fallbacks_; }
+
+ private:
+  void solve_closed(const Eigen::VectorXd& free_gap);
+  void factorize();
+  bool settle_active_set(const Eigen::VectorXd& free_gap, double tolerance);
+  void settle_least_index(const Eigen::VectorXd& free_gap, double tolerance);
+  void close_penetrating(const Eigen::VectorXd& free_gap);
+  void update_gap(const Eigen::VectorXd& free_gap);
+
+  Eigen::MatrixXd compliance_;
+  ContactRule rule_;
+  Eigen::VectorXd multipliers_, gap_, free_gap_, closed_forces_;
+  Eigen::MatrixXd factor_;  ///< Cholesky factor of the block of `factorized_`, in its top left corner
+  std::vector<int> closed_, next_, factorized_, warm_;
+  std::int64_t factorizations_ = 0;
+  std::int64_t fallbacks_ = 0;
+};
+
+}  // namespace tiprub

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+
+#include "cases/command_line.h"
+#include "simulate/simulation.h"
+
+int main(int argc, char** argv) {
+  int threads = 0;
+  tiprub::Stage stage;
+  stage.name = "tiprub-simulate";
+  stage.summary = "A reduced rotor against a rigid casing: the settled motion at each speed.";
+  stage.inputs = {{"case.toml", "the scene; its tables [casing] and [simulate] are read"},
+                  {"model.h5", "the reduced rotor"}};
+  stage.output = "response.h5";
+  stage.add_options = [&](CLI::App& app) {
+    app.add_option("--threads", threads, "threads over speeds; 0: as [simulate] says")->check(CLI::Range(0, 1024));
+  };
+  return tiprub::run_stage(argc, argv, stage,
+                           [&](const tiprub::StageArguments& arguments) { tiprub::simulate(arguments, threads); });
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "simulate/energy_audit.h"
+#include "simulate/response.h"
+#include "simulate/rotor_at_speed.h"
+#include "simulate/time_march.h"
+
+namespace tiprub {
+
+/// Marches some revolutions and keeps what response.h5 holds of them.
+class Recording {
+ public:
+  struct Grid {
+    int samples_per_revolution;
+    int revolutions;
+    int casing_areas;
+  };
+  Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const ContactLine& contact, const Grid& grid);
+
+  /// One revolution; the normal displacements at its samples, for judging whether it is steady.
+  Eigen::VectorXd revolution(TimeMarch& march);
+  /// Fills in the arrays, the ledger and the counters.
+  void finish(const TimeMarch& march, SpeedResponse& response) const;
+
+ private:
+  void take_states(const TimeMarch& march, int sample);
+  void observe(const TimeMarch& march, int sample);
+  void recover_displacements(int first_sample);
+
+  const RotorAtSpeed& rotor_;
+  const ContactLine& contact_;
+  Grid grid_;
+  int sectors_, nodes_, width_;
+  int done_ = 0;
+  EnergyAudit audit_;
+  std::vector<Eigen::MatrixXcd> states_;  ///< modal coordinates of the samples of a revolution; m x samples
+  SpeedResponse kept_;
+};
+
+/// One revolution without keeping anything but the normal displacements at its samples; samples x width, sector by
+/// sector.
+Eigen::VectorXd march_revolution(TimeMarch& march, int samples_per_revolution);
+
+}  // namespace tiprub

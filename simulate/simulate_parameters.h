@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "cases/case_file.h"
+#include "simulate/contact_impulses.h"
+#include "simulate/integrators/step_coefficients.h"
+
+namespace tiprub {
+
+enum class DiameterChoice {
+  symmetric,  ///< only those that the casing's orders can move from rest
+  all,
+};
+
+/// What [simulate] asks for.
+struct SimulateParameters {
+  std::vector<double> speeds;  ///< [rad/s], ascending, all different
+  Scheme scheme = Scheme::trigonometric;
+  ContactRule contact = ContactRule::complementarity;
+  std::vector<double> damping_ratios;  ///< of critical, by family; the last one holds for all further families
+  DiameterChoice nodal_diameters = DiameterChoice::symmetric;
+  double steps_per_period = 400;   ///< at least, of the lowest natural frequency
+  int steps_per_revolution = 0;    ///< at least; 0: from steps_per_period
+  int samples_per_revolution = 0;  ///< at least
+  int recorded_revolutions = 0;
+  int min_revolutions = 0;
+  int max_revolutions = 0;
+  double settle_tolerance = 0;  ///< [1] estimated distance from the settled motion, of its norm
+  int casing_areas = 0;
+  int threads = 0;  ///< 0: as many as the machine has
+};
+
+/// Reads [simulate]. Raises InputError.
+SimulateParameters read_simulate_parameters(CaseTable& table);
+
+}  // namespace tiprub

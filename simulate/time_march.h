@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <cstdint>
+#include <vector>
+
+#include "simulate/casing.h"
+#include "simulate/contact_impulses.h"
+#include "simulate/integrators/step_coefficients.h"
+#include "simulate/rotor_at_speed.h"
+
+namespace tiprub {
+
+/// What a march needs beside the rotor.
+struct MarchSetup {
+  Scheme scheme = Scheme::trigonometric;
+  ContactRule contact = ContactRule::complementarity;
+  int steps_per_revolution = 0;  ///< a multiple of N and of the casing's lobes
+  int symmetry = 1;              ///< g: the wheel's nodal diameters are multiples of it
+};
+
+/// The one loop of all schemes: a rotor in modal coordinates against a rigid casing, step by step,
+///   q+ = a q - b q- - c Y^H Lambda_n,   Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha}, j < N/g,
+///   0 <= lambda perpendicular to g+ >= 0.
+/// Only normal displacements of contact nodes pass between the nodal diameters. lambda found in the step from t_q to
+/// t_{q+1} is the force at t_q. Starts from rest. With the coefficients of central differences this is the paper's
+/// eqs. 13-15. Costs 2 m n_c complex multiplications a nodal diameter, twice that in contact.
+///
+/// Values by contact node stand in one vector, sector after sector, each padded to width() nodes.
+class TimeMarch {
+ public:
+  /// Everything raises RunError if the contact compliance is no such thing.
+  TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact, const MarchSetup& setup);
+
+  /// predict() and, if a node would penetrate, the contact forces and correct().
+  void step();
+  /// The free step to t_{q+1}. Whether a node penetrates.
+  bool predict();
+  /// Adds the forces [N] along -normal at t_q to the step just predicted; indices of the nodes that have one.
+  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
+
+  std::int64_t step_count() const { return step_; }
+  double time_step() const { return time_step_; }
+  int sector_count() const { return sector_count_; }
+  int symmetry() const { return setup_.symmetry; }
+  int sectors() const { return sectors_; }
+  int node_count() const { return node_count_; }
+  int width() const { return static_cast<int>(width_); }
+  int steps_per_revolution() const { return setup_.steps_per_revolution; }
+
+  /// [m] after the last step; infinite for padding.
+  const Eigen::VectorXd& gap() const { return gap_; }
+  /// [m] along the normals, at the last three instants: t_q, t_{q-1}, t_{q-2}.
+  const Eigen::VectorXd& displacement() const { return displacement_[0]; }
+  const Eigen::VectorXd& displacement_before() const { return displacement_[1]; }
+  const Eigen::VectorXd& displacement_two_before() const { return displacement_[2]; }
+  /// The contact forces of the last step: [N], zero for open nodes.
+  const ContactImpulses& contact() const { return contact_; }
+  /// [m/N] W of the whole problem, padded rows zero.
+  const Eigen::MatrixXd& compliance() const { return compliance_; }
+
+  /// One nodal diameter inside the march. Arrays over modes padded with modes that don't move.
+  struct Wave {
+    int nodal_diameter;
+    WaveKind kind;
+    double weight;         ///< w_n
+    Eigen::ArrayXd omega;  ///< [rad/s]
+    StepCoefficients coefficients;
+    Eigen::VectorXd q, before, two_before;  ///< real parts, then imaginary parts, at t_q, t_{q-1}, t_{q-2}
+    std::vector<double> rows, columns;      ///< Y in the two orders of wave_kernels.h
+    Eigen::VectorXd nodes;                  ///< Y q, real parts, then imaginary parts
+    Eigen::VectorXd forces;                 ///< Lambda_n, likewise
+    Eigen::VectorXd cosine, sine;           ///< of n j alpha, by sector
+
+    Eigen::Index modes() const { return omega.size(); }
+  };
+  const std::vector<Wave>& waves() const { return waves_; }
+  /// Puts the modal coordinates of a nodal diameter [m sqrt(kg)] at t_q and t_{q-1}; for tests and restarts.
+  void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before);
+
+ private:
+  void build_compliance(const RotorAtSpeed& rotor);
+  void build_distortion(const Casing& casing, const ContactLine& contact);
+
+  MarchSetup setup_;
+  int sector_count_, sectors_, node_count_;
+  std::size_t width_;
+  double time_step_;
+  std::int64_t step_ = 0;
+  Casing casing_;
+  std::vector<Wave> waves_;
+  Eigen::VectorXd clearance_;       ///< [m] one sector, padded with infinity
+  std::vector<double> distortion_;  ///< [m] by phase (one lobe of steps), then node
+  std::int64_t phases_ = 1;
+  Eigen::VectorXd gap_;
+  Eigen::VectorXd displacement_[3];
+  Eigen::MatrixXd compliance_;
+  ContactImpulses contact_;
+  std::vector<int> closed_nodes_;  ///< node indices closed in any sector
+};
+
+}  // namespace tiprub

@@ -3,10 +3,8 @@
 
 #include <gmsh.h>
 
-#include <exception>
 #include <fstream>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -103,13 +101,13 @@ void add_contact_curve(const MeshedSector& mesh) {
   add_named_group(curve_dimension, {entity}, "contact");
 }
 
-// gmsh says nothing of a folder that isn't there or a disc that is full; the last words of a whole file do.
+// gmsh says nothing of a disc that is full; the last words of a whole file do.
 void require_whole(const std::filesystem::path& path) {
   const std::string last_words = "$EndElements\n";
   std::ifstream file(path, std::ios::binary);
   file.seekg(-static_cast<std::streamoff>(last_words.size()), std::ios::end);
   const std::string end(std::istreambuf_iterator<char>(file), {});
-  if (end != last_words) throw std::runtime_error("it is not there, or not whole; is the disc full?");
+  if (end != last_words) throw RunError(path.string() + ": can't be written whole; is the disc full?");
 }
 
 }  // namespace
@@ -121,10 +119,10 @@ void write_sector(const MeshedSector& mesh, const std::filesystem::path& path) {
     for (const SectorSurface& surface : mesh.surfaces) add_surface(mesh, surface);
     add_contact_curve(mesh);
     gmsh::write(path.string());
-    require_whole(path);
-  } catch (const std::exception& error) {
-    throw RunError(path.string() + ": can't be written: " + error.what());
+  } catch (const std::string& message) {  // what gmsh 4.8 throws
+    throw RunError(path.string() + ": can't be written: gmsh says: " + message);
   }
+  require_whole(path);
 }
 
 }  // namespace tiprub

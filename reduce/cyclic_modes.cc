@@ -37,7 +37,7 @@ class KrylovSpace {
   const Eigen::MatrixXcd& projected() const { return projected_; }
   /// How the last step's new block couples to the one before; its norm bounds the residuals.
   const Eigen::MatrixXcd& coupling() const { return coupling_; }
-  Eigen::MatrixXcd combine(const Eigen::MatrixXcd& weights) const { return Q_.leftCols(size_) * weights; }
+  Eigen::MatrixXcd combine(const Eigen::MatrixXcd& weights) const { return Q_.leftCols(weights.rows()) * weights; }
 
   void start() {
     const SectorDofs& dofs = stiffness_.wave().dofs();
@@ -126,7 +126,8 @@ CyclicModes lowest_modes(const CyclicStiffness& stiffness, const SymmetricMatrix
     const bool more = space.grow();
     const Eigen::MatrixXcd& projected = space.projected();
     const Eigen::Index size = projected.cols();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> ritz(0.5 * (projected + projected.adjoint()));
+    // Only the blocks on and above the diagonal are filled in; the solver reads the lower triangle.
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> ritz(projected.adjoint());
     const Eigen::Index wanted = std::min<Eigen::Index>(count, size);
     const Eigen::VectorXd theta = ritz.eigenvalues().tail(wanted).reverse();
     const Eigen::MatrixXcd weights = ritz.eigenvectors().rightCols(wanted).rowwise().reverse();
@@ -138,9 +139,7 @@ CyclicModes lowest_modes(const CyclicStiffness& stiffness, const SymmetricMatrix
       if (wanted < count)
         throw RunError("a nodal diameter has only " + std::to_string(wanted) + " modes, " + std::to_string(count) +
                        " are asked for; ask for fewer, or refine the mesh");
-      Eigen::MatrixXcd padded = Eigen::MatrixXcd::Zero(space.size(), wanted);
-      padded.topRows(size) = weights;
-      return {theta.cwiseInverse(), space.combine(padded), residual};
+      return {theta.cwiseInverse(), space.combine(weights), residual};
     }
     if (size > static_cast<Eigen::Index>(longest) * std::max(count, static_cast<int>(block_size)))
       throw RunError("the modes of a nodal diameter did not converge in " + std::to_string(size) + " Krylov vectors");

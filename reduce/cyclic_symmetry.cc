@@ -2,6 +2,7 @@
 #include "reduce/cyclic_symmetry.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <complex>
 #include <numbers>
 #include <string>
@@ -25,6 +26,31 @@ Eigen::MatrixXcd join(const Eigen::MatrixXd& parts) {
   matrix.real() = parts.leftCols(columns);
   matrix.imag() = parts.rightCols(columns);
   return matrix;
+}
+
+/// Y X for a symmetric matrix of which the lower triangle is stored. Right sides lie row by row and go in strips of a
+/// fixed width: each entry of Y is then read once a strip, and the inner loop has no unknowns.
+Eigen::MatrixXd multiply(const SymmetricMatrix& lower, const Eigen::MatrixXd& right) {
+  constexpr Eigen::Index width = 16;
+  using Strip = Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor>;
+  Eigen::MatrixXd product(right.rows(), right.cols());
+  for (Eigen::Index first = 0; first < right.cols(); first += width) {
+    const Eigen::Index count = std::min(width, right.cols() - first);
+    Strip x = Strip::Zero(right.rows(), width), y = Strip::Zero(right.rows(), width);
+    x.leftCols(count) = right.middleCols(first, count);
+    for (Eigen::Index column = 0; column < lower.cols(); ++column) {
+      Eigen::Matrix<double, 1, width> sum = Eigen::Matrix<double, 1, width>::Zero();
+      SymmetricMatrix::InnerIterator entry(lower, column);
+      sum += entry.value() * x.row(column);  // the diagonal comes first
+      for (++entry; entry; ++entry) {
+        sum += entry.value() * x.row(entry.row());
+        y.row(entry.row()) += entry.value() * x.row(column);
+      }
+      y.row(column) += sum;
+    }
+    product.middleCols(first, count) = y.leftCols(count);
+  }
+  return product;
 }
 
 }  // namespace
@@ -64,7 +90,7 @@ Eigen::MatrixXcd TravellingWave::gather(const Eigen::MatrixXcd& sector) const {
 
 Eigen::MatrixXcd TravellingWave::apply(const SymmetricMatrix& matrix, const Eigen::MatrixXcd& independent) const {
   const Eigen::MatrixXd moved = split(expand(independent));
-  return gather(join(matrix.selfadjointView<Eigen::Lower>() * moved));
+  return gather(join(multiply(matrix, moved)));
 }
 
 CyclicStiffness::CyclicStiffness(const SectorFactor& factor, const TravellingWave& wave)

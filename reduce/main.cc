@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cblas.h>
 
-#include <cstdio>
+#include <CLI/CLI.hpp>
 #include <sstream>
 
 #include "cases/case_file.h"
 #include "cases/command_line.h"
 #include "cases/output_file.h"
+#include "reduce/calculix_deck.h"
 #include "reduce/reduced_model_file.h"
 #include "reduce/reduction.h"
 
@@ -27,7 +28,7 @@ std::string summary(const tiprub::ReducedModel& model, const tiprub::ReductionRe
   return line.str();
 }
 
-void run(const tiprub::StageArguments& arguments) {
+void run(const tiprub::StageArguments& arguments, const std::string& calculix_folder) {
   const tiprub::CaseFile case_file(arguments.inputs[0]);
   tiprub::CaseTable table = case_file.table("reduce");
   const auto parameters = tiprub::ReductionParameters::read(table);
@@ -43,6 +44,11 @@ void run(const tiprub::StageArguments& arguments) {
                            " sectors, " + std::to_string(mesh.node_count()) + " nodes, " +
                            std::to_string(mesh.cell_count()) + " bricks of " + std::to_string(mesh.nodes_per_cell()) +
                            " nodes");
+  }
+  if (!calculix_folder.empty()) {
+    tiprub::write_calculix_decks(mesh, parameters, calculix_folder);
+    return tiprub::say(arguments, "tiprub-reduce: " + calculix_folder + ": CalculiX decks for " +
+                                      std::to_string(parameters.verification_speeds.size()) + " speeds");
   }
   tiprub::OutputFile output(arguments.output);
   tiprub::ReductionReport report;
@@ -60,10 +66,16 @@ void run(const tiprub::StageArguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::string calculix_folder;
   const tiprub::Stage stage{
       .name = "tiprub-reduce",
       .summary = "Reduces a sector of a wheel to a small model that knows its speed.",
       .inputs = {{"case.toml", "the scene; its table [reduce] is read"}, {"sector.msh", "one sector of the wheel"}},
-      .output = "model.h5"};
-  return tiprub::run_stage(argc, argv, stage, run);
+      .output = "model.h5",
+      .add_options = [&](CLI::App& app) {
+        app.add_option("--export-ccx", calculix_folder,
+                       "write the sector as CalculiX decks, one a verification speed, into this folder, and stop");
+      }};
+  return tiprub::run_stage(argc, argv, stage,
+                           [&](const tiprub::StageArguments& arguments) { run(arguments, calculix_folder); });
 }

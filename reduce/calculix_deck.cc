@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/calculix_deck.h"
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <set>
+
+#include "cases/errors.h"
+#include "cases/output_file.h"
+
+namespace tiprub {
+
+namespace {
+
+// CalculiX numbers the mid-sides of its 20-node brick around the faces, gmsh by their lower corner.
+constexpr std::array<int, 20> calculix_order = {0,  1,  2,  3,  4,  5,  6,  7,  8,  11,
+                                                13, 9,  16, 18, 19, 17, 10, 12, 14, 15};
+
+void write_list(std::ostream& out, const std::string& header, const std::vector<int>& nodes,
+                const std::set<int>& without) {
+  out << header << "\n";
+  for (const int node : nodes)
+    if (!without.contains(node)) out << node + 1 << ",\n";
+}
+
+void write_mesh(std::ostream& out, const SectorMesh& mesh, const ReductionParameters& parameters) {
+  out.precision(17);
+  out << "*NODE, NSET=Nall\n";
+  for (int node = 0; node < mesh.node_count(); ++node)
+    out << node + 1 << ", " << mesh.nodes(0, node) << ", " << mesh.nodes(1, node) << ", " << mesh.nodes(2, node) << "\n";
+  out << "*ELEMENT, TYPE=C3D20, ELSET=Eall\n";
+  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    out << cell + 1;
+    for (std::size_t i = 0; i < calculix_order.size(); ++i)  // at most 16 numbers a line
+      out << (i == 10 ? ",\n" : ", ") << mesh.cells(calculix_order[i], cell) + 1;
+    out << "\n";
+  }
+  // A node can be held or tied, not both: the clamp wins, as in SectorDofs.
+  const std::set<int> held(mesh.clamped.begin(), mesh.clamped.end());
+  write_list(out, "*NSET, NSET=clamped", mesh.clamped, {});
+  write_list(out, "*NSET, NSET=low", mesh.cyclic_low, held);
+  write_list(out, "*NSET, NSET=high", mesh.cyclic_high, held);
+  out << "*SURFACE, NAME=low, TYPE=NODE\nlow\n*SURFACE, NAME=high, TYPE=NODE\nhigh\n"
+      << "*TIE, NAME=cut, CYCLIC SYMMETRY\nlow, high\n"
+      << "*CYCLIC SYMMETRY MODEL, N=" << mesh.sector_count << ", TIE=cut\n0, 0, 0, 0, 0, 1\n"
+      << "*MATERIAL, NAME=metal\n*ELASTIC\n" << parameters.material.young << ", " << parameters.material.poisson
+      << "\n*DENSITY\n" << parameters.material.density << "\n*SOLID SECTION, ELSET=Eall, MATERIAL=metal\n"
+      << "*BOUNDARY\nclamped, 1, 3\n";
+}
+
+void write_speed(std::ostream& out, double speed, const SectorMesh& mesh, const ReductionParameters& parameters) {
+  out.precision(17);
+  out << "*INCLUDE, INPUT=mesh.inp\n";
+  if (speed > 0)
+    out << "*STEP\n*STATIC\n*DLOAD\nEall, CENTRIF, " << speed * speed << ", 0, 0, 0, 0, 0, 1\n*END STEP\n"
+        << "*STEP, PERTURBATION\n";
+  else
+    out << "*STEP\n";
+  // A travelling wave counts twice in CalculiX, as a cosine and a sine.
+  out << "*FREQUENCY\n" << 2 * parameters.verification_modes << "\n*SELECT CYCLIC SYMMETRY MODES, NMIN=0, NMAX="
+      << mesh.sector_count / 2 << "\n*END STEP\n";
+}
+
+template <class Writer>
+void write_file(const std::filesystem::path& path, const Writer& write) {
+  OutputFile output(path);
+  std::ofstream out(output.scratch());
+  write(out);
+  out.close();
+  if (!out) throw RunError(path.string() + ": can't be written");
+  output.commit();
+}
+
+}  // namespace
+
+void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& parameters,
+                          const std::filesystem::path& folder) {
+  if (mesh.nodes_per_cell() != static_cast<int>(calculix_order.size()))
+    throw InputError("the sector has 27-node bricks, which CalculiX doesn't have; mesh it with 20-node bricks");
+  std::filesystem::create_directories(folder);
+  write_file(folder / "mesh.inp", [&](std::ostream& out) { write_mesh(out, mesh, parameters); });
+  for (const double fraction : parameters.verification_speeds) {
+    const double speed = fraction * parameters.speed_max;
+    const long rpm = std::lround(speed * 30 / std::numbers::pi);
+    write_file(folder / ("speed_" + std::to_string(rpm) + ".inp"),
+               [&](std::ostream& out) { write_speed(out, speed, mesh, parameters); });
+  }
+}
+
+}  // namespace tiprub

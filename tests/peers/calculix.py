@@ -1,0 +1,64 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Frequencies of an unreduced sector against CalculiX's C3D20 on the same mesh.
+
+usage: calculix.py TIPRUB_MESH TIPRUB_REDUCE CASE WORK_FOLDER
+
+Meshes the case, reduces it, exports the CalculiX decks, runs CalculiX at the lowest and the highest verification speed
+(rest and full speed), and compares every verification frequency of every nodal diameter. Exit 77 (skipped) if there is no CalculiX.
+"""
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import h5py
+
+TOLERANCE = 1e-6  # relative; CalculiX prints seven digits
+SKIPPED = 77
+
+
+def calculix_frequencies(folder, deck):
+    """{nodal diameter: [Hz, ascending, each once]}; CalculiX prints a travelling wave twice, as cosine and sine."""
+    environment = dict(os.environ, OMP_NUM_THREADS="1")
+    subprocess.run(["ccx", deck], cwd=folder, env=environment, check=True, stdout=subprocess.DEVNULL)
+    rows = {}
+    line = re.compile(r"^\s+(\d+)\s+\d+\s+\S+E\S+\s+\S+E\S+\s+(\S+E\S+)\s+\S+E\S+\s*$")
+    with open(os.path.join(folder, deck + ".dat"), encoding="ascii") as dat:
+        for match in filter(None, map(line.match, dat)):
+            rows.setdefault(int(match[1]), []).append(float(match[2]))
+    return {n: values[::2] for n, values in rows.items()}
+
+
+def main(mesh, reduce, case, work):
+    if shutil.which("ccx") is None:
+        print("SKIPPED: CalculiX (ccx) is not installed; it is Debian's package calculix-ccx")
+        return SKIPPED
+    shutil.rmtree(work, ignore_errors=True)
+    os.makedirs(work)
+    sector, model, decks = (os.path.join(work, name) for name in ("sector.msh", "model.h5", "ccx"))
+    subprocess.run([mesh, "-q", case, "-o", sector], check=True)
+    subprocess.run([reduce, "-q", case, sector, "-o", model], check=True)
+    subprocess.run([reduce, "-q", case, sector, "--export-ccx", decks], check=True)
+    worst, compared = 0.0, 0
+    with h5py.File(model) as file:
+        diameters = file.attrs["sector_count"] // 2 + 1
+        speeds = file["verification/speed"][:]
+        for row in (0, len(speeds) - 1):
+            speed = speeds[row]
+            peer = calculix_frequencies(decks, f"speed_{round(speed * 30 / math.pi)}")
+            for n in range(diameters):
+                ours = file[f"verification/nodal_diameter/{n}/unreduced"][row]
+                assert len(peer[n]) >= len(ours), f"CalculiX gave {len(peer[n])} frequencies for nodal diameter {n}"
+                for mine, theirs in zip(ours, peer[n]):
+                    worst = max(worst, abs(mine / theirs - 1))
+                    compared += 1
+    print(f"{compared} frequencies, {diameters} nodal diameters: largest relative difference {worst:.2e}")
+    assert compared > 0
+    return 0 if worst <= TOLERANCE else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/wheel.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "mesh/bladed_disc.h"
@@ -14,44 +15,38 @@ enum class Family { impeller, bladed_disc };
 
 constexpr int fewest_sectors = 3;  // below it a sector and its neighbour on either side are no longer three
 constexpr int most_sectors = 1000;
-constexpr double sectors_are_cut_in_mid_passage = 0.5;
 
-struct Widths {
-  double main;
-  double splitter;
-};
-
-Widths half_widths(const Wheel& wheel, double station, double span) {
-  const bool has_splitter = wheel.plan.blades == Blades::main_and_splitter;
-  return {wheel.geometry->half_width(BladeKind::main, station, span),
-          has_splitter ? wheel.geometry->half_width(BladeKind::splitter, station, span) : 0.0};
-}
-
-[[noreturn]] void refuse_width(const CaseTable& table, const char* key, double station, double width, double room) {
+[[noreturn]] void refuse_width(const CaseTable& table, double span, double station, double width, double room) {
   std::ostringstream text;
   text << "makes blades cross: at " << station << " of the meridional length they take " << width
        << " rad of the circle, and have " << room << " rad; make the blade thinner or its angle smaller";
-  table.reject(key, text.str());
+  table.reject(span == 0.0 ? "thickness_root" : "thickness_tip", text.str());
 }
 
-// The narrowest passage, from mid-blade to mid-blade, and half of the one that the sector's cut halves.
-void check_widths(const CaseTable& table, const Wheel& wheel) {
+// At the hub the columns of a splitter also exist upstream of it.
+bool splitter_is_at(const SectorPlan& plan, double station, double span) {
+  return plan.blades == Blades::main_and_splitter && (span == 0.0 || station >= plan.splitter_start);
+}
+
+// Neighbours must not meet in the narrower of the two passages; at the hub neither may reach the sector's cut, which
+// halves the passage behind the splitter.
+void check_widths_at(const CaseTable& table, const Wheel& wheel, double station, double span) {
   const SectorPlan& plan = wheel.plan;
-  const bool has_splitter = plan.blades == Blades::main_and_splitter;
-  const double before_cut = has_splitter ? 1.0 - plan.splitter_pitch : 1.0;
-  const double room_to_cut = sectors_are_cut_in_mid_passage * before_cut * plan.pitch();
-  const double room = has_splitter ? plan.splitter_pitch * plan.pitch() : plan.pitch();
-  for (int half = 0; half <= 2 * plan.elements.chord; ++half) {
-    const double station = plan.station(half);
-    for (double span : {0.0, 1.0}) {
-      const char* key = span == 0.0 ? "thickness_root" : "thickness_tip";
-      const Widths widths = half_widths(wheel, station, span);
-      const double wider = std::max(widths.main, widths.splitter);
-      if (wider >= room_to_cut) refuse_width(table, key, station, wider, room_to_cut);
-      if (has_splitter && widths.main + widths.splitter >= room)
-        refuse_width(table, key, station, widths.main + widths.splitter, room);
-    }
-  }
+  const bool has_splitter = splitter_is_at(plan, station, span);
+  const double main = wheel.geometry->half_width(BladeKind::main, station, span);
+  const double neighbour = has_splitter ? wheel.geometry->half_width(BladeKind::splitter, station, span) : main;
+  const double passage = has_splitter ? 1.0 - plan.splitter_pitch : 1.0;
+  const double narrower = has_splitter ? std::min(plan.splitter_pitch, passage) : 1.0;
+  if (main + neighbour >= narrower * plan.pitch())
+    refuse_width(table, span, station, main + neighbour, narrower * plan.pitch());
+  const double to_cut = 0.5 * passage * plan.pitch();
+  if (span == 0.0 && std::max(main, neighbour) >= to_cut)
+    refuse_width(table, span, station, std::max(main, neighbour), to_cut);
+}
+
+void check_widths(const CaseTable& table, const Wheel& wheel) {
+  for (int half = 0; half <= 2 * wheel.plan.elements.chord; ++half)
+    for (double span : {0.0, 1.0}) check_widths_at(table, wheel, wheel.plan.station(half), span);
 }
 
 }  // namespace

@@ -26,6 +26,13 @@ TEST(Wheel, DefaultsMeshTheRootAndTheDiscAsAsked) {
   EXPECT_EQ(wheel.plan.element, ElementKind::hex20);
 }
 
+TEST(Wheel, AThickTipIsAllowedWhereNoSplitterStands) {
+  // Two such edges take 0.37 rad; from blade to splitter there are 0.31 rad, from blade to blade 0.63 rad.
+  EXPECT_EQ(
+      complaint(with(case_text("impeller_quick"), "thickness_tip", "[[0.0, 0.016], [0.3, 0.001], [1.0, 0.001]]")),
+      "");
+}
+
 struct Wrong {
   const char* key;
   const char* value;

@@ -10,8 +10,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr int panels_in_height = 2;
-constexpr int least_panels_along = 160;   // many, since the curvature of tables may jump between two stations
+constexpr int panels_in_height = 4;
+constexpr int least_panels_along = 80;    // many, since the curvature of tables may jump between two stations
 constexpr double difference_step = 1e-5;  // of the unit square; central differences are then good to 1e-10
 
 using Section = std::function<MeridionalPoint(double station, double height)>;

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#   make demo       installs what is missing, builds, and runs the quick impeller from its case to its report
+#   make test       installs what is missing, builds, and tests;  make test-all takes the slow tests in
+#   make bench      speed of the parts that cost
+#   make format     formats the code;  make lint checks it
+BUILD ?= build
+JOBS ?= $(shell nproc)
+DEMO := cases/impeller_quick
+
+.PHONY: all packages configure programs tests demo test test-all bench format lint clean
+all: programs
+
+packages:
+	@.ci/install-packages
+
+configure: packages
+	@cmake -G Ninja -S . -B $(BUILD) > $(BUILD).configure.log 2>&1 || { cat $(BUILD).configure.log; exit 1; }
+	@rm -f $(BUILD).configure.log
+
+programs: configure
+	ninja -C $(BUILD) -j $(JOBS) programs
+
+tests: configure
+	ninja -C $(BUILD) -j $(JOBS)
+
+demo: programs
+	$(MAKE) -C $(DEMO) BIN=$(abspath $(BUILD))/bin
+	@cat $(DEMO)/report/critical_speeds.txt
+	@echo "The report: $(abspath $(DEMO))/report/report.html"
+
+test: tests
+	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE slow
+
+test-all: tests
+	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+bench: tests
+	$(BUILD)/bin/tiprub-benchmark
+
+format:
+	git ls-files '*.h' '*.cc' | xargs clang-format -i
+
+lint: configure
+	git ls-files '*.cc' | xargs clang-tidy -p $(BUILD) --quiet
+
+clean:
+	rm -rf $(BUILD)

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# From a case to its report, by the four programs. A case's folder holds case.toml and a Makefile that includes this file.
+#   make             everything that is out of date
+#   make model.h5    one file and what it needs;  make -B model.h5 makes it anyway
+#   make clean       forgets what was computed
+# Each stage is out of date when its own tables of case.toml change, or a file it reads.
+HERE := $(dir $(lastword $(MAKEFILE_LIST)))
+BIN ?= $(abspath $(HERE)../build/bin)
+export PATH := $(BIN):$(PATH)
+
+.PHONY: all clean
+.DELETE_ON_ERROR:
+all: report/report.html
+
+sector.msh: .tables/mesh
+	tiprub-mesh case.toml -o $@
+
+model.h5: .tables/reduce sector.msh
+	tiprub-reduce case.toml sector.msh -o $@
+
+response.h5: .tables/casing .tables/simulate model.h5
+	tiprub-simulate case.toml model.h5 -o $@
+
+report/report.html: .tables/postprocess model.h5 response.h5
+	tiprub-postprocess case.toml model.h5 response.h5 -o report
+
+# One table of the case, with its sub-tables; its time changes only when its text does.
+.tables/%: case.toml
+	@mkdir -p .tables
+	@awk '/^\[/ { inside = $$0 ~ /^\[+$*[].]/ } inside' case.toml > $@.new
+	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+
+.PRECIOUS: .tables/%
+
+clean:
+	rm -rf .tables report response.h5 response.h5.speeds model.h5 sector.msh *.part.*

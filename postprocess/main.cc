@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "cases/case_file.h"
+#include "cases/command_line.h"
+#include "cases/output_file.h"
+#include "cases/progress.h"
+#include "postprocess/interruption.h"
+#include "postprocess/report.h"
+#include "postprocess/result_tables.h"
+#include "reduce/reduced_model_file.h"
+#include "simulate/response_file.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using namespace tiprub;
+
+struct Inputs {
+  ReportSource source;
+  PostprocessParameters parameters;
+  ReducedModel model;
+  Response response;
+};
+
+Inputs read_inputs(const StageArguments& arguments) {
+  const CaseFile file(arguments.inputs[0]);
+  CaseTable table = file.table("postprocess");
+  Inputs inputs;
+  inputs.parameters = read_postprocess_parameters(table);
+  if (arguments.verbosity == Verbosity::verbose) say(arguments, "[postprocess]\n" + table.resolved());
+  inputs.source = {file.title(), file.source()};
+  inputs.model = read_model(arguments.inputs[1]);
+  inputs.response = read_response(arguments.inputs[2]);
+  check_together(inputs.model, inputs.response, arguments.inputs[2].string());
+  require_gnuplot();
+  return inputs;
+}
+
+/// Returns how many figures there are.
+std::size_t write_report(const Study& study, const ReportSource& source, const fs::path& folder,
+                         Progress::Shown shown) {
+  fs::create_directories(folder / "figures");
+  const std::vector<Figure> figures = all_figures(study);
+  {
+    Progress progress("drawing", figures.size(), shown);
+    draw_figures(figures, folder / "figures", [&] { progress.advance(); });
+  }
+  write_csv(critical_speed_record(study), folder / "critical_speeds.csv");
+  write_csv(linear_criterion_record(study), folder / "linear_criterion.csv");
+  write_csv(speed_record(study), folder / "speeds.csv");
+  write_text(report_page(study, source, figures, folder), folder / "report.html");
+  return figures.size();
+}
+
+void postprocess(const StageArguments& arguments) {
+  Inputs inputs = read_inputs(arguments);
+  if (arguments.action == Action::check) return;
+  OutputFile output(arguments.output);
+  note_interruptions();
+  const Study study = make_study(inputs.parameters, std::move(inputs.model), std::move(inputs.response));
+  const std::size_t figure_count =
+      write_report(study, inputs.source, output.scratch(),
+                   arguments.verbosity == Verbosity::quiet ? Progress::Shown::never
+                                                           : Progress::Shown::on_a_terminal);
+  stop_if_interrupted();
+  output.commit();
+  std::printf("%s", aligned_text(critical_speed_summary(study)).c_str());
+  std::fflush(stdout);
+  if (arguments.verbosity == Verbosity::verbose)
+    for (const std::string& line : verdict(study)) say(arguments, line);
+  say(arguments, (arguments.output / "report.html").lexically_normal().string() + ": " +
+                     std::to_string(study.critical.size()) + " critical speeds, " +
+                     std::to_string(study.response.speeds.size()) + " speeds, " +
+                     std::to_string(figure_count) + " figures");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Stage stage{
+      .name = "tiprub-postprocess",
+      .summary = "Draws what a rub simulation found: interaction maps, contact maps, critical speeds, a report.",
+      .inputs = {{"case.toml", "the scene; [postprocess] is read"},
+                 {"model.h5", "the reduced rotor, from tiprub-reduce"},
+                 {"response.h5", "the response, from tiprub-simulate"}},
+      .output = "report"};
+  const auto body = [](const StageArguments& arguments) {
+    try {
+      postprocess(arguments);
+    } catch (const Interrupted&) {  // everything is cleaned up; leave as the other stages do
+      constexpr int exit_by_signal = 128;
+      std::_Exit(exit_by_signal + interruption());
+    }
+  };
+  return run_stage(argc, argv, stage, body);
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "postprocess/figure.h"
+#include "postprocess/study.h"
+
+namespace tiprub {
+
+/// Where a report comes from.
+struct ReportSource {
+  std::string title;      ///< of the case
+  std::string case_text;  ///< the case file as it was read
+};
+
+/// The findings in words: how many critical speeds, which is the worst and why, what the linear rules missed, how far
+/// the numbers may be trusted. One sentence a line.
+std::vector<std::string> verdict(const Study& study);
+
+/// The page: self-contained, the figures' SVG inside (read from `folder`/figures), links to the tables beside it.
+std::string report_page(const Study& study, const ReportSource& source, const std::vector<Figure>& figures,
+                        const std::filesystem::path& folder);
+
+}  // namespace tiprub

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "postprocess/contact_map.h"
+#include "postprocess/critical_speeds.h"
+#include "postprocess/interaction_map.h"
+
+namespace tiprub {
+
+/// A travelling wave's peak over speed, on one line of the interaction map.
+struct Ridge {
+  double speed = 0;  ///< [rad/s]
+  WaveLabel wave;
+};
+
+/// All that the figures, the tables and the page are drawn from.
+struct Study {
+  PostprocessParameters parameters;
+  ReducedModel model;
+  Response response;                  ///< the speeds that have a response, and only those
+  std::vector<SpeedResponse> failed;  ///< the others, with their reasons
+  SpeedRange range;
+  FrequencyCurves curves;
+  TipAmplitudes amplitudes{};
+  int map_node = 0;
+  InteractionMap map{};
+  std::vector<Ridge> ridges{};  ///< engine orders 1 .. engine_order_max
+  ContactMap leading_edge{}, trailing_edge{};
+  std::vector<CriticalSpeed> critical{};
+  std::vector<Crossing> equation_2{}, aliased{};
+  RuleScore equation_2_score{}, aliasing_score{};
+  Eigen::Index worst = 0;  ///< index of the speed with the largest amplitude
+
+  const SpeedResponse& worst_response() const { return response.speeds[static_cast<std::size_t>(worst)]; }
+};
+
+/// Raises InputError if the model and the response are of different rotors, RunError if no speed has a usable
+/// response. `name` is the response's, for messages.
+void check_together(const ReducedModel& model, const Response& response, const std::string& name);
+
+/// Computes everything; needs check_together().
+Study make_study(const PostprocessParameters& parameters, ReducedModel model, Response response);
+
+}  // namespace tiprub

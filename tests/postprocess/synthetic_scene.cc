@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "synthetic_scene.h"
+
+#include <cmath>
+#include <complex>
+#include <fstream>
+#include <numbers>
+
+#include "postprocess/aliasing.h"
+#include "reduce/reduced_model_file.h"
+#include "simulate/response_file.h"
+
+namespace tiprub::synthetic {
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr int contact_nodes = 4;
+constexpr int dofs = 3 * contact_nodes + 4;
+constexpr double nodal_mass = 0.01;  // [kg]
+
+/// A fixed orthogonal matrix that mixes the dofs.
+Eigen::MatrixXd mixing() {
+  Eigen::MatrixXd seed(dofs, dofs);
+  for (int i = 0; i < dofs; ++i)
+    for (int k = 0; k < dofs; ++k) seed(i, k) = std::sin(1.0 + 3.7 * i + 2.3 * k * k);
+  return Eigen::HouseholderQR<Eigen::MatrixXd>(seed).householderQ();
+}
+
+ContactLine tip_line() {
+  ContactLine line;
+  line.position.resize(contact_nodes, 3);
+  line.normal.resize(contact_nodes, 3);
+  line.arc_length.resize(contact_nodes);
+  line.static_shift_1 = Eigen::MatrixX3d::Zero(contact_nodes, 3);
+  line.static_shift_2 = Eigen::MatrixX3d::Zero(contact_nodes, 3);
+  for (int k = 0; k < contact_nodes; ++k) {
+    const double turn = 0.5 * std::numbers::pi * k / (contact_nodes - 1), radius = 0.04;
+    line.position.row(k) << 0.1 - radius * std::cos(turn), 0.15 * k, radius * std::sin(turn);
+    line.normal.row(k) << std::cos(turn), 0.0, -std::sin(turn);
+    line.arc_length[k] = radius * turn;
+  }
+  return line;
+}
+
+double amplification(double ratio) {
+  constexpr double damping = 0.004;
+  return 1 / std::sqrt(std::pow(1 - ratio * ratio, 2) + std::pow(2 * damping * ratio, 2));
+}
+
+/// Forced response of the two families to one harmonic of the casing.
+Wave driven_wave(int engine_order, int sectors, double speed) {
+  const int n = signed_nodal_diameter(engine_order, sectors);
+  const double forcing = engine_order * speed / two_pi, strength = 4e-5 / engine_order;
+  double amplitude = 0;
+  for (int family = 0; family < 2; ++family)
+    amplitude +=
+        strength * (family == 0 ? 1.0 : 0.6) * amplification(forcing / frequency(std::abs(n), family, speed));
+  return {static_cast<double>(engine_order), n, 0.15 * amplitude + 2 * strength, 0.3 * engine_order};
+}
+
+}  // namespace
+
+double rest_frequency(int nodal_diameter, int family) {
+  if (family == 0) return 1500.0 + 12.0 * nodal_diameter;
+  if (family == 1) return 2300.0 + 60.0 * nodal_diameter;
+  return 4000.0 + 700.0 * family;
+}
+
+double frequency(int nodal_diameter, int family, double speed) {
+  return std::hypot(rest_frequency(nodal_diameter, family), std::sqrt(stiffening) * speed / two_pi);
+}
+
+ReducedModel model(int sector_count) {
+  ReducedModel model;
+  model.sector_count = sector_count;
+  model.speed_max = 2500;
+  model.prestress = "given";
+  model.contact = tip_line();
+  model.provenance = "a made rotor";
+  const Eigen::MatrixXd mix = mixing();
+  for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
+    Eigen::VectorXd squares(dofs);
+    for (int family = 0; family < dofs; ++family) squares[family] = std::pow(two_pi * rest_frequency(n, family), 2);
+    NodalDiameterModel matrices;
+    Eigen::MatrixXd stiffness = nodal_mass * mix * squares.asDiagonal() * mix.transpose();
+    stiffness = 0.5 * (stiffness + stiffness.transpose()).eval();
+    matrices.K0 = stiffness.cast<std::complex<double>>();
+    matrices.K1 = stiffening * nodal_mass * Eigen::MatrixXcd::Identity(dofs, dofs);
+    matrices.K2 = Eigen::MatrixXcd::Zero(dofs, dofs);
+    matrices.M = nodal_mass * Eigen::MatrixXcd::Identity(dofs, dofs);
+    model.nodal_diameters.push_back(matrices);
+  }
+  return model;
+}
+
+SimulatedScene two_lobes() {
+  constexpr int points = 721;
+  SimulatedScene scene;
+  scene.sector_count = 10;
+  scene.independent_sectors = 5;
+  scene.nodal_diameters = {0, 2, 4};
+  scene.casing_angle = Eigen::VectorXd::LinSpaced(points, 0.0, two_pi);
+  scene.casing_distortion = (3e-4 * (2 * scene.casing_angle.array()).cos()).matrix();
+  scene.lobes = 2;
+  scene.clearance = Eigen::VectorXd::LinSpaced(contact_nodes, 3.2e-4, 2.6e-4);
+  scene.clearance_state = "cold";
+  scene.scope =
+      "nodal diameters 0, 2, 4: the casing repeats twice around, the others stay at rest\n"
+      "5 of 10 sectors: sector j moves as sector j + 5\nno friction, rigid casing, tuned wheel";
+  scene.provenance = "a made response";
+  return scene;
+}
+
+SpeedResponse speed(const SimulatedScene& scene, const ContactLine& contact, double omega,
+                    const std::vector<Wave>& waves, int recorded_revolutions) {
+  constexpr int samples_per_revolution = 360, steps_per_sample = 10, areas = 200;
+  const int samples = samples_per_revolution * recorded_revolutions, nodes = contact.size();
+  SpeedResponse at;
+  at.speed = omega;
+  at.samples_per_revolution = samples_per_revolution;
+  at.steps_per_revolution = samples_per_revolution * steps_per_sample;
+  at.recorded_revolutions = recorded_revolutions;
+  at.revolutions = 10 * recorded_revolutions;
+  at.motion = MotionClass::periodic;
+  at.period_revolutions = 1;
+  at.change = 3e-5;
+  at.change_rate = 0.8;
+  at.energy.closing_error = 2e-4;
+  at.displacement.setZero(samples, 3 * scene.independent_sectors * nodes);
+  at.contact_force.setZero(samples, scene.independent_sectors * nodes);
+  at.contact_count.setZero(scene.independent_sectors * nodes, areas);
+  for (int s = 0; s < samples; ++s) {
+    const double turned = two_pi * s / samples_per_revolution;
+    bool touching = false;
+    for (int sector = 0; sector < scene.independent_sectors; ++sector) {
+      const double alpha = two_pi * sector / scene.sector_count;
+      double motion = 0;
+      for (const Wave& wave : waves)
+        motion +=
+            wave.amplitude * std::cos(wave.engine_order * turned + wave.signed_nodal_diameter * alpha + wave.phase);
+      for (int node = 0; node < nodes; ++node) {
+        const int row = sector * nodes + node;
+        const double here = motion * (1.0 - 0.2 * node);
+        at.displacement.block<1, 3>(s, 3 * row) =
+            here * (contact.normal.row(node) + 0.8 * Eigen::RowVector3d::UnitY());
+        const double angle = std::fmod(alpha + contact.position(node, 1) + turned, two_pi);
+        const double gap = scene.clearance[node] - 3e-4 * std::cos(2 * angle) - here;
+        if (gap >= 0) continue;
+        touching = true;
+        at.contact_force(s, row) = -gap * 1e6;
+        at.contact_count(row, static_cast<int>(areas * angle / two_pi) % areas) += steps_per_sample;
+      }
+    }
+    at.contact_steps += touching ? steps_per_sample : 0;
+  }
+  return at;
+}
+
+Response resonant_sweep(const ReducedModel& rotor) {
+  constexpr int count = 48;
+  Response response;
+  response.scene = two_lobes();
+  response.key = "made";
+  for (int i = 0; i < count; ++i) {
+    const double omega = (10500.0 + 8000.0 * i / (count - 1)) * std::numbers::pi / 30;
+    std::vector<Wave> waves;
+    for (int order = 2; order <= 12; order += 2) waves.push_back(driven_wave(order, rotor.sector_count, omega));
+    if (i == 30) waves.push_back({4.5, 0, 3e-5, 0.0});
+    if (i == 31) waves.push_back({5.25, 2, 2e-5, 0.0});
+    SpeedResponse at = speed(response.scene, rotor.contact, omega, waves);
+    if (i == 30) {
+      at.motion = MotionClass::subharmonic;
+      at.period_revolutions = 2;
+    }
+    if (i == 31) {
+      at.motion = MotionClass::irregular;
+      at.period_revolutions = 0;
+    }
+    if (i == 40) {
+      at = SpeedResponse{};
+      at.speed = omega;
+      at.failure = "the step is above the limit of central differences";
+    }
+    response.speeds.push_back(at);
+  }
+  return response;
+}
+
+void write_scene(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const ReducedModel rotor = model();
+  write_model(rotor, folder / "model.h5", "test");
+  write_response(resonant_sweep(rotor), folder / "response.h5", "test");
+  std::ofstream(folder / "case.toml")
+      << "title = \"A made wheel & an <oval> casing\"\n\n[postprocess]\nfamilies = 2\n";
+}
+
+}  // namespace tiprub::synthetic

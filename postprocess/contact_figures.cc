@@ -60,29 +60,31 @@ Figure contact_map_figure(const Study& study, TipEdge edge) {
                    std::to_string(map.share.rows()) +
                    " areas, each coloured by the share of the steps over it that "
                    "are in contact, from white (never) to dark blue (always). Below: contrast, near 1 where the "
-                   "contact keeps to few places, and the number of separate places.";
+                   "contact keeps to few places, and the number of separate places. Grey: speeds without a response.";
   figure.data = contact_table(study, map);
   figure.pixels.push_back({figure.drawing.name + ".pixels", contact_pixels(study, map, columns)});
-  const double dx = (axis.high - axis.low) / columns, dy = degrees / static_cast<double>(figure.pixels.back().values.rows());
+  const double dx = (axis.high - axis.low) / columns,
+               dy = degrees / static_cast<double>(figure.pixels.back().values.rows());
   const Eigen::VectorXd rpm = style::speeds_rpm(study);
   Eigen::MatrixXd below(rpm.size(), 3);
   below << rpm, map.contrast, map.clusters.cast<double>();
   std::ostringstream out;
   out.precision(12);
-  out << style::base() << style::contact_palette() << style::block("below", below)
+  out << style::base() << style::contact_palette() << style::missing_background() << style::block("below", below)
       << style::range("x", axis.low, axis.high)
       << "set multiplot\nunset grid\nset lmargin at screen 0.085\nset rmargin at screen 0.86\n"
       << "set tmargin at screen 0.97\nset bmargin at screen 0.33\nset yrange [0:360]\nset ytics 45\n"
       << "set format x ''\nset cbrange [0:1]\nset ylabel 'angle on the casing [deg]'\n"
       << "set cblabel 'share of steps in contact [1]'\n"
       << "set colorbox user origin screen 0.885,0.33 size screen 0.022,0.64\nplot '" << figure.pixels.back().file
-      << "' binary array=(" << columns << "," << map.share.rows() << ") format='%float32' origin=("
+      << "' binary array=(" << columns << "," << figure.pixels.back().values.rows() << ") format='%float32' origin=("
       << axis.low + dx / 2 << "," << dy / 2 << ") dx=" << dx << " dy=" << dy << " with image\n"
-      << "set grid\nset tmargin at screen 0.30\nset bmargin at screen 0.12\nset format x '%g'\nset xlabel 'speed "
+      << "unset object 99\nset grid\nset tmargin at screen 0.30\nset bmargin at screen 0.12\nset format x '%g'\nset "
+         "xlabel 'speed "
          "[rpm]'\n"
       << "set yrange [0:1.05]\nset ytics 0.5\nset ylabel 'contrast [1]'\n"
       << style::range("y2", 0, std::max(1.0, 1.1 * map.clusters.maxCoeff()))
-      << "set y2tics autofreq nomirror\nset y2label 'places'\nset key above right horizontal font ',10'\n"
+      << "set y2tics autofreq nomirror\nset y2label 'places'\n"
       << "set key at screen 0.85,0.315 right center horizontal\n"
       << "plot $below using 1:2 with linespoints pointtype 7 pointsize 0.35 linewidth 1.2 linecolor rgb '#0072b2' "
          "title 'contrast', '' using 1:3 axes x1y2 with steps linewidth 1.2 linecolor rgb '#d55e00' title 'places'\n"
@@ -118,15 +120,18 @@ Figure casing_figure(const Study& study) {
       << "set multiplot\nset parametric\nset trange [0:2*pi]\nset size ratio -1\nset lmargin at screen 0.02\n"
       << "set rmargin at screen 0.34\nset tmargin at screen 0.95\nset bmargin at screen 0.05\nunset tics\n"
       << "unset border\nunset grid\nset xrange [-1.3:1.3]\nset yrange [-1.3:1.3]\n"
-      << "set label 1 'turns' at 0,0.30 center textcolor rgb '#555555'\n"
-      << "set arrow 1 from 0.22,-0.05 to 0.05,0.22 head size 0.08,20 linecolor rgb '#555555'\n"
+      << "set label 1 'rotation' at 0,0 center textcolor rgb '#555555'\n"
+      << "set arrow 1 from 0.45*cos(2.6),0.45*sin(2.6) to 0.45*cos(2.75),0.45*sin(2.75) head size 0.09,25 filled "
+         "linecolor rgb '#555555'\nset samples 200\n"
       << "plot cos(t), sin(t) with lines dashtype 2 linecolor rgb '#999999', "
+      << "0.45*cos(0.4+0.35*t), 0.45*sin(0.4+0.35*t) with lines linecolor rgb '#555555', "
       << "$casing using 4:5 with lines linewidth 2.5 linecolor rgb '#08306b'\n"
       << "unset label 1\nunset arrow 1\nunset parametric\nset size noratio\n"
       << style::base()
       << "set lmargin at screen 0.44\nset rmargin at screen 0.97\nset tmargin at screen 0.86\nset bmargin at screen "
          "0.15\n"
-      << "set xrange [0:360]\nset autoscale y\nset offsets 0,0,graph 0.08,graph 0.08\nset xtics 45\nset ytics\n"
+      << "set xrange [0:360]\nset autoscale y\nset offsets 0,0,graph 0.08,graph 0.08\nset xtics nomirror 45\nset "
+         "ytics nomirror\n"
       << "set xlabel 'angle on the casing [deg]'\nset ylabel 'gap [mm]'\nset key above horizontal center\n"
       << "set xzeroaxis linewidth 1 linecolor rgb '#777777'\n"
       << "plot $casing using 1:2 with lines linewidth 2 linecolor rgb '#0072b2' title 'leading edge', "

@@ -32,12 +32,17 @@ std::string base() {
          "set tics nomirror out scale 0.6 textcolor rgb '#222222'\n"
          "set grid linetype 1 linewidth 0.4 linecolor rgb '#dddddd'\n"
          "set datafile missing 'NaN'\n"
-         "set key noautotitle samplen 2 spacing 1.1\n";
+         "set key noautotitle samplen 2 spacing 1.1 font ',12'\n";
 }
 
 std::string amplitude_palette() {
   return "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', "
          "6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725')\n";
+}
+
+std::string missing_background() {
+  return "set object 99 rectangle from graph 0,0 to graph 1,1 fillcolor rgb '#d9d9d9' fillstyle solid noborder "
+         "behind\n";
 }
 
 std::string contact_palette() {
@@ -116,10 +121,10 @@ std::string engine_order_labels(const Study& study, const SpeedAxis& axis, doubl
     const double at_right = order * axis.high / seconds_per_minute;
     if (at_right <= frequency_max) {
       out << "set label 'EO " << order << "' at first " << axis.high << ", first " << at_right
-          << " left offset 0.6,0 font ',10' textcolor rgb '#333333'\n";
+          << " left offset 0.6,0 font ',11' textcolor rgb '#333333'\n";
     } else if (const double at_top = frequency_max * seconds_per_minute / order; at_top > axis.low) {
       out << "set label 'EO " << order << "' at first " << at_top << ", first " << frequency_max
-          << " center offset 0,0.6 font ',10' textcolor rgb '#333333'\n";
+          << " center offset 0,0.6 font ',11' textcolor rgb '#333333'\n";
     }
   }
   return out.str();

@@ -16,6 +16,9 @@ std::string amplitude_palette();
 /// White (never in contact) to dark blue (always).
 std::string contact_palette();
 
+/// Grey under a map: seen where there is no response.
+std::string missing_background();
+
 /// A colour that stands apart from its neighbours, also for colour-blind eyes (Okabe and Ito).
 std::string colour(int index);
 

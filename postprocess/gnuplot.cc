@@ -23,21 +23,24 @@ namespace {
 
 constexpr const char* program = "gnuplot";
 constexpr int png_scale = 2;
-constexpr int font_size = 13;
+constexpr int font_size = 13;                        // [px] in the SVG
+constexpr double png_font_scale = png_scale * 0.75;  // pngcairo counts in points of 1/72 inch at 96 px an inch
 
 std::string terminals(const Drawing& drawing) {
   const auto size = [&](int scale) {
     return std::to_string(scale * drawing.width) + "," + std::to_string(scale * drawing.height);
   };
   const std::string points = std::to_string(font_size), scale = std::to_string(png_scale);
+  const std::string font_scale = fixed(png_font_scale, 2);
   return "set encoding utf8\n"
          "set terminal svg enhanced size " +
          size(1) + " font 'sans-serif," + points + "' background rgb 'white'\nset output '" + drawing.name +
          ".svg'\nload '" + drawing.name + ".gp'\n" +
          "unset output\nreset\nset encoding utf8\n"
          "set terminal pngcairo enhanced size " +
-         size(png_scale) + " font 'sans," + points + "' fontscale " + scale + " linewidth " + scale + " pointscale " +
-         scale + "\nset output '" + drawing.name + ".png'\nload '" + drawing.name + ".gp'\nunset output\n";
+         size(png_scale) + " font 'sans," + points + "' fontscale " + font_scale + " linewidth " + scale +
+         " pointscale " + scale + "\nset output '" + drawing.name + ".png'\nload '" + drawing.name +
+         ".gp'\nunset output\n";
 }
 
 /// Starts gnuplot in the folder, its messages in `log`, with the signals as they are for a fresh program.

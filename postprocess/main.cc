@@ -64,8 +64,7 @@ void postprocess(const StageArguments& arguments) {
   const Study study = make_study(inputs.parameters, std::move(inputs.model), std::move(inputs.response));
   const std::size_t figure_count =
       write_report(study, inputs.source, output.scratch(),
-                   arguments.verbosity == Verbosity::quiet ? Progress::Shown::never
-                                                           : Progress::Shown::on_a_terminal);
+                   arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal);
   stop_if_interrupted();
   output.commit();
   std::printf("%s", aligned_text(critical_speed_summary(study)).c_str());
@@ -74,8 +73,8 @@ void postprocess(const StageArguments& arguments) {
     for (const std::string& line : verdict(study)) say(arguments, line);
   say(arguments, (arguments.output / "report.html").lexically_normal().string() + ": " +
                      std::to_string(study.critical.size()) + " critical speeds, " +
-                     std::to_string(study.response.speeds.size()) + " speeds, " +
-                     std::to_string(figure_count) + " figures");
+                     std::to_string(study.response.speeds.size()) + " speeds, " + std::to_string(figure_count) +
+                     " figures");
 }
 
 }  // namespace

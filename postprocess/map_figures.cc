@@ -26,7 +26,7 @@ Scale colour_scale(const Study& study) {
 }
 
 double frequency_max(const Study& study) {
-  return study.parameters.engine_order_max * study.range.high * hz_per_rad_s;
+  return study.parameters.engine_order_max * style::speed_axis(study).high / seconds_per_minute;
 }
 
 /// The line of a spectrum that is drawn at a frequency, or -1 between lines.
@@ -91,7 +91,7 @@ std::string modal_terms(const Study& study, int nodal_diameter) {
 std::string map_axes(const Study& study, const Scale& scale) {
   const style::SpeedAxis axis = style::speed_axis(study);
   std::ostringstream out;
-  out << style::base() << style::amplitude_palette() << "unset grid\n"
+  out << style::base() << style::amplitude_palette() << style::missing_background() << "unset grid\n"
       << style::range("x", axis.low, axis.high) << style::range("y", 0, frequency_max(study)) << "set logscale cb\n"
       << style::range("cb", scale.low, scale.high) << "set format cb '%g'\n";
   return out.str();
@@ -151,7 +151,7 @@ Figure interaction_map_figure(const Study& study) {
   figure.caption = what_is_drawn(study) +
                    " White lines: engine orders f = k\xCE\xA9. Orange lines: natural "
                    "frequencies of the first families, all nodal diameters. A ridge glows where an engine order "
-                   "meets a mode that its nodal diameter can drive.";
+                   "meets a mode that its nodal diameter can drive. Grey: speeds without a response.";
   figure.data = map_table(study);
   const Scale scale = colour_scale(study);
   figure.pixels.push_back({"interaction_map.pixels", map_pixels(study, -1, width, height, scale.low)});
@@ -181,15 +181,14 @@ Figure interaction_map_parts_figure(const Study& study) {
   const Scale scale = colour_scale(study);
   std::ostringstream out;
   out << map_axes(study, scale) << all_modal_blocks(study) << "set multiplot layout " << rows << "," << columns
-      << " margins screen 0.07,0.90,0.09,0.95 spacing screen 0.035,0.10\n"
+      << " margins screen 0.07,0.875,0.09,0.95 spacing screen 0.035,0.10\n"
       << "set xtics rotate by -35 font ',10'\nset ytics font ',10'\nset cblabel 'amplitude [mm]'\n"
-      << "set colorbox user origin screen 0.925,0.09 size screen 0.018,0.86\n";
+      << "set colorbox user origin screen 0.895,0.09 size screen 0.018,0.86\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const int n = panels[i];
     figure.pixels.push_back({"part" + std::to_string(n) + ".pixels", map_pixels(study, n, width, height, scale.low)});
-    out << "set title 'nodal diameter " << n << (moves(study, n) ? "" : ": at rest, by symmetry")
-        << "' offset 0,-0.6\n"
-        << (i % columns == 0 ? "set ylabel 'frequency [Hz]'\n" : "unset ylabel\n")
+    out << "set title 'nodal diameter " << n << (moves(study, n) ? "" : " (at rest)") << "' offset 0,-0.6\n"
+        << (i % columns == 0 ? "set ylabel 'frequency [Hz]'\nset format y '%g'\n" : "unset ylabel\nset format y ''\n")
         << (i + columns >= panels.size() ? "set xlabel 'speed [rpm]' offset 0,0.3\n" : "unset xlabel\n") << "plot "
         << image_term(study, figure.pixels.back()) << engine_order_terms(study) << modal_terms(study, n) << "\n"
         << (i == 0 ? "unset colorbox\n" : "");
@@ -229,13 +228,15 @@ Figure waterfall_figure(const Study& study) {
     const double rpm = column.speed * rpm_per_rad_s;
     const int last =
         std::min(column.spectrum.lines() - 1, study.parameters.engine_order_max * column.spectrum.revolutions);
-    Eigen::MatrixXd rows(3 * last, 2);
+    Eigen::MatrixXd rows(3 * last + 2, 2);
+    rows.row(0) << 0, rpm;
+    rows.row(3 * last + 1) << frequency_max(study), rpm;
     for (int line = 1; line <= last; ++line) {
       const double order = column.spectrum.engine_order(line), frequency = order * column.speed * hz_per_rad_s;
       const double half = std::min(0.5 / column.spectrum.revolutions, line_half_width) * column.speed * hz_per_rad_s;
-      rows.row(3 * line - 3) << frequency - half, rpm;
-      rows.row(3 * line - 2) << frequency, rpm + scale * column.total[line];
-      rows.row(3 * line - 1) << frequency + half, rpm;
+      rows.row(3 * line - 2) << frequency - half, rpm;
+      rows.row(3 * line - 1) << frequency, rpm + scale * column.total[line];
+      rows.row(3 * line) << frequency + half, rpm;
       figure.data.rows.push_back({rpm, frequency, column.total[line] * mm_per_m});
     }
     const std::string name = "s" + std::to_string(i);

@@ -56,7 +56,8 @@ std::string interference_panel(const Study& study, const std::string& suffix, do
       << " using 1:2 with lines linewidth 1 linecolor rgb '#999999' title 'engine orders', '' using "
          "($4>0?$1:NaN):2 with points pointtype 7 pointsize 0.8 linecolor rgb '#d55e00' title 'driven by the "
          "casing', "
-         "'' using 1:2:(sprintf('EO %d',$3)) with labels left offset 0.7,0 font ',9' textcolor rgb '#555555' notitle";
+         "'' using 1:2:($3>0?sprintf('EO %d',$3):'') with labels left offset 0.8,-0.3 font ',10' textcolor rgb "
+         "'#555555' notitle";
   for (int family = 0; family < study.parameters.families; ++family)
     out << ", $rest using 1:" << family + 2
         << " with linespoints pointtype 6 pointsize 0.9 dashtype 3 linecolor rgb '"
@@ -86,7 +87,7 @@ Figure campbell_figure(const Study& study) {
   out << style::base() << style::range("x", axis.low, axis.high) << style::range("y", 0, top)
       << "set lmargin at screen 0.085\nset rmargin at screen 0.91\nset tmargin at screen 0.86\n"
       << "set bmargin at screen 0.11\nset xlabel 'speed [rpm]'\nset ylabel 'frequency in the rotor frame [Hz]'\n"
-      << "set key at screen 0.5,0.955 center center horizontal maxrows 2\n"
+      << "set key at screen 0.5,0.985 center top horizontal maxrows 2 font ',11'\n"
       << "set object 1 rectangle from " << study.range.low * rpm_per_rad_s << ",0 to "
       << study.range.high * rpm_per_rad_s << "," << top
       << " fillcolor rgb '#eef3f8' fillstyle solid noborder behind\n"
@@ -99,8 +100,7 @@ Figure campbell_figure(const Study& study) {
     out << style::block("modes" + std::to_string(n), rows);
     for (Eigen::Index family = 1; family < rows.cols(); ++family) {
       plot << ", $modes" << n << " using 1:" << family + 1 << " with lines linewidth 1.4 linecolor rgb '"
-           << style::colour(n) << "' "
-           << (family == 1 ? "title 'nodal diameter " + std::to_string(n) + "'" : "notitle");
+           << style::colour(n) << "' " << (family == 1 ? "title 'ND " + std::to_string(n) + "'" : "notitle");
       for (Eigen::Index i = 0; i < rows.rows(); ++i)
         figure.data.rows.push_back({rows(i, 0), n, static_cast<int>(family), rows(i, family)});
     }
@@ -142,10 +142,10 @@ Figure interference_figure(const Study& study) {
   }
   std::ostringstream out;
   out << style::base() << style::block("rest", veering_rows(study, 0.0))
-      << "set multiplot layout 1,2 margins screen 0.075,0.98,0.11,0.86 spacing screen 0.07,0.1\n"
+      << "set multiplot layout 1,2 margins screen 0.085,0.98,0.11,0.86 spacing screen 0.07,0.1\n"
       << style::range("x", -0.3, count - 0.4) << style::range("y", 0, top)
       << "set xtics 1\nset xlabel 'nodal diameter'\nset ylabel 'frequency in the rotor frame [Hz]'\n"
-      << "set key at screen 0.5,0.96 center center horizontal\n"
+      << "set key at screen 0.53,0.985 center top horizontal maxrows 1\n"
       << interference_panel(study, "1", worst, top) << "unset ylabel\nunset key\n"
       << interference_panel(study, "2", study.range.high, top) << "unset multiplot\n";
   figure.drawing.commands = out.str();

@@ -40,6 +40,27 @@ Eigen::MatrixXd forecast_rows(const std::vector<Crossing>& crossings, double hei
   return rows;
 }
 
+/// Each value as a block of pixels, so that a viewer that smooths the picture keeps its edges.
+Eigen::MatrixXf enlarged(const Eigen::MatrixXf& values) {
+  constexpr int wide = 1000, high = 500;
+  const Eigen::Index across = std::max<Eigen::Index>(1, wide / values.cols());
+  const Eigen::Index up = std::max<Eigen::Index>(1, high / values.rows());
+  Eigen::MatrixXf pixels(up * values.rows(), across * values.cols());
+  for (Eigen::Index y = 0; y < pixels.rows(); ++y)
+    for (Eigen::Index x = 0; x < pixels.cols(); ++x) pixels(y, x) = values(y / up, x / across);
+  return pixels;
+}
+
+/// Where eq. 17 puts the casing's harmonics: engine order, signed nodal diameter.
+std::string expected_waves(const Study& study) {
+  const int lobes = std::max(study.response.scene.lobes, 1);
+  const int count = std::max(1, study.parameters.engine_order_max / lobes);
+  Eigen::MatrixXd rows(count, 2);
+  for (int k = 1; k <= count; ++k)
+    rows.row(k - 1) << k * lobes, signed_nodal_diameter(k * lobes, study.model.sector_count);
+  return style::block("expected", rows);
+}
+
 }  // namespace
 
 Figure response_figure(const Study& study) {
@@ -72,15 +93,16 @@ Figure response_figure(const Study& study) {
       << style::range("y", 0, top)
       << "set lmargin at screen 0.085\nset rmargin at screen 0.975\nset tmargin at screen 0.86\n"
       << "set bmargin at screen 0.13\nset xlabel 'speed [rpm]'\nset ylabel 'amplitude [mm]'\n"
-      << "set key at screen 0.5,0.95 center center horizontal maxrows 2\n";
+      << "set key at screen 0.53,0.985 center top horizontal maxrows 2\n";
   for (const CriticalSpeed& critical : study.critical)
     out << "set label " << gnuplot_quoted(peak_name(critical)) << " at first " << critical.speed * rpm_per_rad_s
-        << ", first " << critical.amplitude * mm_per_m << " rotate by 90 left offset 0,0.7 font ',10'\n";
-  plot << "plot $curve using 1:3 with lines linewidth 1.3 linecolor rgb '#0072b2' title 'leading edge', "
-       << "'' using 1:4 with lines linewidth 1.3 linecolor rgb '#d55e00' title 'trailing edge', "
-       << "'' using 1:2 with linespoints pointtype 7 pointsize 0.45 linewidth 1.6 linecolor rgb '#222222' title "
-          "'largest on the tip line', '' using 1:5 with points pointtype 6 pointsize 1.3 linewidth 1.3 linecolor rgb "
-          "'#c2185b' title 'not periodic'";
+        << ", first " << critical.amplitude * mm_per_m << " rotate by 90 left offset 0,0.7 font ',11'\n";
+  plot
+      << "plot $curve using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 3 linecolor rgb '#9aa7b3' title "
+         "'largest on the tip line', '' using 1:3 with lines linewidth 1.3 linecolor rgb '#0072b2' title 'leading "
+         "edge', '' using 1:4 with lines linewidth 1.3 linecolor rgb '#d55e00' title 'trailing edge', '' using 1:5 "
+         "with points pointtype 6 pointsize 1.3 linewidth 1.3 linecolor rgb "
+         "'#c2185b' title 'not periodic'";
   const auto forecast = [&](const std::string& name, const std::vector<Crossing>& crossings, double height,
                             const std::string& look) {
     if (crossings.empty()) return;
@@ -151,47 +173,46 @@ Figure tip_motion_figure(const Study& study) {
 
 Figure tip_spectrum_figure(const Study& study) {
   const TravellingSpectrum& spectrum = study.map.columns[static_cast<std::size_t>(study.worst)].spectrum;
+  const int sectors = spectrum.sector_count;
   const int last = std::min(spectrum.lines() - 1, study.parameters.engine_order_max * spectrum.revolutions);
   const double high = std::max(spectrum.amplitude.bottomRows(spectrum.lines() - 1).maxCoeff() * mm_per_m, 1e-9);
   const double low = high * std::pow(10.0, -study.parameters.amplitude_decades);
-  const int lobes = study.response.scene.lobes;
-  Eigen::MatrixXd rows(last * spectrum.sector_count, 4);
+  const int lowest = -((sectors - 1) / 2);  // of the signed nodal diameters
   Figure figure;
-  figure.data = {{"engine order", "signed nodal diameter", "direction", "amplitude [mm]"}, {}};
-  Eigen::Index row = 0;
-  for (int line = 1; line <= last; ++line)
-    for (int column = 0; column < spectrum.sector_count; ++column, ++row) {
-      const int n = signed_nodal_diameter(column, spectrum.sector_count);
-      const double order = spectrum.engine_order(line), amplitude = spectrum.amplitude(line, column) * mm_per_m;
-      rows.row(row) << order, n, std::max(amplitude, low), 0.5 / spectrum.revolutions;
-      figure.data.rows.push_back({order, n, name_of(wave_direction(n, spectrum.sector_count)), amplitude});
-    }
-  std::ostringstream expected;
-  expected << "$expected << EOD\n";
-  for (int order = std::max(lobes, 1); order <= study.parameters.engine_order_max; order += std::max(lobes, 1))
-    expected << order << " " << signed_nodal_diameter(order, spectrum.sector_count) << "\n";
-  expected << "EOD\n";
   figure.drawing = {"tip_spectrum", 1000, 520, ""};
   figure.title = "Two-way spectrum at the worst speed";
   figure.caption =
       "The " + component_label(study) + ", at " + worst_text(study) +
-      ": amplitude of each travelling wave. "
-      "Positive nodal diameters run against the rotation (backward), negative ones with it (forward), as "
-      "seen from the rotor. Circles: where eq. 17 puts the casing's harmonics.";
+      ": amplitude of each travelling wave. Positive nodal diameters run against the rotation (backward), "
+      "negative ones with it (forward), as seen from the rotor. Circles: where eq. 17 puts the casing's "
+      "harmonics.";
+  figure.data = {{"engine order", "signed nodal diameter", "direction", "amplitude [mm]"}, {}};
+  Eigen::MatrixXf waves(sectors, last);
+  for (int line = 1; line <= last; ++line)
+    for (int row = 0; row < sectors; ++row) {
+      const int n = lowest + row;
+      const double amplitude = spectrum.amplitude(line, (n + sectors) % sectors) * mm_per_m;
+      waves(row, line - 1) = static_cast<float>(std::max(amplitude, low));
+      figure.data.rows.push_back({spectrum.engine_order(line), n, name_of(wave_direction(n, sectors)), amplitude});
+    }
+  figure.pixels.push_back({"tip_spectrum.pixels", enlarged(waves)});
+  const Eigen::MatrixXf& pixels = figure.pixels.back().values;
+  const double width = 1.0 / spectrum.revolutions;  // of a line, in engine orders
+  const double dx = width * last / static_cast<double>(pixels.cols());
+  const double dy = static_cast<double>(sectors) / static_cast<double>(pixels.rows());
   std::ostringstream out;
+  out.precision(12);
   out << style::base() << style::amplitude_palette() << "unset grid\n"
-      << style::block("waves", rows) << expected.str()
-      << style::range("x", 0.4, study.parameters.engine_order_max + 0.6)
-      << style::range("y", -0.5 * spectrum.sector_count + 0.4 * (spectrum.sector_count % 2 == 0),
-                      0.5 * spectrum.sector_count + 0.6)
-      << style::range("cb", low, high)
+      << expected_waves(study) << style::range("x", 0.5 * width, (last + 0.5) * width)
+      << style::range("y", lowest - 0.5, lowest + sectors - 0.5) << style::range("cb", low, high)
       << "set logscale cb\nset format cb '%g'\nset lmargin at screen 0.085\nset rmargin at screen 0.83\n"
       << "set tmargin at screen 0.96\nset bmargin at screen 0.13\nset xtics 1\nset ytics 1\nset xlabel 'engine "
          "order'\n"
       << "set ylabel 'signed nodal diameter'\nset cblabel 'amplitude [mm]'\n"
-      << "set colorbox user origin screen 0.87,0.13 size screen 0.022,0.83\nset style fill solid noborder\n"
-      << "plot $waves using 1:2:4:(0.5):3 with boxxyerror linecolor palette, "
-      << "$expected with points pointtype 6 pointsize 1.6 linewidth 1.2 linecolor rgb '#ff7f50'\n";
+      << "set colorbox user origin screen 0.87,0.13 size screen 0.022,0.83\nplot 'tip_spectrum.pixels' binary array=("
+      << pixels.cols() << "," << pixels.rows() << ") format='%float32' origin=(" << 0.5 * (width + dx) << ","
+      << lowest - 0.5 + dy / 2 << ") dx=" << dx << " dy=" << dy
+      << " with image, $expected with points pointtype 6 pointsize 1.6 linewidth 1.2 linecolor rgb '#ff7f50'\n";
   figure.drawing.commands = out.str();
   return figure;
 }

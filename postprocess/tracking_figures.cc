@@ -21,14 +21,15 @@ struct Panel {
 Figure tracking_figure(const Study& study, const std::string& name, const std::vector<Panel>& panels) {
   const style::SpeedAxis axis = style::speed_axis(study);
   const Eigen::VectorXd rpm = style::speeds_rpm(study);
-  const double left = 0.08, right = 0.86, low = 0.0, top = 0.96;
+  const double left = 0.1, right = 0.86, low = 0.0, top = 0.96;
   const int count = static_cast<int>(panels.size());
   Figure figure;
   figure.drawing = {name, 1000, 90 + 270 * count, ""};
   figure.data = {{"followed", "speed [rpm]", "curve", "amplitude [mm]"}, {}};
   const double foot = 65.0 / figure.drawing.height, height = (top - foot - low) / count;
   std::ostringstream out;
-  out << style::base() << style::range("x", axis.low, axis.high) << "set multiplot\nset yrange [0:*]\n"
+  out << style::base() << style::range("x", axis.low, axis.high)
+      << "set multiplot\nset yrange [0:*]\nset offsets 0,0,graph 0.08,0\n"
       << "set lmargin at screen " << left << "\nset rmargin at screen " << right << "\nset ylabel 'amplitude [mm]'\n";
   for (int p = 0; p < count; ++p) {
     const Panel& panel = panels[static_cast<std::size_t>(p)];
@@ -42,8 +43,8 @@ Figure tracking_figure(const Study& study, const std::string& name, const std::v
         << "set key at screen " << right + 0.01 << "," << ceiling - 0.02 << " left top Left reverse\n"
         << (p + 1 == count ? "set xlabel 'speed [rpm]'\n" : "");
     for (Eigen::Index k = 0; k < curves; ++k) {
-      out << (k == 0 ? "plot " : ", ") << "$p" << p << " using 1:" << k + 3 << " with lines linewidth 1.6 dashtype "
-          << (k < 4 ? 1 : 2) << " linecolor rgb '" << style::colour(static_cast<int>(k)) << "' title '"
+      out << (k == 0 ? "plot " : ", ") << "$p" << p << " using 1:" << k + 3 << " with lines linewidth 1.6"
+          << " linecolor rgb '" << style::colour(static_cast<int>(k)) << "' title '"
           << panel.names[static_cast<std::size_t>(k)] << "'";
       for (Eigen::Index i = 0; i < rpm.size(); ++i)
         figure.data.rows.push_back({panel.title, rpm[i], panel.names[static_cast<std::size_t>(k)], rows(i, k + 2)});

@@ -38,6 +38,14 @@ std::array<int, size> sorted(std::array<int, size> key) {
   return key;
 }
 
+/// Two cells that share an edge or a face must name the same node in its middle.
+template <class Key>
+void note(std::map<Key, int>& middle, const Key& corners_of, int node) {
+  if (middle.try_emplace(corners_of, node).first->second != node)
+    throw InputError("the cells of the sector don't make a mesh: neighbours disagree about mid-side node " +
+                     std::to_string(node) + "; re-mesh, or merge double nodes");
+}
+
 /// Weights of the face centres (rows 0..5) and the cell centre (row 6) over 8 corners and 12 mid-sides, deal.II's
 /// order.
 Eigen::MatrixXd serendipity_weights() {
@@ -91,11 +99,12 @@ void BrickQuadrature::DealII::number_midside_nodes(const SectorMesh& mesh) {
   for (Eigen::Index cell = 0; cell < mesh.cells.cols(); ++cell) {
     const auto nodes = mesh.cells.col(cell);
     for (int e = 0; e < edges; ++e)
-      edge_node[sorted<2>({nodes[gmsh_edge[e][0]], nodes[gmsh_edge[e][1]]})] = nodes[corners + e];
+      note(edge_node, sorted<2>({nodes[gmsh_edge[e][0]], nodes[gmsh_edge[e][1]]}), nodes[corners + e]);
     if (nodes_per_cell != lagrange_nodes) continue;
     for (int f = 0; f < faces; ++f) {
       const auto& at = gmsh_face[f];
-      face_node[sorted<4>({nodes[at[0]], nodes[at[1]], nodes[at[2]], nodes[at[3]]})] = nodes[serendipity_nodes + f];
+      note(face_node, sorted<4>({nodes[at[0]], nodes[at[1]], nodes[at[2]], nodes[at[3]]}),
+           nodes[serendipity_nodes + f]);
     }
     centre_node.push_back(nodes[lagrange_nodes - 1]);
   }

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/reduce/brick_grid.h"
+
+namespace tiprub::test {
+
+namespace {
+
+using Steps = std::array<int, 3>;
+
+// gmsh's hexahedra in half-brick steps: corners, mid-sides, face centres, centre.
+constexpr std::array<Steps, 27> gmsh_steps = {
+    {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 0},
+     {0, 1, 0}, {0, 0, 1}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {2, 2, 1}, {0, 2, 1}, {1, 0, 2}, {0, 1, 2},
+     {2, 1, 2}, {1, 2, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}, {1, 1, 1}}};
+
+}  // namespace
+
+BrickGrid::BrickGrid(const std::array<int, 3>& bricks, int nodes_per_brick, Around around)
+    : bricks_(bricks), nodes_per_brick_(nodes_per_brick), around_(around) {
+  int next = 0;
+  for (int j = 0; j < steps(1); ++j)
+    for (int k = 0; k < steps(2); ++k)
+      for (int i = 0; i < steps(0); ++i) {
+        const bool exists = nodes_per_brick == 27 || i % 2 + j % 2 + k % 2 <= 1;
+        number_.push_back(exists ? next++ : -1);
+      }
+}
+
+int BrickGrid::steps(int direction) const {
+  return 2 * bricks_[direction] + (direction == 1 && around_ == Around::closed ? 0 : 1);
+}
+
+int BrickGrid::node(int i, int j, int k) const {
+  return number_[(static_cast<std::size_t>(j % steps(1)) * steps(2) + k) * steps(0) + i];
+}
+
+std::vector<int> BrickGrid::layer(int direction, int step) const {
+  std::vector<int> nodes;
+  for (int j = 0; j < steps(1); ++j)
+    for (int k = 0; k < steps(2); ++k)
+      for (int i = 0; i < steps(0); ++i)
+        if (Steps{i, j, k}[direction] == step && node(i, j, k) >= 0) nodes.push_back(node(i, j, k));
+  return nodes;
+}
+
+SectorMesh BrickGrid::place(const Placement& placement) const {
+  SectorMesh mesh;
+  int count = 0;
+  for (const int number : number_) count += number >= 0;
+  mesh.nodes.resize(3, count);
+  for (int j = 0; j < steps(1); ++j)
+    for (int k = 0; k < steps(2); ++k)
+      for (int i = 0; i < steps(0); ++i)
+        if (const int at = node(i, j, k); at >= 0)
+          mesh.nodes.col(at) = placement({i / (2.0 * bricks_[0]), j / (2.0 * bricks_[1]), k / (2.0 * bricks_[2])});
+  mesh.cells.resize(nodes_per_brick_, bricks_[0] * bricks_[1] * bricks_[2]);
+  int cell = 0;
+  for (int j = 0; j < bricks_[1]; ++j)
+    for (int k = 0; k < bricks_[2]; ++k)
+      for (int i = 0; i < bricks_[0]; ++i, ++cell)
+        for (int n = 0; n < nodes_per_brick_; ++n)
+          mesh.cells(n, cell) = node(2 * i + gmsh_steps[n][0], 2 * j + gmsh_steps[n][1], 2 * k + gmsh_steps[n][2]);
+  return mesh;
+}
+
+}  // namespace tiprub::test

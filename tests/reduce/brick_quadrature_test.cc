@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/brick_quadrature.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/reduce/complaint.h"
+#include "tests/reduce/test_rotor.h"
+
+namespace tiprub {
+namespace {
+
+using test::Annulus;
+
+class BothBricks : public ::testing::TestWithParam<int> {
+ protected:
+  SectorMesh skewed_sector() const {
+    Annulus annulus = test::skewed_annulus(5);
+    annulus.nodes_per_brick = GetParam();
+    return annulus.sector();
+  }
+  /// A parallelepiped: straight bricks, on which the map is affine.
+  SectorMesh straight_bricks() const {
+    Eigen::Matrix3d edges;
+    edges << 0.3, 0.1, 0.0, -0.1, 0.4, 0.05, 0.02, 0.1, 0.2;
+    return test::BrickGrid({2, 1, 2}, GetParam(), test::Around::open)
+        .place([=](const Eigen::Vector3d& at) -> Eigen::Vector3d { return Eigen::Vector3d(1, 0, 0) + edges * at; });
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Nodes, BothBricks, ::testing::Values(20, 27));
+
+/// Largest errors over all points of a field known in space: sum N_a f(x_a) = f(x), sum grad N_a f(x_a) = grad f(x).
+template <class Field, class Gradient>
+void expect_reproduced(const SectorMesh& mesh, const Field& f, const Gradient& grad_f) {
+  BrickQuadrature quadrature(mesh);
+  for (int cell = 0; cell < quadrature.cell_count(); ++cell) {
+    const BrickPoints& points = quadrature.at(cell);
+    Eigen::VectorXd nodal(points.nodes.size());
+    for (std::size_t a = 0; a < points.nodes.size(); ++a)
+      nodal[a] = f(Eigen::Vector3d(mesh.nodes.col(points.nodes[a])));
+    for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
+      const Eigen::Vector3d at = points.position.col(q);
+      EXPECT_NEAR(points.shape.col(q).dot(nodal), f(at), 1e-13);
+      EXPECT_LT((points.gradient[q].transpose() * nodal - grad_f(at)).norm(), 1e-11);
+    }
+  }
+}
+
+TEST_P(BothBricks, AreAPartitionOfUnity) {
+  expect_reproduced(
+      skewed_sector(), [](const Eigen::Vector3d&) { return 1.0; },
+      [](const Eigen::Vector3d&) -> Eigen::Vector3d { return Eigen::Vector3d::Zero(); });
+}
+
+TEST_P(BothBricks, ReproduceLinearFieldsOnCurvedCells) {
+  const Eigen::Vector3d slope(1.0, -2.0, 3.0);
+  expect_reproduced(
+      skewed_sector(), [=](const Eigen::Vector3d& x) { return slope.dot(x); },
+      [=](const Eigen::Vector3d&) { return slope; });
+}
+
+TEST_P(BothBricks, ReproduceQuadraticFieldsOnStraightCells) {
+  Eigen::Matrix3d form;
+  form << 1, 2, -1, 2, 3, 0.5, -1, 0.5, -2;
+  expect_reproduced(
+      straight_bricks(), [=](const Eigen::Vector3d& x) { return x.dot(form * x); },
+      [=](const Eigen::Vector3d& x) -> Eigen::Vector3d { return 2 * form * x; });
+}
+
+TEST_P(BothBricks, FillAParallelepiped) {
+  BrickQuadrature quadrature(straight_bricks());
+  double volume = 0;
+  for (int cell = 0; cell < quadrature.cell_count(); ++cell) volume += quadrature.at(cell).weight.sum();
+  Eigen::Matrix3d edges;
+  edges << 0.3, 0.1, 0.0, -0.1, 0.4, 0.05, 0.02, 0.1, 0.2;
+  EXPECT_NEAR(volume, edges.determinant(), 1e-15);
+}
+
+TEST_P(BothBricks, FillAnAnnulusWithTheFourthOrder) {
+  // Volume of a sector, (b^2 - a^2) h pi / N; arcs are parabolas through three points.
+  Annulus annulus;
+  annulus.nodes_per_brick = GetParam();
+  const double exact = std::numbers::pi / annulus.sector_count * annulus.height *
+                       (annulus.outer * annulus.outer - annulus.inner * annulus.inner);
+  double errors[2];
+  for (int refined : {0, 1}) {
+    annulus.bricks[1] = refined == 0 ? 2 : 4;
+    BrickQuadrature quadrature(annulus.sector());
+    double volume = 0;
+    for (int cell = 0; cell < quadrature.cell_count(); ++cell) volume += quadrature.at(cell).weight.sum();
+    errors[refined] = std::abs(volume / exact - 1);
+  }
+  EXPECT_LT(errors[1], 3e-5);
+  EXPECT_NEAR(std::log2(errors[0] / errors[1]), 4.0, 0.1);
+}
+
+TEST_P(BothBricks, RefuseAnInvertedCellWithItsNumberAndPlace) {
+  SectorMesh mesh = skewed_sector();
+  mesh.nodes.col(mesh.cells(0, 3)) = mesh.nodes.col(mesh.cells(6, 3));  // a corner pushed through its brick
+  const std::string message = test::complaint<InputError>([&] {
+    BrickQuadrature quadrature(mesh);
+    for (int cell = 0; cell < quadrature.cell_count(); ++cell) quadrature.at(cell);
+  });
+  EXPECT_NE(message.find("cell "), std::string::npos) << message;
+  EXPECT_NE(message.find("near x y z = "), std::string::npos) << message;
+  EXPECT_NE(message.find("is inverted; re-mesh"), std::string::npos) << message;
+}
+
+TEST_P(BothBricks, RefuseAMirroredMesh) {
+  SectorMesh mesh = skewed_sector();
+  mesh.nodes.row(2) *= -1;
+  EXPECT_NE(test::complaint<InputError>([&] { BrickQuadrature(mesh).at(0); }), "");
+}
+
+TEST(BrickQuadrature, RefusesNeighboursThatDisagreeAboutAMidSide) {
+  // Two bricks that share an edge name two different nodes in its middle: the last one read would win in silence.
+  SectorMesh mesh = Annulus().sector();
+  const int shared = mesh.cells(11, 0);  // between corners 1 and 2, on the face to the next brick outwards
+  mesh.nodes.conservativeResize(Eigen::NoChange, mesh.node_count() + 1);
+  mesh.nodes.rightCols(1) = mesh.nodes.col(shared);
+  mesh.cells(11, 0) = mesh.node_count() - 1;
+  EXPECT_NE(test::complaint<InputError>([&] { BrickQuadrature quadrature(mesh); }).find("mid-side"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "reduce/rotating_elasticity.h"
+
+namespace tiprub::test {
+
+/// Both triangles.
+Eigen::MatrixXd dense(const SymmetricMatrix& lower);
+
+/// T of one nodal diameter written out: the high cut face is the low one times e^{i n 2 pi/N}; sector x independent.
+Eigen::MatrixXcd phase_matrix(const SectorDofs& dofs, int sector_count, int nodal_diameter);
+
+/// T^H Y T written out.
+Eigen::MatrixXcd cyclic(const SymmetricMatrix& matrix, const SectorDofs& dofs, int sector_count, int nodal_diameter);
+
+/// Of K x = lambda M x, ascending.
+Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXcd& K, const Eigen::MatrixXcd& M);
+
+/// Largest entry of a - b over the largest entry of b.
+double difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
+
+/// Reproducible entries in [-1, 1], complex.
+Eigen::MatrixXcd arbitrary(Eigen::Index rows, Eigen::Index columns);
+
+}  // namespace tiprub::test

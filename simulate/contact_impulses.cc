@@ -22,7 +22,7 @@ ContactImpulses::ContactImpulses(Eigen::MatrixXd compliance, ContactRule rule)
     : compliance_(std::move(compliance)),
       rule_(rule),
       multipliers_(Eigen::VectorXd::Zero(compliance_.rows())),
-      gap_(compliance_.rows()),
+      correction_(Eigen::VectorXd::Zero(compliance_.rows())),
       free_gap_(compliance_.rows()),
       closed_forces_(compliance_.rows()),
       factor_(compliance_.rows(), compliance_.rows()) {}
@@ -51,42 +51,40 @@ void ContactImpulses::factorize() {
   ++factorizations_;
 }
 
-/// lambda on the closed set: W_cc lambda_c = -g_c.
-void ContactImpulses::solve_closed(const Eigen::VectorXd& free_gap) {
+/// lambda on the closed set, W_cc lambda_c = -g_c, and what it does to all gaps.
+void ContactImpulses::solve_closed() {
   factorize();
   const auto size = static_cast<Eigen::Index>(closed_.size());
   auto forces = closed_forces_.head(size);
-  for (Eigen::Index i = 0; i < size; ++i) forces[i] = -free_gap[closed_[i]];
+  for (Eigen::Index i = 0; i < size; ++i) forces[i] = -free_gap_[closed_[i]];
   const auto lower = factor_.topLeftCorner(size, size).triangularView<Eigen::Lower>();
   lower.solveInPlace(forces);
   lower.adjoint().solveInPlace(forces);
   multipliers_.setZero();
-  for (Eigen::Index i = 0; i < size; ++i) multipliers_[closed_[i]] = forces[i];
+  correction_.setZero();
+  for (Eigen::Index i = 0; i < size; ++i) {
+    multipliers_[closed_[i]] = forces[i];
+    correction_.noalias() += forces[i] * compliance_.col(closed_[i]);
+  }
 }
 
-void ContactImpulses::update_gap(const Eigen::VectorXd& free_gap) {
-  gap_ = free_gap;
-  for (int i : closed_) gap_.noalias() += multipliers_[i] * compliance_.col(i);
-}
-
-void ContactImpulses::close_penetrating(const Eigen::VectorXd& free_gap) {
+void ContactImpulses::close_penetrating() {
   closed_.clear();
-  for (Eigen::Index i = 0; i < free_gap.size(); ++i)
-    if (free_gap[i] < 0) closed_.push_back(static_cast<int>(i));
+  for (Eigen::Index i = 0; i < free_gap_.size(); ++i)
+    if (free_gap_[i] < 0) closed_.push_back(static_cast<int>(i));
 }
 
-bool ContactImpulses::settle_active_set(const Eigen::VectorXd& free_gap, double tolerance) {
+bool ContactImpulses::settle_active_set(double tolerance) {
   closed_ = warm_;
-  if (closed_.empty()) close_penetrating(free_gap);
+  if (closed_.empty()) close_penetrating();
   for (int round = 0; round < active_set_rounds; ++round) {
-    solve_closed(free_gap);
-    update_gap(free_gap);
+    solve_closed();
     next_.clear();
     std::size_t at = 0;
-    for (int i = 0; i < static_cast<int>(free_gap.size()); ++i) {
+    for (int i = 0; i < static_cast<int>(free_gap_.size()); ++i) {
       const bool is_closed = at < closed_.size() && closed_[at] == i;
       if (is_closed) ++at;
-      if (is_closed ? multipliers_[i] > 0 : gap_[i] < -tolerance) next_.push_back(i);
+      if (is_closed ? multipliers_[i] > 0 : free_gap_[i] + correction_[i] < -tolerance) next_.push_back(i);
     }
     if (next_ == closed_) return true;
     std::swap(closed_, next_);
@@ -94,16 +92,15 @@ bool ContactImpulses::settle_active_set(const Eigen::VectorXd& free_gap, double 
   return false;
 }
 
-void ContactImpulses::settle_least_index(const Eigen::VectorXd& free_gap, double tolerance) {
+void ContactImpulses::settle_least_index(double tolerance) {
   ++fallbacks_;
   closed_.clear();
-  for (Eigen::Index round = 0; round < least_index_rounds * free_gap.size(); ++round) {
-    solve_closed(free_gap);
-    update_gap(free_gap);
+  for (Eigen::Index round = 0; round < least_index_rounds * free_gap_.size(); ++round) {
+    solve_closed();
     int wrong = -1;
-    for (int i = 0; i < static_cast<int>(free_gap.size()) && wrong < 0; ++i) {
+    for (int i = 0; i < static_cast<int>(free_gap_.size()) && wrong < 0; ++i) {
       const bool is_closed = std::binary_search(closed_.begin(), closed_.end(), i);
-      if (is_closed ? multipliers_[i] < 0 : gap_[i] < -tolerance) wrong = i;
+      if (is_closed ? multipliers_[i] < 0 : free_gap_[i] + correction_[i] < -tolerance) wrong = i;
     }
     if (wrong < 0) return;
     const auto place = std::lower_bound(closed_.begin(), closed_.end(), wrong);
@@ -118,15 +115,14 @@ void ContactImpulses::settle_least_index(const Eigen::VectorXd& free_gap, double
 void ContactImpulses::solve(Eigen::Ref<Eigen::VectorXd> gap) {
   free_gap_ = gap;
   if (rule_ == ContactRule::paper) {
-    close_penetrating(free_gap_);
-    solve_closed(free_gap_);
-    update_gap(free_gap_);
+    close_penetrating();
+    solve_closed();
   } else {
     const double tolerance = -gap_tolerance * free_gap_.minCoeff();
-    if (!settle_active_set(free_gap_, tolerance)) settle_least_index(free_gap_, tolerance);
+    if (!settle_active_set(tolerance)) settle_least_index(tolerance);
     warm_ = closed_;
   }
-  gap = gap_;
+  gap += correction_;
 }
 
 }  // namespace tiprub

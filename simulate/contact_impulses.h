@@ -18,7 +18,7 @@ enum class ContactRule {
 /// by a primal-dual active set (Hintermueller, Ito, Kunisch 2003), warm-started from the last step's set: 1-2
 /// factorizations of the closed nodes' block, none if the set stands. If that doesn't settle, Murty's least-index
 /// method (1974), which is finite for a positive definite W. W gets a relative shift on its diagonal, so that tied
-/// or doubled nodes (a singular W) keep a solution; it moves a closed node by 1e-12 of its correction.
+/// or doubled nodes (a singular W) keep a solution; it leaves a closed node off the wall by 1e-12 W_ii lambda_i.
 ///
 /// The paper's rule holds a negative multiplier (the casing pulls) in some steps and leaves other nodes penetrating
 /// in many; it is kept for reproduction, and its violations are counted. Its eq. 15 has the opposite sign of eq. 14:
@@ -36,6 +36,8 @@ class ContactImpulses {
 
   /// [N]; n, zero for open nodes.
   const Eigen::VectorXd& multipliers() const { return multipliers_; }
+  /// [m] W lambda, what the last solve() added to the gaps; n.
+  const Eigen::VectorXd& correction() const { return correction_; }
   /// Indices of closed nodes, ascending.
   const std::vector<int>& closed() const { return closed_; }
 
@@ -43,16 +45,16 @@ class ContactImpulses {
   std::int64_t fallbacks() const { return fallbacks_; }
 
  private:
-  void solve_closed(const Eigen::VectorXd& free_gap);
+  /// All of them work on free_gap_, closed_, multipliers_ and correction_.
+  void solve_closed();
   void factorize();
-  bool settle_active_set(const Eigen::VectorXd& free_gap, double tolerance);
-  void settle_least_index(const Eigen::VectorXd& free_gap, double tolerance);
-  void close_penetrating(const Eigen::VectorXd& free_gap);
-  void update_gap(const Eigen::VectorXd& free_gap);
+  bool settle_active_set(double tolerance);
+  void settle_least_index(double tolerance);
+  void close_penetrating();
 
   Eigen::MatrixXd compliance_;
   ContactRule rule_;
-  Eigen::VectorXd multipliers_, gap_, free_gap_, closed_forces_;
+  Eigen::VectorXd multipliers_, correction_, free_gap_, closed_forces_;
   Eigen::MatrixXd factor_;  ///< Cholesky factor of the block of `factorized_`, in its top left corner
   std::vector<int> closed_, next_, factorized_, warm_;
   std::int64_t factorizations_ = 0;

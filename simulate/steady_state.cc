@@ -9,7 +9,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr int window = 8;                 // changes that the rate is fitted to
+constexpr int window = 8;             // changes that the rate is fitted to
+constexpr double recent_margin = 10;  // tolerances: no change of the last `longest_period` revolutions may be above
 constexpr double rounding_floor = 1e-10;  // of the norm: below, changes are rounding and have no rate
 
 }  // namespace
@@ -47,6 +48,7 @@ SteadyVerdict SteadyState::judge() const {
       verdict.rate = rate;
     }
     if (static_cast<int>(changes.size()) < window || change > tolerance_) continue;
+    if (*std::max_element(changes.end() - longest_period, changes.end()) > recent_margin * tolerance_) continue;
     const double over_period = std::pow(rate, period);
     const double still_to_come = rate < 1 ? change * over_period / (1 - over_period) : HUGE_VAL;
     if (change > rounding_floor && still_to_come > tolerance_) continue;

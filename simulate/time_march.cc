@@ -166,7 +166,7 @@ bool TimeMarch::predict() {
   return penetrates;
 }
 
-void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+void TimeMarch::correct_modes(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
   const auto width = static_cast<int>(width_);
   closed_nodes_.clear();
   for (int index : nodes) closed_nodes_.push_back(index % width);
@@ -189,7 +189,14 @@ void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& n
       kernels::add_force_standing(wave.columns.data(), wave.coefficients.c.data(), wave.forces.data(),
                                   closed_nodes_.data(), closed_nodes_.size(), modes, wave.q.data());
   }
-  for (int index : nodes) displacement_[0].noalias() -= forces[index] * compliance_.col(index);
+}
+
+void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+  for (int index : nodes) {
+    displacement_[0].noalias() -= forces[index] * compliance_.col(index);
+    gap_.noalias() += forces[index] * compliance_.col(index);
+  }
+  correct_modes(forces, nodes);
 }
 
 void TimeMarch::step() {
@@ -198,7 +205,8 @@ void TimeMarch::step() {
     return;
   }
   contact_.solve(gap_);
-  correct(contact_.multipliers(), contact_.closed());
+  displacement_[0] -= contact_.correction();
+  correct_modes(contact_.multipliers(), contact_.closed());
 }
 
 }  // namespace tiprub

@@ -80,6 +80,7 @@ class TimeMarch {
   void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before);
 
  private:
+  void correct_modes(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
   void build_compliance(const RotorAtSpeed& rotor);
   void build_distortion(const Casing& casing, const ContactLine& contact);
 

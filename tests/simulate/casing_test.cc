@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/casing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/simulate/synthetic_wheel.h"
+
+namespace tiprub {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+TEST(Casing, HasItsCrestsInward) {
+  Casing casing = testing::lobed_casing(3, 2e-4, 1e-3);
+  casing.crest_angle = 0.2;
+  for (int lobe = -3; lobe < 4; ++lobe) {
+    EXPECT_NEAR(casing.distortion(0.2 + lobe * 2 * pi / 3), 2e-4, 1e-18);
+    EXPECT_NEAR(casing.distortion(0.2 + pi / 3 + lobe * 2 * pi / 3), -2e-4, 1e-18);
+  }
+}
+
+TEST(Casing, IsRoundBetweenItsBumps) {
+  Casing casing = testing::lobed_casing(2, 1e-4, 1e-3);
+  casing.shape = CasingShape::bumps;
+  casing.bump_width = 0.4;
+  EXPECT_NEAR(casing.distortion(pi), 1e-4, 1e-18);
+  EXPECT_NEAR(casing.distortion(0.1), 0.5e-4, 1e-18);
+  EXPECT_EQ(casing.distortion(0.2), 0.0);
+  EXPECT_EQ(casing.distortion(1.5), 0.0);
+}
+
+TEST(Casing, GrowsSmoothly) {
+  Casing casing = testing::lobed_casing(2, 1e-4, 1e-3);
+  casing.ramp_revolutions = 4;
+  EXPECT_EQ(casing.ramp(0), 0.0);
+  EXPECT_EQ(casing.ramp(2), 0.5);
+  EXPECT_EQ(casing.ramp(4), 1.0);
+  EXPECT_EQ(casing.ramp(1000), 1.0);
+  EXPECT_LT(casing.ramp(0.004), 1e-8);  // with level tangent and no curvature at its ends
+}
+
+TEST(Casing, ClosesAColdClearanceBySpin) {
+  const ReducedModel model = testing::synthetic_wheel({});
+  Casing casing = testing::lobed_casing(2, 1e-4, 1e-3);
+  casing.clearance = {{0.0, 1e-3}, {0.5, 5e-4}, {1.0, 6e-4}};
+  const double speed = 1000;
+  const Eigen::VectorXd given = casing.given_clearance(model.contact);
+  EXPECT_NEAR((given - Eigen::Vector3d(1e-3, 5e-4, 6e-4)).norm(), 0, 1e-18);
+  EXPECT_EQ(casing.running_clearance(model.contact, speed), given);
+  casing.clearance_state = ClearanceState::cold;
+  const Eigen::VectorXd left = casing.running_clearance(model.contact, speed);
+  for (int k = 0; k < 3; ++k) {
+    const double shift = model.contact.normal(k, 0) * 1e-5 + model.contact.normal(k, 2) * 2e-5;
+    EXPECT_NEAR(left[k], given[k] - shift, 1e-18);
+  }
+}
+
+TEST(PeriodicTable, GoesThroughItsPointsAndStaysBetweenThem) {
+  const std::vector<std::array<double, 2>> points = {{0.1, 0.0}, {0.5, 1.0}, {0.9, 1.0}, {1.5, -2.0}};
+  const PeriodicTable table(points, 2.0);
+  for (const auto& [x, y] : points)
+    for (double turns : {-3.0, 0.0, 5.0}) EXPECT_NEAR(table(x + 2 * turns), y, 1e-12);
+  for (double x = 0.5; x < 0.9; x += 0.01) EXPECT_NEAR(table(x), 1.0, 1e-12);
+  for (double x = -4; x < 4; x += 0.003) {
+    EXPECT_LE(table(x), 1.0 + 1e-12);
+    EXPECT_GE(table(x), -2.0 - 1e-12);
+    EXPECT_NEAR((table(x + 1e-6) - table(x - 1e-6)) / 2e-6, (table(x + 2e-6) - table(x)) / 2e-6, 1e-3);  // smooth
+  }
+}
+
+TEST(PeriodicTable, OfOnePointIsAConstant) {
+  const PeriodicTable table({{0.3, 4.0}}, 1.0);
+  for (double x : {-1.0, 0.0, 0.3, 0.9}) EXPECT_EQ(table(x), 4.0);
+}
+
+}  // namespace
+}  // namespace tiprub

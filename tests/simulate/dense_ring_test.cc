@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "reduce/reduced_model_file.h"
+#include "tests/simulate/dense_ring.h"
+#include "tests/simulate/synthetic_wheel.h"
+
+namespace tiprub {
+namespace {
+
+using testing::DenseRing;
+
+/// What two programs for the same equations came to.
+struct Comparison {
+  int contact_steps = 0;
+  double difference = 0;  ///< largest, over the largest displacement
+};
+
+/// The wheel rubs two lobes at a speed at which its first family meets engine order 4. The casing is scaled to what
+/// the wheel is: its crest reaches over the clearance by half.
+Comparison compare(const ReducedModel& model, ContactRule rule, int contact_steps) {
+  const double amplitude = 2e-4, clearance = 1.5e-4, damping_ratio = 0.01;
+  const int order = 4, lobes = 2;
+  const double frequency = model.nodal_diameters[0].natural_frequencies(0)[0];
+  const double speed = std::min(2 * std::numbers::pi * frequency / order, model.speed_max);
+  const Casing casing = testing::lobed_casing(lobes, amplitude, clearance);
+  const RotorAtSpeed rotor = rotor_at_speed(model, speed, testing::all_nodal_diameters(model), {damping_ratio});
+  const int unit = model.sector_count * lobes;
+  const double limit = std::numbers::pi / speed * rotor.omega_max;  // steps a revolution at h = 2/omega_max
+  const int steps = unit * static_cast<int>(std::ceil(1.1 * limit / unit));
+  TimeMarch march(rotor, casing, model.contact, {Scheme::central_differences, rule, steps, 1});
+  DenseRing dense(model, casing, speed, damping_ratio, steps, rule);
+  Comparison comparison;
+  double largest = 0;
+  for (long i = 0; comparison.contact_steps < contact_steps && i < 40L * steps; ++i) {
+    march.step();
+    dense.step();
+    const Eigen::VectorXd there = dense.normal_displacement();
+    for (int j = 0; j < march.sectors(); ++j) {
+      const auto here = march.displacement().segment(j * march.width(), march.node_count());
+      comparison.difference =
+          std::max(comparison.difference,
+                   (here - there.segment(j * march.node_count(), march.node_count())).cwiseAbs().maxCoeff());
+    }
+    largest = std::max(largest, there.cwiseAbs().maxCoeff());
+    if (dense.multipliers().cwiseAbs().maxCoeff() > 0) ++comparison.contact_steps;
+  }
+  comparison.difference /= largest;
+  return comparison;
+}
+
+TEST(DenseRing, EqualsTheModalMarchWithComplementarity) {
+  const Comparison seen = compare(testing::synthetic_wheel({}), ContactRule::complementarity, 1000);
+  EXPECT_EQ(seen.contact_steps, 1000);
+  RecordProperty("difference", std::to_string(seen.difference * 1e12) + "e-12");
+  EXPECT_LT(seen.difference, 2e-12);
+}
+
+TEST(DenseRing, EqualsTheModalMarchWithAnOddNumberOfSectors) {
+  const Comparison seen = compare(testing::synthetic_wheel({5, 2, 3}), ContactRule::complementarity, 500);
+  EXPECT_EQ(seen.contact_steps, 500);
+  EXPECT_LT(seen.difference, 2e-12);
+}
+
+/// The paper's rule is a discontinuous map: two programs part sooner or later through rounding alone, so this one is
+/// compared over fewer steps.
+TEST(DenseRing, EqualsTheModalMarchWithThePapersRule) {
+  const Comparison seen = compare(testing::synthetic_wheel({}), ContactRule::paper, 300);
+  EXPECT_EQ(seen.contact_steps, 300);
+  RecordProperty("difference", std::to_string(seen.difference * 1e12) + "e-12");
+  EXPECT_LT(seen.difference, 1e-9);
+}
+
+/// The same on any model.h5: TIPRUB_MODEL=model.h5 simulate_test --gtest_filter=DenseRing.*
+TEST(DenseRing, EqualsTheModalMarchOnAGivenModel) {
+  const char* path = std::getenv("TIPRUB_MODEL");
+  if (path == nullptr) GTEST_SKIP() << "set TIPRUB_MODEL to a model.h5";
+  const ReducedModel model = read_model(path);
+  const Comparison complementarity = compare(model, ContactRule::complementarity, 1000);
+  EXPECT_EQ(complementarity.contact_steps, 1000);
+  EXPECT_LT(complementarity.difference, 1e-10);
+  const Comparison paper = compare(model, ContactRule::paper, 100);
+  EXPECT_EQ(paper.contact_steps, 100);
+  EXPECT_LT(paper.difference, 1e-8);
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/response_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace tiprub {
+namespace {
+
+TEST(ResponseFile, GivesBackWhatItTook) {
+  Response response;
+  response.key = "abc";
+  response.scene.sector_count = 4;
+  response.scene.independent_sectors = 2;
+  response.scene.nodal_diameters = {0, 2};
+  response.scene.casing_angle = response.scene.casing_distortion = Eigen::VectorXd::LinSpaced(5, 0, 1);
+  response.scene.lobes = 2;
+  response.scene.clearance = Eigen::VectorXd::Constant(3, 1e-4);
+  response.scene.clearance_state = "cold";
+  SpeedResponse good;
+  good.speed = 100;
+  good.samples_per_revolution = 4;
+  good.recorded_revolutions = 2;
+  good.motion = MotionClass::subharmonic;
+  good.displacement = Eigen::MatrixXd::Random(8, 2 * 3 * 3);
+  good.contact_force = Eigen::MatrixXd::Random(8, 2 * 3);
+  good.contact_count.setConstant(6, 20, 7);
+  good.contact_steps = 123456789012;
+  SpeedResponse bad;
+  bad.speed = 200;
+  bad.failure = "why";
+  response.speeds = {good, bad};
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "tiprub_response_file_test.h5";
+  write_response(response, path, "test");
+  const Response back = read_response(path);
+  std::filesystem::remove(path);
+  EXPECT_EQ(back.key, "abc");
+  EXPECT_EQ(back.scene.nodal_diameters, response.scene.nodal_diameters);
+  EXPECT_EQ(back.scene.clearance, response.scene.clearance);
+  ASSERT_EQ(back.speeds.size(), 2u);
+  EXPECT_EQ(back.speeds[0].displacement, good.displacement);
+  EXPECT_EQ(back.speeds[0].contact_force, good.contact_force);
+  EXPECT_EQ(back.speeds[0].contact_count, good.contact_count);
+  EXPECT_EQ(back.speeds[0].contact_steps, good.contact_steps);
+  EXPECT_EQ(back.speeds[0].motion, MotionClass::subharmonic);
+  EXPECT_EQ(back.speeds[1].failure, "why");
+}
+
+}  // namespace
+}  // namespace tiprub

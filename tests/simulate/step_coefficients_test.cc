@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/integrators/step_coefficients.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace tiprub {
+namespace {
+
+struct Mode {
+  double omega, ratio, step;
+  StepCoefficients of(Scheme scheme) const {
+    return step_coefficients(scheme, Eigen::ArrayXd::Constant(1, omega), Eigen::ArrayXd::Constant(1, ratio), step);
+  }
+};
+
+/// Exact: q'' + 2 z w q' + w^2 q = 0 from q(0) = 1, q'(0) = 0.
+double decay(const Mode& mode, double time) {
+  const std::complex<double> root = std::sqrt(std::complex<double>(mode.ratio * mode.ratio - 1));
+  const std::complex<double> s1 = mode.omega * (-mode.ratio + root), s2 = mode.omega * (-mode.ratio - root);
+  return ((s1 * std::exp(s2 * time) - s2 * std::exp(s1 * time)) / (s1 - s2)).real();
+}
+
+TEST(Trigonometric, IsExactInFreeFlightWhateverTheStep) {
+  for (const Mode& mode : {Mode{100, 0.0, 1e-3}, Mode{100, 0.01, 2e-2}, Mode{100, 0.3, 0.5}, Mode{100, 1.7, 1e-2}}) {
+    const StepCoefficients at = mode.of(Scheme::trigonometric);
+    double before = 1.0, now = decay(mode, mode.step);
+    for (int i = 2; i < 200; ++i) {
+      const double next = at.a[0] * now - at.b[0] * before;
+      before = now;
+      now = next;
+      ASSERT_NEAR(now, decay(mode, i * mode.step), 1e-11) << "ratio " << mode.ratio << ", step " << i;
+    }
+  }
+}
+
+TEST(Trigonometric, EndsInTheStaticDeflection) {
+  for (const Mode& mode : {Mode{100, 0.0, 1e-9}, Mode{100, 0.02, 1e-3}, Mode{100, 0.5, 1.0}, Mode{100, 2.0, 1e-2}}) {
+    const StepCoefficients at = mode.of(Scheme::trigonometric);
+    EXPECT_GE(at.c[0], 0);
+    EXPECT_NEAR(at.c[0] * mode.omega * mode.omega, 1 - at.a[0] + at.b[0], 4e-16);
+  }
+}
+
+TEST(Trigonometric, MovesAFreeMassByNewton) {
+  const StepCoefficients at = Mode{0, 0.1, 1e-3}.of(Scheme::trigonometric);
+  EXPECT_EQ(at.a[0], 2.0);
+  EXPECT_EQ(at.b[0], 1.0);
+  EXPECT_EQ(at.c[0], 1e-6);
+}
+
+TEST(Trigonometric, KeepsItsDigitsAtTinySteps) {
+  const double angle = 1e-7;
+  const StepCoefficients at = Mode{1, 0.0, angle}.of(Scheme::trigonometric);
+  EXPECT_NEAR(at.c[0] / (angle * angle), 1.0, 1e-14);  // 1 - a + b itself has none left
+}
+
+/// Eq. 13 for one degree of freedom, m = 1.
+TEST(CentralDifferences, AreThePapersEquation13) {
+  const double h = 1e-3, w = 300, z = 0.02, D = 2 * z * w, K = w * w;
+  const StepCoefficients at = Mode{w, z, h}.of(Scheme::central_differences);
+  const double divisor = 1 / (h * h) + D / (2 * h);
+  EXPECT_NEAR(at.a[0], (2 / (h * h) - K) / divisor, 1e-14);
+  EXPECT_NEAR(at.b[0], -(D / (2 * h) - 1 / (h * h)) / divisor, 1e-14);
+  EXPECT_NEAR(at.c[0] * divisor, 1.0, 1e-14);
+}
+
+/// Error after a fixed time under a harmonic force, q'' + 2 z w q' + w^2 q = cos(W t), from the exact steady motion.
+double forced_error(Scheme scheme, int steps) {
+  const double w = 100, z = 0.05, W = 70, time = 0.2;
+  const Mode mode{w, z, time / steps};
+  const StepCoefficients at = mode.of(scheme);
+  const std::complex<double> amplitude = 1.0 / std::complex<double>(w * w - W * W, 2 * z * w * W);
+  const auto exact = [&](double t) { return (amplitude * std::polar(1.0, W * t)).real(); };
+  double before = exact(0), now = exact(mode.step);
+  for (int i = 1; i < steps; ++i) {
+    const double next = at.a[0] * now - at.b[0] * before + at.c[0] * std::cos(W * i * mode.step);
+    before = now;
+    now = next;
+  }
+  return std::abs(now - exact(time)) / std::abs(amplitude);
+}
+
+TEST(Schemes, AreOfOrderTwo) {
+  for (Scheme scheme : {Scheme::trigonometric, Scheme::central_differences}) {
+    const double order = std::log2(forced_error(scheme, 400) / forced_error(scheme, 800));
+    EXPECT_NEAR(order, 2.0, 0.05);
+  }
+}
+
+TEST(CentralDifferences, HoldJustBelowTheirLimitAndNotAbove) {
+  const auto amplitude = [](double ratio) {
+    const StepCoefficients at = Mode{1, 0.0, 2 * ratio}.of(Scheme::central_differences);
+    double before = 1.0, now = at.a[0] / 2;
+    for (int i = 0; i < 2000; ++i) {
+      const double next = at.a[0] * now - at.b[0] * before;
+      before = now;
+      now = next;
+    }
+    return std::abs(now);
+  };
+  EXPECT_LT(amplitude(0.997), 100);
+  EXPECT_GT(amplitude(1.003), 1e6);
+}
+
+}  // namespace
+}  // namespace tiprub

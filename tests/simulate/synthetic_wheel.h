@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "reduce/reduced_model.h"
+#include "simulate/casing.h"
+#include "simulate/rotor_at_speed.h"
+#include "simulate/time_march.h"
+
+namespace tiprub::testing {
+
+/// A made-up wheel: every sector has `contact_nodes` masses of three dofs and `generalized` more, on random springs
+/// (always the same), and is tied to its two neighbours, unsymmetrically, so that travelling waves are complex.
+/// Frequencies are of the order of 1 to 10 kHz.
+struct WheelPlan {
+  int sectors = 6;
+  int contact_nodes = 3;
+  int generalized = 5;
+};
+ReducedModel synthetic_wheel(const WheelPlan& plan);
+
+/// One mass [kg] on a spring [N/m] that moves along r only: N = 1, one contact node, no generalized dof.
+ReducedModel one_mass(double mass, double stiffness);
+
+/// N independent blades of one mass each, the same for every nodal diameter.
+ReducedModel uncoupled_blades(int sectors, double mass, double stiffness);
+
+/// A casing of cosine shape and even clearance.
+Casing lobed_casing(int lobes, double amplitude, double clearance);
+
+/// The nodal diameters 0 .. N/2.
+std::vector<int> all_nodal_diameters(const ReducedModel& model);
+
+/// A march that plays with all nodal diameters, and the rotor it belongs to.
+struct Bench {
+  RotorAtSpeed rotor;
+  TimeMarch march;
+};
+Bench make_bench(const ReducedModel& model, const Casing& casing, double speed, double damping_ratio,
+                 const MarchSetup& setup);
+
+}  // namespace tiprub::testing

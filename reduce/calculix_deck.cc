@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <numbers>
 #include <set>
 
@@ -15,8 +16,9 @@ namespace tiprub {
 namespace {
 
 // CalculiX numbers the mid-sides of its 20-node brick around the faces, gmsh by their lower corner.
-constexpr std::array<int, 20> calculix_order = {0,  1,  2,  3,  4,  5,  6,  7,  8,  11,
-                                                13, 9,  16, 18, 19, 17, 10, 12, 14, 15};
+constexpr std::array<int, 20> calculix_order = {0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15};
+
+constexpr int number_digits = 13;  // CalculiX reads 20 characters of a number: sign, point, exponent and these
 
 void write_list(std::ostream& out, const std::string& header, const std::vector<int>& nodes,
                 const std::set<int>& without) {
@@ -26,10 +28,10 @@ void write_list(std::ostream& out, const std::string& header, const std::vector<
 }
 
 void write_mesh(std::ostream& out, const SectorMesh& mesh, const ReductionParameters& parameters) {
-  out.precision(17);
-  out << "*NODE, NSET=Nall\n";
+  out << std::scientific << std::setprecision(number_digits) << "*NODE, NSET=Nall\n";
   for (int node = 0; node < mesh.node_count(); ++node)
-    out << node + 1 << ", " << mesh.nodes(0, node) << ", " << mesh.nodes(1, node) << ", " << mesh.nodes(2, node) << "\n";
+    out << node + 1 << ", " << mesh.nodes(0, node) << ", " << mesh.nodes(1, node) << ", " << mesh.nodes(2, node)
+        << "\n";
   out << "*ELEMENT, TYPE=C3D20, ELSET=Eall\n";
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
     out << cell + 1;
@@ -45,22 +47,23 @@ void write_mesh(std::ostream& out, const SectorMesh& mesh, const ReductionParame
   out << "*SURFACE, NAME=low, TYPE=NODE\nlow\n*SURFACE, NAME=high, TYPE=NODE\nhigh\n"
       << "*TIE, NAME=cut, CYCLIC SYMMETRY\nlow, high\n"
       << "*CYCLIC SYMMETRY MODEL, N=" << mesh.sector_count << ", TIE=cut\n0, 0, 0, 0, 0, 1\n"
-      << "*MATERIAL, NAME=metal\n*ELASTIC\n" << parameters.material.young << ", " << parameters.material.poisson
-      << "\n*DENSITY\n" << parameters.material.density << "\n*SOLID SECTION, ELSET=Eall, MATERIAL=metal\n"
+      << "*MATERIAL, NAME=metal\n*ELASTIC\n"
+      << parameters.material.young << ", " << parameters.material.poisson << "\n*DENSITY\n"
+      << parameters.material.density << "\n*SOLID SECTION, ELSET=Eall, MATERIAL=metal\n"
       << "*BOUNDARY\nclamped, 1, 3\n";
 }
 
 void write_speed(std::ostream& out, double speed, const SectorMesh& mesh, const ReductionParameters& parameters) {
-  out.precision(17);
-  out << "*INCLUDE, INPUT=mesh.inp\n";
+  out << std::scientific << std::setprecision(number_digits) << "*INCLUDE, INPUT=mesh.inp\n";
   if (speed > 0)
     out << "*STEP\n*STATIC\n*DLOAD\nEall, CENTRIF, " << speed * speed << ", 0, 0, 0, 0, 0, 1\n*END STEP\n"
         << "*STEP, PERTURBATION\n";
   else
     out << "*STEP\n";
   // A travelling wave counts twice in CalculiX, as a cosine and a sine.
-  out << "*FREQUENCY\n" << 2 * parameters.verification_modes << "\n*SELECT CYCLIC SYMMETRY MODES, NMIN=0, NMAX="
-      << mesh.sector_count / 2 << "\n*END STEP\n";
+  out << "*FREQUENCY\n"
+      << 2 * parameters.verification_modes
+      << "\n*SELECT CYCLIC SYMMETRY MODES, NMIN=0, NMAX=" << mesh.sector_count / 2 << "\n*END STEP\n";
 }
 
 template <class Writer>

@@ -33,9 +33,9 @@ class PeakReader {
       : response_(response), contact_(contact), curves_(curves), component_(component) {}
 
   void name_waves(CriticalSpeed& critical, const Peak& peak) const {
-    const TravellingSpectrum here = spectrum(peak.index, critical.node);
-    const TravellingSpectrum left = spectrum(peak.left_valley, critical.node);
-    const TravellingSpectrum right = spectrum(peak.right_valley, critical.node);
+    const TravellingSpectrum here = tip_line_spectrum(peak.index);
+    const TravellingSpectrum left = tip_line_spectrum(peak.left_valley);
+    const TravellingSpectrum right = tip_line_spectrum(peak.right_valley);
     double largest = -1, steepest = -1;
     for_each_wave(here, [&](double order, int n, double amplitude) {
       const double rise = amplitude - std::max(left.at(order, n), right.at(order, n));
@@ -48,9 +48,13 @@ class PeakReader {
   }
 
  private:
-  TravellingSpectrum spectrum(Eigen::Index speed, int node) const {
+  TravellingSpectrum tip_line_spectrum(Eigen::Index speed) const {
     const SpeedResponse& at = response_.speeds[static_cast<std::size_t>(speed)];
-    return travelling_spectrum(tip_motion(at, response_.scene, contact_, node, component_), at.recorded_revolutions);
+    std::vector<TravellingSpectrum> points;
+    for (int node = 0; node < contact_.size(); ++node)
+      points.push_back(
+          travelling_spectrum(tip_motion(at, response_.scene, contact_, node, component_), at.recorded_revolutions));
+    return mean_spectrum(points);
   }
 
   const Response& response_;

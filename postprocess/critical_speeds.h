@@ -28,11 +28,11 @@ struct CriticalSpeed {
   double amplitude = 0;    ///< [m]
   double prominence = 0;   ///< [m]
   int node = 0;            ///< contact node that moves most
-  /// The wave that makes the peak: among all lines of that node's spectrum above frequency zero, the one that rises
-  /// most above the higher of its values at the two valleys. The largest line need not be it: the casing pushes every
-  /// wheel through N_l Omega at every speed.
+  /// The wave that makes the peak: of all lines above frequency zero, root mean square over the contact nodes, the
+  /// one that rises most above the higher of its values at the two valleys. The largest line need not be it: the
+  /// casing pushes every wheel through N_l Omega at every speed.
   WaveLabel rising;
-  WaveLabel largest;  ///< the wave with the largest amplitude
+  WaveLabel largest;  ///< the wave with the largest amplitude, root mean square over the contact nodes
   MotionClass motion = MotionClass::irregular;
   int period_revolutions = 0;
   int leading_edge_areas = 0;   ///< contact clusters of node 0, sector 0

@@ -12,6 +12,7 @@ namespace tiprub {
 namespace {
 
 constexpr double line_half_width = 0.1;    // of an engine order: how thick a spectral line is drawn at most
+constexpr double above_modes = 2;          // how far a map reaches above the highest drawn mode
 constexpr double smallest_colour = 1e-6;   // [mm] of a map without motion
 constexpr double seconds_per_minute = 60;  // EO k is the line f = k rpm / 60
 
@@ -25,8 +26,13 @@ Scale colour_scale(const Study& study) {
   return {high * std::pow(10.0, -study.parameters.amplitude_decades), high};
 }
 
+/// [Hz] the highest engine order at the highest speed, but not far above the families that are drawn.
 double frequency_max(const Study& study) {
-  return study.parameters.engine_order_max * style::speed_axis(study).high / seconds_per_minute;
+  double modes = 0;
+  for (int n = 0; n <= study.model.nodal_diameter_max(); ++n)
+    modes = std::max(modes, study.curves.frequency(n, style::drawn_families(study, n) - 1, study.range.high));
+  const double engine_order = study.parameters.engine_order_max * style::speed_axis(study).high / seconds_per_minute;
+  return modes > 0 ? std::min(engine_order, above_modes * modes) : engine_order;
 }
 
 /// The line of a spectrum that is drawn at a frequency, or -1 between lines.
@@ -41,6 +47,7 @@ int line_at(const TravellingSpectrum& spectrum, double engine_order) {
 Eigen::MatrixXf map_pixels(const Study& study, int nodal_diameter, int width, int height, double floor) {
   const Eigen::VectorXi nearest = style::nearest_speeds(study, width);
   const style::SpeedAxis axis = style::speed_axis(study);
+  const double top = frequency_max(study);
   Eigen::MatrixXf pixels = Eigen::MatrixXf::Constant(height, width, static_cast<float>(floor));
   for (int x = 0; x < width; ++x) {
     if (nearest[x] < 0) {
@@ -51,7 +58,7 @@ Eigen::MatrixXf map_pixels(const Study& study, int nodal_diameter, int width, in
     const double revolutions_per_second =
         (axis.low + (axis.high - axis.low) * (x + 0.5) / width) / seconds_per_minute;
     for (int y = 0; y < height; ++y) {
-      const double frequency = frequency_max(study) * (y + 0.5) / height;
+      const double frequency = top * (y + 0.5) / height;
       const int line = line_at(column.spectrum, frequency / revolutions_per_second);
       if (line < 0) continue;
       const double amplitude = nodal_diameter < 0 ? column.total[line] : column.parts(line, nodal_diameter);

@@ -35,4 +35,16 @@ std::vector<Peak> find_peaks(const Eigen::VectorXd& curve, double share) {
   return peaks;
 }
 
+std::vector<Eigen::Index> rising_ends(const Eigen::VectorXd& curve, double share) {
+  std::vector<Eigen::Index> ends;
+  const Eigen::Index last = curve.size() - 1;
+  if (last < 1) return ends;
+  const auto rises = [&](Eigen::Index end, int inward) {
+    return curve[end] > 0 && curve[end] - curve[valley(curve, end, inward)] >= share * curve[end];
+  };
+  if (rises(0, +1)) ends.push_back(0);
+  if (rises(last, -1)) ends.push_back(last);
+  return ends;
+}
+
 }  // namespace tiprub

@@ -18,4 +18,7 @@ struct Peak {
 /// height. The two ends are no peaks: nobody knows what follows. Ascending in index.
 std::vector<Peak> find_peaks(const Eigen::VectorXd& curve, double share);
 
+/// The ends of a curve towards which it rises by at least `share` of its height there: a peak may lie beyond them.
+std::vector<Eigen::Index> rising_ends(const Eigen::VectorXd& curve, double share);
+
 }  // namespace tiprub

@@ -15,8 +15,8 @@ struct PostprocessParameters {
   TipEdge edge = TipEdge::leading;          ///< contact node of the map, the spectra and the trackings
   int families = 2;                         ///< modal families drawn, and known to the linear rules
   int engine_order_max = 12;                ///< highest engine order drawn and listed
-  double prominence = 0.1;                  ///< [1] of a peak's own amplitude, that it must stand above its valleys
-  double prediction_tolerance = 0.03;       ///< [1] of a speed, within which a rule's speed counts as a hit
+  double prominence = 0.25;                 ///< [1] of a peak's own amplitude, that it must stand above its valleys
+  double prediction_tolerance = 0.1;        ///< [1] of a speed, within which a rule's speed counts as a hit
   double amplitude_decades = 2.5;           ///< colour range of the maps, below the largest amplitude
   double amplitude_max_mm = 0;              ///< [mm] upper colour limit of the maps; 0: the largest amplitude
 };

@@ -44,11 +44,12 @@ std::string critical_sentence(const Study& study) {
 }
 
 std::string edge_sentence(const Study& study) {
-  const auto last = static_cast<Eigen::Index>(study.response.speeds.size()) - 1;
-  if (last < 1 || (study.worst != 0 && study.worst != last)) return "";
-  return "The largest amplitude, " + fixed(study.amplitudes.largest[study.worst] * mm_per_m, 3) +
-         " mm, is at the end of the range, " + rpm(study.worst_response().speed) +
-         ": a peak may lie outside; widen the speeds.";
+  std::string text;
+  for (const Eigen::Index end : rising_ends(study.amplitudes.largest, study.parameters.prominence))
+    text += (text.empty() ? "The amplitude still rises towards " : " and ") +
+            rpm(study.response.speeds[static_cast<std::size_t>(end)].speed) + " (" +
+            fixed(study.amplitudes.largest[end] * mm_per_m, 3) + " mm)";
+  return text.empty() ? "" : text + ": a peak may lie outside the simulated speeds.";
 }
 
 std::string rule_sentence(const Study& study) {

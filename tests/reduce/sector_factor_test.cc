@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/sector_factor.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/reduce/complaint.h"
+#include "tests/reduce/dense_algebra.h"
+#include "tests/reduce/test_rotor.h"
+
+namespace tiprub {
+namespace {
+
+using test::dense;
+using test::difference;
+using test::TestRotor;
+
+/// K in blocks of interior and interface dofs.
+struct Blocks {
+  Blocks(const SymmetricMatrix& stiffness, const SectorDofs& dofs) {
+    const Eigen::MatrixXd K = dense(stiffness);
+    II = K.topLeftCorner(dofs.interior, dofs.interior);
+    FI = K.bottomLeftCorner(dofs.interface(), dofs.interior);
+    FF = K.bottomRightCorner(dofs.interface(), dofs.interface());
+  }
+  Eigen::MatrixXd II, FI, FF;
+};
+
+TEST(SectorFactor, LeavesTheSchurComplementOfTheInterface) {
+  // S = K_FF - K_FI K_II^-1 K_IF, also where the shift in K_FF has to be taken out again, and also for an interface of
+  // more dofs than one block of the rank updates.
+  for (const std::array<int, 3>& bricks : {std::array{2, 2, 1}, std::array{5, 2, 3}}) {
+    test::Annulus annulus = test::skewed_annulus(5);
+    annulus.bricks = bricks;
+    TestRotor rotor = test::tip_rotor(annulus);
+    EXPECT_EQ(rotor.dofs().interface() > 256, bricks[0] == 5);
+    for (const double speed : {0.0, 3000.0}) {
+      const SymmetricMatrix stiffness = rotor.at_speed(speed, Prestress::linear);
+      const Blocks K(stiffness, rotor.dofs());
+      const Eigen::MatrixXd schur = K.FF - K.FI * K.II.llt().solve(K.FI.transpose());
+      EXPECT_LT(difference(SectorFactor(stiffness, rotor.dofs()).schur_complement(), schur), 1e-11);
+    }
+  }
+}
+
+TEST(SectorFactor, IsExactlySymmetric) {
+  TestRotor rotor = test::tip_rotor(test::skewed_annulus(5));
+  const SectorFactor factor(rotor.at_rest(), rotor.dofs());
+  EXPECT_EQ(factor.schur_complement(), factor.schur_complement().transpose());
+}
+
+TEST(SectorFactor, EliminatesAndSubstitutesBack) {
+  // The load that reaches the interface is -K_FI K_II^-1 b; the interior follows K_II x = b - K_IF x_F.
+  TestRotor rotor = test::tip_rotor(test::skewed_annulus(5));
+  const SymmetricMatrix stiffness = rotor.at_rest();
+  const Blocks K(stiffness, rotor.dofs());
+  const SectorFactor factor(stiffness, rotor.dofs());
+  const Eigen::MatrixXd b = test::arbitrary(rotor.dofs().interior, 3).real();
+  const Eigen::MatrixXd moved = test::arbitrary(rotor.dofs().interface(), 3).imag() * 1e-9;
+  SectorFactor::Eliminated eliminated = factor.eliminate(b);
+  EXPECT_LT(difference(eliminated.interface_load, -K.FI * K.II.llt().solve(b)), 1e-11);
+  const Eigen::MatrixXd x = factor.back_substitute(std::move(eliminated), moved);
+  EXPECT_LT(difference(x.bottomRows(rotor.dofs().interface()), moved), 1e-11);
+  EXPECT_LT(difference(K.II * x.topRows(rotor.dofs().interior), b - K.FI.transpose() * moved), 1e-11);
+}
+
+TEST(SectorFactor, RefusesAnInteriorThatIsNotStable) {
+  Material soft = test::steel();
+  soft.young = 1e6;
+  TestRotor rotor = test::tip_rotor(test::skewed_annulus(5), soft);
+  const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, rotor.mesh().node_count());
+  const SymmetricMatrix stiffness = rotor.elasticity().stiffness(3000.0, still, Prestress::linear);
+  const std::string message =
+      test::complaint<RunError>([&] { SectorFactor(stiffness, rotor.dofs()).schur_complement(); });
+  EXPECT_NE(message.find("not positive definite: the rotor is unstable, or a part of it is not held"),
+            std::string::npos)
+      << message;
+}
+
+TEST(SectorFactor, RefusesAPieceThatNothingHolds) {
+  // A second block far from the sector, tied to nothing.
+  SectorMesh mesh = test::Annulus().sector();
+  const int nodes = mesh.node_count(), cells = mesh.cell_count();
+  mesh.nodes.conservativeResize(Eigen::NoChange, 2 * nodes);
+  mesh.nodes.rightCols(nodes) = mesh.nodes.leftCols(nodes).colwise() + Eigen::Vector3d(0, 0, 1);
+  mesh.cells.conservativeResize(Eigen::NoChange, 2 * cells);
+  mesh.cells.rightCols(cells) = mesh.cells.leftCols(cells).array() + nodes;
+  TestRotor rotor(mesh, {mesh.contact_line.front()});
+  EXPECT_EQ(test::complaint<RunError>([&] { SectorFactor(rotor.at_rest(), rotor.dofs()).schur_complement(); }), "");
+}
+
+}  // namespace
+}  // namespace tiprub

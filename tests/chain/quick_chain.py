@@ -1,0 +1,140 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The quick impeller from its case to its report, as a user runs it, and what the result must show.
+
+usage: quick_chain.py STEP PROGRAMS_FOLDER CASES_FOLDER WORK_FOLDER
+
+`run` copies the case with fewer speeds and makes it; each other step checks one thing about what was made.
+"""
+import csv
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import h5py
+import numpy
+
+SPEED_COUNT = 12
+REDUCTION_TOLERANCE = 0.005  # of the first 50 frequencies of the wheel
+ODD_SHARE = 0.01             # of the two-lobe response on odd nodal diameters
+ODD_ORDER_SPEEDS = 0.25      # of the speeds may have their highest peak off the even engine orders
+
+
+def make(work, programs, *arguments):
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
+    return subprocess.run(["make", "-C", work, f"BIN={programs}", *arguments], env=environment, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+
+
+def edit_case(work, pattern, replacement):
+    path = os.path.join(work, "case.toml")
+    with open(path, encoding="utf-8") as file:
+        text, count = re.subn(pattern, replacement, file.read(), flags=re.M)
+    assert count == 1, f"the case has {count} lines like {pattern}"
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def run(programs, cases, work):
+    shutil.rmtree(work, ignore_errors=True)
+    os.makedirs(work)
+    shutil.copy(os.path.join(cases, "impeller_quick", "case.toml"), work)
+    with open(os.path.join(work, "Makefile"), "w", encoding="utf-8") as file:
+        file.write(f"include {cases}/chain.mk\n")
+    edit_case(work, r"^speed_count = .*$", f"speed_count = {SPEED_COUNT}")
+    made = make(work, programs)
+    print(made.stdout)
+    assert made.returncode == 0
+    for name in ("sector.msh", "model.h5", "response.h5", "report/report.html", "report/critical_speeds.csv"):
+        assert os.path.getsize(os.path.join(work, name)) > 0, name
+
+
+def reduction(programs, cases, work):
+    """First 50 frequencies of the wheel, model against unreduced sector, at every verification speed."""
+    with h5py.File(os.path.join(work, "model.h5")) as model:
+        sectors = int(model.attrs["sector_count"])
+        speeds = model["verification/speed"][:]
+        top = model.attrs["speed_max"]
+        worst = 0.0
+        for row in range(len(speeds)):
+            pairs = []
+            for n in range(sectors // 2 + 1):
+                table = model[f"verification/nodal_diameter/{n}"]
+                times = 1 if n == 0 or 2 * n == sectors else 2  # a travelling wave and its mirror image
+                pairs += list(zip(table["unreduced"][row], table["reduced"][row])) * times
+            pairs.sort()
+            worst = max(worst, max(abs(reduced / exact - 1) for exact, reduced in pairs[:50]))
+    print(f"largest error {100 * worst:.3f} % at {speeds / top} of the top speed")
+    assert {0.0, 0.5, 1.0} < set(numpy.round(speeds / top, 12)) and len(speeds) >= 5
+    assert worst < REDUCTION_TOLERANCE
+
+
+def nodal_diameters(programs, cases, work):
+    """A run with all nodal diameters: the two-lobe casing moves the even ones only."""
+    full = os.path.join(work, "all")
+    os.makedirs(full, exist_ok=True)
+    shutil.copy(os.path.join(work, "case.toml"), full)
+    edit_case(full, r"^\[simulate\]$", '[simulate]\nnodal_diameters = "all"')
+    edit_case(full, r"^speed_count = .*$", "speed_count = 3")
+    response = os.path.join(full, "response.h5")
+    subprocess.run([os.path.join(programs, "tiprub-simulate"), "-q", os.path.join(full, "case.toml"),
+                    os.path.join(work, "model.h5"), "-o", response], check=True)
+    with h5py.File(response) as file:
+        sectors = int(file.attrs["sector_count"])
+        assert int(file.attrs["independent_sectors"]) == sectors
+        for group in file["speed"].values():
+            motion = numpy.fft.fft(group["displacement"][:], axis=1)
+            energy = (abs(motion) ** 2).sum(axis=(0, 2, 3))
+            share = numpy.sqrt(energy[1::2].sum() / energy.sum())
+            print(f"{group.attrs['speed']:.0f} rad/s: odd nodal diameters hold {share:.1e} of the motion")
+            assert energy.sum() > 0 and share < ODD_SHARE
+
+
+def engine_orders(programs, cases, work):
+    """The highest peak of a speed's spectrum lies on an even engine order."""
+    off = total = 0
+    with h5py.File(os.path.join(work, "response.h5")) as file:
+        for group in file["speed"].values():
+            revolutions = int(group.attrs["recorded_revolutions"])
+            spectrum = (abs(numpy.fft.rfft(group["displacement"][:], axis=0)) ** 2).sum(axis=(1, 2, 3))
+            spectrum[0] = 0.0
+            order = spectrum.argmax() / revolutions
+            total += 1
+            off += order % 2 != 0
+            print(f"{group.attrs['speed']:.0f} rad/s: highest on engine order {order:g}")
+    assert total == SPEED_COUNT and off <= ODD_ORDER_SPEEDS * total
+
+
+def critical_speeds(programs, cases, work):
+    """The table names family, nodal diameter, engine order and wave direction of each peak, and obeys eq. 17."""
+    with open(os.path.join(work, "report", "critical_speeds.csv"), encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert rows, "no critical speed"
+    for row in rows:
+        print(row)
+        assert int(row["nodal diameter"]) in (0, 2, 4)
+        order = float(row["engine order"])
+        if order % 2 == 0:
+            folded = int(order) % 10
+            assert int(row["nodal diameter"]) == min(folded, 10 - folded)
+        assert int(row["family"]) >= 1 and row["wave"] in ("forward", "backward", "standing")
+
+
+def up_to_date(programs, cases, work):
+    """Nothing is made twice, and a change of one stage's table remakes that stage and what follows."""
+    assert make(work, programs, "-q").returncode == 0
+    before = os.path.getmtime(os.path.join(work, "response.h5"))
+    with open(os.path.join(work, "case.toml"), "a", encoding="utf-8") as file:
+        file.write("# a remark in the last table, [postprocess]\n")
+    made = make(work, programs)
+    assert made.returncode == 0 and "tiprub-postprocess case.toml" in made.stdout, made.stdout
+    assert "tiprub-simulate case.toml" not in made.stdout
+    assert os.path.getmtime(os.path.join(work, "response.h5")) == before
+
+
+STEPS = {step.__name__: step for step in (run, reduction, nodal_diameters, engine_orders, critical_speeds, up_to_date)}
+
+if __name__ == "__main__":
+    STEPS[sys.argv[1]](*map(os.path.abspath, sys.argv[2:]))

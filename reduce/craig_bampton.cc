@@ -2,6 +2,7 @@
 #include "reduce/craig_bampton.h"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 
 namespace tiprub {
 
@@ -32,7 +33,8 @@ CraigBamptonBasis merge_speeds(const TravellingWave& wave, const std::vector<Spe
                                const SymmetricMatrix& stiffness, const SymmetricMatrix& mass) {
   Eigen::MatrixXcd inner = collect(speeds);
   Eigen::MatrixXcd gram = project(wave, stiffness, inner);
-  const Eigen::VectorXd scale = gram.diagonal().real().cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd scale = gram.diagonal().real().unaryExpr(
+      [](double square) { return square > 0 ? 1 / std::sqrt(square) : 0.0; });  // 0: speed changed nothing
   gram = scale.asDiagonal() * gram * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> directions(gram);
   const Eigen::VectorXd& lengths = directions.eigenvalues();

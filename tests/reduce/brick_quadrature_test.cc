@@ -115,8 +115,8 @@ TEST_P(BothBricks, RefuseAMirroredMesh) {
 }
 
 TEST(BrickQuadrature, RefusesNeighboursThatDisagreeAboutAMidSide) {
-  // Two bricks that share an edge name two different nodes in its middle: the last one read would win in silence.
-  SectorMesh mesh = Annulus().sector();
+  // A mesh with a double node in the middle of a shared edge was reduced without a word: the last brick read won, and
+  // the other brick followed a node that none of its own names. It must be refused.
   const int shared = mesh.cells(11, 0);  // between corners 1 and 2, on the face to the next brick outwards
   mesh.nodes.conservativeResize(Eigen::NoChange, mesh.node_count() + 1);
   mesh.nodes.rightCols(1) = mesh.nodes.col(shared);

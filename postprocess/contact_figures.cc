@@ -83,8 +83,8 @@ Figure contact_map_figure(const Study& study, TipEdge edge) {
          "xlabel 'speed "
          "[rpm]'\n"
       << "set yrange [0:1.05]\nset ytics 0.5\nset ylabel 'contrast [1]'\n"
-      << style::range("y2", 0, std::max(1.0, 1.1 * map.clusters.maxCoeff()))
-      << "set y2tics autofreq nomirror\nset y2label 'places'\n"
+      << style::range("y2", 0, std::max(1.0, 1.1 * map.clusters.maxCoeff())) << "set y2tics "
+      << std::max(1, (map.clusters.maxCoeff() + 3) / 4) << " nomirror\nset y2label 'places'\n"
       << "set key at screen 0.85,0.315 right center horizontal\n"
       << "plot $below using 1:2 with linespoints pointtype 7 pointsize 0.35 linewidth 1.2 linecolor rgb '#0072b2' "
          "title 'contrast', '' using 1:3 axes x1y2 with steps linewidth 1.2 linecolor rgb '#d55e00' title 'places'\n"

@@ -115,14 +115,18 @@ std::vector<int> drawn_engine_orders(const Study& study) {
 }
 
 std::string engine_order_labels(const Study& study, const SpeedAxis& axis, double frequency_max) {
+  constexpr double label_width = 0.05;  // of the axis; labels on top that would run into each other are left out
   std::ostringstream out;
   out.precision(8);
+  double free_below = axis.high + label_width * (axis.high - axis.low);
   for (const int order : drawn_engine_orders(study)) {
     const double at_right = order * axis.high / seconds_per_minute;
     if (at_right <= frequency_max) {
       out << "set label 'EO " << order << "' at first " << axis.high << ", first " << at_right
           << " left offset 0.6,0 font ',11' textcolor rgb '#333333'\n";
-    } else if (const double at_top = frequency_max * seconds_per_minute / order; at_top > axis.low) {
+    } else if (const double at_top = frequency_max * seconds_per_minute / order;
+               at_top > axis.low && at_top < free_below) {
+      free_below = at_top - label_width * (axis.high - axis.low);
       out << "set label 'EO " << order << "' at first " << at_top << ", first " << frequency_max
           << " center offset 0,0.6 font ',11' textcolor rgb '#333333'\n";
     }

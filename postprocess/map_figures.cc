@@ -189,7 +189,7 @@ Figure interaction_map_parts_figure(const Study& study) {
   std::ostringstream out;
   out << map_axes(study, scale) << all_modal_blocks(study) << "set multiplot layout " << rows << "," << columns
       << " margins screen 0.07,0.875,0.09,0.95 spacing screen 0.035,0.10\n"
-      << "set xtics rotate by -35 font ',10'\nset ytics font ',10'\nset cblabel 'amplitude [mm]'\n"
+      << "set xtics rotate by 35 right font ',10'\nset ytics font ',10'\nset cblabel 'amplitude [mm]'\n"
       << "set colorbox user origin screen 0.895,0.09 size screen 0.018,0.86\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const int n = panels[i];
@@ -215,7 +215,7 @@ Figure interaction_map_parts_figure(const Study& study) {
 }
 
 Figure waterfall_figure(const Study& study) {
-  constexpr double tallest = 6;  // speed steps under the largest line
+  constexpr double tallest = 0.2;  // of the speed axis: height of the largest line
   Figure figure;
   figure.drawing = {"waterfall", 900, 640, ""};
   figure.title = "Waterfall";
@@ -223,12 +223,12 @@ Figure waterfall_figure(const Study& study) {
       "The spectra of the interaction map one above the other, linear in amplitude; the largest line is " +
       fixed(study.map.largest() * mm_per_m, 3) + " mm high.";
   const style::SpeedAxis axis = style::speed_axis(study);
-  const double step = (axis.high - axis.low) / static_cast<double>(study.map.columns.size());
-  const double scale = tallest * step / std::max(study.map.largest(), smallest_colour / mm_per_m);
+  const double height = tallest * (axis.high - axis.low);
+  const double scale = height / std::max(study.map.largest(), smallest_colour / mm_per_m);
   figure.data = {{"speed [rpm]", "frequency [Hz]", "total [mm]"}, {}};
   std::ostringstream out, plot;
   out << style::base() << style::range("x", 0, frequency_max(study))
-      << style::range("y", axis.low, axis.high + tallest * step)
+      << style::range("y", axis.low, axis.high + height)
       << "set xlabel 'frequency in the rotor frame [Hz]'\nset ylabel 'speed [rpm], spectra on top'\n";
   for (std::size_t i = study.map.columns.size(); i-- > 0;) {  // from the back to the front
     const MapColumn& column = study.map.columns[i];

@@ -53,11 +53,7 @@ std::string interference_panel(const Study& study, const std::string& suffix, do
   out << style::block("spin" + suffix, veering_rows(study, speed))
       << style::block("zigzag" + suffix, zigzag_rows(study, speed, frequency_max)) << "set title 'at "
       << fixed(speed * rpm_per_rad_s, 0) << " rpm' offset 0,-0.5\nplot $zigzag" << suffix
-      << " using 1:2 with lines linewidth 1 linecolor rgb '#999999' title 'engine orders', '' using "
-         "($4>0?$1:NaN):2 with points pointtype 7 pointsize 0.8 linecolor rgb '#d55e00' title 'driven by the "
-         "casing', "
-         "'' using 1:2:($3>0?sprintf('EO %d',$3):'') with labels left offset 0.8,-0.3 font ',10' textcolor rgb "
-         "'#555555' notitle";
+      << " using 1:2 with lines linewidth 1 linecolor rgb '#999999' title 'engine orders'";
   for (int family = 0; family < study.parameters.families; ++family)
     out << ", $rest using 1:" << family + 2
         << " with linespoints pointtype 6 pointsize 0.9 dashtype 3 linecolor rgb '"
@@ -65,7 +61,10 @@ std::string interference_panel(const Study& study, const std::string& suffix, do
         << " using 1:" << family + 2
         << " with linespoints pointtype 7 pointsize 0.9 linewidth 1.4 linecolor rgb '#0072b2' "
         << (family == 0 ? "title 'modes at speed'" : "notitle");
-  out << "\n";
+  out << ", $zigzag" << suffix
+      << " using ($4>0?$1:NaN):2 with points pointtype 7 pointsize 0.8 linecolor rgb '#d55e00' title 'driven by the "
+         "casing', '' using 1:2:($3>0?sprintf('EO %d',$3):'') with labels left offset 0.8,-0.3 font ',10' textcolor "
+         "rgb '#555555' notitle\n";
   return out.str();
 }
 
@@ -81,7 +80,8 @@ Figure campbell_figure(const Study& study) {
   figure.caption =
       "Natural frequencies in the rotor frame over speed, the first families by nodal diameter, and "
       "engine-order lines. Shaded: the simulated speeds. Circles: crossings that the linear rule with "
-      "aliasing lists (f = k N_l \xCE\xA9 on the nodal diameter of eq. 17); squares: those of eq. 2.";
+      "aliasing lists (f = k \xC3\x97 lobes \xC3\x97 \xCE\xA9 on the nodal diameter of eq. 17); squares: those of "
+      "eq. 2.";
   figure.data = {{"speed [rpm]", "nodal diameter", "family", "frequency [Hz]"}, {}};
   std::ostringstream out, plot;
   out << style::base() << style::range("x", axis.low, axis.high) << style::range("y", 0, top)

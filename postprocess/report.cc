@@ -82,10 +82,12 @@ std::string steadiness_sentence(const Study& study) {
 }
 
 std::string share_sentence(const Study& study) {
+  constexpr double invisible = 5e-5;
   const Eigen::VectorXd shares = energy_shares(study.map);
   std::string text;
   for (Eigen::Index n = 0; n < shares.size(); ++n)
-    text += (n > 0 ? ", " : "") + std::to_string(n) + ": " + fixed(percent * shares[n], shares[n] < 0.001 ? 4 : 1);
+    text += (n > 0 ? ", " : "") + std::to_string(n) + ": " +
+            (shares[n] < invisible ? std::string("0") : fixed(percent * shares[n], 2));
   return "Share of the motion by nodal diameter, over all speeds [%]: " + text + ".";
 }
 

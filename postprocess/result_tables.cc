@@ -125,7 +125,7 @@ Table critical_speed_summary(const Study& study) {
          std::to_string(wave.family + 1), std::to_string(std::abs(wave.signed_nodal_diameter)),
          order_text(wave.engine_order), name_of(wave.direction), signed_percent(wave.detuning),
          style::engine_order_name(critical.largest.engine_order) + ", ND " +
-             style::signed_name(critical.largest.signed_nodal_diameter),
+             std::to_string(critical.largest.signed_nodal_diameter),
          std::to_string(critical.leading_edge_areas) + "/" + std::to_string(critical.trailing_edge_areas),
          motion_text(critical.motion, critical.period_revolutions), yes_or_no(critical.by_equation_2),
          yes_or_no(critical.by_aliasing)});

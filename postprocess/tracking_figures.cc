@@ -26,7 +26,7 @@ Figure tracking_figure(const Study& study, const std::string& name, const std::v
   Figure figure;
   figure.drawing = {name, 1000, 90 + 270 * count, ""};
   figure.data = {{"followed", "speed [rpm]", "curve", "amplitude [mm]"}, {}};
-  const double foot = 65.0 / figure.drawing.height, height = (top - foot - low) / count;
+  const double foot = 30.0 / figure.drawing.height, height = (top - foot - low) / count;
   std::ostringstream out;
   out << style::base() << style::range("x", axis.low, axis.high)
       << "set multiplot\nset yrange [0:*]\nset offsets 0,0,graph 0.08,0\n"

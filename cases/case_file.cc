@@ -35,23 +35,24 @@ std::string joined(const std::vector<std::string>& words) {
 struct CaseTable::Node {
   std::string file;
   std::string path;  ///< dotted name of this table, for messages
-  toml::table values;
+  /// Never a copy: toml++ drops the positions of what it copies. A table inside another one keeps the whole alive.
+  std::shared_ptr<const toml::table> values = std::make_shared<toml::table>();
   std::vector<std::string> asked;
   std::vector<std::string> lines;
   std::vector<std::pair<std::string, std::shared_ptr<Node>>> children;
 
   std::string where(const toml::node* node) const {
-    const toml::source_region& source = node != nullptr ? node->source() : values.source();
+    const toml::source_region& source = node != nullptr ? node->source() : values->source();
     return file + ":" + std::to_string(source.begin.line) + ":" + std::to_string(source.begin.column) + ": ";
   }
   std::string where(std::string_view key) const {
-    return where(values.get(key)) + "[" + path + "] " + std::string(key);
+    return where(values->get(key)) + "[" + path + "] " + std::string(key);
   }
   const toml::node* ask(std::string_view key, bool required) {
     asked.emplace_back(key);
-    const toml::node* node = values.get(key);
+    const toml::node* node = values->get(key);
     if (node == nullptr && required)
-      throw InputError(where(&values) + "[" + path + "] has no " + std::string(key) +
+      throw InputError(where(values.get()) + "[" + path + "] has no " + std::string(key) +
                        ", and it has no default; add it");
     return node;
   }
@@ -85,7 +86,7 @@ std::string Range::describe() const {
 CaseTable::CaseTable(std::shared_ptr<Node> node) : node_(std::move(node)) {}
 
 bool CaseTable::has(std::string_view key) const {
-  return node_->values.contains(key);
+  return node_->values->contains(key);
 }
 
 double CaseTable::number(std::string_view key, std::optional<double> fallback, const Range& range,
@@ -193,7 +194,7 @@ CaseTable CaseTable::table(std::string_view key) {
   child->path = node_->path + "." + std::string(key);
   if (node != nullptr) {
     if (!node->is_table()) throw InputError(node_->where(node) + "[" + child->path + "] must be a table");
-    child->values = *node->as_table();
+    child->values = {node_->values, node->as_table()};
   }
   node_->children.emplace_back(key, child);
   return CaseTable(child);
@@ -204,7 +205,7 @@ void CaseTable::reject(std::string_view key, const std::string& message) const {
 }
 
 void CaseTable::close() const {
-  for (const auto& [key, value] : node_->values)
+  for (const auto& [key, value] : *node_->values)
     if (std::find(node_->asked.begin(), node_->asked.end(), key.str()) == node_->asked.end()) {
       const toml::source_position at = key.source().begin;
       throw InputError(node_->file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
@@ -227,29 +228,29 @@ CaseFile::CaseFile(const std::filesystem::path& path) : root_(std::make_shared<C
   source_ = std::string(std::istreambuf_iterator<char>(stream), {});
   root_->file = path.string();
   try {
-    root_->values = toml::parse(source_, root_->file);
+    root_->values = std::make_shared<const toml::table>(toml::parse(source_, root_->file));
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
     throw InputError(root_->file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
                      ": not TOML: " + std::string(error.description()));
   }
-  for (const auto& [key, value] : root_->values) {
+  for (const auto& [key, value] : *root_->values) {
     const bool is_table = std::find(program_tables.begin(), program_tables.end(), key.str()) != program_tables.end();
     if (is_table ? value.is_table() : (key.str() == "title" && value.is_string())) continue;
     throw InputError(root_->where(&value) + "\"" + std::string(key.str()) +
                      "\" is not known here; known: title (a text), and the tables " +
                      joined({program_tables.begin(), program_tables.end()}));
   }
-  title_ = root_->values["title"].value_or(std::string());
+  title_ = (*root_->values)["title"].value_or(std::string());
 }
 
 CaseTable CaseFile::table(std::string_view name) const {
-  const toml::table* values = root_->values[name].as_table();
+  const toml::table* values = (*root_->values)[name].as_table();
   if (values == nullptr) throw InputError(root_->file + ": has no [" + std::string(name) + "] table; add it");
   auto node = std::make_shared<CaseTable::Node>();
   node->file = root_->file;
   node->path = name;
-  node->values = *values;
+  node->values = {root_->values, values};
   return CaseTable(node);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 
@@ -15,10 +16,13 @@ namespace {
 
 using testing::DenseRing;
 
+constexpr int early_steps = 30;
+
 /// What two programs for the same equations came to.
 struct Comparison {
   int contact_steps = 0;
-  double difference = 0;  ///< largest, over the largest displacement
+  double early_difference = 0;  ///< after the first `early_steps` in contact, over the largest displacement then
+  double difference = 0;        ///< after all of them
 };
 
 /// The wheel rubs two lobes at a speed at which its first family meets engine order 4. The casing is scaled to what
@@ -28,7 +32,8 @@ Comparison compare(const ReducedModel& model, ContactRule rule, int contact_step
   const int order = 4, lobes = 2;
   const double frequency = model.nodal_diameters[0].natural_frequencies(0)[0];
   const double speed = std::min(2 * std::numbers::pi * frequency / order, model.speed_max);
-  const Casing casing = testing::lobed_casing(lobes, amplitude, clearance);
+  Casing casing = testing::lobed_casing(lobes, amplitude, clearance);
+  casing.ramp_revolutions = 0.5;
   const RotorAtSpeed rotor = rotor_at_speed(model, speed, testing::all_nodal_diameters(model), {damping_ratio});
   const int unit = model.sector_count * lobes;
   const double limit = std::numbers::pi / speed * rotor.omega_max;  // steps a revolution at h = 2/omega_max
@@ -48,7 +53,8 @@ Comparison compare(const ReducedModel& model, ContactRule rule, int contact_step
                    (here - there.segment(j * march.node_count(), march.node_count())).cwiseAbs().maxCoeff());
     }
     largest = std::max(largest, there.cwiseAbs().maxCoeff());
-    if (dense.multipliers().cwiseAbs().maxCoeff() > 0) ++comparison.contact_steps;
+    if (dense.multipliers().cwiseAbs().maxCoeff() == 0) continue;
+    if (++comparison.contact_steps == early_steps) comparison.early_difference = comparison.difference / largest;
   }
   comparison.difference /= largest;
   return comparison;
@@ -77,15 +83,21 @@ TEST(DenseRing, EqualsTheModalMarchWithThePapersRule) {
 }
 
 /// The same on any model.h5: TIPRUB_MODEL=model.h5 simulate_test --gtest_filter=DenseRing.*
+/// Rounding in the dense matrices, or in the eigenproblem, shifts the square of the lowest frequency by about
+/// epsilon (omega_max/omega_1)^2, 1e-10 on a real tip mesh: the difference grows with the square of the time.
 TEST(DenseRing, EqualsTheModalMarchOnAGivenModel) {
   const char* path = std::getenv("TIPRUB_MODEL");
   if (path == nullptr) GTEST_SKIP() << "set TIPRUB_MODEL to a model.h5";
   const ReducedModel model = read_model(path);
   const Comparison complementarity = compare(model, ContactRule::complementarity, 1000);
+  std::printf("complementarity: %.1e, then %.1e\n", complementarity.early_difference, complementarity.difference);
   EXPECT_EQ(complementarity.contact_steps, 1000);
-  EXPECT_LT(complementarity.difference, 1e-10);
+  EXPECT_LT(complementarity.early_difference, 1e-10);
+  EXPECT_LT(complementarity.difference, 1e-6);
   const Comparison paper = compare(model, ContactRule::paper, 100);
+  std::printf("the paper's rule: %.1e, then %.1e\n", paper.early_difference, paper.difference);
   EXPECT_EQ(paper.contact_steps, 100);
+  EXPECT_LT(paper.early_difference, 1e-10);
   EXPECT_LT(paper.difference, 1e-8);
 }
 

@@ -26,8 +26,8 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
   auto points = table.points("distortion_table", std::nullopt, Range::any(), "deg, m inward");
   const double period = 360.0 / casing.lobes;
   if (points.front()[0] < 0 || points.back()[0] >= period)
-    table.reject("distortion_table", "must have its angles in 0 .. 360/lobes = " + std::to_string(period) +
-                                         " deg, that end excluded; it repeats `lobes` times");
+    table.reject("distortion_table",
+                 "must have its angles in 0 .. 360/lobes deg, that end excluded; it repeats `lobes` times");
   for (auto& [angle, inward] : points) {
     angle *= radians;
     casing.amplitude = std::max(casing.amplitude, std::abs(inward));

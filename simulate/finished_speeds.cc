@@ -52,8 +52,8 @@ void FinishedSpeeds::take_over_parts() {
 void FinishedSpeeds::take_over_output(const fs::path& output) {
   if (!fs::exists(output)) return;
   try {
+    if (read_response_key(output) != key_) return;
     const Response response = read_response(output);
-    if (response.key != key_) return;
     for (const SpeedResponse& speed : response.speeds)
       if (!has(speed.speed)) keep(speed);
   } catch (const RunError&) {  // of another schema or damaged: it is replaced

@@ -22,7 +22,7 @@ class FinishedSpeeds {
   /// Written beside, then renamed. Raises RunError if it can't be written.
   void keep(const SpeedResponse& response);
   SpeedResponse read(double speed) const;
-  /// Once the output stands.
+  /// Once the output stands, or never will.
   void remove();
 
  private:

@@ -188,6 +188,12 @@ void write_response(const Response& response, const std::filesystem::path& path,
   for (const SpeedResponse& speed : response.speeds) writer.add(speed);
 }
 
+std::string read_response_key(const std::filesystem::path& path) {
+  const Hdf5File file = Hdf5File::open(path);
+  file.require_schema(schema, schema_version);
+  return file.text_attribute("/", "key");
+}
+
 Response read_response(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open(path);
   file.require_schema(schema, schema_version);

@@ -29,4 +29,7 @@ class ResponseWriter {
 /// Raises RunError if the file is missing, damaged, of another schema, or its arrays don't fit together.
 Response read_response(const std::filesystem::path& path);
 
+/// Only its key; raises as read_response() does.
+std::string read_response_key(const std::filesystem::path& path);
+
 }  // namespace tiprub

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
 #include <sstream>
 #include <thread>
@@ -95,7 +96,7 @@ struct Tally {
 
   void add(const SpeedResponse& at) {
     if (!at.failure.empty()) {
-      if (failed++ == 0) first_failure = std::to_string(rpm(at.speed)) + " rev/min: " + at.failure;
+      if (failed++ == 0) first_failure = speed_line(at);
       return;
     }
     if (at.tension_steps > 0) ++pulling;
@@ -112,8 +113,8 @@ struct Tally {
   }
 };
 
-Tally assemble(const Inputs& inputs, const SimulatedScene& scene, const std::string& key,
-               const FinishedSpeeds& finished, const std::filesystem::path& output) {
+Tally assemble(const Inputs& inputs, const SimulatedScene& scene, const std::string& key, FinishedSpeeds& finished,
+               const std::filesystem::path& output) {
   Tally tally;
   OutputFile file(output);
   {
@@ -124,10 +125,49 @@ Tally assemble(const Inputs& inputs, const SimulatedScene& scene, const std::str
       writer.add(response);
     }
   }
+  if (tally.failed < inputs.parameters.speeds.size()) file.commit();
+  finished.remove();
   if (tally.failed == inputs.parameters.speeds.size())
     throw RunError("no speed could be computed; " + tally.first_failure);
-  file.commit();
   return tally;
+}
+
+int thread_count(int asked_here, const SimulateParameters& parameters) {
+  if (asked_here > 0) return asked_here;
+  if (parameters.threads > 0) return parameters.threads;
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+/// Computes what isn't there yet; how many speeds that were.
+std::size_t compute_missing(const StageArguments& arguments, const Scene& scene, int threads,
+                            FinishedSpeeds& finished) {
+  std::vector<double> missing;
+  for (double speed : scene.parameters.speeds)
+    if (!finished.has(speed)) missing.push_back(speed);
+  Progress progress(
+      "speeds", missing.size(),
+      arguments.verbosity == Verbosity::normal ? Progress::Shown::on_a_terminal : Progress::Shown::never);
+  sweep_speeds(scene, missing, threads, finished, [&](const SpeedResponse& response) {
+    progress.advance();
+    if (arguments.verbosity == Verbosity::verbose) say(arguments, speed_line(response));
+  });
+  return missing.size();
+}
+
+void say_scope(const StageArguments& arguments, const Inputs& inputs, const SceneScope& scope) {
+  const bool verbose = arguments.verbosity == Verbosity::verbose;
+  if (verbose) say(arguments, inputs.resolved);
+  if (verbose || arguments.action == Action::check)
+    for (const std::string& reason : scope.reasons) say(arguments, reason);
+}
+
+void say_result(const StageArguments& arguments, const Tally& tally, std::size_t computed, std::size_t speeds,
+                double seconds) {
+  std::ostringstream line;
+  line << arguments.output.string() << ": " << speeds << " speeds: " << tally.text() << "; " << speeds - computed
+       << " of them from before; " << std::fixed << std::setprecision(1) << seconds << " s";
+  if (tally.failed > 0) line << "\nfirst failure: " << tally.first_failure;
+  say(arguments, line.str());
 }
 
 }  // namespace
@@ -136,41 +176,17 @@ void simulate(const StageArguments& arguments, int threads) {
   const auto start = std::chrono::steady_clock::now();
   const Inputs inputs = read_inputs(arguments);
   const SceneScope scope = find_scope(inputs.model.sector_count, inputs.casing.lobes, inputs.parameters);
-  const bool verbose = arguments.verbosity == Verbosity::verbose;
-  if (verbose) say(arguments, inputs.resolved);
-  if (verbose || arguments.action == Action::check)
-    for (const std::string& reason : scope.reasons) say(arguments, reason);
+  say_scope(arguments, inputs, scope);
   if (arguments.action == Action::check) return;
-
+  { const OutputFile writable(arguments.output); }  // complain before the work, not after it
   const std::string key = run_key(inputs.model, inputs.casing, inputs.parameters, program_version(program));
   const SimulatedScene scene = describe(inputs, scope);
-  { const OutputFile writable(arguments.output); }  // before the work, not after it
   FinishedSpeeds finished(arguments.output, scene, key, program_version(program));
-  std::vector<double> pending;
-  for (double speed : inputs.parameters.speeds)
-    if (!finished.has(speed)) pending.push_back(speed);
-  {
-    Progress progress(
-        "speeds", pending.size(),
-        arguments.verbosity == Verbosity::normal ? Progress::Shown::on_a_terminal : Progress::Shown::never);
-    if (threads == 0) threads = inputs.parameters.threads;
-    if (threads == 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    sweep_speeds({inputs.model, inputs.casing, inputs.parameters, scope}, pending, threads, finished,
-                 [&](const SpeedResponse& response) {
-                   progress.advance();
-                   if (verbose) say(arguments, speed_line(response));
-                 });
-  }
+  const std::size_t computed = compute_missing(arguments, {inputs.model, inputs.casing, inputs.parameters, scope},
+                                               thread_count(threads, inputs.parameters), finished);
   const Tally tally = assemble(inputs, scene, key, finished, arguments.output);
-  finished.remove();
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  std::ostringstream line;
-  line << arguments.output.string() << ": " << inputs.parameters.speeds.size() << " speeds: " << tally.text() << "; "
-       << inputs.parameters.speeds.size() - pending.size() << " of them from before; " << std::fixed;
-  line.precision(1);
-  line << spent.count() << " s";
-  say(arguments, line.str());
-  if (tally.failed > 0) say(arguments, "first failure: " + tally.first_failure);
+  say_result(arguments, tally, computed, inputs.parameters.speeds.size(), spent.count());
 }
 
 }  // namespace tiprub

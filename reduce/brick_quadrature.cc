@@ -59,10 +59,10 @@ Eigen::MatrixXd serendipity_weights() {
   return weights;
 }
 
-}  // namespace
-
-struct BrickQuadrature::DealII {
-  explicit DealII(const SectorMesh& mesh);
+/// deal.II's view of a sector.
+struct DealIISector {
+  explicit DealIISector(const SectorMesh& mesh);
+  BrickPoints points_of(int cell);
 
   void number_midside_nodes(const SectorMesh& mesh);
   void build_triangulation(const SectorMesh& mesh);
@@ -81,10 +81,9 @@ struct BrickQuadrature::DealII {
   std::map<std::array<int, 2>, int> edge_node;
   std::map<std::array<int, 4>, int> face_node;
   std::vector<int> centre_node;
-  BrickPoints points;
 };
 
-BrickQuadrature::DealII::DealII(const SectorMesh& mesh) : nodes_per_cell(mesh.nodes_per_cell()) {
+DealIISector::DealIISector(const SectorMesh& mesh) : nodes_per_cell(mesh.nodes_per_cell()) {
   number_midside_nodes(mesh);
   build_triangulation(mesh);
   mapping.initialize(triangulation, [&](const Cell& cell) { return support_points(mesh, cell); });
@@ -95,7 +94,7 @@ BrickQuadrature::DealII::DealII(const SectorMesh& mesh) : nodes_per_cell(mesh.no
   if (nodes_per_cell == serendipity_nodes) combine.rightCols(faces + 1) = serendipity_weights().transpose();
 }
 
-void BrickQuadrature::DealII::number_midside_nodes(const SectorMesh& mesh) {
+void DealIISector::number_midside_nodes(const SectorMesh& mesh) {
   for (Eigen::Index cell = 0; cell < mesh.cells.cols(); ++cell) {
     const auto nodes = mesh.cells.col(cell);
     for (int e = 0; e < edges; ++e)
@@ -110,7 +109,7 @@ void BrickQuadrature::DealII::number_midside_nodes(const SectorMesh& mesh) {
   }
 }
 
-void BrickQuadrature::DealII::build_triangulation(const SectorMesh& mesh) {
+void DealIISector::build_triangulation(const SectorMesh& mesh) {
   std::vector<int> vertex_of(mesh.node_count(), -1);
   std::vector<dealii::Point<3>> vertices;
   std::vector<dealii::CellData<3>> data(mesh.cell_count());
@@ -130,7 +129,7 @@ void BrickQuadrature::DealII::build_triangulation(const SectorMesh& mesh) {
 }
 
 /// In the order of FE_Q(2): vertices, lines, faces, centre.
-std::vector<int> BrickQuadrature::DealII::nodes_of(const Cell& cell) const {
+std::vector<int> DealIISector::nodes_of(const Cell& cell) const {
   std::vector<int> nodes;
   for (const unsigned int v : cell->vertex_indices()) nodes.push_back(corner_node[cell->vertex_index(v)]);
   for (const unsigned int l : cell->line_indices())
@@ -146,8 +145,7 @@ std::vector<int> BrickQuadrature::DealII::nodes_of(const Cell& cell) const {
   return nodes;
 }
 
-std::vector<dealii::Point<3>> BrickQuadrature::DealII::support_points(const SectorMesh& mesh,
-                                                                      const Cell& cell) const {
+std::vector<dealii::Point<3>> DealIISector::support_points(const SectorMesh& mesh, const Cell& cell) const {
   Eigen::Matrix3Xd positions(3, lagrange_nodes);
   const std::vector<int> nodes = nodes_of(cell);
   for (int i = 0; i < nodes_per_cell; ++i) positions.col(i) = mesh.nodes.col(nodes[i]);
@@ -158,55 +156,51 @@ std::vector<dealii::Point<3>> BrickQuadrature::DealII::support_points(const Sect
   return points_of_cell;
 }
 
+BrickPoints DealIISector::points_of(int cell) {
+  const auto refuse = [&] {
+    std::ostringstream where;
+    where << cells[cell]->center();
+    throw InputError("cell " + std::to_string(cell) + " near x y z = " + where.str() + " m is inverted; re-mesh");
+  };
+  try {
+    values->reinit(cells[cell]);
+  } catch (const dealii::ExceptionBase&) {  // negative Jacobian
+    refuse();
+  }
+  const int count = static_cast<int>(values->n_quadrature_points);
+  BrickPoints points;
+  points.nodes = nodes_of(cells[cell]);
+  points.weight.resize(count);
+  points.position.resize(3, count);
+  points.gradient.resize(count);
+  Eigen::MatrixXd shape(lagrange_nodes, count);
+  Eigen::Matrix<double, lagrange_nodes, 3> gradient;
+  for (int q = 0; q < count; ++q) {
+    for (int i = 0; i < lagrange_nodes; ++i) {
+      shape(i, q) = values->shape_value(i, q);
+      for (int d = 0; d < 3; ++d) gradient(i, d) = values->shape_grad(i, q)[d];
+    }
+    points.gradient[q] = combine * gradient;
+    points.weight[q] = values->JxW(q);
+    for (int d = 0; d < 3; ++d) points.position(d, q) = values->quadrature_point(q)[d];
+    if (!(points.weight[q] > 0)) refuse();
+  }
+  points.shape = combine * shape;
+  return points;
+}
+
+}  // namespace
+
 BrickQuadrature::BrickQuadrature(const SectorMesh& mesh) {
   try {
-    dealii_ = std::make_unique<DealII>(mesh);
+    DealIISector sector(mesh);
+    cells_.reserve(mesh.cell_count());
+    for (int cell = 0; cell < mesh.cell_count(); ++cell) cells_.push_back(sector.points_of(cell));
   } catch (const dealii::ExceptionBase& error) {
     throw InputError(std::string("the cells of the sector don't make a mesh: deal.II's ") + error.get_exc_name());
   } catch (const std::out_of_range&) {
     throw InputError("the cells of the sector don't make a mesh: neighbours disagree about a mid-side node");
   }
-}
-
-BrickQuadrature::~BrickQuadrature() = default;
-
-int BrickQuadrature::cell_count() const {
-  return static_cast<int>(dealii_->cells.size());
-}
-
-const BrickPoints& BrickQuadrature::at(int cell) {
-  DealII& of = *dealii_;
-  try {
-    of.values->reinit(of.cells[cell]);
-  } catch (const dealii::ExceptionBase&) {  // negative Jacobian
-    std::ostringstream where;
-    where << of.cells[cell]->center();
-    throw InputError("cell " + std::to_string(cell) + " near x y z = " + where.str() + " m is inverted; re-mesh");
-  }
-  const int points = static_cast<int>(of.values->n_quadrature_points);
-  BrickPoints& result = of.points;
-  result.nodes = of.nodes_of(of.cells[cell]);
-  result.weight.resize(points);
-  result.position.resize(3, points);
-  result.gradient.resize(points);
-  Eigen::MatrixXd shape(lagrange_nodes, points);
-  Eigen::Matrix<double, lagrange_nodes, 3> gradient;
-  for (int q = 0; q < points; ++q) {
-    for (int i = 0; i < lagrange_nodes; ++i) {
-      shape(i, q) = of.values->shape_value(i, q);
-      for (int d = 0; d < 3; ++d) gradient(i, d) = of.values->shape_grad(i, q)[d];
-    }
-    result.gradient[q] = of.combine * gradient;
-    result.weight[q] = of.values->JxW(q);
-    for (int d = 0; d < 3; ++d) result.position(d, q) = of.values->quadrature_point(q)[d];
-    if (!(result.weight[q] > 0)) {
-      std::ostringstream where;
-      where << result.position.col(q).transpose();
-      throw InputError("cell " + std::to_string(cell) + " near x y z = " + where.str() + " m is inverted; re-mesh");
-    }
-  }
-  result.shape = of.combine * shape;
-  return result;
 }
 
 }  // namespace tiprub

@@ -77,9 +77,8 @@ class KrylovSpace {
     const Eigen::Index room = free_dofs() - size_;
     double floor = std::pow(rounding * reference, 2);
     coupling_ = Eigen::MatrixXcd::Identity(block.cols(), block.cols());
-    Eigen::MatrixXcd moved;
+    Eigen::MatrixXcd moved = stiffness_.wave().apply(mass_, block);
     for (int pass = 0; pass < 2 && block.cols() > 0; ++pass, floor = 0) {
-      moved = stiffness_.wave().apply(mass_, block);
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> gram(block.adjoint() * moved);
       const Eigen::VectorXd& squares = gram.eigenvalues();
       const double least = std::max(floor, rank_tolerance * squares[squares.size() - 1]);

@@ -35,7 +35,6 @@ void run(const tiprub::StageArguments& arguments, const std::string& calculix_fo
   table.close();
   if (arguments.verbosity == tiprub::Verbosity::verbose)
     tiprub::say(arguments, "[reduce]\n" + table.resolved() + "BLAS: " + openblas_get_config());
-  openblas_set_num_threads(parameters.threads);
   const tiprub::SectorMesh mesh = tiprub::read_sector_mesh(arguments.inputs[1], parameters.cyclic_tolerance);
   if (arguments.action == tiprub::Action::check) {
     tiprub::check_sector(mesh, parameters);

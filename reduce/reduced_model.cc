@@ -19,7 +19,8 @@ void require(bool holds, const std::string& message) {
   if (!holds) throw RunError(message);
 }
 
-std::string shape(const Eigen::MatrixXcd& matrix) {
+template <class Matrix>
+std::string shape(const Matrix& matrix) {
   return std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols());
 }
 
@@ -63,6 +64,20 @@ void check(const ContactLine& contact, const std::string& name) {
   }
 }
 
+void check(const Verification& table, std::size_t nodal_diameters, const std::string& name) {
+  for (const auto& [kind, tables] :
+       {std::pair("unreduced", &table.unreduced), std::pair("reduced", &table.reduced)}) {
+    if (table.speeds.size() == 0 && tables->empty()) continue;
+    require(tables->size() == nodal_diameters, name + ": /verification must have every nodal diameter");
+    for (std::size_t n = 0; n < nodal_diameters; ++n) {
+      const Eigen::MatrixXd &found = (*tables)[n], &other = table.unreduced[n];
+      require(found.rows() == table.speeds.size() && found.cols() == other.cols(),
+              name + ": /verification/nodal_diameter/" + std::to_string(n) + "/" + kind + " is " + shape(found) +
+                  ", must be " + std::to_string(table.speeds.size()) + " x " + std::to_string(other.cols()));
+    }
+  }
+}
+
 }  // namespace
 
 Eigen::MatrixXcd NodalDiameterModel::stiffness(double speed) const {
@@ -93,6 +108,7 @@ void check(const ReducedModel& model, const std::string& name) {
   for (int n = 0; n < expected; ++n)
     check(model.nodal_diameters[n], model.contact_dofs(), n == 0 || 2 * n == model.sector_count,
           name + ": /nodal_diameter/" + std::to_string(n));
+  check(model.verification, model.nodal_diameters.size(), name);
 }
 
 }  // namespace tiprub

@@ -1,70 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/reduction.h"
 
+#include <cblas.h>
+
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "reduce/contact_line.h"
 #include "reduce/craig_bampton.h"
 #include "reduce/cyclic_modes.h"
+#include "reduce/mode_following.h"
+#include "reduce/parallel_for.h"
 #include "reduce/speed_polynomial.h"
 
 namespace tiprub {
 
 namespace {
 
-constexpr double mode_tolerance = 1e-7;  // of 1/omega^2; the error of a frequency goes with its square
-constexpr double polynomial_fractions[] = {0.0, 0.5, 1.0};
+constexpr double mode_tolerance = 1e-7;  // of 1/omega^2, a residual; the error of a frequency goes with its square
+constexpr int guesses_per_mode = 2;      // the model's next modes come free, and speed up the last wanted ones
 
-bool among(double fraction, std::initializer_list<double> fractions) {
-  return std::find(fractions.begin(), fractions.end(), fraction) != fractions.end();
+double rpm(double speed) {
+  return speed * 30 / std::numbers::pi;
 }
 
-/// The work of one reduction, speed by speed; what later speeds need is kept.
+/// The work of one reduction. One speed after the other is factorized; nodal diameters go side by side.
 class Reducer {
  public:
-  Reducer(const SectorMesh& mesh, const ReductionParameters& parameters)
+  Reducer(const SectorMesh& mesh, const ReductionParameters& parameters, Progress& progress)
       : mesh_(mesh),
         parameters_(parameters),
+        progress_(progress),
         contact_(choose_contact_nodes(mesh, parameters.contact_nodes)),
         dofs_(number_dofs(mesh, contact_)),
-        elasticity_(mesh, dofs_, parameters.material),
+        elasticity_(mesh, dofs_, parameters.material, parameters.threads),
         mass_(elasticity_.mass()) {
     for (int n = 0; n <= mesh.sector_count / 2; ++n) waves_.emplace_back(dofs_, mesh.sector_count, n);
     shapes_.resize(waves_.size());
-    for (const double fraction : parameters.verification_speeds) unreduced_[fraction].resize(waves_.size());
+    bases_.resize(waves_.size());
   }
 
-  /// 0 and 1 first: the basis; then 1/2 for eq. 7; then what only verifies.
-  std::vector<double> fractions() const {
-    std::vector<double> list(std::begin(polynomial_fractions), std::end(polynomial_fractions));
-    for (const double fraction : parameters_.verification_speeds)
-      if (std::find(list.begin(), list.end(), fraction) == list.end()) list.push_back(fraction);
-    return list;
-  }
-  std::size_t steps() const { return fractions().size() * waves_.size(); }
-
-  void visit(double fraction, Progress& progress) {
-    const double speed = fraction * parameters_.speed_max;
-    SymmetricMatrix stiffness = elasticity_.stiffness(speed, static_displacement(speed), parameters_.prestress);
-    const bool basis = among(fraction, {0.0, 1.0}), verifies = unreduced_.contains(fraction);
-    if (basis || verifies) try {
-        const SectorFactor factor(stiffness, dofs_);
-        for (std::size_t n = 0; n < waves_.size(); ++n, progress.advance()) {
-          const CyclicStiffness cyclic(factor, waves_[n]);
-          if (fraction == 0.0 && n == 0) solve_static(cyclic);
-          if (verifies) unreduced_[fraction][n] = frequencies(cyclic);
-          if (basis) shapes_[n].push_back(shapes(cyclic));
-        }
-      } catch (const RunError& error) {
-        throw RunError("at " + std::to_string(speed * 30 / std::numbers::pi) + " rpm: " + error.what());
-      }
-    if (among(fraction, {0.0, 0.5, 1.0})) stiffness_[fraction] = std::move(stiffness);
+  static int steps(const SectorMesh& mesh, const ReductionParameters& parameters) {
+    return (mesh.sector_count / 2 + 1) * (3 + static_cast<int>(parameters.verification_speeds.size()));
   }
 
-  ReducedModel finish(ReductionReport& report) {
+  ReducedModel run(ReductionReport& report) {
+    report.sector_dofs = dofs_.sector();
+    report.clamped_face_nodes = dofs_.clamped_face_nodes;
+    at_speed(0.0, [&](const SymmetricMatrix& K) { solve_rest(K); });
+    at_speed(1.0, [&](const SymmetricMatrix& K) { solve_full_speed(K); });
+    stiffness_at(0.5);
     ReducedModel model;
     model.sector_count = mesh_.sector_count;
     model.speed_max = parameters_.speed_max;
@@ -72,20 +61,64 @@ class Reducer {
     model.contact = describe_contact(mesh_, contact_);
     for (Eigen::Index k = 0; k < model.contact.size(); ++k)
       model.contact.static_shift_1.row(k) = static_over_square_.segment<3>(dofs_.first[contact_[k]]).transpose();
-    report.sector_dofs = dofs_.sector();
-    report.clamped_face_nodes = dofs_.clamped_face_nodes;
-    for (std::size_t n = 0; n < waves_.size(); ++n) {
-      const CraigBamptonBasis basis = merge_speeds(waves_[n], shapes_[n], stiffness_.at(0.0), mass_);
-      report.generalized_dofs.push_back(static_cast<int>(basis.shapes.cols()) - dofs_.boundary());
-      report.dropped.push_back(basis.dropped);
+    model.nodal_diameters.resize(waves_.size());
+    report.generalized_dofs.resize(waves_.size());
+    report.dropped.resize(waves_.size());
+    for_each_nodal_diameter([&](int n) {
+      CraigBamptonBasis basis = merge_speeds(waves_[n], shapes_[n], stiffness_.at(0.0), mass_);
       shapes_[n].clear();
-      model.nodal_diameters.push_back(project_all(waves_[n], basis.shapes));
-    }
+      report.generalized_dofs[n] = static_cast<int>(basis.shapes.cols()) - dofs_.boundary();
+      report.dropped[n] = basis.dropped;
+      model.nodal_diameters[n] = project_all(waves_[n], basis.shapes);
+      bases_[n] = std::move(basis.shapes);
+    });
     verify(model);
     return model;
   }
 
  private:
+  template <class Body>
+  void for_each_nodal_diameter(const Body& body) {
+    parallel_for(static_cast<int>(waves_.size()), parameters_.threads, [&](int n) {
+      body(n);
+      progress_.advance();
+    });
+  }
+
+  /// K at a fraction of Omega_max; the three of eq. 7 are kept.
+  SymmetricMatrix stiffness_at(double fraction) {
+    if (const auto known = stiffness_.find(fraction); known != stiffness_.end()) return known->second;
+    const double speed = fraction * parameters_.speed_max;
+    SymmetricMatrix matrix = elasticity_.stiffness(speed, static_displacement(speed), parameters_.prestress);
+    if (fraction == 0.0 || fraction == 0.5 || fraction == 1.0) stiffness_[fraction] = matrix;
+    return matrix;
+  }
+
+  template <class Body>
+  void at_speed(double fraction, const Body& body) {
+    try {
+      body(stiffness_at(fraction));
+    } catch (const RunError& error) {
+      throw RunError("at " + std::to_string(std::lround(rpm(fraction * parameters_.speed_max))) +
+                     " rpm: " + error.what());
+    }
+  }
+
+  /// From scratch: the static solution, fixed-interface modes, constraint modes, and the modes that verify at rest.
+  void solve_rest(const SymmetricMatrix& stiffness) {
+    const SectorFactor factor(stiffness, dofs_);
+    at_rest_.resize(waves_.size());
+    for_each_nodal_diameter([&](int n) {
+      const CyclicStiffness cyclic(factor, waves_[n]);
+      if (n == 0) solve_static(cyclic);
+      at_rest_[n] = lowest_modes(cyclic, mass_, ContactNodes::free, parameters_.verification_modes, mode_tolerance)
+                        .frequencies();
+      const CyclicModes fixed =
+          lowest_modes(cyclic, mass_, ContactNodes::fixed, parameters_.fixed_interface_modes, mode_tolerance);
+      shapes_[n].push_back({cyclic.constraint_modes(), fixed.shape});
+    });
+  }
+
   /// Linear static solution under spin: K(0) u = Omega^2 f, the same in every sector.
   void solve_static(const CyclicStiffness& at_rest) {
     const Eigen::VectorXd load = elasticity_.centrifugal_load();
@@ -94,61 +127,80 @@ class Reducer {
     static_over_square_ = waves_[0].expand(wave).real();
   }
 
+  /// The basis needs the span of the fixed-interface modes at Omega_max, not the modes: one inverse iteration of
+  /// those at rest gives it. The factor stays: it is the preconditioner for the modes of all other speeds.
+  void solve_full_speed(const SymmetricMatrix& stiffness) {
+    factor_.emplace(stiffness, dofs_);
+    cyclic_.resize(waves_.size());
+    for_each_nodal_diameter([&](int n) {
+      cyclic_[n].emplace(*factor_, waves_[n]);
+      const Eigen::MatrixXcd load = waves_[n].apply(mass_, shapes_[n].front().fixed_interface_modes);
+      shapes_[n].push_back({cyclic_[n]->constraint_modes(), cyclic_[n]->solve(load, ContactNodes::fixed)});
+    });
+  }
+
   Eigen::Matrix3Xd static_displacement(double speed) const {
     if (speed == 0.0) return Eigen::Matrix3Xd::Zero(3, mesh_.node_count());
     return speed * speed * cartesian_displacement(mesh_, dofs_, static_over_square_);
   }
 
-  Eigen::VectorXd frequencies(const CyclicStiffness& cyclic) const {
-    return lowest_modes(cyclic, mass_, ContactNodes::free, parameters_.verification_modes, mode_tolerance)
-        .frequencies();
+  NodalDiameterModel project_all(const TravellingWave& wave, const Eigen::MatrixXcd& basis) const {
+    const SpeedPolynomial K =
+        SpeedPolynomial::through(project(wave, stiffness_.at(0.0), basis), project(wave, stiffness_.at(0.5), basis),
+                                 project(wave, stiffness_.at(1.0), basis), parameters_.speed_max);
+    return {K.Y0, K.Y1, K.Y2, project(wave, mass_, basis)};
   }
 
-  SpeedShapes shapes(const CyclicStiffness& cyclic) const {
-    return {
-        cyclic.constraint_modes(),
-        lowest_modes(cyclic, mass_, ContactNodes::fixed, parameters_.fixed_interface_modes, mode_tolerance).shape};
-  }
-
-  NodalDiameterModel project_all(const TravellingWave& wave, const Eigen::MatrixXcd& independent_basis) const {
-    const Eigen::MatrixXcd M = project(wave, mass_, independent_basis);
-    const SpeedPolynomial K = SpeedPolynomial::through(
-        project(wave, stiffness_.at(0.0), independent_basis), project(wave, stiffness_.at(0.5), independent_basis),
-        project(wave, stiffness_.at(1.0), independent_basis), parameters_.speed_max);
-    return {K.Y0, K.Y1, K.Y2, M};
-  }
-
-  void verify(ReducedModel& model) const {
+  /// Unreduced frequencies at every verification speed: at rest from scratch, elsewhere followed from the model's
+  /// modes.
+  void verify(ReducedModel& model) {
     Verification& table = model.verification;
-    const Eigen::Index speeds = static_cast<Eigen::Index>(unreduced_.size());
-    table.speeds.resize(speeds);
-    for (std::size_t n = 0; n < waves_.size(); ++n) {
-      table.unreduced.emplace_back(speeds, parameters_.verification_modes);
-      table.reduced.emplace_back(speeds, parameters_.verification_modes);
-      Eigen::Index row = 0;
-      for (const auto& [fraction, frequencies_at] : unreduced_) {
-        table.speeds[row] = fraction * parameters_.speed_max;
-        table.unreduced[n].row(row) = frequencies_at[n].transpose();
-        table.reduced[n].row(row) = model.nodal_diameters[n]
-                                        .natural_frequencies(table.speeds[row])
-                                        .head(parameters_.verification_modes)
-                                        .transpose();
-        ++row;
-      }
-    }
+    const int modes = parameters_.verification_modes;
+    table.speeds = parameters_.speed_max * Eigen::Map<const Eigen::VectorXd>(parameters_.verification_speeds.data(),
+                                                                             parameters_.verification_speeds.size());
+    table.unreduced.assign(waves_.size(), Eigen::MatrixXd(table.speeds.size(), modes));
+    table.reduced = table.unreduced;
+    for (std::size_t n = 0; n < waves_.size(); ++n)
+      if (const Eigen::Index dofs = model.nodal_diameters[n].M.rows(); dofs < modes)
+        throw InputError("[reduce] verification_modes = " + std::to_string(modes) + " is more than the " +
+                         std::to_string(dofs) + " dofs of the model at nodal diameter " + std::to_string(n) +
+                         "; ask for fewer, or raise fixed_interface_modes");
+    for (Eigen::Index row = 0; row < table.speeds.size(); ++row)
+      at_speed(parameters_.verification_speeds[row], [&](const SymmetricMatrix& stiffness) {
+        for_each_nodal_diameter([&](int n) {
+          const NodalDiameterModel& reduced = model.nodal_diameters[n];
+          const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(
+              reduced.stiffness(table.speeds[row]), reduced.M);
+          table.reduced[n].row(row) = reduced.natural_frequencies(table.speeds[row]).head(modes).transpose();
+          if (table.speeds[row] == 0.0) {
+            table.unreduced[n].row(row) = at_rest_[n].transpose();
+            return;
+          }
+          const Eigen::Index guessed = std::min<Eigen::Index>(guesses_per_mode * modes, reduced.M.rows());
+          const Eigen::MatrixXcd guesses = bases_[n] * solver.eigenvectors().leftCols(guessed);
+          table.unreduced[n].row(row) =
+              follow_modes(*cyclic_[n], stiffness, mass_, guesses, modes, parameters_.verification_tolerance)
+                  .frequencies()
+                  .transpose();
+        });
+      });
   }
 
   const SectorMesh& mesh_;
   const ReductionParameters& parameters_;
+  Progress& progress_;
   std::vector<int> contact_;
   SectorDofs dofs_;
   RotatingElasticity elasticity_;
   SymmetricMatrix mass_;
   std::vector<TravellingWave> waves_;
   Eigen::VectorXd static_over_square_;
-  std::map<double, SymmetricMatrix> stiffness_;               // by fraction of Omega_max
-  std::map<double, std::vector<Eigen::VectorXd>> unreduced_;  // by fraction, then nodal diameter
-  std::vector<std::vector<SpeedShapes>> shapes_;              // by nodal diameter, then speed
+  std::map<double, SymmetricMatrix> stiffness_;         // by fraction of Omega_max
+  std::vector<Eigen::VectorXd> at_rest_;                // unreduced frequencies [Hz], by nodal diameter
+  std::optional<SectorFactor> factor_;                  // of K(Omega_max)
+  std::vector<std::optional<CyclicStiffness>> cyclic_;  // of K(Omega_max), by nodal diameter
+  std::vector<std::vector<SpeedShapes>> shapes_;        // by nodal diameter, then speed
+  std::vector<Eigen::MatrixXcd> bases_;                 // by nodal diameter
 };
 
 }  // namespace
@@ -169,18 +221,21 @@ ReductionParameters ReductionParameters::read(CaseTable& table) {
   p.fixed_interface_modes = table.integer("fixed_interface_modes", 24, Range::between(1, 500), "a speed");
   p.verification_speeds =
       table.numbers("verification_speeds", {{0.0, 0.3, 0.5, 0.8, 1.0}}, Range::between(0.0, 2.0), "of speed_max_rpm");
-  p.verification_modes = table.integer("verification_modes", 10, Range::between(1, 100), "a nodal diameter");
+  p.verification_modes = table.integer("verification_modes", 8, Range::between(1, 100), "a nodal diameter");
+  if (!std::is_sorted(p.verification_speeds.begin(), p.verification_speeds.end()))
+    table.reject("verification_speeds", "must increase");
+  p.verification_tolerance = table.number("verification_tolerance", 1e-6, {0.0, 1.0, Range::LowEnd::excluded},
+                                          "of omega^2, in the last step");
   p.cyclic_tolerance = table.number("cyclic_tolerance", 1e-6, Range::positive(), "of the largest radius");
-  p.threads = table.integer("threads", 1, Range::between(1, 256), "of the BLAS");
+  p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");
   return p;
 }
 
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown shown,
                     ReductionReport& report) {
-  Reducer reducer(mesh, parameters);
-  Progress progress("reducing", reducer.steps(), shown);
-  for (const double fraction : reducer.fractions()) reducer.visit(fraction, progress);
-  return reducer.finish(report);
+  openblas_set_num_threads(parameters.threads);
+  Progress progress("reducing", Reducer::steps(mesh, parameters), shown);
+  return Reducer(mesh, parameters, progress).run(report);
 }
 
 void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {

@@ -22,8 +22,9 @@ struct ReductionParameters {
   int fixed_interface_modes = 0;            ///< at each of the two speeds that give modes, 0 and Omega_max
   std::vector<double> verification_speeds;  ///< [1] over Omega_max
   int verification_modes = 0;               ///< a nodal diameter
+  double verification_tolerance = 0;        ///< [1] of omega^2, in the last step of following a mode
   double cyclic_tolerance = 0;              ///< [1] over the largest radius
-  int threads = 1;                          ///< of the BLAS
+  int threads = 1;                          ///< for nodal diameters and the BLAS
 
   static ReductionParameters read(CaseTable& table);
 };

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 
+#include "reduce/parallel_for.h"
+
 namespace tiprub {
 
 namespace {
+
+constexpr int cells_per_chunk = 512;
 
 using Strain = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
@@ -39,6 +43,31 @@ Eigen::MatrixXd consistent_mass(const BrickPoints& points, double density) {
   return density * points.shape * points.weight.asDiagonal() * points.shape.transpose();
 }
 
+/// The pattern of a symmetric matrix over the sector's dofs, lower triangle, with zeros in it.
+SymmetricMatrix zero_matrix(const SectorMesh& mesh, const SectorDofs& dofs) {
+  const std::vector<std::vector<int>> neighbours = node_neighbours(mesh);
+  std::vector<int> node_of(dofs.sector() / 3);
+  for (int node = 0; node < mesh.node_count(); ++node)
+    if (dofs.first[node] >= 0) node_of[dofs.first[node] / 3] = node;
+  SymmetricMatrix matrix(dofs.sector(), dofs.sector());
+  std::vector<std::vector<int>> rows(node_of.size());  // first dofs of the row nodes, one list a column node
+  Eigen::VectorXi sizes(dofs.sector());
+  for (std::size_t column = 0; column < node_of.size(); ++column) {
+    for (const int node : neighbours[node_of[column]])
+      if (dofs.first[node] >= static_cast<int>(3 * column)) rows[column].push_back(dofs.first[node]);
+    std::sort(rows[column].begin(), rows[column].end());
+    for (int k = 0; k < 3; ++k) sizes[3 * column + k] = static_cast<int>(3 * rows[column].size()) - k;
+  }
+  matrix.reserve(sizes);
+  for (std::size_t column = 0; column < node_of.size(); ++column)
+    for (int k = 0; k < 3; ++k)
+      for (const int first : rows[column])
+        for (int i = (first == static_cast<int>(3 * column) ? k : 0); i < 3; ++i)
+          matrix.insert(first + i, static_cast<Eigen::Index>(3 * column) + k) = 0.0;
+  matrix.makeCompressed();
+  return matrix;
+}
+
 }  // namespace
 
 Eigen::Matrix<double, 6, 6> Material::elasticity() const {
@@ -50,30 +79,25 @@ Eigen::Matrix<double, 6, 6> Material::elasticity() const {
   return C;
 }
 
-RotatingElasticity::RotatingElasticity(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material)
-    : mesh_(mesh), dofs_(dofs), material_(material), quadrature_(mesh) {}
+RotatingElasticity::RotatingElasticity(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material,
+                                       int threads)
+    : mesh_(mesh),
+      dofs_(dofs),
+      material_(material),
+      threads_(threads),
+      quadrature_(mesh),
+      zero_(zero_matrix(mesh, dofs)) {}
 
-SymmetricMatrix RotatingElasticity::empty_matrix() const {
-  const std::vector<std::vector<int>> neighbours = node_neighbours(mesh_);
-  std::vector<int> node_of(dofs_.sector() / 3);
-  for (int node = 0; node < mesh_.node_count(); ++node)
-    if (dofs_.first[node] >= 0) node_of[dofs_.first[node] / 3] = node;
-  SymmetricMatrix matrix(dofs_.sector(), dofs_.sector());
-  std::vector<std::vector<int>> rows(node_of.size());  // first dofs of the row nodes, one list a column node
-  Eigen::VectorXi sizes(dofs_.sector());
-  for (std::size_t column = 0; column < node_of.size(); ++column) {
-    for (const int node : neighbours[node_of[column]])
-      if (dofs_.first[node] >= static_cast<int>(3 * column)) rows[column].push_back(dofs_.first[node]);
-    std::sort(rows[column].begin(), rows[column].end());
-    for (int k = 0; k < 3; ++k) sizes[3 * column + k] = static_cast<int>(3 * rows[column].size()) - k;
+/// Cells in chunks: their matrices at once, their sums in order, so that rounding is the same on any number of
+/// threads.
+SymmetricMatrix RotatingElasticity::assemble(const CellMatrix& cell_matrix) const {
+  SymmetricMatrix matrix = zero_;
+  std::vector<Eigen::MatrixXd> chunk(cells_per_chunk);
+  for (int first = 0; first < quadrature_.cell_count(); first += cells_per_chunk) {
+    const int count = std::min(cells_per_chunk, quadrature_.cell_count() - first);
+    parallel_for(count, threads_, [&](int i) { chunk[i] = cell_matrix(quadrature_.at(first + i)); });
+    for (int i = 0; i < count; ++i) scatter(chunk[i], quadrature_.at(first + i).nodes, matrix);
   }
-  matrix.reserve(sizes);
-  for (std::size_t column = 0; column < node_of.size(); ++column)
-    for (int k = 0; k < 3; ++k)
-      for (const int first : rows[column])
-        for (int i = (first == static_cast<int>(3 * column) ? k : 0); i < 3; ++i)
-          matrix.insert(first + i, static_cast<Eigen::Index>(3 * column) + k) = 0.0;
-  matrix.makeCompressed();
   return matrix;
 }
 
@@ -98,25 +122,20 @@ void RotatingElasticity::scatter(const Eigen::MatrixXd& cell_matrix, const std::
     }
 }
 
-SymmetricMatrix RotatingElasticity::mass() {
-  SymmetricMatrix matrix = empty_matrix();
-  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
-    const BrickPoints& points = quadrature_.at(cell);
-    Eigen::MatrixXd cell_matrix = Eigen::MatrixXd::Zero(3 * points.nodes.size(), 3 * points.nodes.size());
-    add_blocks(consistent_mass(points, material_.density), Eigen::Vector3d::Ones(), cell_matrix);
-    scatter(cell_matrix, points.nodes, matrix);
-  }
-  return matrix;
+SymmetricMatrix RotatingElasticity::mass() const {
+  return assemble([&](const BrickPoints& points) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * points.shape.rows(), 3 * points.shape.rows());
+    add_blocks(consistent_mass(points, material_.density), Eigen::Vector3d::Ones(), matrix);
+    return matrix;
+  });
 }
 
 SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3Xd& displacement,
-                                              Prestress prestress) {
-  SymmetricMatrix matrix = empty_matrix();
+                                              Prestress prestress) const {
   const Eigen::Matrix<double, 6, 6> C = material_.elasticity();
   const Eigen::Vector3d softened(-speed * speed, -speed * speed, 0.0);
-  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
-    const BrickPoints& points = quadrature_.at(cell);
-    const Eigen::Index count = static_cast<Eigen::Index>(points.nodes.size()), gauss = points.weight.size();
+  return assemble([&](const BrickPoints& points) {
+    const Eigen::Index count = points.shape.rows(), gauss = points.weight.size();
     const Eigen::Matrix3Xd moved = displacement(Eigen::all, points.nodes);
     Eigen::MatrixXd B(6 * gauss, 3 * count), CB(6 * gauss, 3 * count);
     Eigen::MatrixXd stress_stiffness = Eigen::MatrixXd::Zero(count, count);
@@ -129,15 +148,14 @@ SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3
       stress_stiffness +=
           points.weight[q] * points.gradient[q] * linear_stress(H, material_) * points.gradient[q].transpose();
     }
-    Eigen::MatrixXd cell_matrix = B.transpose() * CB;                               // material stiffness
-    add_blocks(stress_stiffness, Eigen::Vector3d::Ones(), cell_matrix);             // K_sigma
-    add_blocks(consistent_mass(points, material_.density), softened, cell_matrix);  // spin softening, -Omega^2 M_perp
-    scatter(cell_matrix, points.nodes, matrix);
-  }
-  return matrix;
+    Eigen::MatrixXd matrix = B.transpose() * CB;                               // material stiffness
+    add_blocks(stress_stiffness, Eigen::Vector3d::Ones(), matrix);             // K_sigma
+    add_blocks(consistent_mass(points, material_.density), softened, matrix);  // spin softening, -Omega^2 M_perp
+    return matrix;
+  });
 }
 
-Eigen::VectorXd RotatingElasticity::centrifugal_load() {
+Eigen::VectorXd RotatingElasticity::centrifugal_load() const {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(dofs_.sector());
   for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
     const BrickPoints& points = quadrature_.at(cell);
@@ -152,7 +170,7 @@ Eigen::VectorXd RotatingElasticity::centrifugal_load() {
   return load;
 }
 
-double RotatingElasticity::volume() {
+double RotatingElasticity::volume() const {
   double sum = 0;
   for (int cell = 0; cell < quadrature_.cell_count(); ++cell) sum += quadrature_.at(cell).weight.sum();
   return sum;

@@ -3,6 +3,8 @@
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
+#include <functional>
+#include <vector>
 
 #include "reduce/brick_quadrature.h"
 #include "reduce/sector_dofs.h"
@@ -34,26 +36,30 @@ using SymmetricMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 /// components. Assembly is by full 3 x 3 x 3 Gauss quadrature on 20- or 27-node bricks.
 class RotatingElasticity {
  public:
-  RotatingElasticity(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material);
+  /// Assembly runs on up to `threads` threads; the result doesn't depend on their number.
+  RotatingElasticity(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material, int threads = 1);
 
-  SymmetricMatrix mass();
+  SymmetricMatrix mass() const;
   /// Tangent stiffness at a speed [rad/s]: material stiffness + K_sigma - Omega^2 M_perp, where M_perp is the mass
   /// without the axial direction (spin softening). `displacement` [m] is the static one at this speed; 3 x nodes, x,
   /// y, z.
-  SymmetricMatrix stiffness(double speed, const Eigen::Matrix3Xd& displacement, Prestress prestress);
+  SymmetricMatrix stiffness(double speed, const Eigen::Matrix3Xd& displacement, Prestress prestress) const;
   /// Centrifugal load over Omega^2 [kg m], at the shape at rest; sector dofs.
-  Eigen::VectorXd centrifugal_load();
+  Eigen::VectorXd centrifugal_load() const;
   /// [m^3]
-  double volume();
+  double volume() const;
 
  private:
-  SymmetricMatrix empty_matrix() const;
+  using CellMatrix = std::function<Eigen::MatrixXd(const BrickPoints&)>;
+  SymmetricMatrix assemble(const CellMatrix& cell_matrix) const;
   void scatter(const Eigen::MatrixXd& cell_matrix, const std::vector<int>& nodes, SymmetricMatrix& into) const;
 
   const SectorMesh& mesh_;
   const SectorDofs& dofs_;
   Material material_;
+  int threads_;
   BrickQuadrature quadrature_;
+  SymmetricMatrix zero_;  ///< the pattern
 };
 
 }  // namespace tiprub

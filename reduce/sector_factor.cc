@@ -56,7 +56,7 @@ struct SectorFactor::Cholmod {
 
   void factorize(const SymmetricMatrix& stiffness, double shift);
   void extract_interface_factor();
-  Eigen::MatrixXd solve(int system, Eigen::MatrixXd& right);
+  Eigen::MatrixXd solve(int system, Eigen::MatrixXd& right) const;
 };
 
 void SectorFactor::Cholmod::factorize(const SymmetricMatrix& stiffness, double shift) {
@@ -106,7 +106,9 @@ void SectorFactor::Cholmod::extract_interface_factor() {
   }
 }
 
-Eigen::MatrixXd SectorFactor::Cholmod::solve(int system, Eigen::MatrixXd& right) {
+Eigen::MatrixXd SectorFactor::Cholmod::solve(int system, Eigen::MatrixXd& right) const {
+  cholmod_common scratch{};  // one a call: several threads may solve at once
+  cholmod_start(&scratch);
   cholmod_dense view{};
   view.nrow = view.d = static_cast<std::size_t>(right.rows());
   view.ncol = static_cast<std::size_t>(right.cols());
@@ -114,11 +116,12 @@ Eigen::MatrixXd SectorFactor::Cholmod::solve(int system, Eigen::MatrixXd& right)
   view.x = right.data();
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* solution = cholmod_solve(system, factor, &view, &common);
+  cholmod_dense* solution = cholmod_solve(system, factor, &view, &scratch);
   if (solution == nullptr) throw RunError("not enough memory to solve with the factor of the sector");
   Eigen::MatrixXd result =
       Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution->x), right.rows(), right.cols());
-  cholmod_free_dense(&solution, &common);
+  cholmod_free_dense(&solution, &scratch);
+  cholmod_finish(&scratch);
   return result;
 }
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+namespace tiprub {
+
+/// Calls body(0) .. body(count - 1) from up to `threads` threads, each index once; the BLAS runs single-threaded
+/// meanwhile. Results must not depend on the order. The first exception is raised again here, after all have stopped.
+void parallel_for(int count, int threads, const std::function<void(int)>& body);
+
+}  // namespace tiprub

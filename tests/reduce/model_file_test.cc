@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/reduced_model_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <limits>
+#include <numbers>
+
+#include "reduce/hdf5_file.h"
+#include "tests/reduce/complaint.h"
+#include "tests/reduce/some_model.h"
+
+namespace tiprub {
+namespace {
+
+namespace fs = std::filesystem;
+using test::some_model;
+
+class ModelFile : public ::testing::Test {
+ protected:
+  ModelFile() : folder_(fs::path(::testing::TempDir()) / ("tiprub_model_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~ModelFile() override { fs::remove_all(folder_); }
+
+  fs::path path(const std::string& name = "model.h5") const { return folder_ / name; }
+  std::string bytes(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  /// What reading says about a file after this model has been written to it.
+  std::string complaint_about(const ReducedModel& model) const {
+    write_model(model, path(), "test");
+    return test::complaint<RunError>([&] { read_model(path()); });
+  }
+  /// What reading says about a file of the right schema that holds whatever `fill` writes.
+  template <class Fill>
+  std::string complaint_about_file(const Fill& fill) const {
+    {
+      Hdf5File file = Hdf5File::create(path());
+      fill(file);
+    }
+    return test::complaint<RunError>([&] { read_model(path()); });
+  }
+
+  fs::path folder_;
+};
+
+void expect_same(const ReducedModel& a, const ReducedModel& b) {
+  EXPECT_EQ(a.sector_count, b.sector_count);
+  EXPECT_EQ(a.speed_max, b.speed_max);
+  EXPECT_EQ(a.prestress, b.prestress);
+  EXPECT_EQ(a.provenance, b.provenance);
+  EXPECT_EQ(a.contact.position, b.contact.position);
+  EXPECT_EQ(a.contact.normal, b.contact.normal);
+  EXPECT_EQ(a.contact.arc_length, b.contact.arc_length);
+  EXPECT_EQ(a.contact.static_shift_1, b.contact.static_shift_1);
+  EXPECT_EQ(a.contact.static_shift_2, b.contact.static_shift_2);
+  ASSERT_EQ(a.nodal_diameters.size(), b.nodal_diameters.size());
+  for (std::size_t n = 0; n < a.nodal_diameters.size(); ++n) {
+    EXPECT_EQ(a.nodal_diameters[n].K0, b.nodal_diameters[n].K0);
+    EXPECT_EQ(a.nodal_diameters[n].K1, b.nodal_diameters[n].K1);
+    EXPECT_EQ(a.nodal_diameters[n].K2, b.nodal_diameters[n].K2);
+    EXPECT_EQ(a.nodal_diameters[n].M, b.nodal_diameters[n].M);
+  }
+  EXPECT_EQ(a.verification.speeds, b.verification.speeds);
+  EXPECT_EQ(a.verification.unreduced, b.verification.unreduced);
+  EXPECT_EQ(a.verification.reduced, b.verification.reduced);
+}
+
+TEST_F(ModelFile, RoundTripsBitForBit) {
+  write_model(some_model(), path(), "test");
+  expect_same(read_model(path()), some_model());
+}
+
+TEST_F(ModelFile, SameModelSameBytes) {
+  write_model(some_model(), path("a.h5"), "test");
+  sleep(1);  // a time in the file would show
+  write_model(some_model(), path("b.h5"), "test");
+  EXPECT_GT(bytes("a.h5").size(), 1000u);
+  EXPECT_TRUE(bytes("a.h5") == bytes("b.h5"));
+}
+
+TEST_F(ModelFile, MayLeaveOutWhatIsZero) {
+  EXPECT_EQ(complaint_about_file([](Hdf5File& file) {
+              file.set_schema("tiprub-model", 1, "by hand");
+              file.set_attribute("/", "sector_count", 1);
+              file.set_attribute("/", "speed_max", 100.0);
+              const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(3, 3);
+              file.write("/contact/position", Eigen::MatrixXd(one.topRows(1)), "m, rad, m");
+              file.write("/contact/normal", Eigen::MatrixXd(one.topRows(1)), "1");
+              file.write("/contact/arc_length", Eigen::VectorXd(Eigen::VectorXd::Zero(1)), "m");
+              file.write("/nodal_diameter/0/K0", Eigen::MatrixXd(4 * one), "N/m");
+              file.write("/nodal_diameter/0/M", one, "kg");
+            }),
+            "");
+  const ReducedModel model = read_model(path());
+  EXPECT_EQ(model.prestress, "given");
+  EXPECT_EQ(model.nodal_diameters[0].K2, Eigen::MatrixXcd::Zero(3, 3));
+  EXPECT_EQ(model.contact.static_shift(50.0), Eigen::MatrixX3d::Zero(1, 3));
+  EXPECT_NEAR(model.nodal_diameters[0].natural_frequencies(50.0)[0], 1 / std::numbers::pi, 1e-15);  // 2 rad/s
+}
+
+TEST_F(ModelFile, RefusesWhatIsNoHdf5FileAndWhatIsNotThere) {
+  EXPECT_EQ(test::complaint<RunError>([&] { read_model(path("none.h5")); }),
+            path("none.h5").string() + ": no such file");
+  std::ofstream(path()) << "not HDF5";
+  EXPECT_EQ(test::complaint<RunError>([&] { read_model(path()); }),
+            path().string() + ": is not an HDF5 file, or is damaged");
+}
+
+TEST_F(ModelFile, RefusesHalfAFile) {
+  write_model(some_model(), path(), "test");
+  fs::resize_file(path(), fs::file_size(path()) / 2);
+  EXPECT_EQ(test::complaint<RunError>([&] { read_model(path()); }),
+            path().string() + ": is not an HDF5 file, or is damaged");
+}
+
+TEST_F(ModelFile, RefusesAnotherSchemaOrVersion) {
+  EXPECT_EQ(complaint_about_file([](Hdf5File&) {}),
+            path().string() + ": has no schema; expected tiprub-model version 1");
+  EXPECT_EQ(complaint_about_file([](Hdf5File& file) { file.set_schema("tiprub-response", 1, "x"); }),
+            path().string() + ": is tiprub-response version 1, expected tiprub-model version 1");
+  EXPECT_EQ(complaint_about_file([](Hdf5File& file) { file.set_schema("tiprub-model", 2, "x"); }),
+            path().string() + ": is tiprub-model version 2, expected tiprub-model version 1");
+}
+
+TEST_F(ModelFile, RefusesAMissingDataset) {
+  const std::string message = complaint_about_file([](Hdf5File& file) {
+    file.set_schema("tiprub-model", 1, "by hand");
+    file.set_attribute("/", "sector_count", 1);
+    file.set_attribute("/", "speed_max", 100.0);
+  });
+  EXPECT_EQ(message, path().string() + ": /contact/arc_length: is missing");
+  ReducedModel model = some_model();
+  model.nodal_diameters.pop_back();
+  EXPECT_EQ(complaint_about(model), path().string() + ": /nodal_diameter/2/M: is missing");
+}
+
+TEST_F(ModelFile, RefusesValuesThatAreNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  ReducedModel model = some_model();
+  model.nodal_diameters[0].K0(1, 2) = nan;  // written real
+  EXPECT_EQ(complaint_about(model),
+            path().string() + ": /nodal_diameter/0/K0: value 7 (row-major, from 0) is not finite");
+  model = some_model();
+  model.nodal_diameters[1].M(1, 2) = nan;  // written complex
+  EXPECT_EQ(complaint_about(model), path().string() + ": /nodal_diameter/1/M: row 1, column 2 is not finite");
+  model = some_model();
+  model.speed_max = nan;
+  EXPECT_EQ(complaint_about(model), path().string() + ": /: attribute speed_max is not finite");
+  model = some_model();
+  model.verification.reduced[1](0, 0) = std::numeric_limits<double>::infinity();
+  EXPECT_NE(complaint_about(model).find("/verification/nodal_diameter/1/reduced"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tiprub

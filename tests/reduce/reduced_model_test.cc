@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/reduced_model.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <numbers>
+#include <ostream>
+
+#include "tests/reduce/complaint.h"
+#include "tests/reduce/some_model.h"
+
+namespace tiprub {
+namespace {
+
+/// A change of the model and the phrase that must come out.
+struct Wrong {
+  std::string name;
+  std::function<void(ReducedModel&)> change;
+  std::string phrase;
+};
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+  *out << wrong.name;
+}
+
+class WrongModel : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongModel, IsRefused) {
+  ReducedModel model = test::some_model();
+  EXPECT_NO_THROW(check(model, "model.h5"));
+  GetParam().change(model);
+  const std::string message = test::complaint<RunError>([&] { check(model, "model.h5"); });
+  EXPECT_EQ(message.rfind("model.h5: ", 0), 0u) << message;
+  EXPECT_NE(message.find(GetParam().phrase), std::string::npos) << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Message, WrongModel,
+    ::testing::Values(
+        Wrong{"not_hermitian", [](ReducedModel& m) { m.nodal_diameters[1].K1(0, 1) = 1e-3; },
+              "/nodal_diameter/1/K1 is not Hermitian"},
+        Wrong{"transpose_only",
+              [](ReducedModel& m) { m.nodal_diameters[1].K0(4, 0) = m.nodal_diameters[1].K0(0, 4); },
+              "/nodal_diameter/1/K0 is not Hermitian"},
+        Wrong{"complex_standing_wave",
+              [](ReducedModel& m) {
+                m.nodal_diameters[2].K0(0, 1) = {0.0, 1e3};
+                m.nodal_diameters[2].K0(1, 0) = {0.0, -1e3};
+              },
+              "/nodal_diameter/2/K0 must be real: this nodal diameter is a standing wave"},
+        Wrong{"no_contact_mass", [](ReducedModel& m) { m.nodal_diameters[0].M(1, 1) = 0.0; },
+              "/nodal_diameter/0/M has no mass in contact dof 1"},
+        Wrong{"indefinite_mass", [](ReducedModel& m) { m.nodal_diameters[0].M(4, 4) = -1.0; },
+              "/nodal_diameter/0/M is not positive definite"},
+        Wrong{"too_small", [](ReducedModel& m) { m.nodal_diameters[0].M = Eigen::MatrixXcd::Identity(2, 2); },
+              "/nodal_diameter/0/M is 2 x 2, but the contact nodes alone have 3 dofs"},
+        Wrong{"shapes_differ", [](ReducedModel& m) { m.nodal_diameters[2].K2 = Eigen::MatrixXcd::Zero(4, 5); },
+              "/nodal_diameter/2/K2 is 4 x 5, must be 5 x 5"},
+        Wrong{"long_normal", [](ReducedModel& m) { m.contact.normal *= 2; },
+              "/contact/normal: row 0 is not of unit length"},
+        Wrong{"no_contact", [](ReducedModel& m) { m.contact.arc_length.resize(0); }, "/contact holds no node"},
+        Wrong{"table_too_long", [](ReducedModel& m) { m.contact.position = Eigen::MatrixX3d::Ones(2, 3); },
+              "every table must have 1 rows"},
+        Wrong{"arc_goes_back",
+              [](ReducedModel& m) {
+                const Eigen::RowVector3d normal = m.contact.normal;
+                for (auto* table :
+                     {&m.contact.position, &m.contact.normal, &m.contact.static_shift_1, &m.contact.static_shift_2})
+                  *table = normal.replicate(2, 1);
+                m.contact.arc_length = Eigen::Vector2d(0.1, 0.0);
+                for (auto& n : m.nodal_diameters)
+                  for (auto* matrix : {&n.K0, &n.K1, &n.K2, &n.M}) *matrix = Eigen::MatrixXcd::Identity(6, 6);
+              },
+              "/contact/arc_length must increase from the leading edge"},
+        Wrong{"no_sectors", [](ReducedModel& m) { m.sector_count = 0; }, "sector_count must be at least 1"},
+        Wrong{"negative_speed", [](ReducedModel& m) { m.speed_max = -1.0; }, "speed_max must be at least 0"},
+        Wrong{"verification_shape", [](ReducedModel& m) { m.verification.reduced[1].resize(1, 4); },
+              "/verification/nodal_diameter/1/reduced is 1 x 4, must be 2 x 4"}),
+    [](const auto& wrong) { return wrong.param.name; });
+
+TEST(NodalDiameterModel, AnUnstableRotorHasANegativeFrequency) {
+  const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(1, 1);
+  const NodalDiameterModel model{4.0 * one, -1.0 * one, 0.0 * one, one};
+  EXPECT_NEAR(model.natural_frequencies(0.0)[0], 2 / (2 * std::numbers::pi), 1e-15);
+  EXPECT_NEAR(model.natural_frequencies(3.0)[0], -std::sqrt(5.0) / (2 * std::numbers::pi), 1e-15);
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/reduction.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "reduce/contact_line.h"
+#include "tests/reduce/complaint.h"
+#include "tests/reduce/dense_algebra.h"
+#include "tests/reduce/test_rotor.h"
+
+namespace tiprub {
+namespace {
+
+using test::cyclic;
+using test::TestRotor;
+
+constexpr int sectors = 5;
+
+ReductionParameters parameters() {
+  ReductionParameters p;
+  p.material = test::steel();
+  p.speed_max = 3000.0;
+  p.contact_nodes = 2;
+  p.fixed_interface_modes = 16;
+  p.verification_speeds = {0.0, 0.3, 1.0};
+  p.verification_modes = 6;
+  p.verification_tolerance = 1e-9;
+  return p;
+}
+
+ReducedModel reduced(const ReductionParameters& of, ReductionReport& report) {
+  return reduce(test::skewed_annulus(sectors).sector(), of, Progress::Shown::never, report);
+}
+
+TEST(Reduction, MakesAModelThatPassesItsOwnCheck) {
+  ReductionReport report;
+  const ReducedModel model = reduced(parameters(), report);
+  EXPECT_NO_THROW(check(model, "model"));
+  EXPECT_EQ(model.sector_count, sectors);
+  EXPECT_EQ(model.nodal_diameters.size(), 3u);
+  EXPECT_EQ(model.prestress, "linear");
+  EXPECT_EQ(model.contact.size(), 2);
+  EXPECT_EQ(report.clamped_face_nodes, 3);
+  for (std::size_t n = 0; n < 3; ++n) {
+    EXPECT_EQ(model.nodal_diameters[n].M.rows(), model.contact_dofs() + report.generalized_dofs[n]);
+    EXPECT_EQ(report.generalized_dofs[n] + report.dropped[n], 16 + 16 + model.contact_dofs());
+  }
+}
+
+TEST(Reduction, TabulatesTheUnreducedSectorsFrequencies) {
+  ReductionReport report;
+  const ReducedModel model = reduced(parameters(), report);
+  TestRotor rotor = test::tip_rotor(test::skewed_annulus(sectors));
+  for (Eigen::Index s = 0; s < model.verification.speeds.size(); ++s) {
+    const double speed = model.verification.speeds[s];
+    EXPECT_DOUBLE_EQ(speed, parameters().verification_speeds[s] * 3000.0);
+    const SymmetricMatrix K = rotor.at_speed(speed, Prestress::linear), M = rotor.mass();
+    for (int n = 0; n <= sectors / 2; ++n) {
+      const Eigen::VectorXd squares =
+          test::generalized_eigenvalues(cyclic(K, rotor.dofs(), sectors, n), cyclic(M, rotor.dofs(), sectors, n));
+      for (int k = 0; k < 6; ++k) {
+        const double exact = std::sqrt(squares[k]) / (2 * std::numbers::pi);
+        EXPECT_NEAR(model.verification.unreduced[n](s, k) / exact, 1.0, 1e-9);
+        EXPECT_NEAR(model.verification.reduced[n](s, k) / exact, 1.0, 5e-3);
+        EXPECT_DOUBLE_EQ(model.verification.reduced[n](s, k), model.nodal_diameters[n].natural_frequencies(speed)[k]);
+      }
+    }
+  }
+  EXPECT_LT(verification_error(model, 30), 5e-3);
+}
+
+TEST(Reduction, HoldsAtSpeedsItNeverSaw) {
+  // 0.3 and 0.8 of the top speed, the first 50 frequencies of the wheel.
+  ReductionParameters p = parameters();
+  p.fixed_interface_modes = 40;
+  p.verification_speeds = {0.3, 0.8};
+  p.verification_modes = 12;
+  ReductionReport report;
+  EXPECT_LT(verification_error(reduced(p, report), 50), 5e-3);
+}
+
+TEST(Reduction, ShiftsTheContactNodesAsTheStaticsSay) {
+  ReductionReport report;
+  const ReducedModel model = reduced(parameters(), report);
+  TestRotor rotor = test::tip_rotor(test::skewed_annulus(sectors));
+  const double speed = 1500.0;
+  const Eigen::Matrix3Xd exact = rotor.static_displacement(speed);
+  const Eigen::MatrixX3d shift = model.contact.static_shift(speed);
+  for (int k = 0; k < 2; ++k) {
+    const int node = rotor.dofs().contact[k];
+    const Eigen::Vector3d turned = cylindrical_frame(rotor.mesh().nodes.col(node)) * shift.row(k).transpose();
+    EXPECT_LT((turned - exact.col(node)).norm(), 1e-9 * exact.col(node).norm());
+    EXPECT_GT(shift(k, 0), 0.0);  // outwards
+  }
+}
+
+TEST(Reduction, IsTheSameEveryTime) {
+  ReductionReport report;
+  const ReducedModel once = reduced(parameters(), report), again = reduced(parameters(), report);
+  for (std::size_t n = 0; n < 3; ++n) {
+    EXPECT_EQ(once.nodal_diameters[n].K2, again.nodal_diameters[n].K2);
+    EXPECT_EQ(once.nodal_diameters[n].M, again.nodal_diameters[n].M);
+  }
+}
+
+TEST(Reduction, StressOnlyIsAnotherModelOfItsOwnName) {
+  ReductionParameters p = parameters();
+  p.prestress = Prestress::stress_only;
+  ReductionReport report;
+  const ReducedModel model = reduced(p, report);
+  EXPECT_EQ(model.prestress, "stress_only");
+  const NodalDiameterModel& one = model.nodal_diameters[1];  // linear in Omega^2
+  EXPECT_LT(std::pow(p.speed_max, 2) * one.K2.cwiseAbs().maxCoeff(), 1e-8 * one.K1.cwiseAbs().maxCoeff());
+}
+
+TEST(Reduction, NamesTheSpeedOfAnUnstableRotor) {
+  ReductionParameters p = parameters();
+  p.material.young = 1e8;
+  p.speed_max = 6000.0;
+  p.prestress = Prestress::stress_only;
+  ReductionReport report;
+  const std::string message = test::complaint<RunError>([&] { reduced(p, report); });
+  EXPECT_EQ(message.rfind("at 57296 rpm: ", 0), 0u) << message;  // 6000 rad/s
+  EXPECT_NE(message.find("not positive definite: the rotor is unstable"), std::string::npos) << message;
+}
+
+TEST(Reduction, RefusesAModelSmallerThanItsVerification) {
+  // Two modes and six contact dofs verified by 30 frequencies read beyond the model's own ones.
+  ReductionParameters p = parameters();
+  p.fixed_interface_modes = 2;
+  p.verification_modes = 30;
+  ReductionReport report;
+  const std::string message = test::complaint<InputError>([&] { reduced(p, report); });
+  EXPECT_NE(message.find("verification_modes = 30"), std::string::npos) << message;
+}
+
+TEST(Reduction, ChecksASectorWithoutReducingIt) {
+  EXPECT_NO_THROW(check_sector(test::skewed_annulus(sectors).sector(), parameters()));
+  SectorMesh mesh = test::skewed_annulus(sectors).sector();
+  mesh.nodes.row(2) *= -1;
+  EXPECT_NE(test::complaint<InputError>([&] { check_sector(mesh, parameters()); }), "");
+}
+
+TEST(VerificationError, CountsTravellingWavesTwice) {
+  // Wheel of 3: n = 0 once at 10 Hz, n = 1 twice at 20 Hz, n = 0 again at 30 Hz.
+  ReducedModel model;
+  model.sector_count = 3;
+  model.nodal_diameters.resize(2);
+  model.verification.speeds = Eigen::VectorXd::Zero(1);
+  model.verification.unreduced = {Eigen::RowVector2d(10.0, 30.0), Eigen::RowVector2d(20.0, 40.0)};
+  model.verification.reduced = {Eigen::RowVector2d(10.0 * 1.01, 30.0 * 1.03), Eigen::RowVector2d(20.0 * 1.02, 40.0)};
+  EXPECT_NEAR(verification_error(model, 1), 0.01, 1e-14);
+  EXPECT_NEAR(verification_error(model, 3), 0.02, 1e-14);
+  EXPECT_NEAR(verification_error(model, 4), 0.03, 1e-14);
+}
+
+}  // namespace
+}  // namespace tiprub

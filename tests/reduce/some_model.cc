@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/reduce/some_model.h"
+
+namespace tiprub::test {
+
+ReducedModel some_model() {
+  ReducedModel model;
+  model.sector_count = 4;
+  model.speed_max = 1234.5;
+  model.prestress = "linear";
+  model.provenance = "[mesh]\nfamily = \"impeller\"  # \xc3\xa9t\xc3\xa9\n";
+  model.contact.position = Eigen::RowVector3d(0.1, -0.2, 1.0 / 3);
+  model.contact.normal = Eigen::RowVector3d(0.6, 0.0, -0.8);
+  model.contact.arc_length = Eigen::VectorXd::Zero(1);
+  model.contact.static_shift_1 = Eigen::RowVector3d(1e-12, 2e-13, -3e-14);
+  model.contact.static_shift_2 = Eigen::RowVector3d(1e-20, 0.0, 7e-21);
+  for (int n = 0; n <= 2; ++n) {
+    Eigen::MatrixXcd skew = Eigen::MatrixXcd::Zero(5, 5);
+    if (n == 1) {
+      skew(0, 4) = {0.25, 1.0 / 7};
+      skew(4, 0) = std::conj(skew(0, 4));
+    }
+    const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(5, 5);
+    model.nodal_diameters.push_back(
+        {1e6 * (n + 2) * one + 1e5 * skew, 0.1 * one + 0.01 * skew, 1e-9 * one, one + skew});
+  }
+  model.verification.speeds = Eigen::Vector2d(0.0, 1234.5);
+  model.verification.unreduced.assign(3, Eigen::MatrixXd::Constant(2, 4, 100.0 / 3));
+  model.verification.reduced.assign(3, Eigen::MatrixXd::Constant(2, 4, 101.0 / 3));
+  return model;
+}
+
+}  // namespace tiprub::test

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "reduce/reduced_model.h"
+
+namespace tiprub::test {
+
+/// Any model that check() lets pass: four sectors, one contact node, 3 + 2 dofs.
+ReducedModel some_model();
+
+}  // namespace tiprub::test

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -63,6 +64,9 @@ struct CaseTable::Node {
     const auto value = node.value<double>();
     if (!node.is_number() || !value)
       throw InputError(where(&node) + "[" + path + "] " + std::string(key) + " is not a number");
+    if (!std::isfinite(*value))
+      throw InputError(where(&node) + "[" + path + "] " + std::string(key) + " = " + shortest(*value) +
+                       " must be a finite number");
     if (!range.holds(*value))
       throw InputError(where(&node) + "[" + path + "] " + std::string(key) + " = " + shortest(*value) + " must be " +
                        range.describe() + (unit.empty() ? "" : " [" + std::string(unit) + "]"));

@@ -6,8 +6,9 @@
 namespace tiprub {
 
 /// A file or a folder that appears whole or not at all: it is written beside its place and renamed at the end.
-/// Until commit() the old one stands. A run that ends early, by an exception or by SIGINT, SIGTERM or SIGHUP, removes
-/// what it had written. At most one OutputFile may live at a time in a program.
+/// Until commit() the old one stands. A run that ends early by an exception removes what it had written; one that ends
+/// by SIGINT, SIGTERM or SIGHUP removes its file. A signal handler may not remove a folder: a stage that writes one
+/// turns signals into exceptions. At most one OutputFile may live at a time in a program.
 class OutputFile {
  public:
   /// Raises RunError if the target's folder doesn't exist.

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/case_file.h"
+
+#include <functional>
+#include <ostream>
+
+#include "tests/cases/temporary_folder.h"
+
+namespace tiprub {
+namespace {
+
+enum class Colour { red, green };
+
+/// Reads a table with one key of each kind.
+void read_all(CaseTable& table) {
+  table.number("length", std::nullopt, Range::positive(), "m");
+  table.integer("count", 3, Range::between(1, 9), "");
+  table.flag("open", false);
+  table.text("name", "none");
+  table.choice<Colour>("colour", Colour::red, {{"red", Colour::red}, {"green", Colour::green}});
+  table.numbers("speeds", {{1.0}}, Range::at_least(0.0), "rpm");
+  table.points("curve", {{{0.0, 1.0}}}, Range::positive(), "m");
+  CaseTable inner = table.table("inner");
+  inner.number("depth", 1.0, Range::any(), "m");
+  table.close();
+}
+
+/// A case, and the message about it after the file's name.
+struct Wrong {
+  std::string name;
+  std::string text;
+  std::string message;
+};
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+  *out << wrong.name;
+}
+
+class WrongCase : public test::TemporaryFolder, public ::testing::WithParamInterface<Wrong> {};
+
+TEST_P(WrongCase, IsRefusedAtItsPlace) {
+  write(path("case.toml"), GetParam().text);
+  try {
+    CaseTable table = CaseFile(path("case.toml")).table("mesh");
+    read_all(table);
+    FAIL() << "nothing was refused";
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.substr(0, path("case.toml").string().size()), path("case.toml").string());
+    EXPECT_EQ(message.substr(path("case.toml").string().size()).substr(0, GetParam().message.size()),
+              GetParam().message);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Message, WrongCase,
+    ::testing::Values(
+        Wrong{
+            "unknown_key", "[mesh]\nlength = 1.0\n  lenght = 2.0\n",
+            ":3:3: unknown key \"lenght\" in [mesh]; known: length, count, open, name, colour, speeds, curve, inner"},
+        Wrong{"unknown_inner_key", "[mesh]\nlength = 1.0\n[mesh.inner]\nwidth = 2.0\n",
+              ":4:1: unknown key \"width\" in [mesh.inner]; known: depth"},
+        Wrong{"missing", "\n[mesh]\ncount = 2\n", ":2:1: [mesh] has no length, and it has no default; add it"},
+        Wrong{"text_for_number", "[mesh]\nlength = \"long\"\n", ":2:10: [mesh] length is not a number"},
+        Wrong{"not_positive", "[mesh]\nlength = 0.0\n", ":2:10: [mesh] length = 0 must be more than 0 [m]"},
+        Wrong{"nan", "[mesh]\nlength = nan\n", ":2:10: [mesh] length = nan must be a finite number"},
+        Wrong{"infinite", "[mesh]\nlength = inf\n", ":2:10: [mesh] length = inf must be a finite number"},
+        Wrong{"out_of_range", "[mesh]\nlength = 1\ncount = 12\n",
+              ":3:9: [mesh] count = 12 must be at least 1 and at most 9"},
+        Wrong{"broken_count", "[mesh]\nlength = 1\ncount = 2.5\n", ":3:9: [mesh] count is not a whole number"},
+        Wrong{"flag_as_number", "[mesh]\nlength = 1\nopen = 1\n", ":3:8: [mesh] open must be true or false"},
+        Wrong{"bare_text", "[mesh]\nlength = 1\nname = 3\n", ":3:8: [mesh] name must be a text in quotes"},
+        Wrong{"unknown_choice", "[mesh]\nlength = 1\ncolour = \"blue\"\n",
+              ":3:10: [mesh] colour = \"blue\" must be one of: red, green"},
+        Wrong{"no_list", "[mesh]\nlength = 1\nspeeds = 3\n", ":3:10: [mesh] speeds must be a list of numbers"},
+        Wrong{"empty_list", "[mesh]\nlength = 1\nspeeds = []\n", ":3:10: [mesh] speeds must be a list of numbers"},
+        Wrong{"value_in_list", "[mesh]\nlength = 1\nspeeds = [1.0, -2.0]\n",
+              ":3:16: [mesh] speeds = -2 must be at least 0 [rpm]"},
+        Wrong{"no_pairs", "[mesh]\nlength = 1\ncurve = [1.0, 2.0]\n",
+              ":3:10: [mesh] curve must be a list of [x, y] pairs"},
+        Wrong{"not_increasing", "[mesh]\nlength = 1\ncurve = [[0.0, 1.0], [0.5, 2.0], [0.5, 3.0]]\n",
+              ":3:34: [mesh] curve must be a list of [x, y] pairs with x increasing; 0.5 follows 0.5"},
+        Wrong{"ordinate_out_of_range", "[mesh]\nlength = 1\ncurve = [[0.0, -1.0]]\n",
+              ":3:16: [mesh] curve = -1 must be more than 0 [m]"},
+        Wrong{"no_table_inside", "[mesh]\nlength = 1\ninner = 3\n", ":3:9: [mesh.inner] must be a table"},
+        Wrong{
+            "unknown_table", "[mash]\nlength = 1\n",
+            ":1:1: \"mash\" is not known here; known: title (a text), and the tables mesh, reduce, casing, simulate, "
+            "postprocess"},
+        Wrong{"stray_key", "length = 1\n", ":1:10: \"length\" is not known here; known: title (a text)"},
+        Wrong{"title_as_number", "title = 1\n[mesh]\n", ":1:9: \"title\" is not known here"},
+        Wrong{"no_table", "title = \"nothing\"\n", ": has no [mesh] table; add it"},
+        Wrong{"not_toml", "[mesh]\nlength = = 1\n", ":2:10: not TOML: "},
+        Wrong{"same_key_twice", "[mesh]\nlength = 1\nlength = 2\n", ":3:"}),
+    [](const auto& wrong) { return wrong.param.name; });
+
+class GoodCase : public test::TemporaryFolder {
+ protected:
+  CaseFile file(const std::string& text) const {
+    write(path("case.toml"), text);
+    return CaseFile(path("case.toml"));
+  }
+};
+
+TEST_F(GoodCase, GivesItsValues) {
+  const CaseFile scene = file(
+      "title = \"one\"\n[mesh]\nlength = 2\ncount = 4\nopen = true\nname = \"x\"\n"
+      "colour = \"green\"\nspeeds = [1, 2.5]\ncurve = [[0, 1], [1, 2]]\ninner = {depth = 7}\n");
+  EXPECT_EQ(scene.title(), "one");
+  EXPECT_EQ(scene.source(), read(path("case.toml")));
+  CaseTable table = scene.table("mesh");
+  EXPECT_EQ(table.number("length", std::nullopt, Range::positive(), "m"), 2.0);
+  EXPECT_EQ(table.integer("count", 1, Range::any(), ""), 4);
+  EXPECT_TRUE(table.flag("open", false));
+  EXPECT_EQ(table.text("name", std::nullopt), "x");
+  const auto colour = table.choice<Colour>("colour", std::nullopt, {{"red", Colour::red}, {"green", Colour::green}});
+  EXPECT_EQ(colour, Colour::green);
+  EXPECT_EQ(table.numbers("speeds", std::nullopt, Range::any(), "rpm"), (std::vector<double>{1.0, 2.5}));
+  const auto curve = table.points("curve", std::nullopt, Range::any(), "m");
+  EXPECT_EQ(curve, (std::vector<std::array<double, 2>>{{0.0, 1.0}, {1.0, 2.0}}));
+  EXPECT_EQ(table.table("inner").number("depth", 1.0, Range::any(), "m"), 7.0);
+  EXPECT_NO_THROW(table.close());
+}
+
+TEST_F(GoodCase, FallsBackToDefaultsAndTellsThem) {
+  const CaseFile scene = file("[mesh]\nlength = 0.1\n");
+  CaseTable table = scene.table("mesh");
+  read_all(table);
+  EXPECT_FALSE(table.has("count"));
+  EXPECT_EQ(table.resolved(),
+            "length = 0.1  # m\ncount = 3\nopen = false\nname = \"none\"\ncolour = \"red\"  # one of red, green\n"
+            "speeds = [1]  # rpm\ncurve = [[0, 1]]  # m\n[mesh.inner]\ndepth = 1  # m\n");
+}
+
+TEST_F(GoodCase, KeepsEveryDigitInWhatItTells) {
+  CaseTable table = file("[mesh]\nlength = 0.1234567890123456\n").table("mesh");
+  table.number("length", std::nullopt, Range::any(), "");
+  EXPECT_EQ(std::stod(table.resolved().substr(9)), 0.1234567890123456);
+}
+
+TEST_F(GoodCase, RejectsAValueBesideAnotherAtItsPlace) {
+  CaseTable table = file("[mesh]\ninner_radius = 2.0\n").table("mesh");
+  try {
+    table.reject("inner_radius", "must be less than outer_radius");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), path("case.toml").string() + ":2:16: [mesh] inner_radius must be less than outer_radius");
+  }
+}
+
+TEST_F(GoodCase, AFileThatCannotBeReadIsNoWrongInput) {
+  EXPECT_THROW(CaseFile(path("none.toml")), RunError);
+  EXPECT_THROW(CaseFile{folder_}, RunError);
+}
+
+TEST(Range, HoldsItsEndsUnlessSaid) {
+  EXPECT_FALSE(Range::positive().holds(0.0));
+  EXPECT_TRUE(Range::at_least(0.0).holds(0.0));
+  EXPECT_TRUE(Range::between(1.0, 2.0).holds(2.0));
+  EXPECT_FALSE(Range::between(1.0, 2.0).holds(2.0000001));
+  EXPECT_FALSE(Range::any().holds(std::numeric_limits<double>::quiet_NaN()));
+}
+
+}  // namespace
+}  // namespace tiprub

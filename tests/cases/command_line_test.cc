@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "cases/errors.h"
+
+namespace tiprub {
+namespace {
+
+/// A tiny stage and what a run of it does.
+struct Ending {
+  int code = -1;
+  std::string out, err;
+};
+
+Ending run(std::vector<std::string> words, const std::function<void(const StageArguments&)>& body) {
+  words.insert(words.begin(), "tiprub-tiny");
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  const Stage stage{.name = "tiprub-tiny",
+                    .summary = "Does little.",
+                    .inputs = {{"case.toml", "the scene"}, {"sector.msh", "one sector"}},
+                    .output = "tiny.h5"};
+  Ending ending;
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  ending.code = run_stage(static_cast<int>(argv.size()), argv.data(), stage, body);
+  ending.out = ::testing::internal::GetCapturedStdout();
+  ending.err = ::testing::internal::GetCapturedStderr();
+  return ending;
+}
+
+const std::vector<std::string> inputs = {"a.toml", "b.msh"};
+
+std::vector<std::string> with(std::vector<std::string> more) {
+  more.insert(more.begin(), inputs.begin(), inputs.end());
+  return more;
+}
+
+void expect_untouched(const std::vector<std::string>& words, const std::string& phrase) {
+  const Ending ending = run(words, [](const StageArguments&) { FAIL() << "the body ran"; });
+  EXPECT_EQ(ending.code, 2);
+  EXPECT_NE(ending.err.find(phrase), std::string::npos) << ending.err;
+  EXPECT_NE(ending.err.find("; see tiprub-tiny --help\n"), std::string::npos) << ending.err;
+  EXPECT_EQ(ending.out, "");
+}
+
+TEST(CommandLine, GivesTheBodyItsArguments) {
+  StageArguments seen;
+  const Ending ending = run(inputs, [&](const StageArguments& arguments) { seen = arguments; });
+  EXPECT_EQ(ending.code, 0);
+  EXPECT_EQ(seen.inputs, (std::vector<std::filesystem::path>{"a.toml", "b.msh"}));
+  EXPECT_EQ(seen.output, "tiny.h5");
+  EXPECT_EQ(seen.verbosity, Verbosity::normal);
+  EXPECT_EQ(seen.action, Action::run);
+  EXPECT_EQ(ending.out + ending.err, "");
+}
+
+TEST(CommandLine, KnowsItsOptions) {
+  StageArguments seen;
+  const auto look = [&](const StageArguments& arguments) { seen = arguments; };
+  EXPECT_EQ(run(with({"-o", "x.h5", "--check", "-q"}), look).code, 0);
+  EXPECT_EQ(seen.output, "x.h5");
+  EXPECT_EQ(seen.action, Action::check);
+  EXPECT_EQ(seen.verbosity, Verbosity::quiet);
+  EXPECT_EQ(run(with({"-v"}), look).code, 0);
+  EXPECT_EQ(seen.verbosity, Verbosity::verbose);
+}
+
+TEST(CommandLine, TurnsEachKindOfErrorIntoItsExitCode) {
+  const auto ending_of = [](auto error) { return run(inputs, [=](const StageArguments&) { throw error; }); };
+  EXPECT_EQ(ending_of(InputError("wrong")).code, 2);
+  EXPECT_EQ(ending_of(RunError("failed")).code, 1);
+  EXPECT_EQ(ending_of(std::logic_error("odd")).code, 1);
+  EXPECT_EQ(ending_of(InputError("wrong")).err, "tiprub-tiny: error: wrong\n");
+  EXPECT_EQ(ending_of(RunError("failed")).err, "tiprub-tiny: error: failed\n");
+  EXPECT_EQ(ending_of(std::bad_alloc()).code, 1);
+  EXPECT_EQ(ending_of(std::bad_alloc()).err, "tiprub-tiny: error: not enough memory\n");
+}
+
+TEST(CommandLine, RefusesWhatItDoesNotKnow) {
+  expect_untouched({}, "case.toml is required");
+  expect_untouched({"a.toml"}, "sector.msh is required");
+  expect_untouched(with({"c.h5"}), "c.h5");
+  expect_untouched(with({"--fast"}), "--fast");
+  expect_untouched(with({"-q", "-v"}), "excludes");
+  expect_untouched(with({"-o"}), "--output");
+}
+
+TEST(CommandLine, HelpAndVersionGoToStdout) {
+  const auto never = [](const StageArguments&) { FAIL() << "the body ran"; };
+  const Ending help = run({"--help"}, never), version = run({"--version"}, never);
+  EXPECT_EQ(help.code, 0);
+  for (const std::string word : {"Does little.", "case.toml", "sector.msh", "tiny.h5", "--check", "--quiet"})
+    EXPECT_NE(help.out.find(word), std::string::npos) << word;
+  EXPECT_EQ(version.code, 0);
+  EXPECT_EQ(version.out, "tiprub-tiny " TIPRUB_VERSION "\n");
+  EXPECT_EQ(version.err, "");
+}
+
+TEST(CommandLine, SpeaksOnStderrUnlessQuiet) {
+  const auto speak = [](const StageArguments& arguments) { say(arguments, "done"); };
+  EXPECT_EQ(run(inputs, speak).err, "done\n");
+  EXPECT_EQ(run(inputs, speak).out, "");
+  EXPECT_EQ(run(with({"-q"}), speak).err, "");
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -11,7 +11,7 @@ namespace tiprub::test {
 
 Placement Annulus::placement(double angle) const {
   return [*this, angle](const Eigen::Vector3d& at) -> Eigen::Vector3d {
-    const double r = inner + (outer - inner) * at[0];
+    const double r = inner + (outer - inner) * at[0] * (1 - grading + grading * at[0]);
     const double theta = angle * at[1] + wrap * at[0] * at[0] + twist * at[2];
     return {r * std::cos(theta), r * std::sin(theta), height * at[2] + coning * at[0] * at[0]};
   };

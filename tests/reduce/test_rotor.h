@@ -22,6 +22,7 @@ struct Annulus {
   double wrap = 0.0;     ///< [rad] by which the rim is turned before the bore
   double twist = 0.0;    ///< [rad] by which the top is turned before the bottom
   double coning = 0.0;   ///< [m] by which the rim is lifted; bends the meridional section
+  double grading = 0.0;  ///< [1] by how much smaller than the average the bricks at the bore are
 
   SectorMesh sector() const;
   /// The whole ring as one mesh without cut faces; the nodes of its sectors follow each other.

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Meshes CASE, changes a line of the case (KEY, LINE) or a text in the mesh file (OLD, NEW), runs PROGRAM with
+# ARGUMENTS in FOLDER; asserts EXIT_CODE and that PHRASE comes out. A failed run must leave no model behind.
+cmake_minimum_required(VERSION 3.25)
+string(REPLACE "@" ";" PHRASE "${PHRASE}")  # a list's separator on the way here
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER})
+file(READ ${CASE} text)
+execute_process(COMMAND ${MESHER} -q ${CASE} -o ${FOLDER}/sector.msh COMMAND_ERROR_IS_FATAL ANY)
+
+if(NOT "${KEY}" STREQUAL "")
+  string(REGEX REPLACE "\n${KEY} = [^\n]*" "\n${LINE}" changed "${text}")
+  if("${changed}" STREQUAL "${text}")
+    message(FATAL_ERROR "${CASE} has no line \"${KEY} = ...\"")
+  endif()
+  set(text "${changed}")
+endif()
+file(WRITE ${FOLDER}/case.toml "${text}")
+if(NOT "${OLD}" STREQUAL "")
+  file(READ ${FOLDER}/sector.msh mesh)
+  string(REPLACE "${OLD}" "${NEW}" changed "${mesh}")
+  if("${changed}" STREQUAL "${mesh}")
+    message(FATAL_ERROR "sector.msh does not hold \"${OLD}\"")
+  endif()
+  file(WRITE ${FOLDER}/sector.msh "${changed}")
+endif()
+
+execute_process(
+  COMMAND ${PROGRAM} ${ARGUMENTS}
+  WORKING_DIRECTORY ${FOLDER}
+  RESULT_VARIABLE code
+  OUTPUT_VARIABLE out
+  ERROR_VARIABLE err)
+if(NOT "${code}" STREQUAL "${EXIT_CODE}")
+  message(FATAL_ERROR "exit code ${code} instead of ${EXIT_CODE}\n${err}")
+endif()
+string(FIND "${out}${err}" "${PHRASE}" at)
+if(at EQUAL -1)
+  message(FATAL_ERROR "\"${PHRASE}\" is not in:\n${out}${err}")
+endif()
+file(GLOB left ${FOLDER}/*.h5)
+list(LENGTH left count)
+if(NOT count EQUAL MODELS)
+  message(FATAL_ERROR "${MODELS} model files expected, found: ${left}")
+endif()
+string(REGEX MATCHALL "\n" lines "${err}")
+list(LENGTH lines count)
+if(NOT EXIT_CODE EQUAL 0 AND NOT count EQUAL 1)
+  message(FATAL_ERROR "an error is one line, not:\n${err}")
+endif()

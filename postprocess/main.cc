@@ -50,6 +50,7 @@ std::size_t write_report(const Study& study, const ReportSource& source, const f
     draw_figures(figures, folder / "figures", [&] { progress.advance(); });
   }
   write_csv(critical_speed_record(study), folder / "critical_speeds.csv");
+  write_text(aligned_text(critical_speed_summary(study)), folder / "critical_speeds.txt");
   write_csv(linear_criterion_record(study), folder / "linear_criterion.csv");
   write_csv(speed_record(study), folder / "speeds.csv");
   write_text(report_page(study, source, figures, folder), folder / "report.html");

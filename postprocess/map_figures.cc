@@ -133,6 +133,19 @@ std::string what_is_drawn(const Study& study) {
          "), the sum over the nodal diameters, rotor frame, logarithmic colours.";
 }
 
+/// "family 1" over the left end of its line.
+std::string family_labels(const Study& study) {
+  const style::SpeedAxis axis = style::speed_axis(study);
+  const double speed = axis.low / rpm_per_rad_s;
+  std::ostringstream out;
+  out.precision(8);
+  for (int family = 0; family < style::drawn_families(study, 0); ++family)
+    if (const double frequency = study.curves.frequency(0, family, speed); frequency < frequency_max(study))
+      out << "set label 'family " << family + 1 << "' at first " << axis.low << ", first " << frequency
+          << " left offset 0.6,0.5 front font ',10' textcolor rgb '#ffb482'\n";
+  return out.str();
+}
+
 bool moves(const Study& study, int nodal_diameter) {
   const std::vector<int>& moving = study.response.scene.nodal_diameters;
   return std::find(moving.begin(), moving.end(), nodal_diameter) != moving.end();
@@ -167,8 +180,8 @@ Figure interaction_map_figure(const Study& study) {
       << "set lmargin at screen 0.085\nset rmargin at screen 0.815\nset tmargin at screen 0.94\n"
       << "set bmargin at screen 0.11\nset xlabel 'speed [rpm]'\nset ylabel 'frequency in the rotor frame [Hz]'\n"
       << "set cblabel 'amplitude [mm]'\nset colorbox user origin screen 0.885,0.11 size screen 0.022,0.83\n"
-      << style::engine_order_labels(study, style::speed_axis(study), frequency_max(study)) << "plot "
-      << image_term(study, figure.pixels.back()) << engine_order_terms(study);
+      << style::engine_order_labels(study, style::speed_axis(study), frequency_max(study)) << family_labels(study)
+      << "plot " << image_term(study, figure.pixels.back()) << engine_order_terms(study);
   for (int n = 0; n <= study.model.nodal_diameter_max(); ++n) out << modal_terms(study, n);
   out << "\n";
   figure.drawing.commands = out.str();

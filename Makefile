@@ -24,7 +24,7 @@ tests: configure
 	ninja -C $(BUILD) -j $(JOBS)
 
 demo: programs
-	$(MAKE) -C $(DEMO) BIN=$(abspath $(BUILD))/bin
+	+$(MAKE) -C $(DEMO) BIN=$(abspath $(BUILD))/bin
 	@cat $(DEMO)/report/critical_speeds.txt
 	@echo "The report: $(abspath $(DEMO))/report/report.html"
 

@@ -19,10 +19,12 @@ namespace tiprub {
 class EnergyAudit {
  public:
   /// Starts the ledger at the march's present state.
-  explicit EnergyAudit(const TimeMarch& march);
+  EnergyAudit(const TimeMarch& march, const RotorAtSpeed& rotor);
   /// After each step.
   void observe(const TimeMarch& march);
   EnergyLedger ledger(const TimeMarch& march) const;
+  /// [1] elastic energy of the modes without mass, or dropped, over that of all modes; means over the steps observed.
+  double left_out_share() const;
   /// [J] between the last two instants.
   double energy(const TimeMarch& march) const;
 
@@ -32,11 +34,16 @@ class EnergyAudit {
     Eigen::ArrayXd inertia;    ///< mu / (2 h^2) [1/s^2]; zero for padding
     Eigen::ArrayXd stiffness;  ///< omega^2 / 2 [1/s^2]
     Eigen::ArrayXd damping;    ///< d / (4 h) [1/s^2]
+    Eigen::MatrixXcd rest;     ///< [m/N] compliance of the modes without mass, or dropped; empty if there are none
   };
+  void observe_left_out(const TimeMarch& march);
+
   std::vector<Terms> terms_;
   double start_ = 0;
   double work_ = 0;
   double dissipated_ = 0;
+  double left_out_ = 0;  ///< [J] summed over steps
+  double elastic_ = 0;   ///< [J] of the modes with mass, summed over steps
 };
 
 }  // namespace tiprub

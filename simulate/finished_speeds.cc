@@ -14,7 +14,16 @@ namespace fs = std::filesystem;
 
 namespace tiprub {
 
-FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std::string key, std::string generator)
+namespace {
+
+StepCheck check_of(const SpeedResponse& response) {
+  return response.audit.halving_measure.empty() ? StepCheck::none : StepCheck::halved;
+}
+
+}  // namespace
+
+FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std::string key, std::string generator,
+                               Role role)
     : folder_(output.string() + ".speeds"),
       scene_(std::move(scene)),
       key_(std::move(key)),
@@ -22,6 +31,7 @@ FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) throw RunError(folder_.string() + ": can't be made: " + error.message());
+  if (role == Role::contributor) return;
   take_over_parts();
   take_over_output(output);
 }
@@ -41,7 +51,7 @@ void FinishedSpeeds::take_over_parts() {
       const Response response = read_response(entry.path());
       useful =
           response.key == key_ && response.speeds.size() == 1 && part(response.speeds.front().speed) == entry.path();
-      if (useful) speeds_.insert(response.speeds.front().speed);
+      if (useful) speeds_[response.speeds.front().speed] = check_of(response.speeds.front());
     } catch (const RunError&) {  // damaged: computed again
     }
     std::error_code ignored;
@@ -55,16 +65,29 @@ void FinishedSpeeds::take_over_output(const fs::path& output) {
     if (read_response_key(output) != key_) return;
     const Response response = read_response(output);
     for (const SpeedResponse& speed : response.speeds)
-      if (!has(speed.speed)) keep(speed);
+      if (!has(speed.speed, check_of(speed))) keep(speed);
   } catch (const RunError&) {  // of another schema or damaged: it is replaced
   }
 }
 
-void FinishedSpeeds::keep(const SpeedResponse& response) {
+bool FinishedSpeeds::has(double speed, StepCheck check) const {
+  const auto place = speeds_.find(speed);
+  return place != speeds_.end() && (check == StepCheck::none || place->second == check);
+}
+
+void FinishedSpeeds::keep(const SpeedResponse& response, const RotorState& end) {
   OutputFile file(part(response.speed));
-  write_response({scene_, key_, {response}}, file.scratch(), generator_);
+  {
+    ResponseWriter writer(file.scratch(), scene_, key_, generator_);
+    writer.add(response);
+    writer.add_end(end);
+  }
   file.commit();
-  speeds_.insert(response.speed);
+  speeds_[response.speed] = check_of(response);
+}
+
+RotorState FinishedSpeeds::read_end(double speed) const {
+  return read_end_state(part(speed));
 }
 
 SpeedResponse FinishedSpeeds::read(double speed) const {

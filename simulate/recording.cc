@@ -39,7 +39,7 @@ Recording::Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const Co
       sectors_(march.sectors()),
       nodes_(march.node_count()),
       width_(march.width()),
-      audit_(march) {
+      audit_(march, rotor) {
   const Eigen::Index samples = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid.revolutions;
   const Eigen::Index points = static_cast<Eigen::Index>(sectors_) * nodes_;
   kept_.displacement = Eigen::MatrixXd::Zero(samples, 3 * points);
@@ -59,6 +59,9 @@ void Recording::take_states(const TimeMarch& march, int sample) {
 /// The step just made went from t_q to t_{q+1}; its forces act at t_q, and are counted there.
 void Recording::observe(const TimeMarch& march, int sample) {
   audit_.observe(march);
+  const double penetration = -march.gap().minCoeff();
+  kept_.largest_penetration = std::max(kept_.largest_penetration, penetration);
+  if (penetration > grid_.leftover) ++kept_.audit.leftover_steps;
   const std::vector<int>& closed = march.contact().closed();
   if (closed.empty()) return;
   const double share = static_cast<double>(grid_.samples_per_revolution) / march.steps_per_revolution();
@@ -70,13 +73,7 @@ void Recording::observe(const TimeMarch& march, int sample) {
     ++kept_.contact_count(sector * nodes_ + node, area_at(contact_.position(node, 1), sector, march.step_count() - 1,
                                                           march, grid_.casing_areas));
     smallest = std::min(smallest, force);
-  }
-  std::size_t at = 0;
-  for (int index = 0; index < march.gap().size(); ++index) {
-    if (at < closed.size() && closed[at] == index)
-      ++at;
-    else
-      kept_.largest_penetration = std::max(kept_.largest_penetration, -march.gap()[index]);
+    (force < 0 ? pulling_ : pushing_) += std::abs(force);
   }
   ++kept_.contact_steps;
   if (smallest < 0) ++kept_.tension_steps;
@@ -124,6 +121,9 @@ void Recording::finish(const TimeMarch& march, SpeedResponse& response) const {
   response.contact_steps = kept_.contact_steps;
   response.tension_steps = kept_.tension_steps;
   response.energy = audit_.ledger(march);
+  response.audit.leftover_steps = kept_.audit.leftover_steps;
+  response.audit.left_out_energy = audit_.left_out_share();
+  if (pulling_ > 0) response.audit.tension_share = pulling_ / (pulling_ + pushing_);
 }
 
 }  // namespace tiprub

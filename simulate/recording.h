@@ -18,6 +18,7 @@ class Recording {
     int samples_per_revolution;
     int revolutions;
     int casing_areas;
+    double leftover;  ///< [m] penetrations above count as left over by the contact law
   };
   Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const ContactLine& contact, const Grid& grid);
 
@@ -39,6 +40,7 @@ class Recording {
   EnergyAudit audit_;
   std::vector<Eigen::MatrixXcd> states_;  ///< modal coordinates of the samples of a revolution; m x samples
   SpeedResponse kept_;
+  double pushing_ = 0, pulling_ = 0;  ///< [N] sums of the forces' magnitudes
 };
 
 /// One revolution without keeping anything but the normal displacements at its samples; samples x width, sector by

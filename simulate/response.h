@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,31 @@ struct EnergyLedger {
   double closing_error = 0;  ///< [1] (work - dissipated - change) over the largest of the three
 };
 
+/// Whether the nodal diameters left out for symmetry would have stayed at rest.
+enum class SymmetryVerdict {
+  all_held,   ///< none was left out
+  unchecked,  ///< not looked at
+  holds,      ///< a small disturbance of them dies out
+  breaking,   ///< it grows: the motion found is not the one that nature would show
+};
+
+/// How far a speed's result can be trusted: what was checked, beyond the ledger and the settling.
+struct SpeedAudit {
+  /// [1] relative difference to the same speed with half the step; only at a few speeds of a sweep. Of the motion if
+  /// both are periodic alike, of the averaged amplitude spectra if not.
+  std::optional<double> halving_difference;
+  std::string halving_measure;  ///< "motion", "spectrum", or why there is no difference; empty: not done
+  /// [1] factor per revolution of a small disturbance of the nodal diameters left out for symmetry
+  std::optional<double> excluded_growth;
+  SymmetryVerdict symmetry = SymmetryVerdict::all_held;
+  /// [1] relative difference to the same speed from rest, for a sweep that carries its state along
+  std::optional<double> rest_difference;
+  double left_out_energy = 0;       ///< [1] elastic energy of the modes without mass or dropped, of all of it
+  double compliance_condition = 0;  ///< [1] condition number of W
+  std::int64_t leftover_steps = 0;  ///< recorded steps that leave a node clearly in the casing
+  double tension_share = 0;         ///< [1] of the contact forces' sum of magnitudes: what pulls
+};
+
 /// The settled response at one speed. A sample is an instant on whole revolutions: sample s of the recorded ones lies
 /// at the rotor angle 2 pi s / samples_per_revolution. Only the `independent_sectors` = N / g first sectors are held,
 /// g = gcd(N, orders of the casing): sector j moves as sector j mod (N / g) at every instant.
@@ -31,8 +57,8 @@ struct SpeedResponse {
   std::string failure;  ///< empty, or why this speed has no response; then the arrays are empty
   int steps_per_revolution = 0;
   int samples_per_revolution = 0;
-  int recorded_revolutions = 0;
-  int revolutions = 0;  ///< marched in all, the recorded ones included
+  int recorded_revolutions = 0;  ///< as many as asked for; of a settled motion one period, if that is less
+  int revolutions = 0;           ///< marched in all, the recorded ones included
   MotionClass motion = MotionClass::irregular;
   int period_revolutions = 0;  ///< 1 for periodic, the order for subharmonic, 0 for irregular
   double change = 0;           ///< [1] relative change of the motion over the last period
@@ -50,11 +76,12 @@ struct SpeedResponse {
 
   EnergyLedger energy;
   double step_ratio = 0;              ///< h omega_max / 2; central differences hold below 1
-  double largest_penetration = 0;     ///< [m] of a node not in contact, over the recorded revolutions; 0 if none
+  double largest_penetration = 0;     ///< [m] of any node, over the recorded revolutions; 0 if none
   double smallest_multiplier = 0;     ///< [N] below zero where the casing pulled
   std::int64_t contact_steps = 0;     ///< recorded steps with at least one closed node
   std::int64_t tension_steps = 0;     ///< recorded steps with a negative multiplier (only the paper's rule has them)
   std::int64_t solver_fallbacks = 0;  ///< steps in which the active set needed its finite fallback
+  SpeedAudit audit;
 };
 
 /// The casing and the scene as they were simulated, for drawing and for the record.

@@ -2,6 +2,8 @@
 #include "simulate/response_file.h"
 
 #include <array>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "reduce/hdf5_file.h"
@@ -12,6 +14,7 @@ namespace {
 
 constexpr const char* schema = "tiprub-response";
 constexpr int schema_version = 1;
+const std::string end_group = "/end";
 
 constexpr std::array<std::pair<MotionClass, const char*>, 3> motion_names = {{
     {MotionClass::periodic, "periodic"},
@@ -42,28 +45,89 @@ Eigen::MatrixXd fold(const Array<double>& array) {
   return Eigen::Map<const RowMajor>(array.values.data(), rows, columns);
 }
 
+constexpr std::array<std::pair<SymmetryVerdict, const char*>, 4> symmetry_names = {{
+    {SymmetryVerdict::all_held, "all held"},
+    {SymmetryVerdict::unchecked, "unchecked"},
+    {SymmetryVerdict::holds, "holds"},
+    {SymmetryVerdict::breaking, "breaking"},
+}};
+
+template <class Names, class Value>
+const char* name_of(const Names& names, Value value) {
+  for (const auto& [known, name] : names)
+    if (known == value) return name;
+  return "";
+}
+
+template <class Names>
+auto value_named(const Names& names, const std::string& name, const std::string& where) {
+  for (const auto& [value, known] : names)
+    if (name == known) return value;
+  throw RunError(where + " \"" + name + "\" is not known");
+}
+
+/// Every number of a speed with its name in the file: one list for the writer and the reader.
+template <class Speed, class Visit>
+void visit_numbers(Speed& at, Visit visit) {
+  visit("steps_per_revolution", at.steps_per_revolution);
+  visit("samples_per_revolution", at.samples_per_revolution);
+  visit("recorded_revolutions", at.recorded_revolutions);
+  visit("revolutions", at.revolutions);
+  visit("period_revolutions", at.period_revolutions);
+  visit("change", at.change);
+  visit("change_rate", at.change_rate);
+  visit("contact_work", at.energy.contact_work);
+  visit("dissipated", at.energy.dissipated);
+  visit("energy_change", at.energy.energy_change);
+  visit("energy_closing_error", at.energy.closing_error);
+  visit("step_ratio", at.step_ratio);
+  visit("largest_penetration", at.largest_penetration);
+  visit("smallest_multiplier", at.smallest_multiplier);
+  visit("contact_steps", at.contact_steps);
+  visit("tension_steps", at.tension_steps);
+  visit("solver_fallbacks", at.solver_fallbacks);
+  visit("halving_difference", at.audit.halving_difference);
+  visit("excluded_growth", at.audit.excluded_growth);
+  visit("rest_difference", at.audit.rest_difference);
+  visit("left_out_energy", at.audit.left_out_energy);
+  visit("compliance_condition", at.audit.compliance_condition);
+  visit("leftover_steps", at.audit.leftover_steps);
+  visit("tension_share", at.audit.tension_share);
+}
+
+void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse& at) {
+  visit_numbers(at, [&](const char* name, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, std::optional<double>>) {
+      if (value) file.set_attribute(group, name, *value);  // absent where it wasn't looked at
+    } else if constexpr (std::is_same_v<Value, std::int64_t>) {
+      file.set_attribute(group, name, static_cast<double>(value));
+    } else {
+      file.set_attribute(group, name, value);
+    }
+  });
+}
+
+void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse& at) {
+  visit_numbers(at, [&](const char* name, auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, std::optional<double>>) {
+      if (file.has_attribute(group, name)) value = file.number_attribute(group, name);
+    } else if constexpr (std::is_same_v<Value, int>) {
+      value = file.integer_attribute(group, name);
+    } else {
+      value = static_cast<Value>(file.number_attribute(group, name));
+    }
+  });
+}
+
 void write_speed(Hdf5File& file, const std::string& group, const SpeedResponse& at, const SimulatedScene& scene) {
   file.set_attribute(group, "speed", at.speed);
   file.set_attribute(group, "failure", at.failure);
-  file.set_attribute(group, "steps_per_revolution", at.steps_per_revolution);
-  file.set_attribute(group, "samples_per_revolution", at.samples_per_revolution);
-  file.set_attribute(group, "recorded_revolutions", at.recorded_revolutions);
-  file.set_attribute(group, "revolutions", at.revolutions);
-  for (const auto& [motion, name] : motion_names)
-    if (motion == at.motion) file.set_attribute(group, "motion", std::string(name));
-  file.set_attribute(group, "period_revolutions", at.period_revolutions);
-  file.set_attribute(group, "change", at.change);
-  file.set_attribute(group, "change_rate", at.change_rate);
-  file.set_attribute(group, "contact_work", at.energy.contact_work);
-  file.set_attribute(group, "dissipated", at.energy.dissipated);
-  file.set_attribute(group, "energy_change", at.energy.energy_change);
-  file.set_attribute(group, "energy_closing_error", at.energy.closing_error);
-  file.set_attribute(group, "step_ratio", at.step_ratio);
-  file.set_attribute(group, "largest_penetration", at.largest_penetration);
-  file.set_attribute(group, "smallest_multiplier", at.smallest_multiplier);
-  file.set_attribute(group, "contact_steps", static_cast<double>(at.contact_steps));
-  file.set_attribute(group, "tension_steps", static_cast<double>(at.tension_steps));
-  file.set_attribute(group, "solver_fallbacks", static_cast<double>(at.solver_fallbacks));
+  file.set_attribute(group, "motion", std::string(name_of(motion_names, at.motion)));
+  file.set_attribute(group, "symmetry", std::string(name_of(symmetry_names, at.audit.symmetry)));
+  file.set_attribute(group, "halving_measure", at.audit.halving_measure);
+  write_numbers(file, group, at);
   if (!at.failure.empty()) return;
   const auto sectors = static_cast<std::size_t>(scene.independent_sectors);
   const auto nodes = static_cast<std::size_t>(scene.clearance.size());
@@ -74,12 +138,6 @@ void write_speed(Hdf5File& file, const std::string& group, const SpeedResponse& 
              Array<std::int32_t>{{sectors, nodes, static_cast<std::size_t>(counts.cols())},
                                  {counts.data(), counts.data() + counts.size()}},
              "steps");
-}
-
-MotionClass motion_named(const std::string& name, const std::string& where) {
-  for (const auto& [motion, known] : motion_names)
-    if (name == known) return motion;
-  throw RunError(where + ": motion \"" + name + "\" is not periodic, subharmonic or irregular");
 }
 
 void require_columns(const Eigen::MatrixXd& table, const std::string& where, Eigen::Index rows,
@@ -93,24 +151,11 @@ SpeedResponse read_speed(const Hdf5File& file, const std::string& group, const S
   SpeedResponse at;
   at.speed = file.number_attribute(group, "speed");
   at.failure = file.text_attribute(group, "failure");
-  at.steps_per_revolution = file.integer_attribute(group, "steps_per_revolution");
-  at.samples_per_revolution = file.integer_attribute(group, "samples_per_revolution");
-  at.recorded_revolutions = file.integer_attribute(group, "recorded_revolutions");
-  at.revolutions = file.integer_attribute(group, "revolutions");
-  at.motion = motion_named(file.text_attribute(group, "motion"), file.path() + ": " + group);
-  at.period_revolutions = file.integer_attribute(group, "period_revolutions");
-  at.change = file.number_attribute(group, "change");
-  at.change_rate = file.number_attribute(group, "change_rate");
-  at.energy.contact_work = file.number_attribute(group, "contact_work");
-  at.energy.dissipated = file.number_attribute(group, "dissipated");
-  at.energy.energy_change = file.number_attribute(group, "energy_change");
-  at.energy.closing_error = file.number_attribute(group, "energy_closing_error");
-  at.step_ratio = file.number_attribute(group, "step_ratio");
-  at.largest_penetration = file.number_attribute(group, "largest_penetration");
-  at.smallest_multiplier = file.number_attribute(group, "smallest_multiplier");
-  at.contact_steps = static_cast<std::int64_t>(file.number_attribute(group, "contact_steps"));
-  at.tension_steps = static_cast<std::int64_t>(file.number_attribute(group, "tension_steps"));
-  at.solver_fallbacks = static_cast<std::int64_t>(file.number_attribute(group, "solver_fallbacks"));
+  const std::string where = file.path() + ": " + group;
+  at.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
+  at.audit.symmetry = value_named(symmetry_names, file.text_attribute(group, "symmetry"), where + ": symmetry");
+  at.audit.halving_measure = file.text_attribute(group, "halving_measure");
+  read_numbers(file, group, at);
   if (!at.failure.empty()) return at;
   const Eigen::Index samples = static_cast<Eigen::Index>(at.samples_per_revolution) * at.recorded_revolutions;
   const Eigen::Index points = scene.independent_sectors * scene.clearance.size();
@@ -181,6 +226,31 @@ ResponseWriter::~ResponseWriter() = default;
 
 void ResponseWriter::add(const SpeedResponse& speed) {
   write_speed(state_->file, group_of(state_->count++), speed, state_->scene);
+}
+
+void ResponseWriter::add_end(const RotorState& state) {
+  for (std::size_t n = 0; n < state.displacement.size(); ++n) {
+    if (state.displacement[n].size() == 0) continue;
+    const std::string group = end_group + "/" + std::to_string(n);
+    state_->file.write(group + "/displacement", Eigen::MatrixXcd(state.displacement[n]), "m");
+    state_->file.write(group + "/velocity", Eigen::MatrixXcd(state.velocity[n]), "m/rad");
+  }
+}
+
+RotorState read_end_state(const std::filesystem::path& path) {
+  const Hdf5File file = Hdf5File::open(path);
+  RotorState state;
+  if (!file.exists(end_group)) return state;
+  for (const std::string& name : file.members(end_group)) {
+    const std::size_t n = std::stoul(name);
+    if (state.displacement.size() <= n) {
+      state.displacement.resize(n + 1);
+      state.velocity.resize(n + 1);
+    }
+    state.displacement[n] = file.read_complex_matrix(end_group + "/" + name + "/displacement");
+    state.velocity[n] = file.read_complex_matrix(end_group + "/" + name + "/velocity");
+  }
+  return state;
 }
 
 void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "simulate/response.h"
+#include "simulate/rotor_state.h"
 
 namespace tiprub {
 
@@ -20,6 +21,8 @@ class ResponseWriter {
   ~ResponseWriter();
 
   void add(const SpeedResponse& speed);
+  /// The state at the end of the last one; for the parts of a sweep that carries it on.
+  void add_end(const RotorState& state);
 
  private:
   struct State;
@@ -28,6 +31,9 @@ class ResponseWriter {
 
 /// Raises RunError if the file is missing, damaged, of another schema, or its arrays don't fit together.
 Response read_response(const std::filesystem::path& path);
+
+/// What add_end() wrote; at rest if there is none.
+RotorState read_end_state(const std::filesystem::path& path);
 
 /// Only its key; raises as read_response() does.
 std::string read_response_key(const std::filesystem::path& path);

@@ -69,6 +69,13 @@ void add_casing(Hash& hash, const Casing& casing) {
 void add_parameters(Hash& hash, const SimulateParameters& parameters) {
   hash.add(parameters.scheme);
   hash.add(parameters.contact);
+  hash.add(parameters.theta);
+  hash.add(parameters.penalty_stiffness);
+  hash.add(parameters.modes);
+  hash.add(parameters.symmetry_check_revolutions);
+  hash.add(parameters.sweep);
+  if (parameters.sweep != SweepDirection::rest)  // a speed's result depends on those before it
+    for (double speed : parameters.speeds) hash.add(speed);
   for (double ratio : parameters.damping_ratios) hash.add(ratio);
   hash.add(parameters.nodal_diameters);
   hash.add(parameters.steps_per_period);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 namespace tiprub {
 
@@ -47,14 +48,13 @@ void read_revolutions(CaseTable& table, SimulateParameters& parameters) {
       table.number("settle_tolerance", 1e-4, {0.0, 1.0, Range::LowEnd::excluded}, "of the motion's norm");
 }
 
-}  // namespace
-
-SimulateParameters read_simulate_parameters(CaseTable& table) {
-  SimulateParameters parameters;
-  parameters.speeds = read_speeds(table);
-  parameters.scheme = table.choice<Scheme>(
-      "scheme", Scheme::trigonometric,
-      {{"trigonometric", Scheme::trigonometric}, {"central_differences", Scheme::central_differences}});
+void read_scheme(CaseTable& table, SimulateParameters& parameters) {
+  parameters.scheme = table.choice<Scheme>("scheme", Scheme::trigonometric,
+                                           {{"trigonometric", Scheme::trigonometric},
+                                            {"central_differences", Scheme::central_differences},
+                                            {"residual_flexibility", Scheme::residual_flexibility},
+                                            {"moreau_jean", Scheme::moreau_jean},
+                                            {"penalty", Scheme::penalty}});
   parameters.contact =
       table.choice<ContactRule>("contact", ContactRule::complementarity,
                                 {{"complementarity", ContactRule::complementarity}, {"paper", ContactRule::paper}});
@@ -63,6 +63,23 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
         "contact",
         "= \"paper\" holds only with scheme = \"central_differences\": with the larger steps of the "
         "trigonometric scheme its pulling forces blow up; set that scheme, or contact = \"complementarity\"");
+  if (parameters.scheme == Scheme::moreau_jean)
+    parameters.theta = table.number("moreau_jean_theta", 0.5, Range::between(0.5, 1), "1/2 conserves, more damps");
+  if (parameters.scheme == Scheme::penalty)
+    parameters.penalty_stiffness =
+        table.number("penalty_stiffness", 100, Range::positive(), "static stiffnesses of the softest contact node");
+  const bool needs_modes = parameters.scheme == Scheme::residual_flexibility;
+  parameters.modes =
+      table.integer("modes", needs_modes ? std::nullopt : std::optional<int>(0),
+                    Range::between(needs_modes ? 1 : 0, count_max), "with mass, a nodal diameter; 0: all");
+}
+
+}  // namespace
+
+SimulateParameters read_simulate_parameters(CaseTable& table) {
+  SimulateParameters parameters;
+  parameters.speeds = read_speeds(table);
+  read_scheme(table, parameters);
   parameters.damping_ratios = read_damping(table);
   parameters.nodal_diameters =
       table.choice<DiameterChoice>("nodal_diameters", DiameterChoice::symmetric,
@@ -76,6 +93,13 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   read_revolutions(table, parameters);
   parameters.casing_areas = table.integer("casing_areas", 200, Range::between(1, count_max), "around the casing");
   parameters.threads = table.integer("threads", 0, Range::between(0, 1024), "0: as many as the machine has");
+  parameters.sweep = table.choice<SweepDirection>(
+      "sweep", SweepDirection::rest,
+      {{"rest", SweepDirection::rest}, {"up", SweepDirection::up}, {"down", SweepDirection::down}});
+  parameters.halved_step_checks =
+      table.integer("halved_step_checks", 3, Range::between(0, count_max), "speeds, evenly spread, ends first");
+  parameters.symmetry_check_revolutions =
+      table.integer("symmetry_check_revolutions", 12, Range::between(0, count_max), "0: no check");
   table.close();
   return parameters;
 }

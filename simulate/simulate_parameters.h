@@ -14,11 +14,22 @@ enum class DiameterChoice {
   all,
 };
 
+/// Where the march of a speed starts.
+enum class SweepDirection {
+  rest,  ///< each speed from rest: speeds are independent
+  up,    ///< from the motion at the next lower speed
+  down,  ///< from the motion at the next higher speed
+};
+
 /// What [simulate] asks for.
 struct SimulateParameters {
   std::vector<double> speeds;  ///< [rad/s], ascending, all different
   Scheme scheme = Scheme::trigonometric;
   ContactRule contact = ContactRule::complementarity;
+  double theta = 0.5;              ///< [1] of Moreau-Jean
+  double penalty_stiffness = 100;  ///< [1] of penalty, in tip stiffnesses
+  int modes = 0;                   ///< with mass, a nodal diameter; 0: all
+  SweepDirection sweep = SweepDirection::rest;
   std::vector<double> damping_ratios;  ///< of critical, by family; the last one holds for all further families
   DiameterChoice nodal_diameters = DiameterChoice::symmetric;
   double steps_per_period = 400;   ///< at least, of the lowest natural frequency
@@ -29,7 +40,9 @@ struct SimulateParameters {
   int max_revolutions = 0;
   double settle_tolerance = 0;  ///< [1] estimated distance from the settled motion, of its norm
   int casing_areas = 0;
-  int threads = 0;  ///< 0: as many as the machine has
+  int halved_step_checks = 0;          ///< speeds of a sweep that are computed with half the step as well
+  int symmetry_check_revolutions = 0;  ///< after settling, with a small disturbance of what symmetry left out
+  int threads = 0;                     ///< 0: as many as the machine has
 };
 
 /// Reads [simulate]. Raises InputError.

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <exception>
 #include <iomanip>
+#include <memory>
 #include <numbers>
 #include <sstream>
 #include <thread>
@@ -17,6 +18,7 @@
 #include "simulate/response_file.h"
 #include "simulate/run_key.h"
 #include "simulate/speed_sweep.h"
+#include "simulate/sweep_tally.h"
 
 namespace tiprub {
 
@@ -33,10 +35,6 @@ struct Inputs {
   ReducedModel model;
   std::string resolved;  ///< both tables, for -v
 };
-
-double rpm(double speed) {
-  return speed * 60 / (2 * std::numbers::pi);
-}
 
 Inputs read_inputs(const StageArguments& arguments) {
   CaseFile case_file(arguments.inputs[0]);
@@ -71,56 +69,18 @@ SimulatedScene describe(const Inputs& inputs, const SceneScope& scope) {
   return scene;
 }
 
-std::string speed_line(const SpeedResponse& at) {
-  std::ostringstream text;
-  text << rpm(at.speed) << " rev/min: ";
-  if (!at.failure.empty()) {
-    text << "failed: " << at.failure;
-    return text.str();
-  }
-  text << (at.motion == MotionClass::periodic      ? "periodic"
-           : at.motion == MotionClass::subharmonic ? "subharmonic of order " + std::to_string(at.period_revolutions)
-                                                   : "irregular");
-  text << " after " << at.revolutions << " revolutions of " << at.steps_per_revolution << " steps, change "
-       << at.change << " (x " << at.change_rate << " a revolution), " << at.contact_steps
-       << " steps in contact, energy closes to " << at.energy.closing_error;
-  if (at.tension_steps > 0) text << ", " << at.tension_steps << " steps pull";
-  if (at.solver_fallbacks > 0) text << ", " << at.solver_fallbacks << " solver fallbacks";
-  return text.str();
-}
-
-/// What a sweep came to, for one line.
-struct Tally {
-  std::size_t periodic = 0, subharmonic = 0, irregular = 0, failed = 0, pulling = 0;
-  std::string first_failure;
-
-  void add(const SpeedResponse& at) {
-    if (!at.failure.empty()) {
-      if (failed++ == 0) first_failure = speed_line(at);
-      return;
-    }
-    if (at.tension_steps > 0) ++pulling;
-    ++(at.motion == MotionClass::periodic      ? periodic
-       : at.motion == MotionClass::subharmonic ? subharmonic
-                                               : irregular);
-  }
-  std::string text() const {
-    std::ostringstream out;
-    out << periodic << " periodic, " << subharmonic << " subharmonic, " << irregular << " irregular, " << failed
-        << " failed";
-    if (pulling > 0) out << ", " << pulling << " with a casing that pulls";
-    return out.str();
-  }
-};
-
-Tally assemble(const Inputs& inputs, const SimulatedScene& scene, const std::string& key, FinishedSpeeds& finished,
-               const std::filesystem::path& output) {
-  Tally tally;
+SweepTally assemble(const Inputs& inputs, const SimulatedScene& scene, const std::string& key,
+                    FinishedSpeeds& finished, const std::filesystem::path& output) {
+  SweepTally tally;
   OutputFile file(output);
   {
     ResponseWriter writer(file.scratch(), scene, key, program_version(program));
-    for (double speed : inputs.parameters.speeds) {
-      const SpeedResponse response = finished.read(speed);
+    for (const SpeedTask& task : sweep_tasks(inputs.parameters)) {
+      SpeedResponse response = finished.read(task.speed);
+      if (task.check == StepCheck::none) {  // a former, other list of speeds may have asked for it
+        response.audit.halving_difference.reset();
+        response.audit.halving_measure.clear();
+      }
       tally.add(response);
       writer.add(response);
     }
@@ -132,25 +92,37 @@ Tally assemble(const Inputs& inputs, const SimulatedScene& scene, const std::str
   return tally;
 }
 
-int thread_count(int asked_here, const SimulateParameters& parameters) {
+int thread_count(int asked_here, const SimulateParameters& parameters, const ProcessGroup& group) {
   if (asked_here > 0) return asked_here;
   if (parameters.threads > 0) return parameters.threads;
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / group.local_size());
 }
 
 /// Computes what isn't there yet; how many speeds that were.
-std::size_t compute_missing(const StageArguments& arguments, const Scene& scene, int threads,
+std::size_t compute_missing(const StageArguments& arguments, const Scene& scene, int threads, ProcessGroup& group,
                             FinishedSpeeds& finished) {
-  std::vector<double> missing;
-  for (double speed : scene.parameters.speeds)
-    if (!finished.has(speed)) missing.push_back(speed);
-  Progress progress(
-      "speeds", missing.size(),
-      arguments.verbosity == Verbosity::normal ? Progress::Shown::on_a_terminal : Progress::Shown::never);
-  sweep_speeds(scene, missing, threads, finished, [&](const SpeedResponse& response) {
-    progress.advance();
+  const std::vector<SpeedTask> tasks = sweep_tasks(scene.parameters);
+  std::vector<double> places;  // of the missing ones in the list; doubles, because processes share such
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (group.leads() && !finished.has(tasks[i].speed, tasks[i].check)) places.push_back(static_cast<double>(i));
+  group.share(places);
+  std::vector<SpeedTask> missing;
+  for (double place : places) missing.push_back(tasks[static_cast<std::size_t>(place)]);
+  const bool shown = arguments.verbosity == Verbosity::normal && group.leads();
+  Progress progress("speeds", missing.size(), shown ? Progress::Shown::on_a_terminal : Progress::Shown::never);
+  std::size_t seen = 0;  // other processes' speeds count when this one gets a later one
+  const SpeedDone done = [&](const SpeedResponse& response, std::size_t place) {
+    for (const std::size_t end = std::max(seen, place) + 1; seen < std::min(end, missing.size()); ++seen)
+      progress.advance();
     if (arguments.verbosity == Verbosity::verbose) say(arguments, speed_line(response));
-  });
+  };
+  if (scene.parameters.sweep == SweepDirection::rest) {
+    sweep_speeds(scene, missing, threads, group, finished, done);
+  } else {
+    if (group.leads())
+      carry_speeds(scene, tasks, finished, [&](const SpeedResponse& response, std::size_t) { done(response, seen); });
+    group.any(false);
+  }
   return missing.size();
 }
 
@@ -161,12 +133,11 @@ void say_scope(const StageArguments& arguments, const Inputs& inputs, const Scen
     for (const std::string& reason : scope.reasons) say(arguments, reason);
 }
 
-void say_result(const StageArguments& arguments, const Tally& tally, std::size_t computed, std::size_t speeds,
+void say_result(const StageArguments& arguments, const SweepTally& tally, std::size_t computed, std::size_t speeds,
                 double seconds) {
   std::ostringstream line;
   line << arguments.output.string() << ": " << speeds << " speeds: " << tally.text() << "; " << speeds - computed
-       << " of them from before; " << std::fixed << std::setprecision(1) << seconds << " s";
-  if (tally.failed > 0) line << "\nfirst failure: " << tally.first_failure;
+       << " of them from before; " << std::fixed << std::setprecision(1) << seconds << " s" << tally.warnings();
   say(arguments, line.str());
 }
 
@@ -176,15 +147,31 @@ void simulate(const StageArguments& arguments, int threads) {
   const auto start = std::chrono::steady_clock::now();
   const Inputs inputs = read_inputs(arguments);
   const SceneScope scope = find_scope(inputs.model.sector_count, inputs.casing.lobes, inputs.parameters);
-  say_scope(arguments, inputs, scope);
-  if (arguments.action == Action::check) return;
+  if (arguments.action == Action::check) {
+    say_scope(arguments, inputs, scope);
+    return;
+  }
   { const OutputFile writable(arguments.output); }  // complain before the work, not after it
+  ProcessGroup group;
+  if (group.leads()) say_scope(arguments, inputs, scope);
   const std::string key = run_key(inputs.model, inputs.casing, inputs.parameters, program_version(program));
   const SimulatedScene scene = describe(inputs, scope);
-  FinishedSpeeds finished(arguments.output, scene, key, program_version(program));
+  std::unique_ptr<FinishedSpeeds> finished;
+  std::exception_ptr failure;
+  try {
+    finished = std::make_unique<FinishedSpeeds>(
+        arguments.output, scene, key, program_version(program),
+        group.leads() ? FinishedSpeeds::Role::keeper : FinishedSpeeds::Role::contributor);
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  const bool failed_anywhere = group.any(failure != nullptr);
+  if (failure) std::rethrow_exception(failure);
+  if (failed_anywhere) throw RunError("another process of the sweep failed; see its message");
   const std::size_t computed = compute_missing(arguments, {inputs.model, inputs.casing, inputs.parameters, scope},
-                                               thread_count(threads, inputs.parameters), finished);
-  const Tally tally = assemble(inputs, scene, key, finished, arguments.output);
+                                               thread_count(threads, inputs.parameters, group), group, *finished);
+  if (!group.leads()) return;
+  const SweepTally tally = assemble(inputs, scene, key, *finished, arguments.output);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   say_result(arguments, tally, computed, inputs.parameters.speeds.size(), spent.count());
 }

@@ -4,6 +4,7 @@
 #include "reduce/reduced_model.h"
 #include "simulate/casing.h"
 #include "simulate/response.h"
+#include "simulate/rotor_state.h"
 #include "simulate/scene_scope.h"
 #include "simulate/simulate_parameters.h"
 
@@ -17,9 +18,19 @@ struct Scene {
   const SceneScope& scope;
 };
 
-/// From rest to the settled motion at one speed [rad/s], and its recording. A speed that fails (a clearance closed by
-/// spin, an unstable rotor, a step too long for central differences, a motion that grows without bound) comes back
-/// with its reason in `failure`; nothing is raised.
-SpeedResponse simulate_speed(const Scene& scene, double speed);
+/// What is looked at beside the march itself.
+enum class StepCheck { none, halved };
+
+struct SpeedResult {
+  SpeedResponse response;
+  RotorState end;  ///< after the recording; at rest if the speed failed
+};
+
+/// From a state to the settled motion at one speed [rad/s], its recording and its audit. With `halved` the speed is
+/// computed with half the step as well (twice the cost again); from a state not at rest, also from rest. A speed that
+/// fails (a clearance closed by spin, an unstable rotor, a step too long for its scheme, too few modes for the
+/// contact nodes, a motion that grows without bound) comes back with its reason in `failure`; nothing is raised.
+SpeedResult simulate_speed(const Scene& scene, double speed, StepCheck check = StepCheck::none,
+                           const RotorState& start = {});
 
 }  // namespace tiprub

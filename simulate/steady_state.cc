@@ -9,8 +9,9 @@ namespace tiprub {
 
 namespace {
 
-constexpr int window = 8;             // changes that the rate is fitted to
-constexpr double recent_margin = 10;  // tolerances: no change of the last `longest_period` revolutions may be above
+constexpr int window = 8;               // changes that the rate is fitted to
+constexpr double recent_margin = 10;    // tolerances: no change of the last `longest_period` revolutions may be above
+constexpr double standing_rate = 0.98;  // change over one revolution that falls faster goes to zero: not subharmonic
 constexpr double rounding_floor = 1e-10;  // of the norm: below, changes are rounding and have no rate
 
 }  // namespace
@@ -49,6 +50,7 @@ SteadyVerdict SteadyState::judge() const {
     }
     if (static_cast<int>(changes.size()) < window || change > tolerance_) continue;
     if (*std::max_element(changes.end() - longest_period, changes.end()) > recent_margin * tolerance_) continue;
+    if (period > 1 && verdict.rate < standing_rate) continue;
     const double over_period = std::pow(rate, period);
     const double still_to_come = rate < 1 ? change * over_period / (1 - over_period) : HUGE_VAL;
     if (change > rounding_floor && still_to_come > tolerance_) continue;

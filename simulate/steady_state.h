@@ -25,7 +25,8 @@ struct SteadyVerdict {
 ///   delta_L = |x(r) - x(r - L)| / |x(r)|,  L = 1 .. 6,
 /// must be small and must decay: with the factor rho per revolution, fitted to the last changes, what is still to
 /// come is delta_L rho^L / (1 - rho^L). A threshold on the change alone lies: near critical speeds it falls, and
-/// grows again. The smallest L that holds is the period.
+/// grows again. The smallest L that holds is the period; beyond 1 only while delta_1 stands: a motion whose
+/// disturbances alternate on their way to a periodic one meets delta_2 first.
 class SteadyState {
  public:
   static constexpr int longest_period = 6;

@@ -48,15 +48,22 @@ void lay_out_rows(const Eigen::MatrixXcd& normal_rows, std::size_t width, std::s
     }
 }
 
-TimeMarch::Wave lay_out(const WaveModes& from, Scheme scheme, double step, std::size_t width, int sectors,
-                        int sector_count) {
+std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup, const Eigen::MatrixXd& compliance) {
+  if (setup.scheme == Scheme::moreau_jean) return velocity_contact(compliance, setup.theta);
+  if (setup.scheme == Scheme::penalty) return penalty_contact(compliance, setup.penalty_stiffness);
+  return position_contact(compliance, setup.contact);
+}
+
+TimeMarch::Wave lay_out(const WaveModes& from, const SchemeOptions& scheme, double step, std::size_t width,
+                        int sectors, int sector_count) {
   TimeMarch::Wave wave;
   const Eigen::Index modes = padded(from.omega.size(), kernels::mode_block);
   wave.nodal_diameter = from.nodal_diameter;
   wave.kind = from.kind;
   wave.weight = from.weight();
   wave.omega = padded(from.omega, modes);
-  const StepCoefficients unpadded = step_coefficients(scheme, from.omega, from.damping_ratio, step);
+  wave.moving = padded(from.moving, kernels::mode_block);
+  const StepCoefficients unpadded = step_coefficients(scheme, from.omega, from.damping_ratio, step, from.moving);
   wave.coefficients = {padded(unpadded.a, modes), padded(unpadded.b, modes), padded(unpadded.c, modes)};
   wave.q = wave.before = wave.two_before = Eigen::VectorXd::Zero(2 * modes);
   wave.nodes = wave.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(width));
@@ -81,18 +88,19 @@ TimeMarch::TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const Cont
       node_count_(contact.size()),
       width_(padded(contact.size(), kernels::lane_count)),
       time_step_(two_pi / rotor.speed / setup.steps_per_revolution),
-      casing_(casing),
-      contact_(Eigen::MatrixXd(), setup.contact) {
+      casing_(casing) {
+  const SchemeOptions scheme{setup.scheme, setup.theta, setup.penalty_stiffness};
   for (const WaveModes& wave : rotor.waves)
-    waves_.push_back(lay_out(wave, setup.scheme, time_step_, width_, sectors_, sector_count_));
+    waves_.push_back(lay_out(wave, scheme, time_step_, width_, sectors_, sector_count_));
   const auto size = static_cast<Eigen::Index>(sectors_ * width_);
-  gap_ = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
+  gap_ = gap_before_ = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
   for (Eigen::VectorXd& displacement : displacement_) displacement = Eigen::VectorXd::Zero(size);
   clearance_ = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(width_), std::numeric_limits<double>::infinity());
   clearance_.head(node_count_) = casing.running_clearance(contact, rotor.speed);
   build_distortion(casing, contact);
   build_compliance(rotor);
-  contact_ = ContactImpulses(compliance_, setup.contact);
+  contact_ = contact_law(setup, compliance_);
+  measure_gaps();
 }
 
 /// W = sum over n of Re(Y c Y^H e^{i n (j - j') alpha}) w_n g / N.
@@ -129,32 +137,31 @@ void TimeMarch::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eig
   at.q.segment(at.modes(), q.size()) = q.imag();
   at.before.head(q.size()) = before.real();
   at.before.segment(at.modes(), q.size()) = before.imag();
+  map_to_nodes();
+  measure_gaps();
 }
 
-bool TimeMarch::predict() {
-  displacement_[2].swap(displacement_[1]);
-  displacement_[1].swap(displacement_[0]);
+void TimeMarch::set_revolutions(int revolutions) {
+  step_ = static_cast<std::int64_t>(revolutions) * setup_.steps_per_revolution;
+  measure_gaps();
+}
+
+void TimeMarch::map_to_nodes() {
   displacement_[0].setZero();
   for (Wave& wave : waves_) {
-    const auto modes = static_cast<std::size_t>(wave.modes());
-    const double* a = wave.coefficients.a.data();
-    const double* b = wave.coefficients.b.data();
-    wave.two_before.swap(wave.before);
-    wave.before.swap(wave.q);  // wave.q now holds what is overwritten: the oldest instant
-    kernels::advance(a, b, wave.before.data(), wave.two_before.data(), wave.q.data(), modes);
-    if (wave.kind == WaveKind::travelling) {
-      kernels::advance(a, b, wave.before.data() + modes, wave.two_before.data() + modes, wave.q.data() + modes,
-                       modes);
-      kernels::to_nodes_travelling(wave.rows.data(), wave.q.data(), wave.q.data() + modes, modes, width_,
+    const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
+    if (wave.kind == WaveKind::travelling)
+      kernels::to_nodes_travelling(wave.rows.data(), wave.q.data(), wave.q.data() + modes, moving, width_,
                                    wave.nodes.data(), wave.nodes.data() + width_);
-    } else {
-      kernels::to_nodes_standing(wave.rows.data(), wave.q.data(), modes, width_, wave.nodes.data());
-    }
+    else
+      kernels::to_nodes_standing(wave.rows.data(), wave.q.data(), moving, width_, wave.nodes.data());
     for (int j = 0; j < sectors_; ++j)
       kernels::add_wave(wave.nodes.data(), wave.nodes.data() + width_, wave.cosine[j], wave.sine[j], width_,
                         displacement_[0].data() + j * width_);
   }
-  ++step_;
+}
+
+bool TimeMarch::measure_gaps() {
   const double ramp = casing_.ramp(static_cast<double>(step_) / setup_.steps_per_revolution);
   bool penetrates = false;
   for (int j = 0; j < sectors_; ++j) {
@@ -164,6 +171,29 @@ bool TimeMarch::predict() {
                                          displacement_[0].data() + j * width_, width_, gap_.data() + j * width_);
   }
   return penetrates;
+}
+
+bool TimeMarch::predict() {
+  displacement_[2].swap(displacement_[1]);
+  displacement_[1].swap(displacement_[0]);
+  gap_before_.swap(gap_);
+  for (Wave& wave : waves_) {
+    const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
+    const double* a = wave.coefficients.a.data();
+    const double* b = wave.coefficients.b.data();
+    wave.two_before.swap(wave.before);
+    wave.before.swap(wave.q);  // wave.q now holds what is overwritten: the oldest instant
+    kernels::advance(a, b, wave.before.data(), wave.two_before.data(), wave.q.data(), moving);
+    if (wave.kind == WaveKind::travelling)
+      kernels::advance(a, b, wave.before.data() + modes, wave.two_before.data() + modes, wave.q.data() + modes,
+                       moving);
+    if (moving == modes) continue;
+    wave.q.segment(wave.moving, wave.modes() - wave.moving).setZero();
+    wave.q.tail(wave.modes() - wave.moving).setZero();
+  }
+  map_to_nodes();
+  ++step_;
+  return measure_gaps();
 }
 
 void TimeMarch::correct_modes(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
@@ -200,13 +230,10 @@ void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& n
 }
 
 void TimeMarch::step() {
-  if (!predict()) {
-    contact_.open();
-    return;
-  }
-  contact_.solve(gap_);
-  displacement_[0] -= contact_.correction();
-  correct_modes(contact_.multipliers(), contact_.closed());
+  const bool penetrates = predict();
+  if (!contact_->step(gap_before_, gap_, penetrates)) return;
+  displacement_[0] -= contact_->correction();
+  correct_modes(contact_->multipliers(), contact_->closed());
 }
 
 }  // namespace tiprub

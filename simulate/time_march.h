@@ -3,10 +3,12 @@
 
 #include <Eigen/Dense>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "simulate/casing.h"
 #include "simulate/contact_impulses.h"
+#include "simulate/integrators/contact_law.h"
 #include "simulate/integrators/step_coefficients.h"
 #include "simulate/rotor_at_speed.h"
 
@@ -18,14 +20,17 @@ struct MarchSetup {
   ContactRule contact = ContactRule::complementarity;
   int steps_per_revolution = 0;  ///< a multiple of N and of the casing's lobes
   int symmetry = 1;              ///< g: the wheel's nodal diameters are multiples of it
+  double theta = 0.5;            ///< [1] of Moreau-Jean
+  double penalty_stiffness = 0;  ///< [N/m] of penalty
 };
 
 /// The one loop of all schemes: a rotor in modal coordinates against a rigid casing, step by step,
 ///   q+ = a q - b q- - c Y^H Lambda_n,   Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha}, j < N/g,
-///   0 <= lambda perpendicular to g+ >= 0.
+/// with lambda from the scheme's contact law, as a rule 0 <= lambda perpendicular to g+ >= 0.
 /// Only normal displacements of contact nodes pass between the nodal diameters. lambda found in the step from t_q to
 /// t_{q+1} is the force at t_q. Starts from rest. With the coefficients of central differences this is the paper's
-/// eqs. 13-15. Costs 2 m n_c complex multiplications a nodal diameter, twice that in contact.
+/// eqs. 13-15. Modes without mass (residual flexibility) take no part in the free step. Costs 2 m n_c complex
+/// multiplications a nodal diameter, twice that in contact.
 ///
 /// Values by contact node stand in one vector, sector after sector, each padded to width() nodes.
 class TimeMarch {
@@ -33,13 +38,14 @@ class TimeMarch {
   /// Everything raises RunError if the contact compliance is no such thing.
   TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact, const MarchSetup& setup);
 
-  /// predict() and, if a node would penetrate, the contact forces and correct().
+  /// predict(), then the scheme's contact law, and what its forces do.
   void step();
   /// The free step to t_{q+1}. Whether a node penetrates.
   bool predict();
   /// Adds the forces [N] along -normal at t_q to the step just predicted; indices of the nodes that have one.
   void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
 
+  const MarchSetup& setup() const { return setup_; }
   std::int64_t step_count() const { return step_; }
   double time_step() const { return time_step_; }
   int sector_count() const { return sector_count_; }
@@ -56,7 +62,7 @@ class TimeMarch {
   const Eigen::VectorXd& displacement_before() const { return displacement_[1]; }
   const Eigen::VectorXd& displacement_two_before() const { return displacement_[2]; }
   /// The contact forces of the last step: [N], zero for open nodes.
-  const ContactImpulses& contact() const { return contact_; }
+  const ContactLaw& contact() const { return *contact_; }
   /// [m/N] W of the whole problem, padded rows zero.
   const Eigen::MatrixXd& compliance() const { return compliance_; }
 
@@ -66,6 +72,7 @@ class TimeMarch {
     WaveKind kind;
     double weight;         ///< w_n
     Eigen::ArrayXd omega;  ///< [rad/s]
+    Eigen::Index moving;   ///< modes with mass, padded; they come first
     StepCoefficients coefficients;
     Eigen::VectorXd q, before, two_before;  ///< real parts, then imaginary parts, at t_q, t_{q-1}, t_{q-2}
     std::vector<double> rows, columns;      ///< Y in the two orders of wave_kernels.h
@@ -76,10 +83,15 @@ class TimeMarch {
     Eigen::Index modes() const { return omega.size(); }
   };
   const std::vector<Wave>& waves() const { return waves_; }
-  /// Puts the modal coordinates of a nodal diameter [m sqrt(kg)] at t_q and t_{q-1}; for tests and restarts.
+  /// Puts the modal coordinates of a nodal diameter [m sqrt(kg)] at t_q and t_{q-1}.
   void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before);
+  /// Sets the clock to whole revolutions since the start (the casing's distortion grows over the first ones).
+  void set_revolutions(int revolutions);
 
  private:
+  /// displacement_[0] from the waves' modes; gap_ from it, and whether a gap is negative.
+  void map_to_nodes();
+  bool measure_gaps();
   void correct_modes(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
   void build_compliance(const RotorAtSpeed& rotor);
   void build_distortion(const Casing& casing, const ContactLine& contact);
@@ -94,10 +106,10 @@ class TimeMarch {
   Eigen::VectorXd clearance_;       ///< [m] one sector, padded with infinity
   std::vector<double> distortion_;  ///< [m] by phase (one lobe of steps), then node
   std::int64_t phases_ = 1;
-  Eigen::VectorXd gap_;
+  Eigen::VectorXd gap_, gap_before_;
   Eigen::VectorXd displacement_[3];
   Eigen::MatrixXd compliance_;
-  ContactImpulses contact_;
+  std::unique_ptr<ContactLaw> contact_;
   std::vector<int> closed_nodes_;  ///< node indices closed in any sector
 };
 

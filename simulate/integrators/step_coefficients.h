@@ -5,12 +5,14 @@
 
 namespace tiprub {
 
-/// The two-step schemes. A new one is a file in this folder and a line in step_coefficients(). Schemes that carry a
-/// velocity (Moreau-Jean), a contact law instead of a constraint (penalty) or modes without mass (residual
-/// flexibility) enter here as well: what they change of the step is the free flight and the compliance c.
+/// The schemes; one file each in this folder. All are two-step recurrences of modal coordinates and share one loop
+/// (TimeMarch): they differ in the coefficients of the step and in the law that gives the contact force.
 enum class Scheme {
-  trigonometric,        ///< exact in free flight and in statics (Gautschi 1961); no step limit
-  central_differences,  ///< the paper's eq. 13; holds for h omega_max < 2
+  trigonometric,         ///< exact in free flight and in statics (Gautschi 1961); no step limit
+  central_differences,   ///< the paper's eq. 13; holds for h omega_max < 2
+  residual_flexibility,  ///< trigonometric for the lower modes; the others follow their forces at once, without mass
+  moreau_jean,           ///< theta method, impulses on the velocities of closed nodes (Moreau 1988, Jean 1999)
+  penalty,               ///< central differences; a penetrating node is pushed by a spring
 };
 
 /// One step of a modal coordinate, q+ = a q - b q- + c f, f the modal force at the middle instant. Arrays over modes.
@@ -24,9 +26,17 @@ struct StepCoefficients {
   Eigen::ArrayXd c;  ///< [s^2], never negative
 };
 
-/// Arrays over modes: omega [rad/s] >= 0, damping_ratio [1] >= 0; step h [s].
-StepCoefficients step_coefficients(Scheme scheme, const Eigen::ArrayXd& omega, const Eigen::ArrayXd& damping_ratio,
-                                   double step);
+/// What a scheme needs beside the modes and the step.
+struct SchemeOptions {
+  Scheme scheme = Scheme::trigonometric;
+  double theta = 0.5;              ///< [1] of Moreau-Jean, 1/2 .. 1: 1/2 conserves energy, more damps
+  double penalty_stiffness = 100;  ///< [1] of penalty, in tip stiffnesses
+};
+
+/// Arrays over modes: omega [rad/s] >= 0, damping_ratio [1] >= 0; step h [s]. The first `moving` modes have mass, the
+/// others none (only residual flexibility has such).
+StepCoefficients step_coefficients(const SchemeOptions& options, const Eigen::ArrayXd& omega,
+                                   const Eigen::ArrayXd& damping_ratio, double step, Eigen::Index moving);
 
 /// Exact free flight; c such that a constant force ends in its static deflection:
 ///   a = 2 e^{-z w h} cos(w sqrt(1 - z^2) h), b = e^{-2 z w h}, c = (1 - a + b)/w^2   (cosh for z > 1; c = h^2 at w =
@@ -36,5 +46,23 @@ StepCoefficients trigonometric(const Eigen::ArrayXd& omega, const Eigen::ArrayXd
 /// The paper's eq. 13 in modal coordinates, D modal:
 ///   a = (2 - w^2 h^2)/(1 + z w h), b = (1 - z w h)/(1 + z w h), c = h^2/(1 + z w h).
 StepCoefficients central_differences(const Eigen::ArrayXd& omega, const Eigen::ArrayXd& damping_ratio, double step);
+
+/// Trigonometric for the first `moving` modes. A mode beyond them is its static deflection under the force of the
+/// step, q+ = f/w^2 (a = b = 0): high modes have mass only to make the step short or the impact blunt, and their
+/// compliance is what a closed node feels (residual flexibility; massless boundaries, Monjaraz-Tec, Gross, Krack
+/// 2022). Another model than the whole one. Costs no free flight for these modes, and keeps W of full rank whatever
+/// is kept.
+/// Raises RunError if a mode beyond `moving` has no stiffness.
+StepCoefficients residual_flexibility(const Eigen::ArrayXd& omega, const Eigen::ArrayXd& damping_ratio, double step,
+                                      Eigen::Index moving);
+
+/// The theta method q+ = q + h (theta v+ + (1 - theta) v), with forces of the same weights, its velocity eliminated
+/// (exactly: trace and determinant of its free step):
+///   D = 1 + theta^2 w^2 h^2 + 2 theta z w h,
+///   a = 2 - 1/theta + (1/theta - theta w^2 h^2)/D,   b = 1 - 1/theta + (1/theta + (1 - theta) w^2 h^2)/D,
+///   c = h^2/D,
+/// driven by theta lambda_q + (1 - theta) lambda_{q-1}. No step limit; for theta > 1/2 it damps what it shouldn't.
+StepCoefficients moreau_jean(const Eigen::ArrayXd& omega, const Eigen::ArrayXd& damping_ratio, double step,
+                             double theta);
 
 }  // namespace tiprub

@@ -56,7 +56,7 @@ with_case("amplitude of a table", 'shape = "cosine"', 'shape = "table"\ndistorti
 with_case("paper's rule with the wrong scheme", "damping_ratio", 'contact = "paper"\ndamping_ratio', 2,
           'changed.toml:11:11: [simulate] contact = "paper" holds only with scheme = "central_differences"')
 with_case("unknown scheme", "damping_ratio", 'scheme = "newmark"\ndamping_ratio', 2,
-          'scheme = "newmark" must be one of: trigonometric, central_differences')
+          'scheme = "newmark" must be one of: trigonometric, central_differences, residual_flexibility, moreau_jean, penalty')
 with_case("speeds the wrong way", "speed_max_rpm = 12000", "speed_max_rpm = 8000", 2, "[simulate] speed_max_rpm must be above speed_min_rpm")
 with_case("speed beyond the model", "speed_max_rpm = 12000", "speed_max_rpm = 20000", 2, "speed_max_rpm goes to 20000 rev/min",
           "holds up to 19098.6")

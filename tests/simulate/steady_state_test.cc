@@ -74,6 +74,16 @@ TEST(SteadyState, FindsTheOrderOfASubharmonic) {
   }
 }
 
+/// A disturbance that alternates on its way to zero changes less over two revolutions than over one, and was once taken
+/// for a subharmonic of order 2.
+TEST(SteadyState, TakesAnAlternatingDecayForWhatItBecomes) {
+  for (double rate : {0.5, 0.8, 0.9}) {
+    SteadyVerdict verdict;
+    EXPECT_GT(settles_at([&](int r) { return std::pow(-rate, r); }, 500, verdict), 0);
+    EXPECT_EQ(verdict.motion, MotionClass::periodic) << rate;
+  }
+}
+
 TEST(SteadyState, CallsTheRestIrregular) {
   SteadyVerdict verdict;
   EXPECT_EQ(settles_at([](int r) { return 0.2 * std::sin(2.39996 * r); }, 100, verdict), -1);

@@ -13,7 +13,7 @@ namespace {
 struct Mode {
   double omega, ratio, step;
   StepCoefficients of(Scheme scheme) const {
-    return step_coefficients(scheme, Eigen::ArrayXd::Constant(1, omega), Eigen::ArrayXd::Constant(1, ratio), step);
+    return step_coefficients({scheme}, Eigen::ArrayXd::Constant(1, omega), Eigen::ArrayXd::Constant(1, ratio), step, 1);
   }
 };
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace tiprub {
+
+/// The processes that share a sweep: those that mpirun started together, or this one alone. MPI is initialised only
+/// under mpirun (by what it leaves in the environment): the serial program starts without it. At most one may live in
+/// a program; its end is MPI's end.
+class ProcessGroup {
+ public:
+  ProcessGroup();
+  ProcessGroup(const ProcessGroup&) = delete;
+  ProcessGroup& operator=(const ProcessGroup&) = delete;
+  ~ProcessGroup();
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  bool leads() const { return rank_ == 0; }
+  /// Processes of the group on this machine.
+  int local_size() const { return local_size_; }
+
+  /// 0, 1, 2, ...: each number goes to one caller only, in any process. Any thread may ask. One atomic addition in
+  /// the leader's memory; no process waits for another one.
+  std::size_t next();
+  /// From now on next() gives numbers beyond any list.
+  void stop();
+  /// Whether it holds anywhere; all processes must ask.
+  bool any(bool here);
+  /// The leader's values for all; all processes must call.
+  void share(std::vector<double>& values);
+
+ private:
+  struct Shared;
+  std::size_t add(long long increment);
+
+  int rank_ = 0, size_ = 1, local_size_ = 1;
+  std::unique_ptr<Shared> shared_;
+};
+
+}  // namespace tiprub

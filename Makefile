@@ -25,7 +25,6 @@ tests: configure
 
 demo: programs
 	+$(MAKE) -C $(DEMO) BIN=$(abspath $(BUILD))/bin
-	@cat $(DEMO)/report/critical_speeds.txt
 	@echo "The report: $(abspath $(DEMO))/report/report.html"
 
 test: tests

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # From a case to its report, by the four programs. A case's folder holds case.toml and a Makefile that includes this file.
-#   make             everything that is out of date
+#   make             everything that is out of date, and prints the critical speeds
 #   make model.h5    one file and what it needs;  make -B model.h5 makes it anyway
 #   make clean       forgets what was computed
 # Each stage is out of date when its own tables of case.toml change, or a file it reads.
@@ -11,6 +11,7 @@ export PATH := $(BIN):$(PATH)
 .PHONY: all clean
 .DELETE_ON_ERROR:
 all: report/report.html
+	@cat report/critical_speeds.txt
 
 sector.msh: .tables/mesh
 	tiprub-mesh case.toml -o $@
@@ -22,7 +23,7 @@ response.h5: .tables/casing .tables/simulate model.h5
 	tiprub-simulate case.toml model.h5 -o $@
 
 report/report.html: .tables/postprocess model.h5 response.h5
-	tiprub-postprocess case.toml model.h5 response.h5 -o report
+	tiprub-postprocess case.toml model.h5 response.h5 -o report > /dev/null
 
 # One table of the case, with its sub-tables; its time changes only when its text does.
 .tables/%: case.toml

@@ -71,13 +71,14 @@ TEST_P(Torsion, ConvergesWithTheFourthOrder) {
   EXPECT_NEAR(std::log2(coarse / fine), 4.0, 0.25);
 }
 
-/// 1 mm of steel, clamped at its bore, ten sectors. The clamp holds the thickness too, which plate theory doesn't
-/// know: bricks at the bore must be as small as the plate is thin, or that stiffens all of their length.
+/// 1 mm of steel, clamped at its bore, in 120 narrow sectors: their first nodal diameters are the plate's, at little
+/// cost. The clamp holds the thickness too, which plate theory doesn't know: bricks at the bore must be as small as
+/// the plate is thin, or that stiffens all of their length.
 TestRotor plate() {
   test::Annulus annulus;
-  annulus.sector_count = 10;
-  annulus.bricks = {14, 3, 1};
-  annulus.grading = 0.93;
+  annulus.sector_count = 120;
+  annulus.bricks = {40, 2, 1};
+  annulus.grading = 0.7;
   annulus.height = 0.001;
   return test::tip_rotor(annulus);
 }

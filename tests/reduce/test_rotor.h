@@ -38,7 +38,7 @@ Annulus skewed_annulus(int sector_count);
 /// Steel, in SI.
 Material steel();
 
-/// Matrices of a mesh, with the static displacement under spin from dense algebra.
+/// Matrices of a mesh, with the static displacement under spin by another solver than the program's.
 class TestRotor {
  public:
   TestRotor(SectorMesh mesh, std::vector<int> contact, const Material& material = steel());

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/memory_need.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/reduce/complaint.h"
+#include "tests/reduce/test_rotor.h"
+
+namespace tiprub {
+namespace {
+
+/// A machine that is files.
+class FakeMachine : public ::testing::Test {
+ protected:
+  FakeMachine() : root_(std::filesystem::path(::testing::TempDir()) / "fake_machine") {
+    std::filesystem::remove_all(root_);
+  }
+  void write(const std::string& file, const std::string& text) {
+    std::filesystem::create_directories((root_ / file).parent_path());
+    std::ofstream(root_ / file) << text;
+  }
+  std::filesystem::path root_;
+};
+
+TEST_F(FakeMachine, HasWhatTheKernelSays) {
+  write("proc/meminfo", "MemTotal:       24000 kB\nMemFree:  100 kB\nMemAvailable:   1000 kB\n");
+  EXPECT_EQ(available_memory(root_), 1000.0 * 1024);
+}
+
+TEST_F(FakeMachine, HasNoMoreThanItsControlGroupLeaves) {
+  write("proc/meminfo", "MemAvailable:   1000 kB\n");
+  write("sys/fs/cgroup/memory.max", "500000\n");
+  write("sys/fs/cgroup/memory.current", "100000\n");
+  EXPECT_EQ(available_memory(root_), 400000.0);
+  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "300000\n");
+  write("sys/fs/cgroup/memory/memory.usage_in_bytes", "100000\n");
+  EXPECT_EQ(available_memory(root_), 200000.0);
+}
+
+TEST_F(FakeMachine, IsNotLimitedByAGroupWithoutALimit) {
+  write("proc/meminfo", "MemAvailable:   1000 kB\n");
+  write("sys/fs/cgroup/memory.max", "max\n");
+  write("sys/fs/cgroup/memory.current", "100000\n");
+  EXPECT_EQ(available_memory(root_), 1000.0 * 1024);
+}
+
+TEST(MemoryNeed, CountsAtLeastWhatIsThere) {
+  const test::TestRotor rotor = test::tip_rotor(test::skewed_annulus(5));
+  const SectorDofs& dofs = rotor.dofs();
+  const MemoryNeed need = memory_need(rotor.mesh(), dofs, 40, 1);
+  // Three nodal diameters' shapes, at least; a factor at least as full as its dense end.
+  EXPECT_GE(need.bases, 3 * 40 * 16.0 * dofs.independent());
+  EXPECT_GE(need.factor, 8.0 * dofs.interface() * dofs.interface() / 2);
+  EXPECT_GT(need.matrices, 0.0);
+  EXPECT_GT(memory_need(rotor.mesh(), dofs, 80, 1).bases, 1.9 * need.bases);
+  EXPECT_GT(memory_need(rotor.mesh(), dofs, 40, 2).bases, need.bases);
+}
+
+TEST(MemoryNeed, IsComparedWithWhatThereIs) {
+  constexpr double gib = 1024.0 * 1024 * 1024;
+  const MemoryNeed need{2 * gib, 1 * gib, 0.5 * gib};
+  EXPECT_NO_THROW(require_memory(need, 3.5 * gib));
+  const std::string message = test::complaint<RunError>([&] { require_memory(need, 3.4 * gib); });
+  EXPECT_EQ(message.rfind("not enough memory: about 3.50 GiB are needed (factor 2.00 GiB, bases 1.00 GiB, matrices "
+                          "0.50 GiB), 3.40 GiB are available; ",
+                          0),
+            0u)
+      << message;
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -53,10 +53,17 @@ void write_mesh(std::ostream& out, const SectorMesh& mesh, const ReductionParame
       << "*BOUNDARY\nclamped, 1, 3\n";
 }
 
+/// CalculiX stops Newton's method at 0.5 % of the load; these are R_n and C_n, residual force and last correction.
+std::string calculix_controls() {
+  return "*CONTROLS, PARAMETERS=FIELD\n1e-10, 1e-10\n";
+}
+
 void write_speed(std::ostream& out, double speed, const SectorMesh& mesh, const ReductionParameters& parameters) {
   out << std::scientific << std::setprecision(number_digits) << "*INCLUDE, INPUT=mesh.inp\n";
+  const bool nonlinear = parameters.prestress == Prestress::nonlinear;
   if (speed > 0)
-    out << "*STEP\n*STATIC\n*DLOAD\nEall, CENTRIF, " << speed * speed << ", 0, 0, 0, 0, 0, 1\n*END STEP\n"
+    out << (nonlinear ? "*STEP, NLGEOM\n" + calculix_controls() + "*STATIC\n1, 1\n" : "*STEP\n*STATIC\n")
+        << "*DLOAD\nEall, CENTRIF, " << speed * speed << ", 0, 0, 0, 0, 0, 1\n*END STEP\n"
         << "*STEP, PERTURBATION\n";
   else
     out << "*STEP\n";

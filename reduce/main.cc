@@ -2,12 +2,15 @@
 #include <cblas.h>
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <sstream>
 
 #include "cases/case_file.h"
 #include "cases/command_line.h"
 #include "cases/output_file.h"
 #include "reduce/calculix_deck.h"
+#include "reduce/linear_results.h"
+#include "reduce/matrix_market.h"
 #include "reduce/reduced_model_file.h"
 #include "reduce/reduction.h"
 
@@ -25,30 +28,50 @@ std::string summary(const tiprub::ReducedModel& model, const tiprub::ReductionRe
        << model.sector_count * model.contact_dofs() << " of contact); first " << verified_frequencies
        << " frequencies within " << 100 * tiprub::verification_error(model, verified_frequencies) << " % at "
        << model.verification.speeds.size() << " speeds";
+  if (model.verification.polynomial_misfit.size() > 0)
+    line << ", eq. 7 alone within " << 100 * model.verification.polynomial_misfit.maxCoeff()
+         << " %; shapes under spin in " << report.newton_steps << " Newton steps to " << report.newton_residual;
   return line.str();
 }
 
-void run(const tiprub::StageArguments& arguments, const std::string& calculix_folder) {
-  const tiprub::CaseFile case_file(arguments.inputs[0]);
-  tiprub::CaseTable table = case_file.table("reduce");
-  const auto parameters = tiprub::ReductionParameters::read(table);
-  table.close();
-  if (arguments.verbosity == tiprub::Verbosity::verbose)
-    tiprub::say(arguments, "[reduce]\n" + table.resolved() + "BLAS: " + openblas_get_config());
-  const tiprub::SectorMesh mesh = tiprub::read_sector_mesh(arguments.inputs[1], parameters.cyclic_tolerance);
-  if (arguments.action == tiprub::Action::check) {
-    tiprub::check_sector(mesh, parameters);
-    return tiprub::say(arguments,
-                       "tiprub-reduce: the case and the sector are sound: " + std::to_string(mesh.sector_count) +
-                           " sectors, " + std::to_string(mesh.node_count()) + " nodes, " +
-                           std::to_string(mesh.cell_count()) + " bricks of " + std::to_string(mesh.nodes_per_cell()) +
-                           " nodes");
-  }
-  if (!calculix_folder.empty()) {
-    tiprub::write_calculix_decks(mesh, parameters, calculix_folder);
-    return tiprub::say(arguments, "tiprub-reduce: " + calculix_folder + ": CalculiX decks for " +
-                                      std::to_string(parameters.verification_speeds.size()) + " speeds");
-  }
+/// What only this stage has on its command line.
+struct Options {
+  std::string calculix_folder;
+  std::string modes_file;
+  std::string matrix_market_folder;
+};
+
+void check(const tiprub::StageArguments& arguments, const tiprub::SectorMesh& mesh,
+           const tiprub::ReductionParameters& parameters) {
+  tiprub::check_sector(mesh, parameters);
+  tiprub::say(arguments, "tiprub-reduce: the case and the sector are sound: " + std::to_string(mesh.sector_count) +
+                             " sectors, " + std::to_string(mesh.node_count()) + " nodes, " +
+                             std::to_string(mesh.cell_count()) + " bricks of " +
+                             std::to_string(mesh.nodes_per_cell()) + " nodes");
+}
+
+void export_decks(const tiprub::StageArguments& arguments, const tiprub::SectorMesh& mesh,
+                  const tiprub::ReductionParameters& parameters, const std::string& folder) {
+  tiprub::write_calculix_decks(mesh, parameters, folder);
+  tiprub::say(arguments, "tiprub-reduce: " + folder + ": CalculiX decks for " +
+                             std::to_string(parameters.verification_speeds.size()) + " speeds");
+}
+
+void find_modes(const tiprub::StageArguments& arguments, const tiprub::SectorMesh& mesh,
+                const tiprub::ReductionParameters& parameters, const std::string& file,
+                const std::string& provenance) {
+  tiprub::OutputFile output(file);
+  const tiprub::LinearResults results = tiprub::linear_results(mesh, parameters);
+  tiprub::write_linear_results(results, output.scratch(), tiprub::program_version("tiprub-reduce"), provenance);
+  output.commit();
+  tiprub::print(std::cout, results);
+  tiprub::say(arguments, "tiprub-reduce: " + file + ": " + std::to_string(parameters.verification_modes) +
+                             " modes of " + std::to_string(results.nodal_diameters.size()) + " nodal diameters at " +
+                             std::to_string(results.speed_count()) + " speeds");
+}
+
+tiprub::ReducedModel make_model(const tiprub::StageArguments& arguments, const tiprub::SectorMesh& mesh,
+                                const tiprub::ReductionParameters& parameters, const std::string& provenance) {
   tiprub::OutputFile output(arguments.output);
   tiprub::ReductionReport report;
   tiprub::ReducedModel model =
@@ -56,25 +79,55 @@ void run(const tiprub::StageArguments& arguments, const std::string& calculix_fo
                      arguments.verbosity == tiprub::Verbosity::quiet ? tiprub::Progress::Shown::never
                                                                      : tiprub::Progress::Shown::on_a_terminal,
                      report);
-  model.provenance = case_file.source();
+  if (arguments.verbosity == tiprub::Verbosity::verbose)
+    for (const auto& [what, seconds] : report.seconds)
+      tiprub::say(arguments, what + ": " + std::to_string(seconds) + " s");
+  model.provenance = provenance;
   tiprub::write_model(model, output.scratch(), tiprub::program_version("tiprub-reduce"));
   output.commit();
   tiprub::say(arguments, "tiprub-reduce: " + arguments.output.string() + ": " + summary(model, report));
+  return model;
+}
+
+void run(const tiprub::StageArguments& arguments, const Options& options) {
+  const tiprub::CaseFile case_file(arguments.inputs[0]);
+  tiprub::CaseTable table = case_file.table("reduce");
+  const auto parameters = tiprub::ReductionParameters::read(table);
+  table.close();
+  if (arguments.verbosity == tiprub::Verbosity::verbose)
+    tiprub::say(arguments, "[reduce]\n" + table.resolved() + "BLAS: " + openblas_get_config());
+  const tiprub::SectorMesh mesh = tiprub::read_sector_mesh(arguments.inputs[1], parameters.cyclic_tolerance);
+  if (arguments.action == tiprub::Action::check) return check(arguments, mesh, parameters);
+  if (!options.calculix_folder.empty()) return export_decks(arguments, mesh, parameters, options.calculix_folder);
+  if (!options.modes_file.empty())
+    return find_modes(arguments, mesh, parameters, options.modes_file, case_file.source());
+  const tiprub::ReducedModel model = make_model(arguments, mesh, parameters, case_file.source());
+  if (!options.matrix_market_folder.empty()) {
+    tiprub::write_matrix_market(model, options.matrix_market_folder);
+    tiprub::say(arguments, "tiprub-reduce: " + options.matrix_market_folder + ": K0, K1, K2, M of " +
+                               std::to_string(model.nodal_diameters.size()) + " nodal diameters in Matrix Market");
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string calculix_folder;
+  Options options;
   const tiprub::Stage stage{
       .name = "tiprub-reduce",
       .summary = "Reduces a sector of a wheel to a small model that knows its speed.",
       .inputs = {{"case.toml", "the scene; its table [reduce] is read"}, {"sector.msh", "one sector of the wheel"}},
       .output = "model.h5",
       .add_options = [&](CLI::App& app) {
-        app.add_option("--export-ccx", calculix_folder,
+        app.add_option("--export-ccx", options.calculix_folder,
                        "write the sector as CalculiX decks, one a verification speed, into this folder, and stop");
+        app.add_option(
+            "--modes", options.modes_file,
+            "write modes and static state of the unreduced sector at the verification speeds into this file "
+            "and onto stdout, and stop");
+        app.add_option("--export-matrix-market", options.matrix_market_folder,
+                       "also write the model's matrices in Matrix Market format into this folder");
       }};
   return tiprub::run_stage(argc, argv, stage,
-                           [&](const tiprub::StageArguments& arguments) { run(arguments, calculix_folder); });
+                           [&](const tiprub::StageArguments& arguments) { run(arguments, options); });
 }

@@ -65,6 +65,11 @@ void check(const ContactLine& contact, const std::string& name) {
 }
 
 void check(const Verification& table, std::size_t nodal_diameters, const std::string& name) {
+  const Eigen::MatrixXd& misfit = table.polynomial_misfit;
+  require(misfit.size() == 0 ||
+              (misfit.rows() == table.speeds.size() && misfit.cols() == static_cast<Eigen::Index>(nodal_diameters)),
+          name + ": /verification/polynomial_misfit is " + shape(misfit) + ", must be " +
+              std::to_string(table.speeds.size()) + " x " + std::to_string(nodal_diameters));
   for (const auto& [kind, tables] :
        {std::pair("unreduced", &table.unreduced), std::pair("reduced", &table.reduced)}) {
     if (table.speeds.size() == 0 && tables->empty()) continue;

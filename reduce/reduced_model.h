@@ -40,12 +40,16 @@ struct Verification {
   Eigen::VectorXd speeds;                  ///< [rad/s]; n_s
   std::vector<Eigen::MatrixXd> unreduced;  ///< [Hz] one a nodal diameter; n_s x n_f
   std::vector<Eigen::MatrixXd> reduced;    ///< [Hz] the same from the model; n_s x n_f
+  /// [1] largest relative error of the model's first n_f frequencies that is due to eq. 7 alone; n_s x nodal
+  /// diameters; empty where eq. 7 is exact (linear and stress-only prestress)
+  Eigen::MatrixXd polynomial_misfit;
 };
 
 /// What happens to a rotor between its stages: a small model that knows its speed. Schema "tiprub-model".
 struct ReducedModel {
   int sector_count = 0;   ///< N
   double speed_max = 0;   ///< [rad/s] the model holds for 0 .. speed_max
+  int modes_at_speed = 0;  ///< generalized dofs that do at any one speed (see condensation.h); 0: all of them
   std::string prestress;  ///< how K1, K2 came to be: "linear", ...; "given" for a model by hand
   ContactLine contact;
   std::vector<NodalDiameterModel> nodal_diameters;  ///< n = 0 .. floor(N/2)

@@ -45,6 +45,7 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   file.set_schema(schema, schema_version, generator);
   file.set_attribute("/", "sector_count", model.sector_count);
   file.set_attribute("/", "speed_max", model.speed_max);
+  file.set_attribute("/", "modes_at_speed", model.modes_at_speed);
   file.set_attribute("/", "prestress", model.prestress);
   file.set_attribute("/", "provenance", model.provenance);
   file.write("/contact/position", Eigen::MatrixXd(model.contact.position), "m, rad, m");
@@ -62,6 +63,8 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   }
   if (model.verification.speeds.size() == 0) return;
   file.write("/verification/speed", model.verification.speeds, "rad/s");
+  if (model.verification.polynomial_misfit.size() > 0)
+    file.write("/verification/polynomial_misfit", model.verification.polynomial_misfit, "1");
   for (std::size_t n = 0; n < model.verification.unreduced.size(); ++n) {
     const std::string group = "/verification" + group_of(static_cast<int>(n));
     file.write(group + "/unreduced", model.verification.unreduced[n], "Hz");
@@ -75,6 +78,7 @@ ReducedModel read_model(const std::filesystem::path& path) {
   ReducedModel model;
   model.sector_count = file.integer_attribute("/", "sector_count");
   model.speed_max = file.number_attribute("/", "speed_max");
+  if (file.has_attribute("/", "modes_at_speed")) model.modes_at_speed = file.integer_attribute("/", "modes_at_speed");
   model.prestress = file.has_attribute("/", "prestress") ? file.text_attribute("/", "prestress") : "given";
   if (file.has_attribute("/", "provenance")) model.provenance = file.text_attribute("/", "provenance");
   model.contact.arc_length = file.read_vector("/contact/arc_length");
@@ -94,6 +98,8 @@ ReducedModel read_model(const std::filesystem::path& path) {
   }
   if (file.exists("/verification/speed")) {
     model.verification.speeds = file.read_vector("/verification/speed");
+    if (file.exists("/verification/polynomial_misfit"))
+      model.verification.polynomial_misfit = file.read_matrix("/verification/polynomial_misfit");
     for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
       model.verification.unreduced.push_back(file.read_matrix("/verification" + group_of(n) + "/unreduced"));
       model.verification.reduced.push_back(file.read_matrix("/verification" + group_of(n) + "/reduced"));

@@ -5,17 +5,21 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
 
+#include "reduce/condensation.h"
 #include "reduce/contact_line.h"
 #include "reduce/craig_bampton.h"
 #include "reduce/cyclic_modes.h"
+#include "reduce/memory_need.h"
 #include "reduce/mode_following.h"
 #include "reduce/parallel_for.h"
 #include "reduce/speed_polynomial.h"
+#include "reduce/spin_equilibrium.h"
 
 namespace tiprub {
 
@@ -51,16 +55,39 @@ class Reducer {
   ReducedModel run(ReductionReport& report) {
     report.sector_dofs = dofs_.sector();
     report.clamped_face_nodes = dofs_.clamped_face_nodes;
-    at_speed(0.0, [&](const SymmetricMatrix& K) { solve_rest(K); });
-    at_speed(1.0, [&](const SymmetricMatrix& K) { solve_full_speed(K); });
-    stiffness_at(0.5);
+    require_memory(
+        memory_need(mesh_, dofs_, 2 * (parameters_.fixed_interface_modes + dofs_.boundary()), parameters_.threads),
+        available_memory());
+    timed(report, "mesh and mass", [] {});
+    if (parameters_.prestress == Prestress::nonlinear)
+      timed(report, "shapes under spin", [&] { find_equilibria(report); });
+    timed(report, "at rest", [&] { at_speed(0.0, [&](const SymmetricMatrix& K) { solve_rest(K); }); });
+    timed(report, "at full speed", [&] { at_speed(1.0, [&](const SymmetricMatrix& K) { solve_full_speed(K); }); });
     ReducedModel model;
     model.sector_count = mesh_.sector_count;
     model.speed_max = parameters_.speed_max;
+    model.modes_at_speed = parameters_.modes_at_speed;
     model.prestress = name_of(parameters_.prestress);
+    if (parameters_.spin_softening == SpinSoftening::off) model.prestress += ", without spin softening";
     model.contact = describe_contact(mesh_, contact_);
-    for (Eigen::Index k = 0; k < model.contact.size(); ++k)
-      model.contact.static_shift_1.row(k) = static_over_square_.segment<3>(dofs_.first[contact_[k]]).transpose();
+    describe_static_shift(model.contact);
+    timed(report, "basis and projection", [&] { build(model, report); });
+    timed(report, "verification", [&] { verify(model); });
+    return model;
+  }
+
+ private:
+  template <class Body>
+  void timed(ReductionReport& report, const char* what, const Body& body) {
+    body();
+    const auto now = std::chrono::steady_clock::now();
+    report.seconds.emplace_back(what, std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+
+  /// One basis a nodal diameter, and the model's matrices on it.
+  void build(ReducedModel& model, ReductionReport& report) {
+    stiffness_at(0.5);
     model.nodal_diameters.resize(waves_.size());
     report.generalized_dofs.resize(waves_.size());
     report.dropped.resize(waves_.size());
@@ -72,11 +99,8 @@ class Reducer {
       model.nodal_diameters[n] = project_all(waves_[n], basis.shapes);
       bases_[n] = std::move(basis.shapes);
     });
-    verify(model);
-    return model;
   }
 
- private:
   template <class Body>
   void for_each_nodal_diameter(const Body& body) {
     parallel_for(static_cast<int>(waves_.size()), parameters_.threads, [&](int n) {
@@ -89,7 +113,8 @@ class Reducer {
   SymmetricMatrix stiffness_at(double fraction) {
     if (const auto known = stiffness_.find(fraction); known != stiffness_.end()) return known->second;
     const double speed = fraction * parameters_.speed_max;
-    SymmetricMatrix matrix = elasticity_.stiffness(speed, static_displacement(speed), parameters_.prestress);
+    SymmetricMatrix matrix = elasticity_.stiffness(speed, static_displacement(fraction), parameters_.prestress,
+                                                   parameters_.spin_softening);
     if (fraction == 0.0 || fraction == 0.5 || fraction == 1.0) stiffness_[fraction] = matrix;
     return matrix;
   }
@@ -139,9 +164,46 @@ class Reducer {
     });
   }
 
-  Eigen::Matrix3Xd static_displacement(double speed) const {
-    if (speed == 0.0) return Eigen::Matrix3Xd::Zero(3, mesh_.node_count());
-    return speed * speed * cartesian_displacement(mesh_, dofs_, static_over_square_);
+  /// Nonlinear prestress: the shapes under spin at all speeds.
+  void find_equilibria(ReductionReport& report) {
+    std::optional<SectorFactor> factor;
+    std::optional<CyclicStiffness> at_rest;
+    at_speed(0.0, [&](const SymmetricMatrix& K) {
+      factor.emplace(K, dofs_);
+      at_rest.emplace(*factor, waves_[0]);
+    });
+    std::vector<double> speeds;
+    for (const double fraction : parameters_.verification_speeds) speeds.push_back(fraction * parameters_.speed_max);
+    for (const double fraction : {0.5, 1.0}) speeds.push_back(fraction * parameters_.speed_max);
+    SpinShapes shapes = shapes_under_spin(elasticity_, mesh_, *at_rest, speeds, parameters_.prestress);
+    equilibria_ = std::move(shapes.at);
+    report.newton_steps = shapes.newton_steps;
+    report.newton_residual = shapes.newton_residual;
+  }
+
+  Eigen::VectorXd static_solution(double fraction) const {
+    const double speed = fraction * parameters_.speed_max;
+    if (const auto known = equilibria_.find(speed); known != equilibria_.end()) return known->second;
+    return speed * speed * static_over_square_;
+  }
+
+  Eigen::Matrix3Xd static_displacement(double fraction) const {
+    if (fraction == 0.0) return Eigen::Matrix3Xd::Zero(3, mesh_.node_count());
+    return cartesian_displacement(mesh_, dofs_, static_solution(fraction));
+  }
+
+  /// Omega^2 s_1 + Omega^4 s_2 through Omega_max/2 and Omega_max; s_2 is zero unless prestress is nonlinear.
+  void describe_static_shift(ContactLine& contact) const {
+    const bool linear = equilibria_.empty();
+    const Eigen::VectorXcd full = static_solution(1.0).cast<std::complex<double>>();
+    const Eigen::VectorXcd half =
+        linear ? full / 4 : Eigen::VectorXcd(static_solution(0.5).cast<std::complex<double>>());
+    const SpeedPolynomial shift = SpeedPolynomial::through(0 * full, half, full, parameters_.speed_max);
+    for (Eigen::Index k = 0; k < contact.size(); ++k) {
+      const int first = dofs_.first[contact_[k]];
+      contact.static_shift_1.row(k) = shift.Y1.real().middleRows<3>(first).transpose();
+      if (!linear) contact.static_shift_2.row(k) = shift.Y2.real().middleRows<3>(first).transpose();
+    }
   }
 
   NodalDiameterModel project_all(const TravellingWave& wave, const Eigen::MatrixXcd& basis) const {
@@ -160,6 +222,8 @@ class Reducer {
                                                                              parameters_.verification_speeds.size());
     table.unreduced.assign(waves_.size(), Eigen::MatrixXd(table.speeds.size(), modes));
     table.reduced = table.unreduced;
+    if (parameters_.prestress == Prestress::nonlinear)
+      table.polynomial_misfit.setZero(table.speeds.size(), static_cast<Eigen::Index>(waves_.size()));
     for (std::size_t n = 0; n < waves_.size(); ++n)
       if (const Eigen::Index dofs = model.nodal_diameters[n].M.rows(); dofs < modes)
         throw InputError("[reduce] verification_modes = " + std::to_string(modes) + " is more than the " +
@@ -171,7 +235,13 @@ class Reducer {
           const NodalDiameterModel& reduced = model.nodal_diameters[n];
           const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(
               reduced.stiffness(table.speeds[row]), reduced.M);
-          table.reduced[n].row(row) = reduced.natural_frequencies(table.speeds[row]).head(modes).transpose();
+          table.reduced[n].row(row) =
+              condense(reduced, table.speeds[row], dofs_.boundary(), parameters_.modes_at_speed)
+                  .natural_frequencies()
+                  .head(modes)
+                  .transpose();
+          if (parameters_.prestress == Prestress::nonlinear)
+            table.polynomial_misfit(row, n) = polynomial_misfit(reduced, stiffness, n, table.speeds[row]);
           if (table.speeds[row] == 0.0) {
             table.unreduced[n].row(row) = at_rest_[n].transpose();
             return;
@@ -186,15 +256,26 @@ class Reducer {
       });
   }
 
+  /// Largest relative change of the verification frequencies by eq. 7 alone: the polynomial's K(Omega) against
+  /// K(Omega) itself on the same basis.
+  double polynomial_misfit(NodalDiameterModel model, const SymmetricMatrix& stiffness, int n, double speed) const {
+    const Eigen::VectorXd by_polynomial = model.natural_frequencies(speed);
+    model = {project(waves_[n], stiffness, bases_[n]), 0 * model.K1, 0 * model.K2, model.M};
+    const Eigen::VectorXd exact = model.natural_frequencies(speed);
+    return (by_polynomial.array() / exact.array() - 1).head(parameters_.verification_modes).abs().maxCoeff();
+  }
+
   const SectorMesh& mesh_;
   const ReductionParameters& parameters_;
   Progress& progress_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::vector<int> contact_;
   SectorDofs dofs_;
   RotatingElasticity elasticity_;
   SymmetricMatrix mass_;
   std::vector<TravellingWave> waves_;
   Eigen::VectorXd static_over_square_;
+  std::map<double, Eigen::VectorXd> equilibria_;        // [m] by speed, with nonlinear prestress
   std::map<double, SymmetricMatrix> stiffness_;         // by fraction of Omega_max
   std::vector<Eigen::VectorXd> at_rest_;                // unreduced frequencies [Hz], by nodal diameter
   std::optional<SectorFactor> factor_;                  // of K(Omega_max)
@@ -206,7 +287,7 @@ class Reducer {
 }  // namespace
 
 std::string name_of(Prestress prestress) {
-  return prestress == Prestress::linear ? "linear" : "stress_only";
+  return prestress == Prestress::linear ? "linear" : prestress == Prestress::nonlinear ? "nonlinear" : "stress_only";
 }
 
 ReductionParameters ReductionParameters::read(CaseTable& table) {
@@ -215,16 +296,19 @@ ReductionParameters ReductionParameters::read(CaseTable& table) {
   p.material.poisson = table.number("poisson_ratio", std::nullopt, Range::between(0.0, 0.49), "1");
   p.material.density = table.number("density", std::nullopt, Range::positive(), "kg/m^3");
   p.speed_max = table.number("speed_max_rpm", std::nullopt, Range::positive(), "rpm") * std::numbers::pi / 30;
-  p.prestress = table.choice<Prestress>("prestress", Prestress::linear,
-                                        {{"linear", Prestress::linear}, {"stress_only", Prestress::stress_only}});
+  p.prestress = table.choice<Prestress>(
+      "prestress", Prestress::linear,
+      {{"linear", Prestress::linear}, {"stress_only", Prestress::stress_only}, {"nonlinear", Prestress::nonlinear}});
+  p.spin_softening = table.flag("spin_softening", true) ? SpinSoftening::on : SpinSoftening::off;
   p.contact_nodes = table.integer("contact_nodes", 10, Range::between(1, 200), "");
-  p.fixed_interface_modes = table.integer("fixed_interface_modes", 24, Range::between(1, 500), "a speed");
+  p.fixed_interface_modes = table.integer("fixed_interface_modes", 40, Range::between(1, 500), "a speed");
+  p.modes_at_speed = table.integer("modes_at_speed", 60, Range::between(0, 5000), "generalized dofs; 0: all");
   p.verification_speeds =
       table.numbers("verification_speeds", {{0.0, 0.3, 0.5, 0.8, 1.0}}, Range::between(0.0, 2.0), "of speed_max_rpm");
   p.verification_modes = table.integer("verification_modes", 8, Range::between(1, 100), "a nodal diameter");
   if (!std::is_sorted(p.verification_speeds.begin(), p.verification_speeds.end()))
     table.reject("verification_speeds", "must increase");
-  p.verification_tolerance = table.number("verification_tolerance", 1e-6, {0.0, 1.0, Range::LowEnd::excluded},
+  p.verification_tolerance = table.number("verification_tolerance", 1e-5, {0.0, 1.0, Range::LowEnd::excluded},
                                           "of omega^2, in the last step");
   p.cyclic_tolerance = table.number("cyclic_tolerance", 1e-6, Range::positive(), "of the largest radius");
   p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/case_file.h"
@@ -18,8 +19,10 @@ struct ReductionParameters {
   Material material;
   double speed_max = 0;  ///< [rad/s] Omega_max of eq. 7
   Prestress prestress = Prestress::linear;
+  SpinSoftening spin_softening = SpinSoftening::on;
   int contact_nodes = 10;
   int fixed_interface_modes = 0;            ///< at each of the two speeds that give modes, 0 and Omega_max
+  int modes_at_speed = 0;                   ///< generalized dofs that do at any one speed; 0: all
   std::vector<double> verification_speeds;  ///< [1] over Omega_max
   int verification_modes = 0;               ///< a nodal diameter
   double verification_tolerance = 0;        ///< [1] of omega^2, in the last step of following a mode
@@ -31,10 +34,13 @@ struct ReductionParameters {
 
 /// What the reduction tells about itself.
 struct ReductionReport {
+  int newton_steps = 0;        ///< most of all speeds, with nonlinear prestress
+  double newton_residual = 0;  ///< [1] largest of all speeds; see spin_equilibrium()
   int sector_dofs = 0;
   int clamped_face_nodes = 0;
-  std::vector<int> generalized_dofs;  ///< a nodal diameter
-  std::vector<int> dropped;           ///< a nodal diameter
+  std::vector<int> generalized_dofs;                    ///< a nodal diameter
+  std::vector<int> dropped;                             ///< a nodal diameter
+  std::vector<std::pair<std::string, double>> seconds;  ///< what took how long
 };
 
 /// The name of a prestress model in case files and in model.h5.

@@ -2,6 +2,8 @@
 #include "reduce/rotating_elasticity.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "reduce/parallel_for.h"
 
@@ -25,11 +27,14 @@ void strain_operator(const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient, c
     }
 }
 
-/// The linear stress tensor of a displacement gradient H = du_i/dX_j [Pa].
-Eigen::Matrix3d linear_stress(const Eigen::Matrix3d& H, const Material& material) {
+/// Stress of a displacement gradient H = du_i/dX_j [Pa]: of the linear strain, or of the Green-Lagrange strain
+/// E = (H + H' + H'H)/2 (then the second Piola-Kirchhoff stress).
+Eigen::Matrix3d stress(const Eigen::Matrix3d& H, const Material& material, Prestress prestress) {
   const double shear = material.young / (2 * (1 + material.poisson));
   const double lame = 2 * shear * material.poisson / (1 - 2 * material.poisson);
-  return lame * H.trace() * Eigen::Matrix3d::Identity() + shear * (H + H.transpose());
+  Eigen::Matrix3d E = 0.5 * (H + H.transpose());
+  if (prestress == Prestress::nonlinear) E += 0.5 * H.transpose() * H;
+  return lame * E.trace() * Eigen::Matrix3d::Identity() + 2 * shear * E;
 }
 
 /// Adds `factor * scalar(a, b)` times a diagonal 3 x 3 matrix to each node pair's block.
@@ -90,15 +95,21 @@ RotatingElasticity::RotatingElasticity(const SectorMesh& mesh, const SectorDofs&
 
 /// Cells in chunks: their matrices at once, their sums in order, so that rounding is the same on any number of
 /// threads.
-SymmetricMatrix RotatingElasticity::assemble(const CellMatrix& cell_matrix) const {
+SymmetricMatrix RotatingElasticity::assemble(const std::vector<int>& cells, const CellMatrix& cell_matrix) const {
   SymmetricMatrix matrix = zero_;
   std::vector<Eigen::MatrixXd> chunk(cells_per_chunk);
-  for (int first = 0; first < quadrature_.cell_count(); first += cells_per_chunk) {
-    const int count = std::min(cells_per_chunk, quadrature_.cell_count() - first);
-    parallel_for(count, threads_, [&](int i) { chunk[i] = cell_matrix(quadrature_.at(first + i)); });
-    for (int i = 0; i < count; ++i) scatter(chunk[i], quadrature_.at(first + i).nodes, matrix);
+  for (int first = 0; first < static_cast<int>(cells.size()); first += cells_per_chunk) {
+    const int count = std::min(cells_per_chunk, static_cast<int>(cells.size()) - first);
+    parallel_for(count, threads_, [&](int i) { chunk[i] = cell_matrix(quadrature_.at(cells[first + i])); });
+    for (int i = 0; i < count; ++i) scatter(chunk[i], quadrature_.at(cells[first + i]).nodes, matrix);
   }
   return matrix;
+}
+
+SymmetricMatrix RotatingElasticity::assemble(const CellMatrix& cell_matrix) const {
+  std::vector<int> all(quadrature_.cell_count());
+  std::iota(all.begin(), all.end(), 0);
+  return assemble(all, cell_matrix);
 }
 
 void RotatingElasticity::scatter(const Eigen::MatrixXd& cell_matrix, const std::vector<int>& nodes,
@@ -130,10 +141,11 @@ SymmetricMatrix RotatingElasticity::mass() const {
   });
 }
 
-SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3Xd& displacement,
-                                              Prestress prestress) const {
+SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3Xd& displacement, Prestress prestress,
+                                              SpinSoftening softening) const {
   const Eigen::Matrix<double, 6, 6> C = material_.elasticity();
-  const Eigen::Vector3d softened(-speed * speed, -speed * speed, 0.0);
+  const double square = softening == SpinSoftening::on ? speed * speed : 0.0;
+  const Eigen::Vector3d softened(-square, -square, 0.0);
   return assemble([&](const BrickPoints& points) {
     const Eigen::Index count = points.shape.rows(), gauss = points.weight.size();
     const Eigen::Matrix3Xd moved = displacement(Eigen::all, points.nodes);
@@ -142,11 +154,11 @@ SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3
     for (Eigen::Index q = 0; q < gauss; ++q) {
       const Eigen::Matrix3d H = moved * points.gradient[q];  // du_i/dX_j
       Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
-      if (prestress == Prestress::linear) F += H;
+      if (prestress != Prestress::stress_only) F += H;
       strain_operator(points.gradient[q], F, B.middleRows<6>(6 * q));
       CB.middleRows<6>(6 * q) = points.weight[q] * C * B.middleRows<6>(6 * q);
       stress_stiffness +=
-          points.weight[q] * points.gradient[q] * linear_stress(H, material_) * points.gradient[q].transpose();
+          points.weight[q] * points.gradient[q] * stress(H, material_, prestress) * points.gradient[q].transpose();
     }
     Eigen::MatrixXd matrix = B.transpose() * CB;                               // material stiffness
     add_blocks(stress_stiffness, Eigen::Vector3d::Ones(), matrix);             // K_sigma
@@ -155,19 +167,72 @@ SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3
   });
 }
 
-Eigen::VectorXd RotatingElasticity::centrifugal_load() const {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(dofs_.sector());
+Eigen::VectorXd RotatingElasticity::assemble_forces(const CellForces& cell_forces) const {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(dofs_.sector());
   for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
     const BrickPoints& points = quadrature_.at(cell);
-    Eigen::Matrix3Xd radius = points.position;
-    radius.row(2).setZero();
-    const Eigen::Matrix3Xd nodal = material_.density * radius * points.weight.asDiagonal() * points.shape.transpose();
+    const Eigen::Matrix3Xd nodal = cell_forces(points);
     for (std::size_t a = 0; a < points.nodes.size(); ++a)
       if (const int first = dofs_.first[points.nodes[a]]; first >= 0)
-        load.segment<3>(first) +=
+        forces.segment<3>(first) +=
             cylindrical_frame(mesh_.nodes.col(points.nodes[a])).transpose() * nodal.col(static_cast<Eigen::Index>(a));
   }
-  return load;
+  return forces;
+}
+
+Eigen::VectorXd RotatingElasticity::centrifugal_load() const {
+  return centrifugal_load(Eigen::Matrix3Xd::Zero(3, mesh_.node_count()));
+}
+
+Eigen::VectorXd RotatingElasticity::centrifugal_load(const Eigen::Matrix3Xd& displacement) const {
+  return assemble_forces([&](const BrickPoints& points) -> Eigen::Matrix3Xd {
+    Eigen::Matrix3Xd radius = points.position + displacement(Eigen::all, points.nodes) * points.shape;
+    radius.row(2).setZero();
+    return material_.density * radius * points.weight.asDiagonal() * points.shape.transpose();
+  });
+}
+
+Eigen::VectorXd RotatingElasticity::internal_force(const Eigen::Matrix3Xd& displacement) const {
+  return assemble_forces([&](const BrickPoints& points) {
+    const Eigen::Matrix3Xd moved = displacement(Eigen::all, points.nodes);
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, moved.cols());
+    for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
+      const Eigen::Matrix3d H = moved * points.gradient[q];
+      // F S dN/dX: the first Piola-Kirchhoff stress on the shape functions' gradients.
+      forces += points.weight[q] * (Eigen::Matrix3d::Identity() + H) * stress(H, material_, Prestress::nonlinear) *
+                points.gradient[q].transpose();
+    }
+    return forces;
+  });
+}
+
+SymmetricMatrix RotatingElasticity::stiffness_of(const std::vector<int>& cells) const {
+  const Eigen::Matrix<double, 6, 6> C = material_.elasticity();
+  return assemble(cells, [&](const BrickPoints& points) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * points.shape.rows(), 3 * points.shape.rows());
+    Strain B(6, 3 * points.shape.rows());
+    for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
+      strain_operator(points.gradient[q], Eigen::Matrix3d::Identity(), B);
+      matrix += B.transpose() * (points.weight[q] * C * B);
+    }
+    return matrix;
+  });
+}
+
+Eigen::VectorXd RotatingElasticity::von_mises(const Eigen::Matrix3Xd& displacement, Prestress prestress) const {
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(quadrature_.cell_count());
+  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
+    const BrickPoints& points = quadrature_.at(cell);
+    for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
+      const Eigen::Matrix3d H = displacement(Eigen::all, points.nodes) * points.gradient[q];
+      const Eigen::Matrix3d F = Eigen::Matrix3d::Identity() + H;
+      Eigen::Matrix3d cauchy = stress(H, material_, prestress);
+      if (prestress == Prestress::nonlinear) cauchy = F * cauchy * F.transpose() / F.determinant();
+      const Eigen::Matrix3d deviator = cauchy - cauchy.trace() / 3 * Eigen::Matrix3d::Identity();
+      largest[cell] = std::max(largest[cell], std::sqrt(1.5) * deviator.norm());  // sqrt(3/2 s : s)
+    }
+  }
+  return largest;
 }
 
 double RotatingElasticity::volume() const {

@@ -105,6 +105,23 @@ std::vector<std::size_t> read_cells(const GmshSession& gmsh_file, int& nodes_per
   return cells;
 }
 
+/// The cells of each part of the sector that has a name.
+std::map<std::string, std::vector<int>> read_parts(const GmshSession& gmsh_file,
+                                                   const std::vector<std::size_t>& cells, int nodes_per_cell) {
+  std::map<std::vector<std::size_t>, int> cell_of;  // by its nodes
+  for (std::size_t first = 0; first < cells.size(); first += nodes_per_cell)
+    cell_of[{cells.begin() + first, cells.begin() + first + nodes_per_cell}] =
+        static_cast<int>(first / nodes_per_cell);
+  std::map<std::string, std::vector<int>> parts;
+  for (const char* name : {"disc", "main_blade", "splitter"})
+    for (const auto& [type, nodes] : gmsh_file.group(3, name))
+      for (std::size_t first = 0; first + nodes_per_cell <= nodes.size(); first += nodes_per_cell)
+        if (const auto at = cell_of.find({nodes.begin() + first, nodes.begin() + first + nodes_per_cell});
+            at != cell_of.end())
+          parts[name].push_back(at->second);
+  return parts;
+}
+
 Eigen::Matrix3Xd read_positions(const NodeNumbers& numbers) {
   std::vector<std::size_t> tags;
   std::vector<double> positions, parameters;
@@ -227,6 +244,7 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
   mesh.nodes = read_positions(numbers);
   mesh.cells.resize(nodes_per_cell, static_cast<Eigen::Index>(cells.size()) / nodes_per_cell);
   for (std::size_t i = 0; i < cells.size(); ++i) mesh.cells.data()[i] = numbers.find(cells[i]);
+  mesh.parts = read_parts(gmsh_file, cells, nodes_per_cell);
   mesh.cyclic_low = read_surface(gmsh_file, "cyclic_low", numbers);
   mesh.cyclic_high = read_surface(gmsh_file, "cyclic_high", numbers);
   mesh.clamped = read_surface(gmsh_file, "clamped", numbers);

@@ -3,6 +3,8 @@
 
 #include <Eigen/Dense>
 #include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace tiprub {
@@ -16,7 +18,8 @@ struct SectorMesh {
   std::vector<int> cyclic_high;   ///< the same turned by +2 pi/N: node k stands where cyclic_low[k] comes to lie
   std::vector<int> clamped;       ///< nodes that don't move
   std::vector<int> contact_line;  ///< nodes of the main blade's tip line, from leading to trailing edge
-  double pairing_mismatch = 0;    ///< [m] largest distance between partners on the cut faces
+  std::map<std::string, std::vector<int>> parts;  ///< cells of `disc`, `main_blade`, `splitter`, where present
+  double pairing_mismatch = 0;                    ///< [m] largest distance between partners on the cut faces
 
   int node_count() const { return static_cast<int>(nodes.cols()); }
   int cell_count() const { return static_cast<int>(cells.cols()); }
@@ -24,7 +27,8 @@ struct SectorMesh {
 };
 
 /// Reads a gmsh file with the groups `sector` (volume), `cyclic_low`, `cyclic_high`, `clamped` (surfaces) and
-/// `contact` (a curve directed from leading to trailing edge, or points in that order). `tolerance` is what two
+/// `contact` (a curve directed from leading to trailing edge, or points in that order), and the volume groups `disc`,
+/// `main_blade`, `splitter` where there are any. `tolerance` is what two
 /// partners on the cut faces may differ by, over the largest radius. Raises RunError if the file can't be read,
 /// InputError if a group is missing, cells are no quadratic bricks, or the faces don't pair.
 SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cases/errors.h"
+#include "reduce/condensation.h"
 
 namespace tiprub {
 
@@ -35,15 +36,16 @@ Eigen::ArrayXd frequencies(const Eigen::VectorXd& squares, int nodal_diameter, d
 }
 
 /// A standing wave's matrices are real, and so are its modes.
-Spectrum solve(const NodalDiameterModel& model, int nodal_diameter, WaveKind kind, double speed) {
-  const Eigen::MatrixXcd stiffness = model.stiffness(speed);
+Spectrum solve(const ReducedModel& model, int nodal_diameter, WaveKind kind, double speed) {
+  const CondensedModel at =
+      condense(model.nodal_diameters[nodal_diameter], speed, model.contact_dofs(), model.modes_at_speed);
   if (kind == WaveKind::standing) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness.real(), model.M.real());
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(at.K.real(), at.M.real());
     return {frequencies(solver.eigenvalues(), nodal_diameter, speed),
-            solver.eigenvectors().cast<std::complex<double>>()};
+            at.basis * solver.eigenvectors().cast<std::complex<double>>()};
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(stiffness, model.M);
-  return {frequencies(solver.eigenvalues(), nodal_diameter, speed), solver.eigenvectors()};
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(at.K, at.M);
+  return {frequencies(solver.eigenvalues(), nodal_diameter, speed), at.basis * solver.eigenvectors()};
 }
 
 Eigen::MatrixXcd normal_rows(const ReducedModel& model, const Spectrum& spectrum) {
@@ -91,7 +93,7 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
   Eigen::VectorXd tip_compliance = Eigen::VectorXd::Zero(model.contact.size());
   for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
     const WaveKind kind = n == 0 || 2 * n == model.sector_count ? WaveKind::standing : WaveKind::travelling;
-    const Spectrum spectrum = solve(model.nodal_diameters[n], n, kind, speed);
+    const Spectrum spectrum = solve(model, n, kind, speed);
     omega_min = std::min(omega_min, spectrum.omega.minCoeff());
     const double share = (kind == WaveKind::standing ? 1.0 : 2.0) / model.sector_count;
     tip_compliance +=

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Frequencies of an unreduced sector against CalculiX's C3D20 on the same mesh.
 
-usage: calculix.py TIPRUB_MESH TIPRUB_REDUCE CASE WORK_FOLDER
+usage: calculix.py TIPRUB_MESH TIPRUB_REDUCE CASE PRESTRESS WORK_FOLDER
 
-Meshes the case, reduces it, exports the CalculiX decks, runs CalculiX at the lowest and the highest verification speed
-(rest and full speed), and compares every verification frequency of every nodal diameter. Exit 77 (skipped) if there is no CalculiX.
+Meshes the case, reduces it with this prestress (linear or nonlinear) at rest, half and full speed, exports the CalculiX
+decks, runs them, and compares every verification frequency of every nodal diameter. Exit 77 (skipped) if there is no
+CalculiX.
 """
 import math
 import os
@@ -32,13 +33,25 @@ def calculix_frequencies(folder, deck):
     return {n: values[::2] for n, values in rows.items()}
 
 
-def main(mesh, reduce, case, work):
+def with_keys(case, keys):
+    """The text of a case whose table [reduce] has these keys instead of its own ones."""
+    with open(case, encoding="utf-8") as file:
+        head, tail = file.read().split("[reduce]\n")
+    lines = [line for line in tail.split("\n") if line.split("=")[0].strip() not in keys]
+    return head + "[reduce]\n" + "".join(f"{key} = {value}\n" for key, value in keys.items()) + "\n".join(lines)
+
+
+def main(mesh, reduce, case, prestress, work):
     if shutil.which("ccx") is None:
         print("SKIPPED: CalculiX (ccx) is not installed; it is Debian's package calculix-ccx")
         return SKIPPED
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
-    sector, model, decks = (os.path.join(work, name) for name in ("sector.msh", "model.h5", "ccx"))
+    changed, sector, model, decks = (os.path.join(work, name) for name in ("case.toml", "sector.msh", "model.h5", "ccx"))
+    with open(changed, "w", encoding="utf-8") as file:
+        file.write(with_keys(case, {"prestress": f'"{prestress}"', "verification_speeds": "[0.0, 0.5, 1.0]",
+                                    "verification_modes": "10", "verification_tolerance": "1e-9"}))
+    case = changed
     subprocess.run([mesh, "-q", case, "-o", sector], check=True)
     subprocess.run([reduce, "-q", case, sector, "-o", model], check=True)
     subprocess.run([reduce, "-q", case, sector, "--export-ccx", decks], check=True)
@@ -46,8 +59,7 @@ def main(mesh, reduce, case, work):
     with h5py.File(model) as file:
         diameters = file.attrs["sector_count"] // 2 + 1
         speeds = file["verification/speed"][:]
-        for row in (0, len(speeds) - 1):
-            speed = speeds[row]
+        for row, speed in enumerate(speeds):
             peer = calculix_frequencies(decks, f"speed_{round(speed * 30 / math.pi)}")
             for n in range(diameters):
                 ours = file[f"verification/nodal_diameter/{n}/unreduced"][row]
@@ -55,7 +67,7 @@ def main(mesh, reduce, case, work):
                 for mine, theirs in zip(ours, peer[n]):
                     worst = max(worst, abs(mine / theirs - 1))
                     compared += 1
-    print(f"{compared} frequencies, {diameters} nodal diameters: largest relative difference {worst:.2e}")
+    print(f"{prestress}: {compared} frequencies, {diameters} nodal diameters: largest relative difference {worst:.2e}")
     assert compared > 0
     return 0 if worst <= TOLERANCE else 1
 

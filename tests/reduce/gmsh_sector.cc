@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sector that tiprub-mesh didn't make: one eighth of a disc, meshed by gmsh (transfinite, recombined, extruded).
 //
-// usage: gmsh_sector KIND -q CASE -o SECTOR.msh; KIND is hex20, hex27, hex8 or inverted (hex20 mirrored in z). -q and
-// CASE are there to stand in for tiprub-mesh, and are ignored.
+// usage: gmsh_sector KIND SECTOR.msh; KIND is hex20, hex27, hex8 or inverted (hex20 mirrored in z).
 #include <gmsh.h>
 
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -41,7 +39,8 @@ void draw() {
   const int a = point(bore, 0), b = point(rim, 0), middle = point(rim, alpha / 2), c = point(rim, alpha);
   const int d = point(bore, alpha);
   const int low = geo::addLine(a, b), first = geo::addCircleArc(b, centre, middle);
-  const int second = geo::addCircleArc(middle, centre, c), high = geo::addLine(c, d), inner = geo::addCircleArc(d, centre, a);
+  const int second = geo::addCircleArc(middle, centre, c), high = geo::addLine(c, d),
+            inner = geo::addCircleArc(d, centre, a);
   const int face = geo::addPlaneSurface({geo::addCurveLoop({low, first, second, high, inner})});
   for (const int radial : {low, high}) geo::mesh::setTransfiniteCurve(radial, steps_along_radius + 1);
   for (const int half : {first, second}) geo::mesh::setTransfiniteCurve(half, steps_round_half + 1);
@@ -69,7 +68,7 @@ void mirror() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 6 || std::strcmp(argv[4], "-o") != 0) return 2;
+  if (argc != 3) return 2;
   const std::string kind = argv[1];
   gmsh::initialize(0, nullptr, false);
   gmsh::option::setNumber("General.Terminal", 0);
@@ -78,7 +77,7 @@ int main(int argc, char** argv) {
   draw();
   gmsh::model::mesh::generate(3);
   if (kind == "inverted") mirror();
-  gmsh::write(argv[5]);
+  gmsh::write(argv[2]);
   gmsh::finalize();
   return 0;
 }

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/linear_results.h"
+
+#include <cblas.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+#include "cases/errors.h"
+#include "reduce/contact_line.h"
+#include "reduce/cyclic_modes.h"
+#include "reduce/parallel_for.h"
+#include "reduce/spin_equilibrium.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double mode_tolerance = 1e-7;  // of 1/omega^2, a residual; the error of a frequency goes with its square
+constexpr double least_mac = 0.5;        // of one branch
+
+/// The parts of a sector, or the sector itself as the only one.
+std::map<std::string, std::vector<int>> parts_of(const SectorMesh& mesh) {
+  if (!mesh.parts.empty()) return mesh.parts;
+  std::vector<int> all(mesh.cell_count());
+  std::iota(all.begin(), all.end(), 0);
+  return {{"sector", all}};
+}
+
+/// For each mode now (rows of `mac`), the mode before that it continues, or -1.
+std::vector<int> pair_by_mac(Eigen::MatrixXd mac) {
+  std::vector<int> partner(mac.rows(), -1);
+  for (Eigen::Index pair = 0; pair < std::min(mac.rows(), mac.cols()); ++pair) {
+    Eigen::Index now = 0, before = 0;
+    if (mac.maxCoeff(&now, &before) < least_mac) break;
+    partner[now] = static_cast<int>(before);
+    mac.row(now).setConstant(-1);
+    mac.col(before).setConstant(-1);
+  }
+  return partner;
+}
+
+class LinearAnalysis {
+ public:
+  LinearAnalysis(const SectorMesh& mesh, const ReductionParameters& parameters)
+      : mesh_(mesh),
+        parameters_(parameters),
+        parts_(parts_of(mesh)),
+        contact_(mesh.contact_line),
+        dofs_(number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes))),
+        elasticity_(mesh, dofs_, parameters.material, parameters.threads),
+        mass_(elasticity_.mass()) {
+    for (int n = 0; n <= mesh.sector_count / 2; ++n) waves_.emplace_back(dofs_, mesh.sector_count, n);
+    shapes_.resize(waves_.size());
+  }
+
+  LinearResults run() {
+    prepare();
+    find_shapes();
+    for (int row = 0; row < results_.speed_count(); ++row) {
+      static_state(row);
+      solve_modes(row);
+    }
+    return std::move(results_);
+  }
+
+ private:
+  void prepare() {
+    results_.sector_count = mesh_.sector_count;
+    results_.prestress = name_of(parameters_.prestress);
+    const std::vector<double>& fractions = parameters_.verification_speeds;
+    results_.speeds = parameters_.speed_max * Eigen::Map<const Eigen::VectorXd>(fractions.data(), fractions.size());
+    const Eigen::Index speeds = results_.speeds.size(), modes = parameters_.verification_modes;
+    for (const auto& [name, cells] : parts_) {
+      results_.parts.push_back(name);
+      part_stiffness_.push_back(elasticity_.stiffness_of(cells));
+    }
+    const ModesOverSpeed empty = {Eigen::MatrixXd(speeds, modes), Eigen::MatrixXi(speeds, modes),
+                                  Eigen::MatrixXd::Ones(speeds, modes),
+                                  std::vector<Eigen::MatrixXd>(parts_.size(), Eigen::MatrixXd(speeds, modes))};
+    results_.nodal_diameters.assign(waves_.size(), empty);
+    results_.displacement = results_.von_mises =
+        Eigen::MatrixXd::Zero(speeds, static_cast<Eigen::Index>(parts_.size()));
+    tip_ = describe_contact(mesh_, contact_);
+    results_.tip_arc_length = tip_.arc_length;
+    results_.clearance_loss = Eigen::MatrixXd::Zero(speeds, tip_.size());
+  }
+
+  void find_shapes() {
+    const SectorFactor factor(
+        elasticity_.stiffness(0.0, Eigen::Matrix3Xd::Zero(3, mesh_.node_count()), parameters_.prestress), dofs_);
+    const CyclicStiffness at_rest(factor, waves_[0]);
+    const std::vector<double> speeds(results_.speeds.begin(), results_.speeds.end());
+    static_ = shapes_under_spin(elasticity_, mesh_, at_rest, speeds, parameters_.prestress);
+  }
+
+  Eigen::Matrix3Xd displacement(int row) const {
+    return cartesian_displacement(mesh_, dofs_, static_.at.at(results_.speeds[row]));
+  }
+
+  void static_state(int row) {
+    const Eigen::Matrix3Xd u = displacement(row);
+    const Eigen::VectorXd stress = elasticity_.von_mises(u, parameters_.prestress);
+    Eigen::Index part = 0;
+    for (const auto& [name, cells] : parts_) {
+      for (const int cell : cells) {
+        results_.von_mises(row, part) = std::max(results_.von_mises(row, part), stress[cell]);
+        for (const int node : mesh_.cells.col(cell))
+          results_.displacement(row, part) = std::max(results_.displacement(row, part), u.col(node).norm());
+      }
+      ++part;
+    }
+    for (int k = 0; k < tip_.size(); ++k) {
+      const Eigen::Vector3d cylindrical =
+          cylindrical_frame(mesh_.nodes.col(contact_[k])).transpose() * u.col(contact_[k]);
+      results_.clearance_loss(row, k) = tip_.normal.row(k).dot(cylindrical);
+    }
+  }
+
+  void solve_modes(int row) {
+    const double speed = results_.speeds[row];
+    try {
+      const SectorFactor factor(
+          elasticity_.stiffness(speed, displacement(row), parameters_.prestress, parameters_.spin_softening), dofs_);
+      parallel_for(static_cast<int>(waves_.size()), parameters_.threads, [&](int n) {
+        const CyclicModes modes = lowest_modes(CyclicStiffness(factor, waves_[n]), mass_, ContactNodes::free,
+                                               parameters_.verification_modes, mode_tolerance);
+        results_.nodal_diameters[n].frequency.row(row) = modes.frequencies().transpose();
+        share_energy(modes.shape, n, row);
+        follow(modes.shape, n, row);
+      });
+    } catch (const RunError& error) {
+      throw RunError("at " + std::to_string(std::lround(speed * 30 / std::numbers::pi)) + " rpm: " + error.what());
+    }
+  }
+
+  void share_energy(const Eigen::MatrixXcd& shape, int n, int row) {
+    std::vector<Eigen::MatrixXd>& share = results_.nodal_diameters[n].energy_share;
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(shape.cols());
+    for (std::size_t part = 0; part < part_stiffness_.size(); ++part) {
+      const Eigen::MatrixXcd force = waves_[n].apply(part_stiffness_[part], shape);
+      share[part].row(row) = shape.conjugate().cwiseProduct(force).colwise().sum().real();
+      sum += share[part].row(row);
+    }
+    for (Eigen::MatrixXd& one : share) one.row(row).array() /= sum.array();
+  }
+
+  void follow(const Eigen::MatrixXcd& shape, int n, int row) {
+    ModesOverSpeed& modes = results_.nodal_diameters[n];
+    if (row == 0) {
+      modes.branch.row(0).setLinSpaced(shape.cols(), 0, static_cast<int>(shape.cols()) - 1);
+    } else {
+      const Eigen::MatrixXd mac = (waves_[n].apply(mass_, shape).adjoint() * shapes_[n]).cwiseAbs2();
+      const std::vector<int> partner = pair_by_mac(mac);
+      int next = modes.branch.topRows(row).maxCoeff() + 1;
+      for (Eigen::Index k = 0; k < shape.cols(); ++k) {
+        const int before = partner[k];
+        modes.branch(row, k) = before < 0 ? next++ : modes.branch(row - 1, before);
+        if (before >= 0) modes.mac(row, k) = mac(k, before);
+      }
+    }
+    shapes_[n] = shape;
+  }
+
+  const SectorMesh& mesh_;
+  const ReductionParameters& parameters_;
+  std::map<std::string, std::vector<int>> parts_;
+  std::vector<int> contact_;  // all nodes of the tip line
+  SectorDofs dofs_;
+  RotatingElasticity elasticity_;
+  SymmetricMatrix mass_;
+  std::vector<SymmetricMatrix> part_stiffness_;
+  std::vector<TravellingWave> waves_;
+  ContactLine tip_;
+  SpinShapes static_;
+  std::vector<Eigen::MatrixXcd> shapes_;  // at the speed before, by nodal diameter
+  LinearResults results_;
+};
+
+}  // namespace
+
+LinearResults linear_results(const SectorMesh& mesh, const ReductionParameters& parameters) {
+  openblas_set_num_threads(parameters.threads);
+  return LinearAnalysis(mesh, parameters).run();
+}
+
+}  // namespace tiprub

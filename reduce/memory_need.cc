@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/memory_need.h"
+
+#include <cholmod.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/errors.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double bytes_per_kib = 1024, bytes_per_gib = 1024.0 * 1024 * 1024;
+constexpr double real_bytes = sizeof(double), complex_bytes = 2 * sizeof(double);
+constexpr double entry_bytes = sizeof(double) + sizeof(int);  // of a sparse matrix
+constexpr double block_entries = 9;                           // of a pair of nodes
+constexpr int gauss_points = 27, values_per_point = 4;        // a shape function and its gradient
+constexpr int sparse_matrices = 7;     // pattern, M, K at three speeds, one at work, its copy for the factor
+constexpr int interface_matrices = 3;  // of real numbers: L_FF, its product, S
+constexpr int solver_vectors = 4;      // a wanted shape: Lanczos vectors, their products with M, a copy, the load
+
+/// Lower triangle of the graph of free nodes in the factor's order: column starts and rows.
+struct Graph {
+  std::vector<int> starts = {0};
+  std::vector<int> rows;
+};
+
+Graph node_graph(const SectorMesh& mesh, const SectorDofs& dofs) {
+  const std::vector<std::vector<int>> neighbours = node_neighbours(mesh);
+  std::vector<int> node_at(dofs.sector() / 3);
+  for (int node = 0; node < mesh.node_count(); ++node)
+    if (dofs.first[node] >= 0) node_at[dofs.first[node] / 3] = node;
+  Graph graph;
+  for (std::size_t column = 0; column < node_at.size(); ++column) {
+    const auto first = static_cast<std::ptrdiff_t>(graph.rows.size());
+    for (const int other : neighbours[node_at[column]])
+      if (dofs.first[other] >= static_cast<int>(3 * column)) graph.rows.push_back(dofs.first[other] / 3);
+    std::sort(graph.rows.begin() + first, graph.rows.end());
+    graph.starts.push_back(static_cast<int>(graph.rows.size()));
+  }
+  return graph;
+}
+
+/// Entries of the supernodal factor of a graph in its given order.
+double factor_entries(Graph& graph) {
+  cholmod_common common{};
+  cholmod_start(&common);
+  common.supernodal = CHOLMOD_SUPERNODAL;
+  common.nmethods = 1;
+  common.method[0].ordering = CHOLMOD_NATURAL;
+  common.print = 0;
+  cholmod_sparse view{};
+  view.nrow = view.ncol = graph.starts.size() - 1;
+  view.nzmax = graph.rows.size();
+  view.p = graph.starts.data();
+  view.i = graph.rows.data();
+  view.stype = -1;  // lower triangle
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_PATTERN;
+  view.sorted = view.packed = 1;
+  cholmod_factor* factor = cholmod_analyze(&view, &common);
+  const double entries = factor == nullptr ? unlimited : std::max(common.lnz, static_cast<double>(factor->xsize));
+  cholmod_free_factor(&factor, &common);
+  cholmod_finish(&common);
+  return entries;
+}
+
+/// The first number of a file, or the fallback if there is none ("max" in a control group's file is none).
+double number_in(const std::filesystem::path& path, double fallback) {
+  std::ifstream file(path);
+  double value = 0;
+  return file >> value ? value : fallback;
+}
+
+double system_memory(const std::filesystem::path& root) {
+  std::ifstream file(root / "proc/meminfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind("MemAvailable:", 0) == 0) return std::stod(line.substr(line.find(':') + 1)) * bytes_per_kib;
+  return unlimited;
+}
+
+double control_group_memory(const std::filesystem::path& root) {
+  const std::filesystem::path group = root / "sys/fs/cgroup";
+  const double second = number_in(group / "memory.max", unlimited) - number_in(group / "memory.current", 0);
+  const double first = number_in(group / "memory/memory.limit_in_bytes", unlimited) -
+                       number_in(group / "memory/memory.usage_in_bytes", 0);
+  return std::min(first, second);
+}
+
+double resource_limit() {
+  double least = unlimited;
+  for (const auto resource : {RLIMIT_AS, RLIMIT_DATA})
+    if (rlimit limit{}; getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+      least = std::min(least, static_cast<double>(limit.rlim_cur));
+  return least;
+}
+
+std::string gib(double bytes) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f GiB", bytes / bytes_per_gib);
+  return text;
+}
+
+}  // namespace
+
+MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, int shapes, int threads) {
+  Graph graph = node_graph(mesh, dofs);
+  const double diameters = mesh.sector_count / 2 + 1, at_once = std::min<double>(threads, diameters);
+  const double interface = dofs.interface(), kept = dofs.face + dofs.boundary(), independent = dofs.independent();
+  MemoryNeed need;
+  need.matrices = sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size()) +
+                  real_bytes * gauss_points * values_per_point * static_cast<double>(mesh.cells.size());
+  need.bases = complex_bytes * independent * shapes * (diameters + solver_vectors * at_once);
+  need.factor = real_bytes * (block_entries * factor_entries(graph) + interface_matrices * interface * interface) +
+                complex_bytes * kept * kept * diameters;
+  return need;
+}
+
+double available_memory(const std::filesystem::path& root) {
+  return std::min({system_memory(root), control_group_memory(root), resource_limit()});
+}
+
+void require_memory(const MemoryNeed& need, double available) {
+  if (need.total() <= available) return;
+  throw RunError("not enough memory: about " + gib(need.total()) + " are needed (factor " + gib(need.factor) +
+                 ", bases " + gib(need.bases) + ", matrices " + gib(need.matrices) + "), " + gib(available) +
+                 " are available; coarsen the mesh, ask for fewer fixed_interface_modes, or take a larger machine");
+}
+
+}  // namespace tiprub

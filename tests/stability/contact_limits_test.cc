@@ -43,8 +43,9 @@ TEST(PapersRuleLimit, PullsAndLeavesNodesInTheCasing) {
 
 /// Share of the force that pulls, of the paper's rule in a march that the case file refuses.
 double trigonometric_tension(int steps) {
-  testing::Bench bench = testing::make_bench(testing::synthetic_wheel({}), testing::lobed_casing(2, 2e-4, 1.5e-4),
-                                             900, 0.01, {Scheme::trigonometric, ContactRule::paper, steps, 1});
+  testing::Bench bench =
+      testing::make_bench(testing::synthetic_wheel({6, 10, 5}), testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.01,
+                          {Scheme::trigonometric, ContactRule::paper, steps, 1});
   double pull = 0, all = 0;
   for (int i = 0; i < 10 * steps; ++i) {
     bench.march.step();

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/benchmark/bench_wheel.h"
+
+#include <algorithm>
+#include <ctime>
+#include <numbers>
+
+#include "reduce/reduced_model_file.h"
+#include "tests/simulate/synthetic_wheel.h"
+
+namespace tiprub::bench {
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+}  // namespace
+
+BenchWheel made_wheel(int lobes) {
+  constexpr double first_frequency = 900, speed = 1000;
+  BenchWheel wheel{"made, 900 dofs", testing::synthetic_wheel({10, 10, 60}),
+                   testing::lobed_casing(lobes, 3e-4, 1.5e-4), speed, 0.005};
+  // light tips, as static shapes of contact dofs have them: they make omega_max, and the step of central differences
+  constexpr double tip_share = 0.04;
+  for (NodalDiameterModel& at : wheel.model.nodal_diameters) {
+    at.M.topRows(wheel.model.contact_dofs()) *= tip_share;
+    at.M.leftCols(wheel.model.contact_dofs()) *= tip_share;
+  }
+  // stiffnesses scaled so that the lowest frequency is the wanted one: the random wheel is what it is
+  double lowest = 1e300;
+  for (const NodalDiameterModel& at : wheel.model.nodal_diameters)
+    lowest = std::min(lowest, at.natural_frequencies(0)[0]);
+  const double factor = first_frequency * first_frequency / (lowest * lowest);
+  for (NodalDiameterModel& at : wheel.model.nodal_diameters)
+    for (Eigen::MatrixXcd* matrix : {&at.K0, &at.K1, &at.K2}) *matrix *= factor;
+  return wheel;
+}
+
+BenchWheel given_wheel(const std::string& path, int lobes) {
+  Casing casing = testing::lobed_casing(lobes, 0.15e-3, 0.125e-3);
+  casing.clearance = {{0.0, 0.13e-3}, {1.0, 0.12e-3}};
+  casing.ramp_revolutions = 3;
+  return {path, read_model(path), casing, 24375 * two_pi / 60, 0.01};
+}
+
+std::vector<int> nodal_diameters(const BenchWheel& wheel, int symmetry) {
+  std::vector<int> held;
+  for (int n = 0; n <= wheel.model.nodal_diameter_max(); n += symmetry) held.push_back(n);
+  return held;
+}
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace tiprub::bench

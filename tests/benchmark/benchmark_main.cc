@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "cases/errors.h"
+#include "tests/benchmark/benchmarks.h"
+
+/// tiprub-benchmark [steps | accuracy | stability] [--model model.h5]
+int main(int argc, char** argv) {
+  CLI::App app{"What the march in time costs, and what accuracy costs."};
+  std::string what = "steps", model;
+  app.add_option("what", what, "steps, accuracy or stability")
+      ->check(CLI::IsMember({"steps", "accuracy", "stability"}));
+  app.add_option("--model", model, "a model.h5; without it, a made-up wheel of 900 dofs");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (what == "steps") tiprub::bench::print_step_costs(model);
+    if (what == "accuracy") tiprub::bench::print_accuracy(model);
+    if (what == "stability") tiprub::bench::print_stability(model);
+  } catch (const tiprub::RunError& error) {
+    std::fprintf(stderr, "tiprub-benchmark: error: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

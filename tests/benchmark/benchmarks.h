@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "tests/benchmark/bench_wheel.h"
+
+namespace tiprub::bench {
+
+/// Microseconds a step and milliseconds a revolution: the dense reference (the paper's eqs. 13-15), modal central
+/// differences and the default, whole and with two lobes' symmetry, with the share of contact steps; to stdout.
+void print_step_costs(const std::string& model);
+
+/// Error of the settled response against a 16 times finer run of the default, over cost, for every scheme and step,
+/// for numbers of modes, and symmetric against full; a table to stdout.
+void print_accuracy(const std::string& model);
+
+/// Scheme over step, and penalty over stiffness: stable, inaccurate, refused or blown up; a table to stdout.
+void print_stability(const std::string& model);
+
+}  // namespace tiprub::bench

@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cassert>
 #include <complex>
 #include <numbers>
 #include <string>
@@ -16,7 +17,10 @@ namespace {
 /// Real and imaginary parts side by side: real operators then work on one real matrix. A standing wave has no
 /// imaginary part, and half the work.
 Eigen::MatrixXd split(const Eigen::MatrixXcd& matrix, bool standing) {
-  if (standing) return matrix.real();
+  if (standing) {
+    assert(matrix.imag().isZero(0.0));
+    return matrix.real();
+  }
   Eigen::MatrixXd parts(matrix.rows(), 2 * matrix.cols());
   parts << matrix.real(), matrix.imag();
   return parts;

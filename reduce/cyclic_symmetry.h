@@ -23,7 +23,7 @@ class TravellingWave {
   Eigen::MatrixXcd expand(const Eigen::MatrixXcd& independent) const;
   /// T^H f: independent x columns from sector x columns.
   Eigen::MatrixXcd gather(const Eigen::MatrixXcd& sector) const;
-  /// T^H Y T x for a symmetric sector matrix Y (K or M).
+  /// T^H Y T x for a symmetric sector matrix Y (K or M). For a standing wave x must be real.
   Eigen::MatrixXcd apply(const SymmetricMatrix& matrix, const Eigen::MatrixXcd& independent) const;
   /// The same two maps on the interface part: low | high | contact <-> low | contact.
   Eigen::MatrixXcd expand_interface(const Eigen::MatrixXcd& independent) const;
@@ -43,7 +43,8 @@ class CyclicStiffness {
   /// Raises RunError if K of this nodal diameter is not positive definite.
   CyclicStiffness(const SectorFactor& factor, const TravellingWave& wave);
 
-  /// x with K x = b; independent x columns. With fixed contact nodes their rows of b are ignored, of x zero.
+  /// x with K x = b; independent x columns; b must be real for a standing wave. With fixed contact nodes their rows
+  /// of b are ignored, of x zero.
   Eigen::MatrixXcd solve(const Eigen::MatrixXcd& load, ContactNodes contact) const;
   /// Static shapes of a unit displacement of each contact dof, all else free of load (constraint modes, Psi_s of eq.
   /// 8, with their unit rows); independent x contact dofs.

@@ -93,12 +93,13 @@ Eigen::MatrixXd averaged_spectrum(const SpeedResponse& at) {
   return (sum / at.recorded_revolutions).cwiseSqrt();
 }
 
-/// The motion of a response, begun `shift` revolutions later.
-Eigen::MatrixXd shifted(const SpeedResponse& at, int shift) {
-  const Eigen::Index rows = at.displacement.rows();
+/// The last period of a settled response, begun `shift` revolutions later.
+Eigen::MatrixXd last_period(const SpeedResponse& at, int shift) {
+  const Eigen::Index rows = static_cast<Eigen::Index>(at.period_revolutions) * at.samples_per_revolution;
   const Eigen::Index first = static_cast<Eigen::Index>(shift) * at.samples_per_revolution;
+  const auto period = at.displacement.bottomRows(rows);
   Eigen::MatrixXd moved(rows, at.displacement.cols());
-  moved << at.displacement.bottomRows(rows - first), at.displacement.topRows(first);
+  moved << period.bottomRows(rows - first), period.topRows(first);
   return moved;
 }
 
@@ -138,16 +139,17 @@ double excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, cons
 ResponseDifference difference(const SpeedResponse& here, const SpeedResponse& there) {
   const bool alike = here.motion == there.motion && here.motion != MotionClass::irregular &&
                      here.period_revolutions == there.period_revolutions &&
-                     here.recorded_revolutions == there.recorded_revolutions;
+                     std::min(here.recorded_revolutions, there.recorded_revolutions) >= here.period_revolutions;
   if (!alike) {
     const Eigen::MatrixXd spectrum = averaged_spectrum(there);
     const double norm = spectrum.norm();
     return {norm > 0 ? (averaged_spectrum(here) - spectrum).norm() / norm : 0.0, "spectrum"};
   }
-  const double norm = there.displacement.norm();
+  const Eigen::MatrixXd motion = last_period(there, 0);
+  const double norm = motion.norm();
   double smallest = std::numeric_limits<double>::infinity();
-  for (int shift = 0; shift < std::min(here.period_revolutions, here.recorded_revolutions); ++shift)
-    smallest = std::min(smallest, (shifted(here, shift) - there.displacement).norm());
+  for (int shift = 0; shift < here.period_revolutions; ++shift)
+    smallest = std::min(smallest, (last_period(here, shift) - motion).norm());
   return {norm > 0 ? smallest / norm : 0.0, "motion"};
 }
 

@@ -83,6 +83,7 @@ void print_accuracy(const std::string& model) {
   std::printf(
       "# group\tscheme\tsteps a revolution\tmodes\terror\tms a revolution\toperations a revolution\tmeasure\n");
   const SpeedResponse reference = run(wheel, parameters_for(wheel, Scheme::trigonometric, reference_steps)).response;
+  print("default", "trigonometric", wheel, parameters_for(wheel, Scheme::trigonometric, 0), reference);
   for (int steps : {240, 480, 960, 1440, 2400, 4800, 9600, 19200}) {
     const auto with = [&](Scheme scheme) { return parameters_for(wheel, scheme, steps); };
     print("scheme", "trigonometric", wheel, with(Scheme::trigonometric), reference);

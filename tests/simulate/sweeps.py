@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sweeps over processes, upwards and downwards: same bytes whatever the ranks and interruptions; every scheme runs.
+
+    sweeps.py <tiprub-simulate> <folder> <mpirun>
+"""
+import glob
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+
+from small_wheel import CASE, Bench, require  # leaves with 77 where h5py is missing
+
+import h5py
+import numpy as np
+
+bench = Bench(sys.argv[1], sys.argv[2])
+mpirun = [sys.argv[3], "--oversubscribe", "-n", "2"]
+if os.geteuid() == 0:
+    mpirun.insert(1, "--allow-run-as-root")
+random.seed(7)
+small = CASE.replace("speed_count = 40", "speed_count = 12")
+
+bench.write("small.toml", small)
+require(bench.run("-q", "--threads", "1", case="small.toml").returncode == 0, "one process")
+whole = bench.read()
+ranks = subprocess.run(mpirun + bench.command("--threads", "1", case="small.toml", output="ranks.h5"),
+                       stderr=subprocess.PIPE, text=True)
+require(ranks.returncode == 0, "two processes: " + ranks.stderr.strip())
+require(ranks.stderr.count("12 speeds") == 1, "only one of them reports")
+require(bench.read("ranks.h5") == whole, "two processes: the same bytes")
+require(not glob.glob(bench.path("*.speeds")), "and leave nothing beside it")
+
+for direction in ("up", "down"):
+    bench.write("carry.toml", small + f'sweep = "{direction}"\n')
+    start = time.monotonic()
+    run = bench.run("--threads", "1", case="carry.toml", output=direction + ".h5")
+    spent = time.monotonic() - start
+    require(run.returncode == 0, direction + ": " + run.stderr.strip())
+    kills = 0
+    while kills < 5:
+        process = subprocess.Popen(bench.command("-q", case="carry.toml", output="killed.h5"))
+        time.sleep(random.uniform(0, 0.3 * spent))
+        process.send_signal(signal.SIGKILL)
+        if process.wait() == 0:
+            break
+        kills += 1
+    require(kills >= 2, f"killed {kills} times")
+    bench.run("-q", case="carry.toml", output="killed.h5")
+    require(bench.read("killed.h5") == bench.read(direction + ".h5"), direction + ", killed and resumed: the same bytes")
+    os.remove(bench.path("killed.h5"))
+    with h5py.File(bench.path(direction + ".h5")) as file:
+        speeds = [file["speed"][name].attrs for name in file["speed"]]
+        compared = [at for at in speeds if "rest_difference" in at]
+        require(len(compared) == 11, "all but the first are compared with the motion from rest")
+
+motions = {}
+for scheme, more in (("trigonometric", ""), ("central_differences", "steps_per_revolution = 4000\n"),
+                     ("residual_flexibility", "modes = 10\n"), ("moreau_jean", "steps_per_revolution = 4000\n"),
+                     ("penalty", "penalty_stiffness = 300\nsteps_per_revolution = 40000\n")):
+    bench.write("scheme.toml", CASE.replace("speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40", "speeds_rpm = [9000]")
+                + f'scheme = "{scheme}"\n' + more)
+    run = bench.run("-q", case="scheme.toml", output="scheme.h5")
+    require(run.returncode == 0, f"scheme {scheme} {run.stderr.strip()}")
+    with h5py.File(bench.path("scheme.h5")) as file:
+        at = file["speed/00000"]
+        require(abs(at.attrs["energy_closing_error"]) < 1e-9, f"  energy closes to {at.attrs['energy_closing_error']:.1e}")
+        motions[scheme] = np.sqrt((at["displacement"][()] ** 2).mean())
+        print("  rms", motions[scheme], "halving", at.attrs.get("halving_difference"))
+for scheme, rms in motions.items():
+    allowed = 0.2 if scheme in ("residual_flexibility", "penalty") else 0.05
+    require(abs(rms / motions["trigonometric"] - 1) < allowed, f"{scheme}: the rms motion of the default")

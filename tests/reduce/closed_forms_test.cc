@@ -17,7 +17,7 @@ using test::TestRotor;
 /// Slender enough that shear and rotary inertia change the fourth digit only, and without Poisson's ratio, so that
 /// the clamp doesn't stress its neighbourhood.
 constexpr double length = 1.0, width = 0.01, thickness = 0.006;  // [m] radial, axial, tangential
-constexpr int bricks_along = 16;
+constexpr int bricks_along = 32;
 
 Material beam_material() {
   Material material = test::steel();
@@ -101,7 +101,7 @@ TEST(RotatingDisc, IsStressedAsInPlaneStress) {
   // Thin, and looked at some thicknesses away from the clamp.
   test::Annulus annulus;
   annulus.sector_count = 24;
-  annulus.bricks = {12, 1, 1};
+  annulus.bricks = {24, 1, 1};
   annulus.height = 0.002;
   SectorMesh mesh = annulus.sector();
   TestRotor rotor(mesh, {mesh.contact_line.front()});

@@ -84,7 +84,7 @@ TEST_F(Results, FollowEveryModeOnce) {
       Eigen::VectorXi branches = of.branch.row(row);
       std::sort(branches.begin(), branches.end());
       for (int k = 1; k < modes; ++k) EXPECT_LT(branches[k - 1], branches[k]);
-      if (row == 0) EXPECT_EQ(branches[modes - 1], modes - 1);
+      EXPECT_GE(branches[modes - 1], modes - 1);
       EXPECT_GE(of.mac.row(row).minCoeff(), 0.5);
       EXPECT_LE(of.mac.row(row).maxCoeff(), 1 + 1e-9);
     }

@@ -110,7 +110,6 @@ TEST_F(Spinning, HasNoShapeBeyondItsStability) {
 ReductionParameters nonlinear_parameters() {
   ReductionParameters p;
   p.material = test::steel();
-  p.material.young /= 10;
   p.prestress = Prestress::nonlinear;
   p.speed_max = top;
   p.contact_nodes = 2;

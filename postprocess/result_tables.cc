@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "postprocess/figure_style.h"
 #include "postprocess/units.h"
@@ -37,6 +38,25 @@ std::string equation_2_text(const Crossing& crossing, int sector_count) {
 bool moves(const Study& study, int signed_nodal_diameter) {
   const std::vector<int>& moving = study.response.scene.nodal_diameters;
   return std::find(moving.begin(), moving.end(), std::abs(signed_nodal_diameter)) != moving.end();
+}
+
+std::string symmetry_text(SymmetryVerdict verdict) {
+  switch (verdict) {
+    case SymmetryVerdict::all_held:
+      return "all held";
+    case SymmetryVerdict::unchecked:
+      return "unchecked";
+    case SymmetryVerdict::holds:
+      return "holds";
+    case SymmetryVerdict::breaking:
+      return "breaking";
+  }
+  return "";
+}
+
+/// Empty where simulate didn't look.
+Cell cell(const std::optional<double>& value) {
+  return value ? Cell(*value) : Cell(std::string());
 }
 
 void append_crossing(Table& table, const Study& study, const Crossing& crossing, const std::string& aliasing) {
@@ -165,6 +185,12 @@ Table speed_record(const Study& study) {
                "fallbacks",
                "largest penetration [mm]",
                "smallest multiplier [N]",
+               "leftover steps",
+               "pulling share of force",
+               "half the step changes",
+               "symmetry",
+               "growth left out",
+               "from rest differs",
                "off the engine orders [%]",
                "areas LE",
                "areas TE",
@@ -190,6 +216,12 @@ Table speed_record(const Study& study) {
                           static_cast<double>(at.solver_fallbacks),
                           at.largest_penetration * mm_per_m,
                           at.smallest_multiplier,
+                          static_cast<double>(at.audit.leftover_steps),
+                          at.audit.tension_share,
+                          cell(at.audit.halving_difference),
+                          symmetry_text(at.audit.symmetry),
+                          cell(at.audit.excluded_growth),
+                          cell(at.audit.rest_difference),
                           percent * subharmonic_share(study.map.columns[i].spectrum),
                           study.leading_edge.clusters[k],
                           study.trailing_edge.clusters[k],

@@ -108,7 +108,7 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
     rotor.omega_max = std::max(rotor.omega_max, rotor.waves.back().omega[rotor.waves.back().moving - 1]);
   }
   rotor.first_frequency = omega_min / (2 * std::numbers::pi);
-  rotor.tip_stiffness = 1 / tip_compliance.maxCoeff();
+  rotor.tip_stiffness = 1 / tip_compliance.minCoeff();
   return rotor;
 }
 

@@ -46,7 +46,7 @@ struct RotorAtSpeed {
   std::vector<WaveModes> others;  ///< those not asked for
   double first_frequency = 0;     ///< [Hz] the lowest of all nodal diameters, asked for or not
   double omega_max = 0;           ///< [rad/s] the highest with mass of those asked for
-  double tip_stiffness = 0;       ///< [N/m] static, of the softest contact node, pushed alone, all other modes free
+  double tip_stiffness = 0;       ///< [N/m] static, of the stiffest contact node, pushed alone
 };
 
 /// Solves one Hermitian eigenproblem a nodal diameter (n^3 once a speed, against millions of steps). Damping is by

@@ -67,7 +67,7 @@ void read_scheme(CaseTable& table, SimulateParameters& parameters) {
     parameters.theta = table.number("moreau_jean_theta", 0.5, Range::between(0.5, 1), "1/2 conserves, more damps");
   if (parameters.scheme == Scheme::penalty)
     parameters.penalty_stiffness =
-        table.number("penalty_stiffness", 100, Range::positive(), "static stiffnesses of the softest contact node");
+        table.number("penalty_stiffness", 100, Range::positive(), "static stiffnesses of the stiffest contact node");
   const bool needs_modes = parameters.scheme == Scheme::residual_flexibility;
   parameters.modes =
       table.integer("modes", needs_modes ? std::nullopt : std::optional<int>(0),

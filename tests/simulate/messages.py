@@ -57,6 +57,15 @@ with_case("paper's rule with the wrong scheme", "damping_ratio", 'contact = "pap
           'changed.toml:11:11: [simulate] contact = "paper" holds only with scheme = "central_differences"')
 with_case("unknown scheme", "damping_ratio", 'scheme = "newmark"\ndamping_ratio', 2,
           'scheme = "newmark" must be one of: trigonometric, central_differences, residual_flexibility, moreau_jean, penalty')
+with_case("residual flexibility without modes", "damping_ratio", 'scheme = "residual_flexibility"\ndamping_ratio', 2,
+          "[simulate] has no modes, and it has no default")
+with_case("another scheme's key", "damping_ratio", 'moreau_jean_theta = 0.6\ndamping_ratio', 2, 'unknown key "moreau_jean_theta"')
+with_case("theta that blows up", "damping_ratio", 'scheme = "moreau_jean"\nmoreau_jean_theta = 0.4\ndamping_ratio', 2,
+          "moreau_jean_theta = 0.4 must be")
+with_case("penalty too stiff for the step", "damping_ratio", 'scheme = "penalty"\npenalty_stiffness = 1e9\ndamping_ratio', 1,
+          "no speed could be computed", "the penalty's springs included", "a lower penalty_stiffness")
+with_case("fewer modes than contact nodes", "damping_ratio", "modes = 2\ndamping_ratio", 1, "no speed could be computed",
+          "2 modes a nodal diameter can't move 3 contact nodes independently")
 with_case("speeds the wrong way", "speed_max_rpm = 12000", "speed_max_rpm = 8000", 2, "[simulate] speed_max_rpm must be above speed_min_rpm")
 with_case("speed beyond the model", "speed_max_rpm = 12000", "speed_max_rpm = 20000", 2, "speed_max_rpm goes to 20000 rev/min",
           "holds up to 19098.6")

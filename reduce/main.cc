@@ -17,7 +17,9 @@
 
 namespace {
 
-constexpr int verified_frequencies = 50;  // of the whole wheel, as the paper counts them
+constexpr int verified_frequencies = 50;   // of the whole wheel, as the paper counts them
+constexpr double tolerable_misfit = 0.01;  // of a frequency, by eq. 7 alone
+constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
 
 std::string summary(const tiprub::ReducedModel& model, const tiprub::ReductionReport& report) {
   const int contact = model.contact_dofs();
@@ -86,13 +88,20 @@ tiprub::ReducedModel make_model(const tiprub::StageArguments& arguments, const t
                      arguments.verbosity == tiprub::Verbosity::quiet ? tiprub::Progress::Shown::never
                                                                      : tiprub::Progress::Shown::on_a_terminal,
                      report);
-  if (arguments.verbosity == tiprub::Verbosity::verbose)
+  if (arguments.verbosity == tiprub::Verbosity::verbose) {
+    tiprub::say(arguments, "memory: " + std::to_string(report.memory_needed / bytes_per_gib) + " GiB expected");
     for (const auto& [what, seconds] : report.seconds)
       tiprub::say(arguments, what + ": " + std::to_string(seconds) + " s");
+  }
   model.provenance = provenance;
   tiprub::write_model(model, output.scratch(), tiprub::program_version("tiprub-reduce"));
   output.commit();
   tiprub::say(arguments, "tiprub-reduce: " + arguments.output.string() + ": " + summary(model, report));
+  if (const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
+      misfit.size() > 0 && misfit.maxCoeff() > tolerable_misfit)
+    tiprub::say(arguments,
+                "tiprub-reduce: warning: the shape changes too much for eq. 7 between its three speeds; lower "
+                "speed_max_rpm, or take prestress = \"linear\", for which eq. 7 is exact");
   return model;
 }
 

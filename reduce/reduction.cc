@@ -55,9 +55,10 @@ class Reducer {
   ReducedModel run(ReductionReport& report) {
     report.sector_dofs = dofs_.sector();
     report.clamped_face_nodes = dofs_.clamped_face_nodes;
-    require_memory(
-        memory_need(mesh_, dofs_, 2 * (parameters_.fixed_interface_modes + dofs_.boundary()), parameters_.threads),
-        available_memory());
+    const MemoryNeed need =
+        memory_need(mesh_, dofs_, 2 * (parameters_.fixed_interface_modes + dofs_.boundary()), parameters_.threads);
+    report.memory_needed = need.total();
+    require_memory(need, available_memory());
     timed(report, "mesh and mass", [] {});
     if (parameters_.prestress == Prestress::nonlinear)
       timed(report, "shapes under spin", [&] { find_equilibria(report); });

@@ -38,6 +38,7 @@ struct ReductionReport {
   double newton_residual = 0;  ///< [1] largest of all speeds; see spin_equilibrium()
   int sector_dofs = 0;
   int clamped_face_nodes = 0;
+  double memory_needed = 0;                             ///< [bytes] estimated before the start
   std::vector<int> generalized_dofs;                    ///< a nodal diameter
   std::vector<int> dropped;                             ///< a nodal diameter
   std::vector<std::pair<std::string, double>> seconds;  ///< what took how long

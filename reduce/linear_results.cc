@@ -12,6 +12,7 @@
 #include "cases/errors.h"
 #include "reduce/contact_line.h"
 #include "reduce/cyclic_modes.h"
+#include "reduce/memory_need.h"
 #include "reduce/parallel_for.h"
 #include "reduce/spin_equilibrium.h"
 
@@ -58,6 +59,8 @@ class LinearAnalysis {
   }
 
   LinearResults run() {
+    require_memory(memory_need(mesh_, dofs_, parameters_.verification_modes, parameters_.threads),
+                   available_memory());
     prepare();
     find_shapes();
     for (int row = 0; row < results_.speed_count(); ++row) {

@@ -43,6 +43,9 @@ set_tests_properties(reduce.mesh_many_diameters PROPERTIES FIXTURES_SETUP reduce
 expect_elsewhere(too_little_memory ${CMAKE_CURRENT_BINARY_DIR}/many.msh ${many} 1 "not enough memory: about" 0
                  sh ${CMAKE_CURRENT_SOURCE_DIR}/limited.sh 1500000)
 
+expect_elsewhere(polynomial_misses ${plate_sector} ${CMAKE_CURRENT_SOURCE_DIR}/soft_plate.toml 0
+                 "the shape changes too much for eq. 7" 1)
+set_tests_properties(reduce.message.polynomial_misses PROPERTIES FIXTURES_REQUIRED reduce_plate_sector)
 expect_message(unstable_at_top_speed KEY young_modulus LINE "young_modulus = 1e5\\nprestress = \"stress_only\"" EXIT_CODE 1
                PHRASE "at 5000 rpm: the stiffness is not positive definite: the rotor is unstable")
 expect_message(matrix_market ARGUMENTS case.toml sector.msh --export-matrix-market matrices EXIT_CODE 0

@@ -10,8 +10,8 @@ set grid back lc rgb "#dddddd"
 set key outside right font ",11"
 files = "accuracy_quick.tsv accuracy_made.tsv"
 titles = '"Quick impeller" "Made-up wheel, 900 dofs"'
-schemes = "trigonometric central_differences paper moreau_jean penalty residual_flexibility"
-colours = "#0060ad #dd181f #ff9900 #109618 #990099 #00aaaa"
+schemes = "trigonometric central_differences paper moreau_jean penalty_1 penalty_10 residual_flexibility"
+colours = "#0060ad #dd181f #ff9900 #109618 #cc66cc #990099 #00aaaa"
 pick(column, group, name) = strcol(1) eq group && strcol(2) eq name ? column : NaN
 set multiplot layout 3,2
 do for [i = 1:2] {
@@ -20,7 +20,7 @@ do for [i = 1:2] {
     set title word(titles, i)
     set xlabel x == 6 ? "processor time of a revolution [ms]" : "multiplications of a revolution"
     set ylabel "relative error"
-    plot for [s = 1:6] file using (pick(column(x), "scheme", word(schemes, s))):5 with linespoints pt 7 ps 0.6 lw 1.5 lc rgb word(colours, s) title word(schemes, s) noenhanced, \
+    plot for [s = 1:7] file using (pick(column(x), "scheme", word(schemes, s))):5 with linespoints pt 7 ps 0.6 lw 1.5 lc rgb word(colours, s) title word(schemes, s) noenhanced, \
       file using (pick(column(x), "full", "all_nodal_diameters")):5 with linespoints pt 6 ps 0.6 dt 2 lc rgb "#0060ad" title "all nodal diameters", \
       file using (pick(column(x), "default", "trigonometric")):5 with points pt 6 ps 2.2 lw 2 lc rgb "black" title "the default"
   }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "tests/mesh/mesh_cases.h"
 
 namespace tiprub {
@@ -39,6 +41,11 @@ struct Wrong {
   const char* phrase;
 };
 
+/// A readable name for each case: the default prints addresses, which change from run to run.
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+  *out << wrong.key;
+}
+
 class WrongKey : public ::testing::TestWithParam<Wrong> {};
 
 TEST_P(WrongKey, IsRefusedInPlainWords) {
@@ -60,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"back_profile", "[[0.03, 0.092], [0.122, 0.07]]", "must go from bore_radius to exit_radius"},
         Wrong{"thickness_tip", "[[0.0, 0.04]]", "thickness_tip makes blades cross"},
         Wrong{"elements_along_chord", "1", "must be at least 2"}, Wrong{"blade_count", "2", "must be at least 3"},
-        Wrong{"axial_length", "nan", "must be more than 0"}));
+        Wrong{"axial_length", "nan", "must be a finite number"}));
 
 }  // namespace
 }  // namespace tiprub

@@ -4,6 +4,9 @@
 #   make model.h5    one file and what it needs;  make -B model.h5 makes it anyway
 #   make clean       forgets what was computed
 # Each stage is out of date when its own tables of case.toml change, or a file it reads.
+#
+# MODEL_OF := ../<case>, set before the include, takes sector.msh and model.h5 from another case: one wheel, many casings.
+# Responses named in [postprocess] sweep_responses are made too: response_up.h5 is this case swept up, response_down.h5 down.
 HERE := $(dir $(lastword $(MAKEFILE_LIST)))
 BIN ?= $(abspath $(HERE)../build/bin)
 export PATH := $(BIN):$(PATH)
@@ -13,16 +16,32 @@ export PATH := $(BIN):$(PATH)
 all: report/report.html
 	@cat report/critical_speeds.txt
 
+ifdef MODEL_OF
+# A link is as old as what it points to, so that a model made anew reaches this case too.
+sector.msh model.h5: %: $(MODEL_OF)/%
+	ln -sf $< $@
+
+.PHONY: look
+$(MODEL_OF)/sector.msh $(MODEL_OF)/model.h5: look
+	@+$(MAKE) --no-print-directory -C $(MODEL_OF) $(@F)
+else
 sector.msh: .tables/mesh
 	tiprub-mesh case.toml -o $@
 
 model.h5: .tables/reduce sector.msh
 	tiprub-reduce case.toml sector.msh -o $@
+endif
 
 response.h5: .tables/casing .tables/simulate model.h5
 	tiprub-simulate case.toml model.h5 -o $@
 
-report/report.html: .tables/postprocess model.h5 response.h5
+response_%.h5: .tables/casing .tables/simulate model.h5
+	@sed 's/^\[simulate\].*/&\nsweep = "$*"/' case.toml > .tables/$*.toml
+	tiprub-simulate .tables/$*.toml model.h5 -o $@
+
+SWEEPS := $(shell sed -n '/^sweep_responses/s/[^"]*"\([^"]*\)"[^"]*/\1 /gp' case.toml)
+
+report/report.html: .tables/postprocess model.h5 response.h5 $(SWEEPS)
 	tiprub-postprocess case.toml model.h5 response.h5 -o report > /dev/null
 
 # One table of the case, with its sub-tables; its time changes only when its text does.
@@ -34,4 +53,4 @@ report/report.html: .tables/postprocess model.h5 response.h5
 .PRECIOUS: .tables/%
 
 clean:
-	rm -rf .tables report response.h5 response.h5.speeds model.h5 sector.msh *.part.*
+	rm -rf .tables report response*.h5 response*.h5.speeds model.h5 sector.msh *.part.*

@@ -18,18 +18,18 @@ all: report/report.html
 
 ifdef MODEL_OF
 # A link is as old as what it points to, so that a model made anew reaches this case too.
-sector.msh model.h5: %: $(MODEL_OF)/%
+sector.msh model.h5 fields.h5: %: $(MODEL_OF)/%
 	ln -sf $< $@
 
 .PHONY: look
-$(MODEL_OF)/sector.msh $(MODEL_OF)/model.h5: look
+$(MODEL_OF)/sector.msh $(MODEL_OF)/model.h5 $(MODEL_OF)/fields.h5: look
 	@+$(MAKE) --no-print-directory -C $(MODEL_OF) $(@F)
 else
 sector.msh: .tables/mesh
 	tiprub-mesh case.toml -o $@
 
-model.h5: .tables/reduce sector.msh
-	tiprub-reduce case.toml sector.msh -o $@
+model.h5 fields.h5 &: .tables/reduce sector.msh
+	tiprub-reduce case.toml sector.msh -o model.h5 --fields fields.h5
 endif
 
 response.h5: .tables/casing .tables/simulate model.h5
@@ -53,4 +53,4 @@ report/report.html: .tables/postprocess model.h5 response.h5 $(SWEEPS)
 .PRECIOUS: .tables/%
 
 clean:
-	rm -rf .tables report response*.h5 response*.h5.speeds model.h5 sector.msh *.part.*
+	rm -rf .tables report response*.h5 response*.h5.speeds model.h5 fields.h5 sector.msh *.part.*

@@ -21,6 +21,13 @@ H5::CompType complex_type() {
   return type;
 }
 
+H5::CompType single_complex_type() {
+  H5::CompType type(2 * sizeof(float));
+  type.insertMember("r", 0, H5::PredType::NATIVE_FLOAT);
+  type.insertMember("i", sizeof(float), H5::PredType::NATIVE_FLOAT);
+  return type;
+}
+
 H5::DSetCreatPropList plain_creation() {
   H5::DSetCreatPropList list;
   H5Pset_obj_track_times(list.getId(), false);
@@ -56,6 +63,16 @@ struct Hdf5File::Handle {
     if (product(shape) > 0) set.write(data, type);
     const H5::StrType string_type(H5::PredType::C_S1, std::max<std::size_t>(unit.size(), 1));
     set.createAttribute("unit", string_type, H5::DataSpace(H5S_SCALAR)).write(string_type, unit);
+  }
+  /// Selects one slice of a dataset's space; the space of the slice alone.
+  H5::DataSpace select_slice(H5::DataSpace& space, std::size_t index) const {
+    Shape count(space.getSimpleExtentNdims());
+    space.getSimpleExtentDims(count.data());
+    Shape start(count.size(), 0);
+    start.front() = index;
+    count.front() = 1;
+    space.selectHyperslab(H5S_SELECT_SET, count.data(), start.data());
+    return H5::DataSpace(static_cast<int>(count.size()), count.data());
   }
   template <class Body>
   void with_attributes(const std::string& object, Body body) const {
@@ -210,6 +227,80 @@ void Hdf5File::write(const std::string& name, const Eigen::MatrixXcd& matrix, co
                    transposed.data(), unit);
   } catch (const H5::Exception&) {
     fail(name, "can't be written");
+  }
+}
+
+void Hdf5File::make_slices(const std::string& name, const std::vector<std::size_t>& shape, Number number,
+                           const std::string& unit) {
+  try {
+    handle_->make_groups(name);
+    const Shape extents(shape.begin(), shape.end());
+    Shape chunk = extents;
+    chunk.front() = 1;
+    H5::DSetCreatPropList creation = plain_creation();
+    creation.setChunk(static_cast<int>(chunk.size()), chunk.data());
+    const H5::DataSpace space(static_cast<int>(extents.size()), extents.data());
+    const H5::DataSet set =
+        number == Number::complex ? handle_->file.createDataSet(name, single_complex_type(), space, creation)
+                                  : handle_->file.createDataSet(name, H5::PredType::NATIVE_FLOAT, space, creation);
+    const H5::StrType string_type(H5::PredType::C_S1, std::max<std::size_t>(unit.size(), 1));
+    set.createAttribute("unit", string_type, H5::DataSpace(H5S_SCALAR)).write(string_type, unit);
+  } catch (const H5::Exception&) {
+    fail(name, "can't be written");
+  }
+}
+
+void Hdf5File::write_slice(const std::string& name, std::size_t index,
+                           const std::vector<std::complex<float>>& values) {
+  try {
+    const H5::DataSet set = handle_->file.openDataSet(name);
+    H5::DataSpace inside = set.getSpace();
+    const H5::DataSpace slice = handle_->select_slice(inside, index);
+    if (set.getTypeClass() == H5T_COMPOUND) {
+      set.write(values.data(), single_complex_type(), slice, inside);
+      return;
+    }
+    std::vector<float> real(values.size());
+    std::transform(values.begin(), values.end(), real.begin(), [](std::complex<float> v) { return v.real(); });
+    set.write(real.data(), H5::PredType::NATIVE_FLOAT, slice, inside);
+  } catch (const H5::Exception&) {
+    fail(name, "slice " + std::to_string(index) + " can't be written");
+  }
+}
+
+std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, std::size_t index) const {
+  if (!exists(name)) fail(name, "is missing");
+  std::vector<std::complex<float>> values;
+  try {
+    const H5::DataSet set = handle_->file.openDataSet(name);
+    H5::DataSpace inside = set.getSpace();
+    const H5::DataSpace slice = handle_->select_slice(inside, index);
+    values.resize(static_cast<std::size_t>(slice.getSimpleExtentNpoints()));
+    if (set.getTypeClass() == H5T_COMPOUND) {
+      set.read(values.data(), single_complex_type(), slice, inside);
+    } else {
+      std::vector<float> real(values.size());
+      set.read(real.data(), H5::PredType::NATIVE_FLOAT, slice, inside);
+      std::copy(real.begin(), real.end(), values.begin());
+    }
+  } catch (const H5::Exception&) {
+    fail(name, "slice " + std::to_string(index) + " can't be read as real or {r, i} numbers");
+  }
+  for (const std::complex<float>& value : values)
+    if (!std::isfinite(value.real()) || !std::isfinite(value.imag()))
+      fail(name, "slice " + std::to_string(index) + " has a value that is not finite");
+  return values;
+}
+
+std::vector<std::size_t> Hdf5File::shape_of(const std::string& name) const {
+  if (!exists(name)) fail(name, "is missing");
+  try {
+    const H5::DataSpace space = handle_->file.openDataSet(name).getSpace();
+    Shape shape(space.getSimpleExtentNdims());
+    space.getSimpleExtentDims(shape.data());
+    return {shape.begin(), shape.end()};
+  } catch (const H5::Exception&) {
+    fail(name, "is no dataset");
   }
 }
 

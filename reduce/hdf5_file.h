@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <complex>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -45,6 +46,16 @@ class Hdf5File {
   void write(const std::string& name, const Eigen::VectorXd& vector, const std::string& unit);
   void write(const std::string& name, const Array<double>& array, const std::string& unit);
   void write(const std::string& name, const Array<std::int32_t>& array, const std::string& unit);
+
+  /// Large single-precision datasets go in and out one slice at a time, the first index of `shape`; each slice is a
+  /// chunk of its own in the file. Complex ones are {r, i} compounds of float32.
+  enum class Number { real, complex };
+  void make_slices(const std::string& name, const std::vector<std::size_t>& shape, Number number,
+                   const std::string& unit);
+  /// Of real slices the imaginary parts are left out.
+  void write_slice(const std::string& name, std::size_t index, const std::vector<std::complex<float>>& values);
+  std::vector<std::complex<float>> read_slice(const std::string& name, std::size_t index) const;
+  std::vector<std::size_t> shape_of(const std::string& name) const;
 
   bool exists(const std::string& name) const;
   /// Names of the objects in a group, sorted.

@@ -48,6 +48,7 @@ struct Options {
   std::string calculix_folder;
   std::string modes_file;
   std::string matrix_market_folder;
+  std::string fields_file;
 };
 
 void check(const tiprub::StageArguments& arguments, const tiprub::SectorMesh& mesh,
@@ -79,15 +80,29 @@ void find_modes(const tiprub::StageArguments& arguments, const tiprub::SectorMes
                              std::to_string(results.speed_count()) + " speeds");
 }
 
+/// Reduces, and writes the full fields beside it if a file is named for them.
+tiprub::ReducedModel reduce_with_fields(const tiprub::StageArguments& arguments, const tiprub::SectorMesh& mesh,
+                                        const tiprub::ReductionParameters& parameters, const std::string& fields_file,
+                                        tiprub::ReductionReport& report) {
+  const auto shown = arguments.verbosity == tiprub::Verbosity::quiet ? tiprub::Progress::Shown::never
+                                                                     : tiprub::Progress::Shown::on_a_terminal;
+  if (fields_file.empty()) return tiprub::reduce(mesh, parameters, shown, report);
+  tiprub::OutputFile output(fields_file);
+  tiprub::ReducedModel model = [&] {
+    tiprub::FieldsWriter fields(output.scratch(), tiprub::program_version("tiprub-reduce"));
+    return tiprub::reduce(mesh, parameters, shown, report, &fields);
+  }();
+  output.commit();
+  return model;
+}
+
 tiprub::ReducedModel make_model(const tiprub::StageArguments& arguments, const tiprub::SectorMesh& mesh,
-                                const tiprub::ReductionParameters& parameters, const std::string& provenance) {
-  tiprub::OutputFile output(arguments.output);
+                                const tiprub::ReductionParameters& parameters, const std::string& provenance,
+                                const std::string& fields_file) {
+  { const tiprub::OutputFile writable(arguments.output); }  // complain before the work, not after it
   tiprub::ReductionReport report;
-  tiprub::ReducedModel model =
-      tiprub::reduce(mesh, parameters,
-                     arguments.verbosity == tiprub::Verbosity::quiet ? tiprub::Progress::Shown::never
-                                                                     : tiprub::Progress::Shown::on_a_terminal,
-                     report);
+  tiprub::ReducedModel model = reduce_with_fields(arguments, mesh, parameters, fields_file, report);
+  tiprub::OutputFile output(arguments.output);
   if (arguments.verbosity == tiprub::Verbosity::verbose) {
     tiprub::say(arguments, "memory: " + std::to_string(report.memory_needed / bytes_per_gib) + " GiB expected");
     for (const auto& [what, seconds] : report.seconds)
@@ -117,7 +132,7 @@ void run(const tiprub::StageArguments& arguments, const Options& options) {
   if (!options.calculix_folder.empty()) return export_decks(arguments, mesh, parameters, options.calculix_folder);
   if (!options.modes_file.empty())
     return find_modes(arguments, mesh, parameters, options.modes_file, case_file.source());
-  const tiprub::ReducedModel model = make_model(arguments, mesh, parameters, case_file.source());
+  const tiprub::ReducedModel model = make_model(arguments, mesh, parameters, case_file.source(), options.fields_file);
   if (!options.matrix_market_folder.empty()) {
     tiprub::write_matrix_market(model, options.matrix_market_folder);
     tiprub::say(arguments, "tiprub-reduce: " + options.matrix_market_folder + ": K0, K1, K2, M of " +
@@ -143,6 +158,9 @@ int main(int argc, char** argv) {
             "and onto stdout, and stop");
         app.add_option("--export-matrix-market", options.matrix_market_folder,
                        "also write the model's matrices in Matrix Market format into this folder");
+        app.add_option("--fields", options.fields_file,
+                       "also write the basis on all nodes into this file (fields.h5), for displacement and stress of "
+                       "the whole wheel");
       }};
   return tiprub::run_stage(argc, argv, stage,
                            [&](const tiprub::StageArguments& arguments) { run(arguments, options); });

@@ -18,6 +18,7 @@
 #include "reduce/memory_need.h"
 #include "reduce/mode_following.h"
 #include "reduce/parallel_for.h"
+#include "reduce/sector_fields.h"
 #include "reduce/speed_polynomial.h"
 #include "reduce/spin_equilibrium.h"
 
@@ -52,7 +53,7 @@ class Reducer {
     return (mesh.sector_count / 2 + 1) * (3 + static_cast<int>(parameters.verification_speeds.size()));
   }
 
-  ReducedModel run(ReductionReport& report) {
+  ReducedModel run(ReductionReport& report, FieldsWriter* fields) {
     report.sector_dofs = dofs_.sector();
     report.clamped_face_nodes = dofs_.clamped_face_nodes;
     const MemoryNeed need =
@@ -73,6 +74,7 @@ class Reducer {
     model.contact = describe_contact(mesh_, contact_);
     describe_static_shift(model.contact);
     timed(report, "basis and projection", [&] { build(model, report); });
+    if (fields != nullptr) timed(report, "fields", [&] { write_fields(*fields); });
     timed(report, "verification", [&] { verify(model); });
     return model;
   }
@@ -194,17 +196,35 @@ class Reducer {
   }
 
   /// Omega^2 s_1 + Omega^4 s_2 through Omega_max/2 and Omega_max; s_2 is zero unless prestress is nonlinear.
-  void describe_static_shift(ContactLine& contact) const {
+  SpeedPolynomial static_shift() const {
     const bool linear = equilibria_.empty();
     const Eigen::VectorXcd full = static_solution(1.0).cast<std::complex<double>>();
     const Eigen::VectorXcd half =
         linear ? full / 4 : Eigen::VectorXcd(static_solution(0.5).cast<std::complex<double>>());
-    const SpeedPolynomial shift = SpeedPolynomial::through(0 * full, half, full, parameters_.speed_max);
+    SpeedPolynomial shift = SpeedPolynomial::through(0 * full, half, full, parameters_.speed_max);
+    if (linear) shift.Y2.setZero();
+    return shift;
+  }
+
+  void describe_static_shift(ContactLine& contact) const {
+    const SpeedPolynomial shift = static_shift();
     for (Eigen::Index k = 0; k < contact.size(); ++k) {
       const int first = dofs_.first[contact_[k]];
       contact.static_shift_1.row(k) = shift.Y1.real().middleRows<3>(first).transpose();
-      if (!linear) contact.static_shift_2.row(k) = shift.Y2.real().middleRows<3>(first).transpose();
+      contact.static_shift_2.row(k) = shift.Y2.real().middleRows<3>(first).transpose();
     }
+  }
+
+  /// One after the other and shape by shape: the bases are the largest things here.
+  void write_fields(FieldsWriter& fields) const {
+    SectorFields sector = describe_sector(mesh_, contact_, parameters_.material);
+    const SpeedPolynomial shift = static_shift();
+    sector.static_displacement_1 = on_nodes(dofs_, shift.Y1).real().reshaped(3, mesh_.node_count());
+    sector.static_displacement_2 = on_nodes(dofs_, shift.Y2).real().reshaped(3, mesh_.node_count());
+    fields.write_sector(sector);
+    for (std::size_t n = 0; n < waves_.size(); ++n)
+      fields.write_basis(static_cast<int>(n), bases_[n].cols(), waves_[n].standing(),
+                         [&](Eigen::Index k) { return on_nodes(dofs_, waves_[n].expand(bases_[n].col(k))); });
   }
 
   NodalDiameterModel project_all(const TravellingWave& wave, const Eigen::MatrixXcd& basis) const {
@@ -317,10 +337,10 @@ ReductionParameters ReductionParameters::read(CaseTable& table) {
 }
 
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown shown,
-                    ReductionReport& report) {
+                    ReductionReport& report, FieldsWriter* fields) {
   openblas_set_num_threads(parameters.threads);
   Progress progress("reducing", Reducer::steps(mesh, parameters), shown);
-  return Reducer(mesh, parameters, progress).run(report);
+  return Reducer(mesh, parameters, progress).run(report, fields);
 }
 
 void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {

@@ -8,6 +8,7 @@
 
 #include "cases/case_file.h"
 #include "cases/progress.h"
+#include "reduce/fields_file.h"
 #include "reduce/reduced_model.h"
 #include "reduce/rotating_elasticity.h"
 #include "reduce/sector_mesh.h"
@@ -49,9 +50,10 @@ std::string name_of(Prestress prestress);
 
 /// Eqs. 3-10 of the paper: K(0), K(Omega_max/2), K(Omega_max) and M of a sector, nodal diameter by nodal diameter on
 /// one Craig-Bampton basis, eq. 7 through the three, and the unreduced frequencies that verify it. Costs one
-/// factorization a speed, for all nodal diameters. Raises RunError for an unstable rotor, with the speed.
+/// factorization a speed, for all nodal diameters. Raises RunError for an unstable rotor, with the speed. `fields`,
+/// if given, gets the basis on all nodes as soon as it is known.
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown progress,
-                    ReductionReport& report);
+                    ReductionReport& report, FieldsWriter* fields = nullptr);
 
 /// Whether a sector can be reduced: contact nodes can be chosen and are free, no cell is inverted. Raises InputError.
 void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tiprub {
+
+/// What fields.h5 holds beside the basis: one sector of the wheel, its material, its shape under spin.
+struct SectorFields {
+  int sector_count = 0;    ///< N
+  Eigen::Matrix3Xd nodes;  ///< [m] x, y, z; 3 x nodes
+  Eigen::MatrixXi cells;  ///< node numbers in VTK's order of its quadratic hexahedra (types 25, 29); 20 or 27 x cells
+  std::map<std::string, std::vector<int>> node_sets;  ///< `clamped`, `contact` (leading to trailing edge),
+                                                      ///< `cyclic_low`, `cyclic_high` (partners, in the same order)
+  std::map<std::string, std::vector<int>> parts;      ///< cells of `disc`, `main_blade`, ..., where the mesh has them
+  double young = 0;                                   ///< [Pa]
+  double poisson = 0;                                 ///< [1]
+  double density = 0;                                 ///< [kg/m^3]
+  Eigen::Matrix3Xd static_displacement_1;             ///< [m s^2] under spin over Omega^2; r, theta, z; 3 x nodes
+  Eigen::Matrix3Xd static_displacement_2;             ///< [m s^4] its part with Omega^4; 3 x nodes
+
+  const std::vector<int>& node_set(const std::string& name) const { return node_sets.at(name); }
+};
+
+/// Writes fields.h5, schema "tiprub-fields" version 1 (see README.md), one nodal diameter after the other.
+class FieldsWriter {
+ public:
+  FieldsWriter(const std::filesystem::path& path, const std::string& generator);
+  ~FieldsWriter();
+
+  void write_sector(const SectorFields& sector);
+  /// The shape of model dof k on the sector's nodes, r, theta, z of node 0, then of node 1, ...
+  using Shape = std::function<Eigen::VectorXcd(Eigen::Index k)>;
+  /// The basis of one nodal diameter in single precision; a standing wave's shapes are real.
+  void write_basis(int nodal_diameter, Eigen::Index dofs, bool standing, const Shape& shape);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Reads it. Raises RunError with the file and the dataset if something is missing or doesn't fit.
+class FieldsReader {
+ public:
+  explicit FieldsReader(const std::filesystem::path& path);
+  ~FieldsReader();
+
+  const SectorFields& sector() const;
+  /// How many dofs the model has at a nodal diameter 0 .. floor(N/2).
+  Eigen::Index dofs(int nodal_diameter) const;
+  /// Fields of several states at once: basis times `amplitudes` (dofs x states), read in one pass; 3 nodes x states,
+  /// r, theta, z of node 0, then of node 1, ...
+  Eigen::MatrixXcd expand(int nodal_diameter, const Eigen::MatrixXcd& amplitudes) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tiprub

@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <utility>
 
 namespace tiprub {
 
@@ -10,29 +11,53 @@ namespace {
 
 constexpr double dependence_tolerance = 1e-10;  // of a unit direction, in squared stiffness norm
 
-Eigen::MatrixXcd collect(const std::vector<SpeedShapes>& speeds) {
-  const SpeedShapes& rest = speeds.front();
-  Eigen::MatrixXcd all = rest.fixed_interface_modes;
-  for (std::size_t s = 1; s < speeds.size(); ++s) {
-    const Eigen::Index old = all.cols(), modes = speeds[s].fixed_interface_modes.cols();
-    all.conservativeResize(Eigen::NoChange, old + modes + rest.constraint_modes.cols());
-    all.middleCols(old, modes) = speeds[s].fixed_interface_modes;
-    all.rightCols(rest.constraint_modes.cols()) = speeds[s].constraint_modes - rest.constraint_modes;
-  }
-  return all;
+Eigen::MatrixXcd hermitian(const Eigen::MatrixXcd& matrix) {
+  return 0.5 * (matrix + matrix.adjoint());
 }
 
 }  // namespace
 
 Eigen::MatrixXcd project(const TravellingWave& wave, const SymmetricMatrix& matrix, const Eigen::MatrixXcd& basis) {
-  const Eigen::MatrixXcd product = basis.adjoint() * wave.apply(matrix, basis);
-  return 0.5 * (product + product.adjoint());
+  return hermitian(basis.adjoint() * wave.apply(matrix, basis));
 }
 
-CraigBamptonBasis merge_speeds(const TravellingWave& wave, const std::vector<SpeedShapes>& speeds,
-                               const SymmetricMatrix& stiffness, const SymmetricMatrix& mass) {
-  Eigen::MatrixXcd inner = collect(speeds);
-  Eigen::MatrixXcd gram = project(wave, stiffness, inner);
+CraigBamptonBasis::CraigBamptonBasis(const TravellingWave& wave, const SymmetricMatrix& mass,
+                                     std::vector<const SymmetricMatrix*> stiffness,
+                                     const Eigen::MatrixXcd& constraint_modes)
+    : wave_(wave),
+      mass_(mass),
+      stiffness_(std::move(stiffness)),
+      contact_dofs_(constraint_modes.cols()),
+      stiffness_products_(stiffness_.size()) {
+  join(constraint_modes);
+}
+
+void CraigBamptonBasis::append(const Eigen::MatrixXcd& shapes) {
+  join(shapes);
+}
+
+void CraigBamptonBasis::join(const Eigen::MatrixXcd& shapes) {
+  if (shapes.cols() == 0) return;
+  const Eigen::Index old = raw_.cols();
+  raw_.conservativeResize(shapes.rows(), old + shapes.cols());
+  raw_.rightCols(shapes.cols()) = shapes;
+  for (std::size_t s = 0; s < stiffness_.size(); ++s) extend(stiffness_products_[s], *stiffness_[s], shapes);
+  extend(mass_products_, mass_, shapes);
+}
+
+void CraigBamptonBasis::extend(Eigen::MatrixXcd& products, const SymmetricMatrix& matrix,
+                               const Eigen::MatrixXcd& shapes) const {
+  const Eigen::Index old = products.cols(), more = shapes.cols();
+  const Eigen::MatrixXcd columns = raw_.adjoint() * wave_.apply(matrix, shapes);
+  products.conservativeResize(old + more, old + more);
+  products.topRightCorner(old, more) = columns.topRows(old);
+  products.bottomLeftCorner(more, old) = columns.topRows(old).adjoint();
+  products.bottomRightCorner(more, more) = hermitian(columns.bottomRows(more));
+}
+
+void CraigBamptonBasis::orthonormalise() {
+  const Eigen::Index count = raw_.cols() - contact_dofs_;
+  Eigen::MatrixXcd gram = stiffness_products_.front().bottomRightCorner(count, count);
   const Eigen::VectorXd scale = gram.diagonal().real().unaryExpr(
       [](double square) { return square > 0 ? 1 / std::sqrt(square) : 0.0; });  // 0: speed changed nothing
   gram = scale.asDiagonal() * gram * scale.asDiagonal();
@@ -40,18 +65,37 @@ CraigBamptonBasis merge_speeds(const TravellingWave& wave, const std::vector<Spe
   const Eigen::VectorXd& lengths = directions.eigenvalues();
   const Eigen::Index kept = (lengths.array() > dependence_tolerance * lengths[lengths.size() - 1]).count();
   const Eigen::MatrixXcd independent = scale.asDiagonal() * directions.eigenvectors().rightCols(kept) *
-                                       lengths.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-  inner = inner * independent;  // now K-orthonormal
+                                       lengths.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();  // K-orthonormal
   // Modes of the small model with contact nodes held: M z = z / omega^2, largest last.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> modes(project(wave, mass, inner));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> modes(
+      hermitian(independent.adjoint() * mass_products_.bottomRightCorner(count, count) * independent));
   const Eigen::MatrixXcd ascending = modes.eigenvectors().rowwise().reverse();
-  const Eigen::VectorXd norms = modes.eigenvalues().reverse().cwiseSqrt();
-  CraigBamptonBasis basis;
-  basis.dropped = static_cast<int>(lengths.size() - kept);
-  const Eigen::MatrixXcd& constraint = speeds.front().constraint_modes;
-  basis.shapes.resize(inner.rows(), constraint.cols() + kept);
-  basis.shapes << constraint, inner * ascending * norms.cwiseInverse().asDiagonal();
-  return basis;
+  weights_ = independent * ascending * modes.eigenvalues().reverse().cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+Eigen::MatrixXcd CraigBamptonBasis::combine(const Eigen::MatrixXcd& coefficients) const {
+  Eigen::MatrixXcd all(raw_.cols(), coefficients.cols());
+  all << coefficients.topRows(contact_dofs_), weights_ * coefficients.bottomRows(weights_.cols());
+  return raw_ * all;
+}
+
+Eigen::MatrixXcd CraigBamptonBasis::inner_products(const Eigen::MatrixXcd& loads) const {
+  const Eigen::MatrixXcd all = raw_.adjoint() * loads;
+  Eigen::MatrixXcd products(size(), loads.cols());
+  products << all.topRows(contact_dofs_), weights_.adjoint() * all.bottomRows(weights_.rows());
+  return products;
+}
+
+Eigen::MatrixXcd CraigBamptonBasis::reduced(const Eigen::MatrixXcd& products) const {
+  const Eigen::Index inner = weights_.rows();
+  Eigen::MatrixXcd matrix(size(), size());
+  matrix.topLeftCorner(contact_dofs_, contact_dofs_) = products.topLeftCorner(contact_dofs_, contact_dofs_);
+  const Eigen::MatrixXcd mixed = products.topRightCorner(contact_dofs_, inner) * weights_;
+  matrix.topRightCorner(contact_dofs_, weights_.cols()) = mixed;
+  matrix.bottomLeftCorner(weights_.cols(), contact_dofs_) = mixed.adjoint();
+  matrix.bottomRightCorner(weights_.cols(), weights_.cols()) =
+      hermitian(weights_.adjoint() * products.bottomRightCorner(inner, inner) * weights_);
+  return matrix;
 }
 
 }  // namespace tiprub

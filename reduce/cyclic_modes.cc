@@ -14,7 +14,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr Eigen::Index block_size = 8;
+constexpr Eigen::Index block_size = 16;
 constexpr double rank_tolerance = 1e-12;  // of the largest direction of a block, in squares
 constexpr double rounding = 1e-13;        // of what a new block was orthogonalised from
 
@@ -90,17 +90,12 @@ class KrylovSpace {
       block = block * scaled;
       moved = moved * scaled;
     }
-    reserve(block.rows(), size_ + block.cols());
+    // Columns are appended by moving pages, not numbers, so nothing is gained by reserving room.
+    Q_.conservativeResize(block.rows(), size_ + block.cols());
+    MQ_.conservativeResize(block.rows(), size_ + block.cols());
     Q_.middleCols(size_, block.cols()) = block;
     MQ_.middleCols(size_, block.cols()) = moved.leftCols(block.cols());
     size_ += block.cols();
-  }
-
-  void reserve(Eigen::Index rows, Eigen::Index columns) {
-    if (columns <= Q_.cols()) return;
-    const Eigen::Index wide = std::max(columns, 2 * Q_.cols());
-    Q_.conservativeResize(rows, wide);
-    MQ_.conservativeResize(rows, wide);
   }
 
   const CyclicStiffness& stiffness_;

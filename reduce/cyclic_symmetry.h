@@ -17,6 +17,8 @@ class TravellingWave {
   TravellingWave(const SectorDofs& dofs, int sector_count, int nodal_diameter);
 
   const SectorDofs& dofs() const { return dofs_; }
+  /// e^{i n alpha}
+  std::complex<double> phase() const { return phase_; }
   /// n = 0 or n = N/2: all matrices are real.
   bool standing() const { return phase_.imag() == 0.0; }
   /// T x: sector x columns from independent x columns.
@@ -52,6 +54,8 @@ class CyclicStiffness {
   const TravellingWave& wave() const { return wave_; }
 
  private:
+  Eigen::MatrixXcd solve_block(const Eigen::MatrixXcd& load, ContactNodes contact) const;
+
   const SectorFactor& factor_;
   TravellingWave wave_;
   Eigen::MatrixXcd

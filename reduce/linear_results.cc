@@ -21,6 +21,7 @@ namespace tiprub {
 namespace {
 
 constexpr double mode_tolerance = 1e-7;  // of 1/omega^2, a residual; the error of a frequency goes with its square
+constexpr int krylov_vectors = 12;       // a wanted mode, with their products
 constexpr double least_mac = 0.5;        // of one branch
 
 /// The parts of a sector, or the sector itself as the only one.
@@ -59,7 +60,7 @@ class LinearAnalysis {
   }
 
   LinearResults run() {
-    require_memory(memory_need(mesh_, dofs_, parameters_.verification_modes, parameters_.threads),
+    require_memory(memory_need(mesh_, dofs_, 1, krylov_vectors * parameters_.verification_modes, parameters_.threads),
                    available_memory());
     prepare();
     find_shapes();

@@ -25,9 +25,8 @@ constexpr double real_bytes = sizeof(double), complex_bytes = 2 * sizeof(double)
 constexpr double entry_bytes = sizeof(double) + sizeof(int);  // of a sparse matrix
 constexpr double block_entries = 9;                           // of a pair of nodes
 constexpr int gauss_points = 27, values_per_point = 4;        // a shape function and its gradient
-constexpr int sparse_matrices = 7;     // pattern, M, K at three speeds, one at work, its copy for the factor
-constexpr int interface_matrices = 3;  // of real numbers: L_FF, its product, S
-constexpr int solver_vectors = 4;      // a wanted shape: Lanczos vectors, their products with M, a copy, the load
+constexpr int sparse_matrices = 6;     // M, K at three speeds, one at work in each of two threads
+constexpr int interface_matrices = 1;  // of real numbers: S
 
 /// Lower triangle of the graph of free nodes in the factor's order: column starts and rows.
 struct Graph {
@@ -113,16 +112,16 @@ std::string gib(double bytes) {
 
 }  // namespace
 
-MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, int shapes, int threads) {
+MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, int factors, int columns, int threads) {
   Graph graph = node_graph(mesh, dofs);
   const double diameters = mesh.sector_count / 2 + 1, at_once = std::min<double>(threads, diameters);
   const double interface = dofs.interface(), kept = dofs.face + dofs.boundary(), independent = dofs.independent();
   MemoryNeed need;
   need.matrices = sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size()) +
                   real_bytes * gauss_points * values_per_point * static_cast<double>(mesh.cells.size());
-  need.bases = complex_bytes * independent * shapes * (diameters + solver_vectors * at_once);
-  need.factor = real_bytes * (block_entries * factor_entries(graph) + interface_matrices * interface * interface) +
-                complex_bytes * kept * kept * diameters;
+  need.bases = complex_bytes * independent * columns * at_once;
+  need.factor = factors * (real_bytes * (block_entries * factor_entries(graph) + interface_matrices * interface * interface) +
+                           complex_bytes * kept * kept * at_once);
   return need;
 }
 
@@ -134,7 +133,7 @@ void require_memory(const MemoryNeed& need, double available) {
   if (need.total() <= available) return;
   throw RunError("not enough memory: about " + gib(need.total()) + " are needed (factor " + gib(need.factor) +
                  ", bases " + gib(need.bases) + ", matrices " + gib(need.matrices) + "), " + gib(available) +
-                 " are available; coarsen the mesh, ask for fewer fixed_interface_modes, or take a larger machine");
+                 " are available; coarsen the mesh, ask for fewer fixed_interface_modes or threads, or take a larger machine");
 }
 
 }  // namespace tiprub

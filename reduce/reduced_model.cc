@@ -37,8 +37,9 @@ void check(const NodalDiameterModel& model, int contact_dofs, bool real, const s
   require(size > 0 && size >= contact_dofs, where + "/M is " + shape(model.M) +
                                                 ", but the contact nodes alone have " + std::to_string(contact_dofs) +
                                                 " dofs");
-  const std::pair<const char*, const Eigen::MatrixXcd&> all[] = {
+  std::vector<std::pair<std::string, const Eigen::MatrixXcd&>> all = {
       {"/K0", model.K0}, {"/K1", model.K1}, {"/K2", model.K2}, {"/M", model.M}};
+  for (std::size_t k = 0; k < model.higher.size(); ++k) all.emplace_back("/K" + std::to_string(3 + k), model.higher[k]);
   for (const auto& [name, matrix] : all) {
     require(matrix.rows() == size && matrix.cols() == size, where + name + " is " + shape(matrix) + ", must be " +
                                                                 std::to_string(size) + " x " + std::to_string(size));
@@ -87,7 +88,10 @@ void check(const Verification& table, std::size_t nodal_diameters, const std::st
 
 Eigen::MatrixXcd NodalDiameterModel::stiffness(double speed) const {
   const double square = speed * speed;
-  return K0 + square * K1 + square * square * K2;
+  Eigen::MatrixXcd K = K0 + square * K1 + square * square * K2;
+  double power = square * square;
+  for (const Eigen::MatrixXcd& term : higher) K += (power *= square) * term;
+  return K;
 }
 
 Eigen::VectorXd NodalDiameterModel::natural_frequencies(double speed) const {

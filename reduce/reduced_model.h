@@ -15,8 +15,9 @@ struct NodalDiameterModel {
   Eigen::MatrixXcd K1;  ///< [N/m s^2] its part with Omega^2
   Eigen::MatrixXcd K2;  ///< [N/m s^4] its part with Omega^4
   Eigen::MatrixXcd M;   ///< [kg in contact rows] mass, positive definite
+  std::vector<Eigen::MatrixXcd> higher = {};  ///< K3, K4, ... with Omega^6, Omega^8, ...; eq. 7 has none
 
-  /// K0 + Omega^2 K1 + Omega^4 K2 (eq. 11), Omega in rad/s.
+  /// K0 + Omega^2 K1 + Omega^4 K2 + ... (eq. 11), Omega in rad/s.
   Eigen::MatrixXcd stiffness(double speed) const;
   /// [Hz], ascending, at a speed in rad/s. A negative eigenvalue (an unstable rotor) gives a negative frequency.
   Eigen::VectorXd natural_frequencies(double speed) const;

@@ -59,6 +59,9 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
     write_matrix(file, group + "/K0", matrices.K0, "N/m");
     write_matrix(file, group + "/K1", matrices.K1, "N/m s^2");
     write_matrix(file, group + "/K2", matrices.K2, "N/m s^4");
+    for (std::size_t k = 0; k < matrices.higher.size(); ++k)
+      write_matrix(file, group + "/K" + std::to_string(3 + k), matrices.higher[k],
+                   "N/m s^" + std::to_string(2 * (3 + k)));
     write_matrix(file, group + "/M", matrices.M, "kg");
   }
   if (model.verification.speeds.size() == 0) return;
@@ -94,6 +97,8 @@ ReducedModel read_model(const std::filesystem::path& path) {
     matrices.K0 = file.read_complex_matrix(group + "/K0");
     matrices.K1 = read_or_zero(file, group + "/K1", matrices.M);
     matrices.K2 = read_or_zero(file, group + "/K2", matrices.M);
+    for (int k = 3; file.exists(group + "/K" + std::to_string(k)); ++k)
+      matrices.higher.push_back(file.read_complex_matrix(group + "/K" + std::to_string(k)));
     model.nodal_diameters.push_back(std::move(matrices));
   }
   if (file.exists("/verification/speed")) {

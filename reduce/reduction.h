@@ -26,7 +26,10 @@ struct ReductionParameters {
   int modes_at_speed = 0;                   ///< generalized dofs that do at any one speed; 0: all
   std::vector<double> verification_speeds;  ///< [1] over Omega_max
   int verification_modes = 0;               ///< a nodal diameter
-  double verification_tolerance = 0;        ///< [1] of omega^2, in the last step of following a mode
+  double verification_tolerance = 0;        ///< [1] of omega^2, estimated
+  double frequency_tolerance = 0;           ///< [1] of the lowest frequencies between the speeds of the basis
+  int polynomial_speeds = 0;                ///< of eq. 7; 0: as many as `polynomial_tolerance` takes, 3 or 5
+  double polynomial_tolerance = 0;          ///< [1] of a frequency, by eq. 7 alone
   double cyclic_tolerance = 0;              ///< [1] over the largest radius
   int threads = 1;                          ///< for nodal diameters and the BLAS
 
@@ -42,6 +45,8 @@ struct ReductionReport {
   double memory_needed = 0;                             ///< [bytes] estimated before the start
   std::vector<int> generalized_dofs;                    ///< a nodal diameter
   std::vector<int> dropped;                             ///< a nodal diameter
+  std::vector<int> corrections;                         ///< shapes that modes between the speeds gave; a nodal diameter
+  int polynomial_speeds = 0;                            ///< that eq. 7 took
   std::vector<std::pair<std::string, double>> seconds;  ///< what took how long
 };
 

@@ -14,6 +14,7 @@ namespace tiprub {
 
 namespace {
 
+using Supernode = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 constexpr Eigen::Index schur_block = 256;  // columns a rank update, for the cache
 
 /// L L' of a lower triangular matrix; a third of the work of the full product.
@@ -36,8 +37,7 @@ struct SectorFactor::Cholmod {
   cholmod_factor* factor = nullptr;
   int interior = 0;
   int interface = 0;
-  std::vector<int> position;         ///< place in the factor of each sector dof
-  Eigen::MatrixXd interface_factor;  ///< L_FF in the factor's order, lower triangle
+  std::vector<int> position;  ///< place in the factor of each sector dof
 
   Cholmod() {
     cholmod_start(&common);
@@ -55,7 +55,14 @@ struct SectorFactor::Cholmod {
   }
 
   void factorize(const SymmetricMatrix& stiffness, double shift);
-  void extract_interface_factor();
+  /// Calls body(first column, rows below the diagonal block, diagonal block, block below) for each supernode of L_FF,
+  /// all counted from the first interface dof in the factor's order. Above its diagonal the diagonal block is noise.
+  template <class Body>
+  void for_each_interface_block(const Body& body) const;
+  Eigen::MatrixXd interface_factor() const;
+  /// L_FF x and L_FF' x, straight from the supernodes.
+  Eigen::MatrixXd multiply_interface(const Eigen::MatrixXd& x) const;
+  Eigen::MatrixXd multiply_interface_transposed(const Eigen::MatrixXd& x) const;
   Eigen::MatrixXd solve(int system, Eigen::MatrixXd& right) const;
 };
 
@@ -88,22 +95,56 @@ void SectorFactor::Cholmod::factorize(const SymmetricMatrix& stiffness, double s
     throw RunError("the sector falls into parts that the cut faces don't join; mesh it as one piece");
 }
 
-void SectorFactor::Cholmod::extract_interface_factor() {
-  interface_factor = Eigen::MatrixXd::Zero(interface, interface);
+template <class Body>
+void SectorFactor::Cholmod::for_each_interface_block(const Body& body) const {
   const int* super = static_cast<const int*>(factor->super);
   const int* row_start = static_cast<const int*>(factor->pi);
   const int* value_start = static_cast<const int*>(factor->px);
   const int* rows = static_cast<const int*>(factor->s);
   const double* values = static_cast<const double*>(factor->x);
   for (std::size_t block = 0; block < factor->nsuper; ++block) {
-    const int count = row_start[block + 1] - row_start[block];
-    for (int column = std::max(super[block], interior); column < super[block + 1]; ++column) {
-      const int offset = column - super[block];
-      for (int r = offset; r < count; ++r)
-        interface_factor(rows[row_start[block] + r] - interior, column - interior) =
-            values[value_start[block] + r + static_cast<std::ptrdiff_t>(offset) * count];
-    }
+    const int first = std::max(super[block], interior), width = super[block + 1] - first;
+    if (width <= 0) continue;
+    const int count = row_start[block + 1] - row_start[block], offset = first - super[block];
+    const int below = count - offset - width;
+    const double* corner = values + value_start[block] + offset + static_cast<std::ptrdiff_t>(offset) * count;
+    const Eigen::OuterStride<> stride(count);
+    const Eigen::VectorXi below_rows =
+        Eigen::Map<const Eigen::VectorXi>(rows + row_start[block] + offset + width, below).array() - interior;
+    body(first - interior, below_rows, Supernode(corner, width, width, stride),
+         Supernode(corner + width, below, width, stride));
   }
+}
+
+Eigen::MatrixXd SectorFactor::Cholmod::interface_factor() const {
+  Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(interface, interface);
+  for_each_interface_block([&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+    lower.block(first, first, diagonal.rows(), diagonal.cols()).triangularView<Eigen::Lower>() = diagonal;
+    lower(rows, Eigen::seqN(first, below.cols())) = below;
+  });
+  return lower;
+}
+
+Eigen::MatrixXd SectorFactor::Cholmod::multiply_interface(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface, x.cols());
+  for_each_interface_block([&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+    const auto part = x.middleRows(first, diagonal.cols());
+    product.middleRows(first, diagonal.cols()) += diagonal.triangularView<Eigen::Lower>() * part;
+    const Eigen::MatrixXd moved = below * part;
+    product(rows, Eigen::all) += moved;
+  });
+  return product;
+}
+
+Eigen::MatrixXd SectorFactor::Cholmod::multiply_interface_transposed(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface, x.cols());
+  for_each_interface_block([&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+    auto part = product.middleRows(first, diagonal.cols());
+    part = diagonal.triangularView<Eigen::Lower>().transpose() * x.middleRows(first, diagonal.cols());
+    const Eigen::MatrixXd gathered = x(rows, Eigen::all);
+    part.noalias() += below.transpose() * gathered;
+  });
+  return product;
 }
 
 Eigen::MatrixXd SectorFactor::Cholmod::solve(int system, Eigen::MatrixXd& right) const {
@@ -131,8 +172,7 @@ SectorFactor::SectorFactor(const SymmetricMatrix& stiffness, const SectorDofs& d
   cholmod_->interface = dofs.interface();
   const double shift = stiffness.diagonal().tail(dofs.interface()).maxCoeff();
   cholmod_->factorize(stiffness, shift);
-  cholmod_->extract_interface_factor();
-  Eigen::MatrixXd product = multiply_by_transpose(cholmod_->interface_factor);
+  Eigen::MatrixXd product = multiply_by_transpose(cholmod_->interface_factor());
   product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
   product.diagonal().array() -= shift;
   const Eigen::VectorXi place =
@@ -151,7 +191,7 @@ SectorFactor::Eliminated SectorFactor::eliminate(const Eigen::MatrixXd& interior
   Eliminated result;
   result.state = cholmod_->solve(CHOLMOD_L, load);
   const Eigen::MatrixXd reached =  // L_FF y_F = -L_FI y_I
-      of.interface_factor.triangularView<Eigen::Lower>() * result.state.bottomRows(of.interface);
+      of.multiply_interface(result.state.bottomRows(of.interface));
   result.interface_load.resize(of.interface, interior_load.cols());
   for (int dof = 0; dof < of.interface; ++dof)
     result.interface_load.row(dof) = reached.row(of.position[of.interior + dof] - of.interior);
@@ -163,7 +203,7 @@ Eigen::MatrixXd SectorFactor::back_substitute(Eliminated&& eliminated, const Eig
   Eigen::MatrixXd placed(of.interface, interface.cols());
   for (int dof = 0; dof < of.interface; ++dof)
     placed.row(of.position[of.interior + dof] - of.interior) = interface.row(dof);
-  eliminated.state.bottomRows(of.interface) = of.interface_factor.triangularView<Eigen::Lower>().transpose() * placed;
+  eliminated.state.bottomRows(of.interface) = of.multiply_interface_transposed(placed);
   const Eigen::MatrixXd solved = cholmod_->solve(CHOLMOD_Lt, eliminated.state);
   Eigen::MatrixXd result(solved.rows(), solved.cols());
   for (Eigen::Index dof = 0; dof < solved.rows(); ++dof) result.row(dof) = solved.row(of.position[dof]);

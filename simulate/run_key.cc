@@ -44,8 +44,10 @@ void add_model(Hash& hash, const ReducedModel& model) {
        {&model.contact.position, &model.contact.normal, &model.contact.static_shift_1, &model.contact.static_shift_2})
     hash.add_matrix(*table);
   hash.add_matrix(model.contact.arc_length);
-  for (const NodalDiameterModel& at : model.nodal_diameters)
+  for (const NodalDiameterModel& at : model.nodal_diameters) {
     for (const auto* matrix : {&at.K0, &at.K1, &at.K2, &at.M}) hash.add_matrix(*matrix);
+    for (const Eigen::MatrixXcd& matrix : at.higher) hash.add_matrix(matrix);
+  }
 }
 
 constexpr int distortion_samples = 3600;  // a table is known by its values

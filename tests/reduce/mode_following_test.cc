@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reduce/cyclic_modes.h"
 #include "tests/reduce/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
@@ -16,79 +17,115 @@ using test::TestRotor;
 constexpr int sectors = 5, count = 6;
 constexpr double top = 3000.0;  // [rad/s]
 
-/// Modes at rest are followed to two thirds of a speed whose factor is at hand.
-class ModeFollowing : public ::testing::TestWithParam<int> {
+/// The modes of a small basis are followed at two speeds, each with the factor of rest or of full speed.
+class ModeFollowingTest : public ::testing::TestWithParam<int> {
  protected:
-  ModeFollowing()
+  ModeFollowingTest()
       : rotor_(test::tip_rotor(test::skewed_annulus(sectors))),
         wave_(rotor_.dofs(), sectors, GetParam()),
         mass_(rotor_.mass()),
-        between_(rotor_.at_speed(2 * top / 3, Prestress::linear)),
-        factor_(rotor_.at_speed(top, Prestress::linear), rotor_.dofs()),
-        nearby_(factor_, wave_) {}
-
-  CyclicModes follow(double tolerance) {
-    const SectorFactor rest(rotor_.at_rest(), rotor_.dofs());
-    const CyclicModes guesses =
-        lowest_modes(CyclicStiffness(rest, wave_), mass_, ContactNodes::free, 2 * count, 1e-7);
-    return follow_modes(nearby_, between_, mass_, guesses.shape, count, tolerance);
+        at_rest_(rotor_.at_rest()),
+        rest_factor_(at_rest_, rotor_.dofs()),
+        full_factor_(rotor_.at_speed(top, Prestress::linear), rotor_.dofs()),
+        rest_(rest_factor_, wave_),
+        full_(full_factor_, wave_),
+        basis_(wave_, mass_, {&at_rest_}, rest_.constraint_modes()) {
+    for (const double speed : {top / 3, 2 * top / 3})
+      stiffness_.push_back(rotor_.at_speed(speed, Prestress::linear));
+    basis_.append(lowest_modes(rest_, mass_, ContactNodes::fixed, 2 * count, 1e-7).shape);
+    basis_.append(full_.constraint_modes() - rest_.constraint_modes());
+    basis_.orthonormalise();
   }
-  Eigen::MatrixXcd unreduced(const SymmetricMatrix& matrix) const {
-    return cyclic(matrix, rotor_.dofs(), sectors, GetParam());
+
+  ModeFollowing following(double sign = 1.0) {
+    std::vector<SpeedToFollow> speeds;
+    for (std::size_t s = 0; s < stiffness_.size(); ++s)
+      speeds.push_back({s == 0 ? "slowly" : "fast", [this, s, sign] { return SymmetricMatrix(sign * stiffness_[s]); },
+                        sign * project(wave_, stiffness_[s], basis_.shapes()), s == 0 ? &rest_ : &full_});
+    return {basis_, mass_, std::move(speeds), count};
+  }
+  Eigen::VectorXd exact(std::size_t speed) const {
+    return test::generalized_eigenvalues(cyclic(stiffness_[speed], rotor_.dofs(), sectors, GetParam()),
+                                         cyclic(mass_, rotor_.dofs(), sectors, GetParam()));
   }
 
   TestRotor rotor_;
   TravellingWave wave_;
-  SymmetricMatrix mass_, between_;
-  SectorFactor factor_;
-  CyclicStiffness nearby_;
+  SymmetricMatrix mass_, at_rest_;
+  SectorFactor rest_factor_, full_factor_;
+  CyclicStiffness rest_, full_;
+  CraigBamptonBasis basis_;
+  std::vector<SymmetricMatrix> stiffness_;
 };
-INSTANTIATE_TEST_SUITE_P(NodalDiameter, ModeFollowing, ::testing::Values(0, 1, 2));
+INSTANTIATE_TEST_SUITE_P(NodalDiameter, ModeFollowingTest, ::testing::Values(0, 1, 2));
 
-TEST_P(ModeFollowing, EqualsDenseAlgebra) {
-  const CyclicModes modes = follow(1e-9);
-  const Eigen::VectorXd exact = test::generalized_eigenvalues(unreduced(between_), unreduced(mass_));
-  for (int k = 0; k < count; ++k) {
-    EXPECT_NEAR(modes.eigenvalue[k] / exact[k], 1.0, 1e-8) << k;
-    EXPECT_GE(modes.eigenvalue[k], exact[k] * (1 - 1e-9)) << k;  // from above
+TEST_P(ModeFollowingTest, EqualsDenseAlgebra) {
+  ModeFollowing modes = following();
+  modes.converge(1e-9);
+  for (std::size_t s = 0; s < stiffness_.size(); ++s) {
+    const Eigen::VectorXd truth = exact(s);
+    for (int k = 0; k < count; ++k) {
+      EXPECT_NEAR(modes.modes()[s].eigenvalue[k] / truth[k], 1.0, 1e-8) << k;
+      EXPECT_GE(modes.modes()[s].eigenvalue[k], truth[k] * (1 - 1e-9)) << k;  // from above
+    }
   }
 }
 
-TEST_P(ModeFollowing, GivesOrthonormalShapesOfTheirEquation) {
-  const CyclicModes modes = follow(1e-9);
-  const Eigen::MatrixXcd Kx = unreduced(between_) * modes.shape, Mx = unreduced(mass_) * modes.shape;
-  EXPECT_LT((modes.shape.adjoint() * Mx - Eigen::MatrixXcd::Identity(count, count)).cwiseAbs().maxCoeff(), 1e-10);
-  for (int k = 0; k < count; ++k)
-    EXPECT_LT((Kx.col(k) - modes.eigenvalue[k] * Mx.col(k)).norm(), 1e-2 * Kx.col(k).norm()) << k;
+TEST_P(ModeFollowingTest, EstimatesTheErrorOfTheBasis) {
+  ModeFollowing modes = following();
+  const std::vector<FollowedModes> guesses = modes.modes();
+  modes.missing(0.0);
+  for (std::size_t s = 0; s < stiffness_.size(); ++s) {
+    const Eigen::VectorXd truth = exact(s);
+    for (int k = 0; k < count; ++k) {
+      const double error = guesses[s].eigenvalue[k] / truth[k] - 1;
+      EXPECT_GT(modes.modes()[s].error[k], 0.5 * error) << k;
+      EXPECT_LT(modes.modes()[s].error[k], 2 * error) << k;
+    }
+  }
 }
 
-TEST_P(ModeFollowing, ALooserToleranceErrsByNoMoreThanIt) {
-  const Eigen::VectorXd exact = test::generalized_eigenvalues(unreduced(between_), unreduced(mass_));
+TEST_P(ModeFollowingTest, ALooserToleranceErrsByNoMoreThanTwiceIt) {
   for (const double tolerance : {1e-3, 1e-5}) {
-    const CyclicModes modes = follow(tolerance);
-    for (int k = 0; k < count; ++k) EXPECT_LT(modes.eigenvalue[k] / exact[k] - 1, tolerance) << k;
-    EXPECT_LT(modes.residual.maxCoeff(), tolerance);
+    ModeFollowing modes = following();
+    modes.converge(tolerance);
+    for (std::size_t s = 0; s < stiffness_.size(); ++s) {
+      EXPECT_LE(modes.modes()[s].error.maxCoeff(), tolerance);
+      const Eigen::VectorXd truth = exact(s);
+      for (int k = 0; k < count; ++k) EXPECT_LT(modes.modes()[s].eigenvalue[k] / truth[k] - 1, 2 * tolerance) << k;
+    }
   }
 }
 
-TEST_P(ModeFollowing, CallsNoRotorUnstableBecauseTheToleranceIsTight) {
+TEST_P(ModeFollowingTest, WhatIsMissingMendsTheBasis) {
+  ModeFollowing before = following();
+  const double guess = before.modes()[1].eigenvalue[count - 1];
+  for (const Eigen::MatrixXcd& block : before.missing(1e-9)) {
+    ASSERT_GT(block.cols(), 0);
+    EXPECT_EQ(block.bottomRows(rotor_.dofs().boundary()).cwiseAbs().maxCoeff(), 0.0);  // contact nodes are held
+    basis_.append(block);
+  }
+  basis_.orthonormalise();
+  ModeFollowing after = following();
+  const double truth = exact(1)[count - 1];
+  EXPECT_LT(after.modes()[1].eigenvalue[count - 1] - truth, 0.1 * (guess - truth));
+}
+
+TEST_P(ModeFollowingTest, CallsNoRotorUnstableBecauseTheToleranceIsTight) {
   // Near rounding, either the modes are right or the message says that they could not be followed.
-  const Eigen::VectorXd exact = test::generalized_eigenvalues(unreduced(between_), unreduced(mass_));
-  const std::string message = test::complaint<RunError>([&] {
-    const CyclicModes modes = follow(1e-15);
-    for (int k = 0; k < count; ++k) EXPECT_NEAR(modes.eigenvalue[k] / exact[k], 1.0, 1e-8) << k;
-  });
+  ModeFollowing modes = following();
+  const std::string message = test::complaint<RunError>([&] { modes.converge(1e-15); });
+  const Eigen::VectorXd truth = exact(1);
+  for (int k = 0; k < count && message.empty(); ++k)
+    EXPECT_NEAR(modes.modes()[1].eigenvalue[k] / truth[k], 1.0, 1e-8) << k;
   EXPECT_EQ(message.find("unstable"), std::string::npos) << message;
 }
 
-TEST_P(ModeFollowing, RefusesAStiffnessThatIsNotPositive) {
-  SymmetricMatrix negative = -between_;
-  const Eigen::MatrixXcd guesses = wave_.standing()
-                                       ? Eigen::MatrixXcd(test::arbitrary(rotor_.dofs().independent(), count).real())
-                                       : test::arbitrary(rotor_.dofs().independent(), count);
-  const std::string message =
-      test::complaint<RunError>([&] { follow_modes(nearby_, negative, mass_, guesses, count, 1e-6); });
-  EXPECT_NE(message.find("not positive definite: the rotor is unstable"), std::string::npos) << message;
+TEST_P(ModeFollowingTest, RefusesAStiffnessThatIsNotPositive) {
+  const std::string message = test::complaint<RunError>([&] { following(-1.0); });
+  EXPECT_NE(message.find("slowly: the stiffness of a nodal diameter is not positive definite: the rotor is unstable"),
+            std::string::npos)
+      << message;
 }
 
 }  // namespace

@@ -53,6 +53,8 @@ std::size_t write_report(const Study& study, const ReportSource& source, const f
   write_text(aligned_text(critical_speed_summary(study)), folder / "critical_speeds.txt");
   write_csv(linear_criterion_record(study), folder / "linear_criterion.csv");
   write_csv(speed_record(study), folder / "speeds.csv");
+  write_csv(drift_record(study), folder / "contact_drift.csv");
+  if (!study.sweeps.empty()) write_csv(sweep_record(study), folder / "sweeps.csv");
   write_text(report_page(study, source, figures, folder), folder / "report.html");
   return figures.size();
 }
@@ -62,7 +64,12 @@ void postprocess(const StageArguments& arguments) {
   if (arguments.action == Action::check) return;
   OutputFile output(arguments.output);
   note_interruptions();
-  const Study study = make_study(inputs.parameters, std::move(inputs.model), std::move(inputs.response));
+  Study study = make_study(inputs.parameters, std::move(inputs.model), std::move(inputs.response));
+  const auto beside_case = [&](const std::string& name) {
+    return name.empty() ? fs::path() : arguments.inputs[0].parent_path() / name;
+  };
+  study.sweeps = compare_sweeps(study.response, study.model.contact, study.map_node, study.parameters.component,
+                                beside_case(study.parameters.response_up), beside_case(study.parameters.response_down));
   const std::size_t figure_count =
       write_report(study, inputs.source, output.scratch(),
                    arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal);

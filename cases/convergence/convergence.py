@@ -24,7 +24,7 @@ FEWEST_STEPS, HALVINGS = 480, 6
 # Sectors between the quick one and the paper's size, and one that is too coarse.
 MESHES = {
     "coarse": {"elements_along_chord": 6, "elements_along_bore": 3, "elements_along_span": 3,
-               "elements_through_blade": 1, "elements_through_splitter": 1, "elements_through_disc": 2},
+               "elements_through_blade": 2, "elements_through_splitter": 2, "elements_through_disc": 2},
     "medium": {"elements_along_chord": 20, "elements_along_bore": 8, "elements_along_span": 9,
                "elements_through_splitter": 3, "elements_through_disc": 4, "elements_between_blades": 4},
 }

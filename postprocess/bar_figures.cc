@@ -57,12 +57,12 @@ Figure harmonic_bars_figure(const Study& study) {
   for (int k = 1; k <= last; ++k) figure.data.rows.push_back({k, diameter, order_backward[k], order_forward[k]});
   std::ostringstream out;
   out << style::base() << "set multiplot\nset boxwidth 0.7\nset style fill solid noborder\nset yrange [0:*]\nset xtics 1\n"
-      << "set tmargin at screen 0.84\nset bmargin at screen 0.16\nset ylabel 'amplitude [mm]'\n"
-      << "set key at screen 0.97,0.97 right center horizontal\n"
-      << bar_panel("diameters", backward, forward, "EO " + std::to_string(order), "nodal diameter", 0.085, 0.42)
+      << "set tmargin at screen 0.83\nset bmargin at screen 0.16\nset ylabel 'amplitude [mm]'\n"
+      << "set key at screen 0.54,0.95 center center horizontal maxrows 1\n"
+      << bar_panel("diameters", backward, forward, "EO " + std::to_string(order), "nodal diameter", 0.105, 0.45)
       << "unset key\n"
       << bar_panel("orders", order_backward, order_forward, "nodal diameter " + std::to_string(diameter), "engine order",
-                   0.51, 0.97)
+                   0.57, 0.975)
       << "unset multiplot\n";
   figure.drawing.commands = out.str();
   return figure;

@@ -130,7 +130,7 @@ Figure campbell_figure(const Study& study) {
 }
 
 Figure interference_figure(const Study& study) {
-  const double worst = study.worst_response().speed;
+  const double shown = study.shown_response().speed;
   double top = 0;
   for (const double speed : {0.0, study.range.high}) {
     const Eigen::MatrixXd rows = veering_rows(study, speed);
@@ -143,13 +143,13 @@ Figure interference_figure(const Study& study) {
   figure.drawing = {"interference", 1050, 580, ""};
   figure.title = "Nodal diameter over frequency";
   figure.caption =
-      "The families over the nodal diameter, at rest and at two speeds: the worst one and the highest. The "
+      "The families over the nodal diameter, at rest and at two speeds: the one whose motion is shown below, and the highest. The "
       "zig-zag is where the sectors see the engine orders (eq. 17); a resonance threatens where one of "
       "its orange corners, the multiples of the lobes, lies on a mode.";
   figure.data = {{"speed [rpm]", "nodal diameter"}, {}};
   for (int family = 1; family <= veering_families(study); ++family)
     figure.data.header.push_back("family " + std::to_string(family) + " [Hz]");
-  for (const double speed : {0.0, worst, study.range.high}) {
+  for (const double speed : {0.0, shown, study.range.high}) {
     const Eigen::MatrixXd rows = veering_rows(study, speed);
     for (Eigen::Index n = 0; n < rows.rows(); ++n) {
       figure.data.rows.push_back({speed * rpm_per_rad_s, static_cast<int>(n)});
@@ -162,7 +162,7 @@ Figure interference_figure(const Study& study) {
       << style::range("x", -0.3, count - 0.4) << style::range("y", 0, top)
       << "set xtics 1\nset xlabel 'nodal diameter'\nset ylabel 'frequency in the rotor frame [Hz]'\n"
       << "set key at screen 0.53,0.985 center top horizontal maxrows 1\n"
-      << interference_panel(study, "1", worst, top) << "unset ylabel\nunset key\n"
+      << interference_panel(study, "1", shown, top) << "unset ylabel\nunset key\n"
       << interference_panel(study, "2", study.range.high, top) << "unset multiplot\n";
   figure.drawing.commands = out.str();
   return figure;

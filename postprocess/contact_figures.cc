@@ -84,7 +84,7 @@ Figure contact_map_figure(const Study& study, TipEdge edge) {
   const double dx = (axis.high - axis.low) / columns,
                dy = degrees / static_cast<double>(figure.pixels.back().values.rows());
   const Eigen::VectorXd rpm = style::speeds_rpm(study);
-  const ContactDrift& drift = edge == TipEdge::leading ? study.leading_drift : study.trailing_drift;
+  const ContactDrift drift = edge == TipEdge::leading ? study.leading_drift : ContactDrift{};  // as in the paper
   if (drift.determination > 0)
     figure.caption += " Red: the line through the middle of the contact, folded onto one lobe: " +
                       fixed(microseconds * drift.slope, 1) + " \xC2\xB5s (R\xC2\xB2 = " + fixed(drift.determination, 3) +

@@ -18,7 +18,7 @@ do for [pair in '6,4,2,3 8,2,4,5'] {
   set title sprintf('cos(%sθ) and cos(%sθ) at ten blades', high, low)
   plot 'waves.tsv' using 1:a with lines linecolor rgb '#0072b2' title sprintf('cos(%sθ)', high), \
     '' using 1:b with lines dashtype 2 linecolor rgb '#d55e00' title sprintf('cos(%sθ)', low), \
-    '' using (int($0) % 72 == 0 ? $1 : NaN):b with points pointtype 7 pointsize 0.9 linecolor rgb '#222222' title 'blades'
+    '' every 72::1 using 1:b with points pointtype 7 pointsize 0.9 linecolor rgb '#222222' title 'blades'
 }
 unset multiplot
 set output 'zigzag.svg'

@@ -170,8 +170,8 @@ Figure sectors_figure(const Study& study, const SectorSignal& signal) {
       << "set label 1 '" << fixed(0.5 * spacing, 3) << " " << signal.unit << "' at " << right * 1.03
       << ",0.25 rotate by 90 center font ',10'\nset clip two\n";
   for (Eigen::Index j = 0; j < motion.cols(); ++j) {
-    const double mean = motion.col(j).mean();
-    out << (j == 0 ? "plot " : ", ") << "$motion using 1:(" << j << "+($" << j + 2 << "-(" << mean << "))/" << spacing
+    const double middle = 0.5 * (motion.col(j).maxCoeff() + motion.col(j).minCoeff());
+    out << (j == 0 ? "plot " : ", ") << "$motion using 1:(" << j << "+($" << j + 2 << "-(" << middle << "))/" << spacing
         << ") with lines linewidth 1.3 linecolor rgb '" << (j % 2 == 0 ? "#0072b2" : "#08306b") << "'";
   }
   out << "\n";

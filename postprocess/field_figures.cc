@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "postprocess/interruption.h"
 #include "postprocess/units.h"
 #include "postprocess/wheel_picture.h"
 
@@ -334,12 +335,15 @@ Figure running_stress_figure(const FieldStudy& fields, const std::vector<Surface
 
 std::vector<Figure> field_figures(const FieldStudy& fields) {
   const std::vector<SurfaceFace> faces = sector_surface(fields.sector);
-  std::vector<Figure> figures = {wheel_figure(fields, faces), sector_figure(fields, faces),
-                                 mode_figure(fields, faces)};
-  if (!fields.has_instant) return figures;
-  figures.push_back(displacement_figure(fields, faces));
-  figures.push_back(stress_figure(fields, faces));
-  figures.push_back(running_stress_figure(fields, faces));
+  std::vector<Figure (*)(const FieldStudy&, const std::vector<SurfaceFace>&)> builders = {wheel_figure, sector_figure,
+                                                                                          mode_figure};
+  if (fields.has_instant)
+    builders.insert(builders.end(), {displacement_figure, stress_figure, running_stress_figure});
+  std::vector<Figure> figures;
+  for (const auto& build : builders) {
+    stop_if_interrupted();
+    figures.push_back(build(fields, faces));
+  }
   return figures;
 }
 

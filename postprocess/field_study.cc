@@ -10,6 +10,7 @@
 
 #include "cases/errors.h"
 #include "postprocess/aliasing.h"
+#include "postprocess/interruption.h"
 
 namespace tiprub {
 
@@ -147,6 +148,7 @@ class Recovery {
   void run(const BrickStress& bricks, FieldStudy& fields) {
     const std::vector<int>& moving = study_.response.scene.nodal_diameters;
     for (int n = 0; n <= study_.model.nodal_diameter_max(); ++n) {
+      stop_if_interrupted();
       const auto place = std::find(moving.begin(), moving.end(), n);
       const bool moves = place != moving.end() && !instants_.empty();
       if (!moves && !modes_.count(n)) continue;

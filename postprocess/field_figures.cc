@@ -52,6 +52,12 @@ std::string rpm(double speed) {
   return text("%.0f rpm", speed * rpm_per_rad_s);
 }
 
+/// "main blade" for "main_blade".
+std::string spoken(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 using Colours = std::function<Eigen::Matrix3Xf(int sector)>;
 using Nodes = std::function<Eigen::Matrix3Xd(int sector)>;
 
@@ -309,7 +315,7 @@ Figure stress_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& f
   for (const FieldPeak& peak : fields.peaks)
     if (peak.speed == fields.speed)
       figure.caption += ", up to " + text("%.0f MPa", peak.vibration * mpa_per_pa) +
-                        (peak.part.empty() ? "" : " on the " + peak.part) +
+                        (peak.part.empty() ? "" : " on the " + spoken(peak.part)) +
                         text(" at radius %.1f mm", peak.place[0] * mm_per_m) + "; of the spin alone up to " +
                         text("%.0f MPa", peak.spin * mpa_per_pa) + ", of both together " +
                         text("%.0f MPa", peak.both * mpa_per_pa);

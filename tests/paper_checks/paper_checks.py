@@ -74,9 +74,6 @@ class Context:
             raise CannotBeMade(f"{case.name} has no figure {', '.join(missing)}")
         return True, "figures " + ", ".join(names)
 
-    def field_invariance(self):
-        raise CannotBeMade("no recovered field was given")
-
 
 def main(build, cases_folder, *folders):
     with tempfile.TemporaryDirectory() as work:

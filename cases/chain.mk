@@ -6,7 +6,7 @@
 # Each stage is out of date when its own tables of case.toml change, or a file it reads.
 #
 # MODEL_OF := ../<case>, set before the include, takes sector.msh and model.h5 from another case: one wheel, many casings.
-# Responses named in [postprocess] sweep_responses are made too: response_up.h5 is this case swept up, response_down.h5 down.
+# [postprocess] response_up = "response_up.h5" asks for this case swept up as well; response_down likewise.
 HERE := $(dir $(lastword $(MAKEFILE_LIST)))
 BIN ?= $(abspath $(HERE)../build/bin)
 export PATH := $(BIN):$(PATH)
@@ -39,10 +39,10 @@ response_%.h5: .tables/casing .tables/simulate model.h5
 	@sed 's/^\[simulate\].*/&\nsweep = "$*"/' case.toml > .tables/$*.toml
 	tiprub-simulate .tables/$*.toml model.h5 -o $@
 
-SWEEPS := $(shell sed -n '/^sweep_responses/s/[^"]*"\([^"]*\)"[^"]*/\1 /gp' case.toml)
+SWEEPS := $(shell sed -n 's/^response_\(up\|down\) = "\(.*\)".*/\2/p' case.toml)
 
-report/report.html: .tables/postprocess model.h5 response.h5 $(SWEEPS)
-	tiprub-postprocess case.toml model.h5 response.h5 -o report > /dev/null
+report/report.html: .tables/postprocess model.h5 fields.h5 response.h5 $(SWEEPS)
+	tiprub-postprocess case.toml model.h5 response.h5 --fields fields.h5 -o report > /dev/null
 
 # One table of the case, with its sub-tables; its time changes only when its text does.
 .tables/%: case.toml

@@ -46,6 +46,24 @@ Eigen::VectorXd gap(const SimulatedScene& scene, Eigen::Index node) {
   return ((scene.clearance[node] - scene.casing_distortion.array()) * mm_per_m).matrix();
 }
 
+constexpr double microseconds = 1e6;
+
+/// The drift's line on each lobe, in degrees over rpm; wrapped, so that a line that leaves at the top comes in below.
+std::string drift_terms(const Study& study, const ContactDrift& drift) {
+  if (!(drift.determination > 0)) return "";
+  const double to_degrees = degrees / (2 * std::numbers::pi);
+  const int lobes = std::max(study.response.scene.lobes, 1);
+  std::ostringstream out;
+  out.precision(12);
+  for (int lobe = 0; lobe < lobes; ++lobe) {
+    const double start = drift.intercept * to_degrees + degrees * lobe / lobes;
+    out << ", (" << start << "+" << drift.slope * to_degrees / rpm_per_rad_s << "*x)-360*floor((" << start << "+"
+        << drift.slope * to_degrees / rpm_per_rad_s
+        << "*x)/360) with points pointtype 7 pointsize 0.22 linecolor rgb '#d62728'";
+  }
+  return out.str();
+}
+
 }  // namespace
 
 Figure contact_map_figure(const Study& study, TipEdge edge) {
@@ -66,6 +84,11 @@ Figure contact_map_figure(const Study& study, TipEdge edge) {
   const double dx = (axis.high - axis.low) / columns,
                dy = degrees / static_cast<double>(figure.pixels.back().values.rows());
   const Eigen::VectorXd rpm = style::speeds_rpm(study);
+  const ContactDrift drift = edge == TipEdge::leading ? study.leading_drift : ContactDrift{};  // as in the paper
+  if (drift.determination > 0)
+    figure.caption += " Red: the line through the middle of the contact, folded onto one lobe: " +
+                      fixed(microseconds * drift.slope, 1) + " \xC2\xB5s (R\xC2\xB2 = " + fixed(drift.determination, 3) +
+                      "); a wave that takes so long along the tip would run at " + fixed(drift.implied_wave_speed, 0) + " m/s.";
   Eigen::MatrixXd below(rpm.size(), 3);
   below << rpm, map.contrast, map.clusters.cast<double>();
   std::ostringstream out;
@@ -78,7 +101,8 @@ Figure contact_map_figure(const Study& study, TipEdge edge) {
       << "set cblabel 'share of steps in contact [1]'\n"
       << "set colorbox user origin screen 0.885,0.33 size screen 0.022,0.64\nplot '" << figure.pixels.back().file
       << "' binary array=(" << columns << "," << figure.pixels.back().values.rows() << ") format='%float32' origin=("
-      << axis.low + dx / 2 << "," << dy / 2 << ") dx=" << dx << " dy=" << dy << " with image\n"
+      << axis.low + dx / 2 << "," << dy / 2 << ") dx=" << dx << " dy=" << dy << " with image"
+      << drift_terms(study, drift) << "\n"
       << "unset object 99\nset grid\nset tmargin at screen 0.30\nset bmargin at screen 0.12\nset format x '%g'\nset "
          "xlabel 'speed "
          "[rpm]'\n"
@@ -141,7 +165,7 @@ Figure casing_figure(const Study& study) {
 }
 
 Figure contact_force_figure(const Study& study) {
-  const SpeedResponse& at = study.worst_response();
+  const SpeedResponse& at = study.shown_response();
   const SimulatedScene& scene = study.response.scene;
   const int last = study.model.contact.size() - 1;
   const Eigen::VectorXd leading = tip_force(at, scene, 0).col(0), trailing = tip_force(at, scene, last).col(0);
@@ -156,7 +180,7 @@ Figure contact_force_figure(const Study& study) {
     spectrum.row(m) << static_cast<double>(m) / at.recorded_revolutions, leading_lines[m], trailing_lines[m];
   Figure figure;
   figure.drawing = {"contact_force", 1000, 520, ""};
-  figure.title = "Contact force at the worst speed";
+  figure.title = "Contact force";
   figure.caption =
       "Sector 0 at " + fixed(at.speed * rpm_per_rad_s, 0) +
       " rpm, the first recorded revolution (above), "

@@ -39,6 +39,10 @@ Figure campbell_figure(const Study& study);                   ///< paper, fig. 8
 Figure interference_figure(const Study& study);               ///< paper, figs. 4, 13
 Figure tip_motion_figure(const Study& study);                 ///< paper, fig. 10
 Figure tip_spectrum_figure(const Study& study);               ///< paper, fig. 11, made directional
+Figure force_of_sectors_figure(const Study& study);           ///< paper, fig. 16
+Figure force_spectrum_figure(const Study& study);             ///< paper, fig. 17, made directional
+Figure harmonic_bars_figure(const Study& study);              ///< paper, fig. 20
+Figure sweeps_figure(const Study& study);                     ///< where sweeps up and down differ
 Figure nodal_diameter_tracking_figure(const Study& study);    ///< paper, fig. 25
 Figure engine_order_tracking_figure(const Study& study);      ///< paper, fig. 26
 

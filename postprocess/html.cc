@@ -93,6 +93,7 @@ p{max-width:50rem}
 .lead p{margin:.35rem 0;max-width:none}
 .sub{color:#5a6875;margin:0 0 1.2rem}
 .scroll{overflow-x:auto}
+button{font:inherit;font-size:.78rem;color:#0b5fa5;background:#fff;border:1px solid #c5d3df;border-radius:3px;cursor:pointer;margin:.2rem 0}
 table{border-collapse:collapse;font-size:.86rem;font-variant-numeric:tabular-nums;margin:.4rem 0}
 th{text-align:left;font-weight:600;border-bottom:2px solid #9fb0bf;padding:.3rem .65rem;vertical-align:bottom}
 td{border-bottom:1px solid #e3e8ed;padding:.25rem .65rem;white-space:nowrap}
@@ -108,7 +109,7 @@ pre{background:#f5f7f9;border:1px solid #e3e8ed;padding:.8rem 1rem;overflow-x:au
 details{margin:.5rem 0}
 summary{cursor:pointer;color:#0b5fa5}
 nav{font-size:.9rem;color:#5a6875}
-@media print{figure{break-inside:avoid}details{display:none}}
+@media print{button{display:none}figure{break-inside:avoid}details{display:none}}
 )";
 }
 
@@ -116,6 +117,20 @@ const char* script() {
   return R"(
 for (const image of document.querySelectorAll('figure img'))
   image.addEventListener('click', () => image.parentElement.classList.toggle('large'));
+for (const table of document.querySelectorAll('table')) {
+  const button = document.createElement('button');
+  button.textContent = 'Copy table';
+  button.addEventListener('click', async () => {
+    const rows = [...table.rows].map(row => [...row.cells].map(cell => cell.textContent).join('\t')).join('\n');
+    const area = document.createElement('textarea');
+    area.value = rows;
+    document.body.append(area);
+    area.select();
+    button.textContent = document.execCommand('copy') ? 'Copied' : 'Select the table and copy it by hand';
+    area.remove();
+  });
+  table.parentElement.before(button);
+}
 document.addEventListener('keydown', event => {
   if (event.key === 'Escape')
     for (const figure of document.querySelectorAll('figure.large')) figure.classList.remove('large');

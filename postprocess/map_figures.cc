@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 #include "postprocess/figure.h"
@@ -146,6 +147,39 @@ std::string family_labels(const Study& study) {
   return out.str();
 }
 
+/// Points at the foot of the map: speeds whose motion the paper's assumptions leave out. Blocks, then terms for `plot`.
+struct Marks {
+  std::string blocks, terms;
+};
+
+Marks unusual_motion(const Study& study) {
+  constexpr double foot = 0.018, step = 0.022;  // of the frequency axis
+  struct Kind {
+    const char *name, *title, *look;
+    std::function<bool(const SpeedResponse&)> holds;
+  };
+  const std::vector<Kind> kinds = {
+      {"irregular", "irregular", "pointtype 2 pointsize 0.55 linewidth 1.2 linecolor rgb '#ffffff'",
+       [](const SpeedResponse& at) { return at.motion == MotionClass::irregular; }},
+      {"subharmonic", "subharmonic", "pointtype 8 pointsize 0.7 linewidth 1.2 linecolor rgb '#ffe680'",
+       [](const SpeedResponse& at) { return at.motion == MotionClass::subharmonic; }},
+      {"breaking", "breaks the symmetry", "pointtype 6 pointsize 0.65 linewidth 1.2 linecolor rgb '#ff9ecb'",
+       [](const SpeedResponse& at) { return at.audit.symmetry == SymmetryVerdict::breaking; }}};
+  Marks marks;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    std::vector<double> speeds;
+    for (const SpeedResponse& at : study.response.speeds)
+      if (kinds[k].holds(at)) speeds.push_back(at.speed * rpm_per_rad_s);
+    if (speeds.empty()) continue;
+    Eigen::MatrixXd rows(static_cast<Eigen::Index>(speeds.size()), 2);
+    rows.col(0) = Eigen::Map<const Eigen::VectorXd>(speeds.data(), rows.rows());
+    rows.col(1).setConstant((foot + step * static_cast<double>(k)) * frequency_max(study));
+    marks.blocks += style::block(kinds[k].name, rows);
+    marks.terms += std::string(", $") + kinds[k].name + " with points " + kinds[k].look + " title '" + kinds[k].title + "'";
+  }
+  return marks;
+}
+
 bool moves(const Study& study, int nodal_diameter) {
   const std::vector<int>& moving = study.response.scene.nodal_diameters;
   return std::find(moving.begin(), moving.end(), nodal_diameter) != moving.end();
@@ -171,19 +205,22 @@ Figure interaction_map_figure(const Study& study) {
   figure.caption = what_is_drawn(study) +
                    " White lines: engine orders f = k\xCE\xA9. Orange lines: natural "
                    "frequencies of the first families, all nodal diameters. A ridge glows where an engine order "
-                   "meets a mode that its nodal diameter can drive. Grey: speeds without a response.";
+                   "meets a mode that its nodal diameter can drive. Marks at the foot: speeds whose motion is not the same every "
+                   "revolution, or at which a nodal diameter that was left out would grow. Grey: speeds without a response.";
   figure.data = map_table(study);
   const Scale scale = colour_scale(study);
   figure.pixels.push_back({"interaction_map.pixels", map_pixels(study, -1, width, height, scale.low)});
   std::ostringstream out;
-  out << map_axes(study, scale) << all_modal_blocks(study)
+  const Marks marks = unusual_motion(study);
+  out << map_axes(study, scale) << all_modal_blocks(study) << marks.blocks
+      << "set key opaque fillcolor rgb '#31688e' textcolor rgb '#ffffff' at graph 0.99, graph 0.1 right bottom samplen 0.5\n"
       << "set lmargin at screen 0.085\nset rmargin at screen 0.815\nset tmargin at screen 0.94\n"
       << "set bmargin at screen 0.11\nset xlabel 'speed [rpm]'\nset ylabel 'frequency in the rotor frame [Hz]'\n"
       << "set cblabel 'amplitude [mm]'\nset colorbox user origin screen 0.885,0.11 size screen 0.022,0.83\n"
       << style::engine_order_labels(study, style::speed_axis(study), frequency_max(study)) << family_labels(study)
       << "plot " << image_term(study, figure.pixels.back()) << engine_order_terms(study);
   for (int n = 0; n <= study.model.nodal_diameter_max(); ++n) out << modal_terms(study, n);
-  out << "\n";
+  out << marks.terms << "\n";
   figure.drawing.commands = out.str();
   return figure;
 }

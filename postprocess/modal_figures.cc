@@ -23,13 +23,23 @@ double highest_frequency(const Study& study, double speed) {
   return highest;
 }
 
+/// The paper's fig. 4 has five.
+int veering_families(const Study& study) {
+  constexpr int fewest = 5;
+  return std::max(fewest, study.parameters.families);
+}
+
+int veering_families(const Study& study, int nodal_diameter) {
+  return std::min(veering_families(study), study.curves.families(nodal_diameter));
+}
+
 /// Nodal diameter, then the first families [Hz] at a speed; a missing family is NaN.
 Eigen::MatrixXd veering_rows(const Study& study, double speed) {
-  const int count = study.model.nodal_diameter_max() + 1, families = study.parameters.families;
+  const int count = study.model.nodal_diameter_max() + 1, families = veering_families(study);
   Eigen::MatrixXd rows = Eigen::MatrixXd::Constant(count, 1 + families, std::nan(""));
   for (int n = 0; n < count; ++n) {
     rows(n, 0) = n;
-    for (int family = 0; family < style::drawn_families(study, n); ++family)
+    for (int family = 0; family < veering_families(study, n); ++family)
       rows(n, 1 + family) = study.curves.frequency(n, family, speed);
   }
   return rows;
@@ -54,7 +64,7 @@ std::string interference_panel(const Study& study, const std::string& suffix, do
       << style::block("zigzag" + suffix, zigzag_rows(study, speed, frequency_max)) << "set title 'at "
       << fixed(speed * rpm_per_rad_s, 0) << " rpm' offset 0,-0.5\nplot $zigzag" << suffix
       << " using 1:2 with lines linewidth 1 linecolor rgb '#999999' title 'engine orders'";
-  for (int family = 0; family < study.parameters.families; ++family)
+  for (int family = 0; family < veering_families(study); ++family)
     out << ", $rest using 1:" << family + 2
         << " with linespoints pointtype 6 pointsize 0.9 dashtype 3 linecolor rgb '"
         << "#0072b2' " << (family == 0 ? "title 'modes at rest'" : "notitle") << ", $spin" << suffix
@@ -120,20 +130,26 @@ Figure campbell_figure(const Study& study) {
 }
 
 Figure interference_figure(const Study& study) {
-  const double worst = study.worst_response().speed;
-  const double top = headroom * highest_frequency(study, study.range.high);
+  const double shown = study.shown_response().speed;
+  double top = 0;
+  for (const double speed : {0.0, study.range.high}) {
+    const Eigen::MatrixXd rows = veering_rows(study, speed);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+      for (Eigen::Index family = 1; family < rows.cols(); ++family)
+        if (std::isfinite(rows(i, family))) top = std::max(top, headroom * rows(i, family));
+  }
   const int count = study.model.nodal_diameter_max() + 1;
   Figure figure;
   figure.drawing = {"interference", 1050, 580, ""};
   figure.title = "Nodal diameter over frequency";
   figure.caption =
-      "The families over the nodal diameter, at rest and at two speeds: the worst one and the highest. The "
+      "The families over the nodal diameter, at rest and at two speeds: the one whose motion is shown below, and the highest. The "
       "zig-zag is where the sectors see the engine orders (eq. 17); a resonance threatens where one of "
       "its orange corners, the multiples of the lobes, lies on a mode.";
   figure.data = {{"speed [rpm]", "nodal diameter"}, {}};
-  for (int family = 1; family <= study.parameters.families; ++family)
+  for (int family = 1; family <= veering_families(study); ++family)
     figure.data.header.push_back("family " + std::to_string(family) + " [Hz]");
-  for (const double speed : {0.0, worst, study.range.high}) {
+  for (const double speed : {0.0, shown, study.range.high}) {
     const Eigen::MatrixXd rows = veering_rows(study, speed);
     for (Eigen::Index n = 0; n < rows.rows(); ++n) {
       figure.data.rows.push_back({speed * rpm_per_rad_s, static_cast<int>(n)});
@@ -146,7 +162,7 @@ Figure interference_figure(const Study& study) {
       << style::range("x", -0.3, count - 0.4) << style::range("y", 0, top)
       << "set xtics 1\nset xlabel 'nodal diameter'\nset ylabel 'frequency in the rotor frame [Hz]'\n"
       << "set key at screen 0.53,0.985 center top horizontal maxrows 1\n"
-      << interference_panel(study, "1", worst, top) << "unset ylabel\nunset key\n"
+      << interference_panel(study, "1", shown, top) << "unset ylabel\nunset key\n"
       << interference_panel(study, "2", study.range.high, top) << "unset multiplot\n";
   figure.drawing.commands = out.str();
   return figure;

@@ -13,19 +13,28 @@ namespace {
 
 constexpr double degrees = 360.0;
 
-std::string worst_text(const Study& study) {
-  return fixed(study.worst_response().speed * rpm_per_rad_s, 0) + " rpm";
+std::string shown_text(const Study& study) {
+  return fixed(study.shown_response().speed * rpm_per_rad_s, 0) + " rpm";
 }
 
 std::string component_label(const Study& study) {
   return std::string(name_of(study.parameters.component)) + ", " + name_of(study.parameters.edge);
 }
 
-Eigen::MatrixXd worst_motion(const Study& study) {
-  return tip_motion(study.worst_response(), study.response.scene, study.model.contact, study.map_node,
+Eigen::MatrixXd shown_motion(const Study& study) {
+  return tip_motion(study.shown_response(), study.response.scene, study.model.contact, study.map_node,
                     study.parameters.component) *
          mm_per_m;
 }
+
+/// What all sectors do at the speed that is shown: one column a sector.
+struct SectorSignal {
+  std::string name;     ///< of the figure
+  std::string title;
+  std::string caption;  ///< begins with what is drawn
+  std::string unit;
+  Eigen::MatrixXd values;
+};
 
 std::string peak_name(const CriticalSpeed& critical) {
   return style::engine_order_name(critical.rising.engine_order) + ", ND " +
@@ -123,10 +132,12 @@ Figure response_figure(const Study& study) {
   return figure;
 }
 
-Figure tip_motion_figure(const Study& study) {
+namespace {
+
+Figure sectors_figure(const Study& study, const SectorSignal& signal) {
   constexpr double clear_of_each_other = 1.15;
-  const SpeedResponse& at = study.worst_response();
-  const Eigen::MatrixXd motion = worst_motion(study);
+  const SpeedResponse& at = study.shown_response();
+  const Eigen::MatrixXd& motion = signal.values;
   const int revolutions = std::clamp(at.period_revolutions == 0 ? at.recorded_revolutions : at.period_revolutions, 1,
                                      at.recorded_revolutions);
   const Eigen::Index samples = static_cast<Eigen::Index>(at.samples_per_revolution) * revolutions;
@@ -136,17 +147,14 @@ Figure tip_motion_figure(const Study& study) {
     rows(s, 0) = degrees * static_cast<double>(s) / at.samples_per_revolution;
   rows.rightCols(motion.cols()) = motion.topRows(samples);
   Figure figure;
-  figure.drawing = {"tip_motion", 1000, 640, ""};
-  figure.title = "Motion of all sectors at the worst speed";
-  figure.caption = "The " + component_label(study) + ", at " + worst_text(study) +
-                   ", one sector above the other; the "
-                   "bar is " +
-                   fixed(0.5 * spacing, 3) +
-                   " mm long. In a fully symmetric steady motion each sector "
-                   "repeats its neighbour's signal.";
+  figure.drawing = {signal.name, 1000, 640, ""};
+  figure.title = signal.title;
+  figure.caption = signal.caption + ", at " + shown_text(study) + ", one sector above the other; the bar is " +
+                   fixed(0.5 * spacing, 3) + " " + signal.unit +
+                   " long. In a fully symmetric steady motion each sector repeats its neighbour's signal.";
   figure.data.header = {"rotor angle [deg]"};
   for (Eigen::Index j = 0; j < motion.cols(); ++j)
-    figure.data.header.push_back("sector " + std::to_string(j) + " [mm]");
+    figure.data.header.push_back("sector " + std::to_string(j) + " [" + signal.unit + "]");
   for (Eigen::Index s = 0; s < samples; ++s) {
     figure.data.rows.emplace_back();
     for (Eigen::Index k = 0; k < rows.cols(); ++k) figure.data.rows.back().emplace_back(rows(s, k));
@@ -159,11 +167,11 @@ Figure tip_motion_figure(const Study& study) {
          "0.1\n"
       << "set xtics " << 45 * revolutions << "\nset ytics 1\nset xlabel 'rotor angle [deg]'\nset ylabel 'sector'\n"
       << "set arrow 1 from " << right * 1.015 << ",0 to " << right * 1.015 << ",0.5 nohead linewidth 3\n"
-      << "set label 1 '" << fixed(0.5 * spacing, 3) << " mm' at " << right * 1.03
+      << "set label 1 '" << fixed(0.5 * spacing, 3) << " " << signal.unit << "' at " << right * 1.03
       << ",0.25 rotate by 90 center font ',10'\nset clip two\n";
   for (Eigen::Index j = 0; j < motion.cols(); ++j) {
-    const double mean = motion.col(j).mean();
-    out << (j == 0 ? "plot " : ", ") << "$motion using 1:(" << j << "+($" << j + 2 << "-(" << mean << "))/" << spacing
+    const double middle = 0.5 * (motion.col(j).maxCoeff() + motion.col(j).minCoeff());
+    out << (j == 0 ? "plot " : ", ") << "$motion using 1:(" << j << "+($" << j + 2 << "-(" << middle << "))/" << spacing
         << ") with lines linewidth 1.3 linecolor rgb '" << (j % 2 == 0 ? "#0072b2" : "#08306b") << "'";
   }
   out << "\n";
@@ -171,31 +179,29 @@ Figure tip_motion_figure(const Study& study) {
   return figure;
 }
 
-Figure tip_spectrum_figure(const Study& study) {
-  const TravellingSpectrum& spectrum = study.map.columns[static_cast<std::size_t>(study.worst)].spectrum;
+Figure two_way_figure(const Study& study, const TravellingSpectrum& spectrum, const SectorSignal& signal) {
   const int sectors = spectrum.sector_count;
   const int last = std::min(spectrum.lines() - 1, study.parameters.engine_order_max * spectrum.revolutions);
-  const double high = std::max(spectrum.amplitude.bottomRows(spectrum.lines() - 1).maxCoeff() * mm_per_m, 1e-9);
+  const double high = std::max(spectrum.amplitude.bottomRows(spectrum.lines() - 1).maxCoeff(), 1e-9);
   const double low = high * std::pow(10.0, -study.parameters.amplitude_decades);
   const int lowest = -((sectors - 1) / 2);  // of the signed nodal diameters
   Figure figure;
-  figure.drawing = {"tip_spectrum", 1000, 520, ""};
-  figure.title = "Two-way spectrum at the worst speed";
-  figure.caption =
-      "The " + component_label(study) + ", at " + worst_text(study) +
-      ": amplitude of each travelling wave. Positive nodal diameters run against the rotation (backward), "
-      "negative ones with it (forward), as seen from the rotor. Circles: where eq. 17 puts the casing's "
-      "harmonics.";
-  figure.data = {{"engine order", "signed nodal diameter", "direction", "amplitude [mm]"}, {}};
+  figure.drawing = {signal.name, 1000, 520, ""};
+  figure.title = signal.title;
+  figure.caption = signal.caption + ", at " + shown_text(study) +
+                   ": amplitude of each travelling wave. Positive nodal diameters run against the rotation (backward), "
+                   "negative ones with it (forward), as seen from the rotor. Circles: where eq. 17 puts the casing's "
+                   "harmonics.";
+  figure.data = {{"engine order", "signed nodal diameter", "direction", "amplitude [" + signal.unit + "]"}, {}};
   Eigen::MatrixXf waves(sectors, last);
   for (int line = 1; line <= last; ++line)
     for (int row = 0; row < sectors; ++row) {
       const int n = lowest + row;
-      const double amplitude = spectrum.amplitude(line, (n + sectors) % sectors) * mm_per_m;
+      const double amplitude = spectrum.amplitude(line, (n + sectors) % sectors);
       waves(row, line - 1) = static_cast<float>(std::max(amplitude, low));
       figure.data.rows.push_back({spectrum.engine_order(line), n, name_of(wave_direction(n, sectors)), amplitude});
     }
-  figure.pixels.push_back({"tip_spectrum.pixels", enlarged(waves)});
+  figure.pixels.push_back({signal.name + ".pixels", enlarged(waves)});
   const Eigen::MatrixXf& pixels = figure.pixels.back().values;
   const double width = 1.0 / spectrum.revolutions;  // of a line, in engine orders
   const double dx = width * last / static_cast<double>(pixels.cols());
@@ -208,13 +214,49 @@ Figure tip_spectrum_figure(const Study& study) {
       << "set logscale cb\nset format cb '%g'\nset lmargin at screen 0.085\nset rmargin at screen 0.83\n"
       << "set tmargin at screen 0.96\nset bmargin at screen 0.13\nset xtics 1\nset ytics 1\nset xlabel 'engine "
          "order'\n"
-      << "set ylabel 'signed nodal diameter'\nset cblabel 'amplitude [mm]'\n"
-      << "set colorbox user origin screen 0.87,0.13 size screen 0.022,0.83\nplot 'tip_spectrum.pixels' binary array=("
+      << "set ylabel 'signed nodal diameter'\nset cblabel 'amplitude [" << signal.unit << "]'\n"
+      << "set colorbox user origin screen 0.87,0.13 size screen 0.022,0.83\nplot '" << signal.name << ".pixels' binary array=("
       << pixels.cols() << "," << pixels.rows() << ") format='%float32' origin=(" << 0.5 * (width + dx) << ","
       << lowest - 0.5 + dy / 2 << ") dx=" << dx << " dy=" << dy
       << " with image, $expected with points pointtype 6 pointsize 1.6 linewidth 1.2 linecolor rgb '#ff7f50'\n";
   figure.drawing.commands = out.str();
   return figure;
+}
+
+}  // namespace
+
+Figure tip_motion_figure(const Study& study) {
+  return sectors_figure(study, {.name = "tip_motion",
+                                .title = "Motion of all sectors",
+                                .caption = "The " + component_label(study),
+                                .unit = "mm",
+                                .values = shown_motion(study)});
+}
+
+Figure tip_spectrum_figure(const Study& study) {
+  const SectorSignal signal{.name = "tip_spectrum",
+                            .title = "Two-way spectrum of the motion",
+                            .caption = "The " + component_label(study),
+                            .unit = "mm",
+                            .values = shown_motion(study)};
+  return two_way_figure(study, travelling_spectrum(signal.values, study.shown_response().recorded_revolutions), signal);
+}
+
+Figure force_of_sectors_figure(const Study& study) {
+  return sectors_figure(study, {.name = "force_of_sectors",
+                                .title = "Contact force on all sectors",
+                                .caption = "The contact force at the " + std::string(name_of(study.parameters.edge)),
+                                .unit = "N",
+                                .values = tip_force(study.shown_response(), study.response.scene, study.map_node)});
+}
+
+Figure force_spectrum_figure(const Study& study) {
+  const SectorSignal signal{.name = "force_spectrum",
+                            .title = "Two-way spectrum of the contact force",
+                            .caption = "The contact force at the " + std::string(name_of(study.parameters.edge)),
+                            .unit = "N",
+                            .values = tip_force(study.shown_response(), study.response.scene, study.map_node)};
+  return two_way_figure(study, travelling_spectrum(signal.values, study.shown_response().recorded_revolutions), signal);
 }
 
 }  // namespace tiprub

@@ -20,6 +20,10 @@ PostprocessParameters read_postprocess_parameters(CaseTable& table) {
   p.amplitude_decades = table.number("amplitude_decades", p.amplitude_decades, Range::between(0.5, 12), "decades");
   p.amplitude_max_mm =
       table.number("amplitude_max_mm", p.amplitude_max_mm, Range::at_least(0), "mm, 0: the largest amplitude");
+  p.shown_speed_rpm = table.number("shown_speed_rpm", p.shown_speed_rpm, Range::at_least(0),
+                                   "rpm, 0: the largest amplitude that repeats every revolution");
+  p.response_up = table.text("response_up", p.response_up);
+  p.response_down = table.text("response_down", p.response_down);
   table.close();
   return p;
 }

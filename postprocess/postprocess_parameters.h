@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "cases/case_file.h"
 #include "postprocess/tip_motion.h"
 
@@ -18,6 +20,8 @@ struct PostprocessParameters {
   double prominence = 0.25;                 ///< [1] of a peak's own amplitude, that it must stand above its valleys
   double prediction_tolerance = 0.1;        ///< [1] of a speed, within which a rule's speed counts as a hit
   double amplitude_decades = 2.5;           ///< colour range of the maps, below the largest amplitude
+  double shown_speed_rpm = 0;               ///< [rpm] motion, force and bars are drawn at the nearest speed; 0: see Study::shown
+  std::string response_up, response_down;   ///< this case swept up and down, relative to the case; empty: not compared
   double amplitude_max_mm = 0;              ///< [mm] upper colour limit of the maps; 0: the largest amplitude
 };
 

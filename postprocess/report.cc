@@ -81,6 +81,54 @@ std::string steadiness_sentence(const Study& study) {
          " irregular, " + std::to_string(study.failed.size()) + " failed. Those that repeat are " + numbers + ".";
 }
 
+/// "12,000 to 12,400, 13,000 rpm": the speeds for which a property holds, neighbours drawn together.
+template <class Property>
+std::string runs_of_speeds(const Study& study, const Property& holds) {
+  const auto& speeds = study.response.speeds;
+  std::string text;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    if (!holds(speeds[i]) || (i > 0 && holds(speeds[i - 1]))) continue;
+    std::size_t last = i;
+    while (last + 1 < speeds.size() && holds(speeds[last + 1])) ++last;
+    text += (text.empty() ? "" : ", ") + fixed(speeds[i].speed * rpm_per_rad_s, 0) +
+            (last > i ? " to " + fixed(speeds[last].speed * rpm_per_rad_s, 0) : "");
+  }
+  return text.empty() ? text : text + " rpm";
+}
+
+std::string unusual_sentence(const Study& study) {
+  std::string text;
+  const auto add = [&](const std::string& what, const std::string& where) {
+    if (!where.empty()) text += (text.empty() ? "" : " ") + what + ": " + where + ".";
+  };
+  add("Motion that never repeats", runs_of_speeds(study, [](const SpeedResponse& at) { return at.motion == MotionClass::irregular; }));
+  add("Subharmonic motion", runs_of_speeds(study, [](const SpeedResponse& at) { return at.motion == MotionClass::subharmonic; }));
+  add("A nodal diameter that was left out would grow (run these with nodal_diameters = \"all\")",
+      runs_of_speeds(study, [](const SpeedResponse& at) { return at.audit.symmetry == SymmetryVerdict::breaking; }));
+  return text;
+}
+
+std::string sweep_sentence(const Study& study) {
+  if (study.sweeps.empty()) return "";
+  std::size_t apart = 0;
+  const SweepComparison* largest = nullptr;
+  const auto change = [&](const SweepComparison& at) {
+    double most = 0;
+    for (const auto& swept : {at.up, at.down})
+      if (swept && swept->differs) most = std::max(most, std::abs(swept->amplitude - study.amplitudes.largest[at.index]));
+    return most;
+  };
+  for (const SweepComparison& at : study.sweeps) {
+    if (!at.differs()) continue;
+    ++apart;
+    if (largest == nullptr || change(at) > change(*largest)) largest = &at;
+  }
+  if (largest == nullptr) return "Sweeps up and down settle to the same motions as from rest, wherever both settle.";
+  return "At " + counted(apart, "speed") + " more than one settled motion exists: sweeps differ from the response from rest, most at " +
+         rpm(study.response.speeds[static_cast<std::size_t>(largest->index)].speed) + ", by " +
+         fixed(change(*largest) * mm_per_m, 3) + " mm of amplitude.";
+}
+
 std::string share_sentence(const Study& study) {
   constexpr double invisible = 5e-5;
   const Eigen::VectorXd shares = energy_shares(study.map);
@@ -149,6 +197,8 @@ std::string record_section(const Study& study, const ReportSource& source) {
   return "<h2 id=\"record\">Record</h2>\n" +
          folded("Every speed: how steady, how exact", html::table(speed_record(study))) +
          folded("What the linear rules list", html::table(linear_criterion_record(study))) +
+         (study.sweeps.empty() ? std::string() : folded("From rest, upwards, downwards", html::table(sweep_record(study)))) +
+         folded("How the contact drifts with speed", html::table(drift_record(study))) +
          folded("The case file", listing(source.case_text)) +
          folded("Where the response comes from", listing(study.response.scene.provenance)) +
          folded("Where the model comes from", listing(study.model.provenance)) +
@@ -168,7 +218,8 @@ std::string contents(const std::vector<Figure>& figures) {
 std::vector<std::string> verdict(const Study& study) {
   std::vector<std::string> lines;
   for (const std::string& line : {critical_sentence(study), edge_sentence(study), rule_sentence(study),
-                                  steadiness_sentence(study), share_sentence(study)})
+                                  steadiness_sentence(study), unusual_sentence(study), sweep_sentence(study),
+                                  share_sentence(study)})
     if (!line.empty()) lines.push_back(line);
   return lines;
 }

@@ -241,4 +241,38 @@ Table speed_record(const Study& study) {
   return table;
 }
 
+Table sweep_record(const Study& study) {
+  Table table{{"speed [rpm]", "from rest [mm]", "up [mm]", "down [mm]", "motion from rest", "motion up", "motion down",
+               "up from rest [1]", "down from rest [1]", "differ"},
+              {}};
+  for (const SweepComparison& at : study.sweeps) {
+    const SpeedResponse& here = study.response.speeds[static_cast<std::size_t>(at.index)];
+    const auto amplitude = [](const std::optional<SweptSpeed>& swept) {
+      return swept ? Cell(swept->amplitude * mm_per_m) : Cell(std::string());
+    };
+    const auto motion = [](const std::optional<SweptSpeed>& swept) {
+      return swept ? motion_text(swept->motion, swept->period_revolutions) : std::string();
+    };
+    const auto difference = [](const std::optional<SweptSpeed>& swept) {
+      return swept ? Cell(swept->difference) : Cell(std::string());
+    };
+    table.rows.push_back({here.speed * rpm_per_rad_s, study.amplitudes.largest[at.index] * mm_per_m, amplitude(at.up),
+                          amplitude(at.down), motion_text(here.motion, here.period_revolutions), motion(at.up),
+                          motion(at.down), difference(at.up), difference(at.down), yes_or_no(at.differs())});
+  }
+  return table;
+}
+
+Table drift_record(const Study& study) {
+  Table table{{"edge", "slope [s]", "intercept [rad]", "R^2", "tip length [m]", "tip length over slope [m/s]"}, {}};
+  const Eigen::VectorXd& arc = study.model.contact.arc_length;
+  const auto add = [&](const char* edge, const ContactDrift& drift) {
+    table.rows.push_back({std::string(edge), drift.slope, drift.intercept, drift.determination, arc[arc.size() - 1] - arc[0],
+                          drift.implied_wave_speed});
+  };
+  add("leading", study.leading_drift);
+  add("trailing", study.trailing_drift);
+  return table;
+}
+
 }  // namespace tiprub

@@ -16,6 +16,11 @@ Table linear_criterion_record(const Study& study);
 /// One row a speed, failed ones included: how steady, how exact, how much contact; speeds.csv.
 Table speed_record(const Study& study);
 
+/// Every speed from rest, swept up and swept down: sweeps.csv. Needs sweeps.
+Table sweep_record(const Study& study);
+/// The line through the places that both edges rub: contact_drift.csv.
+Table drift_record(const Study& study);
+
 /// "periodic", "subharmonic 1/3", "irregular".
 std::string motion_text(MotionClass motion, int period_revolutions);
 

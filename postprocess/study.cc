@@ -51,6 +51,29 @@ std::vector<Ridge> find_ridges(const InteractionMap& map, const FrequencyCurves&
   return ridges;
 }
 
+/// See Study::shown.
+Eigen::Index shown_speed(const Study& study) {
+  const auto& speeds = study.response.speeds;
+  Eigen::Index shown = -1;
+  const double asked = study.parameters.shown_speed_rpm;
+  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(speeds.size()); ++i) {
+    const auto far = [&](Eigen::Index k) {
+      return std::abs(speeds[static_cast<std::size_t>(k)].speed * rpm_per_rad_s - asked);
+    };
+    const bool better = asked > 0 ? shown < 0 || far(i) < far(shown)
+                                  : speeds[static_cast<std::size_t>(i)].motion == MotionClass::periodic &&
+                                        (shown < 0 || study.amplitudes.largest[i] > study.amplitudes.largest[shown]);
+    if (better) shown = i;
+  }
+  return shown < 0 ? study.worst : shown;
+}
+
+Eigen::VectorXd speeds_of(const Response& response) {
+  Eigen::VectorXd speeds(static_cast<Eigen::Index>(response.speeds.size()));
+  for (Eigen::Index i = 0; i < speeds.size(); ++i) speeds[i] = response.speeds[static_cast<std::size_t>(i)].speed;
+  return speeds;
+}
+
 }  // namespace
 
 void check_together(const ReducedModel& model, const Response& response, const std::string& name) {
@@ -87,11 +110,15 @@ Study make_study(const PostprocessParameters& parameters, ReducedModel model, Re
   const int sector_count = study.model.sector_count;
   study.amplitudes = tip_amplitudes(study.response, contact, parameters.component);
   study.amplitudes.largest.maxCoeff(&study.worst);
+  study.shown = shown_speed(study);
   study.map_node = parameters.edge == TipEdge::leading ? 0 : contact.size() - 1;
   study.map = interaction_map(study.response, contact, study.map_node, parameters.component);
   study.ridges = find_ridges(study.map, study.curves, sector_count, parameters);
   study.leading_edge = contact_map(study.response, 0);
   study.trailing_edge = contact_map(study.response, contact.size() - 1);
+  const int lobes = std::max(study.response.scene.lobes, 1);
+  study.leading_drift = contact_drift(study.leading_edge, speeds_of(study.response), lobes, contact);
+  study.trailing_drift = contact_drift(study.trailing_edge, speeds_of(study.response), lobes, contact);
   study.critical = critical_speeds(study.response, contact, study.amplitudes, study.curves, parameters);
   study.equation_2 = equation_2_crossings(study.curves, sector_count, parameters.families, range);
   study.aliased = aliased_crossings(study.curves, sector_count, parameters.families, study.response.scene.lobes,

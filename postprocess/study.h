@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "postprocess/contact_drift.h"
 #include "postprocess/contact_map.h"
 #include "postprocess/critical_speeds.h"
 #include "postprocess/interaction_map.h"
+#include "postprocess/sweep_comparison.h"
 
 namespace tiprub {
 
@@ -29,12 +31,18 @@ struct Study {
   InteractionMap map{};
   std::vector<Ridge> ridges{};  ///< engine orders 1 .. engine_order_max
   ContactMap leading_edge{}, trailing_edge{};
+  ContactDrift leading_drift{}, trailing_drift{};
   std::vector<CriticalSpeed> critical{};
   std::vector<Crossing> equation_2{}, aliased{};
   RuleScore equation_2_score{}, aliasing_score{};
-  Eigen::Index worst = 0;  ///< index of the speed with the largest amplitude
+  std::vector<SweepComparison> sweeps{};  ///< one a speed, or none
+  Eigen::Index worst = 0;                 ///< index of the speed with the largest amplitude
+  /// Index of the speed whose motion and force are drawn: the one asked for, or the one with the largest amplitude among those
+  /// whose motion is the same every revolution (among all, if none is).
+  Eigen::Index shown = 0;
 
   const SpeedResponse& worst_response() const { return response.speeds[static_cast<std::size_t>(worst)]; }
+  const SpeedResponse& shown_response() const { return response.speeds[static_cast<std::size_t>(shown)]; }
 };
 
 /// Raises InputError if the model and the response are of different rotors, RunError if no speed has a usable

@@ -240,9 +240,9 @@ void Hdf5File::make_slices(const std::string& name, const std::vector<std::size_
     H5::DSetCreatPropList creation = plain_creation();
     creation.setChunk(static_cast<int>(chunk.size()), chunk.data());
     const H5::DataSpace space(static_cast<int>(extents.size()), extents.data());
-    const H5::DataSet set =
-        number == Number::complex ? handle_->file.createDataSet(name, single_complex_type(), space, creation)
-                                  : handle_->file.createDataSet(name, H5::PredType::NATIVE_FLOAT, space, creation);
+    const H5::DataSet set = number == Number::complex
+                                ? handle_->file.createDataSet(name, single_complex_type(), space, creation)
+                                : handle_->file.createDataSet(name, H5::PredType::NATIVE_FLOAT, space, creation);
     const H5::StrType string_type(H5::PredType::C_S1, std::max<std::size_t>(unit.size(), 1));
     set.createAttribute("unit", string_type, H5::DataSpace(H5S_SCALAR)).write(string_type, unit);
   } catch (const H5::Exception&) {

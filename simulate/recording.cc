@@ -94,6 +94,14 @@ void Recording::recover_displacements(int first_sample) {
   }
 }
 
+void Recording::compare_force(int column, int sample) {
+  const auto force = [&](int at) { return kept_.contact_force.row(at).cwiseAbs().sum(); };
+  if (hardest_sample_ >= 0 && force(sample) <= force(hardest_sample_)) return;
+  hardest_sample_ = sample;
+  hardest_.clear();
+  for (const Eigen::MatrixXcd& states : states_) hardest_.emplace_back(states.col(column));
+}
+
 Eigen::VectorXd Recording::revolution(TimeMarch& march) {
   const int steps = march.steps_per_revolution() / grid_.samples_per_revolution;
   const int first_sample = done_ * grid_.samples_per_revolution;
@@ -106,6 +114,7 @@ Eigen::VectorXd Recording::revolution(TimeMarch& march) {
       march.step();
       observe(march, first_sample + sample);
     }
+    compare_force(sample, first_sample + sample);
   }
   recover_displacements(first_sample);
   ++done_;
@@ -116,6 +125,11 @@ void Recording::finish(const TimeMarch& march, SpeedResponse& response) const {
   response.displacement = kept_.displacement;
   response.contact_force = kept_.contact_force;
   response.contact_count = kept_.contact_count;
+  RotorSnapshot& snapshot = response.snapshot.emplace();
+  snapshot.sample = hardest_sample_;
+  snapshot.force = march.symmetry() * kept_.contact_force.row(hardest_sample_).cwiseAbs().sum();
+  for (std::size_t i = 0; i < hardest_.size(); ++i)
+    snapshot.displacement.emplace_back(rotor_.waves[i].shapes * hardest_[i]);
   response.largest_penetration = kept_.largest_penetration;
   response.smallest_multiplier = kept_.smallest_multiplier;
   response.contact_steps = kept_.contact_steps;

@@ -31,6 +31,8 @@ class Recording {
   void take_states(const TimeMarch& march, int sample);
   void observe(const TimeMarch& march, int sample);
   void recover_displacements(int first_sample);
+  /// Keeps the state of a sample if no one before it met a larger contact force.
+  void compare_force(int column, int sample);
 
   const RotorAtSpeed& rotor_;
   const ContactLine& contact_;
@@ -38,7 +40,9 @@ class Recording {
   int sectors_, nodes_, width_;
   int done_ = 0;
   EnergyAudit audit_;
-  std::vector<Eigen::MatrixXcd> states_;  ///< modal coordinates of the samples of a revolution; m x samples
+  std::vector<Eigen::MatrixXcd> states_;   ///< modal coordinates of the samples of a revolution; m x samples
+  std::vector<Eigen::VectorXcd> hardest_;  ///< those of the sample with the largest contact force so far
+  int hardest_sample_ = -1;
   SpeedResponse kept_;
   double pushing_ = 0, pulling_ = 0;  ///< [N] sums of the forces' magnitudes
 };

@@ -49,6 +49,16 @@ struct SpeedAudit {
   double tension_share = 0;         ///< [1] of the contact forces' sum of magnitudes: what pulls
 };
 
+/// The whole rotor at one instant, in the dofs of the reduced model: what full fields are recovered from.
+struct RotorSnapshot {
+  int sample = 0;  ///< of the recorded ones; the rotor angle is 2 pi sample / samples_per_revolution
+  double force =
+      0;  ///< [N] sum of the contact forces' magnitudes over all N sectors, mean over the sample's interval
+  /// [m in contact rows] by nodal diameter, as SimulatedScene lists them: u_j = Re(sum over n of x_n e^{i n j
+  /// alpha}). Contact dofs first, then generalized ones, as in model.h5.
+  std::vector<Eigen::VectorXcd> displacement;
+};
+
 /// The settled response at one speed. A sample is an instant on whole revolutions: sample s of the recorded ones lies
 /// at the rotor angle 2 pi s / samples_per_revolution. Only the `independent_sectors` = N / g first sectors are held,
 /// g = gcd(N, orders of the casing): sector j moves as sector j mod (N / g) at every instant.
@@ -73,6 +83,8 @@ struct SpeedResponse {
   /// Steps in contact by area of the casing, over the recorded revolutions; (sector, node) x areas. Area a spans
   /// the absolute angles 2 pi a/areas .. 2 pi (a+1)/areas.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic> contact_count;
+  /// At the recorded sample with the largest contact force, the first of equals; files may come without.
+  std::optional<RotorSnapshot> snapshot;
 
   EnergyLedger energy;
   double step_ratio = 0;              ///< h omega_max / 2; central differences hold below 1

@@ -2,6 +2,7 @@
 #include "simulate/response_file.h"
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -121,6 +122,38 @@ void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse&
   });
 }
 
+std::string snapshot_of(const std::string& group, int nodal_diameter) {
+  return group + "/snapshot/" + std::to_string(nodal_diameter);
+}
+
+void write_snapshot(Hdf5File& file, const std::string& group, const RotorSnapshot& snapshot, const SpeedResponse& at,
+                    const SimulatedScene& scene) {
+  for (std::size_t i = 0; i < snapshot.displacement.size(); ++i)
+    file.write(snapshot_of(group, scene.nodal_diameters[i]), Eigen::MatrixXcd(snapshot.displacement[i]),
+               "m in contact dofs");
+  file.set_attribute(group + "/snapshot", "sample", snapshot.sample);
+  file.set_attribute(group + "/snapshot", "angle",
+                     2 * std::numbers::pi * snapshot.sample / at.samples_per_revolution);
+  file.set_attribute(group + "/snapshot", "contact_force", snapshot.force);
+}
+
+std::optional<RotorSnapshot> read_snapshot(const Hdf5File& file, const std::string& group,
+                                           const SimulatedScene& scene, Eigen::Index samples) {
+  if (!file.exists(group + "/snapshot")) return std::nullopt;
+  RotorSnapshot snapshot;
+  snapshot.sample = file.integer_attribute(group + "/snapshot", "sample");
+  snapshot.force = file.number_attribute(group + "/snapshot", "contact_force");
+  if (snapshot.sample < 0 || snapshot.sample >= samples)
+    throw RunError(file.path() + ": " + group + "/snapshot: sample " + std::to_string(snapshot.sample) +
+                   " is not one of the " + std::to_string(samples) + " recorded ones");
+  for (const int n : scene.nodal_diameters) {
+    const Eigen::MatrixXcd state = file.read_complex_matrix(snapshot_of(group, n));
+    if (state.cols() != 1) throw RunError(file.path() + ": " + snapshot_of(group, n) + " must have one column");
+    snapshot.displacement.emplace_back(state.col(0));
+  }
+  return snapshot;
+}
+
 void write_speed(Hdf5File& file, const std::string& group, const SpeedResponse& at, const SimulatedScene& scene) {
   file.set_attribute(group, "speed", at.speed);
   file.set_attribute(group, "failure", at.failure);
@@ -138,6 +171,7 @@ void write_speed(Hdf5File& file, const std::string& group, const SpeedResponse& 
              Array<std::int32_t>{{sectors, nodes, static_cast<std::size_t>(counts.cols())},
                                  {counts.data(), counts.data() + counts.size()}},
              "steps");
+  if (at.snapshot) write_snapshot(file, group, *at.snapshot, at, scene);
 }
 
 void require_columns(const Eigen::MatrixXd& table, const std::string& where, Eigen::Index rows,
@@ -169,6 +203,7 @@ SpeedResponse read_speed(const Hdf5File& file, const std::string& group, const S
   using RowMajor = Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   at.contact_count =
       Eigen::Map<const RowMajor>(counts.values.data(), points, static_cast<Eigen::Index>(counts.shape[2]));
+  at.snapshot = read_snapshot(file, group, scene, samples);
   return at;
 }
 

@@ -18,7 +18,7 @@ do for [pair in '6,4,2,3 8,2,4,5'] {
   set title sprintf('cos(%sθ) and cos(%sθ) at ten blades', high, low)
   plot 'waves.tsv' using 1:a with lines linecolor rgb '#0072b2' title sprintf('cos(%sθ)', high), \
     '' using 1:b with lines dashtype 2 linecolor rgb '#d55e00' title sprintf('cos(%sθ)', low), \
-    '' using (int($0) % 72 == 0 ? $1 : NaN):b with points pointtype 7 pointsize 0.9 linecolor rgb '#222222' title 'blades'
+    '' every 72::1 using 1:b with points pointtype 7 pointsize 0.9 linecolor rgb '#222222' title 'blades'
 }
 unset multiplot
 set output 'zigzag.svg'
@@ -34,3 +34,19 @@ set grid linecolor rgb '#dddddd'
 plot 'zigzag.tsv' using 1:2 with lines linecolor rgb '#999999' notitle, \
   '' using ($4 == 1 ? $1 : NaN):2 with points pointtype 6 pointsize 1.7 linewidth 1.5 linecolor rgb '#0072b2' title 'two lobes', \
   '' using ($5 == 1 ? $1 : NaN):2 with points pointtype 7 pointsize 0.8 linecolor rgb '#d55e00' title 'three lobes'
+set output 'clustering.svg'
+set multiplot layout 1,2
+set xrange [5:15]
+set xtics 1
+set yrange [0:1.8]
+set ytics autofreq
+set xlabel 'engine order'
+set ylabel 'amplitude'
+set key top right
+set style fill solid noborder
+set title 'one sector over time: one peak'
+plot 'clustering.tsv' using 1:2 with impulses linewidth 4 linecolor rgb '#444444' notitle
+set title 'all sectors, by nodal diameter: two'
+plot 'clustering.tsv' using ($1-0.06):3 with impulses linewidth 4 linecolor rgb '#0072b2' title 'nodal diameter 0', \
+  '' using ($1+0.06):5 with impulses linewidth 4 linecolor rgb '#d55e00' title 'nodal diameter 2'
+unset multiplot

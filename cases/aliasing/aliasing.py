@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Aliasing on ten sectors (paper, sec. 5.1.2 and 5.1.3, appendix A): by closed forms, and by marching.
 
-Writes waves.tsv (fig. 12), zigzag.tsv (fig. 13), equation_17.tsv and table_1.tsv in this folder.
+Writes clustering.tsv (fig. 11), waves.tsv (fig. 12), zigzag.tsv (fig. 13), equation_17.tsv and table_1.tsv in this folder.
 """
 import csv
 
@@ -52,6 +52,20 @@ def marched(order):
     return numpy.fft.fft(cosine - 1j * sine) / SECTORS
 
 
+def clustering():
+    """Two waves, close in frequency, on nodal diameters 0 and 2 (the fictitious peaks of fig. 11): one peak over time, two apart.
+
+    Rows: engine order, amplitude at one sector over time alone, amplitudes by nodal diameter 0 .. 5."""
+    revolutions, samples = 4, 240
+    t = 2 * numpy.pi * numpy.arange(revolutions * samples) / samples
+    sector = ALPHA * numpy.arange(SECTORS)
+    motion = numpy.cos(10 * t)[:, None] + 0.6 * numpy.cos(10.05 * t[:, None] + 2 * sector)  # closer than one line, 1/4
+    line = numpy.abs(numpy.fft.rfft(motion[:, 0])) * 2 / len(t)
+    waves = numpy.abs(numpy.fft.fft(numpy.fft.rfft(motion, axis=0), axis=1)) * 2 / len(t) / SECTORS
+    both = [waves[:, 0]] + [waves[:, n] + (waves[:, SECTORS - n] if 2 * n < SECTORS else 0) for n in range(1, SECTORS // 2 + 1)]
+    return [(m / revolutions, f"{line[m]:.6f}", *(f"{part[m]:.6f}" for part in both)) for m in range(15 * revolutions + 1)]
+
+
 def write(name, header, rows):
     with open(name, "w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, delimiter="\t", lineterminator="\n")
@@ -78,6 +92,7 @@ def main():
     theta = numpy.linspace(0, 2 * numpy.pi, 721)
     write("waves.tsv", ("theta [rad]", "cos 6 theta", "cos 4 theta", "cos 8 theta", "cos 2 theta"),
           [[f"{value:.9f}" for value in (t, *numpy.cos([6 * t, 4 * t, 8 * t, 2 * t]))] for t in theta])
+    write("clustering.tsv", ("engine order", "one sector", *(f"nodal diameter {n}" for n in range(SECTORS // 2 + 1))), clustering())
     write("zigzag.tsv", ("engine order", "nodal diameter", "signed nodal diameter", "two lobes", "three lobes"),
           [(k, abs(signed_nodal_diameter(k)), signed_nodal_diameter(k), int(k > 0 and k % 2 == 0), int(k > 0 and k % 3 == 0))
            for k in range(31)])

@@ -6,12 +6,14 @@ usage: quick_chain.py STEP PROGRAMS_FOLDER CASES_FOLDER WORK_FOLDER
 
 `run` copies the case with fewer speeds and makes it; each other step checks one thing about what was made.
 """
+import base64
 import csv
 import os
 import re
 import shutil
 import subprocess
 import sys
+import xml.etree.ElementTree
 
 import h5py
 import numpy
@@ -19,6 +21,7 @@ import numpy
 SPEED_COUNT = 12
 REDUCTION_TOLERANCE = 0.005  # of the first 50 frequencies of the wheel
 ODD_SHARE = 0.01             # of the two-lobe response on odd nodal diameters
+SINGLE_PRECISION = 3e-6      # of the largest value
 ODD_ORDER_SPEEDS = 0.25      # of the speeds may have their highest peak off the even engine orders
 
 
@@ -122,6 +125,74 @@ def critical_speeds(programs, cases, work):
         assert int(row["family"]) >= 1 and row["wave"] in ("forward", "backward", "standing")
 
 
+def read_vtu(path):
+    """Arrays of a VTK XML file by name; inline binary in base 64, its length in 8 bytes first."""
+    types = {"Float32": numpy.float32, "Int32": numpy.int32, "UInt8": numpy.uint8}
+    arrays = {}
+    for array in xml.etree.ElementTree.parse(path).iter("DataArray"):
+        raw = base64.b64decode(array.text)
+        values = numpy.frombuffer(raw[8:], types[array.get("type")])
+        assert int.from_bytes(raw[:8], "little") == values.nbytes, array.get("Name")
+        components = int(array.get("NumberOfComponents"))
+        arrays[array.get("Name")] = values.reshape(-1, components) if components > 1 else values
+    return arrays
+
+
+def turned_about_z(vectors, angles):
+    turned = vectors.copy()
+    turned[..., 0] = numpy.cos(angles) * vectors[..., 0] - numpy.sin(angles) * vectors[..., 1]
+    turned[..., 1] = numpy.sin(angles) * vectors[..., 0] + numpy.cos(angles) * vectors[..., 1]
+    return turned
+
+
+def snapshot_at(group, fields, sectors, contact):
+    """Displacement of the contact nodes of all sectors, r, theta, z, from the snapshot and the basis."""
+    wheel = numpy.zeros((sectors, len(contact), 3))
+    for n, state in group["snapshot"].items():
+        shape = numpy.tensordot(state[:, 0], fields[f"nodal_diameter/{n}/basis"][:][:, contact], 1)
+        phases = numpy.exp(2j * numpy.pi * int(n) * numpy.arange(sectors) / sectors)
+        wheel += (phases[:, None, None] * shape).real
+    return wheel
+
+
+def full_fields(programs, cases, work):
+    """Snapshot, basis, response and VTU tell the same displacement; stress is the same after half a turn."""
+    with open(os.path.join(work, "report", "critical_speeds.csv"), encoding="utf-8", newline="") as file:
+        worst = max(csv.DictReader(file), key=lambda row: float(row["amplitude [mm]"]))
+    wheel = read_vtu(os.path.join(work, "report", "fields", "contact_wheel.vtu"))
+    with h5py.File(os.path.join(work, "fields.h5")) as fields, h5py.File(os.path.join(work, "response.h5")) as response:
+        sectors, held = (int(response.attrs[name]) for name in ("sector_count", "independent_sectors"))
+        contact, nodes = fields["node_set/contact"][:], fields["nodes"][:]
+        compared = 0
+        for group in response["speed"].values():
+            sample = int(group["snapshot"].attrs["sample"])
+            forces = group["contact_force"][:].sum(axis=(1, 2))
+            assert forces[sample] == forces.max()
+            moved = snapshot_at(group, fields, sectors, contact)
+            recorded = group["displacement"][sample][numpy.arange(sectors) % held]
+            error = abs(moved - recorded).max() / abs(recorded).max()
+            assert error < SINGLE_PRECISION, f"{group.name}: snapshot and response differ by {error:.1e}"
+            if abs(group.attrs["speed"] * 30 / numpy.pi / float(worst["speed [rpm]"]) - 1) < 1e-4:
+                angles = (2 * numpy.pi * numpy.arange(sectors)[:, None] / sectors +
+                          numpy.arctan2(nodes[contact, 1], nodes[contact, 0]))
+                drawn = wheel["displacement_vibration"].reshape(sectors, -1, 3)[:, contact]
+                error = abs(turned_about_z(recorded, angles) - drawn).max() / abs(recorded).max()
+                print(f"contact nodes in the VTU differ from the response by {error:.1e}")
+                assert error < SINGLE_PRECISION
+                compared += 1
+    assert compared == 1
+    stress = wheel["stress_vibration"].reshape(sectors, -1, 6)
+    half = stress * numpy.array([1, 1, 1, 1, -1, -1])  # R sigma R' of half a turn
+    error = abs(numpy.roll(stress, sectors // 2, axis=0) - half).max() / abs(stress).max()
+    print(f"stress after half a turn differs by {error:.1e}")
+    assert error < SINGLE_PRECISION
+    whole = wheel["stress_vibration"] + wheel["stress_spin"].astype(float)
+    xx, yy, zz, xy, yz, zx = whole.T
+    mises = numpy.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * (xy ** 2 + yz ** 2 + zx ** 2))
+    assert abs(mises - wheel["von_mises"]).max() < SINGLE_PRECISION * mises.max()
+    assert wheel["connectivity"].max() < len(wheel["Points"]) and set(wheel["types"]) == {25}
+
+
 def up_to_date(programs, cases, work):
     """Nothing is made twice, and a change of one stage's table remakes that stage and what follows."""
     assert make(work, programs, "-q", "report/report.html").returncode == 0
@@ -134,7 +205,8 @@ def up_to_date(programs, cases, work):
     assert os.path.getmtime(os.path.join(work, "response.h5")) == before
 
 
-STEPS = {step.__name__: step for step in (run, reduction, nodal_diameters, engine_orders, critical_speeds, up_to_date)}
+STEPS = {step.__name__: step for step in (run, reduction, nodal_diameters, engine_orders, critical_speeds, full_fields,
+                                         up_to_date)}
 
 if __name__ == "__main__":
     STEPS[sys.argv[1]](*map(os.path.abspath, sys.argv[2:]))

@@ -15,6 +15,7 @@
 #include <string>
 #include <thread>
 
+#include "reduce/fields_file.h"
 #include "reduce/hdf5_file.h"
 #include "reduce/reduced_model_file.h"
 #include "simulate/response_file.h"
@@ -77,6 +78,9 @@ constexpr const char* figures[] = {"interaction_map",
                                    "tip_motion",
                                    "tip_spectrum",
                                    "contact_force",
+                                   "force_of_sectors",
+                                   "force_spectrum",
+                                   "harmonic_bars",
                                    "nodal_diameter_tracking",
                                    "engine_order_tracking",
                                    "waterfall",
@@ -193,6 +197,33 @@ TEST_F(Program, RefusesAWrongSchema) {
 TEST_F(Program, RefusesFilesOfDifferentRotors) {
   write_model(synthetic::model(9), folder_ / "nine.h5", "test");
   expect_failure(run("case.toml nine.h5 response.h5 -o wrong"), 2, "has 10 sectors, the model has 9");
+}
+
+TEST_F(Program, SaysThatThereAreNoFields) {
+  ASSERT_EQ(run("case.toml model.h5 response.h5 -o without").exit_code, 0);
+  EXPECT_NE(text_of(folder_ / "without" / "report.html").find("left out, no fields.h5 was given"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "without" / "fields"));
+}
+
+TEST_F(Program, RefusesFieldsOfAnotherRotor) {
+  expect_failure(run("case.toml model.h5 response.h5 --fields model.h5 -o wrong"), 1,
+                 "expected tiprub-fields version 1");
+  expect_failure(run("case.toml model.h5 response.h5 --fields none.h5 -o wrong"), 1, "none.h5: no such file");
+  SectorFields sector;
+  sector.sector_count = 1;
+  sector.nodes = Eigen::Matrix3Xd::Random(3, 20);
+  sector.cells = Eigen::VectorXi::LinSpaced(20, 0, 19);
+  sector.node_sets = {{"clamped", {}}, {"contact", {0}}, {"cyclic_low", {}}, {"cyclic_high", {}}};
+  sector.static_displacement_1 = sector.static_displacement_2 = Eigen::Matrix3Xd::Zero(3, 20);
+  {
+    FieldsWriter writer(folder_ / "other_fields.h5", "test");
+    writer.write_sector(sector);
+    writer.write_basis(0, 1, true, [](Eigen::Index) { return Eigen::VectorXcd(Eigen::VectorXcd::Ones(60)); });
+  }
+  expect_failure(run("case.toml model.h5 response.h5 --fields other_fields.h5 -o wrong"), 2,
+                 "other_fields.h5: has 1 sectors, the model has 10");
+  expect_failure(run("case.toml model.h5 response.h5 --fields other_fields.h5 --check -o wrong"), 2,
+                 "give the fields that were written with the model");
 }
 
 TEST_F(Program, RefusesNumbersThatAreNone) {

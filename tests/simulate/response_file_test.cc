@@ -27,6 +27,7 @@ TEST(ResponseFile, GivesBackWhatItTook) {
   good.contact_force = Eigen::MatrixXd::Random(8, 2 * 3);
   good.contact_count.setConstant(6, 20, 7);
   good.contact_steps = 123456789012;
+  good.snapshot = RotorSnapshot{5, 12.5, {Eigen::VectorXcd::Random(4), Eigen::VectorXcd::Random(7)}};
   SpeedResponse bad;
   bad.speed = 200;
   bad.failure = "why";
@@ -43,6 +44,11 @@ TEST(ResponseFile, GivesBackWhatItTook) {
   EXPECT_EQ(back.speeds[0].contact_force, good.contact_force);
   EXPECT_EQ(back.speeds[0].contact_count, good.contact_count);
   EXPECT_EQ(back.speeds[0].contact_steps, good.contact_steps);
+  ASSERT_TRUE(back.speeds[0].snapshot.has_value());
+  EXPECT_EQ(back.speeds[0].snapshot->sample, 5);
+  EXPECT_EQ(back.speeds[0].snapshot->force, 12.5);
+  EXPECT_EQ(back.speeds[0].snapshot->displacement, good.snapshot->displacement);
+  EXPECT_FALSE(back.speeds[1].snapshot.has_value());
   EXPECT_EQ(back.speeds[0].motion, MotionClass::subharmonic);
   EXPECT_EQ(back.speeds[1].failure, "why");
 }

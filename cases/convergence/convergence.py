@@ -1,0 +1,141 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Radial motion of the leading edge over the number of modes, the time step and the mesh.
+
+usage: convergence.py PROGRAMS_FOLDER CASES_FOLDER
+
+Starts from the case of impeller_quick and changes one thing at a time. Writes, in this folder, convergence.tsv (one line a
+run) and traces.tsv (one revolution of the motion for each number of modes, as the paper's fig. 9). A difference is the
+root mean square of the radial motion's difference to the finest run of its row, over that run's root mean square.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import h5py
+import numpy
+
+# First family on engine orders 6 and 4, the tallest peaks whose motion is periodic, and a speed between them.
+SPEEDS_RPM = [13500, 17500, 22500]
+SAMPLES = 240
+# The paper's eta = 150 gives its wheel 600 component modes, and doesn't say how. Here eta is a quarter of the wheel's
+# component modes, so that 150 means the same size: 60 a nodal diameter on ten sectors.
+ETAS, WHEEL_MODES_PER_ETA = [50, 100, 150, 200, 250], 4
+MODES_IN_FILE = 80  # fixed-interface modes at each of two speeds; all of them are the reference
+FEWEST_STEPS, HALVINGS = 480, 6
+# Sectors between the quick one and the paper's size, and one that is too coarse.
+MESHES = {
+    "coarse": {"elements_along_chord": 6, "elements_along_bore": 3, "elements_along_span": 3,
+               "elements_through_blade": 2, "elements_through_splitter": 2, "elements_through_disc": 2},
+    "medium": {"elements_along_chord": 20, "elements_along_bore": 8, "elements_along_span": 9,
+               "elements_through_splitter": 3, "elements_through_disc": 4, "elements_between_blades": 4},
+}
+
+
+def change(text, table, keys):
+    """Sets keys of a table of a case; adds those that it doesn't have."""
+    for key, value in keys.items():
+        text = re.sub(rf"^{key} = .*\n", "", text, flags=re.M)
+        text = re.sub(rf"^\[{table}\]$", f"[{table}]\n{key} = {value}", text, count=1, flags=re.M)
+    return text
+
+
+class Bench:
+    def __init__(self, programs, cases):
+        self.programs = programs
+        with open(os.path.join(cases, "impeller_quick", "case.toml"), encoding="utf-8") as file:
+            text = re.sub(r"^speed_(min|max)_rpm = .*\n|^speed_count = .*\n", "", file.read().split("[casing]")[1], flags=re.M)
+            file.seek(0)
+            self.case = file.read().split("[casing]")[0] + "[casing]" + text
+        self.case = change(self.case, "simulate", {"speeds_rpm": SPEEDS_RPM, "samples_per_revolution": SAMPLES})
+        shutil.rmtree("work", ignore_errors=True)
+        os.makedirs("work")
+
+    def write(self, name, changes):
+        text = self.case
+        for table, keys in changes.items():
+            text = change(text, table, keys)
+        path = os.path.join("work", name + ".toml")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def run(self, program, *arguments):
+        subprocess.run([os.path.join(self.programs, program), "-q", *arguments], check=True)
+
+    def mesh(self, name, keys):
+        path, sector = self.write(name, {"mesh": keys}), os.path.join("work", name + ".msh")
+        self.run("tiprub-mesh", path, "-o", sector)
+        return sector
+
+    def model(self, name, sector, keys):
+        path, model = self.write(name, {"reduce": keys}), os.path.join("work", name + ".h5")
+        self.run("tiprub-reduce", path, sector, "-o", model)
+        return model
+
+    def motion(self, name, model, keys):
+        """By speed: radial displacement of the leading edge of sector 0 over one period, and the motion's class."""
+        path, response = self.write(name, {"simulate": keys}), os.path.join("work", name + "_response.h5")
+        self.run("tiprub-simulate", path, model, "-o", response)
+        with h5py.File(response) as file:
+            return [(group["displacement"][:, 0, 0, 0], group.attrs["motion"].decode())
+                    for group in file["speed"].values()]
+
+
+def sector_dofs(sector):
+    """Three for each node of a gmsh 4.1 file."""
+    with open(sector, "rb") as file:
+        for line in file:
+            if line.startswith(b"$Nodes"):
+                return 3 * int(file.readline().split()[1])
+    raise ValueError(f"{sector}: has no nodes")
+
+
+def main(programs, cases):
+    bench = Bench(programs, cases)
+    quick_sector = os.path.join(cases, "impeller_quick", "sector.msh")
+    quick_model = os.path.join(cases, "impeller_quick", "model.h5")
+    rows = {"eta": [], "steps a revolution": [], "dofs a sector": []}
+    with h5py.File(quick_model) as model:
+        sectors = int(model.attrs["sector_count"])
+
+    for eta in ETAS + [0]:  # 0 keeps all
+        count = eta * WHEEL_MODES_PER_ETA // sectors
+        model = bench.model(f"eta{eta}", quick_sector, {"fixed_interface_modes": MODES_IN_FILE, "modes_at_speed": count,
+                                                       "verification_speeds": [0.0]})
+        with h5py.File(model) as file:
+            size = len(file["nodal_diameter/0/M"]) - 3 * len(file["contact/arc_length"])
+        rows["eta"].append((eta or size * sectors // WHEEL_MODES_PER_ETA, bench.motion(f"eta{eta}", model, {})))
+    for k in range(HALVINGS):
+        steps = FEWEST_STEPS * 2 ** k
+        rows["steps a revolution"].append(
+            (steps, bench.motion(f"steps{steps}", quick_model, {"steps_per_revolution": steps, "halved_step_checks": 0})))
+    meshes = [(quick_sector, quick_model),
+              tuple(os.path.join(cases, "impeller", name) for name in ("sector.msh", "model.h5"))]
+    for name, keys in MESHES.items():
+        sector = bench.mesh(name, keys)
+        meshes.append((sector, bench.model(name, sector, {"verification_speeds": [0.0]})))
+    for sector, model in sorted(meshes, key=lambda pair: sector_dofs(pair[0])):
+        rows["dofs a sector"].append((sector_dofs(sector), bench.motion(f"mesh{sector_dofs(sector)}", model, {})))
+
+    with open("convergence.tsv", "w", encoding="utf-8") as file:
+        file.write("over\tvalue\tspeed [rpm]\tamplitude [mm]\tdifference [1]\tmotion\n")
+        for over, runs in rows.items():
+            for value, motions in runs:
+                for rpm, (trace, kind), (finest, _) in zip(SPEEDS_RPM, motions, runs[-1][1]):
+                    length = min(len(trace), len(finest))
+                    difference = numpy.sqrt(((trace[:length] - finest[:length]) ** 2).mean() / (finest ** 2).mean())
+                    amplitude = 0.5e3 * (trace.max() - trace.min())
+                    file.write(f"{over}\t{value}\t{rpm}\t{amplitude:.6f}\t{difference:.3e}\t{kind}\n")
+    counts = rows["eta"]
+    with open("traces.tsv", "w", encoding="utf-8") as file:
+        file.write("angle [deg]\t" + "\t".join(f"eta = {value}, {rpm} rpm [mm]" for rpm in SPEEDS_RPM for value, _ in counts) + "\n")
+        for s in range(SAMPLES):
+            values = [1e3 * motions[i][0][s] for i in range(len(SPEEDS_RPM)) for _, motions in counts]
+            file.write(f"{360.0 * s / SAMPLES:g}\t" + "\t".join(f"{value:.6f}" for value in values) + "\n")
+
+
+if __name__ == "__main__":
+    main(*map(os.path.abspath, sys.argv[1:3]))

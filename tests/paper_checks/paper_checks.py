@@ -1,0 +1,101 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks 1 to 81 of what a reproduction of the paper must show, one line each.
+
+usage: paper_checks.py BUILD_FOLDER CASES_FOLDER CASE_FOLDER...
+
+BUILD_FOLDER holds bin/ with the programs and tests, CASES_FOLDER holds `aliasing` and `convergence`; each CASE_FOLDER is a case
+that `make` has made. A line reads `holds`, `does not hold on this wheel`, or `can't be made`, with what was measured.
+Exit code 1 if a check that does not depend on the paper's own wheel doesn't hold; 0 otherwise.
+"""
+import functools
+import importlib.util
+import os
+import subprocess
+import sys
+import tempfile
+
+from checks import CHECKS, WHEEL
+from scene import Case, CannotBeMade, Mesh, Model, Tests, read_table
+
+
+class Context:
+    def __init__(self, build, cases_folder, folders, work):
+        self.tests, self.cases_folder, self.work = Tests(build), cases_folder, work
+        self.cases = [Case(folder) for folder in folders]
+        self.any_case = self.cases[0]
+        # The wheel's own case: the one that holds [mesh], which others may share.
+        self.wheel = next((case.folder for case in self.cases
+                           if "[mesh]" in open(case.path("case.toml"), encoding="utf-8").read()), self.any_case.folder)
+
+    @functools.cached_property
+    def mesh(self):
+        return Mesh(os.path.join(self.wheel, "sector.msh"))
+
+    @functools.cached_property
+    def model(self):
+        return Model(self.any_case.path("model.h5"))
+
+    @functools.cached_property
+    def convergence(self):
+        folder = os.path.join(self.cases_folder, "convergence")
+        for name in ("convergence.tsv", "expected/convergence.tsv"):  # what was made here, or the record
+            if os.path.exists(os.path.join(folder, name)):
+                return read_table(os.path.join(folder, name))
+        raise CannotBeMade(f"no {folder}/convergence.tsv; make -C {folder}")
+
+    @functools.cached_property
+    def aliasing(self):
+        spec = importlib.util.spec_from_file_location("aliasing", os.path.join(self.cases_folder, "aliasing", "aliasing.py"))
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
+
+    def lobed(self, lobes):
+        for case in self.cases:
+            if case.lobes == lobes:
+                return case
+        raise CannotBeMade(f"no case with {lobes} lobes was given")
+
+    def run_program(self, name, *arguments):
+        path = os.path.join(self.tests.build, "bin", name)
+        if not os.path.exists(path):
+            raise CannotBeMade(f"{path} is not built")
+        done = subprocess.run([path, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if done.returncode != 0:
+            raise CannotBeMade(f"{name}: {done.stdout.strip()}")
+        return done.stdout
+
+    @staticmethod
+    def figures_exist(case, *names):
+        there = os.listdir(case.path("report", "figures"))
+        missing = [name for name in names if not any(file.startswith(name) and file.endswith((".svg", ".png")) for file in there)]
+        if missing:
+            raise CannotBeMade(f"{case.name} has no figure {', '.join(missing)}")
+        return True, "figures " + ", ".join(names)
+
+
+def main(build, cases_folder, *folders):
+    with tempfile.TemporaryDirectory() as work:
+        context = Context(build, cases_folder, folders, work)
+        tally = {"holds": 0, "does not hold on this wheel": 0, "can't be made": 0}
+        failed = []
+        for number, text, depends, function in CHECKS:
+            try:
+                good, measured = function(context)
+                outcome = "holds" if good else "does not hold on this wheel"
+            except CannotBeMade as reason:
+                good, measured, outcome = True, str(reason), "can't be made"
+            tally[outcome] += 1
+            if not good and depends != WHEEL:
+                failed.append(number)
+            print(f"{number:2d}  {outcome}{' [D]' if depends == WHEEL else ''}: {text}: {measured}", flush=True)
+    print("; ".join(f"{count} {outcome}" for outcome, count in tally.items()) +
+          (f"; of those that don't depend on the paper's own wheel, these don't hold: {failed}" if failed else ""))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    sys.exit(main(*map(os.path.abspath, sys.argv[1:])))

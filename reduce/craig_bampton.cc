@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/craig_bampton.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <utility>
@@ -33,11 +34,29 @@ CraigBamptonBasis::CraigBamptonBasis(const TravellingWave& wave, const Symmetric
 }
 
 void CraigBamptonBasis::append(const Eigen::MatrixXcd& shapes) {
-  join(shapes);
+  if (shapes.cols() == 0) return;
+  const Eigen::MatrixXcd loads = wave_.apply(*stiffness_.front(), shapes);
+  const Eigen::VectorXd scale = shapes.conjugate().cwiseProduct(loads).colwise().sum().real().unaryExpr(
+      [](double square) { return square > 0 ? 1 / std::sqrt(square) : 0.0; });  // 0: speed changed nothing
+  const auto known = raw_.rightCols(raw_.cols() - contact_dofs_);
+  const Eigen::MatrixXcd overlap = known.adjoint() * loads;
+  // What is known is orthonormal but for rounding, which counts where a shape is all but known.
+  const Eigen::MatrixXcd shadow =
+      stiffness_products_.front().bottomRightCorner(known.cols(), known.cols()).llt().solve(overlap);
+  const Eigen::MatrixXcd gram =
+      scale.asDiagonal() * hermitian(shapes.adjoint() * loads - overlap.adjoint() * shadow) * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> directions(gram);
+  const Eigen::VectorXd& lengths = directions.eigenvalues();
+  const Eigen::Index kept = (lengths.array() > dependence_tolerance).count();
+  dropped_ += static_cast<int>(shapes.cols() - kept);
+  const Eigen::MatrixXcd weights = scale.asDiagonal() * directions.eigenvectors().rightCols(kept) *
+                                   lengths.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  Eigen::MatrixXcd fresh = shapes * weights;
+  fresh -= known * (shadow * weights);
+  join(fresh);
 }
 
 void CraigBamptonBasis::join(const Eigen::MatrixXcd& shapes) {
-  if (shapes.cols() == 0) return;
   const Eigen::Index old = raw_.cols();
   raw_.conservativeResize(shapes.rows(), old + shapes.cols());
   raw_.rightCols(shapes.cols()) = shapes;
@@ -57,20 +76,11 @@ void CraigBamptonBasis::extend(Eigen::MatrixXcd& products, const SymmetricMatrix
 
 void CraigBamptonBasis::orthonormalise() {
   const Eigen::Index count = raw_.cols() - contact_dofs_;
-  Eigen::MatrixXcd gram = stiffness_products_.front().bottomRightCorner(count, count);
-  const Eigen::VectorXd scale = gram.diagonal().real().unaryExpr(
-      [](double square) { return square > 0 ? 1 / std::sqrt(square) : 0.0; });  // 0: speed changed nothing
-  gram = scale.asDiagonal() * gram * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> directions(gram);
-  const Eigen::VectorXd& lengths = directions.eigenvalues();
-  const Eigen::Index kept = (lengths.array() > dependence_tolerance * lengths[lengths.size() - 1]).count();
-  const Eigen::MatrixXcd independent = scale.asDiagonal() * directions.eigenvectors().rightCols(kept) *
-                                       lengths.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();  // K-orthonormal
-  // Modes of the small model with contact nodes held: M z = z / omega^2, largest last.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> modes(
-      hermitian(independent.adjoint() * mass_products_.bottomRightCorner(count, count) * independent));
+  // M z = K z / omega^2, largest last; K is nearly the identity.
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> modes(
+      mass_products_.bottomRightCorner(count, count), stiffness_products_.front().bottomRightCorner(count, count));
   const Eigen::MatrixXcd ascending = modes.eigenvectors().rowwise().reverse();
-  weights_ = independent * ascending * modes.eigenvalues().reverse().cwiseSqrt().cwiseInverse().asDiagonal();
+  weights_ = ascending * modes.eigenvalues().reverse().cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 Eigen::MatrixXcd CraigBamptonBasis::combine(const Eigen::MatrixXcd& coefficients) const {

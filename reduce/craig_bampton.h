@@ -14,7 +14,9 @@ namespace tiprub {
 /// off), and what modes at other speeds turn out to miss. Directions are dropped by their stiffness norm, never by
 /// mass: light directions are the stiff ones.
 ///
-/// The matrices are applied to each shape once, when it is appended; all else happens on small matrices.
+/// The matrices are applied to each shape when it is appended; all else happens on small matrices. What is appended
+/// is made orthonormal to what is there, in the stiffness at rest, first: small matrices of nearly dependent shapes
+/// would lose the lowest modes to rounding.
 class CraigBamptonBasis {
  public:
   /// `stiffness` are the sector's at the speeds that the model samples, the first one at rest; all matrices must
@@ -31,7 +33,7 @@ class CraigBamptonBasis {
   Eigen::Index size() const { return contact_dofs() + weights_.cols(); }
   Eigen::Index contact_dofs() const { return contact_dofs_; }
   /// Shapes that the others already hold.
-  int dropped() const { return static_cast<int>(weights_.rows() - weights_.cols()); }
+  int dropped() const { return dropped_; }
   /// T^H K T at a sampled speed, and T^H M T; size x size, Hermitian, real for a standing wave.
   Eigen::MatrixXcd stiffness(std::size_t sample) const { return reduced(stiffness_products_[sample]); }
   Eigen::MatrixXcd mass() const { return reduced(mass_products_); }
@@ -52,10 +54,11 @@ class CraigBamptonBasis {
   const SymmetricMatrix& mass_;
   std::vector<const SymmetricMatrix*> stiffness_;
   Eigen::Index contact_dofs_;
-  Eigen::MatrixXcd raw_;                                 // as appended; independent x shapes
-  Eigen::MatrixXcd mass_products_;                       // raw^H M raw
-  std::vector<Eigen::MatrixXcd> stiffness_products_;     // raw^H K raw, by sample
-  Eigen::MatrixXcd weights_;                             // raw shapes without constraint modes x generalized dofs
+  int dropped_ = 0;
+  Eigen::MatrixXcd raw_;            // constraint modes, then K-orthonormal shapes; independent x any
+  Eigen::MatrixXcd mass_products_;  // raw^H M raw
+  std::vector<Eigen::MatrixXcd> stiffness_products_;  // raw^H K raw, by sample
+  Eigen::MatrixXcd weights_;                          // raw shapes without constraint modes x generalized dofs
 };
 
 /// T^H Y T for a sector matrix and a basis; Hermitian, and real for a standing wave.

@@ -37,7 +37,8 @@ Eigen::MatrixXcd join(const Eigen::MatrixXd& parts, bool standing) {
   return matrix;
 }
 
-constexpr Eigen::Index columns_at_once = 24;  // of a solve: enough to hide the pass through the factor, little to hold
+constexpr Eigen::Index columns_at_once =
+    24;  // of a solve: enough to hide the pass through the factor, little to hold
 constexpr int strip_width = 16;
 using Strip = Eigen::Matrix<double, Eigen::Dynamic, strip_width, Eigen::RowMajor>;
 
@@ -184,8 +185,7 @@ CyclicStiffness::CyclicStiffness(const SectorFactor& factor, const TravellingWav
   const int size = static_cast<int>(cholesky_.rows());
   int info = 0;
   zpotrf_("L", &size, cholesky_.data(), &size, &info);
-  if (info != 0)
-    throw RunError("the stiffness of a nodal diameter is not positive definite: the rotor is unstable");
+  if (info != 0) throw RunError("the stiffness of a nodal diameter is not positive definite: the rotor is unstable");
 }
 
 Eigen::MatrixXcd CyclicStiffness::solve(const Eigen::MatrixXcd& load, ContactNodes contact) const {

@@ -25,7 +25,7 @@ constexpr double real_bytes = sizeof(double), complex_bytes = 2 * sizeof(double)
 constexpr double entry_bytes = sizeof(double) + sizeof(int);  // of a sparse matrix
 constexpr double block_entries = 9;                           // of a pair of nodes
 constexpr int gauss_points = 27, values_per_point = 4;        // a shape function and its gradient
-constexpr int sparse_matrices = 6;     // M, K at three speeds, one at work in each of two threads
+constexpr int sparse_matrices = 8;  // M, K at three speeds, one at work in each of two threads, the pattern, a copy
 constexpr int interface_matrices = 1;  // of real numbers: S
 
 /// Lower triangle of the graph of free nodes in the factor's order: column starts and rows.
@@ -120,8 +120,9 @@ MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, int facto
   need.matrices = sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size()) +
                   real_bytes * gauss_points * values_per_point * static_cast<double>(mesh.cells.size());
   need.bases = complex_bytes * independent * columns * at_once;
-  need.factor = factors * (real_bytes * (block_entries * factor_entries(graph) + interface_matrices * interface * interface) +
-                           complex_bytes * kept * kept * at_once);
+  need.factor =
+      factors * (real_bytes * (block_entries * factor_entries(graph) + interface_matrices * interface * interface) +
+                 complex_bytes * kept * kept * at_once);
   return need;
 }
 
@@ -131,9 +132,10 @@ double available_memory(const std::filesystem::path& root) {
 
 void require_memory(const MemoryNeed& need, double available) {
   if (need.total() <= available) return;
-  throw RunError("not enough memory: about " + gib(need.total()) + " are needed (factor " + gib(need.factor) +
-                 ", bases " + gib(need.bases) + ", matrices " + gib(need.matrices) + "), " + gib(available) +
-                 " are available; coarsen the mesh, ask for fewer fixed_interface_modes or threads, or take a larger machine");
+  throw RunError(
+      "not enough memory: about " + gib(need.total()) + " are needed (factor " + gib(need.factor) + ", bases " +
+      gib(need.bases) + ", matrices " + gib(need.matrices) + "), " + gib(available) +
+      " are available; coarsen the mesh, ask for fewer fixed_interface_modes or threads, or take a larger machine");
 }
 
 }  // namespace tiprub

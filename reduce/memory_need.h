@@ -17,10 +17,10 @@ struct MemoryNeed {
   double total() const { return factor + bases + matrices; }
 };
 
-/// An estimate. The size of a factor comes from CHOLMOD's symbolic analysis of the graph of nodes: each of its entries
-/// is a 3 x 3 block of dofs. Costs a ninth of the analysis of the dofs, which is little beside a factorization.
-/// `factors` are held at once; `columns` is the number of complex vectors that a nodal diameter holds, `threads` how
-/// many of these are at work at once.
+/// An estimate. The size of a factor comes from CHOLMOD's symbolic analysis of the graph of nodes: each of its
+/// entries is a 3 x 3 block of dofs. Costs a ninth of the analysis of the dofs, which is little beside a
+/// factorization. `factors` are held at once; `columns` is the number of complex vectors that a nodal diameter holds,
+/// `threads` how many of these are at work at once.
 MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, int factors, int columns, int threads);
 
 /// [bytes] MemAvailable of /proc/meminfo, or less if a control group (versions 1 and 2) or a resource limit of this

@@ -112,8 +112,9 @@ std::vector<Eigen::MatrixXcd> ModeFollowing::missing(double tolerance) {
   for (std::size_t s = 0; s < speeds_.size(); ++s) {
     const Eigen::Index columns = blocks[s].cols();
     if (columns > 0)
-      residual.middleCols(at, columns) = residual.middleCols(at, columns) * modes_[s].eigenvalue(moving[s]).asDiagonal() +
-                                         wave.apply(speeds_[s].stiffness(), blocks[s]);
+      residual.middleCols(at, columns) =
+          residual.middleCols(at, columns) * modes_[s].eigenvalue(moving[s]).asDiagonal() +
+          wave.apply(speeds_[s].stiffness(), blocks[s]);
     at += columns;
   }
   const Eigen::MatrixXcd directions = precondition(blocks, residual);
@@ -170,7 +171,8 @@ void ModeFollowing::add(const std::vector<Eigen::MatrixXcd>& blocks) {
     products << stiffness_products.middleCols(at, columns),
         space.corrections.adjoint() * stiffness_loads.middleCols(at, columns);
     extend(space.K, products);
-    products << mass_products.middleCols(at, columns), space.corrections.adjoint() * mass_loads.middleCols(at, columns);
+    products << mass_products.middleCols(at, columns),
+        space.corrections.adjoint() * mass_loads.middleCols(at, columns);
     extend(space.M, products);
     solve(s);
     at += columns;

@@ -26,12 +26,12 @@ struct FollowedModes {
   Eigen::VectorXd frequencies() const;
 };
 
-/// From the modes of a basis to the modes of the unreduced sector at several speeds, with the factor of a speed nearby
-/// as preconditioner: generalized Davidson (Morgan and Scott 1986), without restart and on all speeds at once, because
-/// it is the passes through the factor that cost. With r = K x - omega^2 M x, a mode's omega^2 is too high by about
-/// r^H K^-1 r, and K^-1 r is what the basis lacks. What the basis doesn't contain at all can't be found. The basis
-/// must hold the constraint modes of rest and of the factors' speeds, so that contact nodes may be held in what is
-/// added. All raise RunError if a stiffness is not positive definite on the basis.
+/// From the modes of a basis to the modes of the unreduced sector at several speeds, with the factor of a speed
+/// nearby as preconditioner: generalized Davidson (Morgan and Scott 1986), without restart and on all speeds at once,
+/// because it is the passes through the factor that cost. With r = K x - omega^2 M x, a mode's omega^2 is too high by
+/// about r^H K^-1 r, and K^-1 r is what the basis lacks. What the basis doesn't contain at all can't be found. The
+/// basis must hold the constraint modes of rest and of the factors' speeds, so that contact nodes may be held in what
+/// is added. All raise RunError if a stiffness is not positive definite on the basis.
 class ModeFollowing {
  public:
   /// The lowest `count` modes; everything must outlive this object.

@@ -39,7 +39,8 @@ void check(const NodalDiameterModel& model, int contact_dofs, bool real, const s
                                                 " dofs");
   std::vector<std::pair<std::string, const Eigen::MatrixXcd&>> all = {
       {"/K0", model.K0}, {"/K1", model.K1}, {"/K2", model.K2}, {"/M", model.M}};
-  for (std::size_t k = 0; k < model.higher.size(); ++k) all.emplace_back("/K" + std::to_string(3 + k), model.higher[k]);
+  for (std::size_t k = 0; k < model.higher.size(); ++k)
+    all.emplace_back("/K" + std::to_string(3 + k), model.higher[k]);
   for (const auto& [name, matrix] : all) {
     require(matrix.rows() == size && matrix.cols() == size, where + name + " is " + shape(matrix) + ", must be " +
                                                                 std::to_string(size) + " x " + std::to_string(size));

@@ -11,10 +11,10 @@ namespace tiprub {
 /// alpha = 2 pi / N (the paper's eq. 6 in half the size). Rows: r, theta, z of each contact node from leading to
 /// trailing edge, then the generalized dofs. All n x n and Hermitian; real for n = 0 and n = N/2.
 struct NodalDiameterModel {
-  Eigen::MatrixXcd K0;  ///< [N/m in contact rows] stiffness at rest (eq. 7)
-  Eigen::MatrixXcd K1;  ///< [N/m s^2] its part with Omega^2
-  Eigen::MatrixXcd K2;  ///< [N/m s^4] its part with Omega^4
-  Eigen::MatrixXcd M;   ///< [kg in contact rows] mass, positive definite
+  Eigen::MatrixXcd K0;                        ///< [N/m in contact rows] stiffness at rest (eq. 7)
+  Eigen::MatrixXcd K1;                        ///< [N/m s^2] its part with Omega^2
+  Eigen::MatrixXcd K2;                        ///< [N/m s^4] its part with Omega^4
+  Eigen::MatrixXcd M;                         ///< [kg in contact rows] mass, positive definite
   std::vector<Eigen::MatrixXcd> higher = {};  ///< K3, K4, ... with Omega^6, Omega^8, ...; eq. 7 has none
 
   /// K0 + Omega^2 K1 + Omega^4 K2 + ... (eq. 11), Omega in rad/s.
@@ -48,10 +48,10 @@ struct Verification {
 
 /// What happens to a rotor between its stages: a small model that knows its speed. Schema "tiprub-model".
 struct ReducedModel {
-  int sector_count = 0;   ///< N
-  double speed_max = 0;   ///< [rad/s] the model holds for 0 .. speed_max
+  int sector_count = 0;    ///< N
+  double speed_max = 0;    ///< [rad/s] the model holds for 0 .. speed_max
   int modes_at_speed = 0;  ///< generalized dofs that do at any one speed (see condensation.h); 0: all of them
-  std::string prestress;  ///< how K1, K2 came to be: "linear", ...; "given" for a model by hand
+  std::string prestress;   ///< how K1, K2 came to be: "linear", ...; "given" for a model by hand
   ContactLine contact;
   std::vector<NodalDiameterModel> nodal_diameters;  ///< n = 0 .. floor(N/2)
   Verification verification;                        ///< may be empty

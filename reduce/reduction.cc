@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <numbers>
@@ -33,14 +34,15 @@ namespace {
 
 constexpr double mode_tolerance = 1e-4;  // of 1/omega^2, a residual; the error of a frequency goes with its square
 constexpr std::array corrected_speeds = {0.25, 0.5, 0.75};  // of Omega_max
-constexpr double nearer_rest = 0.7;  // of Omega_max: below, K, which goes with Omega^2, is nearer to rest than to full speed
+constexpr double nearer_rest =
+    0.7;  // of Omega_max: below, K, which goes with Omega^2, is nearer to rest than to full speed
 
 double rpm(double speed) {
   return speed * 30 / std::numbers::pi;
 }
 
-/// The work of one reduction. Two factors, of rest and of full speed, serve all nodal diameters; these go side by side,
-/// and what belongs to one is released as soon as its model is made and verified.
+/// The work of one reduction. Two factors, of rest and of full speed, serve all nodal diameters; these go side by
+/// side, and what belongs to one is released as soon as its model is made and verified.
 class Reducer {
  public:
   Reducer(const SectorMesh& mesh, const ReductionParameters& parameters, Progress& progress, FieldsWriter* fields)
@@ -89,9 +91,10 @@ class Reducer {
 
  private:
   /// Complex vectors that one nodal diameter holds: its basis, and either the Lanczos vectors with their products or
-  /// what it takes to follow all modes at all verification speeds (shapes, loads, directions, and those of some rounds).
+  /// what it takes to follow all modes at all verification speeds (shapes, loads, directions, and those of some
+  /// rounds).
   int columns_at_once() const {
-    constexpr int krylov = 6, following = 4;
+    constexpr int krylov = 6, following = 8;
     const int modes = parameters_.fixed_interface_modes;
     const int followed = parameters_.verification_modes * static_cast<int>(parameters_.verification_speeds.size());
     return std::max(krylov * modes, 2 * (modes + dofs_.boundary()) + following * followed);
@@ -155,7 +158,7 @@ class Reducer {
 
   SymmetricMatrix assemble_stiffness(double fraction) const {
     return elasticity_->stiffness(speed(fraction), static_displacement(fraction), parameters_.prestress,
-                                 parameters_.spin_softening);
+                                  parameters_.spin_softening);
   }
 
   /// The sector's K: a sample, or where eq. 7 is exact, what it makes of them.
@@ -201,8 +204,7 @@ class Reducer {
       static_over_square_ = waves_[0].expand(wave).real();
       return;
     }
-    SpinShapes shapes =
-        shapes_under_spin(*elasticity_, mesh_, at_rest, speeds(sampled_), parameters_.prestress);
+    SpinShapes shapes = shapes_under_spin(*elasticity_, mesh_, at_rest, speeds(sampled_), parameters_.prestress);
     equilibria_ = std::move(shapes.at);
     report.newton_steps = shapes.newton_steps;
     report.newton_residual = shapes.newton_residual;
@@ -277,12 +279,12 @@ class Reducer {
       const CyclicStiffness rest = at_speed(0.0, [&] { return CyclicStiffness(rest_factor, waves_[n]); });
       const CyclicStiffness full = at_speed(1.0, [&] { return CyclicStiffness(full_factor, waves_[n]); });
       CraigBamptonBasis basis = start_basis(n, rest, full);
+      require_enough_modes(n, basis.size());
       report.corrections[n] = correct(basis, rest, full);
       report.generalized_dofs[n] = static_cast<int>(basis.size() - basis.contact_dofs());
       report.dropped[n] = basis.dropped();
       samples_[n] = reduced_samples(basis);
       model.nodal_diameters[n].M = basis.mass();
-      require_enough_modes(n, basis.size());
       find_unreduced(basis, rest, full, model.verification.unreduced[n]);
       write_basis(n, basis);
     });
@@ -319,12 +321,15 @@ class Reducer {
   /// Modes at speeds between those of the basis: where the basis misses one by more than the tolerance, it gets what
   /// it misses. Returns how many shapes that are.
   int correct(CraigBamptonBasis& basis, const CyclicStiffness& rest, const CyclicStiffness& full) {
-    const Eigen::Index before = basis.size();
+    Eigen::Index corrections = 0;
     ModeFollowing modes = modes_between(basis, rest, full, {corrected_speeds.begin(), corrected_speeds.end()});
-    for (const Eigen::MatrixXcd& block : modes.missing(2 * parameters_.frequency_tolerance)) basis.append(block);
+    for (const Eigen::MatrixXcd& block : modes.missing(2 * parameters_.frequency_tolerance)) {
+      basis.append(block);
+      corrections += block.cols();
+    }
     basis.orthonormalise();
     progress_.advance();
-    return static_cast<int>(basis.size() - before);
+    return static_cast<int>(corrections);
   }
 
   void find_unreduced(const CraigBamptonBasis& basis, const CyclicStiffness& rest, const CyclicStiffness& full,
@@ -332,7 +337,8 @@ class Reducer {
     const std::vector<double>& fractions = parameters_.verification_speeds;
     const auto middle = std::find_if(fractions.begin(), fractions.end(), [](double f) { return f >= nearer_rest; });
     Eigen::Index row = 0;
-    for (const std::vector<double>& half : {std::vector(fractions.begin(), middle), std::vector(middle, fractions.end())}) {
+    for (const std::vector<double>& half :
+         {std::vector(fractions.begin(), middle), std::vector(middle, fractions.end())}) {
       ModeFollowing modes = modes_between(basis, rest, full, half);  // one factor at a time: half of the room
       modes.converge(parameters_.verification_tolerance);
       for (const FollowedModes& at : modes.modes()) table.row(row++) = at.frequencies().transpose();
@@ -349,23 +355,29 @@ class Reducer {
 
   /// Eq. 7 through as few speeds as do, and the model's own frequencies beside the unreduced ones.
   void fit(ReducedModel& model, ReductionReport& report) {
-    const std::vector<int> choices = polynomial_choices();
-    for (const int speeds : choices) {
-      fit_through(speeds, model);
-      report.polynomial_speeds = speeds;
-      if (linear() || polynomial_misfit(model) < parameters_.polynomial_tolerance) break;
+    int best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const int choice : polynomial_choices()) {
+      fit_through(choice, model);
+      const double misfit = linear() ? 0.0 : polynomial_misfit(model);
+      if (misfit < least) best = choice;
+      least = std::min(least, misfit);
+      if (least < parameters_.polynomial_tolerance) break;
     }
+    report.polynomial_speeds = best;
+    fit_through(best, model);
+    if (!linear()) polynomial_misfit(model);
     Verification& table = model.verification;
     table.speeds = parameters_.speed_max * Eigen::Map<const Eigen::VectorXd>(parameters_.verification_speeds.data(),
                                                                              parameters_.verification_speeds.size());
     table.reduced = table.unreduced;
     for_each_nodal_diameter([&](int n) {
       for (Eigen::Index row = 0; row < table.speeds.size(); ++row)
-        table.reduced[n].row(row) = condense(model.nodal_diameters[n], table.speeds[row], dofs_.boundary(),
-                                             parameters_.modes_at_speed)
-                                        .natural_frequencies()
-                                        .head(parameters_.verification_modes)
-                                        .transpose();
+        table.reduced[n].row(row) =
+            condense(model.nodal_diameters[n], table.speeds[row], dofs_.boundary(), parameters_.modes_at_speed)
+                .natural_frequencies()
+                .head(parameters_.verification_modes)
+                .transpose();
     });
   }
 
@@ -441,12 +453,13 @@ ReductionParameters ReductionParameters::read(CaseTable& table) {
   p.contact_nodes = table.integer("contact_nodes", 10, Range::between(1, 200), "");
   p.fixed_interface_modes = table.integer("fixed_interface_modes", 40, Range::between(1, 500), "a speed");
   p.modes_at_speed = table.integer("modes_at_speed", 60, Range::between(0, 5000), "generalized dofs; 0: all");
-  p.verification_speeds =
-      table.numbers("verification_speeds", {{0.0, 0.15, 0.35, 0.6, 0.85, 0.95}}, Range::between(0.0, 2.0), "of speed_max_rpm");
+  p.verification_speeds = table.numbers("verification_speeds", {{0.0, 0.15, 0.35, 0.6, 0.85, 0.95}},
+                                        Range::between(0.0, 2.0), "of speed_max_rpm");
   p.frequency_tolerance =
       table.number("frequency_tolerance", 5e-4, {0.0, 1.0, Range::LowEnd::excluded},
                    "of a frequency, at speeds between those of the basis; what it misses joins it");
-  p.polynomial_speeds = table.integer("polynomial_speeds", 0, Range::between(0, 9), "of eq. 7; 0: as many as it takes");
+  p.polynomial_speeds =
+      table.integer("polynomial_speeds", 0, Range::between(0, 9), "of eq. 7; 0: as many as it takes");
   p.polynomial_tolerance = table.number("polynomial_tolerance", 1e-3, {0.0, 1.0, Range::LowEnd::excluded},
                                         "of a frequency, by eq. 7 alone");
   p.verification_modes = table.integer("verification_modes", 6, Range::between(1, 100), "a nodal diameter");
@@ -454,8 +467,8 @@ ReductionParameters ReductionParameters::read(CaseTable& table) {
     table.reject("polynomial_speeds", "must be 0 (as many as it takes) or at least 3");
   if (!std::is_sorted(p.verification_speeds.begin(), p.verification_speeds.end()))
     table.reject("verification_speeds", "must increase");
-  p.verification_tolerance = table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded},
-                                          "of omega^2, estimated");
+  p.verification_tolerance =
+      table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded}, "of omega^2, estimated");
   p.cyclic_tolerance = table.number("cyclic_tolerance", 1e-6, Range::positive(), "of the largest radius");
   p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");
   return p;
@@ -471,6 +484,22 @@ ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameter
 void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {
   const SectorDofs dofs = number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes));
   RotatingElasticity(mesh, dofs, parameters.material).volume();
+}
+
+int verified_frequencies(const ReducedModel& model) {
+  int fewest = std::numeric_limits<int>::max();
+  for (Eigen::Index speed = 0; speed < model.verification.speeds.size(); ++speed) {
+    double end = std::numeric_limits<double>::infinity();
+    for (const Eigen::MatrixXd& table : model.verification.unreduced)
+      end = std::min(end, table.row(speed).maxCoeff());
+    int count = 0;
+    for (std::size_t n = 0; n < model.verification.unreduced.size(); ++n) {
+      const int waves = n == 0 || 2 * static_cast<int>(n) == model.sector_count ? 1 : 2;
+      count += waves * static_cast<int>((model.verification.unreduced[n].row(speed).array() <= end).count());
+    }
+    fewest = std::min(fewest, count);
+  }
+  return model.verification.speeds.size() == 0 ? 0 : fewest;
 }
 
 double verification_error(const ReducedModel& model, int count) {

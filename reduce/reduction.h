@@ -42,26 +42,30 @@ struct ReductionReport {
   double newton_residual = 0;  ///< [1] largest of all speeds; see spin_equilibrium()
   int sector_dofs = 0;
   int clamped_face_nodes = 0;
-  double memory_needed = 0;                             ///< [bytes] estimated before the start
-  std::vector<int> generalized_dofs;                    ///< a nodal diameter
-  std::vector<int> dropped;                             ///< a nodal diameter
-  std::vector<int> corrections;                         ///< shapes that modes between the speeds gave; a nodal diameter
-  int polynomial_speeds = 0;                            ///< that eq. 7 took
+  double memory_needed = 0;           ///< [bytes] estimated before the start
+  std::vector<int> generalized_dofs;  ///< a nodal diameter
+  std::vector<int> dropped;           ///< a nodal diameter
+  std::vector<int> corrections;       ///< shapes that modes between the speeds gave; a nodal diameter
+  int polynomial_speeds = 0;          ///< that eq. 7 took
   std::vector<std::pair<std::string, double>> seconds;  ///< what took how long
 };
 
 /// The name of a prestress model in case files and in model.h5.
 std::string name_of(Prestress prestress);
 
-/// Eqs. 3-10 of the paper: K(0), K(Omega_max/2), K(Omega_max) and M of a sector, nodal diameter by nodal diameter on
-/// one Craig-Bampton basis, eq. 7 through the three, and the unreduced frequencies that verify it. Costs one
-/// factorization a speed, for all nodal diameters. Raises RunError for an unstable rotor, with the speed. `fields`,
+/// Eqs. 3-10 of the paper: K and M of a sector, nodal diameter by nodal diameter on one Craig-Bampton basis, eq. 7
+/// through K at three speeds or more, and the unreduced frequencies that verify it. Costs two factorizations, at rest
+/// and at Omega_max, for all nodal diameters and all speeds. Raises RunError for an unstable rotor, with the speed. `fields`,
 /// if given, gets the basis on all nodes as soon as it is known.
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown progress,
                     ReductionReport& report, FieldsWriter* fields = nullptr);
 
 /// Whether a sector can be reduced: contact nodes can be chosen and are free, no cell is inverted. Raises InputError.
 void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters);
+
+/// How many of the wheel's first frequencies the verification holds at every speed: up to where the modes of some
+/// nodal diameter end.
+int verified_frequencies(const ReducedModel& model);
 
 /// Largest relative difference of the first `count` frequencies of the whole wheel (nodal diameters strictly between
 /// 0 and N/2 count twice) over all verification speeds, model against unreduced sector.

@@ -118,32 +118,35 @@ void SectorFactor::Cholmod::for_each_interface_block(const Body& body) const {
 
 Eigen::MatrixXd SectorFactor::Cholmod::interface_factor() const {
   Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(interface, interface);
-  for_each_interface_block([&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
-    lower.block(first, first, diagonal.rows(), diagonal.cols()).triangularView<Eigen::Lower>() = diagonal;
-    lower(rows, Eigen::seqN(first, below.cols())) = below;
-  });
+  for_each_interface_block(
+      [&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+        lower.block(first, first, diagonal.rows(), diagonal.cols()).triangularView<Eigen::Lower>() = diagonal;
+        lower(rows, Eigen::seqN(first, below.cols())) = below;
+      });
   return lower;
 }
 
 Eigen::MatrixXd SectorFactor::Cholmod::multiply_interface(const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface, x.cols());
-  for_each_interface_block([&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
-    const auto part = x.middleRows(first, diagonal.cols());
-    product.middleRows(first, diagonal.cols()) += diagonal.triangularView<Eigen::Lower>() * part;
-    const Eigen::MatrixXd moved = below * part;
-    product(rows, Eigen::all) += moved;
-  });
+  for_each_interface_block(
+      [&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+        const auto part = x.middleRows(first, diagonal.cols());
+        product.middleRows(first, diagonal.cols()) += diagonal.triangularView<Eigen::Lower>() * part;
+        const Eigen::MatrixXd moved = below * part;
+        product(rows, Eigen::all) += moved;
+      });
   return product;
 }
 
 Eigen::MatrixXd SectorFactor::Cholmod::multiply_interface_transposed(const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface, x.cols());
-  for_each_interface_block([&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
-    auto part = product.middleRows(first, diagonal.cols());
-    part = diagonal.triangularView<Eigen::Lower>().transpose() * x.middleRows(first, diagonal.cols());
-    const Eigen::MatrixXd gathered = x(rows, Eigen::all);
-    part.noalias() += below.transpose() * gathered;
-  });
+  for_each_interface_block(
+      [&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+        auto part = product.middleRows(first, diagonal.cols());
+        part = diagonal.triangularView<Eigen::Lower>().transpose() * x.middleRows(first, diagonal.cols());
+        const Eigen::MatrixXd gathered = x(rows, Eigen::all);
+        part.noalias() += below.transpose() * gathered;
+      });
   return product;
 }
 

@@ -70,7 +70,8 @@ def reduction(programs, cases, work):
             pairs.sort()
             worst = max(worst, max(abs(reduced / exact - 1) for exact, reduced in pairs[:50]))
     print(f"largest error {100 * worst:.3f} % at {speeds / top} of the top speed")
-    assert {0.0, 0.5, 1.0} < set(numpy.round(speeds / top, 12)) and len(speeds) >= 5
+    unseen = set(numpy.round(speeds / top, 12)) - {0.0, 0.25, 0.5, 0.75, 1.0}  # the basis knows these
+    assert speeds[0] == 0 and len(unseen) >= 5
     assert worst < REDUCTION_TOLERANCE
 
 

@@ -75,7 +75,8 @@ TEST_P(CraigBampton, KeepsContactDofsPhysical) {
   const CraigBamptonBasis found = basis(4);
   EXPECT_EQ(found.shapes().leftCols(boundary), shapes(at_rest_, 4).constraint_modes);  // unchanged
   EXPECT_EQ(found.shapes().bottomLeftCorner(boundary, boundary), Eigen::MatrixXcd::Identity(boundary, boundary));
-  EXPECT_EQ(found.shapes().bottomRows(boundary).rightCols(found.shapes().cols() - boundary).cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_EQ(found.shapes().bottomRows(boundary).rightCols(found.shapes().cols() - boundary).cwiseAbs().maxCoeff(),
+            0.0);
 }
 
 TEST_P(CraigBampton, GeneralizedDofsAreOrthonormal) {

@@ -30,8 +30,7 @@ class ModeFollowingTest : public ::testing::TestWithParam<int> {
         rest_(rest_factor_, wave_),
         full_(full_factor_, wave_),
         basis_(wave_, mass_, {&at_rest_}, rest_.constraint_modes()) {
-    for (const double speed : {top / 3, 2 * top / 3})
-      stiffness_.push_back(rotor_.at_speed(speed, Prestress::linear));
+    for (const double speed : {top / 3, 2 * top / 3}) stiffness_.push_back(rotor_.at_speed(speed, Prestress::linear));
     basis_.append(lowest_modes(rest_, mass_, ContactNodes::fixed, 2 * count, 1e-7).shape);
     basis_.append(full_.constraint_modes() - rest_.constraint_modes());
     basis_.orthonormalise();

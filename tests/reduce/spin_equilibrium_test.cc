@@ -117,6 +117,7 @@ ReductionParameters nonlinear_parameters() {
   p.verification_speeds = {0.0, 0.5, 0.75, 1.0};
   p.verification_modes = 6;
   p.verification_tolerance = 1e-9;
+  p.polynomial_speeds = 3;
   return p;
 }
 

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+set terminal svg size 1200,900 font "DejaVu Sans,13" background "white"
+set output "chart.svg"
+set datafile separator "\t"
+set multiplot layout 2,2
+set logscale xy
+set grid
+time(x) = a * x**p
+memory(x) = b * x**q
+a = 1e-4; p = 1.2; b = 1e-5; q = 1.1
+set fit quiet logfile "/dev/null"
+fit log(a) + p * log(x) "cost.tsv" using 1:(log($6)) via a, p
+fit log(b) + q * log(x) "cost.tsv" using 1:(log($7)) via b, q
+set key top left
+set title "Cost over the size of the mesh: time"
+set xlabel "dofs of the sector"
+set ylabel "time [s]"
+plot "cost.tsv" using 1:6 with points pt 7 title "processor", time(x) title sprintf("dofs^{%.2f}", p), \
+     "cost.tsv" using 1:5 with points pt 6 title "wall"
+set title "Cost over the size of the mesh: memory"
+set ylabel "peak memory [GiB]"
+plot "cost.tsv" using 1:7 with points pt 7 title "peak", memory(x) title sprintf("dofs^{%.2f}", q)
+unset logscale x
+set key top right
+set ylabel "worst error of the first 50 frequencies [%]"
+set title "Error over the size of the model"
+set xlabel "dofs of the whole wheel's model at any one speed"
+of(name) = sprintf("< grep '^%s' error.tsv", name)
+plot for [name in "stress_only linear nonlinear"] of(name) using 7:8 with points pt 7 ps 0.9 title name noenhanced, \
+     0.1 with lines lc "gray" title "0.1 %", 0.01 with lines dt 2 lc "gray" title "0.01 %"
+set title "Error over the time of the reduction"
+set xlabel "processor time [s]"
+set logscale x
+plot for [name in "stress_only linear nonlinear"] of(name) using 10:8 with points pt 7 ps 0.9 title name noenhanced, \
+     0.1 with lines lc "gray" title "0.1 %", 0.01 with lines dt 2 lc "gray" title "0.01 %"
+unset multiplot

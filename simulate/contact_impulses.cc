@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/contact_impulses.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <utility>
 
@@ -16,16 +15,29 @@ constexpr double gap_tolerance = 1e-12;   // of the deepest penetration of the f
 constexpr int active_set_rounds = 25;
 constexpr int least_index_rounds = 200;  // a node
 
+std::size_t whole_vectors(std::size_t size) {
+  return (size + kernels::Lines::doubles - 1) / kernels::Lines::doubles * kernels::Lines::doubles;
+}
+
 }  // namespace
 
-ContactImpulses::ContactImpulses(Eigen::MatrixXd compliance, ContactRule rule)
-    : compliance_(std::move(compliance)),
-      rule_(rule),
-      multipliers_(Eigen::VectorXd::Zero(compliance_.rows())),
-      correction_(Eigen::VectorXd::Zero(compliance_.rows())),
-      free_gap_(compliance_.rows()),
-      closed_forces_(compliance_.rows()),
-      factor_(compliance_.rows(), compliance_.rows()) {}
+ContactImpulses::ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule rule)
+    : rule_(rule),
+      multipliers_(Eigen::VectorXd::Zero(compliance.rows())),
+      correction_(multipliers_),
+      free_gap_(multipliers_),
+      gap_(multipliers_),
+      stride_(whole_vectors(static_cast<std::size_t>(compliance.rows()))),
+      compliance_(stride_ * stride_),
+      lower_(stride_ * stride_),
+      upper_(stride_ * stride_),
+      inverse_pivots_(stride_),
+      closed_forces_(stride_),
+      padded_correction_(stride_) {
+  for (Eigen::Index column = 0; column < compliance.cols(); ++column)
+    for (Eigen::Index row = 0; row < compliance.rows(); ++row)
+      compliance_[static_cast<std::size_t>(column) * stride_ + row] = compliance(row, column);
+}
 
 void ContactImpulses::open() {
   for (int i : closed_) multipliers_[i] = 0.0;
@@ -35,16 +47,16 @@ void ContactImpulses::open() {
 
 void ContactImpulses::factorize() {
   if (closed_ == factorized_) return;
-  const auto size = static_cast<Eigen::Index>(closed_.size());
-  auto block = factor_.topLeftCorner(size, size);
-  for (Eigen::Index row = 0; row < size; ++row) {
-    for (Eigen::Index column = 0; column <= row; ++column)
-      block(row, column) = compliance_(closed_[row], closed_[column]);
-    block(row, row) *= 1 + diagonal_shift;
+  factorized_.clear();
+  const std::size_t size = closed_.size();
+  for (std::size_t column = 0; column < size; ++column) {
+    const double* from = compliance_.data() + stride_ * closed_[column];
+    double* to = lower_.data() + stride_ * column;
+    for (std::size_t row = column; row < size; ++row) to[row] = from[closed_[row]];
+    std::fill(to + size, to + whole_vectors(size), 0.0);
+    to[column] *= 1 + diagonal_shift;
   }
-  Eigen::Ref<Eigen::MatrixXd> in_place(block);
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> cholesky(in_place);
-  if (cholesky.info() != Eigen::Success)
+  if (!kernels::factorize(factor(), closed_.size()))
     throw RunError("the contact compliance of " + std::to_string(size) +
                    " closed nodes is not positive definite: nodes lie too close together, or modes are too few");
   factorized_ = closed_;
@@ -54,18 +66,24 @@ void ContactImpulses::factorize() {
 /// lambda on the closed set, W_cc lambda_c = -g_c, and what it does to all gaps.
 void ContactImpulses::solve_closed() {
   factorize();
-  const auto size = static_cast<Eigen::Index>(closed_.size());
-  auto forces = closed_forces_.head(size);
-  for (Eigen::Index i = 0; i < size; ++i) forces[i] = -free_gap_[closed_[i]];
-  const auto lower = factor_.topLeftCorner(size, size).triangularView<Eigen::Lower>();
-  lower.solveInPlace(forces);
-  lower.adjoint().solveInPlace(forces);
   multipliers_.setZero();
-  correction_.setZero();
-  for (Eigen::Index i = 0; i < size; ++i) {
-    multipliers_[closed_[i]] = forces[i];
-    correction_.noalias() += forces[i] * compliance_.col(closed_[i]);
-  }
+  const std::size_t size = closed_.size();
+  for (std::size_t i = 0; i < size; ++i) closed_forces_[i] = -free_gap_[closed_[i]];
+  std::fill(closed_forces_.data() + size, closed_forces_.data() + whole_vectors(size), 0.0);
+  if (size > 0) kernels::solve(factor(), size, closed_forces_.data());
+  for (std::size_t i = 0; i < size; ++i) multipliers_[closed_[i]] = closed_forces_[i];
+  kernels::combine_columns(compliance_.data(), stride_, closed_.data(), closed_forces_.data(), size,
+                           padded_correction_.data());
+  std::copy_n(padded_correction_.data(), correction_.size(), correction_.data());
+}
+
+/// Whether all closed nodes are pushed and no open one penetrates.
+bool ContactImpulses::set_stands(double tolerance) {
+  for (int i : closed_)
+    if (!(multipliers_[i] > 0)) return false;
+  gap_ = free_gap_ + correction_;
+  for (int i : closed_) gap_[i] = 0;
+  return gap_.minCoeff() >= -tolerance;
 }
 
 void ContactImpulses::close_penetrating() {
@@ -79,6 +97,7 @@ bool ContactImpulses::settle_active_set(double tolerance) {
   if (closed_.empty()) close_penetrating();
   for (int round = 0; round < active_set_rounds; ++round) {
     solve_closed();
+    if (set_stands(tolerance)) return true;
     next_.clear();
     std::size_t at = 0;
     for (int i = 0; i < static_cast<int>(free_gap_.size()); ++i) {
@@ -86,7 +105,7 @@ bool ContactImpulses::settle_active_set(double tolerance) {
       if (is_closed) ++at;
       if (is_closed ? multipliers_[i] > 0 : free_gap_[i] + correction_[i] < -tolerance) next_.push_back(i);
     }
-    if (next_ == closed_) return true;
+    if (next_ == closed_) return true;  // only if there are gaps that are no numbers
     std::swap(closed_, next_);
   }
   return false;

@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "simulate/cache_lines.h"
+#include "simulate/contact_kernels.h"
+
 namespace tiprub {
 
 enum class ContactRule {
@@ -26,7 +29,7 @@ enum class ContactRule {
 class ContactImpulses {
  public:
   /// W [m/N]; n x n, symmetric positive semidefinite. Rows of zeros are nodes that are never closed.
-  ContactImpulses(Eigen::MatrixXd compliance, ContactRule rule);
+  ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule rule);
 
   /// Takes the gaps [m] of the free step to those of the step: g += W lambda. At least one gap must be negative.
   /// Raises RunError if no solution is found (W has a negative eigenvalue).
@@ -45,17 +48,21 @@ class ContactImpulses {
   std::int64_t fallbacks() const { return fallbacks_; }
 
  private:
-  /// All of them work on free_gap_, closed_, multipliers_ and correction_.
+  /// All of them work on free_gap_, gap_, closed_, multipliers_ and correction_.
   void solve_closed();
+  bool set_stands(double tolerance);
   void factorize();
+  kernels::Factor factor() { return {lower_.data(), upper_.data(), inverse_pivots_.data(), stride_}; }
   bool settle_active_set(double tolerance);
   void settle_least_index(double tolerance);
   void close_penetrating();
 
-  Eigen::MatrixXd compliance_;
   ContactRule rule_;
-  Eigen::VectorXd multipliers_, correction_, free_gap_, closed_forces_;
-  Eigen::MatrixXd factor_;  ///< Cholesky factor of the block of `factorized_`, in its top left corner
+  Eigen::VectorXd multipliers_, correction_, free_gap_, gap_;
+  // padded for contact_kernels.h
+  std::size_t stride_;
+  kernels::Lines compliance_, lower_, upper_;  ///< W; the factor of the block of `factorized_`
+  kernels::Lines inverse_pivots_, closed_forces_, padded_correction_;
   std::vector<int> closed_, next_, factorized_, warm_;
   std::int64_t factorizations_ = 0;
   std::int64_t fallbacks_ = 0;

@@ -32,20 +32,19 @@ std::complex<double> sector_phase(int nodal_diameter, int sector, int sector_cou
   return std::polar(1.0, two_pi * turn / sector_count);
 }
 
-/// Y in the two orders of the kernels; a standing wave has no imaginary part.
-void lay_out_rows(const Eigen::MatrixXcd& normal_rows, std::size_t width, std::size_t modes, WaveKind kind,
-                  TimeMarch::Wave& wave) {
-  const std::size_t parts = kind == WaveKind::travelling ? 2 : 1;
-  wave.rows.assign(parts * modes * width, 0.0);
-  wave.columns.assign(parts * modes * width, 0.0);
-  for (Eigen::Index m = 0; m < normal_rows.cols(); ++m)
-    for (Eigen::Index k = 0; k < normal_rows.rows(); ++k) {
-      const double values[2] = {normal_rows(k, m).real(), normal_rows(k, m).imag()};
-      for (std::size_t part = 0; part < parts; ++part) {
-        wave.rows[(m * parts + part) * width + k] = values[part];
-        wave.columns[(k * parts + part) * modes + m] = values[part];
-      }
+/// Y in the order of the kernels; a standing wave has no imaginary part.
+kernels::Lines lay_out_shapes(const Eigen::MatrixXcd& normal_rows, Eigen::Index modes, WaveKind kind) {
+  const std::size_t parts = kind == WaveKind::travelling ? 2 : 1, block = kernels::mode_block;
+  const auto nodes = static_cast<std::size_t>(normal_rows.rows());
+  kernels::Lines shapes(parts * nodes * modes);
+  for (std::size_t m = 0; m < static_cast<std::size_t>(normal_rows.cols()); ++m)
+    for (std::size_t k = 0; k < nodes; ++k) {
+      const std::complex<double> value = normal_rows(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
+      const std::size_t at = ((m / block * nodes + k) * parts) * block + m % block;
+      shapes[at] = value.real();
+      if (parts == 2) shapes[at + block] = value.imag();
     }
+  return shapes;
 }
 
 std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup, const Eigen::MatrixXd& compliance) {
@@ -66,7 +65,7 @@ TimeMarch::Wave lay_out(const WaveModes& from, const SchemeOptions& scheme, doub
   const StepCoefficients unpadded = step_coefficients(scheme, from.omega, from.damping_ratio, step, from.moving);
   wave.coefficients = {padded(unpadded.a, modes), padded(unpadded.b, modes), padded(unpadded.c, modes)};
   wave.q = wave.before = wave.two_before = Eigen::VectorXd::Zero(2 * modes);
-  wave.nodes = wave.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(width));
+  wave.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(width));
   wave.cosine.resize(sectors);
   wave.sine.resize(sectors);
   for (int j = 0; j < sectors; ++j) {
@@ -74,7 +73,7 @@ TimeMarch::Wave lay_out(const WaveModes& from, const SchemeOptions& scheme, doub
     wave.cosine[j] = phase.real();
     wave.sine[j] = phase.imag();
   }
-  lay_out_rows(from.normal_rows, width, modes, from.kind, wave);
+  wave.shapes = lay_out_shapes(from.normal_rows, modes, from.kind);
   return wave;
 }
 
@@ -92,6 +91,10 @@ TimeMarch::TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const Cont
   const SchemeOptions scheme{setup.scheme, setup.theta, setup.penalty_stiffness};
   for (const WaveModes& wave : rotor.waves)
     waves_.push_back(lay_out(wave, scheme, time_step_, width_, sectors_, sector_count_));
+  for (int j = 0; j < sectors_; ++j)
+    for (const Wave& wave : waves_)
+      phases_of_sectors_.insert(phases_of_sectors_.end(), {wave.cosine[j], wave.sine[j]});
+  p_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * waves_.size() * width_));
   const auto size = static_cast<Eigen::Index>(sectors_ * width_);
   gap_ = gap_before_ = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
   for (Eigen::VectorXd& displacement : displacement_) displacement = Eigen::VectorXd::Zero(size);
@@ -132,12 +135,14 @@ void TimeMarch::build_distortion(const Casing& casing, const ContactLine& contac
 }
 
 void TimeMarch::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before) {
+  settle_modes();
   Wave& at = waves_[wave];
   at.q.head(q.size()) = q.real();
   at.q.segment(at.modes(), q.size()) = q.imag();
   at.before.head(q.size()) = before.real();
   at.before.segment(at.modes(), q.size()) = before.imag();
-  map_to_nodes();
+  for (std::size_t i = 0; i < waves_.size(); ++i) map_to_nodes(i);
+  map_to_sectors();
   measure_gaps();
 }
 
@@ -146,19 +151,22 @@ void TimeMarch::set_revolutions(int revolutions) {
   measure_gaps();
 }
 
-void TimeMarch::map_to_nodes() {
-  displacement_[0].setZero();
-  for (Wave& wave : waves_) {
-    const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
-    if (wave.kind == WaveKind::travelling)
-      kernels::to_nodes_travelling(wave.rows.data(), wave.q.data(), wave.q.data() + modes, moving, width_,
-                                   wave.nodes.data(), wave.nodes.data() + width_);
-    else
-      kernels::to_nodes_standing(wave.rows.data(), wave.q.data(), moving, width_, wave.nodes.data());
-    for (int j = 0; j < sectors_; ++j)
-      kernels::add_wave(wave.nodes.data(), wave.nodes.data() + width_, wave.cosine[j], wave.sine[j], width_,
-                        displacement_[0].data() + j * width_);
-  }
+void TimeMarch::map_to_nodes(std::size_t index) {
+  const Wave& wave = waves_[index];
+  const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
+  const auto nodes = static_cast<std::size_t>(node_count_);
+  double* p = p_.data() + 2 * index * width_;
+  if (wave.kind == WaveKind::travelling)
+    kernels::to_nodes_travelling(wave.shapes.data(), wave.q.data(), wave.q.data() + modes, moving, nodes, p,
+                                 p + width_);
+  else
+    kernels::to_nodes_standing(wave.shapes.data(), wave.q.data(), moving, nodes, p);
+}
+
+void TimeMarch::map_to_sectors() {
+  for (int j = 0; j < sectors_; ++j)
+    kernels::add_waves(p_.data(), phases_of_sectors_.data() + 2 * waves_.size() * j, waves_.size(), width_,
+                       displacement_[0].data() + j * width_);
 }
 
 bool TimeMarch::measure_gaps() {
@@ -173,52 +181,72 @@ bool TimeMarch::measure_gaps() {
   return penetrates;
 }
 
+void TimeMarch::advance(Wave& wave) {
+  const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
+  const double* a = wave.coefficients.a.data();
+  const double* b = wave.coefficients.b.data();
+  wave.two_before.swap(wave.before);
+  wave.before.swap(wave.q);  // wave.q now holds what is overwritten: the oldest instant
+  kernels::advance(a, b, wave.before.data(), wave.two_before.data(), wave.q.data(), moving);
+  if (wave.kind == WaveKind::travelling)
+    kernels::advance(a, b, wave.before.data() + modes, wave.two_before.data() + modes, wave.q.data() + modes, moving);
+  if (moving == modes) return;
+  wave.q.segment(wave.moving, wave.modes() - wave.moving).setZero();
+  wave.q.tail(wave.modes() - wave.moving).setZero();
+}
+
 bool TimeMarch::predict() {
   displacement_[2].swap(displacement_[1]);
   displacement_[1].swap(displacement_[0]);
   gap_before_.swap(gap_);
-  for (Wave& wave : waves_) {
-    const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
-    const double* a = wave.coefficients.a.data();
-    const double* b = wave.coefficients.b.data();
-    wave.two_before.swap(wave.before);
-    wave.before.swap(wave.q);  // wave.q now holds what is overwritten: the oldest instant
-    kernels::advance(a, b, wave.before.data(), wave.two_before.data(), wave.q.data(), moving);
-    if (wave.kind == WaveKind::travelling)
-      kernels::advance(a, b, wave.before.data() + modes, wave.two_before.data() + modes, wave.q.data() + modes,
-                       moving);
-    if (moving == modes) continue;
-    wave.q.segment(wave.moving, wave.modes() - wave.moving).setZero();
-    wave.q.tail(wave.modes() - wave.moving).setZero();
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    if (forces_wait_) add_forces(waves_[i]);
+    advance(waves_[i]);
+    map_to_nodes(i);
   }
-  map_to_nodes();
+  forces_wait_ = false;
+  map_to_sectors();
   ++step_;
   return measure_gaps();
 }
 
+void TimeMarch::add_forces(Wave& wave) const {
+  const auto modes = static_cast<std::size_t>(wave.modes());
+  const kernels::ForcedNodes forced{forced_nodes_.data(), forced_nodes_.size(),
+                                    static_cast<std::size_t>(node_count_)};
+  if (wave.kind == WaveKind::travelling)
+    kernels::add_force_travelling(wave.shapes.data(), wave.coefficients.c.data(), wave.forces.data(),
+                                  wave.forces.data() + width_, forced, modes, wave.q.data(), wave.q.data() + modes);
+  else
+    kernels::add_force_standing(wave.shapes.data(), wave.coefficients.c.data(), wave.forces.data(), forced, modes,
+                                wave.q.data());
+}
+
+void TimeMarch::settle_modes() const {
+  if (!forces_wait_) return;
+  for (Wave& wave : waves_) add_forces(wave);
+  forces_wait_ = false;
+}
+
 void TimeMarch::correct_modes(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+  settle_modes();
   const auto width = static_cast<int>(width_);
-  closed_nodes_.clear();
-  for (int index : nodes) closed_nodes_.push_back(index % width);
-  std::sort(closed_nodes_.begin(), closed_nodes_.end());
-  closed_nodes_.erase(std::unique(closed_nodes_.begin(), closed_nodes_.end()), closed_nodes_.end());
-  for (Wave& wave : waves_) {
-    const auto modes = static_cast<std::size_t>(wave.modes());
-    const double share = wave.weight * setup_.symmetry / sector_count_;
-    wave.forces.setZero();
-    for (int index : nodes) {
-      const int j = index / width, k = index % width;
-      wave.forces[k] += share * wave.cosine[j] * forces[index];
-      wave.forces[width + k] -= share * wave.sine[j] * forces[index];
-    }
-    if (wave.kind == WaveKind::travelling)
-      kernels::add_force_travelling(wave.columns.data(), wave.coefficients.c.data(), wave.forces.data(),
-                                    wave.forces.data() + width, closed_nodes_.data(), closed_nodes_.size(), modes,
-                                    wave.q.data(), wave.q.data() + modes);
-    else
-      kernels::add_force_standing(wave.columns.data(), wave.coefficients.c.data(), wave.forces.data(),
-                                  closed_nodes_.data(), closed_nodes_.size(), modes, wave.q.data());
+  forced_sectors_.clear();
+  forced_nodes_.clear();
+  node_has_force_.assign(width_, 0);
+  for (int index : nodes) {  // ascending
+    const int sector = index / width;
+    if (forced_sectors_.empty() || forced_sectors_.back() != sector) forced_sectors_.push_back(sector);
+    node_has_force_[index - sector * width] = 1;
   }
+  for (int k = 0; k < node_count_; ++k)
+    if (node_has_force_[k]) forced_nodes_.push_back(k);
+  for (Wave& wave : waves_) {
+    kernels::gather_sectors(forces.data(), wave.cosine.data(), wave.sine.data(), forced_sectors_.data(),
+                            forced_sectors_.size(), width_, wave.forces.data(), wave.forces.data() + width_);
+    wave.forces *= wave.weight * setup_.symmetry / sector_count_;
+  }
+  forces_wait_ = true;
 }
 
 void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {

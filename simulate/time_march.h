@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "simulate/cache_lines.h"
 #include "simulate/casing.h"
 #include "simulate/contact_impulses.h"
 #include "simulate/integrators/contact_law.h"
@@ -75,24 +76,34 @@ class TimeMarch {
     Eigen::Index moving;   ///< modes with mass, padded; they come first
     StepCoefficients coefficients;
     Eigen::VectorXd q, before, two_before;  ///< real parts, then imaginary parts, at t_q, t_{q-1}, t_{q-2}
-    std::vector<double> rows, columns;      ///< Y in the two orders of wave_kernels.h
-    Eigen::VectorXd nodes;                  ///< Y q, real parts, then imaginary parts
-    Eigen::VectorXd forces;                 ///< Lambda_n, likewise
+    kernels::Lines shapes;                  ///< Y in the order of wave_kernels.h
+    Eigen::VectorXd forces;                 ///< Lambda_n, real parts, then imaginary parts
     Eigen::VectorXd cosine, sine;           ///< of n j alpha, by sector
 
     Eigen::Index modes() const { return omega.size(); }
   };
-  const std::vector<Wave>& waves() const { return waves_; }
+  /// At the last instant, with what its forces do.
+  const std::vector<Wave>& waves() const {
+    settle_modes();
+    return waves_;
+  }
   /// Puts the modal coordinates of a nodal diameter [m sqrt(kg)] at t_q and t_{q-1}.
   void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before);
   /// Sets the clock to whole revolutions since the start (the casing's distortion grows over the first ones).
   void set_revolutions(int revolutions);
 
  private:
-  /// displacement_[0] from the waves' modes; gap_ from it, and whether a gap is negative.
-  void map_to_nodes();
+  /// The free step of one wave's modes.
+  static void advance(Wave& wave);
+  /// p_ from a wave's modes; displacement_[0] from p_; gap_ from it, and whether a gap is negative.
+  void map_to_nodes(std::size_t wave);
+  void map_to_sectors();
   bool measure_gaps();
+  /// Lambda_n of the forces; what it does to the modes waits until they are needed, most often for the next step,
+  /// which needs the same rows of Y.
   void correct_modes(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
+  void settle_modes() const;
+  void add_forces(Wave& wave) const;
   void build_compliance(const RotorAtSpeed& rotor);
   void build_distortion(const Casing& casing, const ContactLine& contact);
 
@@ -102,15 +113,19 @@ class TimeMarch {
   double time_step_;
   std::int64_t step_ = 0;
   Casing casing_;
-  std::vector<Wave> waves_;
-  Eigen::VectorXd clearance_;       ///< [m] one sector, padded with infinity
-  std::vector<double> distortion_;  ///< [m] by phase (one lobe of steps), then node
+  mutable std::vector<Wave> waves_;
+  mutable bool forces_wait_ = false;       ///< the waves' forces are not in their modes yet
+  Eigen::VectorXd p_;                      ///< Y q, for each wave real parts, then imaginary parts
+  std::vector<double> phases_of_sectors_;  ///< for each sector, of each wave the cosine, then the sine of n j alpha
+  Eigen::VectorXd clearance_;              ///< [m] one sector, padded with infinity
+  std::vector<double> distortion_;         ///< [m] by phase (one lobe of steps), then node
   std::int64_t phases_ = 1;
   Eigen::VectorXd gap_, gap_before_;
   Eigen::VectorXd displacement_[3];
   Eigen::MatrixXd compliance_;
   std::unique_ptr<ContactLaw> contact_;
-  std::vector<int> closed_nodes_;  ///< node indices closed in any sector
+  std::vector<int> forced_nodes_, forced_sectors_;  ///< that have a force in any sector, at any node
+  std::vector<char> node_has_force_;
 };
 
 }  // namespace tiprub

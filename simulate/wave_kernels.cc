@@ -1,59 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/wave_kernels.h"
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define TIPRUB_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define TIPRUB_CLONES
-#endif
+#include "simulate/vector_lanes.h"
 
 namespace tiprub::kernels {
 
 namespace {
 
-using Lanes [[gnu::vector_size(lane_count * sizeof(double)), gnu::aligned(8), gnu::may_alias]] = double;
+constexpr std::size_t eight = 8;
+constexpr std::size_t node_group = 4;
+static_assert(mode_block == 2 * eight && lane_count == node_group);
 
-inline __attribute__((always_inline)) const Lanes& lanes(const double* from) {
-  return *reinterpret_cast<const Lanes*>(from);
-}
-inline __attribute__((always_inline)) Lanes& lanes(double* from) {
-  return *reinterpret_cast<Lanes*>(from);
+/// The sums over the lanes of eight vectors, in order.
+TIPRUB_INLINE void sum_lanes(const Lanes8 (&v)[eight], Lanes8& sums) {
+  Lanes8 pairs[4];
+  for (std::size_t i = 0; i < 4; ++i)
+    pairs[i] = __builtin_shufflevector(v[2 * i], v[2 * i + 1], 0, 8, 2, 10, 4, 12, 6, 14) +
+               __builtin_shufflevector(v[2 * i], v[2 * i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  Lanes8 fours[2];
+  for (std::size_t i = 0; i < 2; ++i)
+    fours[i] = __builtin_shufflevector(pairs[2 * i], pairs[2 * i + 1], 0, 1, 8, 9, 4, 5, 12, 13) +
+               __builtin_shufflevector(pairs[2 * i], pairs[2 * i + 1], 2, 3, 10, 11, 6, 7, 14, 15);
+  sums = __builtin_shufflevector(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
+         __builtin_shufflevector(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
 }
 
-/// Four partial sums a vector of nodes: the chain of additions is one long a mode, not two.
-template <std::size_t groups>
-inline __attribute__((always_inline)) void travelling_groups(const double* rows, const double* q_re,
-                                                             const double* q_im, std::size_t modes, std::size_t width,
-                                                             double* p_re, double* p_im) {
-  Lanes rr[groups] = {}, ii[groups] = {}, ri[groups] = {}, ir[groups] = {};
-  for (std::size_t m = 0; m < modes; ++m, rows += 2 * width) {
-    const double re = q_re[m], im = q_im[m];
-    for (std::size_t g = 0; g < groups; ++g) {
-      const Lanes& y_re = lanes(rows + g * lane_count);
-      const Lanes& y_im = lanes(rows + width + g * lane_count);
-      rr[g] += y_re * re;
-      ii[g] += y_im * im;
-      ri[g] += y_re * im;
-      ir[g] += y_im * re;
+/// `count` nodes, at most four, whose shapes begin at `shapes`.
+template <std::size_t count>
+TIPRUB_INLINE void travelling_group(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
+                                    std::size_t nodes, double* p_re, double* p_im) {
+  Lanes8 sums[eight] = {};  // real parts of four nodes, then imaginary parts
+  for (std::size_t m = 0; m < modes; m += mode_block, shapes += 2 * mode_block * nodes)
+    for (std::size_t half = 0; half < mode_block; half += eight) {
+      const Lanes8 re = lanes8(q_re + m + half), im = lanes8(q_im + m + half);
+      for (std::size_t k = 0; k < count; ++k) {
+        const double* at = shapes + 2 * mode_block * k + half;
+        const Lanes8 y_re = lanes8(at), y_im = lanes8(at + mode_block);
+        sums[k] += y_re * re;
+        sums[4 + k] += y_re * im;
+        sums[k] -= y_im * im;
+        sums[4 + k] += y_im * re;
+      }
     }
-  }
-  for (std::size_t g = 0; g < groups; ++g) {
-    lanes(p_re + g * lane_count) = rr[g] - ii[g];
-    lanes(p_im + g * lane_count) = ri[g] + ir[g];
-  }
+  Lanes8 all;
+  sum_lanes(sums, all);
+  lanes4(p_re) = __builtin_shufflevector(all, all, 0, 1, 2, 3);
+  lanes4(p_im) = __builtin_shufflevector(all, all, 4, 5, 6, 7);
 }
 
-/// Even and odd modes apart, for the same reason.
-template <std::size_t groups>
-inline __attribute__((always_inline)) void standing_groups(const double* rows, const double* q, std::size_t modes,
-                                                           std::size_t width, double* p) {
-  Lanes even[groups] = {}, odd[groups] = {};
-  for (std::size_t m = 0; m < modes; m += 2, rows += 2 * width)
-    for (std::size_t g = 0; g < groups; ++g) {
-      even[g] += lanes(rows + g * lane_count) * q[m];
-      odd[g] += lanes(rows + width + g * lane_count) * q[m + 1];
-    }
-  for (std::size_t g = 0; g < groups; ++g) lanes(p + g * lane_count) = even[g] + odd[g];
+/// The two halves of a block apart: the chain of additions is half as long.
+template <std::size_t count>
+TIPRUB_INLINE void standing_group(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
+                                  double* p) {
+  Lanes8 sums[eight] = {};
+  for (std::size_t m = 0; m < modes; m += mode_block, shapes += mode_block * nodes)
+    for (std::size_t half = 0; half < 2; ++half)
+      for (std::size_t k = 0; k < count; ++k)
+        sums[4 * half + k] += lanes8(shapes + mode_block * k + eight * half) * lanes8(q + m + eight * half);
+  Lanes8 all;
+  sum_lanes(sums, all);
+  lanes4(p) = __builtin_shufflevector(all, all, 0, 1, 2, 3) + __builtin_shufflevector(all, all, 4, 5, 6, 7);
 }
 
 }  // namespace
@@ -61,59 +67,89 @@ inline __attribute__((always_inline)) void standing_groups(const double* rows, c
 TIPRUB_CLONES
 void advance(const double* a, const double* b, const double* q, const double* previous, double* next,
              std::size_t count) {
-  for (std::size_t m = 0; m < count; m += lane_count)
-    lanes(next + m) = lanes(a + m) * lanes(q + m) - lanes(b + m) * lanes(previous + m);
+  for (std::size_t m = 0; m < count; m += eight)
+    lanes8(next + m) = lanes8(a + m) * lanes8(q + m) - lanes8(b + m) * lanes8(previous + m);
 }
 
 TIPRUB_CLONES
-void to_nodes_travelling(const double* rows, const double* q_re, const double* q_im, std::size_t modes,
-                         std::size_t width, double* p_re, double* p_im) {
-  std::size_t at = 0;
-  for (; at + 3 * lane_count <= width; at += 3 * lane_count)
-    travelling_groups<3>(rows + at, q_re, q_im, modes, width, p_re + at, p_im + at);
-  for (; at < width; at += lane_count)
-    travelling_groups<1>(rows + at, q_re, q_im, modes, width, p_re + at, p_im + at);
-}
-
-TIPRUB_CLONES
-void to_nodes_standing(const double* rows, const double* q, std::size_t modes, std::size_t width, double* p) {
-  std::size_t at = 0;
-  for (; at + 3 * lane_count <= width; at += 3 * lane_count) standing_groups<3>(rows + at, q, modes, width, p + at);
-  for (; at < width; at += lane_count) standing_groups<1>(rows + at, q, modes, width, p + at);
-}
-
-TIPRUB_CLONES
-void add_force_travelling(const double* columns, const double* c, const double* f_re, const double* f_im,
-                          const int* nodes, std::size_t node_count, std::size_t modes, double* q_re, double* q_im) {
-  for (std::size_t m = 0; m < modes; m += mode_block) {
-    Lanes re[2] = {}, im[2] = {};
-    for (std::size_t i = 0; i < node_count; ++i) {
-      const double* column = columns + 2 * modes * nodes[i] + m;
-      const double force_re = f_re[nodes[i]], force_im = f_im[nodes[i]];
-      for (std::size_t g = 0; g < 2; ++g) {
-        const Lanes& y_re = lanes(column + g * lane_count);
-        const Lanes& y_im = lanes(column + modes + g * lane_count);
-        re[g] += y_re * force_re + y_im * force_im;
-        im[g] += y_re * force_im - y_im * force_re;
-      }
-    }
-    for (std::size_t g = 0; g < 2; ++g) {
-      const std::size_t at = m + g * lane_count;
-      lanes(q_re + at) -= lanes(c + at) * re[g];
-      lanes(q_im + at) -= lanes(c + at) * im[g];
+void to_nodes_travelling(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
+                         std::size_t nodes, double* p_re, double* p_im) {
+  for (std::size_t at = 0; at < nodes; at += node_group) {
+    const double* from = shapes + 2 * mode_block * at;
+    switch (nodes - at) {
+      case 1:
+        travelling_group<1>(from, q_re, q_im, modes, nodes, p_re + at, p_im + at);
+        break;
+      case 2:
+        travelling_group<2>(from, q_re, q_im, modes, nodes, p_re + at, p_im + at);
+        break;
+      case 3:
+        travelling_group<3>(from, q_re, q_im, modes, nodes, p_re + at, p_im + at);
+        break;
+      default:
+        travelling_group<4>(from, q_re, q_im, modes, nodes, p_re + at, p_im + at);
     }
   }
 }
 
 TIPRUB_CLONES
-void add_force_standing(const double* columns, const double* c, const double* f, const int* nodes,
-                        std::size_t node_count, std::size_t modes, double* q) {
-  for (std::size_t m = 0; m < modes; m += mode_block) {
-    Lanes sum[2] = {};
-    for (std::size_t i = 0; i < node_count; ++i)
-      for (std::size_t g = 0; g < 2; ++g)
-        sum[g] += lanes(columns + modes * nodes[i] + m + g * lane_count) * f[nodes[i]];
-    for (std::size_t g = 0; g < 2; ++g) lanes(q + m + g * lane_count) -= lanes(c + m + g * lane_count) * sum[g];
+void to_nodes_standing(const double* shapes, const double* q, std::size_t modes, std::size_t nodes, double* p) {
+  for (std::size_t at = 0; at < nodes; at += node_group) {
+    const double* from = shapes + mode_block * at;
+    switch (nodes - at) {
+      case 1:
+        standing_group<1>(from, q, modes, nodes, p + at);
+        break;
+      case 2:
+        standing_group<2>(from, q, modes, nodes, p + at);
+        break;
+      case 3:
+        standing_group<3>(from, q, modes, nodes, p + at);
+        break;
+      default:
+        standing_group<4>(from, q, modes, nodes, p + at);
+    }
+  }
+}
+
+/// Eight sums at once: products of real and imaginary parts apart, two vectors of modes.
+TIPRUB_CLONES
+void add_force_travelling(const double* shapes, const double* c, const double* f_re, const double* f_im,
+                          const ForcedNodes& forced, std::size_t modes, double* q_re, double* q_im) {
+  for (std::size_t m = 0; m < modes; m += mode_block, shapes += 2 * mode_block * forced.nodes) {
+    Lanes8 rr[2] = {}, ii[2] = {}, ri[2] = {}, ir[2] = {};
+    for (std::size_t i = 0; i < forced.count; ++i) {
+      const int k = forced.index[i];
+      const double* at = shapes + 2 * mode_block * k;
+      const double force_re = f_re[k], force_im = f_im[k];
+      for (std::size_t half = 0; half < 2; ++half) {
+        const Lanes8 y_re = lanes8(at + eight * half), y_im = lanes8(at + mode_block + eight * half);
+        rr[half] += y_re * force_re;
+        ii[half] += y_im * force_im;
+        ri[half] += y_re * force_im;
+        ir[half] += y_im * force_re;
+      }
+    }
+    for (std::size_t half = 0; half < 2; ++half) {
+      const std::size_t at = m + eight * half;
+      lanes8(q_re + at) -= lanes8(c + at) * (rr[half] + ii[half]);
+      lanes8(q_im + at) -= lanes8(c + at) * (ri[half] - ir[half]);
+    }
+  }
+}
+
+TIPRUB_CLONES
+void add_force_standing(const double* shapes, const double* c, const double* f, const ForcedNodes& forced,
+                        std::size_t modes, double* q) {
+  for (std::size_t m = 0; m < modes; m += mode_block, shapes += mode_block * forced.nodes) {
+    Lanes8 sum[2] = {};
+    for (std::size_t i = 0; i < forced.count; ++i)
+      for (std::size_t half = 0; half < 2; ++half)
+        sum[half] += lanes8(shapes + mode_block * forced.index[i] + eight * half) * f[forced.index[i]];
+    for (std::size_t half = 0; half < 2; ++half) {
+      const std::size_t at = m + eight * half;
+      lanes8(q + at) -= lanes8(c + at) * sum[half];
+    }
   }
 }
 
@@ -129,10 +165,30 @@ bool gap_of_sector(const double* clearance, const double* distortion, double ram
 }
 
 TIPRUB_CLONES
-void add_wave(const double* p_re, const double* p_im, double cosine, double sine, std::size_t width,
-              double* displacement) {
-  for (std::size_t k = 0; k < width; k += lane_count)
-    lanes(displacement + k) += lanes(p_re + k) * cosine - lanes(p_im + k) * sine;
+void add_waves(const double* p, const double* phases, std::size_t waves, std::size_t width, double* displacement) {
+  for (std::size_t k = 0; k < width; k += lane_count) {
+    Lanes4 real = {}, imaginary = {};
+    for (std::size_t w = 0; w < waves; ++w) {
+      real += lanes4(p + 2 * w * width + k) * phases[2 * w];
+      imaginary += lanes4(p + (2 * w + 1) * width + k) * phases[2 * w + 1];
+    }
+    lanes4(displacement + k) = real - imaginary;
+  }
+}
+
+TIPRUB_CLONES
+void gather_sectors(const double* values, const double* cosine, const double* sine, const int* sectors,
+                    std::size_t count, std::size_t width, double* f_re, double* f_im) {
+  for (std::size_t k = 0; k < width; k += lane_count) {
+    Lanes4 real = {}, imaginary = {};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Lanes4 value = lanes4(values + width * sectors[i] + k);
+      real += value * cosine[sectors[i]];
+      imaginary -= value * sine[sectors[i]];
+    }
+    lanes4(f_re + k) = real;
+    lanes4(f_im + k) = imaginary;
+  }
 }
 
 }  // namespace tiprub::kernels

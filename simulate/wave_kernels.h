@@ -5,36 +5,48 @@
 
 namespace tiprub::kernels {
 
-/// Contact nodes are padded to whole vectors of this many doubles, modes to twice as many.
+/// Contact nodes are padded to whole vectors of this many doubles, modes to blocks of two vectors of eight.
 constexpr std::size_t lane_count = 4;
-constexpr std::size_t mode_block = 8;
+constexpr std::size_t mode_block = 16;
 
 /// The inner loops of the march, in real arithmetic on split real and imaginary parts, compiled for several
 /// instruction sets and chosen when the program starts. No sum is reordered at run time: same machine, same bits.
+///
+/// `shapes` is Y in one order for both maps: for each block of modes, for each of `nodes` nodes, the real parts of Y
+/// over the block, then (travelling only) the imaginary parts. A nodal diameter's part stays in the innermost cache
+/// between add_force and the next step's to_nodes, if the two follow each other.
 
 /// next = a q - b previous, over `count` modes.
 void advance(const double* a, const double* b, const double* q, const double* previous, double* next,
              std::size_t count);
 
-/// p = Y q. `rows`: for each mode the real parts of its column of Y over `width` nodes, then (travelling only) the
-/// imaginary parts.
-void to_nodes_travelling(const double* rows, const double* q_re, const double* q_im, std::size_t modes,
-                         std::size_t width, double* p_re, double* p_im);
-void to_nodes_standing(const double* rows, const double* q, std::size_t modes, std::size_t width, double* p);
+/// p = Y q over `nodes` nodes, written in whole vectors.
+void to_nodes_travelling(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
+                         std::size_t nodes, double* p_re, double* p_im);
+void to_nodes_standing(const double* shapes, const double* q, std::size_t modes, std::size_t nodes, double* p);
 
-/// q -= c Y^H f over the nodes listed. `columns`: for each node the real parts of its row of Y over `modes` (a
-/// multiple of mode_block), then (travelling only) the imaginary parts.
-void add_force_travelling(const double* columns, const double* c, const double* f_re, const double* f_im,
-                          const int* nodes, std::size_t node_count, std::size_t modes, double* q_re, double* q_im);
-void add_force_standing(const double* columns, const double* c, const double* f, const int* nodes,
-                        std::size_t node_count, std::size_t modes, double* q);
+/// The nodes that have a force, of `nodes` in all.
+struct ForcedNodes {
+  const int* index;
+  std::size_t count;
+  std::size_t nodes;
+};
+/// q -= c Y^H f over the nodes listed.
+void add_force_travelling(const double* shapes, const double* c, const double* f_re, const double* f_im,
+                          const ForcedNodes& forced, std::size_t modes, double* q_re, double* q_im);
+void add_force_standing(const double* shapes, const double* c, const double* f, const ForcedNodes& forced,
+                        std::size_t modes, double* q);
 
 /// gap = clearance - ramp * distortion - displacement over `width` nodes; whether any is negative.
 bool gap_of_sector(const double* clearance, const double* distortion, double ramp, const double* displacement,
                    std::size_t width, double* gap);
 
-/// displacement += cosine * p_re - sine * p_im over `width` nodes.
-void add_wave(const double* p_re, const double* p_im, double cosine, double sine, std::size_t width,
-              double* displacement);
+/// The waves' sum at one sector: displacement = sum over waves of cosine p_re - sine p_im. `p`: for each wave `width`
+/// real parts, then as many imaginary ones; `phases`: for each wave its cosine, then its sine.
+void add_waves(const double* p, const double* phases, std::size_t waves, std::size_t width, double* displacement);
+
+/// The way back for one wave: f_re + i f_im = sum over the sectors listed of (cosine - i sine) values.
+void gather_sectors(const double* values, const double* cosine, const double* sine, const int* sectors,
+                    std::size_t count, std::size_t width, double* f_re, double* f_im);
 
 }  // namespace tiprub::kernels

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace tiprub::kernels {
+
+/// Doubles that begin on a line of the cache, zero at first: a vector of eight that straddles two lines costs two
+/// loads.
+class Lines {
+ public:
+  static constexpr std::size_t doubles = 8;  ///< a line
+
+  Lines() = default;
+  /// At least `size`, in whole lines.
+  explicit Lines(std::size_t size) : lines_((size + doubles - 1) / doubles) {}
+
+  double* data() { return lines_.empty() ? nullptr : lines_.front().values; }
+  const double* data() const { return lines_.empty() ? nullptr : lines_.front().values; }
+  double& operator[](std::size_t i) { return lines_[i / doubles].values[i % doubles]; }
+  double operator[](std::size_t i) const { return lines_[i / doubles].values[i % doubles]; }
+
+ private:
+  struct alignas(doubles * sizeof(double)) Line {
+    double values[doubles] = {};
+  };
+  std::vector<Line> lines_;
+};
+
+}  // namespace tiprub::kernels

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+/// A function with this mark is compiled for several instruction sets, of which the program takes the best when it
+/// starts. No sum is reordered at run time: same machine, same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define TIPRUB_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define TIPRUB_CLONES
+#endif
+#define TIPRUB_INLINE inline __attribute__((always_inline))
+
+namespace tiprub::kernels {
+
+/// Four or eight doubles that are computed with at once, from any address.
+using Lanes4 [[gnu::vector_size(4 * sizeof(double)), gnu::aligned(8), gnu::may_alias]] = double;
+using Lanes8 [[gnu::vector_size(8 * sizeof(double)), gnu::aligned(8), gnu::may_alias]] = double;
+
+TIPRUB_INLINE const Lanes4& lanes4(const double* from) {
+  return *reinterpret_cast<const Lanes4*>(from);
+}
+TIPRUB_INLINE Lanes4& lanes4(double* from) {
+  return *reinterpret_cast<Lanes4*>(from);
+}
+TIPRUB_INLINE const Lanes8& lanes8(const double* from) {
+  return *reinterpret_cast<const Lanes8*>(from);
+}
+TIPRUB_INLINE Lanes8& lanes8(double* from) {
+  return *reinterpret_cast<Lanes8*>(from);
+}
+
+}  // namespace tiprub::kernels

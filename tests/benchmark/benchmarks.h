@@ -11,6 +11,10 @@ namespace tiprub::bench {
 /// differences and the default, whole and with two lobes' symmetry, with the share of contact steps; to stdout.
 void print_step_costs(const std::string& model);
 
+/// What 400 speeds by 60 revolutions cost against three lobes, all of it (set-up, march, recording, audit): marches
+/// `speeds` of them, evenly spread, and scales up; to stdout.
+void print_sweep_cost(const std::string& model, int speeds);
+
 /// Error of the settled response against a 16 times finer run of the default, over cost, for every scheme and step,
 /// for numbers of modes, and symmetric against full; a table to stdout.
 void print_accuracy(const std::string& model);

@@ -8,8 +8,8 @@ namespace tiprub {
 /// The schemes; one file each in this folder. All are two-step recurrences of modal coordinates and share one loop
 /// (TimeMarch): they differ in the coefficients of the step and in the law that gives the contact force.
 enum class Scheme {
-  trigonometric,         ///< exact in free flight and in statics (Gautschi 1961); no step limit
-  central_differences,   ///< the paper's eq. 13; holds for h omega_max < 2
+  trigonometric,        ///< exact in statics and, up to 2.4 rad a step, in free flight (Gautschi 1961); no step limit
+  central_differences,  ///< the paper's eq. 13; holds for h omega_max < 2
   residual_flexibility,  ///< trigonometric for the lower modes; the others follow their forces at once, without mass
   moreau_jean,           ///< theta method, impulses on the velocities of closed nodes (Moreau 1988, Jean 1999)
   penalty,               ///< central differences; a penetrating node is pushed by a spring
@@ -38,9 +38,12 @@ struct SchemeOptions {
 StepCoefficients step_coefficients(const SchemeOptions& options, const Eigen::ArrayXd& omega,
                                    const Eigen::ArrayXd& damping_ratio, double step, Eigen::Index moving);
 
-/// Exact free flight; c such that a constant force ends in its static deflection:
-///   a = 2 e^{-z w h} cos(w sqrt(1 - z^2) h), b = e^{-2 z w h}, c = (1 - a + b)/w^2   (cosh for z > 1; c = h^2 at w =
-///   0).
+/// Exact free flight of what the step resolves; c such that a constant force ends in its static deflection:
+///   a = 2 e^{-z w h} cos(y), b = e^{-2 z w h}, c = (1 - a + b)/w^2,   y = min(w sqrt(1 - z^2) h, 2.4)
+/// (cosh of the whole angle for z > 1; c = h^2 at w = 0). Without the bound on y (Gautschi) modes near w h = 2 pi
+/// would lose their compliance, c = 0, and blunt every impact: on a wheel with light tips the error of the settled
+/// motion was 6e-2 where it is 2e-3 with it. A mode beyond the bound swings too slowly, with the right compliance and
+/// decay.
 StepCoefficients trigonometric(const Eigen::ArrayXd& omega, const Eigen::ArrayXd& damping_ratio, double step);
 
 /// The paper's eq. 13 in modal coordinates, D modal:

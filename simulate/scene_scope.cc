@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <sstream>
 
 #include "cases/errors.h"
 
@@ -16,6 +17,12 @@ std::string listed(const std::vector<int>& values) {
   std::string text;
   for (int value : values) text += (text.empty() ? "" : ", ") + std::to_string(value);
   return text;
+}
+
+std::string short_text(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
 }
 
 double rounded_up(double value, double unit) {
@@ -40,9 +47,9 @@ void explain(SceneScope& scope, int sector_count, int lobes, int grid, const Sim
   scope.reasons.push_back(parameters.steps_per_revolution > 0
                               ? "steps a revolution: at least " + std::to_string(parameters.steps_per_revolution) +
                                     " as asked for" + multiple
-                              : "steps a revolution: at least " +
-                                    std::to_string(static_cast<int>(parameters.steps_per_period)) +
-                                    " a period of the lowest frequency" + multiple + "; by speed");
+                              : "steps a revolution: at least " + short_text(parameters.steps_per_period) +
+                                    " a period of the lowest frequency, for errors of " +
+                                    short_text(parameters.step_tolerance) + multiple + "; by speed");
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ struct SimulateParameters {
   SweepDirection sweep = SweepDirection::rest;
   std::vector<double> damping_ratios;  ///< of critical, by family; the last one holds for all further families
   DiameterChoice nodal_diameters = DiameterChoice::symmetric;
+  double step_tolerance = 5e-3;    ///< [1] aimed at: error of the settled motion; sets steps_per_period
   double steps_per_period = 400;   ///< at least, of the lowest natural frequency
   int steps_per_revolution = 0;    ///< at least; 0: from steps_per_period
   int samples_per_revolution = 0;  ///< at least

@@ -87,5 +87,9 @@ with_model("unstable rotor", lambda file: file.__setitem__("nodal_diameter/1/K1"
            "no speed could be computed", "nodal diameter 1 has omega^2 = -", "statically unstable")
 
 check = bench.run("--check")
+require("at least 400 a period of the lowest frequency, for errors of 0.005" in check.stderr, "  and the step's reason")
 require(check.returncode == 0 and "nodal diameters 0, 2: multiples of gcd(6 sectors, 2 lobes) = 2" in check.stderr, "--check says the scope")
 require(not os.path.exists(bench.path("response.h5")), "--check writes nothing")
+bench.write("changed.toml", CASE.replace("damping_ratio", "step_tolerance = 2e-2\ndamping_ratio"))
+check = bench.run("--check", case="changed.toml")
+require("at least 200 a period" in check.stderr, "four times the tolerance: half the steps")

@@ -56,7 +56,10 @@ TEST(SceneScope, RefusesUncountableSteps) {
 }
 
 TEST(SceneScope, GivesAReasonForEachChoice) {
-  EXPECT_EQ(find_scope(10, 2, asked()).reasons.size(), 4u);
+  const SceneScope scope = find_scope(10, 2, asked());
+  EXPECT_EQ(scope.reasons.size(), 4u);
+  EXPECT_NE(scope.reasons.back().find("400 a period of the lowest frequency, for errors of 0.005"),
+            std::string::npos);
 }
 
 }  // namespace

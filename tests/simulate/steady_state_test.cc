@@ -74,8 +74,8 @@ TEST(SteadyState, FindsTheOrderOfASubharmonic) {
   }
 }
 
-/// A disturbance that alternates on its way to zero changes less over two revolutions than over one, and was once taken
-/// for a subharmonic of order 2.
+/// A disturbance that alternates on its way to zero changes less over two revolutions than over one, and was once
+/// taken for a subharmonic of order 2.
 TEST(SteadyState, TakesAnAlternatingDecayForWhatItBecomes) {
   for (double rate : {0.5, 0.8, 0.9}) {
     SteadyVerdict verdict;

@@ -34,6 +34,12 @@ H5::DSetCreatPropList plain_creation() {
   return list;
 }
 
+Shape extents(const H5::DataSpace& space) {
+  Shape shape(space.getSimpleExtentNdims());
+  space.getSimpleExtentDims(shape.data());
+  return shape;
+}
+
 std::size_t product(const Shape& shape) {
   std::size_t count = 1;
   for (hsize_t extent : shape) count *= extent;
@@ -55,19 +61,23 @@ struct Hdf5File::Handle {
     for (std::size_t at = name.find('/', 1); at != std::string::npos; at = name.find('/', at + 1))
       if (const std::string group = name.substr(0, at); !file.nameExists(group)) file.createGroup(group);
   }
-  void write(const std::string& name, const H5::DataType& type, const Shape& shape, const void* data,
-             const std::string& unit) const {
+  H5::DataSet make(const std::string& name, const H5::DataType& type, const Shape& shape,
+                   const H5::DSetCreatPropList& creation, const std::string& unit) const {
     make_groups(name);
-    const H5::DataSpace space(static_cast<int>(shape.size()), shape.data());
-    const H5::DataSet set = file.createDataSet(name, type, space, plain_creation());
-    if (product(shape) > 0) set.write(data, type);
+    const H5::DataSet set =
+        file.createDataSet(name, type, H5::DataSpace(static_cast<int>(shape.size()), shape.data()), creation);
     const H5::StrType string_type(H5::PredType::C_S1, std::max<std::size_t>(unit.size(), 1));
     set.createAttribute("unit", string_type, H5::DataSpace(H5S_SCALAR)).write(string_type, unit);
+    return set;
+  }
+  void write(const std::string& name, const H5::DataType& type, const Shape& shape, const void* data,
+             const std::string& unit) const {
+    const H5::DataSet set = make(name, type, shape, plain_creation(), unit);
+    if (product(shape) > 0) set.write(data, type);
   }
   /// Selects one slice of a dataset's space; the space of the slice alone.
   H5::DataSpace select_slice(H5::DataSpace& space, std::size_t index) const {
-    Shape count(space.getSimpleExtentNdims());
-    space.getSimpleExtentDims(count.data());
+    Shape count = extents(space);
     Shape start(count.size(), 0);
     start.front() = index;
     count.front() = 1;
@@ -103,6 +113,15 @@ void Hdf5File::fail(const std::string& object, const std::string& what) const {
   throw RunError(path_ + ": " + object + ": " + what);
 }
 
+template <class Body>
+auto Hdf5File::attempt(const std::string& object, const std::string& complaint, const Body& body) const {
+  try {
+    return body();
+  } catch (const H5::Exception&) {
+    fail(object, complaint);
+  }
+}
+
 Hdf5File Hdf5File::create(const std::filesystem::path& path) {
   H5::Exception::dontPrint();
   try {
@@ -123,51 +142,39 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path) {
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, const std::string& value) {
-  try {
+  attempt(object, "attribute " + name + " can't be written", [&] {
     handle_->set_attribute(object, name, H5::StrType(H5::PredType::C_S1, std::max<std::size_t>(value.size(), 1)),
                            value.c_str());
-  } catch (const H5::Exception&) {
-    fail(object, "attribute " + name + " can't be written");
-  }
+  });
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, double value) {
-  try {
-    handle_->set_attribute(object, name, H5::PredType::NATIVE_DOUBLE, &value);
-  } catch (const H5::Exception&) {
-    fail(object, "attribute " + name + " can't be written");
-  }
+  attempt(object, "attribute " + name + " can't be written",
+          [&] { handle_->set_attribute(object, name, H5::PredType::NATIVE_DOUBLE, &value); });
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, int value) {
-  try {
-    handle_->set_attribute(object, name, H5::PredType::NATIVE_INT, &value);
-  } catch (const H5::Exception&) {
-    fail(object, "attribute " + name + " can't be written");
-  }
+  attempt(object, "attribute " + name + " can't be written",
+          [&] { handle_->set_attribute(object, name, H5::PredType::NATIVE_INT, &value); });
 }
 
 std::string Hdf5File::text_attribute(const std::string& object, const std::string& name) const {
   std::string value;
-  try {
+  attempt(object, "has no text attribute " + name, [&] {
     handle_->with_attributes(object, [&](const H5::H5Object& at) {
       const H5::Attribute attribute = at.openAttribute(name);
       attribute.read(attribute.getStrType(), value);
     });
-  } catch (const H5::Exception&) {
-    fail(object, "has no text attribute " + name);
-  }
+  });
   return value.substr(0, value.find('\0'));
 }
 
 double Hdf5File::number_attribute(const std::string& object, const std::string& name) const {
   double value = 0.0;
-  try {
+  attempt(object, "has no number attribute " + name, [&] {
     handle_->with_attributes(
         object, [&](const H5::H5Object& at) { at.openAttribute(name).read(H5::PredType::NATIVE_DOUBLE, &value); });
-  } catch (const H5::Exception&) {
-    fail(object, "has no number attribute " + name);
-  }
+  });
   if (!std::isfinite(value)) fail(object, "attribute " + name + " is not finite");
   return value;
 }
@@ -189,21 +196,17 @@ bool Hdf5File::has_attribute(const std::string& object, const std::string& name)
 }
 
 void Hdf5File::write(const std::string& name, const Array<double>& array, const std::string& unit) {
-  try {
+  attempt(name, "can't be written", [&] {
     handle_->write(name, H5::PredType::NATIVE_DOUBLE, Shape(array.shape.begin(), array.shape.end()),
                    array.values.data(), unit);
-  } catch (const H5::Exception&) {
-    fail(name, "can't be written");
-  }
+  });
 }
 
 void Hdf5File::write(const std::string& name, const Array<std::int32_t>& array, const std::string& unit) {
-  try {
+  attempt(name, "can't be written", [&] {
     handle_->write(name, H5::PredType::NATIVE_INT32, Shape(array.shape.begin(), array.shape.end()),
                    array.values.data(), unit);
-  } catch (const H5::Exception&) {
-    fail(name, "can't be written");
-  }
+  });
 }
 
 void Hdf5File::write(const std::string& name, const Eigen::MatrixXd& matrix, const std::string& unit) {
@@ -222,37 +225,28 @@ void Hdf5File::write(const std::string& name, const Eigen::VectorXd& vector, con
 
 void Hdf5File::write(const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit) {
   const Eigen::MatrixXcd transposed = matrix.transpose();
-  try {
+  attempt(name, "can't be written", [&] {
     handle_->write(name, complex_type(), {static_cast<hsize_t>(matrix.rows()), static_cast<hsize_t>(matrix.cols())},
                    transposed.data(), unit);
-  } catch (const H5::Exception&) {
-    fail(name, "can't be written");
-  }
+  });
 }
 
 void Hdf5File::make_slices(const std::string& name, const std::vector<std::size_t>& shape, Number number,
                            const std::string& unit) {
-  try {
-    handle_->make_groups(name);
-    const Shape extents(shape.begin(), shape.end());
-    Shape chunk = extents;
+  attempt(name, "can't be written", [&] {
+    Shape chunk(shape.begin(), shape.end());
     chunk.front() = 1;
     H5::DSetCreatPropList creation = plain_creation();
     creation.setChunk(static_cast<int>(chunk.size()), chunk.data());
-    const H5::DataSpace space(static_cast<int>(extents.size()), extents.data());
-    const H5::DataSet set = number == Number::complex
-                                ? handle_->file.createDataSet(name, single_complex_type(), space, creation)
-                                : handle_->file.createDataSet(name, H5::PredType::NATIVE_FLOAT, space, creation);
-    const H5::StrType string_type(H5::PredType::C_S1, std::max<std::size_t>(unit.size(), 1));
-    set.createAttribute("unit", string_type, H5::DataSpace(H5S_SCALAR)).write(string_type, unit);
-  } catch (const H5::Exception&) {
-    fail(name, "can't be written");
-  }
+    const H5::DataType type =
+        number == Number::complex ? H5::DataType(single_complex_type()) : H5::DataType(H5::PredType::NATIVE_FLOAT);
+    handle_->make(name, type, Shape(shape.begin(), shape.end()), creation, unit);
+  });
 }
 
 void Hdf5File::write_slice(const std::string& name, std::size_t index,
                            const std::vector<std::complex<float>>& values) {
-  try {
+  attempt(name, "slice " + std::to_string(index) + " can't be written", [&] {
     const H5::DataSet set = handle_->file.openDataSet(name);
     H5::DataSpace inside = set.getSpace();
     const H5::DataSpace slice = handle_->select_slice(inside, index);
@@ -263,15 +257,13 @@ void Hdf5File::write_slice(const std::string& name, std::size_t index,
     std::vector<float> real(values.size());
     std::transform(values.begin(), values.end(), real.begin(), [](std::complex<float> v) { return v.real(); });
     set.write(real.data(), H5::PredType::NATIVE_FLOAT, slice, inside);
-  } catch (const H5::Exception&) {
-    fail(name, "slice " + std::to_string(index) + " can't be written");
-  }
+  });
 }
 
 std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, std::size_t index) const {
   if (!exists(name)) fail(name, "is missing");
   std::vector<std::complex<float>> values;
-  try {
+  attempt(name, "slice " + std::to_string(index) + " can't be read as real or {r, i} numbers", [&] {
     const H5::DataSet set = handle_->file.openDataSet(name);
     H5::DataSpace inside = set.getSpace();
     const H5::DataSpace slice = handle_->select_slice(inside, index);
@@ -283,9 +275,7 @@ std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, s
       set.read(real.data(), H5::PredType::NATIVE_FLOAT, slice, inside);
       std::copy(real.begin(), real.end(), values.begin());
     }
-  } catch (const H5::Exception&) {
-    fail(name, "slice " + std::to_string(index) + " can't be read as real or {r, i} numbers");
-  }
+  });
   for (const std::complex<float>& value : values)
     if (!std::isfinite(value.real()) || !std::isfinite(value.imag()))
       fail(name, "slice " + std::to_string(index) + " has a value that is not finite");
@@ -294,14 +284,10 @@ std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, s
 
 std::vector<std::size_t> Hdf5File::shape_of(const std::string& name) const {
   if (!exists(name)) fail(name, "is missing");
-  try {
-    const H5::DataSpace space = handle_->file.openDataSet(name).getSpace();
-    Shape shape(space.getSimpleExtentNdims());
-    space.getSimpleExtentDims(shape.data());
+  return attempt(name, "is no dataset", [&]() -> std::vector<std::size_t> {
+    const Shape shape = extents(handle_->file.openDataSet(name).getSpace());
     return {shape.begin(), shape.end()};
-  } catch (const H5::Exception&) {
-    fail(name, "is no dataset");
-  }
+  });
 }
 
 bool Hdf5File::exists(const std::string& name) const {
@@ -323,18 +309,14 @@ std::vector<std::string> Hdf5File::members(const std::string& group) const {
 Array<double> Hdf5File::read_array(const std::string& name) const {
   if (!exists(name)) fail(name, "is missing");
   Array<double> array;
-  try {
+  attempt(name, "can't be read as an array of numbers", [&] {
     const H5::DataSet set = handle_->file.openDataSet(name);
-    const H5::DataSpace space = set.getSpace();
-    Shape shape(space.getSimpleExtentNdims());
-    space.getSimpleExtentDims(shape.data());
+    const Shape shape = extents(set.getSpace());
     array.shape.assign(shape.begin(), shape.end());
     array.values.resize(product(shape));
     if (set.getTypeClass() != H5T_FLOAT && set.getTypeClass() != H5T_INTEGER) fail(name, "is not real numbers");
     if (!array.values.empty()) set.read(array.values.data(), H5::PredType::NATIVE_DOUBLE);
-  } catch (const H5::Exception&) {
-    fail(name, "can't be read as an array of numbers");
-  }
+  });
   const auto bad = std::find_if(array.values.begin(), array.values.end(), [](double v) { return !std::isfinite(v); });
   if (bad != array.values.end())
     fail(name, "value " + std::to_string(bad - array.values.begin()) + " (row-major, from 0) is not finite");
@@ -365,18 +347,17 @@ Eigen::MatrixXcd Hdf5File::read_complex_matrix(const std::string& name) const {
   if (!exists(name)) fail(name, "is missing");
   using RowMajor = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   RowMajor matrix;
-  try {
+  attempt(name, "can't be read as a complex matrix; members must be r and i", [&] {
     const H5::DataSet set = handle_->file.openDataSet(name);
-    if (set.getTypeClass() != H5T_COMPOUND) return read_matrix(name).cast<std::complex<double>>();
-    const H5::DataSpace space = set.getSpace();
-    Shape shape(space.getSimpleExtentNdims());
-    space.getSimpleExtentDims(shape.data());
+    if (set.getTypeClass() != H5T_COMPOUND) {
+      matrix = read_matrix(name).cast<std::complex<double>>();
+      return;
+    }
+    const Shape shape = extents(set.getSpace());
     if (shape.size() != 2) fail(name, "has shape " + text(shape) + ", must have two axes");
     matrix.resize(static_cast<Eigen::Index>(shape[0]), static_cast<Eigen::Index>(shape[1]));
     if (matrix.size() > 0) set.read(matrix.data(), complex_type());
-  } catch (const H5::Exception&) {
-    fail(name, "can't be read as a complex matrix; members must be r and i");
-  }
+  });
   for (Eigen::Index row = 0; row < matrix.rows(); ++row)
     for (Eigen::Index column = 0; column < matrix.cols(); ++column)
       if (!std::isfinite(matrix(row, column).real()) || !std::isfinite(matrix(row, column).imag()))

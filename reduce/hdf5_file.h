@@ -78,6 +78,9 @@ class Hdf5File {
  private:
   struct Handle;
   Hdf5File(std::string path, std::unique_ptr<Handle> handle);
+  /// Does it; what HDF5 raises becomes a RunError with this complaint.
+  template <class Body>
+  auto attempt(const std::string& object, const std::string& complaint, const Body& body) const;
   [[noreturn]] void fail(const std::string& object, const std::string& what) const;
 
   std::string path_;

@@ -3,7 +3,8 @@
 
 #include <filesystem>
 
-#include "reduce/reduction.h"
+#include "reduce/reduction_parameters.h"
+#include "reduce/sector_mesh.h"
 
 namespace tiprub {
 

@@ -14,7 +14,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr Eigen::Index block_size = 16;
+constexpr Eigen::Index block_size = 8;
 constexpr double rank_tolerance = 1e-12;  // of the largest direction of a block, in squares
 constexpr double rounding = 1e-13;        // of what a new block was orthogonalised from
 

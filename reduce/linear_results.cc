@@ -9,7 +9,7 @@
 #include <numeric>
 #include <optional>
 
-#include "cases/errors.h"
+#include "reduce/at_speed.h"
 #include "reduce/contact_line.h"
 #include "reduce/cyclic_modes.h"
 #include "reduce/memory_need.h"
@@ -20,7 +20,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr double mode_tolerance = 1e-7;  // of 1/omega^2, a residual; the error of a frequency goes with its square
+constexpr double mode_tolerance = 1e-5;  // of 1/omega^2, a residual; the error of a frequency goes with its square
 constexpr int krylov_vectors = 12;       // a wanted mode, with their products
 constexpr double least_mac = 0.5;        // of one branch
 
@@ -66,7 +66,7 @@ class LinearAnalysis {
     find_shapes();
     for (int row = 0; row < results_.speed_count(); ++row) {
       static_state(row);
-      solve_modes(row);
+      if (results_.speeds[row] > 0) solve_modes(row, factorize(row));
     }
     return std::move(results_);
   }
@@ -93,12 +93,14 @@ class LinearAnalysis {
     results_.clearance_loss = Eigen::MatrixXd::Zero(speeds, tip_.size());
   }
 
+  /// The shapes under spin, and where rest is asked for, the modes that share its factor.
   void find_shapes() {
     const SectorFactor factor(
         elasticity_.stiffness(0.0, Eigen::Matrix3Xd::Zero(3, mesh_.node_count()), parameters_.prestress), dofs_);
-    const CyclicStiffness at_rest(factor, waves_[0]);
     const std::vector<double> speeds(results_.speeds.begin(), results_.speeds.end());
-    static_ = shapes_under_spin(elasticity_, mesh_, at_rest, speeds, parameters_.prestress);
+    static_ =
+        shapes_under_spin(elasticity_, mesh_, CyclicStiffness(factor, waves_[0]), speeds, parameters_.prestress);
+    for (int row = 0; row < results_.speed_count() && speeds[row] == 0; ++row) solve_modes(row, factor);
   }
 
   Eigen::Matrix3Xd displacement(int row) const {
@@ -124,11 +126,16 @@ class LinearAnalysis {
     }
   }
 
-  void solve_modes(int row) {
-    const double speed = results_.speeds[row];
-    try {
-      const SectorFactor factor(
-          elasticity_.stiffness(speed, displacement(row), parameters_.prestress, parameters_.spin_softening), dofs_);
+  SectorFactor factorize(int row) const {
+    return at_speed(results_.speeds[row], [&] {
+      return SectorFactor(elasticity_.stiffness(results_.speeds[row], displacement(row), parameters_.prestress,
+                                                parameters_.spin_softening),
+                          dofs_);
+    });
+  }
+
+  void solve_modes(int row, const SectorFactor& factor) {
+    at_speed(results_.speeds[row], [&] {
       parallel_for(static_cast<int>(waves_.size()), parameters_.threads, [&](int n) {
         const CyclicModes modes = lowest_modes(CyclicStiffness(factor, waves_[n]), mass_, ContactNodes::free,
                                                parameters_.verification_modes, mode_tolerance);
@@ -136,9 +143,7 @@ class LinearAnalysis {
         share_energy(modes.shape, n, row);
         follow(modes.shape, n, row);
       });
-    } catch (const RunError& error) {
-      throw RunError("at " + std::to_string(std::lround(speed * 30 / std::numbers::pi)) + " rpm: " + error.what());
-    }
+    });
   }
 
   void share_energy(const Eigen::MatrixXcd& shape, int n, int row) {

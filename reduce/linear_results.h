@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "reduce/reduction.h"
+#include "reduce/reduction_parameters.h"
+#include "reduce/sector_mesh.h"
 
 namespace tiprub {
 

@@ -14,6 +14,7 @@
 #include "reduce/matrix_market.h"
 #include "reduce/reduced_model_file.h"
 #include "reduce/reduction.h"
+#include "reduce/verification.h"
 
 namespace {
 
@@ -34,12 +35,13 @@ std::string summary(const tiprub::ReducedModel& model, const tiprub::ReductionRe
   const int verified = std::min(stated_frequencies, tiprub::verified_frequencies(model));
   std::ostringstream line;
   line << model.sector_count << " sectors of " << report.sector_dofs << " dofs -> " << dofs << " dofs, "
-       << dofs_at_speed << " at any one speed (" << model.sector_count * contact << " of contact); first "
-       << verified << " frequencies within " << 100 * tiprub::verification_error(model, verified) << " % at "
+       << dofs_at_speed << " at any one speed (" << model.sector_count * contact << " of contact); first " << verified
+       << " frequencies within " << 100 * tiprub::verification_error(model, verified) << " % at "
        << model.verification.speeds.size() << " speeds";
   if (model.verification.polynomial_misfit.size() > 0)
-    line << ", eq. 7 through " << report.polynomial_speeds << " speeds alone within " << 100 * model.verification.polynomial_misfit.maxCoeff()
-         << " %; shapes under spin in " << report.newton_steps << " Newton steps to " << report.newton_residual;
+    line << ", eq. 7 through " << report.polynomial_speeds << " speeds alone within "
+         << 100 * model.verification.polynomial_misfit.maxCoeff() << " %; shapes under spin in "
+         << report.newton_steps << " Newton steps to " << report.newton_residual;
   return line.str();
 }
 
@@ -108,10 +110,10 @@ tiprub::ReducedModel make_model(const tiprub::StageArguments& arguments, const t
     for (const auto& [what, seconds] : report.seconds)
       tiprub::say(arguments, what + ": " + std::to_string(seconds) + " s");
     for (std::size_t n = 0; n < report.corrections.size(); ++n)
-      tiprub::say(arguments, "nodal diameter " + std::to_string(n) + ": " + std::to_string(report.generalized_dofs[n]) +
-                                 " generalized dofs, " + std::to_string(report.corrections[n]) +
-                                 " of them from modes between the speeds; " + std::to_string(report.dropped[n]) +
-                                 " shapes dropped");
+      tiprub::say(arguments, "nodal diameter " + std::to_string(n) + ": " +
+                                 std::to_string(report.generalized_dofs[n]) + " generalized dofs, " +
+                                 std::to_string(report.corrections[n]) + " of them from modes between the speeds; " +
+                                 std::to_string(report.dropped[n]) + " shapes dropped");
   }
   model.provenance = provenance;
   tiprub::write_model(model, output.scratch(), tiprub::program_version("tiprub-reduce"));

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
 #include "cases/errors.h"
+#include "reduce/at_speed.h"
 
 namespace tiprub {
 
@@ -123,15 +123,12 @@ SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorM
     const double square = speed * speed;
     shapes.at[speed] = square * over_square;
     if (prestress != Prestress::nonlinear || speed == 0.0) continue;
-    try {
-      SpinEquilibrium found = spin_equilibrium(elasticity, mesh, at_rest, speed, square * over_square);
-      shapes.newton_steps = std::max(shapes.newton_steps, found.iterations);
-      shapes.newton_residual = std::max(shapes.newton_residual, found.residual);
-      over_square = found.displacement / square;
-      shapes.at[speed] = std::move(found.displacement);
-    } catch (const RunError& error) {
-      throw RunError("at " + std::to_string(std::lround(speed * 30 / std::numbers::pi)) + " rpm: " + error.what());
-    }
+    SpinEquilibrium found =
+        at_speed(speed, [&] { return spin_equilibrium(elasticity, mesh, at_rest, speed, square * over_square); });
+    shapes.newton_steps = std::max(shapes.newton_steps, found.iterations);
+    shapes.newton_residual = std::max(shapes.newton_residual, found.residual);
+    over_square = found.displacement / square;
+    shapes.at[speed] = std::move(found.displacement);
   }
   return shapes;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "reduce/contact_line.h"
+#include "reduce/verification.h"
 #include "tests/reduce/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"

@@ -21,24 +21,30 @@ TOLERANCE = 1e-6  # relative; CalculiX prints seven digits
 SKIPPED = 77
 
 
-def calculix_frequencies(folder, deck):
-    """{nodal diameter: [Hz, ascending, each once]}; CalculiX prints a travelling wave twice, as cosine and sine."""
-    environment = dict(os.environ, OMP_NUM_THREADS="1")
-    subprocess.run(["ccx", deck], cwd=folder, env=environment, check=True, stdout=subprocess.DEVNULL)
+def calculix_frequencies(table):
+    """{nodal diameter: [Hz, ascending, each once]} of a .dat file; CalculiX prints a travelling wave twice, as cosine and
+    sine."""
     rows = {}
     line = re.compile(r"^\s+(\d+)\s+\d+\s+\S+E\S+\s+\S+E\S+\s+(\S+E\S+)\s+\S+E\S+\s*$")
-    with open(os.path.join(folder, deck + ".dat"), encoding="ascii") as dat:
+    with open(table, encoding="ascii") as dat:
         for match in filter(None, map(line.match, dat)):
             rows.setdefault(int(match[1]), []).append(float(match[2]))
     return {n: values[::2] for n, values in rows.items()}
 
 
-def with_keys(case, keys):
-    """The text of a case whose table [reduce] has these keys instead of its own ones."""
-    with open(case, encoding="utf-8") as file:
-        head, tail = file.read().split("[reduce]\n")
+def with_keys(case, table, keys):
+    """The text of a case whose table has these keys instead of its own ones."""
+    head, tail = case.split(f"[{table}]\n")
     lines = [line for line in tail.split("\n") if line.split("=")[0].strip() not in keys]
-    return head + "[reduce]\n" + "".join(f"{key} = {value}\n" for key, value in keys.items()) + "\n".join(lines)
+    return head + f"[{table}]\n" + "".join(f"{key} = {value}\n" for key, value in keys.items()) + "\n".join(lines)
+
+
+def copy_with_keys(case, keys, copy):
+    """Writes a copy of a case file with other values of some keys of [reduce]."""
+    with open(case, encoding="utf-8") as file:
+        text = file.read()
+    with open(copy, "w", encoding="utf-8") as file:
+        file.write(with_keys(text, "reduce", keys))
 
 
 def main(mesh, reduce, case, prestress, work):
@@ -48,9 +54,8 @@ def main(mesh, reduce, case, prestress, work):
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
     changed, sector, model, decks = (os.path.join(work, name) for name in ("case.toml", "sector.msh", "model.h5", "ccx"))
-    with open(changed, "w", encoding="utf-8") as file:
-        file.write(with_keys(case, {"prestress": f'"{prestress}"', "verification_speeds": "[0.0, 0.5, 1.0]",
-                                    "verification_modes": "10", "verification_tolerance": "1e-9"}))
+    copy_with_keys(case, {"prestress": f'"{prestress}"', "verification_speeds": "[0.0, 0.5, 1.0]",
+                          "verification_modes": "10", "verification_tolerance": "1e-9"}, changed)
     case = changed
     subprocess.run([mesh, "-q", case, "-o", sector], check=True)
     subprocess.run([reduce, "-q", case, sector, "-o", model], check=True)
@@ -60,7 +65,10 @@ def main(mesh, reduce, case, prestress, work):
         diameters = file.attrs["sector_count"] // 2 + 1
         speeds = file["verification/speed"][:]
         for row, speed in enumerate(speeds):
-            peer = calculix_frequencies(decks, f"speed_{round(speed * 30 / math.pi)}")
+            deck = f"speed_{round(speed * 30 / math.pi)}"
+            subprocess.run(["ccx", deck], cwd=decks, env=dict(os.environ, OMP_NUM_THREADS="1"), check=True,
+                           stdout=subprocess.DEVNULL)
+            peer = calculix_frequencies(os.path.join(decks, deck + ".dat"))
             for n in range(diameters):
                 ours = file[f"verification/nodal_diameter/{n}/unreduced"][row]
                 assert len(peer[n]) >= len(ours), f"CalculiX gave {len(peer[n])} frequencies for nodal diameter {n}"

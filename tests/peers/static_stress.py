@@ -15,7 +15,7 @@ import sys
 import h5py
 import numpy
 
-from calculix import SKIPPED, with_keys
+from calculix import SKIPPED, copy_with_keys
 
 DISPLACEMENT_TOLERANCE = 5e-6  # of the largest; CalculiX prints six digits
 STRESS_TOLERANCE = 1e-5        # of the largest
@@ -67,8 +67,7 @@ def main(mesh, reduce, case, work):
     os.makedirs(work)
     changed, sector, model, fields, decks = (os.path.join(work, name) for name in
                                              ("case.toml", "sector.msh", "model.h5", "fields.h5", "ccx"))
-    with open(changed, "w", encoding="utf-8") as file:
-        file.write(with_keys(case, {"verification_speeds": "[0.0, 1.0]"}))
+    copy_with_keys(case, {"verification_speeds": "[0.0, 1.0]"}, changed)
     subprocess.run([mesh, "-q", changed, "-o", sector], check=True)
     subprocess.run([reduce, "-q", changed, sector, "-o", model, "--fields", fields], check=True)
     subprocess.run([reduce, "-q", changed, sector, "--export-ccx", decks], check=True)

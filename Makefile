@@ -3,7 +3,7 @@
 #   make test       installs what is missing, builds, and tests;  make test-all takes the slow tests in
 #   make paper-checks   makes the paper's cases (under an hour on two cores), and says which of the 81 checks hold
 #   make paper-checks PAPER_CASES=cases/impeller_quick   the same for other cases
-#   make bench      speed of the parts that cost
+#   make bench      speed of the parts that cost, and beside CalculiX (half an hour, most of it CalculiX's)
 #   make format     formats the code;  make lint checks it
 BUILD ?= build
 JOBS ?= $(shell nproc)
@@ -42,6 +42,7 @@ paper-checks: tests
 
 bench: tests
 	$(BUILD)/bin/tiprub-benchmark
+	/usr/bin/python3 -B tests/peers/side_by_side.py $(BUILD)/bin/tiprub-mesh $(BUILD)/bin/tiprub-reduce cases/impeller/case.toml $(BUILD)/side_by_side
 
 format:
 	git ls-files '*.h' '*.cc' | xargs clang-format -i

@@ -17,6 +17,9 @@ import sys
 import h5py
 import numpy
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from case_keys import with_keys
+
 # First family on engine orders 6 and 4, the tallest peaks whose motion is periodic, and a speed between them.
 SPEEDS_RPM = [13500, 17500, 22500]
 SAMPLES = 240
@@ -34,14 +37,6 @@ MESHES = {
 }
 
 
-def change(text, table, keys):
-    """Sets keys of a table of a case; adds those that it doesn't have."""
-    for key, value in keys.items():
-        text = re.sub(rf"^{key} = .*\n", "", text, flags=re.M)
-        text = re.sub(rf"^\[{table}\]$", f"[{table}]\n{key} = {value}", text, count=1, flags=re.M)
-    return text
-
-
 class Bench:
     def __init__(self, programs, cases):
         self.programs = programs
@@ -49,15 +44,15 @@ class Bench:
             text = re.sub(r"^speed_(min|max)_rpm = .*\n|^speed_count = .*\n", "", file.read().split("[casing]")[1], flags=re.M)
             file.seek(0)
             self.case = file.read().split("[casing]")[0] + "[casing]" + text
-        self.case = change(self.case, "simulate", {"speeds_rpm": SPEEDS_RPM, "samples_per_revolution": SAMPLES})
-        shutil.rmtree("work", ignore_errors=True)
-        os.makedirs("work")
+        self.case = with_keys(self.case, "simulate", {"speeds_rpm": SPEEDS_RPM, "samples_per_revolution": SAMPLES})
+        shutil.rmtree("runs", ignore_errors=True)
+        os.makedirs("runs")
 
     def write(self, name, changes):
         text = self.case
         for table, keys in changes.items():
-            text = change(text, table, keys)
-        path = os.path.join("work", name + ".toml")
+            text = with_keys(text, table, keys)
+        path = os.path.join("runs", name + ".toml")
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
         return path
@@ -66,18 +61,18 @@ class Bench:
         subprocess.run([os.path.join(self.programs, program), "-q", *arguments], check=True)
 
     def mesh(self, name, keys):
-        path, sector = self.write(name, {"mesh": keys}), os.path.join("work", name + ".msh")
+        path, sector = self.write(name, {"mesh": keys}), os.path.join("runs", name + ".msh")
         self.run("tiprub-mesh", path, "-o", sector)
         return sector
 
     def model(self, name, sector, keys):
-        path, model = self.write(name, {"reduce": keys}), os.path.join("work", name + ".h5")
+        path, model = self.write(name, {"reduce": keys}), os.path.join("runs", name + ".h5")
         self.run("tiprub-reduce", path, sector, "-o", model)
         return model
 
     def motion(self, name, model, keys):
         """By speed: radial displacement of the leading edge of sector 0 over one period, and the motion's class."""
-        path, response = self.write(name, {"simulate": keys}), os.path.join("work", name + "_response.h5")
+        path, response = self.write(name, {"simulate": keys}), os.path.join("runs", name + "_response.h5")
         self.run("tiprub-simulate", path, model, "-o", response)
         with h5py.File(response) as file:
             return [(group["displacement"][:, 0, 0, 0], group.attrs["motion"].decode())

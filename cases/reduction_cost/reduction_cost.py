@@ -14,6 +14,9 @@ import subprocess
 import sys
 import time
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from case_keys import with_keys
+
 MESHES = [  # elements along chord, bore and span, through the disc, between blades
     (14, 6, 5, 2, 4),
     (22, 9, 8, 3, 4),
@@ -25,16 +28,6 @@ UNSEEN = "[0.15, 0.35, 0.6, 0.85, 0.95]"
 MODELS = [(10, 20, 1.0), (20, 40, 1.0), (40, 60, 1.0), (20, 40, 5e-4), (40, 60, 5e-4), (40, 60, 1e-4), (60, 100, 5e-5)]
 # With nonlinear prestress eq. 7 needs a top speed at which the blades don't turn out of their planes.
 PRESTRESS = {"stress_only": 55000, "linear": 55000, "nonlinear": 15000}
-
-
-def changed(text, keys):
-    """A case with other values of some keys of [mesh] or [reduce]."""
-    for key, value in keys.items():
-        line = f"{key} = {value}"
-        text, found = re.subn(rf"^{key} = .*$", line, text, flags=re.M)
-        if not found:
-            text = re.sub(r"^\[reduce\]$", f"[reduce]\n{line}", text, flags=re.M)
-    return text
 
 
 def run(*command):
@@ -51,13 +44,13 @@ def run(*command):
 
 def reduce(programs, text, mesh_text=None):
     """One line of figures: dofs of the sector, of the model, at any one speed, error [%], wall, processor, memory."""
-    os.makedirs("work", exist_ok=True)
-    with open("work/case.toml", "w", encoding="utf-8") as file:
+    os.makedirs("runs", exist_ok=True)
+    with open("runs/case.toml", "w", encoding="utf-8") as file:
         file.write(text)
     if mesh_text is not None:
-        run(f"{programs}/tiprub-mesh", "-q", "work/case.toml", "-o", "work/sector.msh")
-    wall, processor, memory, output = run(f"{programs}/tiprub-reduce", "work/case.toml", "work/sector.msh", "-o",
-                                          "work/model.h5")
+        run(f"{programs}/tiprub-mesh", "-q", "runs/case.toml", "-o", "runs/sector.msh")
+    wall, processor, memory, output = run(f"{programs}/tiprub-reduce", "runs/case.toml", "runs/sector.msh", "-o",
+                                          "runs/model.h5")
     sector, model, at_speed = re.search(r"of (\d+) dofs -> (\d+) dofs, (\d+) at any one speed", output).groups()
     error = re.search(r"frequencies within ([-+.e\d]+) %", output).group(1)
     return f"{sector}\t{model}\t{at_speed}\t{error}\t{wall:.2f}\t{processor:.2f}\t{memory:.3f}"
@@ -66,13 +59,14 @@ def reduce(programs, text, mesh_text=None):
 def main():
     what, programs, case = sys.argv[1:]
     with open(case, encoding="utf-8") as file:
-        text = changed(file.read(), {"threads": os.cpu_count()})
+        text = with_keys(file.read(), "reduce", {"threads": os.cpu_count()})
     columns = "sector_dofs\tmodel_dofs\tdofs_at_speed\terror_percent\twall_s\tprocessor_s\tmemory_GiB"
     if what == "cost":
         print(f"# threads {os.cpu_count()}\n{columns}")
         for chord, bore, span, disc, between in MESHES:
-            mesh = changed(text, {"elements_along_chord": chord, "elements_along_bore": bore, "elements_along_span": span,
-                                  "elements_through_disc": disc, "elements_between_blades": between})
+            mesh = with_keys(text, "mesh", {"elements_along_chord": chord, "elements_along_bore": bore,
+                                            "elements_along_span": span, "elements_through_disc": disc,
+                                            "elements_between_blades": between})
             print(reduce(programs, mesh, mesh), flush=True)
         return
     print(f"prestress\tspeed_max_rpm\tfixed_interface_modes\tfrequency_tolerance\t{columns}")
@@ -81,7 +75,7 @@ def main():
         for modes, at_speed, tolerance in MODELS:
             keys = {"prestress": f'"{prestress}"', "speed_max_rpm": top, "fixed_interface_modes": modes,
                     "modes_at_speed": at_speed, "frequency_tolerance": tolerance, "verification_speeds": UNSEEN}
-            model = changed(text, keys)
+            model = with_keys(text, "reduce", keys)
             print(f"{prestress}\t{top}\t{modes}\t{tolerance:g}\t{reduce(programs, model, model if first else None)}",
                   flush=True)
             first = False

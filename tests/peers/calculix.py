@@ -17,6 +17,9 @@ import sys
 
 import h5py
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cases"))
+from case_keys import with_keys
+
 TOLERANCE = 1e-6  # relative; CalculiX prints seven digits
 SKIPPED = 77
 
@@ -30,13 +33,6 @@ def calculix_frequencies(table):
         for match in filter(None, map(line.match, dat)):
             rows.setdefault(int(match[1]), []).append(float(match[2]))
     return {n: values[::2] for n, values in rows.items()}
-
-
-def with_keys(case, table, keys):
-    """The text of a case whose table has these keys instead of its own ones."""
-    head, tail = case.split(f"[{table}]\n")
-    lines = [line for line in tail.split("\n") if line.split("=")[0].strip() not in keys]
-    return head + f"[{table}]\n" + "".join(f"{key} = {value}\n" for key, value in keys.items()) + "\n".join(lines)
 
 
 def copy_with_keys(case, keys, copy):

@@ -5,12 +5,21 @@
 
 #include "postprocess/field_study.h"
 #include "postprocess/figure.h"
+#include "postprocess/wheel_surface.h"
 
 namespace tiprub {
 
-/// Pictures of the wheel: the whole and one sector, its node sets, modes, displacement and stress at the contact
-/// instant of the worst critical speed (paper, figs. 1, 3, 5, 6, 16, 17). Without a contact instant the last two are
-/// left out.
+// One builder a picture; `faces` are the sector's.
+Figure wheel_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);
+Figure sector_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);       ///< paper, figs. 3, 7
+Figure mode_shapes_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);  ///< paper, figs. 5, 6
+
+// Those of the contact instant: for fields that have one.
+Figure contact_displacement_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);  ///< fig. 23
+Figure contact_stress_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);        ///< fig. 23
+Figure running_stress_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);
+
+/// All of them, in the order of the page; without a contact instant, its three are left out.
 std::vector<Figure> field_figures(const FieldStudy& fields);
 
 }  // namespace tiprub

@@ -88,6 +88,17 @@ Eigen::Matrix3Xd nodes_of_sector(const SectorFields& sector, int j) {
   return rotation(sector_angle(j, sector.sector_count)) * sector.nodes;
 }
 
+double outer_radius(const SectorFields& sector) {
+  return sector.nodes.topRows<2>().colwise().norm().maxCoeff();
+}
+
+double largest_displacement(const WheelField& field) {
+  double largest = 0;
+  for (const Eigen::Matrix3Xd& moved : field.displacement)
+    largest = std::max(largest, moved.colwise().norm().maxCoeff());
+  return largest;
+}
+
 TurnDifference turn_difference(const WheelField& field, int sectors) {
   const int count = static_cast<int>(field.displacement.size());
   const double angle = sector_angle(sectors, count);

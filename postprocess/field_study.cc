@@ -32,7 +32,7 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
   if (static_cast<int>(contact.size()) != model.contact.size())
     refuse("has " + std::to_string(contact.size()) + " contact nodes, the model has " +
            std::to_string(model.contact.size()));
-  const double radius = sector.nodes.topRows<2>().colwise().norm().maxCoeff();
+  const double radius = outer_radius(sector);
   for (std::size_t k = 0; k < contact.size(); ++k) {
     const Eigen::RowVector3d place = model.contact.position.row(static_cast<Eigen::Index>(k));
     const Eigen::Vector3d there(place[0] * std::cos(place[1]), place[0] * std::sin(place[1]), place[2]);
@@ -104,6 +104,7 @@ std::string part_of(const SectorFields& sector, int node) {
 FieldPeak find_peak(const SectorFields& sector, double speed, const WheelField& vibration, const WheelField& spin) {
   FieldPeak peak;
   peak.speed = speed;
+  peak.displacement = largest_displacement(vibration);
   Eigen::Index at = 0;
   for (std::size_t j = 0; j < vibration.displacement.size(); ++j) {
     Eigen::Index node = 0;
@@ -113,7 +114,6 @@ FieldPeak find_peak(const SectorFields& sector, double speed, const WheelField& 
       peak.sector = static_cast<int>(j);
       at = node;
     }
-    peak.displacement = std::max(peak.displacement, vibration.displacement[j].colwise().norm().maxCoeff());
     peak.spin = std::max(peak.spin, von_mises(spin.stress[j]).maxCoeff());
     peak.both = std::max(peak.both, von_mises(vibration.stress[j] + spin.stress[j]).maxCoeff());
   }

@@ -17,10 +17,6 @@ namespace {
 
 constexpr double percent = 100.0;
 
-std::string rpm(double speed) {
-  return fixed(speed * rpm_per_rad_s, 0) + " rpm";
-}
-
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -33,21 +29,22 @@ std::string wave_sentence(const CriticalSpeed& critical) {
 }
 
 std::string critical_sentence(const Study& study) {
-  const std::string range = rpm(study.range.low) + " and " + rpm(study.range.high);
+  const std::string range = rpm_text(study.range.low) + " and " + rpm_text(study.range.high);
   if (study.critical.empty())
     return "No critical speed between " + range + ": the amplitude has no peak that stands out.";
   const auto worst =
       std::max_element(study.critical.begin(), study.critical.end(),
                        [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.amplitude < b.amplitude; });
   return counted(study.critical.size(), "critical speed") + " between " + range + ". The worst is " +
-         rpm(worst->speed) + " with " + fixed(worst->amplitude * mm_per_m, 3) + " mm: " + wave_sentence(*worst) + ".";
+         rpm_text(worst->speed) + " with " + fixed(worst->amplitude * mm_per_m, 3) + " mm: " + wave_sentence(*worst) +
+         ".";
 }
 
 std::string edge_sentence(const Study& study) {
   std::string text;
   for (const Eigen::Index end : rising_ends(study.amplitudes.largest, study.parameters.prominence))
     text += (text.empty() ? "The amplitude still rises towards " : " and ") +
-            rpm(study.response.speeds[static_cast<std::size_t>(end)].speed) + " (" +
+            rpm_text(study.response.speeds[static_cast<std::size_t>(end)].speed) + " (" +
             fixed(study.amplitudes.largest[end] * mm_per_m, 3) + " mm)";
   return text.empty() ? "" : text + ": a peak may lie outside the simulated speeds.";
 }
@@ -73,12 +70,10 @@ std::string steadiness_sentence(const Study& study) {
     closing = std::max(closing, std::abs(at.energy.closing_error));
   }
   const std::size_t all = study.response.speeds.size();
-  char numbers[128];
-  std::snprintf(numbers, sizeof numbers, "steady to %.1e a period; the energy balance closes to %.1e", change,
-                closing);
   return counted(all, "speed") + " computed: " + std::to_string(periodic) + " periodic, " +
          std::to_string(subharmonic) + " subharmonic, " + std::to_string(all - periodic - subharmonic) +
-         " irregular, " + std::to_string(study.failed.size()) + " failed. Those that repeat are " + numbers + ".";
+         " irregular, " + std::to_string(study.failed.size()) + " failed. Those that repeat are steady to " +
+         scientific(change, 1) + " a period; the energy balance closes to " + scientific(closing, 1) + ".";
 }
 
 /// "12,000 to 12,400, 13,000 rpm": the speeds for which a property holds, neighbours drawn together.
@@ -101,8 +96,10 @@ std::string unusual_sentence(const Study& study) {
   const auto add = [&](const std::string& what, const std::string& where) {
     if (!where.empty()) text += (text.empty() ? "" : " ") + what + ": " + where + ".";
   };
-  add("Motion that never repeats", runs_of_speeds(study, [](const SpeedResponse& at) { return at.motion == MotionClass::irregular; }));
-  add("Subharmonic motion", runs_of_speeds(study, [](const SpeedResponse& at) { return at.motion == MotionClass::subharmonic; }));
+  add("Motion that never repeats",
+      runs_of_speeds(study, [](const SpeedResponse& at) { return at.motion == MotionClass::irregular; }));
+  add("Subharmonic motion",
+      runs_of_speeds(study, [](const SpeedResponse& at) { return at.motion == MotionClass::subharmonic; }));
   add("A nodal diameter that was left out would grow (run these with nodal_diameters = \"all\")",
       runs_of_speeds(study, [](const SpeedResponse& at) { return at.audit.symmetry == SymmetryVerdict::breaking; }));
   return text;
@@ -115,7 +112,8 @@ std::string sweep_sentence(const Study& study) {
   const auto change = [&](const SweepComparison& at) {
     double most = 0;
     for (const auto& swept : {at.up, at.down})
-      if (swept && swept->differs) most = std::max(most, std::abs(swept->amplitude - study.amplitudes.largest[at.index]));
+      if (swept && swept->differs)
+        most = std::max(most, std::abs(swept->amplitude - study.amplitudes.largest[at.index]));
     return most;
   };
   for (const SweepComparison& at : study.sweeps) {
@@ -124,8 +122,9 @@ std::string sweep_sentence(const Study& study) {
     if (largest == nullptr || change(at) > change(*largest)) largest = &at;
   }
   if (largest == nullptr) return "Sweeps up and down settle to the same motions as from rest, wherever both settle.";
-  return "At " + counted(apart, "speed") + " more than one settled motion exists: sweeps differ from the response from rest, most at " +
-         rpm(study.response.speeds[static_cast<std::size_t>(largest->index)].speed) + ", by " +
+  return "At " + counted(apart, "speed") +
+         " more than one settled motion exists: sweeps differ from the response from rest, most at " +
+         rpm_text(study.response.speeds[static_cast<std::size_t>(largest->index)].speed) + ", by " +
          fixed(change(*largest) * mm_per_m, 3) + " mm of amplitude.";
 }
 
@@ -197,7 +196,8 @@ std::string record_section(const Study& study, const ReportSource& source) {
   return "<h2 id=\"record\">Record</h2>\n" +
          folded("Every speed: how steady, how exact", html::table(speed_record(study))) +
          folded("What the linear rules list", html::table(linear_criterion_record(study))) +
-         (study.sweeps.empty() ? std::string() : folded("From rest, upwards, downwards", html::table(sweep_record(study)))) +
+         (study.sweeps.empty() ? std::string()
+                               : folded("From rest, upwards, downwards", html::table(sweep_record(study)))) +
          folded("How the contact drifts with speed", html::table(drift_record(study))) +
          folded("The case file", listing(source.case_text)) +
          folded("Where the response comes from", listing(study.response.scene.provenance)) +
@@ -217,9 +217,9 @@ std::string contents(const std::vector<Figure>& figures) {
 
 std::vector<std::string> verdict(const Study& study) {
   std::vector<std::string> lines;
-  for (const std::string& line : {critical_sentence(study), edge_sentence(study), rule_sentence(study),
-                                  steadiness_sentence(study), unusual_sentence(study), sweep_sentence(study),
-                                  share_sentence(study)})
+  for (const std::string& line :
+       {critical_sentence(study), edge_sentence(study), rule_sentence(study), steadiness_sentence(study),
+        unusual_sentence(study), sweep_sentence(study), share_sentence(study)})
     if (!line.empty()) lines.push_back(line);
   return lines;
 }
@@ -230,9 +230,9 @@ std::string report_page(const Study& study, const ReportSource& source, const st
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          html::escaped(title) + "</title>\n<style>" + html::style() + "</style></head>\n<body><main>\n<h1>" +
-         html::escaped(title) + "</h1>\n<p class=\"sub\">Blade tips against the casing, " + rpm(study.range.low) +
-         " to " + rpm(study.range.high) + "</p>\n" + summary_section(study) + contents(figures) +
-         scene_section(study) + figure_section(figures, folder) + record_section(study, source) +
+         html::escaped(title) + "</h1>\n<p class=\"sub\">Blade tips against the casing, " +
+         rpm_text(study.range.low) + " to " + rpm_text(study.range.high) + "</p>\n" + summary_section(study) +
+         contents(figures) + scene_section(study) + figure_section(figures, folder) + record_section(study, source) +
          "</main>\n<script>" + html::script() + "</script></body></html>\n";
 }
 

@@ -12,10 +12,6 @@ namespace tiprub {
 
 namespace {
 
-std::string rpm_text(double speed) {
-  return std::to_string(std::lround(speed * rpm_per_rad_s)) + " rpm";
-}
-
 void check_speed(const SpeedResponse& at, const std::string& name) {
   const std::string where = name + ": the speed " + rpm_text(at.speed) + " ";
   if (!(at.speed > 0)) throw RunError(where + "must be above 0");

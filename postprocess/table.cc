@@ -54,6 +54,10 @@ std::string fixed(double value, int digits) {
   return std::isfinite(value) ? number(value, "%.*f", digits) : "";
 }
 
+std::string scientific(double value, int digits) {
+  return std::isfinite(value) ? number(value, "%.*e", digits) : "";
+}
+
 void write_csv(const Table& table, const std::filesystem::path& path) {
   std::string text;
   for (std::size_t i = 0; i < table.header.size(); ++i) text += (i > 0 ? "," : "") + csv_text(table.header[i]);

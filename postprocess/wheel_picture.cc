@@ -107,6 +107,18 @@ void draw_faces(SurfacePicture& picture, const std::vector<SurfaceFace>& faces, 
   }
 }
 
+void draw_wheel(SurfacePicture& picture, const SectorFields& sector, const std::vector<SurfaceFace>& faces,
+                const std::function<Eigen::Matrix3Xd(int sector)>& nodes,
+                const std::function<Eigen::Matrix3Xf(int sector)>& colours) {
+  for (int j = 0; j < sector.sector_count; ++j) draw_faces(picture, faces, nodes(j), colours(j), CutFaces::hidden);
+}
+
+Eigen::Matrix3Xf painted(const Eigen::VectorXd& values, double largest, const Palette& palette) {
+  Eigen::Matrix3Xf colours(3, values.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i) colours.col(i) = palette.at(values[i] / largest);
+  return colours;
+}
+
 void draw_edges(SurfacePicture& picture, const std::vector<SurfaceFace>& faces, const Eigen::Matrix3Xd& nodes,
                 const Rgb& colour, double width_px) {
   for (const SurfaceFace& face : faces)
@@ -119,6 +131,11 @@ void draw_edges(SurfacePicture& picture, const std::vector<SurfaceFace>& faces, 
       for (int i = 0; i < edge_pieces; ++i)
         picture.line(at(2.0 * i / edge_pieces - 1), at(2.0 * (i + 1) / edge_pieces - 1), colour, width_px);
     }
+}
+
+int in_pixels(double length) {
+  constexpr double picture_scale = 1.6;
+  return static_cast<int>(std::lround(picture_scale * length));
 }
 
 Figure picture_figure(const std::string& name, int width, int height, const SurfacePicture& picture,

@@ -60,7 +60,11 @@ class LinearAnalysis {
   }
 
   LinearResults run() {
-    require_memory(memory_need(mesh_, dofs_, 1, krylov_vectors * parameters_.verification_modes, parameters_.threads),
+    require_memory(memory_need(mesh_, dofs_,
+                               {.factors = 1,
+                                .stiffnesses = static_cast<int>(parts_.size()) + 1,
+                                .columns = krylov_vectors * parameters_.verification_modes,
+                                .threads = parameters_.threads}),
                    available_memory());
     prepare();
     find_shapes();

@@ -25,8 +25,10 @@ constexpr double real_bytes = sizeof(double), complex_bytes = 2 * sizeof(double)
 constexpr double entry_bytes = sizeof(double) + sizeof(int);  // of a sparse matrix
 constexpr double block_entries = 9;                           // of a pair of nodes
 constexpr int gauss_points = 27, values_per_point = 4;        // a shape function and its gradient
-constexpr int sparse_matrices = 8;  // M, K at three speeds, one at work in each of two threads, the pattern, a copy
-constexpr int interface_matrices = 1;  // of real numbers: S
+constexpr int other_matrices = 3;                             // sparse: M, the pattern, the copy that is factorized
+constexpr int interface_matrices = 1;                         // of real numbers: S
+constexpr int columns_on_their_way = 24 * 5;  // complex vectors a thread: a block of right sides, as it is reordered
+constexpr double program_bytes = 0.2 * bytes_per_gib;  // with its libraries, before it has read anything
 
 /// Lower triangle of the graph of free nodes in the factor's order: column starts and rows.
 struct Graph {
@@ -112,16 +114,19 @@ std::string gib(double bytes) {
 
 }  // namespace
 
-MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, int factors, int columns, int threads) {
+MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Holdings& held) {
   Graph graph = node_graph(mesh, dofs);
-  const double diameters = mesh.sector_count / 2 + 1, at_once = std::min<double>(threads, diameters);
+  const double diameters = mesh.sector_count / 2 + 1, at_once = std::min<double>(held.threads, diameters);
   const double interface = dofs.interface(), kept = dofs.face + dofs.boundary(), independent = dofs.independent();
   MemoryNeed need;
-  need.matrices = sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size()) +
+  // Besides those that are held, each thread makes one of its own.
+  const double sparse_matrices = other_matrices + held.stiffnesses + at_once;
+  need.matrices = program_bytes +
+                  sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size()) +
                   real_bytes * gauss_points * values_per_point * static_cast<double>(mesh.cells.size());
-  need.bases = complex_bytes * independent * columns * at_once;
-  need.factor =
-      factors * (real_bytes * (block_entries * factor_entries(graph) + interface_matrices * interface * interface) +
+  need.bases = complex_bytes * independent * (held.columns + columns_on_their_way) * at_once;
+  need.factor = held.factors *
+                (real_bytes * (block_entries * factor_entries(graph) + interface_matrices * interface * interface) +
                  complex_bytes * kept * kept * at_once);
   return need;
 }

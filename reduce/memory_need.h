@@ -8,20 +8,27 @@
 
 namespace tiprub {
 
+/// What is held at once.
+struct Holdings {
+  int factors = 0;      ///< of the sector's K
+  int stiffnesses = 0;  ///< sparse K of the sector
+  int columns = 0;      ///< complex vectors of a nodal diameter
+  int threads = 1;      ///< nodal diameters at work
+};
+
 /// What a reduction will hold at its peak [bytes], before it starts.
 struct MemoryNeed {
   double factor = 0;    ///< L of each speed, its interface part, and a nodal diameter's dense factors
-  double bases = 0;     ///< vectors of the nodal diameters at work
-  double matrices = 0;  ///< sparse K and M, and the shape functions at the Gauss points
+  double bases = 0;     ///< vectors of the nodal diameters at work, and those on their way through a factor
+  double matrices = 0;  ///< sparse K and M, the shape functions at the Gauss points, and the program itself
 
   double total() const { return factor + bases + matrices; }
 };
 
 /// An estimate. The size of a factor comes from CHOLMOD's symbolic analysis of the graph of nodes: each of its
 /// entries is a 3 x 3 block of dofs. Costs a ninth of the analysis of the dofs, which is little beside a
-/// factorization. `factors` are held at once; `columns` is the number of complex vectors that a nodal diameter holds,
-/// `threads` how many of these are at work at once.
-MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, int factors, int columns, int threads);
+/// factorization.
+MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Holdings& held);
 
 /// [bytes] MemAvailable of /proc/meminfo, or less if a control group (versions 1 and 2) or a resource limit of this
 /// process (ulimit -d, -v) leaves less. Unlimited if nothing is known. `root` is where /proc and /sys are.

@@ -51,7 +51,11 @@ class Reducer {
   ReducedModel run(ReductionReport& report) {
     report.sector_dofs = dofs_.sector();
     report.clamped_face_nodes = dofs_.clamped_face_nodes;
-    const MemoryNeed need = memory_need(mesh_, dofs_, 2, columns_at_once(), parameters_.threads);
+    const MemoryNeed need = memory_need(mesh_, dofs_,
+                                        {.factors = 2,
+                                         .stiffnesses = static_cast<int>(samples_.fractions().size()),
+                                         .columns = columns_at_once(),
+                                         .threads = parameters_.threads});
     report.memory_needed = need.total();
     require_memory(need, available_memory());
     SpinningSector sector(mesh_, dofs_, parameters_, samples_);

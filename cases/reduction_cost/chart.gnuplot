@@ -19,7 +19,7 @@ plot "cost.tsv" using 1:6 with points pt 7 title "processor", time(x) title spri
      "cost.tsv" using 1:5 with points pt 6 title "wall"
 set title "Cost over the size of the mesh: memory"
 set ylabel "peak memory [GiB]"
-plot "cost.tsv" using 1:7 with points pt 7 title "peak", memory(x) title sprintf("dofs^{%.2f}", q)
+plot "cost.tsv" using 1:7 with points pt 7 title "peak", "cost.tsv" using 1:8 with points pt 6 title "expected before the start", memory(x) title sprintf("dofs^{%.2f}", q)
 unset logscale x
 set key top right
 set ylabel "worst error of the first 50 frequencies [%]"

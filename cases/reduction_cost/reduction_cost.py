@@ -43,26 +43,27 @@ def run(*command):
 
 
 def reduce(programs, text, mesh_text=None):
-    """One line of figures: dofs of the sector, of the model, at any one speed, error [%], wall, processor, memory."""
+    """One line of figures: dofs of the sector, of the model, at any one speed, error [%], wall, processor, memory, and that expected."""
     os.makedirs("runs", exist_ok=True)
     with open("runs/case.toml", "w", encoding="utf-8") as file:
         file.write(text)
     if mesh_text is not None:
         run(f"{programs}/tiprub-mesh", "-q", "runs/case.toml", "-o", "runs/sector.msh")
-    wall, processor, memory, output = run(f"{programs}/tiprub-reduce", "runs/case.toml", "runs/sector.msh", "-o",
+    wall, processor, memory, output = run(f"{programs}/tiprub-reduce", "-v", "runs/case.toml", "runs/sector.msh", "-o",
                                           "runs/model.h5")
+    expected = re.search(r"^memory: ([.\d]+) GiB expected", output, flags=re.M).group(1)
     sector, model, at_speed = re.search(r"of (\d+) dofs -> (\d+) dofs, (\d+) at any one speed", output).groups()
     error = re.search(r"frequencies within ([-+.e\d]+) %", output).group(1)
-    return f"{sector}\t{model}\t{at_speed}\t{error}\t{wall:.2f}\t{processor:.2f}\t{memory:.3f}"
+    return f"{sector}\t{model}\t{at_speed}\t{error}\t{wall:.2f}\t{processor:.2f}\t{memory:.3f}\t{float(expected):.3f}"
 
 
 def main():
     what, programs, case = sys.argv[1:]
     with open(case, encoding="utf-8") as file:
-        text = with_keys(file.read(), "reduce", {"threads": os.cpu_count()})
-    columns = "sector_dofs\tmodel_dofs\tdofs_at_speed\terror_percent\twall_s\tprocessor_s\tmemory_GiB"
+        text = with_keys(file.read(), "reduce", {"threads": len(os.sched_getaffinity(0))})
+    columns = "sector_dofs\tmodel_dofs\tdofs_at_speed\terror_percent\twall_s\tprocessor_s\tmemory_GiB\texpected_memory_GiB"
     if what == "cost":
-        print(f"# threads {os.cpu_count()}\n{columns}")
+        print(f"# threads {len(os.sched_getaffinity(0))}\n{columns}")
         for chord, bore, span, disc, between in MESHES:
             mesh = with_keys(text, "mesh", {"elements_along_chord": chord, "elements_along_bore": bore,
                                             "elements_along_span": span, "elements_through_disc": disc,

@@ -2,20 +2,12 @@
 # Copies CASE and MESH, changes a line of the case (KEY, LINE) or a text in the mesh file (OLD, NEW), runs PROGRAM with
 # ARGUMENTS in FOLDER; asserts EXIT_CODE and that PHRASE comes out. A failed run must leave no model behind.
 cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/../expectations.cmake)
 string(REPLACE "@" ";" PHRASE "${PHRASE}")  # a list's separator on the way here
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
-file(READ ${CASE} text)
 file(COPY_FILE ${MESH} ${FOLDER}/sector.msh)
-
-if(NOT "${KEY}" STREQUAL "")
-  string(REGEX REPLACE "\n${KEY} = [^\n]*" "\n${LINE}" changed "${text}")
-  if("${changed}" STREQUAL "${text}")
-    message(FATAL_ERROR "${CASE} has no line \"${KEY} = ...\"")
-  endif()
-  set(text "${changed}")
-endif()
-file(WRITE ${FOLDER}/case.toml "${text}")
+copy_case(${CASE} ${FOLDER}/case.toml "${KEY}" "${LINE}")
 if(NOT "${OLD}" STREQUAL "")
   file(READ ${FOLDER}/sector.msh mesh)
   string(REPLACE "${OLD}" "${NEW}" changed "${mesh}")
@@ -31,13 +23,8 @@ execute_process(
   RESULT_VARIABLE code
   OUTPUT_VARIABLE out
   ERROR_VARIABLE err)
-if(NOT "${code}" STREQUAL "${EXIT_CODE}")
-  message(FATAL_ERROR "exit code ${code} instead of ${EXIT_CODE}\n${err}")
-endif()
-string(FIND "${out}${err}" "${PHRASE}" at)
-if(at EQUAL -1)
-  message(FATAL_ERROR "\"${PHRASE}\" is not in:\n${out}${err}")
-endif()
+expect_exit_code(${EXIT_CODE} "${code}" "${err}")
+expect_phrase("${PHRASE}" "${out}${err}")
 file(GLOB left ${FOLDER}/*.h5)
 list(LENGTH left count)
 if(NOT count EQUAL MODELS)

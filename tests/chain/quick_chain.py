@@ -19,7 +19,7 @@ import h5py
 import numpy
 
 SPEED_COUNT = 12
-REDUCTION_TOLERANCE = 0.005  # of the first 50 frequencies of the wheel
+REDUCTION_TOLERANCE = 0.001  # of the first 50 frequencies of the wheel
 ODD_SHARE = 0.01             # of the two-lobe response on odd nodal diameters
 SINGLE_PRECISION = 3e-6      # of the largest value
 ODD_ORDER_SPEEDS = 0.25      # of the speeds may have their highest peak off the even engine orders

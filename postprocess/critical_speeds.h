@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "postprocess/field_peak.h"
 #include "postprocess/linear_criterion.h"
 #include "postprocess/peaks.h"
 #include "postprocess/postprocess_parameters.h"
@@ -35,13 +37,14 @@ struct CriticalSpeed {
   WaveLabel largest;  ///< the wave with the largest amplitude, root mean square over the contact nodes
   MotionClass motion = MotionClass::irregular;
   int period_revolutions = 0;
-  int leading_edge_areas = 0;   ///< contact clusters of node 0, sector 0
-  int trailing_edge_areas = 0;  ///< contact clusters of the last node, sector 0
-  bool by_equation_2 = false;   ///< foretold by the linear rule
-  bool by_aliasing = false;     ///< foretold by the rule with aliasing
+  int leading_edge_areas = 0;            ///< contact clusters of node 0, sector 0
+  int trailing_edge_areas = 0;           ///< contact clusters of the last node, sector 0
+  bool by_equation_2 = false;            ///< foretold by the linear rule
+  bool by_aliasing = false;              ///< foretold by the rule with aliasing
+  std::optional<FieldPeak> stress = {};  ///< at the recorded sample with the largest contact force; needs full fields
 };
 
-/// All peaks, ascending in speed, without the forecasts. Needs a response at every speed.
+/// All peaks, ascending in speed, without the forecasts and the stress. Needs a response at every speed.
 std::vector<CriticalSpeed> critical_speeds(const Response& response, const ContactLine& contact,
                                            const TipAmplitudes& amplitudes, const FrequencyCurves& curves,
                                            const PostprocessParameters& parameters);

@@ -88,41 +88,6 @@ void normalise(Eigen::Matrix3Xcd& shape) {
   shape /= shape(row, column);
 }
 
-/// The part that most of a node's cells belong to.
-std::string part_of(const SectorFields& sector, int node) {
-  std::string best;
-  std::size_t most = 0;
-  for (const auto& [name, cells] : sector.parts) {
-    std::size_t count = 0;
-    for (const int cell : cells) count += (sector.cells.col(cell).array() == node).any() ? 1 : 0;
-    if (count > most) best = name;
-    most = std::max(most, count);
-  }
-  return best;
-}
-
-FieldPeak find_peak(const SectorFields& sector, double speed, const WheelField& vibration, const WheelField& spin) {
-  FieldPeak peak;
-  peak.speed = speed;
-  peak.displacement = largest_displacement(vibration);
-  Eigen::Index at = 0;
-  for (std::size_t j = 0; j < vibration.displacement.size(); ++j) {
-    Eigen::Index node = 0;
-    const double here = von_mises(vibration.stress[j]).maxCoeff(&node);
-    if (here > peak.vibration) {
-      peak.vibration = here;
-      peak.sector = static_cast<int>(j);
-      at = node;
-    }
-    peak.spin = std::max(peak.spin, von_mises(spin.stress[j]).maxCoeff());
-    peak.both = std::max(peak.both, von_mises(vibration.stress[j] + spin.stress[j]).maxCoeff());
-  }
-  peak.place << sector.nodes.col(at).head<2>().norm(), std::atan2(sector.nodes(1, at), sector.nodes(0, at)),
-      sector.nodes(2, at);
-  peak.part = part_of(sector, static_cast<int>(at));
-  return peak;
-}
-
 Eigen::MatrixXd forces_at(const SpeedResponse& at, const SimulatedScene& scene, int nodes, int sample) {
   Eigen::MatrixXd forces(scene.sector_count, nodes);
   for (int j = 0; j < scene.sector_count; ++j)
@@ -218,7 +183,7 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
     const int count = fields.sector.sector_count;
     WheelField vibration = on_wheel(recovery.waves(i), count);
     WheelField spin = on_wheel({spin_field(fields.sector, bricks, at.speed)}, count);
-    fields.peaks.push_back(find_peak(fields.sector, at.speed, vibration, spin));
+    fields.peaks.push_back(field_peak(fields.sector, at.speed, vibration, spin));
     if (recovery.instants()[i] != worst) continue;
     fields.has_instant = true;
     fields.angle = 2 * std::numbers::pi * at.snapshot->sample / at.samples_per_revolution;
@@ -230,6 +195,12 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
     fields.spin = std::move(spin);
   }
   return fields;
+}
+
+void note_stresses(const FieldStudy& fields, std::vector<CriticalSpeed>& critical) {
+  for (CriticalSpeed& speed : critical)
+    for (const FieldPeak& peak : fields.peaks)
+      if (peak.speed == speed.speed) speed.stress = peak;
 }
 
 }  // namespace tiprub

@@ -17,18 +17,6 @@ struct ModeField {
   WaveField wave;
 };
 
-/// The largest values on the wheel at the instant of the largest contact force of one speed.
-struct FieldPeak {
-  double speed = 0;                                 ///< [rad/s]
-  double displacement = 0;                          ///< [m] of the vibration
-  double vibration = 0;                             ///< [Pa] von Mises stress of the vibration alone
-  double spin = 0;                                  ///< [Pa] of the static shape under spin alone
-  double both = 0;                                  ///< [Pa] of their sum
-  int sector = 0;                                   ///< where the vibration's is largest
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< [m, rad, m] r, theta, z of that node in its sector
-  std::string part;                                 ///< volume group that it belongs to; empty without groups
-};
-
 /// Full fields of a study.
 struct FieldStudy {
   SectorFields sector;
@@ -46,6 +34,9 @@ struct FieldStudy {
 
 /// Reads fields.h5 once and recovers everything. Raises InputError if the fields are of another model.
 FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study);
+
+/// Gives each critical speed its FieldPeak, if it has one.
+void note_stresses(const FieldStudy& fields, std::vector<CriticalSpeed>& critical);
 
 /// Only looks whether the fields are those of the model; raises as recover_fields() does.
 void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model);

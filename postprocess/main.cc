@@ -42,14 +42,15 @@ Inputs read_inputs(const StageArguments& arguments) {
   return inputs;
 }
 
-/// Pictures and VTU files of the whole wheel, if there are full fields to make them from; a line about it for the
-/// page.
-std::string add_fields(const Study& study, const fs::path& fields_file, const fs::path& folder,
+/// Pictures and VTU files of the whole wheel and the stress at the critical speeds, if there are full fields to make
+/// them from; a line about it for the page.
+std::string add_fields(Study& study, const fs::path& fields_file, const fs::path& folder,
                        std::vector<Figure>& figures) {
   const std::string what = "displacement and stress on the whole wheel: ";
   if (fields_file.empty()) return what + "left out, no fields.h5 was given (--fields)";
   const FieldStudy fields = recover_fields(fields_file, study);
   write_vtu_files(fields, folder / "fields");
+  note_stresses(fields, study.critical);
   for (Figure& figure : field_figures(fields)) figures.push_back(std::move(figure));
   return what + (fields.has_instant ? "at the sample with the largest contact force, by linear elasticity"
                                     : "modes only, the response holds no state of the rotor; simulate it again");
@@ -117,8 +118,10 @@ int main(int argc, char** argv) {
                  {"response.h5", "the response, from tiprub-simulate"}},
       .output = "report",
       .add_options = [&](CLI::App& app) {
-        app.add_option("--fields", fields_file,
-                       "full fields, from tiprub-reduce --fields: adds displacement and stress on the whole wheel");
+        app.add_option(
+            "--fields", fields_file,
+            "full fields, from tiprub-reduce --fields: adds displacement and stress on the whole wheel, and "
+            "the stress at every critical speed");
       }};
   const auto body = [&](const StageArguments& arguments) {
     try {

@@ -138,6 +138,18 @@ std::string share_sentence(const Study& study) {
   return "Share of the motion by nodal diameter, over all speeds [%]: " + text + ".";
 }
 
+/// What the stresses of the critical speeds are, or why there are none.
+std::string stress_note(const Study& study) {
+  if (!has_stress(study))
+    return "Stress at the peaks is left out: it takes full fields (--fields) and a response that holds the rotor's "
+           "state.";
+  return "Vibration, spin, both: the largest von Mises stress on the wheel at the recorded sample with the largest "
+         "contact force, of the vibration alone, of the static shape under spin, of both together. At the contact "
+         "nodes, where the casing pushes at points, at re-entrant corners and at the clamp's rim it grows as the "
+         "mesh "
+         "is refined.";
+}
+
 std::string summary_section(const Study& study) {
   std::string text = "<div class=\"lead\">";
   for (const std::string& line : verdict(study)) text += "<p>" + html::escaped(line) + "</p>";
@@ -148,9 +160,10 @@ std::string summary_section(const Study& study) {
     text += html::table(critical_speed_summary(study));
   return text +
          "<p class=\"sub\">Engine order, nodal diameter, wave and family are those of the wave that makes the "
-         "peak; the largest wave is beside it. LE, TE: places rubbed at the leading and trailing edge. eq. 2, "
-         "aliasing: whether the rule foretells it. In full: "
-         "<a href=\"critical_speeds.csv\">critical_speeds.csv</a>, "
+         "peak; the largest wave is beside it. LE, TE: areas rubbed at the leading and trailing edge. eq. 2, "
+         "aliasing: whether the rule foretells it. " +
+         stress_note(study) +
+         " In full: <a href=\"critical_speeds.csv\">critical_speeds.csv</a>, "
          "<a href=\"linear_criterion.csv\">linear_criterion.csv</a>.</p>\n";
 }
 

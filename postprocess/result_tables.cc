@@ -59,6 +59,11 @@ Cell cell(const std::optional<double>& value) {
   return value ? Cell(*value) : Cell(std::string());
 }
 
+/// [MPa]; empty without full fields.
+Cell stress_cell(const CriticalSpeed& critical, double FieldPeak::*stress) {
+  return critical.stress ? Cell((*critical.stress).*stress * mpa_per_pa) : Cell(std::string());
+}
+
 void append_crossing(Table& table, const Study& study, const Crossing& crossing, const std::string& aliasing) {
   const bool met = std::any_of(study.critical.begin(), study.critical.end(), [&](const CriticalSpeed& critical) {
     return foretells(crossing, critical, study.parameters.prediction_tolerance);
@@ -84,6 +89,11 @@ std::string motion_text(MotionClass motion, int period_revolutions) {
   return "";
 }
 
+bool has_stress(const Study& study) {
+  return std::any_of(study.critical.begin(), study.critical.end(),
+                     [](const CriticalSpeed& critical) { return critical.stress.has_value(); });
+}
+
 Table critical_speed_record(const Study& study) {
   Table table{{"speed [rpm]",
                "speed [rad/s]",
@@ -103,6 +113,11 @@ Table critical_speed_record(const Study& study) {
                "largest wave amplitude [mm]",
                "contact areas leading edge",
                "contact areas trailing edge",
+               "von Mises, vibration [MPa]",
+               "von Mises, spin [MPa]",
+               "von Mises, both [MPa]",
+               "vibration stresses most",
+               "at radius [mm]",
                "motion",
                "foretold by eq. 2",
                "foretold with aliasing"},
@@ -127,6 +142,11 @@ Table critical_speed_record(const Study& study) {
                           critical.largest.amplitude * mm_per_m,
                           critical.leading_edge_areas,
                           critical.trailing_edge_areas,
+                          stress_cell(critical, &FieldPeak::vibration),
+                          stress_cell(critical, &FieldPeak::spin),
+                          stress_cell(critical, &FieldPeak::both),
+                          critical.stress ? critical.stress->part : std::string(),
+                          critical.stress ? Cell(critical.stress->place[0] * mm_per_m) : Cell(std::string()),
                           motion_text(critical.motion, critical.period_revolutions),
                           yes_or_no(critical.by_equation_2),
                           yes_or_no(critical.by_aliasing)});
@@ -138,6 +158,8 @@ Table critical_speed_summary(const Study& study) {
   Table table{{"speed [rpm]", "amplitude [mm]", "family", "nodal diameter", "engine order", "wave", "detuning [%]",
                "largest wave", "areas LE/TE", "motion", "eq. 2", "aliasing"},
               {}};
+  const bool stressed = has_stress(study);
+  if (stressed) table.header.insert(table.header.end(), {"vibration [MPa]", "spin [MPa]", "both [MPa]"});
   for (const CriticalSpeed& critical : study.critical) {
     const WaveLabel& wave = critical.rising;
     table.rows.push_back(
@@ -149,6 +171,9 @@ Table critical_speed_summary(const Study& study) {
          std::to_string(critical.leading_edge_areas) + "/" + std::to_string(critical.trailing_edge_areas),
          motion_text(critical.motion, critical.period_revolutions), yes_or_no(critical.by_equation_2),
          yes_or_no(critical.by_aliasing)});
+    if (!stressed) continue;
+    for (double FieldPeak::*const stress : {&FieldPeak::vibration, &FieldPeak::spin, &FieldPeak::both})
+      table.rows.back().emplace_back(critical.stress ? fixed((*critical.stress).*stress * mpa_per_pa, 1) : "");
   }
   return table;
 }
@@ -242,8 +267,8 @@ Table speed_record(const Study& study) {
 }
 
 Table sweep_record(const Study& study) {
-  Table table{{"speed [rpm]", "from rest [mm]", "up [mm]", "down [mm]", "motion from rest", "motion up", "motion down",
-               "up from rest [1]", "down from rest [1]", "differ"},
+  Table table{{"speed [rpm]", "from rest [mm]", "up [mm]", "down [mm]", "motion from rest", "motion up",
+               "motion down", "up from rest [1]", "down from rest [1]", "differ"},
               {}};
   for (const SweepComparison& at : study.sweeps) {
     const SpeedResponse& here = study.response.speeds[static_cast<std::size_t>(at.index)];
@@ -267,8 +292,8 @@ Table drift_record(const Study& study) {
   Table table{{"edge", "slope [s]", "intercept [rad]", "R^2", "tip length [m]", "tip length over slope [m/s]"}, {}};
   const Eigen::VectorXd& arc = study.model.contact.arc_length;
   const auto add = [&](const char* edge, const ContactDrift& drift) {
-    table.rows.push_back({std::string(edge), drift.slope, drift.intercept, drift.determination, arc[arc.size() - 1] - arc[0],
-                          drift.implied_wave_speed});
+    table.rows.push_back({std::string(edge), drift.slope, drift.intercept, drift.determination,
+                          arc[arc.size() - 1] - arc[0], drift.implied_wave_speed});
   };
   add("leading", study.leading_drift);
   add("trailing", study.trailing_drift);

@@ -11,62 +11,19 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <string>
 #include <thread>
 
+#include "program_fixture.h"
 #include "reduce/fields_file.h"
 #include "reduce/hdf5_file.h"
 #include "reduce/reduced_model_file.h"
 #include "simulate/response_file.h"
-#include "synthetic_scene.h"
 
 namespace fs = std::filesystem;
 
 namespace tiprub {
 namespace {
-
-std::string text_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, error;
-};
-
-class Program : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = fs::temp_directory_path() / ("tiprub-postprocess-" + std::to_string(getpid()));
-    synthetic::write_scene(folder_);
-  }
-  static void TearDownTestSuite() { fs::remove_all(folder_); }
-
-  static Outcome run(const std::string& arguments, const std::string& environment = "") {
-    const std::string command = "cd '" + folder_.string() + "' && " + environment + " " + TIPRUB_POSTPROCESS + " " +
-                                arguments + " >out.txt 2>error.txt";
-    Outcome outcome;
-    const int status = std::system(command.c_str());
-    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    outcome.out = text_of(folder_ / "out.txt");
-    outcome.error = text_of(folder_ / "error.txt");
-    return outcome;
-  }
-
-  static void write_case(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
-
-  static void expect_failure(const Outcome& outcome, int exit_code, const std::string& phrase) {
-    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.error;
-    EXPECT_NE(outcome.error.find(phrase), std::string::npos) << outcome.error;
-    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
-    EXPECT_FALSE(fs::exists(folder_ / "wrong"));
-    EXPECT_FALSE(fs::exists(folder_ / "wrong.part"));
-  }
-
-  static inline fs::path folder_;
-};
 
 constexpr const char* figures[] = {"interaction_map",
                                    "response",
@@ -110,22 +67,6 @@ TEST_F(Program, MakesTheWholeReport) {
   EXPECT_NE(outcome.out.find("forward"), std::string::npos);
   EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
   EXPECT_NE(outcome.error.find("report/report.html"), std::string::npos);
-}
-
-TEST_F(Program, PageStandsAlone) {
-  ASSERT_EQ(run("case.toml model.h5 response.h5 -o alone").exit_code, 0);
-  const std::string page = text_of(folder_ / "alone" / "report.html");
-  EXPECT_EQ(page.find("http:"), std::string::npos);
-  EXPECT_EQ(page.find("https:"), std::string::npos);
-  EXPECT_EQ(page.find("//cdn"), std::string::npos);
-  EXPECT_NE(page.find("A made wheel &amp; an &lt;oval&gt; casing"), std::string::npos);
-  EXPECT_EQ(page.find("<oval>"), std::string::npos);
-  for (const char* phrase : {"critical speed", "the casing repeats twice around", "irregular", "1 failed",
-                             "energy balance closes", "critical_speeds.csv"})
-    EXPECT_NE(page.find(phrase), std::string::npos) << phrase;
-  const std::regex link("href=\"([^\"#]+)\"");
-  for (std::sregex_iterator match(page.begin(), page.end(), link), end; match != end; ++match)
-    EXPECT_TRUE(fs::exists(folder_ / "alone" / (*match)[1].str())) << (*match)[1].str();
 }
 
 TEST_F(Program, SameInputSameBytes) {
@@ -197,12 +138,6 @@ TEST_F(Program, RefusesAWrongSchema) {
 TEST_F(Program, RefusesFilesOfDifferentRotors) {
   write_model(synthetic::model(9), folder_ / "nine.h5", "test");
   expect_failure(run("case.toml nine.h5 response.h5 -o wrong"), 2, "has 10 sectors, the model has 9");
-}
-
-TEST_F(Program, SaysThatThereAreNoFields) {
-  ASSERT_EQ(run("case.toml model.h5 response.h5 -o without").exit_code, 0);
-  EXPECT_NE(text_of(folder_ / "without" / "report.html").find("left out, no fields.h5 was given"), std::string::npos);
-  EXPECT_FALSE(fs::exists(folder_ / "without" / "fields"));
 }
 
 TEST_F(Program, RefusesFieldsOfAnotherRotor) {

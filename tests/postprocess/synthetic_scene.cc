@@ -9,6 +9,7 @@
 #include "postprocess/aliasing.h"
 #include "reduce/reduced_model_file.h"
 #include "simulate/response_file.h"
+#include "synthetic_fields.h"
 
 namespace tiprub::synthetic {
 
@@ -191,7 +192,10 @@ void write_scene(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const ReducedModel rotor = model();
   write_model(rotor, folder / "model.h5", "test");
-  write_response(resonant_sweep(rotor), folder / "response.h5", "test");
+  Response response = resonant_sweep(rotor);
+  add_snapshots(rotor, response);
+  write_response(response, folder / "response.h5", "test");
+  write_fields(rotor, folder / "fields.h5");
   std::ofstream(folder / "case.toml")
       << "title = \"A made wheel & an <oval> casing\"\n\n[postprocess]\nfamilies = 2\n";
 }

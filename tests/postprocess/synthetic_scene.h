@@ -43,7 +43,7 @@ SimulatedScene two_lobes();
 /// failed, one irregular, one subharmonic.
 Response resonant_sweep(const ReducedModel& model);
 
-/// Writes case.toml, model.h5 and response.h5.
+/// Writes case.toml, model.h5, fields.h5 and response.h5.
 void write_scene(const std::filesystem::path& folder);
 
 }  // namespace tiprub::synthetic

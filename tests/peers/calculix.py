@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Frequencies of an unreduced sector against CalculiX's C3D20 on the same mesh.
 
-usage: calculix.py TIPRUB_MESH TIPRUB_REDUCE CASE PRESTRESS WORK_FOLDER
+usage: calculix.py TIPRUB_MESH TIPRUB_REDUCE CASE PRESTRESS WORK_FOLDER [KEY=VALUE...]
 
-Meshes the case, reduces it with this prestress (linear or nonlinear) at rest, half and full speed, exports the CalculiX
+Meshes the case, with other values of these keys of [mesh] if there are any, reduces it with this prestress (linear or nonlinear) at rest, half and full speed, exports the CalculiX
 decks, runs them, and compares every verification frequency of every nodal diameter. Exit 77 (skipped) if there is no
 CalculiX.
 """
@@ -35,15 +35,15 @@ def calculix_frequencies(table):
     return {n: values[::2] for n, values in rows.items()}
 
 
-def copy_with_keys(case, keys, copy):
-    """Writes a copy of a case file with other values of some keys of [reduce]."""
+def copy_with_keys(case, keys, copy, mesh_keys=()):
+    """Writes a copy of a case file with other values of some keys of [reduce] and [mesh]."""
     with open(case, encoding="utf-8") as file:
         text = file.read()
     with open(copy, "w", encoding="utf-8") as file:
-        file.write(with_keys(text, "reduce", keys))
+        file.write(with_keys(with_keys(text, "mesh", dict(mesh_keys)), "reduce", keys))
 
 
-def main(mesh, reduce, case, prestress, work):
+def main(mesh, reduce, case, prestress, work, *mesh_keys):
     if shutil.which("ccx") is None:
         print("SKIPPED: CalculiX (ccx) is not installed; it is Debian's package calculix-ccx")
         return SKIPPED
@@ -51,7 +51,8 @@ def main(mesh, reduce, case, prestress, work):
     os.makedirs(work)
     changed, sector, model, decks = (os.path.join(work, name) for name in ("case.toml", "sector.msh", "model.h5", "ccx"))
     copy_with_keys(case, {"prestress": f'"{prestress}"', "verification_speeds": "[0.0, 0.5, 1.0]",
-                          "verification_modes": "10", "verification_tolerance": "1e-9"}, changed)
+                          "verification_modes": "10", "verification_tolerance": "1e-9"}, changed,
+                   (key.split("=") for key in mesh_keys))
     case = changed
     subprocess.run([mesh, "-q", case, "-o", sector], check=True)
     subprocess.run([reduce, "-q", case, sector, "-o", model], check=True)

@@ -53,6 +53,12 @@ constexpr std::array<std::pair<SymmetryVerdict, const char*>, 4> symmetry_names 
     {SymmetryVerdict::breaking, "breaking"},
 }};
 
+constexpr std::array<std::pair<AccelerationReport::Outcome, const char*>, 3> outcome_names = {{
+    {AccelerationReport::Outcome::none, "none"},
+    {AccelerationReport::Outcome::settled, "settled"},
+    {AccelerationReport::Outcome::fell_back, "fell back"},
+}};
+
 template <class Names, class Value>
 const char* name_of(const Names& names, Value value) {
   for (const auto& [known, name] : names)
@@ -154,6 +160,22 @@ std::optional<RotorSnapshot> read_snapshot(const Hdf5File& file, const std::stri
   return snapshot;
 }
 
+/// Only where it was asked for; older files have none.
+void write_acceleration(Hdf5File& file, const std::string& group, const AccelerationReport& acceleration) {
+  if (acceleration.outcome == AccelerationReport::Outcome::none) return;
+  file.set_attribute(group, "acceleration", std::string(name_of(outcome_names, acceleration.outcome)));
+  file.set_attribute(group, "acceleration_revolutions", acceleration.revolutions);
+  file.set_attribute(group, "acceleration_residual", acceleration.residual);
+}
+
+AccelerationReport read_acceleration(const Hdf5File& file, const std::string& group) {
+  if (!file.has_attribute(group, "acceleration")) return {};
+  return {value_named(outcome_names, file.text_attribute(group, "acceleration"),
+                      file.path() + ": " + group + ": acceleration"),
+          file.number_attribute(group, "acceleration_revolutions"),
+          file.number_attribute(group, "acceleration_residual")};
+}
+
 void write_speed(Hdf5File& file, const std::string& group, const SpeedResponse& at, const SimulatedScene& scene) {
   file.set_attribute(group, "speed", at.speed);
   file.set_attribute(group, "failure", at.failure);
@@ -161,6 +183,7 @@ void write_speed(Hdf5File& file, const std::string& group, const SpeedResponse& 
   file.set_attribute(group, "symmetry", std::string(name_of(symmetry_names, at.audit.symmetry)));
   file.set_attribute(group, "halving_measure", at.audit.halving_measure);
   write_numbers(file, group, at);
+  write_acceleration(file, group, at.audit.acceleration);
   if (!at.failure.empty()) return;
   const auto sectors = static_cast<std::size_t>(scene.independent_sectors);
   const auto nodes = static_cast<std::size_t>(scene.clearance.size());
@@ -190,6 +213,7 @@ SpeedResponse read_speed(const Hdf5File& file, const std::string& group, const S
   at.audit.symmetry = value_named(symmetry_names, file.text_attribute(group, "symmetry"), where + ": symmetry");
   at.audit.halving_measure = file.text_attribute(group, "halving_measure");
   read_numbers(file, group, at);
+  at.audit.acceleration = read_acceleration(file, group);
   if (!at.failure.empty()) return at;
   const Eigen::Index samples = static_cast<Eigen::Index>(at.samples_per_revolution) * at.recorded_revolutions;
   const Eigen::Index points = scene.independent_sectors * scene.clearance.size();

@@ -38,7 +38,7 @@ class Hash {
   std::uint64_t value_ = 14695981039346656037ULL;
 };
 
-constexpr int content = 2;  // of a speed's result: counts up when it holds more, or means something else
+constexpr int content = 3;  // of a speed's result: counts up when it holds more, or means something else
 
 void add_model(Hash& hash, const ReducedModel& model) {
   hash.add(model.sector_count);
@@ -89,6 +89,7 @@ void add_parameters(Hash& hash, const SimulateParameters& parameters) {
   hash.add(parameters.min_revolutions);
   hash.add(parameters.max_revolutions);
   hash.add(parameters.settle_tolerance);
+  hash.add(parameters.acceleration);
   hash.add(parameters.casing_areas);
 }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "cases/errors.h"
+#include "simulate/symmetric_map.h"
 
 namespace tiprub {
 
@@ -50,6 +51,14 @@ void explain(SceneScope& scope, int sector_count, int lobes, int grid, const Sim
                               : "steps a revolution: at least " + short_text(parameters.steps_per_period) +
                                     " a period of the lowest frequency, for errors of " +
                                     short_text(parameters.step_tolerance) + multiple + "; by speed");
+  if (parameters.acceleration == Acceleration::anderson)
+    scope.reasons.push_back("settling: by a jump to the fixed point of 1/" + std::to_string(grid) +
+                            " of a revolution and a shift of " + std::to_string(sector_shift(sector_count, lobes)) +
+                            " sectors, which a motion that travels with the casing repeats; marching on must confirm "
+                            "it, else by marching" +
+                            (scope.symmetry == std::gcd(sector_count, lobes)
+                                 ? ""
+                                 : "; not used, because all nodal diameters are asked for"));
 }
 
 }  // namespace

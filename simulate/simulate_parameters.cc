@@ -54,6 +54,18 @@ void read_revolutions(CaseTable& table, SimulateParameters& parameters) {
     table.reject("max_revolutions", "must be above recorded_revolutions, which it includes");
   parameters.settle_tolerance =
       table.number("settle_tolerance", 1e-4, {0.0, 1.0, Range::LowEnd::excluded}, "of the motion's norm");
+  parameters.acceleration = table.choice<Acceleration>(
+      "acceleration", Acceleration::none, {{"none", Acceleration::none}, {"anderson", Acceleration::anderson}});
+}
+
+/// The jump knows the modes at two instants, and nothing that a law of contact remembers beside them.
+void require_law_without_memory(CaseTable& table, const SimulateParameters& parameters) {
+  const bool has_memory = parameters.scheme == Scheme::moreau_jean || parameters.scheme == Scheme::penalty ||
+                          parameters.contact == ContactRule::paper;
+  if (parameters.acceleration == Acceleration::none || !has_memory) return;
+  table.reject("acceleration",
+               "= \"anderson\" holds only with contact = \"complementarity\" and neither scheme = \"moreau_jean\" "
+               "nor \"penalty\"; set another scheme, or acceleration = \"none\"");
 }
 
 void read_scheme(CaseTable& table, SimulateParameters& parameters) {
@@ -101,6 +113,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   parameters.samples_per_revolution =
       table.integer("samples_per_revolution", 240, Range::between(1, count_max), "at least");
   read_revolutions(table, parameters);
+  require_law_without_memory(table, parameters);
   parameters.casing_areas = table.integer("casing_areas", 200, Range::between(1, count_max), "around the casing");
   parameters.threads = table.integer("threads", 0, Range::between(0, 1024), "0: as many as the machine has");
   parameters.sweep = table.choice<SweepDirection>(

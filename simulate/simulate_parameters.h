@@ -21,6 +21,12 @@ enum class SweepDirection {
   down,  ///< from the motion at the next higher speed
 };
 
+/// How a speed comes to its settled motion.
+enum class Acceleration {
+  none,      ///< by marching
+  anderson,  ///< by a jump to the fixed point of the symmetric map, confirmed by marching; by marching if that fails
+};
+
 /// What [simulate] asks for.
 struct SimulateParameters {
   std::vector<double> speeds;  ///< [rad/s], ascending, all different
@@ -39,6 +45,7 @@ struct SimulateParameters {
   int recorded_revolutions = 0;
   int min_revolutions = 0;
   int max_revolutions = 0;
+  Acceleration acceleration = Acceleration::none;
   double settle_tolerance = 0;  ///< [1] estimated distance from the settled motion, of its norm
   int casing_areas = 0;
   int halved_step_checks = 0;          ///< speeds of a sweep that are computed with half the step as well

@@ -126,7 +126,7 @@ double excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, cons
   setup.symmetry = 1;
   TimeMarch whole(whole_rotor, casing, contact, setup);
   const std::vector<std::size_t> others = seed_whole_wheel(settled, rotor.waves.size(), whole);
-  whole.set_revolutions(static_cast<int>(settled.step_count() / settled.steps_per_revolution()));
+  whole.set_step(settled.step_count());
   std::vector<double> logarithms;
   for (int r = 0; r < revolutions; ++r) {
     for (int i = 0; i < setup.steps_per_revolution; ++i) whole.step();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numeric>
 #include <sstream>
@@ -11,18 +12,16 @@
 #include "simulate/integrators/penalty.h"
 #include "simulate/recording.h"
 #include "simulate/rotor_at_speed.h"
+#include "simulate/settling.h"
 #include "simulate/speed_audit.h"
-#include "simulate/steady_state.h"
 #include "simulate/time_march.h"
 
 namespace tiprub {
 
 namespace {
 
-constexpr double quiet_motion = 1e-3;     // of the casing's amplitude: less is no motion
-constexpr double boundless_motion = 1e6;  // times amplitude and clearance: more has blown up
-constexpr double leftover_gap = 1e-9;     // of amplitude and clearance: a penetration above is no rounding
-constexpr double seed_motion = 1e-3;  // of the casing's amplitude: wakes nodal diameters that symmetry keeps still
+constexpr double leftover_gap = 1e-9;  // of amplitude and clearance: a penetration above is no rounding
+constexpr double seed_motion = 1e-3;   // of the casing's amplitude: wakes nodal diameters that symmetry keeps still
 constexpr double worst_condition = 1e12;  // of W, if modes are dropped: beyond it, it has lost its rank
 
 void require_open_at_rest(const Scene& scene, double speed) {
@@ -67,10 +66,6 @@ ModeChoice mode_choice(const SimulateParameters& parameters) {
                                                                               : ModeChoice::Others::dropped};
 }
 
-double length_scale(const Scene& scene) {
-  return scene.casing.amplitude + scene.casing.given_clearance(scene.model.contact).maxCoeff();
-}
-
 /// All nodal diameters from exact symmetry stay in it for hundreds of revolutions, stable or not: those that the
 /// casing's orders can't move get a small start.
 void wake_all(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march) {
@@ -84,36 +79,6 @@ void wake_all(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march) {
     q[0] = seed_motion * scene.casing.amplitude / unit;
     march.set_state(i, q, q);
   }
-}
-
-/// What the march of one speed needs to know about its settling.
-struct Settling {
-  const SimulateParameters& parameters;
-  SteadyState state;
-  double bound;  ///< [m]
-  int revolutions = 0;
-
-  void add(Eigen::VectorXd motion) {
-    ++revolutions;
-    if (!(motion.cwiseAbs().maxCoeff() <= bound)) {
-      std::ostringstream text;
-      text << "the motion grew beyond " << bound << " m in revolution " << revolutions
-           << "; take smaller steps, or look at the model";
-      throw RunError(text.str());
-    }
-    state.add(std::move(motion));
-  }
-  bool settled() const {
-    return revolutions >= parameters.min_revolutions && state.judge().settled == SteadyVerdict::Settled::yes;
-  }
-};
-
-Settling make_settling(const Scene& scene, const TimeMarch& march) {
-  const double size =
-      std::sqrt(static_cast<double>(march.sectors()) * march.node_count() * scene.scope.samples_per_revolution);
-  return {scene.parameters,
-          SteadyState(scene.parameters.settle_tolerance, quiet_motion * scene.casing.amplitude * size),
-          boundless_motion * length_scale(scene)};
 }
 
 /// As many revolutions as are worth keeping: one period of a settled motion, else what was asked for.
@@ -130,23 +95,22 @@ void march_and_record(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& 
   Recording::Grid grid{scene.scope.samples_per_revolution, 0, parameters.casing_areas,
                        leftover_gap * length_scale(scene)};
   const int last_start = parameters.max_revolutions - parameters.recorded_revolutions;
-  Settling settling = make_settling(scene, march);
+  Settling settling(scene, march);
   while (true) {
-    while (settling.revolutions < last_start && !settling.settled())
-      settling.add(march_revolution(march, grid.samples_per_revolution));
-    grid.revolutions = settling.settled() ? revolutions_to_record(parameters, settling.state.judge())
-                                          : parameters.recorded_revolutions;
+    while (settling.revolutions() < last_start && !settling.settled()) settling.advance();
+    grid.revolutions =
+        settling.settled() ? revolutions_to_record(parameters, settling.verdict()) : parameters.recorded_revolutions;
     Recording recording(march, rotor, scene.model.contact, grid);
     for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution(march));
-    const bool same =
-        settling.settled() && revolutions_to_record(parameters, settling.state.judge()) <= grid.revolutions;
-    if (!same && settling.revolutions <= last_start) continue;
+    const bool same = settling.settled() && revolutions_to_record(parameters, settling.verdict()) <= grid.revolutions;
+    if (!same && settling.revolutions() <= last_start) continue;
     recording.finish(march, response);
     break;
   }
-  const SteadyVerdict verdict = settling.state.judge();
+  const SteadyVerdict verdict = settling.verdict();
   response.recorded_revolutions = grid.revolutions;
-  response.revolutions = settling.revolutions;
+  response.audit.acceleration = settling.acceleration();
+  response.revolutions = settling.revolutions() + static_cast<int>(settling.acceleration().revolutions);
   response.motion = verdict.motion;
   response.period_revolutions = verdict.period_revolutions;
   response.change = verdict.change;
@@ -163,7 +127,8 @@ struct Marched {
 void start_march(const Scene& scene, const RotorState& start, const RotorAtSpeed& rotor, TimeMarch& march) {
   if (!start.at_rest()) {
     put_state(start, rotor, scene.model, march);
-    march.set_revolutions(static_cast<int>(std::ceil(scene.casing.ramp_revolutions)));
+    march.set_step(march.steps_per_revolution() *
+                   static_cast<std::int64_t>(std::ceil(scene.casing.ramp_revolutions)));
   } else if (scene.parameters.nodal_diameters == DiameterChoice::all) {
     wake_all(scene, rotor, march);
   }

@@ -14,6 +14,10 @@ constexpr double tolerated_tension = 1e-2;  // of the contact force
 
 std::string audit_text(const SpeedAudit& audit) {
   std::ostringstream text;
+  const AccelerationReport& jump = audit.acceleration;
+  if (jump.outcome != AccelerationReport::Outcome::none)
+    text << ", acceleration " << (jump.outcome == AccelerationReport::Outcome::settled ? "settled it" : "fell back")
+         << " after " << jump.revolutions << " revolutions (residual " << jump.residual << ")";
   if (audit.halving_difference)
     text << ", half the step changes the " << audit.halving_measure << " by " << *audit.halving_difference;
   else if (!audit.halving_measure.empty())

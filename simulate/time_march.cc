@@ -146,8 +146,8 @@ void TimeMarch::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eig
   measure_gaps();
 }
 
-void TimeMarch::set_revolutions(int revolutions) {
-  step_ = static_cast<std::int64_t>(revolutions) * setup_.steps_per_revolution;
+void TimeMarch::set_step(std::int64_t step) {
+  step_ = step;
   measure_gaps();
 }
 

@@ -89,8 +89,8 @@ class TimeMarch {
   }
   /// Puts the modal coordinates of a nodal diameter [m sqrt(kg)] at t_q and t_{q-1}.
   void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before);
-  /// Sets the clock to whole revolutions since the start (the casing's distortion grows over the first ones).
-  void set_revolutions(int revolutions);
+  /// Sets the clock: steps since the start (the casing's distortion grows over the first revolutions).
+  void set_step(std::int64_t step);
 
  private:
   /// The free step of one wave's modes.

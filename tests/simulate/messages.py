@@ -55,6 +55,8 @@ with_case("amplitude of a table", 'shape = "cosine"', 'shape = "table"\ndistorti
           'unknown key "amplitude" in [casing]')
 with_case("paper's rule with the wrong scheme", "damping_ratio", 'contact = "paper"\ndamping_ratio', 2,
           'changed.toml:11:11: [simulate] contact = "paper" holds only with scheme = "central_differences"')
+with_case("a jump with a law that remembers", "damping_ratio", 'acceleration = "anderson"\nscheme = "penalty"\ndamping_ratio', 2,
+          '[simulate] acceleration = "anderson" holds only with contact = "complementarity" and neither')
 with_case("unknown scheme", "damping_ratio", 'scheme = "newmark"\ndamping_ratio', 2,
           'scheme = "newmark" must be one of: trigonometric, central_differences, residual_flexibility, moreau_jean, penalty')
 with_case("residual flexibility without modes", "damping_ratio", 'scheme = "residual_flexibility"\ndamping_ratio', 2,
@@ -93,3 +95,6 @@ require(not os.path.exists(bench.path("response.h5")), "--check writes nothing")
 bench.write("changed.toml", CASE.replace("damping_ratio", "step_tolerance = 2e-2\ndamping_ratio"))
 check = bench.run("--check", case="changed.toml")
 require("at least 200 a period" in check.stderr, "four times the tolerance: half the steps")
+bench.write("changed.toml", CASE.replace("damping_ratio", 'acceleration = "anderson"\ndamping_ratio'))
+check = bench.run("--check", case="changed.toml")
+require("settling: by a jump to the fixed point of 1/6 of a revolution and a shift of 1 sectors" in check.stderr, "--check says how it settles")

@@ -28,6 +28,7 @@ TEST(ResponseFile, GivesBackWhatItTook) {
   good.contact_count.setConstant(6, 20, 7);
   good.contact_steps = 123456789012;
   good.snapshot = RotorSnapshot{5, 12.5, {Eigen::VectorXcd::Random(4), Eigen::VectorXcd::Random(7)}};
+  good.audit.acceleration = {AccelerationReport::Outcome::fell_back, 25, 1e-3};
   SpeedResponse bad;
   bad.speed = 200;
   bad.failure = "why";
@@ -50,6 +51,10 @@ TEST(ResponseFile, GivesBackWhatItTook) {
   EXPECT_EQ(back.speeds[0].snapshot->displacement, good.snapshot->displacement);
   EXPECT_FALSE(back.speeds[1].snapshot.has_value());
   EXPECT_EQ(back.speeds[0].motion, MotionClass::subharmonic);
+  EXPECT_EQ(back.speeds[0].audit.acceleration.outcome, AccelerationReport::Outcome::fell_back);
+  EXPECT_EQ(back.speeds[0].audit.acceleration.revolutions, 25);
+  EXPECT_EQ(back.speeds[0].audit.acceleration.residual, 1e-3);
+  EXPECT_EQ(back.speeds[1].audit.acceleration.outcome, AccelerationReport::Outcome::none);
   EXPECT_EQ(back.speeds[1].failure, "why");
 }
 

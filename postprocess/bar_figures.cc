@@ -29,7 +29,8 @@ std::string bar_panel(const std::string& name, const Eigen::VectorXd& backward, 
 Figure harmonic_bars_figure(const Study& study) {
   const TravellingSpectrum& spectrum = study.map.columns[static_cast<std::size_t>(study.shown)].spectrum;
   const int sectors = spectrum.sector_count, half = sectors / 2;
-  // The casing's second harmonic and its nodal diameter: with two lobes on ten sectors the paper's EO 4 and nodal diameter 4.
+  // The casing's second harmonic and its nodal diameter: with two lobes on ten sectors the paper's EO 4 and nodal
+  // diameter 4.
   const int order = 2 * std::max(study.response.scene.lobes, 1);
   const int diameter = aliased_nodal_diameter(order, sectors);
   const auto amplitude = [&](int engine_order, int n) { return spectrum.at(engine_order, n) * mm_per_m; };
@@ -56,13 +57,14 @@ Figure harmonic_bars_figure(const Study& study) {
   for (int n = 0; n <= half; ++n) figure.data.rows.push_back({order, n, backward[n], forward[n]});
   for (int k = 1; k <= last; ++k) figure.data.rows.push_back({k, diameter, order_backward[k], order_forward[k]});
   std::ostringstream out;
-  out << style::base() << "set multiplot\nset boxwidth 0.7\nset style fill solid noborder\nset yrange [0:*]\nset xtics 1\n"
+  out << style::base()
+      << "set multiplot\nset boxwidth 0.7\nset style fill solid noborder\nset yrange [0:*]\nset xtics 1\n"
       << "set tmargin at screen 0.83\nset bmargin at screen 0.16\nset ylabel 'amplitude [mm]'\n"
       << "set key at screen 0.54,0.95 center center horizontal maxrows 1\n"
       << bar_panel("diameters", backward, forward, "EO " + std::to_string(order), "nodal diameter", 0.105, 0.45)
       << "unset key\n"
-      << bar_panel("orders", order_backward, order_forward, "nodal diameter " + std::to_string(diameter), "engine order",
-                   0.57, 0.975)
+      << bar_panel("orders", order_backward, order_forward, "nodal diameter " + std::to_string(diameter),
+                   "engine order", 0.57, 0.975)
       << "unset multiplot\n";
   figure.drawing.commands = out.str();
   return figure;

@@ -24,7 +24,8 @@ double folded_phase(const Eigen::VectorXd& column, int lobes) {
 
 }  // namespace
 
-ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds, int lobes, const ContactLine& contact) {
+ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds, int lobes,
+                           const ContactLine& contact) {
   ContactDrift drift;
   drift.angle.setConstant(speeds.size(), std::numeric_limits<double>::quiet_NaN());
   double previous = 0, count = 0, mean_speed = 0, mean_angle = 0;

@@ -86,9 +86,10 @@ Figure contact_map_figure(const Study& study, TipEdge edge) {
   const Eigen::VectorXd rpm = style::speeds_rpm(study);
   const ContactDrift drift = edge == TipEdge::leading ? study.leading_drift : ContactDrift{};  // as in the paper
   if (drift.determination > 0)
-    figure.caption += " Red: the line through the middle of the contact, folded onto one lobe: " +
-                      fixed(microseconds * drift.slope, 1) + " \xC2\xB5s (R\xC2\xB2 = " + fixed(drift.determination, 3) +
-                      "); a wave that takes so long along the tip would run at " + fixed(drift.implied_wave_speed, 0) + " m/s.";
+    figure.caption +=
+        " Red: the line through the middle of the contact, folded onto one lobe: " +
+        fixed(microseconds * drift.slope, 1) + " \xC2\xB5s (R\xC2\xB2 = " + fixed(drift.determination, 3) +
+        "); a wave that takes so long along the tip would run at " + fixed(drift.implied_wave_speed, 0) + " m/s.";
   Eigen::MatrixXd below(rpm.size(), 3);
   below << rpm, map.contrast, map.clusters.cast<double>();
   std::ostringstream out;

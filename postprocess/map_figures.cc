@@ -147,7 +147,8 @@ std::string family_labels(const Study& study) {
   return out.str();
 }
 
-/// Points at the foot of the map: speeds whose motion the paper's assumptions leave out. Blocks, then terms for `plot`.
+/// Points at the foot of the map: speeds whose motion the paper's assumptions leave out. Blocks, then terms for
+/// `plot`.
 struct Marks {
   std::string blocks, terms;
 };
@@ -175,7 +176,8 @@ Marks unusual_motion(const Study& study) {
     rows.col(0) = Eigen::Map<const Eigen::VectorXd>(speeds.data(), rows.rows());
     rows.col(1).setConstant((foot + step * static_cast<double>(k)) * frequency_max(study));
     marks.blocks += style::block(kinds[k].name, rows);
-    marks.terms += std::string(", $") + kinds[k].name + " with points " + kinds[k].look + " title '" + kinds[k].title + "'";
+    marks.terms +=
+        std::string(", $") + kinds[k].name + " with points " + kinds[k].look + " title '" + kinds[k].title + "'";
   }
   return marks;
 }
@@ -202,18 +204,20 @@ Figure interaction_map_figure(const Study& study) {
   Figure figure;
   figure.drawing = {"interaction_map", 1000, 640, ""};
   figure.title = "Interaction map";
-  figure.caption = what_is_drawn(study) +
-                   " White lines: engine orders f = k\xCE\xA9. Orange lines: natural "
-                   "frequencies of the first families, all nodal diameters. A ridge glows where an engine order "
-                   "meets a mode that its nodal diameter can drive. Marks at the foot: speeds whose motion is not the same every "
-                   "revolution, or at which a nodal diameter that was left out would grow. Grey: speeds without a response.";
+  figure.caption =
+      what_is_drawn(study) +
+      " White lines: engine orders f = k\xCE\xA9. Orange lines: natural "
+      "frequencies of the first families, all nodal diameters. A ridge glows where an engine order "
+      "meets a mode that its nodal diameter can drive. Marks at the foot: speeds whose motion is not the same every "
+      "revolution, or at which a nodal diameter that was left out would grow. Grey: speeds without a response.";
   figure.data = map_table(study);
   const Scale scale = colour_scale(study);
   figure.pixels.push_back({"interaction_map.pixels", map_pixels(study, -1, width, height, scale.low)});
   std::ostringstream out;
   const Marks marks = unusual_motion(study);
   out << map_axes(study, scale) << all_modal_blocks(study) << marks.blocks
-      << "set key opaque fillcolor rgb '#31688e' textcolor rgb '#ffffff' at graph 0.99, graph 0.1 right bottom samplen 0.5\n"
+      << "set key opaque fillcolor rgb '#31688e' textcolor rgb '#ffffff' at graph 0.99, graph 0.1 right bottom "
+         "samplen 0.5\n"
       << "set lmargin at screen 0.085\nset rmargin at screen 0.815\nset tmargin at screen 0.94\n"
       << "set bmargin at screen 0.11\nset xlabel 'speed [rpm]'\nset ylabel 'frequency in the rotor frame [Hz]'\n"
       << "set cblabel 'amplitude [mm]'\nset colorbox user origin screen 0.885,0.11 size screen 0.022,0.83\n"

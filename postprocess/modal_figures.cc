@@ -143,7 +143,8 @@ Figure interference_figure(const Study& study) {
   figure.drawing = {"interference", 1050, 580, ""};
   figure.title = "Nodal diameter over frequency";
   figure.caption =
-      "The families over the nodal diameter, at rest and at two speeds: the one whose motion is shown below, and the highest. The "
+      "The families over the nodal diameter, at rest and at two speeds: the one whose motion is shown below, and the "
+      "highest. The "
       "zig-zag is where the sectors see the engine orders (eq. 17); a resonance threatens where one of "
       "its orange corners, the multiples of the lobes, lies on a mode.";
   figure.data = {{"speed [rpm]", "nodal diameter"}, {}};

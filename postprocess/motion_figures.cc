@@ -29,7 +29,7 @@ Eigen::MatrixXd shown_motion(const Study& study) {
 
 /// What all sectors do at the speed that is shown: one column a sector.
 struct SectorSignal {
-  std::string name;     ///< of the figure
+  std::string name;  ///< of the figure
   std::string title;
   std::string caption;  ///< begins with what is drawn
   std::string unit;
@@ -171,8 +171,8 @@ Figure sectors_figure(const Study& study, const SectorSignal& signal) {
       << ",0.25 rotate by 90 center font ',10'\nset clip two\n";
   for (Eigen::Index j = 0; j < motion.cols(); ++j) {
     const double middle = 0.5 * (motion.col(j).maxCoeff() + motion.col(j).minCoeff());
-    out << (j == 0 ? "plot " : ", ") << "$motion using 1:(" << j << "+($" << j + 2 << "-(" << middle << "))/" << spacing
-        << ") with lines linewidth 1.3 linecolor rgb '" << (j % 2 == 0 ? "#0072b2" : "#08306b") << "'";
+    out << (j == 0 ? "plot " : ", ") << "$motion using 1:(" << j << "+($" << j + 2 << "-(" << middle << "))/"
+        << spacing << ") with lines linewidth 1.3 linecolor rgb '" << (j % 2 == 0 ? "#0072b2" : "#08306b") << "'";
   }
   out << "\n";
   figure.drawing.commands = out.str();
@@ -188,10 +188,11 @@ Figure two_way_figure(const Study& study, const TravellingSpectrum& spectrum, co
   Figure figure;
   figure.drawing = {signal.name, 1000, 520, ""};
   figure.title = signal.title;
-  figure.caption = signal.caption + ", at " + shown_text(study) +
-                   ": amplitude of each travelling wave. Positive nodal diameters run against the rotation (backward), "
-                   "negative ones with it (forward), as seen from the rotor. Circles: where eq. 17 puts the casing's "
-                   "harmonics.";
+  figure.caption =
+      signal.caption + ", at " + shown_text(study) +
+      ": amplitude of each travelling wave. Positive nodal diameters run against the rotation (backward), "
+      "negative ones with it (forward), as seen from the rotor. Circles: where eq. 17 puts the casing's "
+      "harmonics.";
   figure.data = {{"engine order", "signed nodal diameter", "direction", "amplitude [" + signal.unit + "]"}, {}};
   Eigen::MatrixXf waves(sectors, last);
   for (int line = 1; line <= last; ++line)
@@ -215,9 +216,9 @@ Figure two_way_figure(const Study& study, const TravellingSpectrum& spectrum, co
       << "set tmargin at screen 0.96\nset bmargin at screen 0.13\nset xtics 1\nset ytics 1\nset xlabel 'engine "
          "order'\n"
       << "set ylabel 'signed nodal diameter'\nset cblabel 'amplitude [" << signal.unit << "]'\n"
-      << "set colorbox user origin screen 0.87,0.13 size screen 0.022,0.83\nplot '" << signal.name << ".pixels' binary array=("
-      << pixels.cols() << "," << pixels.rows() << ") format='%float32' origin=(" << 0.5 * (width + dx) << ","
-      << lowest - 0.5 + dy / 2 << ") dx=" << dx << " dy=" << dy
+      << "set colorbox user origin screen 0.87,0.13 size screen 0.022,0.83\nplot '" << signal.name
+      << ".pixels' binary array=(" << pixels.cols() << "," << pixels.rows() << ") format='%float32' origin=("
+      << 0.5 * (width + dx) << "," << lowest - 0.5 + dy / 2 << ") dx=" << dx << " dy=" << dy
       << " with image, $expected with points pointtype 6 pointsize 1.6 linewidth 1.2 linecolor rgb '#ff7f50'\n";
   figure.drawing.commands = out.str();
   return figure;
@@ -239,7 +240,8 @@ Figure tip_spectrum_figure(const Study& study) {
                             .caption = "The " + component_label(study),
                             .unit = "mm",
                             .values = shown_motion(study)};
-  return two_way_figure(study, travelling_spectrum(signal.values, study.shown_response().recorded_revolutions), signal);
+  return two_way_figure(study, travelling_spectrum(signal.values, study.shown_response().recorded_revolutions),
+                        signal);
 }
 
 Figure force_of_sectors_figure(const Study& study) {
@@ -256,7 +258,8 @@ Figure force_spectrum_figure(const Study& study) {
                             .caption = "The contact force at the " + std::string(name_of(study.parameters.edge)),
                             .unit = "N",
                             .values = tip_force(study.shown_response(), study.response.scene, study.map_node)};
-  return two_way_figure(study, travelling_spectrum(signal.values, study.shown_response().recorded_revolutions), signal);
+  return two_way_figure(study, travelling_spectrum(signal.values, study.shown_response().recorded_revolutions),
+                        signal);
 }
 
 }  // namespace tiprub

@@ -20,9 +20,9 @@ struct PostprocessParameters {
   double prominence = 0.25;                 ///< [1] of a peak's own amplitude, that it must stand above its valleys
   double prediction_tolerance = 0.1;        ///< [1] of a speed, within which a rule's speed counts as a hit
   double amplitude_decades = 2.5;           ///< colour range of the maps, below the largest amplitude
-  double shown_speed_rpm = 0;               ///< [rpm] motion, force and bars are drawn at the nearest speed; 0: see Study::shown
-  std::string response_up, response_down;   ///< this case swept up and down, relative to the case; empty: not compared
-  double amplitude_max_mm = 0;              ///< [mm] upper colour limit of the maps; 0: the largest amplitude
+  double shown_speed_rpm = 0;  ///< [rpm] motion, force and bars are drawn at the nearest speed; 0: see Study::shown
+  std::string response_up, response_down;  ///< this case swept up and down, relative to the case; empty: not compared
+  double amplitude_max_mm = 0;             ///< [mm] upper colour limit of the maps; 0: the largest amplitude
 };
 
 /// Raises InputError at a key that is unknown or out of its range.

@@ -37,8 +37,8 @@ struct Study {
   RuleScore equation_2_score{}, aliasing_score{};
   std::vector<SweepComparison> sweeps{};  ///< one a speed, or none
   Eigen::Index worst = 0;                 ///< index of the speed with the largest amplitude
-  /// Index of the speed whose motion and force are drawn: the one asked for, or the one with the largest amplitude among those
-  /// whose motion is the same every revolution (among all, if none is).
+  /// Index of the speed whose motion and force are drawn: the one asked for, or the one with the largest amplitude
+  /// among those whose motion is the same every revolution (among all, if none is).
   Eigen::Index shown = 0;
 
   const SpeedResponse& worst_response() const { return response.speeds[static_cast<std::size_t>(worst)]; }

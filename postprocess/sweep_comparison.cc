@@ -19,7 +19,8 @@ constexpr double clear_difference = 0.01;  // of the motion: a hundred times wha
 /// Amplitudes of the whole engine orders, as far as both spectra reach.
 Eigen::MatrixXd whole_orders(const TravellingSpectrum& spectrum, int last) {
   Eigen::MatrixXd orders(last + 1, spectrum.amplitude.cols());
-  for (int order = 0; order <= last; ++order) orders.row(order) = spectrum.amplitude.row(order * spectrum.revolutions);
+  for (int order = 0; order <= last; ++order)
+    orders.row(order) = spectrum.amplitude.row(order * spectrum.revolutions);
   return orders;
 }
 
@@ -31,9 +32,10 @@ double relative_difference(const TravellingSpectrum& a, const TravellingSpectrum
 }
 
 void require_same_scene(const SimulatedScene& one, const SimulatedScene& other, const std::filesystem::path& path) {
-  if (one.sector_count != other.sector_count || one.lobes != other.lobes || one.clearance.size() != other.clearance.size() ||
-      one.casing_distortion.size() != other.casing_distortion.size() || one.casing_distortion != other.casing_distortion ||
-      one.clearance != other.clearance)
+  if (one.sector_count != other.sector_count || one.lobes != other.lobes ||
+      one.clearance.size() != other.clearance.size() ||
+      one.casing_distortion.size() != other.casing_distortion.size() ||
+      one.casing_distortion != other.casing_distortion || one.clearance != other.clearance)
     throw InputError(path.string() + ": is of another rotor or casing than the response; sweep this case");
 }
 
@@ -64,8 +66,9 @@ void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> Sw
 
 }  // namespace
 
-std::vector<SweepComparison> compare_sweeps(const Response& response, const ContactLine& contact, int node, Component component,
-                                            const std::filesystem::path& up, const std::filesystem::path& down) {
+std::vector<SweepComparison> compare_sweeps(const Response& response, const ContactLine& contact, int node,
+                                            Component component, const std::filesystem::path& up,
+                                            const std::filesystem::path& down) {
   std::vector<SweepComparison> comparisons;
   if (up.empty() && down.empty()) return comparisons;
   for (std::size_t i = 0; i < response.speeds.size(); ++i)

@@ -16,8 +16,9 @@ struct SweptSpeed {
   double amplitude = 0;  ///< [m] half of the peak-to-peak, the largest over sectors and nodes
   MotionClass motion = MotionClass::irregular;
   int period_revolutions = 0;
-  /// [1] of the two-way spectra at whole engine orders, at the maps' contact node: norm of the difference to the response
-  /// from rest over the larger of the two norms. Spectra, because irregular motions never repeat sample by sample.
+  /// [1] of the two-way spectra at whole engine orders, at the maps' contact node: norm of the difference to the
+  /// response from rest over the larger of the two norms. Spectra, because irregular motions never repeat sample by
+  /// sample.
   double difference = 0;
   bool differs = false;  ///< both settle, and the difference is far above the settling tolerance
 };
@@ -32,7 +33,8 @@ struct SweepComparison {
 
 /// One entry a speed of `response`, or none if neither sweep is given. Reads the files one after the other; raises
 /// RunError as read_response() does, InputError if a sweep is of another casing or another rotor.
-std::vector<SweepComparison> compare_sweeps(const Response& response, const ContactLine& contact, int node, Component component,
-                                            const std::filesystem::path& up, const std::filesystem::path& down);
+std::vector<SweepComparison> compare_sweeps(const Response& response, const ContactLine& contact, int node,
+                                            Component component, const std::filesystem::path& up,
+                                            const std::filesystem::path& down);
 
 }  // namespace tiprub

@@ -57,7 +57,9 @@ TEST(ContactDrift, HasNoLineWithoutContact) {
 
 class Sweeps : public testing::Test {
  protected:
-  Sweeps() : folder_(fs::temp_directory_path() / ("tiprub-sweeps-" + std::to_string(getpid()))), model_(synthetic::model()) {
+  Sweeps()
+      : folder_(fs::temp_directory_path() / ("tiprub-sweeps-" + std::to_string(getpid()))),
+        model_(synthetic::model()) {
     fs::create_directories(folder_);
     rest_.scene = synthetic::two_lobes();
     rest_.scene.casing_angle = Eigen::VectorXd::LinSpaced(5, 0, turn);

@@ -62,7 +62,7 @@ class LinearAnalysis {
   LinearResults run() {
     require_memory(memory_need(mesh_, dofs_,
                                {.factors = 1,
-                                .stiffnesses = static_cast<int>(parts_.size()) + 1,
+                                .stiffnesses = 1,
                                 .columns = krylov_vectors * parameters_.verification_modes,
                                 .threads = parameters_.threads}),
                    available_memory());
@@ -71,6 +71,7 @@ class LinearAnalysis {
     for (int row = 0; row < results_.speed_count(); ++row) {
       static_state(row);
       if (results_.speeds[row] > 0) solve_modes(row, factorize(row));
+      share_energy(row);
     }
     return std::move(results_);
   }
@@ -82,10 +83,7 @@ class LinearAnalysis {
     const std::vector<double>& fractions = parameters_.verification_speeds;
     results_.speeds = parameters_.speed_max * Eigen::Map<const Eigen::VectorXd>(fractions.data(), fractions.size());
     const Eigen::Index speeds = results_.speeds.size(), modes = parameters_.verification_modes;
-    for (const auto& [name, cells] : parts_) {
-      results_.parts.push_back(name);
-      part_stiffness_.push_back(elasticity_.stiffness_of(cells));
-    }
+    for (const auto& [name, cells] : parts_) results_.parts.push_back(name);
     const ModesOverSpeed empty = {Eigen::MatrixXd(speeds, modes), Eigen::MatrixXi(speeds, modes),
                                   Eigen::MatrixXd::Ones(speeds, modes),
                                   std::vector<Eigen::MatrixXd>(parts_.size(), Eigen::MatrixXd(speeds, modes))};
@@ -144,21 +142,28 @@ class LinearAnalysis {
         const CyclicModes modes = lowest_modes(CyclicStiffness(factor, waves_[n]), mass_, ContactNodes::free,
                                                parameters_.verification_modes, mode_tolerance);
         results_.nodal_diameters[n].frequency.row(row) = modes.frequencies().transpose();
-        share_energy(modes.shape, n, row);
         follow(modes.shape, n, row);
       });
     });
   }
 
-  void share_energy(const Eigen::MatrixXcd& shape, int n, int row) {
-    std::vector<Eigen::MatrixXd>& share = results_.nodal_diameters[n].energy_share;
-    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(shape.cols());
-    for (std::size_t part = 0; part < part_stiffness_.size(); ++part) {
-      const Eigen::MatrixXcd force = waves_[n].apply(part_stiffness_[part], shape);
-      share[part].row(row) = shape.conjugate().cwiseProduct(force).colwise().sum().real();
-      sum += share[part].row(row);
+  /// Of the modes found last. The stiffness of a part is assembled when the factor is gone: both are large.
+  void share_energy(int row) {
+    Eigen::Index part = 0;
+    for (const auto& [name, cells] : parts_) {
+      const SymmetricMatrix stiffness = elasticity_.stiffness_of(cells);
+      for (std::size_t n = 0; n < waves_.size(); ++n) {
+        const Eigen::MatrixXcd force = waves_[n].apply(stiffness, shapes_[n]);
+        results_.nodal_diameters[n].energy_share[part].row(row) =
+            shapes_[n].conjugate().cwiseProduct(force).colwise().sum().real();
+      }
+      ++part;
     }
-    for (Eigen::MatrixXd& one : share) one.row(row).array() /= sum.array();
+    for (ModesOverSpeed& modes : results_.nodal_diameters) {
+      Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(modes.frequency.cols());
+      for (const Eigen::MatrixXd& share : modes.energy_share) sum += share.row(row);
+      for (Eigen::MatrixXd& share : modes.energy_share) share.row(row).array() /= sum.array();
+    }
   }
 
   void follow(const Eigen::MatrixXcd& shape, int n, int row) {
@@ -185,7 +190,6 @@ class LinearAnalysis {
   SectorDofs dofs_;
   RotatingElasticity elasticity_;
   SymmetricMatrix mass_;
-  std::vector<SymmetricMatrix> part_stiffness_;
   std::vector<TravellingWave> waves_;
   ContactLine tip_;
   SpinShapes static_;

@@ -35,11 +35,10 @@ class PolynomialFit {
   /// Returns the misfit.
   double fit_through(int count) {
     const std::vector<double> fractions = SpeedSamples::polynomial_fractions(count);
-    std::vector<double> speeds;
-    for (const double fraction : fractions) speeds.push_back(fraction * parameters_.speed_max);
-    const SpeedPolynomial polynomial(speeds);
+    const SpeedPolynomial polynomial(speeds_at(fractions, parameters_.speed_max));
     for (std::size_t n = 0; n < stiffness_.size(); ++n) {
       std::vector<Eigen::MatrixXcd> through;
+      through.reserve(fractions.size());
       for (const double fraction : fractions) through.push_back(samples_.combine(stiffness_[n], fraction));
       std::vector<Eigen::MatrixXcd> terms = polynomial.coefficients(through);
       NodalDiameterModel& to = model_.nodal_diameters[n];

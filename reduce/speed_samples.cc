@@ -8,6 +8,11 @@
 
 namespace tiprub {
 
+std::vector<double> speeds_at(std::vector<double> fractions, double speed_max) {
+  for (double& fraction : fractions) fraction *= speed_max;
+  return fractions;
+}
+
 SpeedSamples::SpeedSamples(const ReductionParameters& parameters) {
   const bool linear = parameters.prestress != Prestress::nonlinear;
   polynomial_choices_ = parameters.polynomial_speeds > 0 ? std::vector{parameters.polynomial_speeds}

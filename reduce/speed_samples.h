@@ -13,6 +13,9 @@ namespace tiprub {
 /// Where, over Omega_max, the basis is corrected by the modes between the speeds that made it.
 inline constexpr std::array corrected_speeds = {0.25, 0.5, 0.75};
 
+/// [rad/s] of fractions of Omega_max.
+std::vector<double> speeds_at(std::vector<double> fractions, double speed_max);
+
 /// The speeds, as fractions of Omega_max, at which a sector's K is assembled. Linear and stress-only prestress: those
 /// that eq. 7 takes, for it is exact and gives all others. Nonlinear prestress: every speed that is looked at.
 class SpeedSamples {

@@ -21,8 +21,7 @@ SpinningSector::SpinningSector(const SectorMesh& mesh, const SectorDofs& dofs, c
 }
 
 void SpinningSector::spin(const SectorFactor& rest, const TravellingWave& wave) {
-  std::vector<double> speeds;
-  for (const double fraction : samples_.fractions()) speeds.push_back(speed(fraction));
+  const std::vector<double> speeds = speeds_at(samples_.fractions(), parameters_.speed_max);
   const CyclicStiffness at_rest = at_speed(0.0, [&] { return CyclicStiffness(rest, wave); });
   shapes_ = shapes_under_spin(*elasticity_, mesh_, at_rest, speeds, parameters_.prestress);
   for (std::size_t s = 1; s < speeds.size(); ++s) stiffness_.push_back(assemble_stiffness(samples_.fractions()[s]));

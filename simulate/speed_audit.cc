@@ -103,6 +103,11 @@ Eigen::MatrixXd last_period(const SpeedResponse& at, int shift) {
   return moved;
 }
 
+double relative(double difference, double one_norm, double other_norm) {
+  const double larger = std::max(one_norm, other_norm);
+  return larger > 0 ? difference / larger : 0.0;
+}
+
 }  // namespace
 
 double compliance_condition(const TimeMarch& march) {
@@ -141,16 +146,14 @@ ResponseDifference difference(const SpeedResponse& here, const SpeedResponse& th
                      here.period_revolutions == there.period_revolutions &&
                      std::min(here.recorded_revolutions, there.recorded_revolutions) >= here.period_revolutions;
   if (!alike) {
-    const Eigen::MatrixXd spectrum = averaged_spectrum(there);
-    const double norm = spectrum.norm();
-    return {norm > 0 ? (averaged_spectrum(here) - spectrum).norm() / norm : 0.0, "spectrum"};
+    const Eigen::MatrixXd mine = averaged_spectrum(here), spectrum = averaged_spectrum(there);
+    return {relative((mine - spectrum).norm(), mine.norm(), spectrum.norm()), "spectrum"};
   }
   const Eigen::MatrixXd motion = last_period(there, 0);
-  const double norm = motion.norm();
   double smallest = std::numeric_limits<double>::infinity();
   for (int shift = 0; shift < here.period_revolutions; ++shift)
     smallest = std::min(smallest, (last_period(here, shift) - motion).norm());
-  return {norm > 0 ? smallest / norm : 0.0, "motion"};
+  return {relative(smallest, last_period(here, 0).norm(), motion.norm()), "motion"};
 }
 
 }  // namespace tiprub

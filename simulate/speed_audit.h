@@ -26,7 +26,7 @@ constexpr double growth_limit = 1 + 1e-3;
 /// the same period (at the best shift by whole revolutions), of the rms amplitudes of engine orders 0 .. 60 if not:
 /// irregular trajectories mean nothing, their spectra do.
 struct ResponseDifference {
-  double value = 0;     ///< [1] of the second one's norm
+  double value = 0;     ///< [1] of the larger norm: 1 if one of them rests
   const char* measure;  ///< "motion" or "spectrum"
 };
 ResponseDifference difference(const SpeedResponse& here, const SpeedResponse& there);

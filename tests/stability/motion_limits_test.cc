@@ -30,6 +30,61 @@ TEST(SettlingLimit, IsTheDecayNotTheChange) {
   EXPECT_EQ(judge(1.03), SteadyVerdict::Settled::no);
 }
 
+/// A mass that the casing's crest comes near, but doesn't reach: at rest it stays at rest. Above its frequency (1000
+/// rad/s) a larger motion meets the crest once a revolution, and that keeps it going; the fold is between 1000 and
+/// 1050 rad/s. Symptom once: a difference to the motion from rest was taken relative to that, and was 0 if it rests.
+class CoexistingMotions : public ::testing::Test {
+ protected:
+  SpeedResult settle(double speed, const RotorState& start) const {
+    return simulate_speed(scene_.view(), speed, StepCheck::none, start);
+  }
+  static testing::OwnedScene make_scene() {
+    testing::OwnedScene scene =
+        testing::owned_scene(testing::one_mass(1.0, 1e6), testing::lobed_casing(1, 0.9e-4, 1e-4), 600);
+    scene.parameters.max_revolutions = 400;
+    return scene;
+  }
+  static RotorState swung_out() {
+    RotorState state;
+    state.displacement = state.velocity = {Eigen::VectorXcd::Zero(3)};
+    state.displacement[0][0] = -2e-4;
+    return state;
+  }
+
+  testing::OwnedScene scene_ = make_scene();
+};
+
+TEST_F(CoexistingMotions, EachStartEndsOnItsOwn) {
+  const SpeedResponse rest = settle(1100, {}).response;
+  const SpeedResponse swung = settle(1100, swung_out()).response;
+  EXPECT_EQ(rest.contact_steps, 0);
+  EXPECT_EQ(rest.displacement.cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_EQ(swung.motion, MotionClass::periodic);
+  EXPECT_GT(swung.contact_steps, 0);
+  EXPECT_GT(swung.displacement.cwiseAbs().maxCoeff(), 1.3e-4);
+  EXPECT_LT(swung.displacement.cwiseAbs().maxCoeff(), 2e-4);
+  ASSERT_TRUE(swung.audit.rest_difference.has_value());
+  EXPECT_NEAR(*swung.audit.rest_difference, 1.0, 1e-9);
+}
+
+TEST_F(CoexistingMotions, SweepsUpAndDownDifferBetweenTheirFolds) {
+  RotorState down = settle(1200, swung_out()).end, up;
+  for (const double speed : {1100.0, 1050.0}) {
+    const SpeedResult at = settle(speed, down);
+    EXPECT_GT(at.response.contact_steps, 0) << speed << " rad/s, downwards";
+    EXPECT_GT(*at.response.audit.rest_difference, 0.5);
+    down = at.end;
+  }
+  const SpeedResponse below = settle(950, down).response;
+  EXPECT_EQ(below.contact_steps, 0) << "below the fold there is no other motion than rest";
+  EXPECT_LT(below.displacement.cwiseAbs().maxCoeff(), 1e-6);
+  for (const double speed : {950.0, 1050.0, 1100.0, 1200.0}) {
+    const SpeedResult at = settle(speed, up);
+    EXPECT_EQ(at.response.contact_steps, 0) << speed << " rad/s, upwards";
+    up = at.end;
+  }
+}
+
 /// A disturbance of the nodal diameters that symmetry leaves out, on a wheel that rubs all around: damping takes it
 /// away at the rate of its free decay or faster; negative damping, put there by hand, lets it grow.
 double growth(double excluded_damping) {

@@ -5,20 +5,21 @@
 #include "cases/errors.h"
 #include "tests/benchmark/benchmarks.h"
 
-/// tiprub-benchmark [steps | sweep | accuracy | stability] [--model model.h5] [--speeds 20]
+/// tiprub-benchmark [steps | sweep | accuracy | schemes | stability] [--model model.h5] [--speeds 20]
 int main(int argc, char** argv) {
   CLI::App app{"What the march in time costs, and what accuracy costs."};
   std::string what = "steps", model;
   int speeds = 20;
-  app.add_option("what", what, "steps, sweep, accuracy or stability")
-      ->check(CLI::IsMember({"steps", "sweep", "accuracy", "stability"}));
-  app.add_option("--speeds", speeds, "of the sweep; 400 for the whole one")->check(CLI::PositiveNumber);
+  app.add_option("what", what, "steps, sweep, accuracy, schemes or stability")
+      ->check(CLI::IsMember({"steps", "sweep", "accuracy", "schemes", "stability"}));
+  app.add_option("--speeds", speeds, "of sweep and schemes")->check(CLI::PositiveNumber);
   app.add_option("--model", model, "a model.h5; without it, a made-up wheel of 900 dofs");
   CLI11_PARSE(app, argc, argv);
   try {
     if (what == "steps") tiprub::bench::print_step_costs(model);
     if (what == "sweep") tiprub::bench::print_sweep_cost(model, speeds);
     if (what == "accuracy") tiprub::bench::print_accuracy(model);
+    if (what == "schemes" && !tiprub::bench::print_scheme_agreement(model, speeds)) return 1;
     if (what == "stability") tiprub::bench::print_stability(model);
   } catch (const tiprub::RunError& error) {
     std::fprintf(stderr, "tiprub-benchmark: error: %s\n", error.what());

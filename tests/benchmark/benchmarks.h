@@ -19,6 +19,10 @@ void print_sweep_cost(const std::string& model, int speeds);
 /// for numbers of modes, and symmetric against full; a table to stdout.
 void print_accuracy(const std::string& model);
 
+/// What the default and central differences say of each speed of a sweep; a table to stdout. Whether they agree at 95
+/// % or more of them.
+bool print_scheme_agreement(const std::string& model, int speeds);
+
 /// Scheme over step, and penalty over stiffness: stable, inaccurate, refused or blown up; a table to stdout.
 void print_stability(const std::string& model);
 

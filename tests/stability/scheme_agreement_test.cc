@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/benchmark/scheme_agreement.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+namespace tiprub::bench {
+namespace {
+
+/// The default and central differences share the modes, the loop and the law of contact, but no coefficient: 40
+/// speeds of the made-up wheel of 900 dofs against two lobes.
+TEST(Schemes, AgreeOnAmplitudeAndContactPattern) {
+  constexpr int count = 40;
+  const std::vector<SchemePair> pairs = compare_schemes(made_wheel(2), 600, 1400, count);
+  ASSERT_EQ(pairs.size(), static_cast<std::size_t>(count));
+  int agreeing = 0;
+  for (const SchemePair& at : pairs) {
+    EXPECT_EQ(at.trigonometric.failure + at.central.failure, "");
+    EXPECT_GT(at.trigonometric.contact_steps, 0) << at.speed;
+    EXPECT_EQ(at.trigonometric.tension_steps + at.central.tension_steps, 0) << at.speed;
+    EXPECT_EQ(at.trigonometric.audit.leftover_steps + at.central.audit.leftover_steps, 0) << at.speed;
+    if (at.agree())
+      ++agreeing;
+    else
+      std::cout << at.speed << " rad/s: " << class_of(at.trigonometric) << " and " << class_of(at.central)
+                << ", amplitude differs by " << at.amplitude_difference << ", contact maps overlap by "
+                << at.pattern_overlap << "\n";
+  }
+  EXPECT_GE(agreeing, 0.95 * count);
+}
+
+}  // namespace
+}  // namespace tiprub::bench

@@ -4,24 +4,30 @@ set output "chart.svg"
 set datafile separator "\t"
 set multiplot layout 2,2
 set logscale xy
+cost = "< grep '^[0-9]' cost.tsv"
 set grid
-time(x) = a * x**p
-memory(x) = b * x**q
+seconds(x) = a * x**p
+gibibytes(x) = b * x**q
 a = 1e-4; p = 1.2; b = 1e-5; q = 1.1
 set fit quiet logfile "/dev/null"
-fit log(a) + p * log(x) "cost.tsv" using 1:(log($6)) via a, p
-fit log(b) + q * log(x) "cost.tsv" using 1:(log($7)) via b, q
-set key top left
+fit log(a) + p * log(x) cost using 1:(log($6)) via a, p
+fit log(b) + q * log(x) cost using 1:(log($7)) via b, q
+set key bottom right
+set xrange [8000:160000]
+set xtics (10000, 20000, 50000, 100000)
 set title "Cost over the size of the mesh: time"
 set xlabel "dofs of the sector"
 set ylabel "time [s]"
-plot "cost.tsv" using 1:6 with points pt 7 title "processor", time(x) title sprintf("dofs^{%.2f}", p), \
-     "cost.tsv" using 1:5 with points pt 6 title "wall"
+plot cost using 1:6 with points pt 7 title "processor", seconds(x) title sprintf("dofs^{%.2f}", p), \
+     cost using 1:5 with points pt 6 title "wall"
 set title "Cost over the size of the mesh: memory"
 set ylabel "peak memory [GiB]"
-plot "cost.tsv" using 1:7 with points pt 7 title "peak", "cost.tsv" using 1:8 with points pt 6 title "expected before the start", memory(x) title sprintf("dofs^{%.2f}", q)
+plot cost using 1:7 with points pt 7 title "peak", cost using 1:8 with points pt 6 title "expected before the start", gibibytes(x) title sprintf("dofs^{%.2f}", q)
 unset logscale x
-set key top right
+set xrange [400:1400]
+set xtics auto
+set key top right samplen 2
+set yrange [1e-4:3]
 set ylabel "worst error of the first 50 frequencies [%]"
 set title "Error over the size of the model"
 set xlabel "dofs of the whole wheel's model at any one speed"
@@ -31,6 +37,8 @@ plot for [name in "stress_only linear nonlinear"] of(name) using 7:8 with points
 set title "Error over the time of the reduction"
 set xlabel "processor time [s]"
 set logscale x
+set xrange [3:30]
+set xtics (3, 5, 10, 20, 30)
 plot for [name in "stress_only linear nonlinear"] of(name) using 10:8 with points pt 7 ps 0.9 title name noenhanced, \
      0.1 with lines lc "gray" title "0.1 %", 0.01 with lines dt 2 lc "gray" title "0.01 %"
 unset multiplot

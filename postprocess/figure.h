@@ -25,6 +25,7 @@ struct Figure {
   std::string caption;
   Table data;  ///< what is drawn, as <name>.csv
   std::vector<Pixels> pixels;
+  std::vector<std::string> fields;  ///< the same for ParaView, if there is: files in the report's folder
 };
 
 // One builder a figure; each says in its caption what is drawn and how.

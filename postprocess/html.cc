@@ -85,7 +85,7 @@ const char* style() {
   return R"(
 :root{color-scheme:light}
 body{font:16px/1.55 system-ui,"DejaVu Sans",Verdana,sans-serif;color:#1c2733;background:#fff;margin:0}
-main{max-width:68rem;margin:0 auto;padding:2rem 1.25rem 4rem}
+main{max-width:72rem;margin:0 auto;padding:2rem 1.25rem 4rem}
 h1{font-size:1.7rem;line-height:1.25;margin:.2rem 0 .3rem}
 h2{font-size:1.25rem;margin:2.6rem 0 .6rem;border-bottom:1px solid #d5dce3;padding-bottom:.25rem}
 p{max-width:50rem}
@@ -95,8 +95,8 @@ p{max-width:50rem}
 .scroll{overflow-x:auto}
 button{font:inherit;font-size:.78rem;color:#0b5fa5;background:#fff;border:1px solid #c5d3df;border-radius:3px;cursor:pointer;margin:.2rem 0}
 table{border-collapse:collapse;font-size:.86rem;font-variant-numeric:tabular-nums;margin:.4rem 0}
-th{text-align:left;font-weight:600;border-bottom:2px solid #9fb0bf;padding:.3rem .65rem;vertical-align:bottom}
-td{border-bottom:1px solid #e3e8ed;padding:.25rem .65rem;white-space:nowrap}
+th{text-align:left;font-weight:600;border-bottom:2px solid #9fb0bf;padding:.3rem .45rem;vertical-align:bottom}
+td{border-bottom:1px solid #e3e8ed;padding:.25rem .45rem;white-space:nowrap}
 td.n{text-align:right}
 tbody tr:hover{background:#f6f9fb}
 figure{margin:1.2rem 0 2rem}

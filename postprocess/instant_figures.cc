@@ -89,6 +89,7 @@ Figure instant_figure(const std::string& name, const FieldStudy& fields, const s
     labels += label(panel.title, (i + 0.5) * cell / width, 0.955, "center font ',13'");
   }
   Figure figure = picture_figure(name, width, height, picture, labels + colour_bar(palette, limit, unit));
+  figure.fields = {"fields/contact_wheel.vtu", "fields/contact_sector.vtu"};
   figure.data = {
       {"speed [rpm]", "largest displacement of the vibration [mm]", "von Mises, vibration [MPa]",
        "von Mises, spin [MPa]", "von Mises, both [MPa]", "at sector", "r [mm]", "theta [deg]", "z [mm]", "part"},
@@ -126,8 +127,7 @@ Figure contact_displacement_figure(const FieldStudy& fields, const std::vector<S
   figure.title = "Displacement at a contact instant";
   figure.caption = instant_sentence(fields) + " The vibration alone, up to " +
                    fixed(mm_per_m * largest_displacement(fields.vibration), 3) + " mm" + ", drawn as " +
-                   fixed(100 * drawn_motion, 0) + " % of the outer radius." + invariance_sentence(fields) +
-                   " For ParaView: fields/contact_wheel.vtu, fields/contact_sector.vtu.";
+                   fixed(100 * drawn_motion, 0) + " % of the outer radius." + invariance_sentence(fields);
   return figure;
 }
 

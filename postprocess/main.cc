@@ -8,10 +8,12 @@
 #include "cases/command_line.h"
 #include "cases/output_file.h"
 #include "cases/progress.h"
+#include "postprocess/exactness.h"
 #include "postprocess/field_figures.h"
 #include "postprocess/interruption.h"
 #include "postprocess/report.h"
 #include "postprocess/result_tables.h"
+#include "postprocess/verdict.h"
 #include "reduce/reduced_model_file.h"
 #include "simulate/response_file.h"
 
@@ -70,8 +72,10 @@ std::size_t write_report(Study& study, const ReportSource& source, const fs::pat
   write_text(aligned_text(critical_speed_summary(study)), folder / "critical_speeds.txt");
   write_csv(linear_criterion_record(study), folder / "linear_criterion.csv");
   write_csv(speed_record(study), folder / "speeds.csv");
+  write_csv(exactness_record(study), folder / "exactness.csv");
   write_csv(drift_record(study), folder / "contact_drift.csv");
   if (!study.sweeps.empty()) write_csv(sweep_record(study), folder / "sweeps.csv");
+  write_text(source.case_text, folder / "case.toml");
   write_text(report_page(study, source, figures, folder), folder / "report.html");
   return figures.size();
 }

@@ -16,10 +16,6 @@ struct ReportSource {
   std::string case_text;  ///< the case file as it was read
 };
 
-/// The findings in words: how many critical speeds, which is the worst and why, what the linear rules missed, how far
-/// the numbers may be trusted. One sentence a line.
-std::vector<std::string> verdict(const Study& study);
-
 /// The page: self-contained, the figures' SVG inside (read from `folder`/figures), links to the tables beside it.
 std::string report_page(const Study& study, const ReportSource& source, const std::vector<Figure>& figures,
                         const std::filesystem::path& folder);

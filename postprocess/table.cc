@@ -58,6 +58,10 @@ std::string scientific(double value, int digits) {
   return std::isfinite(value) ? number(value, "%.*e", digits) : "";
 }
 
+std::string significant(double value, int digits) {
+  return std::isfinite(value) ? number(value, "%.*g", digits) : "";
+}
+
 void write_csv(const Table& table, const std::filesystem::path& path) {
   std::string text;
   for (std::size_t i = 0; i < table.header.size(); ++i) text += (i > 0 ? "," : "") + csv_text(table.header[i]);

@@ -21,6 +21,8 @@ struct Table {
 std::string fixed(double value, int digits);
 /// "1.2e-05": likewise, with an exponent.
 std::string scientific(double value, int digits);
+/// "0.025": so many digits that count.
+std::string significant(double value, int digits);
 
 /// Comma-separated, the header first; texts with a comma or quote in quotes. Raises RunError if it can't be written.
 void write_csv(const Table& table, const std::filesystem::path& path);

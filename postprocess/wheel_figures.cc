@@ -129,13 +129,12 @@ Figure mode_shapes_figure(const FieldStudy& fields, const std::vector<SurfaceFac
                                  labels + colour_bar(displacement_palette(), 1, "displacement"));
   figure.data = std::move(data);
   figure.title = "Mode shapes";
-  figure.caption =
-      "Natural modes at " + rpm_text(fields.speed) +
-      ", of the nodal diameters that the casing's lowest harmonics drive. Largest displacement 1 in "
-      "each, drawn as " +
-      fixed(100 * drawn_mode, 0) +
-      " % of the outer radius. A nodal diameter strictly between 0 and N/2 has this shape at any angle. For "
-      "ParaView: fields/modes_wheel.vtu, fields/modes_sector.vtu.";
+  figure.caption = "Natural modes at " + rpm_text(fields.speed) +
+                   ", of the nodal diameters that the casing's lowest harmonics drive. Largest displacement 1 in "
+                   "each, drawn as " +
+                   fixed(100 * drawn_mode, 0) +
+                   " % of the outer radius. A nodal diameter strictly between 0 and N/2 has this shape at any angle.";
+  figure.fields = {"fields/modes_wheel.vtu", "fields/modes_sector.vtu"};
   return figure;
 }
 

@@ -2,6 +2,7 @@
 #include "simulate/sweep_tally.h"
 
 #include <algorithm>
+#include <iomanip>
 #include <numbers>
 #include <sstream>
 
@@ -27,6 +28,20 @@ std::string audit_text(const SpeedAudit& audit) {
   if (audit.rest_difference) text << ", " << *audit.rest_difference << " from the motion from rest";
   if (audit.left_out_energy > 0) text << ", modes left out hold " << audit.left_out_energy << " of the energy";
   return text.str();
+}
+
+/// What to write into the case to see the whole wheel at these speeds.
+std::string breaking_text(const std::vector<double>& speeds) {
+  std::ostringstream out;
+  out << "\nsymmetry-breaking at " << speeds.size()
+      << " speeds: a nodal diameter left out grows. For the whole wheel there, run again into another file with "
+         "[simulate] nodal_diameters = \"all\" and, in place of speed_min_rpm, speed_max_rpm and speed_count, "
+         "speeds_rpm "
+         "= [";
+  out << std::setprecision(10);
+  for (std::size_t i = 0; i < speeds.size(); ++i) out << (i > 0 ? ", " : "") << rpm(speeds[i]);
+  out << "]";
+  return out.str();
 }
 
 }  // namespace
@@ -65,7 +80,8 @@ void SweepTally::add(const SpeedResponse& at) {
   ++(at.motion == MotionClass::periodic ? periodic : at.motion == MotionClass::subharmonic ? subharmonic : irregular);
   if (at.tension_steps > 0) ++pulling;
   if (at.audit.leftover_steps > 0) ++penetrating;
-  if (at.audit.symmetry == SymmetryVerdict::breaking) ++breaking;
+  if (at.audit.symmetry == SymmetryVerdict::breaking) breaking.push_back(at.speed);
+  if (at.audit.acceleration.outcome == AccelerationReport::Outcome::fell_back) ++fallen_back;
   if (at.audit.rest_difference.value_or(0) > same_motion) ++apart_from_rest;
   if (at.audit.halving_difference) ++halved;
   largest_halving = std::max(largest_halving, at.audit.halving_difference.value_or(0));
@@ -76,6 +92,7 @@ std::string SweepTally::text() const {
   std::ostringstream out;
   out << periodic << " periodic, " << subharmonic << " subharmonic, " << irregular << " irregular, " << failed
       << " failed";
+  if (fallen_back > 0) out << "; the acceleration fell back at " << fallen_back;
   if (halved > 0) out << "; half the step, at " << halved << " of them, changes at most " << largest_halving;
   return out.str();
 }
@@ -86,10 +103,7 @@ std::string SweepTally::warnings() const {
     out << "\nat " << pulling << " speeds the casing pulls, with up to " << tension_share << " of the force";
   if (tension_share > tolerated_tension) out << ": more than " << tolerated_tension << ", don't trust these";
   if (penetrating > 0) out << "\nat " << penetrating << " speeds steps leave a node in the casing";
-  if (breaking > 0)
-    out << "\nsymmetry-breaking at " << breaking
-        << " speeds: a nodal diameter left out grows; set [simulate] nodal_diameters = \"all\" to see what becomes "
-           "of it";
+  if (!breaking.empty()) out << breaking_text(breaking);
   if (failed > 0) out << "\nfirst failure: " << first_failure;
   if (apart_from_rest > 0) out << "\nat " << apart_from_rest << " speeds the motion differs from that from rest";
   return out.str();

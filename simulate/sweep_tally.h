@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "simulate/response.h"
 
@@ -19,8 +20,9 @@ struct SweepTally {
   std::size_t periodic = 0, subharmonic = 0, irregular = 0, failed = 0;
   std::size_t pulling = 0;          ///< speeds with a casing that pulls
   std::size_t penetrating = 0;      ///< speeds with steps that leave a node in the casing
-  std::size_t breaking = 0;         ///< speeds at which a nodal diameter left out grows
+  std::vector<double> breaking;     ///< [rad/s] speeds at which a nodal diameter left out grows
   std::size_t apart_from_rest = 0;  ///< speeds whose motion is another one from rest
+  std::size_t fallen_back = 0;      ///< speeds that no jump brought to their settled motion
   std::size_t halved = 0;           ///< speeds computed with half the step as well
   double largest_halving = 0;       ///< [1] the largest difference there
   double tension_share = 0;         ///< [1] the largest share of the force that pulls

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep_tally.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace tiprub {
+namespace {
+
+SpeedResponse held(double rpm) {
+  SpeedResponse at;
+  at.speed = rpm * 2 * std::numbers::pi / 60;
+  at.motion = MotionClass::periodic;
+  return at;
+}
+
+TEST(SweepTally, SaysHowToRunTheSpeedsThatBreakTheSymmetry) {
+  SweepTally tally;
+  tally.add(held(9000));
+  for (const double rpm : {12000.0, 13012.5}) {
+    SpeedResponse at = held(rpm);
+    at.audit.symmetry = SymmetryVerdict::breaking;
+    tally.add(at);
+  }
+  EXPECT_EQ(tally.periodic, 3u);
+  EXPECT_NE(tally.warnings().find("symmetry-breaking at 2 speeds"), std::string::npos);
+  EXPECT_NE(tally.warnings().find("nodal_diameters = \"all\""), std::string::npos);
+  EXPECT_NE(tally.warnings().find("speeds_rpm = [12000, 13012.5]"), std::string::npos) << tally.warnings();
+}
+
+TEST(SweepTally, IsSilentWhereNothingIsWrong) {
+  SweepTally tally;
+  tally.add(held(9000));
+  EXPECT_EQ(tally.warnings(), "");
+  EXPECT_EQ(tally.text(), "1 periodic, 0 subharmonic, 0 irregular, 0 failed");
+}
+
+TEST(SweepTally, CountsJumpsThatFellBack) {
+  SpeedResponse at = held(9000);
+  at.audit.acceleration = {AccelerationReport::Outcome::fell_back, 25, 1e-2};
+  SweepTally tally;
+  tally.add(at);
+  EXPECT_NE(tally.text().find("the acceleration fell back at 1"), std::string::npos);
+  EXPECT_NE(speed_line(at).find("acceleration fell back after 25 revolutions"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tiprub

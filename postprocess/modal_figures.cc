@@ -58,12 +58,24 @@ Eigen::MatrixXd zigzag_rows(const Study& study, double speed, double frequency_m
   return rows;
 }
 
-std::string interference_panel(const Study& study, const std::string& suffix, double speed, double frequency_max) {
+/// Beside the last nodal diameter, at a speed.
+std::string family_labels(const Study& study, double speed) {
+  const int last = study.model.nodal_diameter_max();
   std::ostringstream out;
-  out << style::block("spin" + suffix, veering_rows(study, speed))
-      << style::block("zigzag" + suffix, zigzag_rows(study, speed, frequency_max)) << "set title 'at "
-      << fixed(speed * rpm_per_rad_s, 0) << " rpm' offset 0,-0.5\nplot $zigzag" << suffix
-      << " using 1:2 with lines linewidth 1 linecolor rgb '#999999' title 'engine orders'";
+  for (int family = 0; family < veering_families(study, last); ++family)
+    out << "set label " << 1 + family << " 'family " << 1 + family << "' at " << last << ","
+        << study.curves.frequency(last, family, speed) << " left offset 0.9,0 font ',10' textcolor rgb '#0072b2'\n";
+  return out.str();
+}
+
+std::string interference_panel(const Study& study, const std::string& suffix, double speed, double frequency_max) {
+  constexpr int few_orders = 12;  // more, and only those that the casing drives are named
+  const Eigen::MatrixXd zigzag = zigzag_rows(study, speed, frequency_max);
+  const char* named = zigzag.rows() > few_orders + 1 ? "$4>0" : "$3>0";
+  std::ostringstream out;
+  out << style::block("spin" + suffix, veering_rows(study, speed)) << style::block("zigzag" + suffix, zigzag)
+      << family_labels(study, speed) << "set title 'at " << rpm_text(speed) << "' offset 0,-0.5\nplot $zigzag"
+      << suffix << " using 1:2 with lines linewidth 1 linecolor rgb '#999999' title 'engine orders'";
   for (int family = 0; family < veering_families(study); ++family)
     out << ", $rest using 1:" << family + 2
         << " with linespoints pointtype 6 pointsize 0.9 dashtype 3 linecolor rgb '"
@@ -73,9 +85,22 @@ std::string interference_panel(const Study& study, const std::string& suffix, do
         << (family == 0 ? "title 'modes at speed'" : "notitle");
   out << ", $zigzag" << suffix
       << " using ($4>0?$1:NaN):2 with points pointtype 7 pointsize 0.8 linecolor rgb '#d55e00' title 'driven by the "
-         "casing', '' using 1:2:($3>0?sprintf('EO %d',$3):'') with labels left offset 0.8,-0.3 font ',10' textcolor "
-         "rgb '#555555' notitle\n";
+         "casing'";
+  // Names beside the line: below it where it rises with the engine order, above it where it falls.
+  const int sectors = study.model.sector_count;
+  for (const bool rising : {true, false})
+    out << ", '' using 1:2:(" << named << " && " << (rising ? "" : "!") << "(2*(int($3)%" << sectors << ")<"
+        << sectors << ")?sprintf('EO %d',$3):'') with labels left offset 0.8," << (rising ? -0.3 : 0.4)
+        << " font ',10' textcolor rgb '#555555' notitle";
+  out << "\n";
   return out.str();
+}
+
+/// The lowest critical speed, where the zig-zag has its many legs; the highest speed if there is none other.
+double second_speed(const Study& study, double shown) {
+  for (const CriticalSpeed& critical : study.critical)
+    if (critical.speed != shown) return critical.speed;
+  return study.range.high;
 }
 
 }  // namespace
@@ -130,9 +155,9 @@ Figure campbell_figure(const Study& study) {
 }
 
 Figure interference_figure(const Study& study) {
-  const double shown = study.shown_response().speed;
+  const double shown = study.shown_response().speed, second = second_speed(study, shown);
   double top = 0;
-  for (const double speed : {0.0, study.range.high}) {
+  for (const double speed : {0.0, shown, second}) {
     const Eigen::MatrixXd rows = veering_rows(study, speed);
     for (Eigen::Index i = 0; i < rows.rows(); ++i)
       for (Eigen::Index family = 1; family < rows.cols(); ++family)
@@ -144,13 +169,13 @@ Figure interference_figure(const Study& study) {
   figure.title = "Nodal diameter over frequency";
   figure.caption =
       "The families over the nodal diameter, at rest and at two speeds: the one whose motion is shown below, and the "
-      "highest. The "
-      "zig-zag is where the sectors see the engine orders (eq. 17); a resonance threatens where one of "
+      "lowest critical speed. The zig-zag is where the sectors see the engine orders (eq. 17); a resonance threatens "
+      "where one of "
       "its orange corners, the multiples of the lobes, lies on a mode.";
   figure.data = {{"speed [rpm]", "nodal diameter"}, {}};
   for (int family = 1; family <= veering_families(study); ++family)
     figure.data.header.push_back("family " + std::to_string(family) + " [Hz]");
-  for (const double speed : {0.0, shown, study.range.high}) {
+  for (const double speed : {0.0, shown, second}) {
     const Eigen::MatrixXd rows = veering_rows(study, speed);
     for (Eigen::Index n = 0; n < rows.rows(); ++n) {
       figure.data.rows.push_back({speed * rpm_per_rad_s, static_cast<int>(n)});
@@ -160,11 +185,11 @@ Figure interference_figure(const Study& study) {
   std::ostringstream out;
   out << style::base() << style::block("rest", veering_rows(study, 0.0))
       << "set multiplot layout 1,2 margins screen 0.085,0.98,0.11,0.86 spacing screen 0.07,0.1\n"
-      << style::range("x", -0.3, count - 0.4) << style::range("y", 0, top)
+      << style::range("x", -0.3, count - 0.1) << style::range("y", 0, top)
       << "set xtics 1\nset xlabel 'nodal diameter'\nset ylabel 'frequency in the rotor frame [Hz]'\n"
       << "set key at screen 0.53,0.985 center top horizontal maxrows 1\n"
       << interference_panel(study, "1", shown, top) << "unset ylabel\nunset key\n"
-      << interference_panel(study, "2", study.range.high, top) << "unset multiplot\n";
+      << interference_panel(study, "2", second, top) << "unset multiplot\n";
   figure.drawing.commands = out.str();
   return figure;
 }

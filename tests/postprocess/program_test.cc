@@ -56,6 +56,8 @@ TEST_F(Program, MakesTheWholeReport) {
     EXPECT_NE(svg.find("</svg>"), std::string::npos) << name;
     EXPECT_GT(text_of(report / "figures" / (name + ".csv")).size(), 100U) << name;
   }
+  for (const char* label : {"family 1", "family 5", "EO 2"})
+    EXPECT_NE(text_of(report / "figures" / "interference.svg").find(label), std::string::npos) << label;
   for (const fs::directory_entry& entry : fs::directory_iterator(report / "figures"))
     EXPECT_TRUE(entry.path().extension() == ".png" || entry.path().extension() == ".svg" ||
                 entry.path().extension() == ".csv")

@@ -26,6 +26,7 @@ struct ProcessGroup::Shared {
   std::mutex one_at_a_time;
   long long counter = 0;  ///< without MPI
   MPI_Win window = MPI_WIN_NULL;
+  long long* memory = nullptr;  ///< the leader's counter
 };
 
 ProcessGroup::ProcessGroup() : shared_(std::make_unique<Shared>()) {
@@ -41,12 +42,8 @@ ProcessGroup::ProcessGroup() : shared_(std::make_unique<Shared>()) {
   long long* counter = nullptr;
   MPI_Win_allocate(leads() ? sizeof(long long) : 0, sizeof(long long), MPI_INFO_NULL, MPI_COMM_WORLD, &counter,
                    &shared_->window);
-  if (leads()) {
-    MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, shared_->window);
-    *counter = 0;
-    MPI_Win_unlock(0, shared_->window);
-  }
-  MPI_Barrier(MPI_COMM_WORLD);
+  shared_->memory = counter;
+  restart();
 }
 
 ProcessGroup::~ProcessGroup() {
@@ -70,6 +67,18 @@ std::size_t ProcessGroup::add(long long increment) {
 
 std::size_t ProcessGroup::next() {
   return add(1);
+}
+
+void ProcessGroup::restart() {
+  shared_->counter = 0;
+  if (shared_->window == MPI_WIN_NULL) return;
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (leads()) {
+    MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, shared_->window);
+    *shared_->memory = 0;
+    MPI_Win_unlock(0, shared_->window);
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
 }
 
 void ProcessGroup::stop() {

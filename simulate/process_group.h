@@ -26,6 +26,8 @@ class ProcessGroup {
   /// 0, 1, 2, ...: each number goes to one caller only, in any process. Any thread may ask. One atomic addition in
   /// the leader's memory; no process waits for another one.
   std::size_t next();
+  /// next() begins anew; all processes must call, after the last one of a list has been taken.
+  void restart();
   /// From now on next() gives numbers beyond any list.
   void stop();
   /// Whether it holds anywhere; all processes must ask.

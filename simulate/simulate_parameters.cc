@@ -123,6 +123,9 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
       table.integer("halved_step_checks", 3, Range::between(0, count_max), "speeds, evenly spread, ends first");
   parameters.symmetry_check_revolutions =
       table.integer("symmetry_check_revolutions", 12, Range::between(0, count_max), "0: no check");
+  parameters.when_symmetry_breaks =
+      table.choice<BrokenSymmetry>("when_symmetry_breaks", BrokenSymmetry::mark,
+                                   {{"mark", BrokenSymmetry::mark}, {"full_run", BrokenSymmetry::full_run}});
   table.close();
   return parameters;
 }

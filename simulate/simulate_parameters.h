@@ -27,6 +27,12 @@ enum class Acceleration {
   anderson,  ///< by a jump to the fixed point of the symmetric map, confirmed by marching; by marching if that fails
 };
 
+/// What is done about speeds whose symmetric motion repels.
+enum class BrokenSymmetry {
+  mark,      ///< they are named
+  full_run,  ///< and run again with all nodal diameters, into a response of their own
+};
+
 /// What [simulate] asks for.
 struct SimulateParameters {
   std::vector<double> speeds;  ///< [rad/s], ascending, all different
@@ -50,7 +56,8 @@ struct SimulateParameters {
   int casing_areas = 0;
   int halved_step_checks = 0;          ///< speeds of a sweep that are computed with half the step as well
   int symmetry_check_revolutions = 0;  ///< after settling, with a small disturbance of what symmetry left out
-  int threads = 0;                     ///< 0: as many as the machine has
+  BrokenSymmetry when_symmetry_breaks = BrokenSymmetry::mark;
+  int threads = 0;  ///< 0: as many as the machine has
 };
 
 /// Reads [simulate]. Raises InputError.

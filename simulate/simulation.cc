@@ -133,26 +133,20 @@ void say_scope(const StageArguments& arguments, const Inputs& inputs, const Scen
     for (const std::string& reason : scope.reasons) say(arguments, reason);
 }
 
-void say_result(const StageArguments& arguments, const SweepTally& tally, std::size_t computed, std::size_t speeds,
-                double seconds) {
+void say_result(const StageArguments& arguments, const SimulateParameters& parameters, const SweepTally& tally,
+                std::size_t computed, double seconds) {
+  const std::size_t speeds = parameters.speeds.size();
   std::ostringstream line;
   line << arguments.output.string() << ": " << speeds << " speeds: " << tally.text() << "; " << speeds - computed
-       << " of them from before; " << std::fixed << std::setprecision(1) << seconds << " s" << tally.warnings();
+       << " of them from before; " << std::fixed << std::setprecision(1) << seconds << " s"
+       << tally.warnings(parameters.when_symmetry_breaks);
   say(arguments, line.str());
 }
 
-}  // namespace
-
-void simulate(const StageArguments& arguments, int threads) {
+/// All that a sweep is, into arguments.output; the speeds at which it breaks the symmetry, known to all processes.
+std::vector<double> run_sweep(const StageArguments& arguments, const Inputs& inputs, const SceneScope& scope,
+                              int threads, ProcessGroup& group) {
   const auto start = std::chrono::steady_clock::now();
-  const Inputs inputs = read_inputs(arguments);
-  const SceneScope scope = find_scope(inputs.model.sector_count, inputs.casing.lobes, inputs.parameters);
-  if (arguments.action == Action::check) {
-    say_scope(arguments, inputs, scope);
-    return;
-  }
-  { const OutputFile writable(arguments.output); }  // complain before the work, not after it
-  ProcessGroup group;
   if (group.leads()) say_scope(arguments, inputs, scope);
   const std::string key = run_key(inputs.model, inputs.casing, inputs.parameters, program_version(program));
   const SimulatedScene scene = describe(inputs, scope);
@@ -170,10 +164,47 @@ void simulate(const StageArguments& arguments, int threads) {
   if (failed_anywhere) throw RunError("another process of the sweep failed; see its message");
   const std::size_t computed = compute_missing(arguments, {inputs.model, inputs.casing, inputs.parameters, scope},
                                                thread_count(threads, inputs.parameters, group), group, *finished);
-  if (!group.leads()) return;
-  const SweepTally tally = assemble(inputs, scene, key, *finished, arguments.output);
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  say_result(arguments, tally, computed, inputs.parameters.speeds.size(), spent.count());
+  std::vector<double> breaking;
+  if (group.leads()) {
+    const SweepTally tally = assemble(inputs, scene, key, *finished, arguments.output);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    say_result(arguments, inputs.parameters, tally, computed, spent.count());
+    breaking = tally.breaking;
+  }
+  if (inputs.parameters.when_symmetry_breaks == BrokenSymmetry::full_run) group.share(breaking);
+  return breaking;
+}
+
+/// The speeds that break the symmetry, each from rest with all nodal diameters, into a response beside the first one.
+void run_whole_wheel(StageArguments arguments, Inputs inputs, const std::vector<double>& speeds, int threads,
+                     ProcessGroup& group) {
+  arguments.output.replace_filename(arguments.output.stem().string() + "_full" +
+                                    arguments.output.extension().string());
+  inputs.parameters.speeds = speeds;
+  inputs.parameters.nodal_diameters = DiameterChoice::all;
+  inputs.parameters.sweep = SweepDirection::rest;
+  inputs.parameters.halved_step_checks = 0;
+  SceneScope scope = find_scope(inputs.model.sector_count, inputs.casing.lobes, inputs.parameters);
+  scope.reasons.push_back("only the speeds at which the symmetric motion of " + arguments.inputs[0].string() +
+                          " repels (when_symmetry_breaks = \"full_run\")");
+  run_sweep(arguments, inputs, scope, threads, group);
+}
+
+}  // namespace
+
+void simulate(const StageArguments& arguments, int threads) {
+  const Inputs inputs = read_inputs(arguments);
+  const SceneScope scope = find_scope(inputs.model.sector_count, inputs.casing.lobes, inputs.parameters);
+  if (arguments.action == Action::check) {
+    say_scope(arguments, inputs, scope);
+    return;
+  }
+  { const OutputFile writable(arguments.output); }  // complain before the work, not after it
+  ProcessGroup group;
+  const std::vector<double> breaking = run_sweep(arguments, inputs, scope, threads, group);
+  if (breaking.empty() || inputs.parameters.when_symmetry_breaks == BrokenSymmetry::mark) return;
+  group.restart();
+  run_whole_wheel(arguments, inputs, breaking, threads, group);
 }
 
 }  // namespace tiprub

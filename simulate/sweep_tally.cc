@@ -31,11 +31,16 @@ std::string audit_text(const SpeedAudit& audit) {
 }
 
 /// What to write into the case to see the whole wheel at these speeds.
-std::string breaking_text(const std::vector<double>& speeds) {
+std::string breaking_text(const std::vector<double>& speeds, BrokenSymmetry broken) {
   std::ostringstream out;
-  out << "\nsymmetry-breaking at " << speeds.size()
-      << " speeds: a nodal diameter left out grows. For the whole wheel there, run again into another file with "
-         "[simulate] nodal_diameters = \"all\" and, in place of speed_min_rpm, speed_max_rpm and speed_count, "
+  out << "\nsymmetry-breaking at " << speeds.size() << " speeds: a nodal diameter left out grows";
+  if (broken == BrokenSymmetry::full_run) {
+    out << "; these are run again with the whole wheel";
+    return out.str();
+  }
+  out << ". For the whole wheel there, set [simulate] when_symmetry_breaks = \"full_run\", or run again into another "
+         "file with "
+         "nodal_diameters = \"all\" and, in place of speed_min_rpm, speed_max_rpm and speed_count, "
          "speeds_rpm "
          "= [";
   out << std::setprecision(10);
@@ -97,13 +102,13 @@ std::string SweepTally::text() const {
   return out.str();
 }
 
-std::string SweepTally::warnings() const {
+std::string SweepTally::warnings(BrokenSymmetry broken) const {
   std::ostringstream out;
   if (pulling > 0)
     out << "\nat " << pulling << " speeds the casing pulls, with up to " << tension_share << " of the force";
   if (tension_share > tolerated_tension) out << ": more than " << tolerated_tension << ", don't trust these";
   if (penetrating > 0) out << "\nat " << penetrating << " speeds steps leave a node in the casing";
-  if (!breaking.empty()) out << breaking_text(breaking);
+  if (!breaking.empty()) out << breaking_text(breaking, broken);
   if (failed > 0) out << "\nfirst failure: " << first_failure;
   if (apart_from_rest > 0) out << "\nat " << apart_from_rest << " speeds the motion differs from that from rest";
   return out.str();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulate/response.h"
+#include "simulate/simulate_parameters.h"
 
 namespace tiprub {
 
@@ -31,7 +32,7 @@ struct SweepTally {
   void add(const SpeedResponse& at);
   std::string text() const;
   /// A line for each thing that asks for a decision, each with a line break before it.
-  std::string warnings() const;
+  std::string warnings(BrokenSymmetry broken = BrokenSymmetry::mark) const;
 };
 
 }  // namespace tiprub

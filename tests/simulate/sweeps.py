@@ -56,6 +56,26 @@ for direction in ("up", "down"):
         compared = [at for at in speeds if "rest_difference" in at]
         require(len(compared) == 11, "all but the first are compared with the motion from rest")
 
+breaking = CASE.replace("speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40", "speeds_rpm = [9000, 17576.27119]")
+breaking = breaking.replace("damping_ratio = 0.005", "damping_ratio = 0.002")
+bench.write("mark.toml", breaking)
+run = bench.run("--threads", "1", case="mark.toml", output="mark.h5")
+require("symmetry-breaking at 1 speeds" in run.stderr and "speeds_rpm = [17576.27119]" in run.stderr, "a broken symmetry is named")
+require(not os.path.exists(bench.path("mark_full.h5")), "  and no more is done")
+bench.write("full.toml", breaking + 'when_symmetry_breaks = "full_run"\n')
+run = bench.run("--threads", "1", case="full.toml", output="one.h5")
+require(run.returncode == 0 and "one_full.h5: 1 speeds" in run.stderr, "or run whole: " + run.stderr.strip())
+with h5py.File(bench.path("one_full.h5")) as file:
+    require(list(file["nodal_diameters"]) == [0, 1, 2, 3] and file.attrs["independent_sectors"] == 6, "  with all sectors")
+    require(b"full_run" in file.attrs["scope"], "  and says why")
+    u = file["speed/00000/displacement"][()]
+    apart = np.abs(u[:, :3] - u[:, 3:]).max() / np.abs(u).max()
+    require(apart > 1e-2, f"  opposite sectors differ by {apart:.1e} there")
+bench.run("-q", "--threads", "1", case="full.toml", output="again.h5")
+ranks = subprocess.run(mpirun + bench.command("-q", "--threads", "1", case="full.toml", output="shared.h5"))
+for name in ("again", "shared"):
+    require(bench.read(name + "_full.h5") == bench.read("one_full.h5"), f"  {name}: the same bytes")
+
 motions = {}
 for scheme, more in (("trigonometric", ""), ("central_differences", "steps_per_revolution = 4000\n"),
                      ("residual_flexibility", "modes = 10\n"), ("moreau_jean", "steps_per_revolution = 4000\n"),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <optional>
 
 #include "postprocess/figure_style.h"
@@ -25,6 +26,30 @@ std::string order_text(double engine_order) {
 
 std::string signed_percent(double value) {
   return (value >= 0 ? "+" : "") + fixed(percent * value, 1);
+}
+
+/// A column's name, and how it is read from what a row is about.
+template <class Item>
+struct Column {
+  const char* name;
+  std::function<Cell(const Item&)> cell;
+};
+
+template <class Item>
+Table table_of(const std::vector<Column<Item>>& columns, const std::vector<Item>& items) {
+  Table table;
+  for (const Column<Item>& column : columns) table.header.emplace_back(column.name);
+  for (const Item& item : items) {
+    table.rows.emplace_back();
+    for (const Column<Item>& column : columns) table.rows.back().push_back(column.cell(item));
+  }
+  return table;
+}
+
+void sort_by_speed(Table& table) {
+  std::stable_sort(table.rows.begin(), table.rows.end(), [](const auto& a, const auto& b) {
+    return std::get<double>(a.front()) < std::get<double>(b.front());
+  });
 }
 
 /// "listed" by a rule, or why eq. 2 leaves a crossing out.
@@ -95,63 +120,36 @@ bool has_stress(const Study& study) {
 }
 
 Table critical_speed_record(const Study& study) {
-  Table table{{"speed [rpm]",
-               "speed [rad/s]",
-               "amplitude [mm]",
-               "prominence [mm]",
-               "contact node",
-               "family",
-               "nodal diameter",
-               "signed nodal diameter",
-               "engine order",
-               "wave",
-               "wave amplitude [mm]",
-               "natural frequency [Hz]",
-               "detuning [%]",
-               "largest engine order",
-               "largest signed nodal diameter",
-               "largest wave amplitude [mm]",
-               "contact areas leading edge",
-               "contact areas trailing edge",
-               "von Mises, vibration [MPa]",
-               "von Mises, spin [MPa]",
-               "von Mises, both [MPa]",
-               "vibration stresses most",
-               "at radius [mm]",
-               "motion",
-               "foretold by eq. 2",
-               "foretold with aliasing"},
-              {}};
-  for (const CriticalSpeed& critical : study.critical) {
-    const WaveLabel& wave = critical.rising;
-    table.rows.push_back({critical.speed * rpm_per_rad_s,
-                          critical.speed,
-                          critical.amplitude * mm_per_m,
-                          critical.prominence * mm_per_m,
-                          critical.node,
-                          wave.family + 1,
-                          std::abs(wave.signed_nodal_diameter),
-                          wave.signed_nodal_diameter,
-                          wave.engine_order,
-                          name_of(wave.direction),
-                          wave.amplitude * mm_per_m,
-                          wave.natural_frequency,
-                          percent * wave.detuning,
-                          critical.largest.engine_order,
-                          critical.largest.signed_nodal_diameter,
-                          critical.largest.amplitude * mm_per_m,
-                          critical.leading_edge_areas,
-                          critical.trailing_edge_areas,
-                          stress_cell(critical, &FieldPeak::vibration),
-                          stress_cell(critical, &FieldPeak::spin),
-                          stress_cell(critical, &FieldPeak::both),
-                          critical.stress ? critical.stress->part : std::string(),
-                          critical.stress ? Cell(critical.stress->place[0] * mm_per_m) : Cell(std::string()),
-                          motion_text(critical.motion, critical.period_revolutions),
-                          yes_or_no(critical.by_equation_2),
-                          yes_or_no(critical.by_aliasing)});
-  }
-  return table;
+  using Critical = CriticalSpeed;
+  return table_of<Critical>(
+      {{"speed [rpm]", [](const Critical& at) { return at.speed * rpm_per_rad_s; }},
+       {"speed [rad/s]", [](const Critical& at) { return at.speed; }},
+       {"amplitude [mm]", [](const Critical& at) { return at.amplitude * mm_per_m; }},
+       {"prominence [mm]", [](const Critical& at) { return at.prominence * mm_per_m; }},
+       {"contact node", [](const Critical& at) { return at.node; }},
+       {"family", [](const Critical& at) { return at.rising.family + 1; }},
+       {"nodal diameter", [](const Critical& at) { return std::abs(at.rising.signed_nodal_diameter); }},
+       {"signed nodal diameter", [](const Critical& at) { return at.rising.signed_nodal_diameter; }},
+       {"engine order", [](const Critical& at) { return at.rising.engine_order; }},
+       {"wave", [](const Critical& at) { return name_of(at.rising.direction); }},
+       {"wave amplitude [mm]", [](const Critical& at) { return at.rising.amplitude * mm_per_m; }},
+       {"natural frequency [Hz]", [](const Critical& at) { return at.rising.natural_frequency; }},
+       {"detuning [%]", [](const Critical& at) { return percent * at.rising.detuning; }},
+       {"largest engine order", [](const Critical& at) { return at.largest.engine_order; }},
+       {"largest signed nodal diameter", [](const Critical& at) { return at.largest.signed_nodal_diameter; }},
+       {"largest wave amplitude [mm]", [](const Critical& at) { return at.largest.amplitude * mm_per_m; }},
+       {"contact areas leading edge", [](const Critical& at) { return at.leading_edge_areas; }},
+       {"contact areas trailing edge", [](const Critical& at) { return at.trailing_edge_areas; }},
+       {"von Mises, vibration [MPa]", [](const Critical& at) { return stress_cell(at, &FieldPeak::vibration); }},
+       {"von Mises, spin [MPa]", [](const Critical& at) { return stress_cell(at, &FieldPeak::spin); }},
+       {"von Mises, both [MPa]", [](const Critical& at) { return stress_cell(at, &FieldPeak::both); }},
+       {"vibration stresses most", [](const Critical& at) { return at.stress ? at.stress->part : std::string(); }},
+       {"at radius [mm]",
+        [](const Critical& at) { return at.stress ? Cell(at.stress->place[0] * mm_per_m) : Cell(std::string()); }},
+       {"motion", [](const Critical& at) { return motion_text(at.motion, at.period_revolutions); }},
+       {"foretold by eq. 2", [](const Critical& at) { return yes_or_no(at.by_equation_2); }},
+       {"foretold with aliasing", [](const Critical& at) { return yes_or_no(at.by_aliasing); }}},
+      study.critical);
 }
 
 Table critical_speed_summary(const Study& study) {
@@ -188,81 +186,52 @@ Table linear_criterion_record(const Study& study) {
     if (lobes < 1 || crossing.engine_order % lobes != 0 ||
         crossing.engine_order > study.parameters.engine_order_max)  // else it is listed above
       append_crossing(table, study, crossing, "excluded: not driven by this casing");
-  std::stable_sort(table.rows.begin(), table.rows.end(), [](const auto& a, const auto& b) {
-    return std::get<double>(a.front()) < std::get<double>(b.front());
-  });
+  sort_by_speed(table);
   return table;
 }
 
 Table speed_record(const Study& study) {
-  Table table{{"speed [rpm]",
-               "amplitude [mm]",
-               "motion",
-               "revolutions",
-               "recorded",
-               "change",
-               "change rate",
-               "energy closing error",
-               "steps per revolution",
-               "step ratio",
-               "contact steps",
-               "tension steps",
-               "fallbacks",
-               "largest penetration [mm]",
-               "smallest multiplier [N]",
-               "leftover steps",
-               "pulling share of force",
-               "half the step changes",
-               "symmetry",
-               "growth left out",
-               "from rest differs",
-               "off the engine orders [%]",
-               "areas LE",
-               "areas TE",
-               "contrast LE",
-               "contrast TE",
-               "failure"},
-              {}};
-  for (std::size_t i = 0; i < study.response.speeds.size(); ++i) {
-    const SpeedResponse& at = study.response.speeds[i];
-    const auto k = static_cast<Eigen::Index>(i);
-    table.rows.push_back({at.speed * rpm_per_rad_s,
-                          study.amplitudes.largest[k] * mm_per_m,
-                          motion_text(at.motion, at.period_revolutions),
-                          at.revolutions,
-                          at.recorded_revolutions,
-                          at.change,
-                          at.change_rate,
-                          at.energy.closing_error,
-                          at.steps_per_revolution,
-                          at.step_ratio,
-                          static_cast<double>(at.contact_steps),
-                          static_cast<double>(at.tension_steps),
-                          static_cast<double>(at.solver_fallbacks),
-                          at.largest_penetration * mm_per_m,
-                          at.smallest_multiplier,
-                          static_cast<double>(at.audit.leftover_steps),
-                          at.audit.tension_share,
-                          cell(at.audit.halving_difference),
-                          symmetry_text(at.audit.symmetry),
-                          cell(at.audit.excluded_growth),
-                          cell(at.audit.rest_difference),
-                          percent * subharmonic_share(study.map.columns[i].spectrum),
-                          study.leading_edge.clusters[k],
-                          study.trailing_edge.clusters[k],
-                          study.leading_edge.contrast[k],
-                          study.trailing_edge.contrast[k],
-                          std::string()});
-  }
+  using Speed = SpeedResponse;
+  const auto place = [&](const Speed& at) { return &at - study.response.speeds.data(); };
+  Table table = table_of<Speed>(
+      {{"speed [rpm]", [](const Speed& at) { return at.speed * rpm_per_rad_s; }},
+       {"amplitude [mm]", [&](const Speed& at) { return study.amplitudes.largest[place(at)] * mm_per_m; }},
+       {"motion", [](const Speed& at) { return motion_text(at.motion, at.period_revolutions); }},
+       {"revolutions", [](const Speed& at) { return at.revolutions; }},
+       {"recorded", [](const Speed& at) { return at.recorded_revolutions; }},
+       {"change", [](const Speed& at) { return at.change; }},
+       {"change rate", [](const Speed& at) { return at.change_rate; }},
+       {"energy closing error", [](const Speed& at) { return at.energy.closing_error; }},
+       {"steps per revolution", [](const Speed& at) { return at.steps_per_revolution; }},
+       {"step ratio", [](const Speed& at) { return at.step_ratio; }},
+       {"contact steps", [](const Speed& at) { return static_cast<double>(at.contact_steps); }},
+       {"tension steps", [](const Speed& at) { return static_cast<double>(at.tension_steps); }},
+       {"fallbacks", [](const Speed& at) { return static_cast<double>(at.solver_fallbacks); }},
+       {"largest penetration [mm]", [](const Speed& at) { return at.largest_penetration * mm_per_m; }},
+       {"smallest multiplier [N]", [](const Speed& at) { return at.smallest_multiplier; }},
+       {"leftover steps", [](const Speed& at) { return static_cast<double>(at.audit.leftover_steps); }},
+       {"pulling share of force", [](const Speed& at) { return at.audit.tension_share; }},
+       {"half the step changes", [](const Speed& at) { return cell(at.audit.halving_difference); }},
+       {"symmetry", [](const Speed& at) { return symmetry_text(at.audit.symmetry); }},
+       {"growth left out", [](const Speed& at) { return cell(at.audit.excluded_growth); }},
+       {"from rest differs", [](const Speed& at) { return cell(at.audit.rest_difference); }},
+       {"off the engine orders [%]",
+        [&](const Speed& at) {
+          return percent * subharmonic_share(study.map.columns[static_cast<std::size_t>(place(at))].spectrum);
+        }},
+       {"areas LE", [&](const Speed& at) { return study.leading_edge.clusters[place(at)]; }},
+       {"areas TE", [&](const Speed& at) { return study.trailing_edge.clusters[place(at)]; }},
+       {"contrast LE", [&](const Speed& at) { return study.leading_edge.contrast[place(at)]; }},
+       {"contrast TE", [&](const Speed& at) { return study.trailing_edge.contrast[place(at)]; }},
+       {"failure", [](const Speed&) { return std::string(); }}},
+      study.response.speeds);
   for (const SpeedResponse& at : study.failed) {
     std::vector<Cell> row(table.header.size(), std::string());
     row.front() = at.speed * rpm_per_rad_s;
     row.back() = at.failure;
     table.rows.push_back(std::move(row));
   }
-  std::stable_sort(table.rows.begin(), table.rows.end(), [](const auto& a, const auto& b) {
-    return std::get<double>(a.front()) < std::get<double>(b.front());
-  });
+  sort_by_speed(table);
   return table;
 }
 

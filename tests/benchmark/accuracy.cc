@@ -3,28 +3,20 @@
 #include <cstdio>
 #include <numbers>
 
+#include "simulate/scene_scope.h"
 #include "simulate/speed_audit.h"
-#include "simulate/speed_run.h"
 #include "tests/benchmark/benchmarks.h"
 
 namespace tiprub::bench {
 
 namespace {
 
-constexpr int samples = 240;
 constexpr int reference_steps = 16 * 2400;
 
 SimulateParameters parameters_for(const BenchWheel& wheel, Scheme scheme, int steps) {
-  SimulateParameters parameters;
+  SimulateParameters parameters = bench_parameters(wheel, {30, 120, 6, 1e-5});
   parameters.scheme = scheme;
-  parameters.damping_ratios = {wheel.damping};
   parameters.steps_per_revolution = steps;
-  parameters.samples_per_revolution = samples;
-  parameters.recorded_revolutions = 6;
-  parameters.min_revolutions = 30;
-  parameters.max_revolutions = 120;
-  parameters.settle_tolerance = 1e-5;
-  parameters.casing_areas = 1;
   return parameters;
 }
 
@@ -34,9 +26,8 @@ struct Run {
 };
 
 Run run(const BenchWheel& wheel, const SimulateParameters& parameters) {
-  const SceneScope scope = find_scope(wheel.model.sector_count, wheel.casing.lobes, parameters);
   const double start = cpu_seconds();
-  Run result{simulate_speed({wheel.model, wheel.casing, parameters, scope}, wheel.speed).response, 0};
+  Run result{run_speed(wheel, parameters, wheel.speed), 0};
   result.milliseconds = (cpu_seconds() - start) * 1e3 / std::max(result.response.revolutions, 1);
   return result;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "reduce/reduced_model_file.h"
+#include "simulate/speed_run.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::bench {
@@ -41,6 +42,23 @@ BenchWheel given_wheel(const std::string& path, int lobes) {
   casing.clearance = {{0.0, 0.13e-3}, {1.0, 0.12e-3}};
   casing.ramp_revolutions = 3;
   return {path, read_model(path), casing, 24375 * two_pi / 60, 0.01};
+}
+
+SimulateParameters bench_parameters(const BenchWheel& wheel, const Patience& patience) {
+  SimulateParameters parameters;
+  parameters.damping_ratios = {wheel.damping};
+  parameters.samples_per_revolution = 240;
+  parameters.min_revolutions = patience.min_revolutions;
+  parameters.max_revolutions = patience.max_revolutions;
+  parameters.recorded_revolutions = patience.recorded_revolutions;
+  parameters.settle_tolerance = patience.settle_tolerance;
+  parameters.casing_areas = 1;
+  return parameters;
+}
+
+SpeedResponse run_speed(const BenchWheel& wheel, const SimulateParameters& parameters, double speed) {
+  const SceneScope scope = find_scope(wheel.model.sector_count, wheel.casing.lobes, parameters);
+  return simulate_speed({wheel.model, wheel.casing, parameters, scope}, speed).response;
 }
 
 std::vector<int> nodal_diameters(const BenchWheel& wheel, int symmetry) {

@@ -5,6 +5,8 @@
 
 #include "reduce/reduced_model.h"
 #include "simulate/casing.h"
+#include "simulate/response.h"
+#include "simulate/simulate_parameters.h"
 
 namespace tiprub::bench {
 
@@ -21,6 +23,17 @@ struct BenchWheel {
 BenchWheel made_wheel(int lobes);
 /// A model.h5 under the demo's casing. Raises RunError if it can't be read.
 BenchWheel given_wheel(const std::string& path, int lobes);
+
+/// How long a speed may take to settle.
+struct Patience {
+  int min_revolutions, max_revolutions;
+  int recorded_revolutions;  ///< of an irregular motion; of a settled one, one period
+  double settle_tolerance;
+};
+/// The default scheme and step, with what all benchmarks have in common.
+SimulateParameters bench_parameters(const BenchWheel& wheel, const Patience& patience);
+/// One speed [rad/s] from rest.
+SpeedResponse run_speed(const BenchWheel& wheel, const SimulateParameters& parameters, double speed);
 
 /// All nodal diameters, or those that the casing's orders can move.
 std::vector<int> nodal_diameters(const BenchWheel& wheel, int symmetry);

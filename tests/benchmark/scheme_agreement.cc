@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "simulate/speed_run.h"
+#include "simulate/rotor_at_speed.h"
 #include "tests/benchmark/benchmarks.h"
 
 namespace tiprub::bench {
@@ -18,19 +18,13 @@ constexpr double margin = 1.15;  // of the step at the limit of central differen
 constexpr int areas = 60;
 constexpr double agreeing_share = 0.95;
 
+/// 24 revolutions of an irregular motion, for its averages.
 SpeedResponse run(const BenchWheel& wheel, double speed, Scheme scheme, int steps) {
-  SimulateParameters parameters;
+  SimulateParameters parameters = bench_parameters(wheel, {20, 120, 24, 1e-4});
   parameters.scheme = scheme;
   parameters.steps_per_revolution = steps;
-  parameters.damping_ratios = {wheel.damping};
-  parameters.samples_per_revolution = 240;
-  parameters.recorded_revolutions = 24;  // of an irregular motion, for its averages; of a settled one, one period
-  parameters.min_revolutions = 20;
-  parameters.max_revolutions = 120;
-  parameters.settle_tolerance = 1e-4;
   parameters.casing_areas = areas;
-  const SceneScope scope = find_scope(wheel.model.sector_count, wheel.casing.lobes, parameters);
-  return simulate_speed({wheel.model, wheel.casing, parameters, scope}, speed).response;
+  return run_speed(wheel, parameters, speed);
 }
 
 int central_steps(const BenchWheel& wheel, double speed) {

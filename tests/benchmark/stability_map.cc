@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "simulate/speed_audit.h"
-#include "simulate/speed_run.h"
 #include "tests/benchmark/benchmarks.h"
 
 namespace tiprub::bench {
@@ -11,19 +10,8 @@ namespace tiprub::bench {
 namespace {
 
 constexpr double inaccurate = 5e-2;  // relative error from which on a stable run is of no use
-constexpr int samples = 240, reference_steps = 9600;
-
-SpeedResponse run(const BenchWheel& wheel, SimulateParameters parameters) {
-  parameters.damping_ratios = {wheel.damping};
-  parameters.samples_per_revolution = samples;
-  parameters.recorded_revolutions = 6;
-  parameters.min_revolutions = 20;
-  parameters.max_revolutions = 60;
-  parameters.settle_tolerance = 1e-4;
-  parameters.casing_areas = 1;
-  const SceneScope scope = find_scope(wheel.model.sector_count, wheel.casing.lobes, parameters);
-  return simulate_speed({wheel.model, wheel.casing, parameters, scope}, wheel.speed).response;
-}
+constexpr int reference_steps = 9600;
+constexpr Patience patience = {20, 60, 6, 1e-4};
 
 const char* verdict(const SpeedResponse& at, const SpeedResponse& reference) {
   if (at.failure.find("grew beyond") != std::string::npos) return "blown_up";
@@ -35,9 +23,9 @@ const char* verdict(const SpeedResponse& at, const SpeedResponse& reference) {
 
 void print_stability(const std::string& model) {
   const BenchWheel wheel = model.empty() ? made_wheel(2) : given_wheel(model, 2);
-  SimulateParameters fine;
+  SimulateParameters fine = bench_parameters(wheel, patience);
   fine.steps_per_revolution = reference_steps;
-  const SpeedResponse reference = run(wheel, fine);
+  const SpeedResponse reference = run_speed(wheel, fine, wheel.speed);
   std::printf("# %s at %.1f rad/s\n# row\tname\tsteps a revolution\tverdict\n", wheel.name.c_str(), wheel.speed);
   struct Row {
     const char* name;
@@ -61,13 +49,14 @@ void print_stability(const std::string& model) {
   int number = 0;
   for (const Row& row : rows) {
     for (int steps : {240, 480, 960, 1920, 3840, 7680, 15360}) {
-      SimulateParameters parameters;
+      SimulateParameters parameters = bench_parameters(wheel, patience);
       parameters.scheme = row.scheme;
       parameters.contact = row.contact;
       parameters.modes = row.modes;
       parameters.penalty_stiffness = row.penalty;
       parameters.steps_per_revolution = steps;
-      std::printf("%d\t%s\t%d\t%s\n", number, row.name, steps, verdict(run(wheel, parameters), reference));
+      std::printf("%d\t%s\t%d\t%s\n", number, row.name, steps,
+                  verdict(run_speed(wheel, parameters, wheel.speed), reference));
       std::fflush(stdout);
     }
     ++number;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdio>
 
-#include "simulate/speed_run.h"
 #include "tests/benchmark/benchmarks.h"
 
 namespace tiprub::bench {
@@ -11,30 +10,19 @@ namespace {
 constexpr int whole_sweep = 400, revolutions = 60, recorded = 6;
 constexpr double slowest = 0.6, fastest = 1.4;  // of the wheel's speed
 
-SimulateParameters sweep_parameters(const BenchWheel& wheel) {
-  SimulateParameters parameters;
-  parameters.damping_ratios = {wheel.damping};
-  parameters.samples_per_revolution = 240;
-  parameters.recorded_revolutions = recorded;
-  parameters.min_revolutions = parameters.max_revolutions = revolutions;
-  parameters.settle_tolerance = 1e-4;
-  parameters.casing_areas = 200;
-  return parameters;
-}
-
 }  // namespace
 
 void print_sweep_cost(const std::string& model, int speeds) {
   const BenchWheel wheel = model.empty() ? made_wheel(3) : given_wheel(model, 3);
-  const SimulateParameters parameters = sweep_parameters(wheel);
-  const SceneScope scope = find_scope(wheel.model.sector_count, wheel.casing.lobes, parameters);
+  SimulateParameters parameters = bench_parameters(wheel, {revolutions, revolutions, recorded, 1e-4});
+  parameters.casing_areas = 200;
   std::printf("# %s, three lobes, %d revolutions a speed\n# rad/s\tsteps a revolution\tcontact\tms a revolution\n",
               wheel.name.c_str(), revolutions);
   double sum = 0;
   for (int i = 0; i < speeds; ++i) {
     const double speed = wheel.speed * (slowest + (fastest - slowest) * (i + 0.5) / speeds);
     const double start = cpu_seconds();
-    const SpeedResponse at = simulate_speed({wheel.model, wheel.casing, parameters, scope}, speed).response;
+    const SpeedResponse at = run_speed(wheel, parameters, speed);
     const double spent = cpu_seconds() - start;
     sum += spent;
     if (!at.failure.empty()) std::printf("# %s\n", at.failure.c_str());

@@ -2,24 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "simulate/speed_audit.h"
-#include "simulate/speed_run.h"
 #include "tests/benchmark/bench_wheel.h"
 
 namespace tiprub {
 namespace {
 
 SpeedResponse settled(const bench::BenchWheel& wheel, double speed, int steps) {
-  SimulateParameters parameters;
-  parameters.damping_ratios = {wheel.damping};
+  SimulateParameters parameters = bench::bench_parameters(wheel, {30, 120, 1, 1e-5});
   parameters.steps_per_revolution = steps;
-  parameters.samples_per_revolution = 240;
-  parameters.recorded_revolutions = 1;
-  parameters.min_revolutions = 30;
-  parameters.max_revolutions = 120;
-  parameters.settle_tolerance = 1e-5;
-  parameters.casing_areas = 1;
-  const SceneScope scope = find_scope(wheel.model.sector_count, wheel.casing.lobes, parameters);
-  return simulate_speed({wheel.model, wheel.casing, parameters, scope}, speed).response;
+  return bench::run_speed(wheel, parameters, speed);
 }
 
 /// Symptom: on a wheel with light tips the default step was off by 6e-2 at a periodic speed, and twice as many steps

@@ -27,7 +27,7 @@ ReductionParameters ReductionParameters::read(CaseTable& table) {
                                         Range::between(0.0, 2.0), "of speed_max_rpm");
   p.frequency_tolerance =
       table.number("frequency_tolerance", 5e-4, {0.0, 1.0, Range::LowEnd::excluded},
-                   "of a frequency, at speeds between those of the basis; what it misses joins it");
+                   "of a frequency, at quarters of the top speed; what the basis misses joins it");
   p.polynomial_speeds =
       table.integer("polynomial_speeds", 0, Range::between(0, 9), "of eq. 7; 0: as many as it takes");
   p.polynomial_tolerance = table.number("polynomial_tolerance", 1e-3, {0.0, 1.0, Range::LowEnd::excluded},

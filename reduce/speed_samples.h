@@ -10,8 +10,9 @@
 
 namespace tiprub {
 
-/// Where, over Omega_max, the basis is corrected by the modes between the speeds that made it.
-inline constexpr std::array corrected_speeds = {0.25, 0.5, 0.75};
+/// Where, over Omega_max, the basis is corrected by modes that it may miss: between the speeds that made it,
+/// and at full speed, whose modes it has from one inverse iteration.
+inline constexpr std::array corrected_speeds = {0.25, 0.5, 0.75, 1.0};
 
 /// [rad/s] of fractions of Omega_max.
 std::vector<double> speeds_at(std::vector<double> fractions, double speed_max);

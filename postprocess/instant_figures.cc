@@ -32,6 +32,7 @@ struct Panel {
 
 std::vector<Eigen::Matrix3Xd> moved_nodes(const FieldStudy& fields, double size) {
   std::vector<Eigen::Matrix3Xd> nodes;
+  nodes.reserve(static_cast<std::size_t>(fields.sector.sector_count));
   for (int j = 0; j < fields.sector.sector_count; ++j)
     nodes.push_back(nodes_of_sector(fields.sector, j) +
                     size * fields.vibration.displacement[static_cast<std::size_t>(j)]);

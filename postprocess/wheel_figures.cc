@@ -69,7 +69,7 @@ Figure wheel_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& fa
 }
 
 Figure sector_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces) {
-  constexpr int width = 1000, height = 560;
+  constexpr int width = 1000, half = width / 2, height = 560;
   const SectorFields& sector = fields.sector;
   SurfacePicture picture(in_pixels(width), in_pixels(height));
   const View wheel = wheel_view(fields, usual_tilt);
@@ -84,7 +84,7 @@ Figure sector_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& f
                                    : Eigen::Vector3d(0.5 * axis - 0.5 * across - 0.75 * outward);
     view.up = axis;
     view.seen = sector.nodes;
-    picture.begin_panel(in_pixels(side > 0 ? 25 : width / 2 + 15), in_pixels(55), in_pixels(width / 2 - 40),
+    picture.begin_panel(in_pixels(side > 0 ? 25 : half + 15), in_pixels(55), in_pixels(half - 40),
                         in_pixels(height - 75), view);
     draw_sector(picture, sector, faces);
   }

@@ -107,6 +107,7 @@ std::size_t compute_missing(const StageArguments& arguments, const Scene& scene,
     if (group.leads() && !finished.has(tasks[i].speed, tasks[i].check)) places.push_back(static_cast<double>(i));
   group.share(places);
   std::vector<SpeedTask> missing;
+  missing.reserve(places.size());
   for (double place : places) missing.push_back(tasks[static_cast<std::size_t>(place)]);
   const bool shown = arguments.verbosity == Verbosity::normal && group.leads();
   Progress progress("speeds", missing.size(), shown ? Progress::Shown::on_a_terminal : Progress::Shown::never);

@@ -99,7 +99,7 @@ Eigen::VectorXd SymmetricMap::operator()(const Eigen::VectorXd& state) {
   const std::int64_t start = march_.step_count();
   put(state);
   for (int i = 0; i < march_.steps_per_revolution() / maps_; ++i) march_.step();
-  const Eigen::VectorXd image = state_shifted(Shift::sectors);
+  Eigen::VectorXd image = state_shifted(Shift::sectors);
   march_.set_step(start);
   return image;
 }

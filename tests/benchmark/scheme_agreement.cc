@@ -37,7 +37,8 @@ int central_steps(const BenchWheel& wheel, double speed) {
 double amplitude(const SpeedResponse& at) {
   double sum = 0;
   for (int r = 0; r < at.recorded_revolutions; ++r) {
-    const auto rows = at.displacement.middleRows(r * at.samples_per_revolution, at.samples_per_revolution);
+    const Eigen::Index samples = at.samples_per_revolution;
+    const auto rows = at.displacement.middleRows(r * samples, samples);
     sum += 0.5 * (rows.colwise().maxCoeff() - rows.colwise().minCoeff()).maxCoeff();
   }
   return sum / at.recorded_revolutions;

@@ -12,6 +12,10 @@ namespace tiprub {
 
 namespace {
 
+/// By every model and every casing of this chain, so that no stage's file says it.
+constexpr const char* left_out_always =
+    "left out: friction at the tips, a casing that yields or wears, Coriolis terms, differences between the blades, "
+    "heat and gas";
 constexpr const char* dot = " \xC2\xB7 ";
 
 /// To a file of the report's folder.
@@ -68,7 +72,7 @@ std::string scene_section(const Study& study) {
           counted(static_cast<std::size_t>(study.model.contact.size()), "contact node") + " a blade, " +
           counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", clearances " +
           html::escaped(scene.clearance_state) + "; stiffness under spin: " + html::escaped(study.model.prestress) +
-          ".</li>\n";
+          ".</li>\n<li>" + left_out_always + ".</li>\n";
   return text + "</ul>\n";
 }
 

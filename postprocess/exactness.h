@@ -6,17 +6,6 @@
 
 namespace tiprub {
 
-/// The model's frequencies against those of the unreduced sector that it came with.
-struct ModelError {
-  int frequencies = 0;  ///< of the wheel, from the lowest; 0: the model came without any to compare with
-  double error = 0;     ///< [1] the largest relative one of them, over all verified speeds
-  double speed = 0;     ///< [rad/s] where it is
-};
-
-/// Of the wheel's first frequencies (nodal diameters strictly between 0 and N/2 count twice) at most `most`, and only
-/// as far as every nodal diameter has some: above the lowest of their last ones, a frequency may be missing.
-ModelError model_error(const ReducedModel& model, int most = 50);
-
 /// What was checked, a row each: how far off at the worst, at which speed, and at how many speeds it was looked at;
 /// exactness.csv.
 Table exactness_record(const Study& study);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "postprocess/exactness.h"
 #include "postprocess/figure_style.h"
 #include "postprocess/table.h"
 #include "postprocess/units.h"
+#include "reduce/verification.h"
 
 namespace tiprub {
 

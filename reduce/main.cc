@@ -18,7 +18,6 @@
 
 namespace {
 
-constexpr int stated_frequencies = 50;     // of the whole wheel, as the paper counts them
 constexpr double tolerable_misfit = 0.01;  // of a frequency, by eq. 7 alone
 constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
 
@@ -32,11 +31,11 @@ std::string summary(const tiprub::ReducedModel& model, const tiprub::ReductionRe
     dofs_at_speed +=
         waves * (contact + (model.modes_at_speed > 0 ? std::min(model.modes_at_speed, generalized) : generalized));
   }
-  const int verified = std::min(stated_frequencies, tiprub::verified_frequencies(model));
+  const tiprub::ModelError verified = tiprub::model_error(model);
   std::ostringstream line;
   line << model.sector_count << " sectors of " << report.sector_dofs << " dofs -> " << dofs << " dofs, "
-       << dofs_at_speed << " at any one speed (" << model.sector_count * contact << " of contact); first " << verified
-       << " frequencies within " << 100 * tiprub::verification_error(model, verified) << " % at "
+       << dofs_at_speed << " at any one speed (" << model.sector_count * contact << " of contact); first "
+       << verified.frequencies << " frequencies within " << 100 * verified.error << " % at "
        << model.verification.speeds.size() << " speeds";
   if (model.verification.polynomial_misfit.size() > 0)
     line << ", eq. 7 through " << report.polynomial_speeds << " speeds alone within "

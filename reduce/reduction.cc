@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "reduce/at_speed.h"
+#include "reduce/condensation.h"
 #include "reduce/contact_line.h"
 #include "reduce/craig_bampton.h"
 #include "reduce/cyclic_modes.h"
@@ -18,7 +19,6 @@
 #include "reduce/polynomial_fit.h"
 #include "reduce/sector_fields.h"
 #include "reduce/spinning_sector.h"
-#include "reduce/verification.h"
 
 namespace tiprub {
 
@@ -73,7 +73,7 @@ class Reducer {
     const SampledStiffness stiffness = build({sector, rest, full}, model, report);
     timed(report, "modes, bases, verification");
     report.polynomial_speeds = fit_polynomial(stiffness, samples_, parameters_, model);
-    find_reduced_frequencies(model, parameters_.threads);
+    find_reduced_frequencies(model);
     timed(report, "model");
     return model;
   }
@@ -233,6 +233,20 @@ class Reducer {
       for (const FollowedModes& at : modes.modes()) table.row(row++) = at.frequencies().transpose();
     }
     progress_.advance();
+  }
+
+  /// The model's own frequencies beside the unreduced ones, with as many dofs as it has at any one speed.
+  void find_reduced_frequencies(ReducedModel& model) const {
+    Verification& table = model.verification;
+    table.reduced = table.unreduced;
+    parallel_for(static_cast<int>(table.reduced.size()), parameters_.threads, [&](int n) {
+      for (Eigen::Index row = 0; row < table.speeds.size(); ++row)
+        table.reduced[n].row(row) =
+            condense(model.nodal_diameters[n], table.speeds[row], dofs_.boundary(), parameters_.modes_at_speed)
+                .natural_frequencies()
+                .head(parameters_.verification_modes)
+                .transpose();
+    });
   }
 
   void require_enough_modes(int n, Eigen::Index dofs) const {

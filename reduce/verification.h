@@ -5,15 +5,16 @@
 
 namespace tiprub {
 
-/// Fills in the model's own frequencies beside the unreduced ones, with as many dofs as it has at any one speed.
-void find_reduced_frequencies(ReducedModel& model, int threads);
+/// A model's frequencies against those of the unreduced sector that it came with.
+struct ModelError {
+  int frequencies = 0;  ///< of the wheel, from the lowest; 0: the model came without any to compare with
+  double error = 0;     ///< [1] the largest relative one of them, over all verified speeds
+  double speed = 0;     ///< [rad/s] where it is
+};
 
-/// How many of the wheel's first frequencies the verification holds at every speed: up to where the modes of some
-/// nodal diameter end.
-int verified_frequencies(const ReducedModel& model);
-
-/// Largest relative difference of the first `count` frequencies of the whole wheel (nodal diameters strictly between
-/// 0 and N/2 count twice) over all verification speeds, model against unreduced sector.
-double verification_error(const ReducedModel& model, int count);
+/// Of the wheel's first frequencies (nodal diameters strictly between 0 and N/2 count twice) at most `most`, as many
+/// as the paper counts, and only as far as every nodal diameter has some: above the lowest of their last ones, a
+/// frequency may be missing.
+ModelError model_error(const ReducedModel& model, int most = 50);
 
 }  // namespace tiprub

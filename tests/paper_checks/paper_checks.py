@@ -15,7 +15,10 @@ import subprocess
 import sys
 import tempfile
 
-from checks import CHECKS, WHEEL
+import linear_checks  # each adds its checks to the registry, in this order
+import contact_checks
+import result_checks
+from registry import CHECKS, WHEEL
 from scene import Case, CannotBeMade, Mesh, Model, Tests, read_table
 
 

@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks 34 to 62: the contact algorithm, aliasing, post-processing."""
+import re
+
+import numpy
+
+from registry import by_test, check, percent
+from scene import CannotBeMade, signed
+
+
+# --- 3.5 contact algorithm ---------------------------------------------------------------------------------------------------
+
+by_test(34, "the predictor is eq. 13; order two", ("simulate_test", "CentralDifferences.AreThePapersEquation13:Schemes.AreOfOrderTwo:TimeMarch.DecaysFreely*"))
+
+
+@check(35, "after each step active gaps are zero, and no inactive node is in the casing")
+def _(c):
+    left = sum(case.attribute("leftover_steps").sum() for case in c.cases)
+    deepest = max(case.attribute("largest_penetration").max() for case in c.cases)
+    scale = max(case.amplitude.max() for case in c.cases)
+    return left == 0 and deepest < 1e-9 * scale, f"{left:.0f} steps leave a node in the casing; deepest {deepest:.1e} m"
+
+
+@check(36, "the casing never pulls")
+def _(c):
+    least = min(min(case.attribute("smallest_multiplier").min(), min(at.smallest_force for at in case.speeds)) for case in c.cases)
+    return least >= 0, f"smallest multiplier {least:.3g} N over {sum(len(case.speeds) for case in c.cases)} speeds"
+
+
+@check(37, "without friction the force is along the normal")
+def _(c):
+    lengths = numpy.linalg.norm(c.model.normal, axis=1)
+    return abs(lengths - 1).max() < 1e-12, f"the march knows one multiplier a node, along a normal of length 1 within {abs(lengths - 1).max():.0e}"
+
+
+@check(38, "the contact operator is symmetric, positive definite; its condition number")
+def _(c):
+    condition = numpy.concatenate([case.attribute("compliance_condition") for case in c.cases])
+    good, text = c.tests.run(("simulate_test", "Complementarity.*"))
+    return good and bool(numpy.isfinite(condition).all() and (condition >= 1).all()), f"condition {condition.min():.3g} to {condition.max():.3g}; {text}"
+
+
+@check(39, "work of contact, dissipation and change of energy balance to 1e-9")
+def _(c):
+    worst = max(abs(case.attribute("energy_closing_error")).max() for case in c.cases)
+    return worst < 1e-9, f"closes to {worst:.1e} at every speed"
+
+
+by_test(40, "the limit of the step is printed, and a run beyond it refused",
+        ("stability_test", "CentralDifferencesLimit.*"))
+by_test(41, "without contact the response is the linear one", ("simulate_test", "TimeMarch.MovesNothingWithoutContact:TimeMarch.DecaysFreely*"))
+
+
+# --- 3.6 aliasing ------------------------------------------------------------------------------------------------------------
+
+@check(42, "the contact force's fundamental frequency is N_l Omega (median over the periodic speeds, 99 % of its variance)")
+def _(c):
+    words, good = [], True
+    for case in c.cases:
+        shares = []
+        for at in (case.speeds[i] for i in numpy.flatnonzero(case.periodic)):
+            power = sum(waves[1:].__pow__(2).sum(axis=1) for waves in at.force_waves)
+            orders = numpy.arange(1, len(power) + 1)
+            if power.sum() > 0:
+                shares.append(power[orders % case.lobes == 0].sum() / power.sum())
+        good = good and numpy.median(shares) > 0.99
+        words.append(f"{case.name}: on multiples of {case.lobes}, median {percent(numpy.median(shares))}, least {percent(min(shares))} of {len(shares)} speeds")
+    return good, "; ".join(words)
+
+
+@check(43, "on ten blades cos 6 theta is cos 4 theta, cos 8 theta is cos 2 theta")
+def _(c):
+    theta = 2 * numpy.pi * numpy.arange(10) / 10
+    worst = max(abs(numpy.cos(a * theta) - numpy.cos(b * theta)).max() for a, b in ((6, 4), (8, 2)))
+    return worst < 1e-13, f"largest difference {worst:.1e}"
+
+
+@check(44, "engine order to nodal diameter is the zig-zag of ten sectors")
+def _(c):
+    got = [abs(signed(k, 10)) for k in range(31)]
+    good, text = c.tests.run(("postprocess-test", "Aliasing.*"))
+    return good and got == [0, 1, 2, 3, 4, 5, 4, 3, 2, 1] * 3 + [0], text
+
+
+@check(45, "two lobes: 2, 4, 6, 8, 10, 12 on 2, 4, 4, 2, 0, 2; 1, 3, 5 empty")
+def _(c):
+    got = [abs(signed(k, 10)) for k in range(2, 62, 2)]
+    return got[:6] == [2, 4, 4, 2, 0, 2] and not set(got) & {1, 3, 5}, str(got[:6])
+
+
+@check(46, "three lobes: 3, 6, ... 30 on 3, 4, 1, 2, 5, 2, 1, 4, 3, 0")
+def _(c):
+    got = [abs(signed(k, 10)) for k in range(3, 33, 3)]
+    return got == [3, 4, 1, 2, 5, 2, 1, 4, 3, 0], str(got)
+
+
+@check(47, "eq. 17: the smallest k for each nodal diameter and number of lobes")
+def _(c):
+    got = {lobes: [c.aliasing.smallest_multiple(n, lobes) for n in range(6)] for lobes in (2, 3)}
+    brute = {lobes: [next((k for k in range(1, 200) if any(a * 10 + s * n == k * lobes for a in range(200) for s in (1, -1))), None)
+                     for n in range(6)] for lobes in (2, 3)}
+    return got == brute, "; ".join(f"{lobes} lobes: k = {values}" for lobes, values in got.items())
+
+
+@check(48, "table 1, by closed form and by marching ten oscillators; other coefficients zero to 1e-10")
+def _(c):
+    rows = c.aliasing.table_1()
+    good, text = c.tests.run(("simulate_test", "TimeMarch.ReproducesTheAliasingTable*"))
+    of_scheme = max(abs(float(row[6]) / float(row[5]) - 1) for row in rows)
+    of_table = max(abs(float(row[6]) / float(row[4]) - 1) for row in rows)
+    others = max(float(row[7]) for row in rows)
+    diameters = [row[1] for row in rows]
+    return good and diameters == [3, 4, 1, 2] and of_scheme < 1e-9 and of_table < 1e-5 and others < 1e-10, \
+        f"on {diameters}; marched against the scheme's closed form {of_scheme:.0e}, against the table {of_table:.0e}, others {others:.0e}; {text}"
+
+
+@check(49, "two lobes: in a steady motion each sector repeats its neighbour's signal 36 degrees later")
+def _(c):
+    two = c.lobed(2)
+    two.figure("tip_motion")
+    words = []
+    for case in c.cases:
+        residuals = numpy.array([at.shift_residual for at in case.speeds])[case.periodic]
+        words.append(f"{case.name}: median {numpy.median(residuals):.1e}, below 1 % at {(residuals < 0.01).sum()} of {len(residuals)} periodic speeds")
+    here = two.speeds[two.example].shift_residual
+    return here < 0.01, f"{here:.1e} of the motion at {two.rpm[two.example]:.0f} rpm; " + "; ".join(words)
+
+
+@check(50, "two lobes: odd nodal diameters hold less than 1 %")
+def _(c):
+    two = c.lobed(2)
+    power = two.waves[:, 1:] ** 2
+    share = power[:, :, 1::2].sum() / power.sum()
+    breaking = sum(at.attributes["symmetry"].decode() == "breaking" for at in two.speeds)
+    return share < 0.01, (f"{percent(share)} over all speeds (nodal diameters that move: {[int(n) for n in two.moving]}); "
+                          f"at {breaking} of {len(two.speeds)} speeds a disturbance of the odd ones would grow")
+
+
+by_test(51, "two signals, close in frequency, on two nodal diameters: one peak over time, two in the two-way spectrum",
+        ("postprocess-test", "TravellingSpectrum.SeparatesCloseFrequencies*"))
+
+
+@check(52, "leading-edge force: never negative, periodic, peaks at multiples of N_l Omega only (99 %)")
+def _(c):
+    two = c.lobed(2)
+    at = two.speeds[two.example]
+    waves = at.force_waves[0]
+    power = (waves[1:] ** 2).sum(axis=1)
+    orders = numpy.arange(1, len(power) + 1)
+    share = power[orders % 2 == 0].sum() / power.sum() * (1 - at.force_off_orders[0])
+    _, force = two.signals(two.example)
+    pulses = int((numpy.diff(numpy.concatenate([[0], force[:at.samples, 0] > 0]).astype(int)) == 1).sum())
+    return force.min() >= 0 and share > 0.99, f"{two.rpm[two.example]:.0f} rpm: {pulses} pulses a revolution of sector 0, {percent(share)} on even orders"
+
+
+@check(53, "force of all leading edges: even nodal diameters only")
+def _(c):
+    two = c.lobed(2)
+    power = two.speeds[two.example].force_waves[0] ** 2
+    share = power[:, 1::2].sum() / power.sum()
+    return share < 0.01, f"odd ones hold {percent(share)} at {two.rpm[two.example]:.0f} rpm"
+
+
+@check(54, "direction: orders 1-4 backward, 6-9 forward, 0 and 5 standing; EO 4 and EO 6 on nodal diameter 4 run apart")
+def _(c):
+    good, text = c.tests.run(("postprocess-test", "Aliasing.DirectionOfTheEngineOrders:TravellingSpectrum.NamesTheDirection*"))
+    index = [signed(p, 10) for p in (3, 6, 9, 12)]
+    good = good and index == [3, -4, -1, 2]
+    two = c.lobed(2)
+    waves = two.waves[two.periodic]
+    four, six = waves[:, 4, 4].sum() / waves[:, 4, [4, 6]].sum(), waves[:, 6, 6].sum() / waves[:, 6, [4, 6]].sum()
+    return good and four > 0.99 and six > 0.99, (f"p = 3, 6, 9, 12 on {index}; periodic speeds of {two.name}: EO 4 {percent(four)} backward, "
+                                               f"EO 6 {percent(six)} forward; {text}")
+
+
+# --- 3.7 post-processing -----------------------------------------------------------------------------------------------------
+
+@check(55, "evenly spaced speeds, each marched until steady by a criterion, transformed over whole revolutions")
+def _(c):
+    even = max(abs(numpy.diff(case.rpm, 2)).max() / numpy.diff(case.rpm).mean() for case in c.cases)
+    whole = all(at.whole for case in c.cases for at in case.speeds)
+    steady = {case.name: f"{int(case.periodic.sum())} periodic of {len(case.speeds)}, {case.failed} failed" for case in c.cases}
+    return even < 1e-6 and whole, f"steps equal to {even:.0e}; {steady}"
+
+
+@check(56, "waterfall and interaction map of the same data, engine orders and modal lines on them; crossings listed")
+def _(c):
+    case = c.any_case
+    waterfall, total = case.figure("waterfall"), case.figure("interaction_map")
+    here = {(row["speed [rpm]"], row["frequency [Hz]"]): row["total [mm]"] for row in total}
+    shared = [(row["total [mm]"], here[key]) for row in waterfall if (key := (row["speed [rpm]"], row["frequency [Hz]"])) in here]
+    same = all(a == b for a, b in shared)
+    return same and len(shared) > 0 and bool(case.report("linear_criterion.csv")), f"{len(shared)} points in both, equal: {same}; {len(case.report('linear_criterion.csv'))} crossings"
+
+
+@check(57, "contact map: 200 areas, a column a speed, both edges")
+def _(c):
+    shapes = [case.contact_map(edge)[2].shape for case in c.cases for edge in ("leading", "trailing")]
+    return all(shape[1] == 200 for shape in shapes), f"speeds x areas: {shapes}"
+
+
+@check(58, "the counters sum to the contact steps of their node")
+def _(c):
+    good, text = c.tests.run(("postprocess-test", "ContactMap.KeepsEveryCount"))
+    nodes = kept = 0
+    for case in c.cases:
+        for at in case.speeds:
+            sums = at.count.sum(axis=2)
+            per_sample = int(at.attributes["steps_per_revolution"]) // at.samples
+            nodes += sums.size
+            kept += int(((sums >= at.pushed_samples) & (sums <= per_sample * at.pushed_samples)).sum())
+    return good and kept == nodes, f"{kept} of {nodes} nodes lie between their samples under force and all of those samples' steps; {text}"
+
+
+@check(59, "contrast tells repeating from irregular speeds; contrast and places printed for each")
+def _(c):
+    words, good = [], True
+    for case in c.cases:
+        contrast, places, _ = case.contact_map("trailing")
+        irregular = numpy.array([at.motion == "irregular" for at in case.speeds])
+        if not irregular.any():
+            words.append(f"{case.name}: no irregular speed")
+            continue
+        one, other = numpy.median(contrast[case.periodic]), numpy.median(contrast[irregular])
+        good = good and one > other
+        words.append(f"{case.name}, trailing edge: median contrast {one:.3f} periodic, {other:.3f} irregular")
+    return good, "; ".join(words)
+
+
+@check(60, "trackings can be computed again from the stored motion")
+def _(c):
+    worst = 0.0
+    for case in c.cases:
+        diameters, orders = case.by_diameter(), case.figure("engine_order_tracking")
+        for rows, pick in ((case.figure("nodal_diameter_tracking"), lambda f, k: (int(f.split()[1]), int(k.split()[1]))),
+                           (orders, lambda f, k: (int(k.split()[1]), int(f.split()[2])))):
+            index = {f"{rpm:.0f}": i for i, rpm in enumerate(case.rpm)}
+            for row in rows:
+                i = index[f"{float(row['speed [rpm]']):.0f}"]
+                if row["curve"] == "mean":
+                    continue
+                order, n = pick(row["followed"], row["curve"])
+                worst = max(worst, abs(1e-3 * float(row["amplitude [mm]"]) - diameters[i, order, n]))
+    scale = max(case.waves[:, 1:].max() for case in c.cases)
+    return worst < 1e-6 * scale, f"largest difference {worst / scale:.1e} of the largest amplitude"
+
+
+@check(61, "bars at one speed: all nodal diameters at one engine order, all engine orders on one nodal diameter")
+def _(c):
+    return c.figures_exist(c.any_case, "harmonic_bars")
+
+
+@check(62, "displacement and stress recovered on the wheel; half a turn leaves a two-lobe field as it is")
+def _(c):
+    two = c.lobed(2)
+    with open(two.path("report", "report.html"), encoding="utf-8") as file:
+        said = re.search(r"Turned by (\d+) of \d+ sectors, the displacement is itself within ([-+.e0-9]+) of its largest value, "
+                         r"the stress within ([-+.e0-9]+?)\.\s", file.read())
+    if said is None:
+        raise CannotBeMade(f"{two.name} was post-processed without fields.h5")
+    displacement, stress = float(said.group(2)), float(said.group(3))
+    return displacement < 1e-6 and stress < 1e-6, f"turned by {said.group(1)} sectors: displacement {displacement:.1e}, stress {stress:.1e} of the largest"

@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks 1 to 33: the model, the linear criterion, cyclic symmetry, the reduction."""
+import os
+import re
+import subprocess
+
+import h5py
+import numpy
+
+from registry import WHEEL, by_test, check, percent
+from scene import CannotBeMade
+
+
+# --- 3.1 model ---------------------------------------------------------------------------------------------------------------
+
+def turned(place, angle):
+    x, y, z = place.T
+    return numpy.stack([numpy.cos(angle) * x - numpy.sin(angle) * y, numpy.sin(angle) * x + numpy.cos(angle) * y, z], axis=1)
+
+
+@check(1, "ten sectors close the circle; cut faces match node by node to 1e-9 of the radius")
+def _(c):
+    mesh, sectors = c.mesh, c.model.sectors
+    low, high = mesh.place[mesh.nodes("cyclic_low")], mesh.place[mesh.nodes("cyclic_high")]
+    moved = turned(low, 2 * numpy.pi / sectors)
+    radius = numpy.hypot(*mesh.place[:, :2].T).max()
+    worst = max(numpy.linalg.norm(high - node, axis=1).min() for node in moved) / radius
+    return len(low) == len(high) and sectors == 10 and worst < 1e-9, f"{sectors} sectors, {len(low)} pairs, worst {worst:.1e} R"
+
+
+@check(2, "one main and one splitter blade; contact nodes on the main blade's tip only")
+def _(c):
+    contact, main = c.mesh.nodes("contact"), c.mesh.nodes("main_blade")
+    splitter = c.mesh.nodes("splitter")
+    on_main, on_splitter = numpy.isin(contact, main).all(), numpy.isin(contact, splitter).any()
+    return bool(on_main and not on_splitter), f"{len(contact)} nodes on the tip line, all on the main blade, none on the splitter"
+
+
+@check(3, "ten contact nodes, leading to trailing edge, on a meridional curve that turns by about 90 degrees")
+def _(c):
+    r, _, z = c.model.position.T
+    ways = numpy.degrees(numpy.unwrap(numpy.arctan2(numpy.diff(r), numpy.diff(z))))
+    turn = abs(ways[-1] - ways[0])
+    ordered = bool((numpy.diff(c.model.arc_length) > 0).all())
+    return len(r) == 10 and ordered and 75 <= turn <= 100, f"{len(r)} nodes, chords of the curve turn by {turn:.1f} degrees"
+
+
+@check(4, "contact normals turn from radial at the leading edge to mostly axial at the trailing edge")
+def _(c):
+    radial, _, axial = abs(c.model.normal.T)
+    angles = numpy.degrees(numpy.arctan2(axial, radial))
+    return angles[0] < 30 and angles[-1] > 60, f"{angles[0]:.1f} and {angles[-1]:.1f} degrees from radial"
+
+
+@check(5, "at least 2 elements through the blade, 3 along its root, 3 through the disc")
+def _(c):
+    said = c.run_program("tiprub-mesh", os.path.join(c.wheel, "case.toml"), "--check", "-v")
+    chord, disc, blade = (int(re.search(rf"(\d+) (?:elements )?{words}", said).group(1))
+                          for words in ("along the chord", "through the disc", "through the blade"))
+    return blade >= 2 and chord >= 3 and disc >= 3, f"{blade} through the blade, {chord} along its root, {disc} through the disc"
+
+
+@check(6, "quadratic bricks, about 120,000 dofs a sector, about a million in the ring", WHEEL)
+def _(c):
+    dofs = 3 * len(c.mesh.place)
+    bricks = c.mesh.types <= {12, 17}
+    return bricks and 60e3 <= dofs <= 240e3, f"20-node bricks: {c.mesh.types == {17}}, {dofs} dofs a sector, {dofs * c.model.sectors / 1e6:.2f} million"
+
+
+@check(7, "the nodes of the bore, and only those, are clamped; conflicts with cut faces counted")
+def _(c):
+    clamped, radius = c.mesh.nodes("clamped"), numpy.hypot(*c.mesh.place[:, :2].T)
+    bore = radius[clamped].mean()
+    on_bore = numpy.flatnonzero(abs(radius - bore) < 1e-9 * radius.max())
+    both = numpy.isin(clamped, numpy.union1d(c.mesh.nodes("cyclic_low"), c.mesh.nodes("cyclic_high"))).sum()
+    return numpy.array_equal(clamped, on_bore), f"{len(clamped)} nodes at r = {1e3 * bore:.2f} mm, {both} of them on cut faces"
+
+
+@check(8, "internal, boundary and cyclic nodes sum to the sector")
+def _(c):
+    held, low, high = (c.mesh.nodes(name) for name in ("clamped", "cyclic_low", "cyclic_high"))
+    contact = [int(numpy.linalg.norm(numpy.stack([numpy.hypot(*c.mesh.place[:, :2].T) - r, c.mesh.place[:, 2] - z], axis=1)
+                                     + 1e3 * ~numpy.isin(numpy.arange(len(c.mesh.place)), c.mesh.nodes("contact"))[:, None],
+                                     axis=1).argmin()) for r, _, z in c.model.position]
+    cut = numpy.setdiff1d(numpy.union1d(low, high), held)
+    boundary = numpy.unique(contact)
+    outside = numpy.union1d(numpy.union1d(held, cut), boundary)
+    internal = len(c.mesh.place) - len(outside)
+    good, text = c.tests.run(("reduce_test", "SectorDofs.*"))
+    whole = len(boundary) == len(contact) and not numpy.isin(boundary, cut).any() and not numpy.isin(boundary, held).any()
+    return good and whole, (f"{internal} internal + {len(boundary)} boundary + {len(cut)} cyclic + {len(held)} clamped = "
+                            f"{len(c.mesh.place)} nodes; {text}")
+
+
+@check(9, "figures: the wheel, the sector with clamp, contact and cut faces")
+def _(c):
+    return c.figures_exist(c.any_case, "wheel", "sector")
+
+
+# --- 3.2 linear criterion ----------------------------------------------------------------------------------------------------
+
+by_test(10, "every root of f = n Omega, and of f = |n Omega - f_c|",
+        ("postprocess-test", "LinearCriterion.*"))
+
+
+@check(11, "combinations that the rule excludes are listed as excluded")
+def _(c):
+    rows = c.any_case.report("linear_criterion.csv")
+    forward = [row for row in rows if row["wave"] == "forward"]
+    excluded = sum(row["eq. 2"].startswith("excluded") for row in forward)
+    return bool(forward) and excluded == len(forward), f"{len(forward)} forward waves listed, {excluded} of them as excluded by eq. 2"
+
+
+def rule_scores(case):
+    """(misses, false alarms) of eq. 2 and of the rule with aliasing, and the number of critical speeds."""
+    crossings = case.report("linear_criterion.csv")
+    scores = []
+    for foretold, listed in (("foretold by eq. 2", "eq. 2"), ("foretold with aliasing", "with aliasing")):
+        misses = sum(row[foretold] == "no" for row in case.critical)
+        alarms = sum(row[listed] == "listed" and row["nodal diameter can move"] == "yes" and row["critical speed found"] == "no"
+                     for row in crossings)
+        scores.append((misses, alarms))
+    return scores, len(case.critical)
+
+
+@check(12, "the rule's list stands beside the nonlinear one; misses and false alarms counted")
+def _(c):
+    words = []
+    for case in c.cases:
+        ((miss, alarm), (aliased_miss, aliased_alarm)), count = rule_scores(case)
+        words.append(f"{case.name}: of {count} critical speeds eq. 2 misses {miss} (false alarms {alarm}), "
+                     f"with aliasing {aliased_miss} ({aliased_alarm})")
+    return True, "; ".join(words)
+
+
+# --- 3.3 cyclic symmetry -----------------------------------------------------------------------------------------------------
+
+by_test(13, "the assembled ring is block-circulant, neighbours only, to 1e-10", ("reduce_test", "Sectors/Wheel.MatricesAreBlockCirculant*"))
+by_test(14, "the Fourier transform block-diagonalises it to 1e-10", ("reduce_test", "Sectors/Wheel.FourierTransformLeavesTheSectorsOwnBlocks*"),
+        ("reduce_test", "Sectors/EverySectorCount.WavesExpandAndGather*"))
+
+
+@check(15, "six blocks, of real size n for 0 and 5, 2n else; in all 10 n")
+def _(c):
+    sizes = [c.model.times(n) * len(m["M"]) for n, m in enumerate(c.model.matrices)]
+    one = len(c.model.matrices[0]["M"])
+    standing = max(numpy.abs(c.model.matrices[n]["K0"].imag).max() for n in (0, len(sizes) - 1))
+    return len(sizes) == 6 and sum(sizes) == c.model.sectors * one and standing == 0, f"sizes {sizes}, together {sum(sizes)} = 10 x {one}"
+
+
+by_test(16, "the blocks of eq. 6 equal the transformed ring for each nodal diameter, and are symmetric",
+        ("reduce_test", "Sectors/Wheel.FourierTransformLeavesTheSectorsOwnBlocks*"), ("reduce_test", "NodalDiameter/CraigBampton.ProjectionsAreHermitian*"))
+by_test(17, "the blocks' eigenvalues are the ring's, with their multiplicity", ("reduce_test", "Sectors/Wheel.EigenvaluesAreTheUnion*"))
+
+
+@check(18, "each family has ten members, 1 + 2x4 + 1")
+def _(c):
+    model = c.model
+    size = len(model.matrices[0]["M"])
+    factor = numpy.linalg.inv(numpy.linalg.cholesky(model.ring("M")))
+    ring = numpy.sqrt(numpy.linalg.eigvalsh(factor @ model.ring("K0") @ factor.T)) / (2 * numpy.pi)
+    union = numpy.sort(numpy.concatenate([numpy.repeat(model.frequencies(n, 0), model.times(n)) for n in range(len(model.matrices))]))
+    worst = abs(ring / union - 1).max()
+    members = sum(model.times(n) for n in range(len(model.matrices)))
+    return members == 10 and len(ring) == 10 * size and worst < 1e-8, \
+        f"{members} members; the {len(ring)} frequencies of the assembled reduced ring are those of the blocks, single and double, to {worst:.1e}"
+
+
+@check(19, "the first five families over the nodal diameter, drawn at rest")
+def _(c):
+    rows = c.any_case.figure("interference")
+    families = [key for key in rows[0] if key.startswith("family")]
+    at_rest = [row for row in rows if float(row["speed [rpm]"]) == 0]
+    return len(families) >= 5 and len(at_rest) == 6, f"{len(families)} families, {len(at_rest)} nodal diameters"
+
+
+def energy_shares(c):
+    """Nodal diameters x families of each part's share of the strain energy at rest, of the unreduced sector."""
+    path = os.path.join(c.work, "modes.h5")
+    if not os.path.exists(path):
+        with open(os.path.join(c.wheel, "case.toml"), encoding="utf-8") as file:
+            text = re.sub(r"^verification_speeds = .*\n", "", file.read(), flags=re.M)
+        case = os.path.join(c.work, "case.toml")
+        with open(case, "w", encoding="utf-8") as file:
+            file.write(re.sub(r"^\[reduce\]", "[reduce]\nverification_speeds = [0.0]", text, flags=re.M))
+        c.run_program("tiprub-reduce", case, os.path.join(c.wheel, "sector.msh"), "--modes", path)
+    with h5py.File(path) as file:
+        groups = [file[f"nodal_diameter/{n}/energy_share"] for n in range(len(file["nodal_diameter"]))]
+        return {part: numpy.array([group[part][0] for group in groups]) for part in groups[0]}
+
+
+@check(20, "the first family bends the main blade, with little motion of the splitter", WHEEL)
+def _(c):
+    shares = energy_shares(c)
+    return shares["main_blade"][:, 0].min() > 0.8 and shares["splitter"][:, 0].max() < 0.1, \
+        "strain energy at rest: " + ", ".join(f"{part} {percent(value[:, 0].min())} to {percent(value[:, 0].max())}" for part, value in shares.items())
+
+
+@check(21, "a higher family moves the disc near the trailing edge", WHEEL)
+def _(c):
+    disc = energy_shares(c)["disc"]
+    n, family = numpy.unravel_index(disc[:, 1:].argmax(), disc[:, 1:].shape)
+    return disc[n, family + 1] > 0.1, \
+        f"of {disc.shape[1]} families the most has {family + 2}, on nodal diameter {n}: {percent(disc[n, family + 1])} of its strain energy in the disc"
+
+
+# --- 3.4 reduction -----------------------------------------------------------------------------------------------------------
+
+by_test(22, "eq. 7 gives back its three matrices to 1e-12", ("reduce_test", "SpeedPolynomial.*"))
+
+
+@check(23, "at a speed that the basis never saw, frequencies within 0.1 % (first 50; model against unreduced sector)")
+def _(c):
+    errors = c.model.reduction_error(50)
+    unseen = {share: error for share, error in errors.items() if share not in (0.0, 0.25, 0.5, 0.75, 1.0)}
+    first = c.model.reduction_error(20)
+    if not unseen:
+        raise CannotBeMade("no unseen speed was verified")
+    return max(unseen.values()) < 1e-3, "; ".join(f"{share} of full speed: {percent(error)} (first two families' 20: {percent(first[share])})"
+                                                for share, error in unseen.items())
+
+
+by_test(24, "static modes at rest unchanged, the rest orthonormal; rank and drops counted", ("reduce_test", "NodalDiameter/CraigBampton.*"))
+by_test(25, "reduced matrices symmetric, mass positive, contact dofs physical",
+        ("reduce_test", "NodalDiameter/CraigBampton.KeepsContactDofsPhysical*:NodalDiameter/CraigBampton.ProjectionsAreHermitian*"))
+
+
+@check(26, "back in sectors, the reduced ring is block-circulant")
+def _(c):
+    ring, size = c.model.ring("K0"), len(c.model.matrices[0]["M"])
+    rolled = numpy.roll(numpy.roll(ring, size, axis=0), size, axis=1)
+    symmetric, circulant = abs(ring - ring.T).max() / abs(ring).max(), abs(ring - rolled).max() / abs(ring).max()
+    return symmetric < 1e-12 and circulant < 1e-12, f"from itself turned by a sector {circulant:.1e}, from its transpose {symmetric:.1e}"
+
+
+@check(27, "300 physical and 600 generalized dofs, 0.09 % of the full model")
+def _(c):
+    physical = 3 * len(c.model.arc_length) * c.model.sectors
+    size = len(c.model.matrices[0]["M"]) * c.model.sectors
+    generalized = (c.model.modes_at_speed or size // c.model.sectors) * c.model.sectors
+    full = 3 * len(c.mesh.place) * c.model.sectors
+    return physical == 300 and generalized == 600, \
+        f"{physical} + {generalized} at any one speed, {percent((physical + generalized) / full)} of {full} (the file holds {size})"
+
+
+@check(28, "first 50 frequencies at rest within 1 % of the unreduced model")
+def _(c):
+    error = c.model.reduction_error(50)[0.0]
+    return error < 0.01, percent(error)
+
+
+@check(29, "the same at every speed, also at those the basis never saw")
+def _(c):
+    errors = c.model.reduction_error(50)
+    return max(errors.values()) < 0.01, ", ".join(f"{percent(error)} at {share}" for share, error in errors.items()) + " of full speed"
+
+
+def convergence(c, over):
+    rows = [row for row in c.convergence if row["over"] == over]
+    return {rpm: [(int(row["value"]), float(row["difference [1]"])) for row in rows if row["speed [rpm]"] == rpm]
+            for rpm in dict.fromkeys(row["speed [rpm]"] for row in rows)}
+
+
+@check(30, "tip motion converges with the number of modes: from eta = 150 on within 5 % of the finest, and ever nearer")
+def _(c):
+    words, good = [], True
+    for rpm, points in convergence(c, "eta").items():
+        differences = [value for _, value in points[:-1]]
+        beyond = max(value for count, value in points if count >= 150)
+        falling = all(later < earlier for earlier, later in zip(differences, differences[1:]))
+        good = good and beyond < 0.05 and falling
+        words.append(f"{rpm} rpm: " + ", ".join(f"{count}: {percent(value)}" for count, value in points[:-1]))
+    return good, "; ".join(words) + f" from all modes, eta = {points[-1][0]}; 150 is 600 component modes of the wheel"
+
+
+@check(31, "halving the step changes the settled motion by less than 1 %")
+def _(c):
+    halved = [(at.rpm, at.attributes["halving_difference"], at.attributes["halving_measure"].decode())
+              for case in c.cases for at in case.speeds if numpy.isfinite(at.attributes.get("halving_difference", numpy.nan))]
+    if not halved:
+        raise CannotBeMade("no speed was computed with half the step")
+    worst = max(difference for _, difference, _ in halved)
+    return worst < 0.01, f"{len(halved)} speeds, at most {percent(worst)}"
+
+
+@check(32, "a sweep computes with the reduced matrices only")
+def _(c):
+    path = os.path.join(c.tests.build, "bin", "tiprub-simulate")
+    if not os.path.exists(path):
+        raise CannotBeMade(f"{path} is not built")
+    libraries = subprocess.run(["ldd", path], stdout=subprocess.PIPE, text=True, check=True).stdout
+    found = [name for name in ("deal_II", "trilinos", "gmsh", "cholmod") if name.lower() in libraries.lower()]
+    return not found, "tiprub-simulate links no finite elements, mesher or sparse solver" if not found else f"links {found}"
+
+
+@check(33, "Campbell diagram: frequencies rise with speed; the first family is narrow against the second", WHEEL)
+def _(c):
+    c.any_case.figure("campbell")
+    rest, full = c.model.families[0.0][:, :2], c.model.families[1.0][:, :2]
+    spread = (rest.max(axis=0) - rest.min(axis=0)) / rest.mean(axis=0)
+    return bool((full > rest).all() and spread[0] < spread[1]), \
+        (f"family 1 {rest[:, 0].mean():.0f} to {full[:, 0].mean():.0f} Hz, 2 {rest[:, 1].mean():.0f} to {full[:, 1].mean():.0f} Hz "
+         f"(ratio at rest {rest[:, 1].mean() / rest[:, 0].mean():.2f}); spread at rest {percent(spread[0])} and {percent(spread[1])}")

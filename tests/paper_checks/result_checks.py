@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks 63 to 81: what the paper found with two and three lobes, and its claims."""
+import os
+import re
+
+import numpy
+
+from linear_checks import rule_scores
+from registry import WHEEL, check, percent
+from scene import CannotBeMade
+
+
+# --- 3.8 results, two lobes --------------------------------------------------------------------------------------------------
+
+@check(63, "the gap repeats every 180 (120) degrees and has two (three) minima")
+def _(c):
+    words, good = [], True
+    for case in c.cases:
+        ring = case.distortion[:-1]
+        turn = len(ring) // case.lobes
+        residual = abs(ring - numpy.roll(ring, turn)).max() / abs(ring).max()
+        minima = int(((ring > numpy.roll(ring, 1)) & (ring >= numpy.roll(ring, -1))).sum())
+        good = good and residual < 1e-9 and minima == case.lobes
+        words.append(f"{case.lobes} lobes: {minima} minima of the gap, periodic to {residual:.0e}")
+    return good, "; ".join(words)
+
+
+@check(64, "the map is the sum of its six parts to 1e-12")
+def _(c):
+    good, text = c.tests.run(("postprocess-test", "InteractionMap.TotalIsTheSumOfItsParts"))
+    worst = top = 0.0
+    for row in c.any_case.figure("interaction_map"):
+        total = float(row["total [mm]"])
+        parts = sum(float(value) for key, value in row.items() if key.startswith("nodal diameter"))
+        worst, top = max(worst, abs(total - parts)), max(top, total)
+    return good and worst < 1e-8 * top, f"printed tables agree to {worst / top:.0e} (ten digits); {text}"
+
+
+@check(65, "two lobes: the odd parts of the map are negligible at every speed")
+def _(c):
+    two = c.lobed(2)
+    parts = two.by_diameter()[:, 1:].max(axis=1)
+    ratio = (parts[:, 1::2].max(axis=1) / parts[:, 0::2].max(axis=1)).max()
+    return ratio < 0.01, f"largest odd over largest even, worst speed: {ratio:.1e}"
+
+
+@check(66, "two lobes: nodal diameters 2 and 4 carry most of the motion")
+def _(c):
+    two = c.lobed(2)
+    power = (two.by_diameter()[:, 1:] ** 2).sum(axis=(0, 1))
+    share = power / power.sum()
+    return share[2] + share[4] > 0.5, ", ".join(f"{n}: {percent(value)}" for n, value in enumerate(share))
+
+
+@check(67, "two lobes: the highest point of the map is not on EO 2 (paper: EO 6, nodal diameter 4)", WHEEL)
+def _(c):
+    two = c.lobed(2)
+    parts = two.by_diameter()
+    total = parts.sum(axis=2)[:, 1:]
+    i, k = numpy.unravel_index(total.argmax(), total.shape)
+    n = int(parts[i, k + 1].argmax())
+    best = {order: f"{1e3 * total[:, order - 1].max():.4f} mm at {two.rpm[total[:, order - 1].argmax()]:.0f} rpm" for order in (2, 4, 6, 8)}
+    return k + 1 != 2, f"EO {k + 1}, nodal diameter {n}, {two.rpm[i]:.0f} rpm; highest by engine order: {best}"
+
+
+@check(68, "two lobes: EO 2 shows nodal diameter 2, EO 4 shows 4, others small (95 % of the power)")
+def _(c):
+    two = c.lobed(2)
+    power = (two.by_diameter() ** 2)
+    shares = {order: power[:, order, n].sum() / power[:, order].sum() for order, n in ((2, 2), (4, 4))}
+    steady = {order: power[two.periodic, order, n].sum() / power[two.periodic, order].sum() for order, n in ((2, 2), (4, 4))}
+    return min(shares.values()) > 0.95, "; ".join(f"EO {k}: {percent(shares[k])} (periodic speeds {percent(steady[k])})" for k in shares)
+
+
+@check(69, "two lobes: within EO 1-6 nodal diameter 2 answers EO 2 only (95 % of the power); EO 8 beside it")
+def _(c):
+    two = c.lobed(2)
+    power = two.by_diameter()[:, :, 2] ** 2
+    share, steady = (power[rows, 2].sum() / power[rows, 1:7].sum() for rows in (slice(None), two.periodic))
+    eight = numpy.sqrt(power[:, 8].max() / power[:, 2].max())
+    return share > 0.95, f"{percent(share)} of the power within 1-6 (periodic speeds {percent(steady)}); EO 8 reaches {percent(eight)} of EO 2's amplitude"
+
+
+@check(70, "two lobes: nodal diameter 4 holds EO 4 and EO 6 at all speeds; EO 6 above EO 4 where speeds are critical")
+def _(c):
+    two = c.lobed(2)
+    amplitude = two.by_diameter()[:, :, 4]
+    floor = 0.01
+    both = numpy.minimum(amplitude[:, 4], amplitude[:, 6]) > floor * amplitude[:, 1:].max(axis=1)
+    above = amplitude[:, 6] > amplitude[:, 4]
+    critical = numpy.array([numpy.argmin(abs(two.rpm - float(row["speed [rpm]"]))) for row in two.critical], dtype=int)
+    at_critical = above[critical].mean() if len(critical) else 0
+    return bool(both.all()) and at_critical > 0.5, \
+        (f"both above {percent(floor)} of the part's largest at {both.sum()} of {len(both)} speeds; EO 6 above EO 4 at {percent(above.mean())} "
+         f"of all speeds, at {above[critical].sum()} of {len(critical)} critical ones")
+
+
+@check(71, "two lobes: about four places rubbed by the leading edge at most speeds", WHEEL)
+def _(c):
+    two = c.lobed(2)
+    _, places, _ = two.contact_map("leading")
+    counts = {int(k): int((places == k).sum()) for k in numpy.unique(places)}
+    return (abs(places - 4) <= 1).mean() > 0.5, f"places: speeds {counts}"
+
+
+def extra_places(case):
+    _, places, _ = case.contact_map("trailing")
+    return places, places > case.lobes
+
+
+@check(72, "two lobes: two places rubbed by the trailing edge at most speeds; bands of more lie on amplitude peaks")
+def _(c):
+    two = c.lobed(2)
+    places, extra = extra_places(two)
+    critical = numpy.array([float(row["speed [rpm]"]) for row in two.critical])
+    near = numpy.array([abs(critical / rpm - 1).min() < 0.02 if len(critical) else False for rpm in two.rpm])
+    inside, outside = extra[near].mean(), extra[~near].mean()
+    return (places == 2).mean() > 0.5 and inside > outside, \
+        (f"two places at {percent((places == 2).mean())} of the speeds, median {numpy.median(places):.0f}; more than two at {percent(inside)} "
+         f"of the speeds within 2 % of a critical one and at {percent(outside)} of the others")
+
+
+@check(73, "two lobes: in bands of more places, EO 6 meets families above the first")
+def _(c):
+    two = c.lobed(2)
+    _, extra = extra_places(two)
+    highest = {share: table[:, 0].max() for share, table in c.model.families.items()}
+    first = numpy.interp(two.rpm * numpy.pi / 30 / c.model.speed_max, sorted(highest), [highest[k] for k in sorted(highest)])
+    above = (6 * two.rpm / 60 > 1.05 * first)[extra]
+    return bool(above.size and above.mean() > 0.5), f"6 Omega lies above the first family at {percent(above.mean() if above.size else 0)} of the {above.size} speeds with extra places"
+
+
+@check(74, "the tighter trailing edge touches first")
+def _(c):
+    words, good = [], True
+    for case in c.cases:
+        # Before the first contact nothing moves, so the gap alone tells when it comes: clearance - ramp(t) d(theta + Omega t).
+        revolutions = numpy.arange(0, 3, 1 / 3600)
+        x = revolutions / 3
+        ramp = x ** 3 * (10 - 15 * x + 6 * x * x)  # the case's ramp of three revolutions
+        place = 2 * numpy.pi * (revolutions[:, None] + numpy.arange(case.sectors) / case.sectors)
+        inward = numpy.interp(place % (2 * numpy.pi), case.angle, case.distortion).max(axis=1)
+        touch = [revolutions[(clearance - ramp * inward <= 0).argmax()] if (clearance - ramp * inward <= 0).any() else numpy.inf
+                 for clearance in case.clearance]
+        good = good and case.clearance[-1] < case.clearance[0] and int(numpy.argmin(touch)) == len(touch) - 1
+        words.append(f"{case.name}: node {int(numpy.argmin(touch))} of {len(touch)} after {min(touch):.3f} revolutions, leading edge after {touch[0]:.3f}")
+    return good, "; ".join(words)
+
+
+@check(75, "the leading edge's contact drifts linearly with speed; the slope against chord over wave speed")
+def _(c):
+    two = c.lobed(2)
+    drift = two.report("contact_drift.csv")[0]
+    with open(os.path.join(c.wheel, "case.toml"), encoding="utf-8") as file:
+        text = file.read()
+    stiffness, density = (float(re.search(rf"^{key} = (\S+)", text, flags=re.M).group(1)) for key in ("young_modulus", "density"))
+    chord = float(drift["tip length [m]"]) / (stiffness / density) ** 0.5  # the fastest wave along a bar of this material
+    slope, r2 = float(drift["slope [s]"]), float(drift["R^2"])
+    return r2 > 0.9, f"R^2 {r2:.3f}, slope {1e6 * slope:.1f} us; tip length over the bar's wave speed {1e6 * chord:.1f} us"
+
+
+# --- three lobes -------------------------------------------------------------------------------------------------------------
+
+@check(76, "three lobes: EO 3 on nodal diameter 3, EO 6 on 4, EO 9 on 1 (most of each order's power)")
+def _(c):
+    three = c.lobed(3)
+    power = three.by_diameter() ** 2
+    shares = {order: (int(power[:, order].sum(axis=0).argmax()), power[:, order].sum(axis=0).max() / power[:, order].sum()) for order in (3, 6, 9)}
+    steady = {order: power[three.periodic, order].sum(axis=0).max() / power[three.periodic, order].sum() for order in (3, 6, 9)}
+    return [shares[k][0] for k in (3, 6, 9)] == [3, 4, 1], \
+        "; ".join(f"EO {k}: nodal diameter {n}, {percent(share)} (periodic speeds {percent(steady[k])})" for k, (n, share) in shares.items())
+
+
+@check(77, "three lobes: large peaks on EO 3, EO 6 and EO 9 (each above a quarter of the largest)")
+def _(c):
+    three = c.lobed(3)
+    top = {order: three.by_diameter()[:, order].sum(axis=1).max() for order in (3, 6, 9)}
+    largest = three.by_diameter()[:, 1:].sum(axis=2).max()
+    return min(top.values()) > 0.25 * largest, ", ".join(f"EO {k}: {1e3 * value:.4f} mm" for k, value in top.items()) + f"; largest of all {1e3 * largest:.4f} mm"
+
+
+@check(78, "three lobes: contrast is higher at the trailing edge")
+def _(c):
+    three = c.lobed(3)
+    edges = {edge: numpy.median(three.contact_map(edge)[0]) for edge in ("leading", "trailing")}
+    return edges["trailing"] > edges["leading"], ", ".join(f"{edge} {value:.3f}" for edge, value in edges.items()) + " (medians)"
+
+
+@check(79, "an abrupt change of contact pattern between neighbouring speeds; sweeps up and down there")
+def _(c):
+    case = c.lobed(3)
+    _, _, shares = case.contact_map("trailing")
+    distance = abs(numpy.diff(shares, axis=0)).sum(axis=1) / numpy.maximum(shares[1:].sum(axis=1) + shares[:-1].sum(axis=1), 1e-300)
+    middle = numpy.median(distance)
+    spread = 1.4826 * numpy.median(abs(distance - middle))
+    worst = int(distance.argmax())
+    words = f"largest distance {distance[worst]:.2f} between {case.rpm[worst]:.0f} and {case.rpm[worst + 1]:.0f} rpm, median {middle:.2f}, scaled median deviation {spread:.2f}"
+    outlier = distance[worst] > middle + 5 * spread
+    try:
+        differ = case.report("sweeps.csv")
+    except CannotBeMade as missing:
+        raise CannotBeMade(f"{words}; no sweep to classify it ({missing})") from None
+    apart = [row for row in differ if row["differ"] == "yes"]
+    return bool(outlier), words + f"; sweeps differ at {len(apart)} of {len(differ)} speeds" + \
+        (f", the first {float(apart[0]['speed [rpm]']):.0f} rpm" if apart else "")
+
+
+# --- claims ------------------------------------------------------------------------------------------------------------------
+
+@check(80, "eq. 2 misses most critical speeds; each peak has a family, a nodal diameter and an engine order")
+def _(c):
+    words, good = [], True
+    for case in c.cases:
+        ((misses, _), (aliased, _)), count = rule_scores(case)
+        labelled = all(row["family"] and row["nodal diameter"] and row["engine order"] for row in case.critical)
+        good = good and labelled and count > 0 and misses > 0.5 * count
+        words.append(f"{case.name}: eq. 2 misses {misses} of {count}, with aliasing {aliased}")
+    return good, "; ".join(words)
+
+
+@check(81, "subharmonics are negligible (1 % of the motion at the median speed); speeds above are flagged")
+def _(c):
+    words, good = [], True
+    for case in c.cases:
+        off = numpy.array([at.off_orders[0] for at in case.speeds])
+        flags = [row["motion"] for row in case.report("speeds.csv") if row["motion"]]
+        flagged = all(flag != "periodic" for flag, share in zip(flags, off) if share > 0.01)
+        good = good and numpy.median(off) < 0.01 and flagged
+        words.append(f"{case.name}: median {percent(numpy.median(off))}, above 1 % at {(off > 0.01).sum()} of {len(off)} speeds, all flagged: {flagged}")
+    return good, "; ".join(words)

@@ -14,7 +14,10 @@ namespace tiprub {
 namespace {
 
 constexpr double same_speed = 1e-9;        // of the speed
-constexpr double clear_difference = 0.01;  // of the motion: a hundred times what settling leaves open by default
+constexpr double clear_difference = 0.01;  // of settled motions: a hundred times what settling leaves open by default
+// Of irregular ones. Two stretches of one random motion, whose amplitudes are Rayleigh-distributed, differ by
+// sqrt(2 - pi/2) = 0.655 in the mean square.
+constexpr double clear_irregular_difference = 0.7;
 
 /// Amplitudes of the whole engine orders, as far as both spectra reach.
 Eigen::MatrixXd whole_orders(const TravellingSpectrum& spectrum, int last) {
@@ -57,8 +60,8 @@ void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> Sw
                        .motion = there.motion,
                        .period_revolutions = there.period_revolutions,
                        .difference = relative_difference(spectrum(here), spectrum(there))};
-      found.differs = here.motion != MotionClass::irregular && there.motion != MotionClass::irregular &&
-                      found.difference > clear_difference;
+      const bool settle = here.motion != MotionClass::irregular && there.motion != MotionClass::irregular;
+      found.differs = found.difference > (settle ? clear_difference : clear_irregular_difference);
       comparison.*direction = found;
     }
   }

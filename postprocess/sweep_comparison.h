@@ -20,7 +20,7 @@ struct SweptSpeed {
   /// response from rest over the larger of the two norms. Spectra, because irregular motions never repeat sample by
   /// sample.
   double difference = 0;
-  bool differs = false;  ///< both settle, and the difference is far above the settling tolerance
+  bool differs = false;  ///< far above the settling tolerance; of irregular motions, above what chance makes
 };
 
 /// A speed of the response beside what sweeps up and down came to; nothing where a sweep has no such speed.

@@ -28,7 +28,7 @@ Figure sweeps_figure(const Study& study) {
   figure.caption =
       "Amplitude of the motion that each speed settles to from rest, and from the motion at the speed below (up) and "
       "above "
-      "(down). Where settled motions differ (filled), there is more than one, and the wheel's past decides.";
+      "(down). Where motions differ (filled), there is more than one, and the wheel's past decides.";
   figure.data = sweep_record(study);
   std::ostringstream out;
   out << style::base() << style::block("sweeps", rows) << style::range("x", axis.low, axis.high)

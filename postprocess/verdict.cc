@@ -122,9 +122,9 @@ std::string sweep_sentence(const Study& study) {
     ++apart;
     if (largest == nullptr || change(at) > change(*largest)) largest = &at;
   }
-  if (largest == nullptr) return "Sweeps up and down settle to the same motions as from rest, wherever both settle.";
+  if (largest == nullptr) return "Sweeps up and down come to the same motions as from rest.";
   return "At " + counted(apart, "speed") +
-         " more than one settled motion exists: sweeps differ from the response from rest, most at " +
+         " more than one motion exists: sweeps differ from the response from rest, most at " +
          rpm_text(study.response.speeds[static_cast<std::size_t>(largest->index)].speed) + ", by " +
          fixed(change(*largest) * mm_per_m, 3) + " mm of amplitude.";
 }

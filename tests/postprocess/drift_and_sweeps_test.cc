@@ -128,6 +128,15 @@ TEST_F(Sweeps, IrregularMotionIsNotCalledAnotherSolution) {
   EXPECT_FALSE(compared(up)[1].differs());
 }
 
+TEST_F(Sweeps, IrregularMotionOfAnotherSizeIs) {
+  // A sweep that stays on a high branch, on which the motion never settles: 0.8 of the larger, more than chance
+  // makes.
+  Response up = rest_;
+  up.speeds[1] = at(1100, 5e-5);
+  up.speeds[1].motion = MotionClass::irregular;
+  EXPECT_TRUE(compared(up)[1].differs());
+}
+
 TEST_F(Sweeps, SpeedsThatOnlyOneHasAreLeftAlone) {
   Response up = rest_;
   up.speeds.erase(up.speeds.begin());

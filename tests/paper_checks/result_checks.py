@@ -186,23 +186,27 @@ def _(c):
     return edges["trailing"] > edges["leading"], ", ".join(f"{edge} {value:.3f}" for edge, value in edges.items()) + " (medians)"
 
 
-@check(79, "an abrupt change of contact pattern between neighbouring speeds; sweeps up and down there")
+@check(79, "an abrupt change of contact pattern between neighbouring speeds, on either edge; sweeps up and down there")
 def _(c):
     case = c.lobed(3)
-    _, _, shares = case.contact_map("trailing")
-    distance = abs(numpy.diff(shares, axis=0)).sum(axis=1) / numpy.maximum(shares[1:].sum(axis=1) + shares[:-1].sum(axis=1), 1e-300)
-    middle = numpy.median(distance)
-    spread = 1.4826 * numpy.median(abs(distance - middle))
-    worst = int(distance.argmax())
-    words = f"largest distance {distance[worst]:.2f} between {case.rpm[worst]:.0f} and {case.rpm[worst + 1]:.0f} rpm, median {middle:.2f}, scaled median deviation {spread:.2f}"
-    outlier = distance[worst] > middle + 5 * spread
+    words, outlier, where = [], False, set()
+    for edge in ("leading", "trailing"):
+        _, _, shares = case.contact_map(edge)
+        distance = abs(numpy.diff(shares, axis=0)).sum(axis=1) / numpy.maximum(shares[1:].sum(axis=1) + shares[:-1].sum(axis=1), 1e-300)
+        middle = numpy.median(distance)
+        spread = 1.4826 * numpy.median(abs(distance - middle))
+        worst = int(distance.argmax())
+        outlier = outlier or distance[worst] > middle + 5 * spread
+        where |= {round(case.rpm[worst]), round(case.rpm[worst + 1])}
+        words.append(f"{edge} edge: largest distance {distance[worst]:.2f} between {case.rpm[worst]:.0f} and {case.rpm[worst + 1]:.0f} rpm, "
+                     f"median {middle:.2f}, scaled median deviation {spread:.2f}")
     try:
         differ = case.report("sweeps.csv")
     except CannotBeMade as missing:
-        raise CannotBeMade(f"{words}; no sweep to classify it ({missing})") from None
-    apart = [row for row in differ if row["differ"] == "yes"]
-    return bool(outlier), words + f"; sweeps differ at {len(apart)} of {len(differ)} speeds" + \
-        (f", the first {float(apart[0]['speed [rpm]']):.0f} rpm" if apart else "")
+        raise CannotBeMade(f"{'; '.join(words)}; no sweep to classify it ({missing})") from None
+    apart = [round(float(row["speed [rpm]"])) for row in differ if row["differ"] == "yes"]
+    there = sorted(where & set(apart))
+    return bool(outlier), "; ".join(words) + f"; sweeps differ at {len(apart)} of {len(differ)} speeds, of these at {there}"
 
 
 # --- claims ------------------------------------------------------------------------------------------------------------------

@@ -146,13 +146,32 @@ class Model:
                 max(abs(reduced / exact - 1) for exact, reduced in pairs[:count])
         return errors
 
+    def padded(self, n, name, size):
+        """A matrix of a nodal diameter, which may have fewer generalized dofs than another; those that it doesn't have get
+        unit mass and a stiffness beyond all others."""
+        given = self.matrices[n][name]
+        filler = {"M": 1.0, "K0": 1e3 * self.largest_square}.get(name, 0.0)
+        matrix = numpy.diag(numpy.full(size, filler)).astype(complex)
+        matrix[:len(given), :len(given)] = given
+        return matrix
+
+    @functools.cached_property
+    def largest_square(self):
+        """[rad^2/s^2] the largest omega^2 at rest."""
+        return max((2 * numpy.pi * self.frequencies(n, 0)[-1]) ** 2 for n in range(len(self.matrices)))
+
+    @property
+    def size(self):
+        """Dofs of a sector of the ring: those of the nodal diameter that has most."""
+        return max(len(m["M"]) for m in self.matrices)
+
     def ring(self, name):
         """A matrix of all N sectors in real sector coordinates, from the blocks of the nodal diameters (eq. 11)."""
-        size = self.matrices[0]["M"].shape[0]
+        size = self.size
         full = numpy.zeros((self.sectors * size, self.sectors * size))
         for shift in range(self.sectors):
-            block = sum((self.times(n) * (m[name] * numpy.exp(2j * numpy.pi * n * shift / self.sectors)).real
-                         for n, m in enumerate(self.matrices)), numpy.zeros((size, size))) / self.sectors
+            block = sum((self.times(n) * (self.padded(n, name, size) * numpy.exp(2j * numpy.pi * n * shift / self.sectors)).real
+                         for n in range(len(self.matrices))), numpy.zeros((size, size))) / self.sectors
             for j in range(self.sectors):
                 i = (j + shift) % self.sectors
                 full[i * size:(i + 1) * size, j * size:(j + 1) * size] = block

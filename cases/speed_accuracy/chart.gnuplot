@@ -12,23 +12,24 @@ files = "accuracy_quick.tsv accuracy_made.tsv"
 titles = '"Quick impeller" "Made-up wheel, 900 dofs"'
 schemes = "trigonometric central_differences paper moreau_jean penalty_1 penalty_10 residual_flexibility"
 colours = "#0060ad #dd181f #ff9900 #109618 #cc66cc #990099 #00aaaa"
-pick(column, group, name) = strcol(1) eq group && strcol(2) eq name ? column : NaN
+rows(file, group, name) = sprintf("< awk -F'\t' '$1 == \"%s\" && $2 == \"%s\"' %s", group, name, file)
 set multiplot layout 3,2
 do for [i = 1:2] {
   file = word(files, i)
-  do for [x = 6:7] {
+  do for [cost = 6:7] {
     set title word(titles, i)
-    set xlabel x == 6 ? "processor time of a revolution [ms]" : "multiplications of a revolution"
+    set xlabel cost == 6 ? "processor time of a revolution [ms]" : "multiplications of a revolution"
     set ylabel "relative error"
-    plot for [s = 1:7] file using (pick(column(x), "scheme", word(schemes, s))):5 with linespoints pt 7 ps 0.6 lw 1.5 lc rgb word(colours, s) title word(schemes, s) noenhanced, \
-      file using (pick(column(x), "full", "all_nodal_diameters")):5 with linespoints pt 6 ps 0.6 dt 2 lc rgb "#0060ad" title "all nodal diameters", \
-      file using (pick(column(x), "default", "trigonometric")):5 with points pt 6 ps 2.2 lw 2 lc rgb "black" title "the default"
+    plot for [s = 1:7] rows(file, "scheme", word(schemes, s)) using cost:5 with linespoints pt 7 ps 0.6 lw 1.5 lc rgb word(colours, s) title word(schemes, s) noenhanced, \
+      rows(file, "full", "all_nodal_diameters") using cost:5 with linespoints pt 6 ps 0.6 dt 2 lc rgb "#0060ad" title "all nodal diameters", \
+      rows(file, "default", "trigonometric") using cost:5 with points pt 6 ps 2.2 lw 2 lc rgb "black" title "the default"
   }
 }
 do for [i = 1:2] {
+  file = word(files, i)
   set title word(titles, i) . ", 1440 steps a revolution"
   set xlabel "modes with mass, a nodal diameter"
-  plot word(files, i) using (pick($4, "modes", "quasi_static")):5 with linespoints pt 7 lc rgb "#00aaaa" title "others quasi-static", \
-    word(files, i) using (pick($4, "modes", "dropped")):5 with linespoints pt 7 lc rgb "#888888" title "others dropped"
+  plot rows(file, "modes", "quasi_static") using 4:5 with linespoints pt 7 lc rgb "#00aaaa" title "others quasi-static", \
+    rows(file, "modes", "dropped") using 4:5 with linespoints pt 7 lc rgb "#888888" title "others dropped"
 }
 unset multiplot

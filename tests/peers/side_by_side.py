@@ -5,7 +5,7 @@
 usage: side_by_side.py TIPRUB_MESH TIPRUB_REDUCE CASE WORK_FOLDER [SIZE...]
 
 The case's wheel at rest, 10 modes at every nodal diameter, one thread, on meshes of about SIZE thousand dofs (30, 120).
-tiprub-reduce --modes runs three times before and after CalculiX's one run, all on the first core that this process may use; the
+tiprub-reduce --modes runs twice before and twice after CalculiX's one run, all on the first core that this process may use; the
 median counts. Prints a table; exit 1 where a frequency differs by more than 1e-6 or a ratio is below its bar. Exit 77
 (skipped) if there is no CalculiX.
 """

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/case_file.h"
-#include "cases/command_line.h"
-#include "cases/output_file.h"
-#include "mesh/sector_check.h"
-#include "mesh/sector_file.h"
-#include "mesh/sector_mesher.h"
+#include "cases/program/case_file.h"
+#include "cases/program/command_line.h"
+#include "cases/program/output_file.h"
+#include "mesh/sector/sector_check.h"
+#include "mesh/sector/sector_file.h"
+#include "mesh/sector/sector_mesher.h"
 
 namespace {
 

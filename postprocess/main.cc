@@ -4,18 +4,18 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "cases/case_file.h"
-#include "cases/command_line.h"
-#include "cases/output_file.h"
-#include "cases/progress.h"
-#include "postprocess/exactness.h"
-#include "postprocess/field_figures.h"
-#include "postprocess/interruption.h"
-#include "postprocess/report.h"
-#include "postprocess/result_tables.h"
-#include "postprocess/verdict.h"
-#include "reduce/reduced_model_file.h"
-#include "simulate/response_file.h"
+#include "cases/program/case_file.h"
+#include "cases/program/command_line.h"
+#include "cases/program/output_file.h"
+#include "cases/program/progress.h"
+#include "postprocess/figures/field_figures.h"
+#include "postprocess/report/exactness.h"
+#include "postprocess/report/report.h"
+#include "postprocess/report/result_tables.h"
+#include "postprocess/report/verdict.h"
+#include "postprocess/tables/interruption.h"
+#include "reduce/model/reduced_model_file.h"
+#include "simulate/response/response_file.h"
 
 namespace fs = std::filesystem;
 

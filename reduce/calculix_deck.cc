@@ -8,8 +8,8 @@
 #include <numbers>
 #include <set>
 
-#include "cases/errors.h"
-#include "cases/output_file.h"
+#include "cases/program/errors.h"
+#include "cases/program/output_file.h"
 
 namespace tiprub {
 

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "reduce/reduction_parameters.h"
-#include "reduce/sector_mesh.h"
+#include "reduce/sector/reduction_parameters.h"
+#include "reduce/sector/sector_mesh.h"
 
 namespace tiprub {
 

@@ -9,12 +9,12 @@
 #include <numeric>
 #include <optional>
 
-#include "reduce/at_speed.h"
-#include "reduce/contact_line.h"
-#include "reduce/cyclic_modes.h"
+#include "reduce/basis/cyclic_modes.h"
 #include "reduce/memory_need.h"
-#include "reduce/parallel_for.h"
-#include "reduce/spin_equilibrium.h"
+#include "reduce/operators/at_speed.h"
+#include "reduce/operators/spin_equilibrium.h"
+#include "reduce/sector/contact_line.h"
+#include "reduce/sector/parallel_for.h"
 
 namespace tiprub {
 

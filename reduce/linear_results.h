@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "reduce/reduction_parameters.h"
-#include "reduce/sector_mesh.h"
+#include "reduce/sector/reduction_parameters.h"
+#include "reduce/sector/sector_mesh.h"
 
 namespace tiprub {
 

@@ -3,8 +3,8 @@
 #include <numbers>
 #include <ostream>
 
-#include "reduce/hdf5_file.h"
 #include "reduce/linear_results.h"
+#include "reduce/model/hdf5_file.h"
 
 namespace tiprub {
 

@@ -6,15 +6,15 @@
 #include <iostream>
 #include <sstream>
 
-#include "cases/case_file.h"
-#include "cases/command_line.h"
-#include "cases/output_file.h"
+#include "cases/program/case_file.h"
+#include "cases/program/command_line.h"
+#include "cases/program/output_file.h"
 #include "reduce/calculix_deck.h"
 #include "reduce/linear_results.h"
-#include "reduce/matrix_market.h"
-#include "reduce/reduced_model_file.h"
+#include "reduce/model/matrix_market.h"
+#include "reduce/model/reduced_model_file.h"
+#include "reduce/model/verification.h"
 #include "reduce/reduction.h"
-#include "reduce/verification.h"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/errors.h"
+#include "cases/program/errors.h"
 
 namespace tiprub {
 

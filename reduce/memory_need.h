@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "reduce/sector_dofs.h"
-#include "reduce/sector_mesh.h"
+#include "reduce/sector/sector_dofs.h"
+#include "reduce/sector/sector_mesh.h"
 
 namespace tiprub {
 

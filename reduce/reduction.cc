@@ -8,17 +8,17 @@
 #include <mutex>
 #include <utility>
 
-#include "reduce/at_speed.h"
-#include "reduce/condensation.h"
-#include "reduce/contact_line.h"
-#include "reduce/craig_bampton.h"
-#include "reduce/cyclic_modes.h"
+#include "reduce/basis/craig_bampton.h"
+#include "reduce/basis/cyclic_modes.h"
+#include "reduce/basis/mode_following.h"
+#include "reduce/basis/polynomial_fit.h"
+#include "reduce/basis/sector_fields.h"
 #include "reduce/memory_need.h"
-#include "reduce/mode_following.h"
-#include "reduce/parallel_for.h"
-#include "reduce/polynomial_fit.h"
-#include "reduce/sector_fields.h"
-#include "reduce/spinning_sector.h"
+#include "reduce/model/condensation.h"
+#include "reduce/operators/at_speed.h"
+#include "reduce/operators/spinning_sector.h"
+#include "reduce/sector/contact_line.h"
+#include "reduce/sector/parallel_for.h"
 
 namespace tiprub {
 

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "cases/progress.h"
-#include "reduce/fields_file.h"
-#include "reduce/reduced_model.h"
-#include "reduce/reduction_parameters.h"
-#include "reduce/sector_mesh.h"
+#include "cases/program/progress.h"
+#include "reduce/model/fields_file.h"
+#include "reduce/model/reduced_model.h"
+#include "reduce/sector/reduction_parameters.h"
+#include "reduce/sector/sector_mesh.h"
 
 namespace tiprub {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 
-#include "cases/command_line.h"
+#include "cases/program/command_line.h"
 #include "simulate/simulation.h"
 
 int main(int argc, char** argv) {

@@ -10,15 +10,15 @@
 #include <sstream>
 #include <thread>
 
-#include "cases/case_file.h"
-#include "cases/errors.h"
-#include "cases/output_file.h"
-#include "cases/progress.h"
-#include "reduce/reduced_model_file.h"
-#include "simulate/response_file.h"
-#include "simulate/run_key.h"
-#include "simulate/speed_sweep.h"
-#include "simulate/sweep_tally.h"
+#include "cases/program/case_file.h"
+#include "cases/program/errors.h"
+#include "cases/program/output_file.h"
+#include "cases/program/progress.h"
+#include "reduce/model/reduced_model_file.h"
+#include "simulate/response/response_file.h"
+#include "simulate/sweep/run_key.h"
+#include "simulate/sweep/speed_sweep.h"
+#include "simulate/sweep/sweep_tally.h"
 
 namespace tiprub {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cases/command_line.h"
+#include "cases/program/command_line.h"
 
 namespace tiprub {
 

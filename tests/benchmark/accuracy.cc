@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <numbers>
 
-#include "simulate/scene_scope.h"
-#include "simulate/speed_audit.h"
+#include "simulate/orbits/speed_audit.h"
+#include "simulate/scene/scene_scope.h"
 #include "tests/benchmark/benchmarks.h"
 
 namespace tiprub::bench {

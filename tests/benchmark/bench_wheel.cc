@@ -5,8 +5,8 @@
 #include <ctime>
 #include <numbers>
 
-#include "reduce/reduced_model_file.h"
-#include "simulate/speed_run.h"
+#include "reduce/model/reduced_model_file.h"
+#include "simulate/sweep/speed_run.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::bench {

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "reduce/reduced_model.h"
-#include "simulate/casing.h"
-#include "simulate/response.h"
-#include "simulate/simulate_parameters.h"
+#include "reduce/model/reduced_model.h"
+#include "simulate/response/response.h"
+#include "simulate/scene/casing.h"
+#include "simulate/scene/simulate_parameters.h"
 
 namespace tiprub::bench {
 

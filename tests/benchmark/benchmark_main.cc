@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "cases/errors.h"
+#include "cases/program/errors.h"
 #include "tests/benchmark/benchmarks.h"
 
 /// tiprub-benchmark [steps | sweep | accuracy | schemes | stability] [--model model.h5] [--speeds 20]

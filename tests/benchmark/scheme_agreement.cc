@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "simulate/rotor_at_speed.h"
+#include "simulate/march/rotor_at_speed.h"
 #include "tests/benchmark/benchmarks.h"
 
 namespace tiprub::bench {

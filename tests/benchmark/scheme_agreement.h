@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "simulate/response.h"
+#include "simulate/response/response.h"
 #include "tests/benchmark/bench_wheel.h"
 
 namespace tiprub::bench {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "simulate/speed_audit.h"
+#include "simulate/orbits/speed_audit.h"
 #include "tests/benchmark/benchmarks.h"
 
 namespace tiprub::bench {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <numbers>
 
-#include "simulate/scene_scope.h"
-#include "simulate/time_march.h"
+#include "simulate/march/time_march.h"
+#include "simulate/scene/scene_scope.h"
 #include "tests/benchmark/benchmarks.h"
 #include "tests/simulate/dense_ring.h"
 

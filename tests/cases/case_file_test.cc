@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/case_file.h"
+#include "cases/program/case_file.h"
 
 #include <functional>
 #include <ostream>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/command_line.h"
+#include "cases/program/command_line.h"
 
 #include <gtest/gtest.h>
 
 #include <new>
 #include <stdexcept>
 
-#include "cases/errors.h"
+#include "cases/program/errors.h"
 
 namespace tiprub {
 namespace {

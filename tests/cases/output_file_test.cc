@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/output_file.h"
+#include "cases/program/output_file.h"
 
 #include <signal.h>
 #include <sys/wait.h>
 
 #include <functional>
 
-#include "cases/errors.h"
+#include "cases/program/errors.h"
 #include "tests/cases/temporary_folder.h"
 
 namespace tiprub {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "mesh/sector_check.h"
+#include "mesh/sector/sector_check.h"
 
 namespace tiprub::test {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "mesh/sector_mesher.h"
-#include "mesh/wheel.h"
+#include "mesh/sector/sector_mesher.h"
+#include "mesh/wheels/wheel.h"
 
 namespace tiprub::test {
 

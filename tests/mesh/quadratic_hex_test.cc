@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/quadratic_hex.h"
+#include "mesh/lattice/quadratic_hex.h"
 
 #include <gmsh.h>
 #include <gtest/gtest.h>

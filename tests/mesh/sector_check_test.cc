@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/sector_check.h"
+#include "mesh/sector/sector_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/sector_file.h"
+#include "mesh/sector/sector_file.h"
 
 #include <gmsh.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <map>
 
-#include "cases/errors.h"
+#include "cases/program/errors.h"
 #include "tests/mesh/mesh_cases.h"
 
 namespace tiprub {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/sector_mesher.h"
+#include "mesh/sector/sector_mesher.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "mesh/sector_check.h"
+#include "mesh/sector/sector_check.h"
 #include "tests/mesh/mesh_cases.h"
 
 namespace tiprub {

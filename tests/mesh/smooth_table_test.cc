@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/smooth_table.h"
+#include "mesh/curves/smooth_table.h"
 
 #include <gtest/gtest.h>
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "postprocess/aliasing.h"
-#include "postprocess/contact_map.h"
-#include "postprocess/critical_speeds.h"
-#include "postprocess/harmonic_tracking.h"
-#include "postprocess/linear_criterion.h"
-#include "postprocess/result_tables.h"
-#include "postprocess/study.h"
-#include "postprocess/units.h"
+#include "postprocess/analysis/aliasing.h"
+#include "postprocess/analysis/contact_map.h"
+#include "postprocess/analysis/critical_speeds.h"
+#include "postprocess/analysis/harmonic_tracking.h"
+#include "postprocess/analysis/linear_criterion.h"
+#include "postprocess/analysis/study.h"
+#include "postprocess/report/result_tables.h"
+#include "postprocess/tables/units.h"
 #include "synthetic_scene.h"
 
 namespace tiprub {

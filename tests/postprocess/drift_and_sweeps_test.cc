@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <numbers>
 
-#include "cases/errors.h"
-#include "postprocess/contact_drift.h"
-#include "postprocess/sweep_comparison.h"
-#include "simulate/response_file.h"
+#include "cases/program/errors.h"
+#include "postprocess/analysis/contact_drift.h"
+#include "postprocess/analysis/sweep_comparison.h"
+#include "simulate/response/response_file.h"
 #include "synthetic_scene.h"
 
 namespace fs = std::filesystem;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/field_recovery.h"
+#include "postprocess/fields/field_recovery.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <numbers>
 
-#include "postprocess/table.h"
-#include "postprocess/vtu_file.h"
-#include "postprocess/wheel_surface.h"
+#include "postprocess/fields/vtu_file.h"
+#include "postprocess/fields/wheel_surface.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 namespace {

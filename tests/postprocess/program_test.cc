@@ -15,10 +15,10 @@
 #include <thread>
 
 #include "program_fixture.h"
-#include "reduce/fields_file.h"
-#include "reduce/hdf5_file.h"
-#include "reduce/reduced_model_file.h"
-#include "simulate/response_file.h"
+#include "reduce/model/fields_file.h"
+#include "reduce/model/hdf5_file.h"
+#include "reduce/model/reduced_model_file.h"
+#include "simulate/response/response_file.h"
 
 namespace fs = std::filesystem;
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "program_fixture.h"
-#include "reduce/reduced_model_file.h"
+#include "reduce/model/reduced_model_file.h"
 #include "synthetic_fields.h"
 
 namespace fs = std::filesystem;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/travelling_spectrum.h"
+#include "postprocess/analysis/travelling_spectrum.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "postprocess/aliasing.h"
-#include "postprocess/tip_motion.h"
+#include "postprocess/analysis/aliasing.h"
+#include "postprocess/analysis/tip_motion.h"
 #include "synthetic_scene.h"
 
 namespace tiprub {

@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "postprocess/brick_stress.h"
+#include "postprocess/fields/brick_stress.h"
 
 namespace tiprub::synthetic {
 

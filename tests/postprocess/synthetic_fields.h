@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "reduce/fields_file.h"
-#include "reduce/reduced_model.h"
-#include "simulate/response.h"
+#include "reduce/model/fields_file.h"
+#include "reduce/model/reduced_model.h"
+#include "simulate/response/response.h"
 
 namespace tiprub::synthetic {
 

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <numbers>
 
-#include "postprocess/aliasing.h"
-#include "reduce/reduced_model_file.h"
-#include "simulate/response_file.h"
+#include "postprocess/analysis/aliasing.h"
+#include "reduce/model/reduced_model_file.h"
+#include "simulate/response/response_file.h"
 #include "synthetic_fields.h"
 
 namespace tiprub::synthetic {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "reduce/reduced_model.h"
-#include "simulate/response.h"
+#include "reduce/model/reduced_model.h"
+#include "simulate/response/response.h"
 
 namespace tiprub::synthetic {
 

@@ -17,7 +17,7 @@
 #include <functional>
 #include <vector>
 
-#include "reduce/cyclic_modes.h"
+#include "reduce/basis/cyclic_modes.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reduce/cyclic_modes.h"
+#include "reduce/basis/cyclic_modes.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 

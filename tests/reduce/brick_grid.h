@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 
-#include "reduce/sector_mesh.h"
+#include "reduce/sector/sector_mesh.h"
 
 namespace tiprub::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/brick_quadrature.h"
+#include "reduce/sector/brick_quadrature.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cases/errors.h"
+#include "cases/program/errors.h"
 
 namespace tiprub::test {
 

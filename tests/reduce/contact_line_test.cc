@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/contact_line.h"
+#include "reduce/sector/contact_line.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/craig_bampton.h"
+#include "reduce/basis/craig_bampton.h"
 
 #include <gtest/gtest.h>
 
-#include "reduce/cyclic_modes.h"
+#include "reduce/basis/cyclic_modes.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 

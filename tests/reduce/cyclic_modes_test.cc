@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/cyclic_modes.h"
+#include "reduce/basis/cyclic_modes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/cyclic_symmetry.h"
+#include "reduce/operators/cyclic_symmetry.h"
 
 #include <gtest/gtest.h>
 

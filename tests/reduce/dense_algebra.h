@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "reduce/rotating_elasticity.h"
+#include "reduce/sector/rotating_elasticity.h"
 
 namespace tiprub::test {
 

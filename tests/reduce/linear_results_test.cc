@@ -6,7 +6,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "reduce/hdf5_file.h"
+#include "reduce/model/hdf5_file.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 

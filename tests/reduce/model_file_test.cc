@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/reduced_model_file.h"
+#include "reduce/model/reduced_model_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "reduce/hdf5_file.h"
+#include "reduce/model/hdf5_file.h"
 #include "tests/reduce/complaint.h"
 #include "tests/reduce/some_model.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/reduced_model.h"
+#include "reduce/model/reduced_model.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include <numbers>
 
-#include "reduce/contact_line.h"
-#include "reduce/verification.h"
+#include "reduce/model/verification.h"
+#include "reduce/sector/contact_line.h"
 #include "tests/reduce/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"

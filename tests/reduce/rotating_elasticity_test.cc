@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/rotating_elasticity.h"
+#include "reduce/sector/rotating_elasticity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/sector_dofs.h"
+#include "reduce/sector/sector_dofs.h"
 
 #include <gtest/gtest.h>
 

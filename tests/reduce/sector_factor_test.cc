@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/sector_factor.h"
+#include "reduce/operators/sector_factor.h"
 
 #include <gtest/gtest.h>
 

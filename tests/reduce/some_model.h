@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "reduce/reduced_model.h"
+#include "reduce/model/reduced_model.h"
 
 namespace tiprub::test {
 

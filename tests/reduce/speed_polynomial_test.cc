@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/speed_polynomial.h"
+#include "reduce/operators/speed_polynomial.h"
 
 #include <gtest/gtest.h>
 

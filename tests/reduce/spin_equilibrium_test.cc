@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/spin_equilibrium.h"
+#include "reduce/operators/spin_equilibrium.h"
 
 #include <gtest/gtest.h>
 

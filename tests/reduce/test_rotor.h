@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "reduce/rotating_elasticity.h"
+#include "reduce/sector/rotating_elasticity.h"
 #include "tests/reduce/brick_grid.h"
 
 namespace tiprub::test {

@@ -5,10 +5,10 @@
 #include <limits>
 #include <numeric>
 
-#include "simulate/anderson.h"
-#include "simulate/speed_audit.h"
-#include "simulate/speed_run.h"
-#include "simulate/symmetric_map.h"
+#include "simulate/orbits/anderson.h"
+#include "simulate/orbits/speed_audit.h"
+#include "simulate/orbits/symmetric_map.h"
+#include "simulate/sweep/speed_run.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {

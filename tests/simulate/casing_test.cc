@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/casing.h"
+#include "simulate/scene/casing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/contact_impulses.h"
+#include "simulate/march/contact_impulses.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 #include <random>
 
-#include "cases/errors.h"
+#include "cases/program/errors.h"
 
 namespace tiprub {
 namespace {

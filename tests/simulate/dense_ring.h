@@ -4,9 +4,9 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "reduce/reduced_model.h"
-#include "simulate/casing.h"
-#include "simulate/contact_impulses.h"
+#include "reduce/model/reduced_model.h"
+#include "simulate/march/contact_impulses.h"
+#include "simulate/scene/casing.h"
 
 namespace tiprub::testing {
 

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "reduce/condensation.h"
-#include "reduce/reduced_model_file.h"
+#include "reduce/model/condensation.h"
+#include "reduce/model/reduced_model_file.h"
 #include "tests/simulate/dense_ring.h"
 #include "tests/simulate/synthetic_wheel.h"
 

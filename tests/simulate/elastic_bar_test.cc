@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "simulate/energy_audit.h"
+#include "simulate/orbits/energy_audit.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {

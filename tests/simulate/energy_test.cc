@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/energy_audit.h"
+#include "simulate/orbits/energy_audit.h"
 
 #include <gtest/gtest.h>
 

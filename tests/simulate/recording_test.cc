@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/recording.h"
+#include "simulate/orbits/recording.h"
 
 #include <gtest/gtest.h>
 

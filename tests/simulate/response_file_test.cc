@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/response_file.h"
+#include "simulate/response/response_file.h"
 
 #include <gtest/gtest.h>
 

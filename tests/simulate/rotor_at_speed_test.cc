@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/rotor_at_speed.h"
+#include "simulate/march/rotor_at_speed.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numbers>
 
-#include "cases/errors.h"
+#include "cases/program/errors.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {

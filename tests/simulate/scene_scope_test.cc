@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/scene_scope.h"
+#include "simulate/scene/scene_scope.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "cases/errors.h"
+#include "cases/program/errors.h"
 
 namespace tiprub {
 namespace {

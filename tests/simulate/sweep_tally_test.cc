@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/sweep_tally.h"
+#include "simulate/sweep/sweep_tally.h"
 
 #include <gtest/gtest.h>
 

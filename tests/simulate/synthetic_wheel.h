@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "reduce/reduced_model.h"
-#include "simulate/casing.h"
-#include "simulate/rotor_at_speed.h"
-#include "simulate/time_march.h"
+#include "reduce/model/reduced_model.h"
+#include "simulate/march/rotor_at_speed.h"
+#include "simulate/march/time_march.h"
+#include "simulate/scene/casing.h"
 
 namespace tiprub::testing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/time_march.h"
+#include "simulate/march/time_march.h"
 
 #include <gtest/gtest.h>
 

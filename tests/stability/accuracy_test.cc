@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "simulate/speed_audit.h"
+#include "simulate/orbits/speed_audit.h"
 #include "tests/benchmark/bench_wheel.h"
 
 namespace tiprub {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/errors.h"
+#include "cases/program/errors.h"
 #include "tests/stability/bench_scene.h"
 
 namespace tiprub {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "simulate/speed_audit.h"
-#include "simulate/steady_state.h"
+#include "simulate/orbits/speed_audit.h"
+#include "simulate/orbits/steady_state.h"
 #include "tests/stability/bench_scene.h"
 
 namespace tiprub {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/errors.h"
-#include "simulate/energy_audit.h"
+#include "cases/program/errors.h"
+#include "simulate/orbits/energy_audit.h"
 #include "tests/stability/bench_scene.h"
 
 namespace tiprub {

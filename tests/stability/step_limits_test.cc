@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "simulate/energy_audit.h"
-#include "simulate/integrators/penalty.h"
+#include "simulate/march/integrators/penalty.h"
+#include "simulate/orbits/energy_audit.h"
 #include "tests/stability/bench_scene.h"
 
 namespace tiprub {

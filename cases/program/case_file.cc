@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/program/case_file.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace tiprub {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> program_tables = {"mesh", "reduce", "casing", "simulate", "postprocess"};
+
+std::string shortest(double value) {
+  std::ostringstream out;
+  out << value;
+  if (std::stod(out.str()) != value) {
+    out.str("");
+    out.precision(17);
+    out << value;
+  }
+  return out.str();
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+struct CaseTable::Node {
+  std::string file;
+  std::string path;  ///< dotted name of this table, for messages
+  /// Never a copy: toml++ drops the positions of what it copies. A table inside another one keeps the whole alive.
+  std::shared_ptr<const toml::table> values = std::make_shared<toml::table>();
+  std::vector<std::string> asked;
+  std::vector<std::string> lines;
+  std::vector<std::pair<std::string, std::shared_ptr<Node>>> children;
+
+  std::string where(const toml::node* node) const {
+    const toml::source_region& source = node != nullptr ? node->source() : values->source();
+    return file + ":" + std::to_string(source.begin.line) + ":" + std::to_string(source.begin.column) + ": ";
+  }
+  std::string where(std::string_view key) const {
+    return where(values->get(key)) + "[" + path + "] " + std::string(key);
+  }
+  const toml::node* ask(std::string_view key, bool required) {
+    asked.emplace_back(key);
+    const toml::node* node = values->get(key);
+    if (node == nullptr && required)
+      throw InputError(where(values.get()) + "[" + path + "] has no " + std::string(key) +
+                       ", and it has no default; add it");
+    return node;
+  }
+  void note(std::string_view key, const std::string& value, std::string_view unit) {
+    lines.push_back(std::string(key) + " = " + value + (unit.empty() ? "" : "  # " + std::string(unit)));
+  }
+  double number_at(const toml::node& node, std::string_view key, const Range& range, std::string_view unit) const {
+    const auto value = node.value<double>();
+    if (!node.is_number() || !value)
+      throw InputError(where(&node) + "[" + path + "] " + std::string(key) + " is not a number");
+    if (!std::isfinite(*value))
+      throw InputError(where(&node) + "[" + path + "] " + std::string(key) + " = " + shortest(*value) +
+                       " must be a finite number");
+    if (!range.holds(*value))
+      throw InputError(where(&node) + "[" + path + "] " + std::string(key) + " = " + shortest(*value) + " must be " +
+                       range.describe() + (unit.empty() ? "" : " [" + std::string(unit) + "]"));
+    return *value;
+  }
+};
+
+bool Range::holds(double value) const {
+  return (low_end == LowEnd::included ? value >= low : value > low) && value <= high;  // false for NaN
+}
+
+std::string Range::describe() const {
+  const bool has_low = low > -std::numeric_limits<double>::infinity();
+  const bool has_high = high < std::numeric_limits<double>::infinity();
+  const std::string above = (low_end == LowEnd::included ? "at least " : "more than ") + shortest(low);
+  if (has_low && has_high) return above + " and at most " + shortest(high);
+  if (has_low) return above;
+  return has_high ? "at most " + shortest(high) : "a finite number";
+}
+
+CaseTable::CaseTable(std::shared_ptr<Node> node) : node_(std::move(node)) {}
+
+bool CaseTable::has(std::string_view key) const {
+  return node_->values->contains(key);
+}
+
+double CaseTable::number(std::string_view key, std::optional<double> fallback, const Range& range,
+                         std::string_view unit) {
+  const toml::node* node = node_->ask(key, !fallback);
+  const double value = node != nullptr ? node_->number_at(*node, key, range, unit) : *fallback;
+  node_->note(key, shortest(value), unit);
+  return value;
+}
+
+int CaseTable::integer(std::string_view key, std::optional<int> fallback, const Range& range, std::string_view unit) {
+  const toml::node* node = node_->ask(key, !fallback);
+  int value = fallback.value_or(0);
+  if (node != nullptr) {
+    if (!node->is_integer())
+      throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) + " is not a whole number");
+    const double wide = node_->number_at(*node, key, range, unit);
+    if (std::abs(wide) > std::numeric_limits<int>::max())
+      throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) + " is too large");
+    value = static_cast<int>(wide);
+  }
+  node_->note(key, std::to_string(value), unit);
+  return value;
+}
+
+bool CaseTable::flag(std::string_view key, bool fallback) {
+  const toml::node* node = node_->ask(key, false);
+  if (node != nullptr && !node->is_boolean())
+    throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) + " must be true or false");
+  const bool value = node != nullptr ? node->value<bool>().value() : fallback;
+  node_->note(key, value ? "true" : "false", "");
+  return value;
+}
+
+std::string CaseTable::text(std::string_view key, std::optional<std::string> fallback) {
+  const toml::node* node = node_->ask(key, !fallback);
+  if (node != nullptr && !node->is_string())
+    throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) + " must be a text in quotes");
+  const std::string value = node != nullptr ? node->value<std::string>().value() : *fallback;
+  node_->note(key, '"' + value + '"', "");
+  return value;
+}
+
+std::vector<double> CaseTable::numbers(std::string_view key, std::optional<std::vector<double>> fallback,
+                                       const Range& range, std::string_view unit) {
+  const toml::node* node = node_->ask(key, !fallback);
+  std::vector<double> values = fallback.value_or(std::vector<double>{});
+  if (node != nullptr) {
+    if (!node->is_array() || node->as_array()->empty())
+      throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) +
+                       " must be a list of numbers");
+    values.clear();
+    for (const toml::node& item : *node->as_array()) values.push_back(node_->number_at(item, key, range, unit));
+  }
+  std::vector<std::string> words;
+  for (double value : values) words.push_back(shortest(value));
+  node_->note(key, "[" + joined(words) + "]", unit);
+  return values;
+}
+
+std::vector<std::array<double, 2>> CaseTable::points(std::string_view key,
+                                                     std::optional<std::vector<std::array<double, 2>>> fallback,
+                                                     const Range& range, std::string_view unit) {
+  const toml::node* node = node_->ask(key, !fallback);
+  std::vector<std::array<double, 2>> values = fallback.value_or(std::vector<std::array<double, 2>>{});
+  if (node != nullptr) {
+    values.clear();
+    const toml::array* list = node->as_array();
+    const std::string want = "[" + node_->path + "] " + std::string(key) + " must be a list of [x, y] pairs";
+    if (list == nullptr || list->empty()) throw InputError(node_->where(node) + want);
+    for (const toml::node& item : *list) {
+      const toml::array* pair = item.as_array();
+      if (pair == nullptr || pair->size() != 2) throw InputError(node_->where(&item) + want);
+      const double x = node_->number_at(*pair->get(0), key, Range::any(), "");
+      if (!values.empty() && x <= values.back()[0])
+        throw InputError(node_->where(&item) + want + " with x increasing; " + shortest(x) + " follows " +
+                         shortest(values.back()[0]));
+      values.push_back({x, node_->number_at(*pair->get(1), key, range, unit)});
+    }
+  }
+  std::vector<std::string> words;
+  for (const auto& [x, y] : values) words.push_back("[" + shortest(x) + ", " + shortest(y) + "]");
+  node_->note(key, "[" + joined(words) + "]", unit);
+  return values;
+}
+
+std::string CaseTable::choose(std::string_view key, std::optional<std::string> fallback,
+                              const std::vector<std::string>& names) {
+  const toml::node* node = node_->ask(key, !fallback);
+  std::string value = fallback.value_or("");
+  if (node != nullptr) {
+    value = node->value<std::string>().value_or("");
+    if (!node->is_string() || std::find(names.begin(), names.end(), value) == names.end())
+      throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) +
+                       (node->is_string() ? " = \"" + value + "\"" : "") + " must be one of: " + joined(names));
+  }
+  node_->note(key, '"' + value + '"', "one of " + joined(names));
+  return value;
+}
+
+CaseTable CaseTable::table(std::string_view key) {
+  const toml::node* node = node_->ask(key, false);
+  auto child = std::make_shared<Node>();
+  child->file = node_->file;
+  child->path = node_->path + "." + std::string(key);
+  if (node != nullptr) {
+    if (!node->is_table()) throw InputError(node_->where(node) + "[" + child->path + "] must be a table");
+    child->values = {node_->values, node->as_table()};
+  }
+  node_->children.emplace_back(key, child);
+  return CaseTable(child);
+}
+
+void CaseTable::reject(std::string_view key, const std::string& message) const {
+  throw InputError(node_->where(key) + " " + message);
+}
+
+void CaseTable::close() const {
+  for (const auto& [key, value] : *node_->values)
+    if (std::find(node_->asked.begin(), node_->asked.end(), key.str()) == node_->asked.end()) {
+      const toml::source_position at = key.source().begin;
+      throw InputError(node_->file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
+                       ": unknown key \"" + std::string(key.str()) + "\" in [" + node_->path +
+                       "]; known: " + joined(node_->asked));
+    }
+  for (const auto& [key, child] : node_->children) CaseTable(child).close();
+}
+
+std::string CaseTable::resolved() const {
+  std::string text;
+  for (const std::string& line : node_->lines) text += line + "\n";
+  for (const auto& [key, child] : node_->children) text += "[" + child->path + "]\n" + CaseTable(child).resolved();
+  return text;
+}
+
+CaseFile::CaseFile(const std::filesystem::path& path) : root_(std::make_shared<CaseTable::Node>()) {
+  std::ifstream stream(path);
+  if (!stream || std::filesystem::is_directory(path)) throw RunError(path.string() + ": can't be read");
+  source_ = std::string(std::istreambuf_iterator<char>(stream), {});
+  root_->file = path.string();
+  try {
+    root_->values = std::make_shared<const toml::table>(toml::parse(source_, root_->file));
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw InputError(root_->file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
+                     ": not TOML: " + std::string(error.description()));
+  }
+  for (const auto& [key, value] : *root_->values) {
+    const bool is_table = std::find(program_tables.begin(), program_tables.end(), key.str()) != program_tables.end();
+    if (is_table ? value.is_table() : (key.str() == "title" && value.is_string())) continue;
+    throw InputError(root_->where(&value) + "\"" + std::string(key.str()) +
+                     "\" is not known here; known: title (a text), and the tables " +
+                     joined({program_tables.begin(), program_tables.end()}));
+  }
+  title_ = (*root_->values)["title"].value_or(std::string());
+}
+
+CaseTable CaseFile::table(std::string_view name) const {
+  const toml::table* values = (*root_->values)[name].as_table();
+  if (values == nullptr) throw InputError(root_->file + ": has no [" + std::string(name) + "] table; add it");
+  auto node = std::make_shared<CaseTable::Node>();
+  node->file = root_->file;
+  node->path = name;
+  node->values = {root_->values, values};
+  return CaseTable(node);
+}
+
+}  // namespace tiprub

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+/// The values a number in a case file may take, ends included unless said.
+struct Range {
+  enum class LowEnd { included, excluded };
+
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  LowEnd low_end = LowEnd::included;
+
+  static Range any() { return {}; }
+  static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), LowEnd::excluded}; }
+  static Range at_least(double low) { return {low, std::numeric_limits<double>::infinity(), LowEnd::included}; }
+  static Range between(double low, double high) { return {low, high, LowEnd::included}; }
+  bool holds(double value) const;
+  std::string describe() const;
+};
+
+/// One table of a case file, read as a closed world: every key is asked for by name, with its default, range and
+/// unit, and close() refuses whatever was never asked for. All readers raise InputError with file:line:column.
+/// A key without a default (std::nullopt) must be present.
+class CaseTable {
+ public:
+  struct Node;  ///< the toml node behind it; only case_file.cc knows toml++
+  explicit CaseTable(std::shared_ptr<Node> node);
+
+  bool has(std::string_view key) const;
+  double number(std::string_view key, std::optional<double> fallback, const Range& range, std::string_view unit);
+  int integer(std::string_view key, std::optional<int> fallback, const Range& range, std::string_view unit);
+  bool flag(std::string_view key, bool fallback);
+  std::string text(std::string_view key, std::optional<std::string> fallback);
+  std::vector<double> numbers(std::string_view key, std::optional<std::vector<double>> fallback, const Range& range,
+                              std::string_view unit);
+  /// An array of [x, y] pairs with x strictly increasing; the range and the unit are those of y.
+  std::vector<std::array<double, 2>> points(std::string_view key,
+                                            std::optional<std::vector<std::array<double, 2>>> fallback,
+                                            const Range& range, std::string_view unit);
+  template <class Enum>
+  Enum choice(std::string_view key, std::optional<Enum> fallback,
+              std::initializer_list<std::pair<std::string_view, Enum>> names);
+  /// A table inside this one; an absent one reads as an empty one.
+  CaseTable table(std::string_view key);
+
+  /// Raises InputError at a key whose value is allowed by itself and wrong beside another one.
+  [[noreturn]] void reject(std::string_view key, const std::string& message) const;
+  /// Raises InputError at the first key that nobody asked for, and lists the known ones.
+  void close() const;
+  /// What was read, defaults included: one "key = value  # unit" a line, in the order of reading.
+  std::string resolved() const;
+
+ private:
+  std::string choose(std::string_view key, std::optional<std::string> fallback,
+                     const std::vector<std::string>& names);
+
+  std::shared_ptr<Node> node_;
+};
+
+/// A scene: one rotor, one casing, one range of speeds, in one TOML file. Each program reads only its own table of
+/// it.
+class CaseFile {
+ public:
+  /// Raises RunError if the file can't be read, InputError if it is not TOML or has a top-level table that no program
+  /// knows (the known ones: mesh, reduce, casing, simulate, postprocess, and the text `title`).
+  explicit CaseFile(const std::filesystem::path& path);
+
+  const std::string& title() const { return title_; }
+  /// The whole file as it was read, for provenance.
+  const std::string& source() const { return source_; }
+  /// Raises InputError if the table is absent.
+  CaseTable table(std::string_view name) const;
+
+ private:
+  std::string title_;
+  std::string source_;
+  std::shared_ptr<CaseTable::Node> root_;
+};
+
+template <class Enum>
+Enum CaseTable::choice(std::string_view key, std::optional<Enum> fallback,
+                       std::initializer_list<std::pair<std::string_view, Enum>> names) {
+  std::vector<std::string> known;
+  std::optional<std::string> fallback_name;
+  for (const auto& [name, value] : names) {
+    known.emplace_back(name);
+    if (fallback && *fallback == value) fallback_name = name;
+  }
+  const std::string chosen = choose(key, fallback_name, known);
+  for (const auto& [name, value] : names)
+    if (name == chosen) return value;
+  return names.begin()->second;  // not reached: choose() returns one of the known names
+}
+
+}  // namespace tiprub

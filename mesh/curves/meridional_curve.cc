@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/curves/meridional_curve.h"
+
+#include <cmath>
+
+namespace tiprub {
+
+namespace {
+
+using Control = std::array<MeridionalPoint, 4>;
+
+MeridionalPoint derivative(const Control& control, double t) {
+  const double u = 1.0 - t;
+  return 3.0 * u * u * (control[1] - control[0]) + 6.0 * u * t * (control[2] - control[1]) +
+         3.0 * t * t * (control[3] - control[2]);
+}
+
+MeridionalPoint position(const Control& control, double t) {
+  const double u = 1.0 - t;
+  return u * u * u * control[0] + 3.0 * u * u * t * control[1] + 3.0 * u * t * t * control[2] +
+         t * t * t * control[3];
+}
+
+double norm(MeridionalPoint a) {
+  return std::hypot(a.z, a.r);
+}
+
+}  // namespace
+
+MeridionalPoint operator+(MeridionalPoint a, MeridionalPoint b) {
+  return {a.z + b.z, a.r + b.r};
+}
+
+MeridionalPoint operator-(MeridionalPoint a, MeridionalPoint b) {
+  return {a.z - b.z, a.r - b.r};
+}
+
+MeridionalPoint operator*(double factor, MeridionalPoint a) {
+  return {factor * a.z, factor * a.r};
+}
+
+MeridionalCurve::MeridionalCurve(MeridionalPoint inlet, MeridionalPoint exit, std::array<double, 2> arms)
+    : control_{inlet, inlet + MeridionalPoint{arms[0] * (exit.z - inlet.z), 0.0},
+               exit - MeridionalPoint{0.0, arms[1] * (exit.r - inlet.r)}, exit},
+      arc_([control = control_](double t) { return norm(derivative(control, t)); }) {}
+
+MeridionalPoint MeridionalCurve::at(double fraction) const {
+  return position(control_, arc_.inverse(fraction * arc_.total()));
+}
+
+MeridionalPoint MeridionalCurve::unit_tangent(double fraction) const {
+  const MeridionalPoint direction = derivative(control_, arc_.inverse(fraction * arc_.total()));
+  return (1.0 / norm(direction)) * direction;
+}
+
+}  // namespace tiprub

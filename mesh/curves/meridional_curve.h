@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "mesh/curves/running_integral.h"
+
+namespace tiprub {
+
+/// A point of the meridional plane, or a vector in it.
+struct MeridionalPoint {
+  double z;  ///< along the axis of rotation [m]
+  double r;  ///< distance from it [m]
+};
+
+MeridionalPoint operator+(MeridionalPoint a, MeridionalPoint b);
+MeridionalPoint operator-(MeridionalPoint a, MeridionalPoint b);
+MeridionalPoint operator*(double factor, MeridionalPoint a);
+
+/// A flow line from inlet to exit of a centrifugal wheel: a cubic Bezier curve that leaves the inlet along the axis
+/// and reaches the exit along the radius, measured by the fraction of its own length.
+class MeridionalCurve {
+ public:
+  /// The arms are the lengths of the curve's two handles, at the inlet as a fraction of the axial length, at the exit
+  /// as a fraction of the radial height; 0.5523 twice is a quarter of an ellipse to 3e-4.
+  MeridionalCurve(MeridionalPoint inlet, MeridionalPoint exit, std::array<double, 2> arms);
+
+  double length() const { return arc_.total(); }        ///< [m]
+  MeridionalPoint at(double fraction) const;            ///< fraction of the length, 0 at the inlet
+  MeridionalPoint unit_tangent(double fraction) const;  ///< towards the exit
+
+ private:
+  std::array<MeridionalPoint, 4> control_;
+  RunningIntegral arc_;
+};
+
+}  // namespace tiprub

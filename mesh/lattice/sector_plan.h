@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cases/program/case_file.h"
+#include "mesh/lattice/quadratic_hex.h"
+
+namespace tiprub {
+
+enum class Blades {
+  none,               ///< a bare disc
+  main,               ///< one blade a sector
+  main_and_splitter,  ///< and a shorter one between two of them
+};
+
+enum class ClampedSurface { bore, front_face, bore_and_front_face };
+
+/// How many elements the sector has in each direction.
+struct ElementCounts {
+  int chord;           ///< stations from leading to trailing edge (a disc: from its front to its back)
+  int upstream;        ///< of these before the splitter's leading edge
+  int bore;            ///< of these opposite the bore; the others stand on the back face
+  int blade;           ///< through the main blade's thickness
+  int splitter;        ///< through the splitter's
+  int span;            ///< from hub to tip
+  int disc;            ///< from bore or back face to hub
+  int between_blades;  ///< round one passage; without blades round the sector
+};
+
+/// What the mesher needs to know beside the shape itself.
+struct SectorPlan {
+  ElementKind element = ElementKind::hex20;
+  int sector_count = 0;  ///< N
+  Blades blades = Blades::main;
+  double splitter_start = 0.0;  ///< fraction of the meridional length
+  double splitter_pitch = 0.5;  ///< its place between two main blades, as a fraction of their pitch
+  ClampedSurface clamped = ClampedSurface::bore;
+  ElementCounts elements{};
+
+  double pitch() const;  ///< 2 pi / N [rad]
+  /// The fraction of the meridional length at half of an element index, 0 .. 2 elements.chord: evenly before and
+  /// after the splitter's leading edge, which always falls between two elements.
+  double station(int half_index) const;
+  /// How far along its own chord a splitter is at that station; 0 upstream of it.
+  double splitter_chord(double station) const;
+};
+
+/// What both families say in the same words: element, clamped, the counts of elements. Blades must be known already.
+void read_common(CaseTable& table, SectorPlan& plan, int fewest_along_chord);
+
+}  // namespace tiprub

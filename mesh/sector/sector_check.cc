@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/sector/sector_check.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+#include "cases/program/errors.h"
+#include "mesh/wheels/geometry_volume.h"
+
+namespace tiprub {
+
+namespace {
+
+HexCoordinates coordinates_of(const MeshedSector& mesh, const SectorCell& cell) {
+  HexCoordinates coordinates;
+  for (int n = 0; n < node_count(mesh.element); ++n) coordinates.col(n) = mesh.nodes[cell.nodes[n]];
+  if (mesh.element == ElementKind::hex20) complete_hex20(coordinates);
+  return coordinates;
+}
+
+double scaled_jacobian(const Eigen::Matrix3d& jacobian) {
+  return jacobian.determinant() / (jacobian.col(0).norm() * jacobian.col(1).norm() * jacobian.col(2).norm());
+}
+
+void measure_cells(const MeshedSector& mesh, SectorReport& report) {
+  report.worst_scaled_jacobian = 1.0;
+  report.worst_cell = 0;
+  report.mesh_volume = 0.0;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const HexCoordinates coordinates = coordinates_of(mesh, mesh.cells[c]);
+    for (const HexSample& sample : hex_samples()) {
+      const Eigen::Matrix3d jacobian = coordinates * sample.gradients;
+      report.mesh_volume += sample.weight * jacobian.determinant();
+      const double scaled = scaled_jacobian(jacobian);
+      if (scaled >= report.worst_scaled_jacobian) continue;
+      report.worst_scaled_jacobian = scaled;
+      report.worst_cell = c;
+    }
+  }
+}
+
+void measure_dimensions(const MeshedSector& mesh, SectorReport& report) {
+  double z_low = mesh.nodes[0][2], z_high = z_low;
+  report.smallest_radius = report.largest_radius = mesh.nodes[0].head<2>().norm();
+  for (const Eigen::Vector3d& x : mesh.nodes) {
+    report.smallest_radius = std::min(report.smallest_radius, x.head<2>().norm());
+    report.largest_radius = std::max(report.largest_radius, x.head<2>().norm());
+    z_low = std::min(z_low, x[2]);
+    z_high = std::max(z_high, x[2]);
+  }
+  report.axial_extent = z_high - z_low;
+}
+
+void measure_pairing(const MeshedSector& mesh, SectorReport& report) {
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(2.0 * std::numbers::pi / mesh.sector_count, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  report.pairing_mismatch = 0.0;
+  for (const auto& [low, high] : mesh.low_and_high_nodes)
+    report.pairing_mismatch =
+        std::max(report.pairing_mismatch, (turn * mesh.nodes[low] - mesh.nodes[high]).norm() / report.largest_radius);
+}
+
+std::set<std::size_t> nodes_on(const MeshedSector& mesh, const std::string& name) {
+  const std::vector<std::size_t>& nodes = mesh.surface(name).face_nodes;
+  return {nodes.begin(), nodes.end()};
+}
+
+void count_clamp(const MeshedSector& mesh, SectorReport& report) {
+  const std::set<std::size_t> clamped = nodes_on(mesh, "clamped");
+  report.clamped_nodes = clamped.size();
+  report.clamped_cyclic_nodes = 0;
+  for (const auto& pair : mesh.low_and_high_nodes)
+    for (std::size_t node : pair) report.clamped_cyclic_nodes += clamped.count(node);
+}
+
+const char* name_of(Region region) {
+  switch (region) {
+    case Region::disc:
+      return "disc";
+    case Region::main_blade:
+      return "main blade";
+    case Region::splitter:
+      return "splitter";
+  }
+  return "";
+}
+
+std::string place_of(const SectorCell& cell, const Wheel& wheel) {
+  std::ostringstream text;
+  const double middle = wheel.plan.station(2 * cell.station + 1);
+  text << name_of(cell.region) << ", at " << middle << " of the meridional length (station " << cell.station + 1
+       << " of " << wheel.plan.elements.chord << ", layer " << cell.layer + 1 << ", column " << cell.column + 1
+       << ")";
+  return text.str();
+}
+
+void refuse_inverted(const SectorReport& report, const MeshedSector& mesh, const Wheel& wheel) {
+  if (report.worst_scaled_jacobian > 0.0) return;
+  const SectorCell& cell = mesh.cells[report.worst_cell];
+  std::ostringstream text;
+  text << "inverted element in the " << place_of(cell, wheel) << ": scaled Jacobian " << report.worst_scaled_jacobian
+       << ", must be more than 0; look at [mesh] " << wheel.geometry->keys_that_shape(cell.region);
+  throw InputError(text.str());
+}
+
+// The normal of the face that is turned away from the axis, at one of its nodes.
+Eigen::Vector3d tip_normal(const MeshedSector& mesh, const SectorCell& cell, int local_node) {
+  const auto& reference = hex_reference_nodes()[local_node];
+  const Eigen::Vector3d at(reference[0], reference[1], reference[2]);
+  const Eigen::Matrix3d jacobian = coordinates_of(mesh, cell) * hex_gradients(at);
+  return jacobian.col(0).cross(jacobian.col(1)).normalized();
+}
+
+double angle_from_radial_deg(const Eigen::Vector3d& normal, const Eigen::Vector3d& at) {
+  const double radial = normal.head<2>().dot(at.head<2>()) / at.head<2>().norm();
+  return std::atan2(-normal[2], radial) * 180.0 / std::numbers::pi;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> contact_normals(const MeshedSector& mesh) {
+  std::vector<Eigen::Vector3d> sums(mesh.contact.size(), Eigen::Vector3d::Zero());
+  const int top_layer = std::max_element(mesh.cells.begin(), mesh.cells.end(), [](const auto& a, const auto& b) {
+                          return a.layer < b.layer;
+                        })->layer;
+  for (const SectorCell& cell : mesh.cells) {
+    if (cell.layer != top_layer || cell.region == Region::splitter) continue;
+    for (int n = 0; n < node_count(mesh.element); ++n) {
+      const auto found = std::find(mesh.contact.begin(), mesh.contact.end(), cell.nodes[n]);
+      if (found != mesh.contact.end()) sums[found - mesh.contact.begin()] += tip_normal(mesh, cell, n);
+    }
+  }
+  for (Eigen::Vector3d& sum : sums) sum.normalize();
+  return sums;
+}
+
+SectorReport measure_sector(const MeshedSector& mesh, const Wheel& wheel) {
+  SectorReport report{};
+  measure_cells(mesh, report);
+  refuse_inverted(report, mesh, wheel);
+  measure_dimensions(mesh, report);
+  measure_pairing(mesh, report);
+  count_clamp(mesh, report);
+  report.geometry_volume = geometry_volume(wheel);
+  const std::vector<Eigen::Vector3d> normals = contact_normals(mesh);
+  report.normal_angle_leading_deg = angle_from_radial_deg(normals.front(), mesh.nodes[mesh.contact.front()]);
+  report.normal_angle_trailing_deg = angle_from_radial_deg(normals.back(), mesh.nodes[mesh.contact.back()]);
+  return report;
+}
+
+std::string describe(const SectorReport& report, const MeshedSector& mesh, const Wheel& wheel) {
+  const ElementCounts& elements = wheel.plan.elements;
+  std::ostringstream text;
+  text << "radii " << report.smallest_radius << " to " << report.largest_radius << " m, axial extent "
+       << report.axial_extent << " m, 1 of " << mesh.sector_count << " sectors\n"
+       << mesh.nodes.size() << " nodes, " << mesh.cells.size() << " cells, " << 3 * mesh.nodes.size() << " dofs; "
+       << elements.chord << " elements along the chord, " << elements.disc << " through the disc";
+  if (wheel.plan.blades != Blades::none)
+    text << ", " << elements.blade << " through the blade, " << elements.span << " along its span";
+  if (wheel.plan.blades == Blades::main_and_splitter) text << ", " << elements.splitter << " through the splitter";
+  text << "\nworst scaled Jacobian " << report.worst_scaled_jacobian << ", in the "
+       << place_of(mesh.cells[report.worst_cell], wheel) << "\nlargest pairing mismatch " << report.pairing_mismatch
+       << " R over " << mesh.low_and_high_nodes.size() << " pairs\nvolume " << report.mesh_volume
+       << " m^3, relative error against the geometry " << std::abs(report.mesh_volume / report.geometry_volume - 1.0)
+       << "\n"
+       << report.clamped_nodes << " nodes clamped, " << report.clamped_cyclic_nodes
+       << " of them on cyclic faces (the clamp wins)\n"
+       << mesh.contact.size() << " contact nodes, normal " << report.normal_angle_leading_deg
+       << " deg from radial at the leading edge, " << report.normal_angle_trailing_deg << " deg at the trailing edge";
+  return text.str();
+}
+
+}  // namespace tiprub

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/sector/sector_mesher.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "mesh/lattice/sector_lattice.h"
+
+namespace tiprub {
+
+namespace {
+
+using Index = std::array<int, 3>;  // column, station, layer; in elements for cells, in half elements for nodes
+
+constexpr std::size_t no_node = std::numeric_limits<std::size_t>::max();
+
+Index operator+(const Index& a, const Index& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+enum class Side { low, high };
+
+// The face of a cell on one side of one direction, outward normal, as the lattice offsets of its 9 nodes.
+std::array<Index, 9> face_offsets(int direction, Side side) {
+  Index first{0, 0, 0}, second{0, 0, 0}, start{0, 0, 0};
+  first[(direction + 1) % 3] = 1;
+  second[(direction + 2) % 3] = 1;
+  if (side == Side::low) std::swap(first, second);
+  if (side == Side::high) start[direction] = 2;
+  const auto at = [&](int a, int b) {
+    Index offset = start;
+    for (int d = 0; d < 3; ++d) offset[d] += a * first[d] + b * second[d];
+    return offset;
+  };
+  return {at(0, 0), at(2, 0), at(2, 2), at(0, 2), at(1, 0), at(2, 1), at(1, 2), at(0, 1), at(1, 1)};
+}
+
+class Mesher {
+ public:
+  explicit Mesher(const Wheel& wheel) : wheel_(wheel), lattice_(wheel.plan) {
+    for (int d = 0; d < 3; ++d) nodes_across_[d] = 2 * lattice_.size()[d] + 1;
+    number_.assign(std::size_t(nodes_across_[0]) * nodes_across_[1] * nodes_across_[2], no_node);
+    mesh_.element = wheel.plan.element;
+    mesh_.sector_count = wheel.plan.sector_count;
+  }
+
+  MeshedSector run() {
+    mark_nodes();
+    place_nodes();
+    for_each_cell([&](const Index& cell, Region region) { add_cell(cell, region); });
+    add_surfaces();
+    add_contact();
+    return std::move(mesh_);
+  }
+
+ private:
+  template <class Visit>
+  void for_each_cell(Visit visit) const {
+    const auto [columns, stations, layers] = lattice_.size();
+    for (int k = 0; k < layers; ++k)
+      for (int i = 0; i < stations; ++i)
+        for (int j = 0; j < columns; ++j)
+          if (const auto region = lattice_.region({j, i, k})) visit(Index{j, i, k}, *region);
+  }
+
+  std::size_t slot(const Index& node) const {
+    return (std::size_t(node[2]) * nodes_across_[1] + node[1]) * nodes_across_[0] + node[0];
+  }
+  static Index node_of(const Index& cell, int n) {
+    const auto& reference = hex_reference_nodes()[n];
+    return {2 * cell[0] + 1 + reference[0], 2 * cell[1] + 1 + reference[1], 2 * cell[2] + 1 + reference[2]};
+  }
+
+  void mark_nodes() {
+    for_each_cell([&](const Index& cell, Region) {
+      for (int n = 0; n < node_count(mesh_.element); ++n) number_[slot(node_of(cell, n))] = 0;
+    });
+  }
+
+  void place_nodes() {
+    for (int k = 0; k < nodes_across_[2]; ++k)
+      for (int i = 0; i < nodes_across_[1]; ++i) place_row(i, k);
+  }
+
+  // All nodes of one station and one layer: a circle's arc, since radius and z don't depend on the angle.
+  void place_row(int i, int k) {
+    const WheelGeometry& geometry = *wheel_.geometry;
+    const double station = wheel_.plan.station(i);
+    const int hub = 2 * lattice_.hub_layer();
+    const double height = std::min(1.0, static_cast<double>(k) / hub);
+    const double span = k <= hub ? 0.0 : static_cast<double>(k - hub) / (nodes_across_[2] - 1 - hub);
+    const MeridionalPoint at = k <= hub ? geometry.disc_point(station, height) : geometry.blade_point(station, span);
+    const double middle = geometry.theta(station, span);
+    const std::vector<double> angles = row_angles(station, span);
+    for (int j = 0; j < nodes_across_[0]; ++j) {
+      std::size_t& number = number_[slot({j, i, k})];
+      if (number == no_node) continue;
+      number = mesh_.nodes.size();
+      mesh_.nodes.push_back(j == nodes_across_[0] - 1 ? partner_on_high(i, k) : on_circle(at, middle + angles[j]));
+    }
+  }
+
+  std::vector<double> row_angles(double station, double span) const {
+    const auto half_width = [&](BladeKind blade, bool there) {
+      return there ? wheel_.geometry->half_width(blade, station, span) : 0.0;
+    };
+    return lattice_.angles(wheel_.plan, half_width(BladeKind::main, wheel_.plan.blades != Blades::none),
+                           half_width(BladeKind::splitter, wheel_.plan.blades == Blades::main_and_splitter));
+  }
+
+  static Eigen::Vector3d on_circle(MeridionalPoint at, double theta) {
+    return {at.r * std::cos(theta), at.r * std::sin(theta), at.z};
+  }
+
+  // Turned, not computed anew, so that partners agree to round-off.
+  Eigen::Vector3d partner_on_high(int i, int k) {
+    const std::size_t low = number_[slot({0, i, k})];
+    mesh_.low_and_high_nodes.push_back({low, number_[slot({nodes_across_[0] - 1, i, k})]});
+    const double c = std::cos(wheel_.plan.pitch()), s = std::sin(wheel_.plan.pitch());
+    const Eigen::Vector3d& x = mesh_.nodes[low];
+    return {c * x[0] - s * x[1], s * x[0] + c * x[1], x[2]};
+  }
+
+  void add_cell(const Index& cell, Region region) {
+    SectorCell added{region, cell[1], cell[0], cell[2], {}};
+    for (int n = 0; n < node_count(mesh_.element); ++n) added.nodes[n] = number_[slot(node_of(cell, n))];
+    mesh_.cells.push_back(added);
+  }
+
+  // The faces on one side of the cells that are chosen and have no neighbour there.
+  template <class Chosen>
+  void add_faces(SectorSurface& surface, int direction, Side side, Chosen chosen) {
+    const std::array<Index, 9> offsets = face_offsets(direction, side);
+    Index step{0, 0, 0};
+    step[direction] = side == Side::low ? -1 : 1;
+    for_each_cell([&](const Index& cell, Region region) {
+      if (!chosen(cell, region) || lattice_.region(cell + step)) return;
+      for (int n = 0; n < mesh_.nodes_per_face(); ++n) {
+        const Index corner = {2 * cell[0], 2 * cell[1], 2 * cell[2]};
+        surface.face_nodes.push_back(number_[slot(corner + offsets[n])]);
+      }
+    });
+  }
+
+  void add_surfaces() {
+    constexpr int round = 0, along = 1, up = 2;
+    const auto is = [](Region wanted) { return [wanted](const Index&, Region region) { return region == wanted; }; };
+    const auto at_cut = [&](int column) {
+      return [column](const Index& cell, Region) { return cell[round] == column; };
+    };
+    const auto add = [&](const char* name, int direction, Side side, auto chosen) {
+      SectorSurface surface{name, {}};
+      add_faces(surface, direction, side, chosen);
+      if (!surface.face_nodes.empty()) mesh_.surfaces.push_back(std::move(surface));
+    };
+    add("cyclic_low", round, Side::low, at_cut(0));
+    add("cyclic_high", round, Side::high, at_cut(lattice_.size()[round] - 1));
+    add_clamp(along, up);
+    add("hub", up, Side::high, is(Region::disc));
+    add("blade_tip", up, Side::high, is(Region::main_blade));
+    add("splitter_tip", up, Side::high, is(Region::splitter));
+  }
+
+  void add_clamp(int along, int up) {
+    const ClampedSurface clamped = wheel_.plan.clamped;
+    const int bore = wheel_.plan.elements.bore;
+    SectorSurface surface{"clamped", {}};
+    if (clamped != ClampedSurface::front_face)
+      add_faces(surface, up, Side::low,
+                [&](const Index& cell, Region region) { return region == Region::disc && cell[along] < bore; });
+    if (clamped != ClampedSurface::bore)
+      add_faces(surface, along, Side::low,
+                [&](const Index& cell, Region region) { return region == Region::disc && cell[along] == 0; });
+    mesh_.surfaces.push_back(std::move(surface));
+  }
+
+  void add_contact() {
+    const int middle = lattice_.contact_half_column();
+    for (int i = 0; i < nodes_across_[1]; ++i) {
+      const std::size_t number = number_[slot({middle, i, nodes_across_[2] - 1})];
+      if (number != no_node) mesh_.contact.push_back(number);
+    }
+  }
+
+  const Wheel& wheel_;
+  SectorLattice lattice_;
+  Index nodes_across_{};
+  std::vector<std::size_t> number_;  // of each lattice node, no_node where none is
+  MeshedSector mesh_;
+};
+
+}  // namespace
+
+const SectorSurface& MeshedSector::surface(const std::string& name) const {
+  const auto found =
+      std::find_if(surfaces.begin(), surfaces.end(), [&](const SectorSurface& one) { return one.name == name; });
+  assert(found != surfaces.end());
+  return *found;
+}
+
+int MeshedSector::nodes_per_face() const {
+  return element == ElementKind::hex20 ? 8 : 9;
+}
+
+MeshedSector mesh_sector(const Wheel& wheel) {
+  return Mesher(wheel).run();
+}
+
+}  // namespace tiprub

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/wheels/bladed_disc.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "mesh/curves/chord_table.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+constexpr double steepest_stagger_deg = 80.0;
+
+SmoothTable read_disc_profile(CaseTable& table, const BladedDiscParameters& p) {
+  const std::vector<std::array<double, 2>> constant = {{p.bore_radius, p.axial_length},
+                                                       {p.rim_radius, p.axial_length}};
+  SmoothTable profile(table.points("disc_profile", constant, Range::positive(), "m"));
+  if (profile.first_x() != p.bore_radius || profile.last_x() != p.rim_radius ||
+      profile.at(p.rim_radius) != p.axial_length)
+    table.reject("disc_profile", "must go from bore_radius to rim_radius and end with axial_length; mend its ends");
+  return profile;
+}
+
+void read_blade(CaseTable& table, BladedDiscParameters& p) {
+  const Range stagger = Range::between(-steepest_stagger_deg, steepest_stagger_deg);
+  p.tip_radius = table.number("tip_radius", std::nullopt, Range::positive(), "m");
+  if (p.tip_radius <= p.rim_radius)
+    table.reject("tip_radius", "must be more than rim_radius; the blade has no height");
+  const double root_deg = table.number("stagger_root_deg", 0.0, stagger, "deg");
+  p.stagger_root = radians_per_degree * root_deg;
+  p.stagger_tip = radians_per_degree * table.number("stagger_tip_deg", root_deg, stagger, "deg");
+  p.thickness_root = read_chord_table(table, "thickness_root", std::nullopt, Range::positive(), "m");
+  p.thickness_tip = read_chord_table(table, "thickness_tip", std::nullopt, Range::positive(), "m");
+}
+
+class BladedDisc final : public WheelGeometry {
+ public:
+  explicit BladedDisc(const BladedDiscParameters& parameters) : parameters_(parameters) {}
+
+  MeridionalPoint disc_point(double station, double height) const override {
+    const double radius = (1.0 - height) * parameters_.bore_radius + height * parameters_.rim_radius;
+    return {(station - 0.5) * parameters_.disc_profile.at(radius), radius};
+  }
+  MeridionalPoint blade_point(double station, double span) const override {
+    return {(station - 0.5) * parameters_.axial_length,
+            (1.0 - span) * parameters_.rim_radius + span * parameters_.tip_radius};
+  }
+  double theta(double station, double span) const override {
+    const MeridionalPoint at = blade_point(station, span);
+    return at.z * std::tan(stagger(span)) / at.r;
+  }
+  double half_width(BladeKind, double station, double span) const override {
+    const double thickness =
+        (1.0 - span) * parameters_.thickness_root.at(station) + span * parameters_.thickness_tip.at(station);
+    return 0.5 * thickness / (blade_point(station, span).r * std::cos(stagger(span)));
+  }
+  std::string keys_that_shape(Region region) const override {
+    if (region == Region::disc) return "disc_profile, stagger_root_deg, thickness_root";
+    return "stagger_root_deg, stagger_tip_deg, thickness_root, thickness_tip";
+  }
+
+ private:
+  double stagger(double span) const {
+    return (1.0 - span) * parameters_.stagger_root + span * parameters_.stagger_tip;
+  }
+
+  BladedDiscParameters parameters_;
+};
+
+}  // namespace
+
+BladedDiscParameters read_bladed_disc(CaseTable& table, SectorPlan& plan) {
+  const auto size = [&](const char* key) { return table.number(key, std::nullopt, Range::positive(), "m"); };
+  const SmoothTable nothing({{0.0, 0.0}});
+  BladedDiscParameters p{
+      size("bore_radius"), size("rim_radius"), size("axial_length"), nothing, 0.0, 0.0, 0.0, nothing, nothing};
+  if (p.rim_radius <= p.bore_radius) table.reject("rim_radius", "must be more than bore_radius");
+  p.tip_radius = p.rim_radius;
+  p.disc_profile = read_disc_profile(table, p);
+  plan.blades = table.choice<Blades>("blade", Blades::main, {{"present", Blades::main}, {"none", Blades::none}});
+  if (plan.blades == Blades::main) read_blade(table, p);
+  read_common(table, plan, 1);
+  return p;
+}
+
+std::unique_ptr<WheelGeometry> make_bladed_disc(const BladedDiscParameters& parameters) {
+  return std::make_unique<BladedDisc>(parameters);
+}
+
+}  // namespace tiprub

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/wheels/impeller.h"
+
+#include <numbers>
+
+#include "mesh/curves/chord_table.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+constexpr double steepest_angle_deg = 80.0;
+constexpr double quarter_ellipse_arm = 0.5523;
+constexpr double usual_bore_share = 0.45;  // of the stations that stand on the bore
+constexpr int bore_and_back_face = 2;      // stations: one on either at least
+
+std::array<double, 2> read_arms(CaseTable& table, const char* key) {
+  const std::vector<double> arms = table.numbers(key, std::vector<double>{quarter_ellipse_arm, quarter_ellipse_arm},
+                                                 Range::between(0.05, 1.0), "");
+  if (arms.size() != 2) table.reject(key, "must hold two numbers: the arm at the inlet and the arm at the exit");
+  return {arms[0], arms[1]};
+}
+
+SmoothTable read_angles(CaseTable& table, const char* key) {
+  return read_chord_table(table, key, std::nullopt, Range::between(-steepest_angle_deg, steepest_angle_deg), "deg",
+                          radians_per_degree);
+}
+
+BladeAngles read_blade_angles(CaseTable& table) {
+  return {read_angles(table, "hub_angle_deg"), read_angles(table, "tip_angle_deg"),
+          radians_per_degree * table.number("tip_lean_deg", 0.0, Range::between(-45.0, 45.0), "deg")};
+}
+
+void read_splitter(CaseTable& table, SectorPlan& plan) {
+  plan.blades = table.flag("splitter", true) ? Blades::main_and_splitter : Blades::main;
+  if (plan.blades != Blades::main_and_splitter) return;
+  plan.splitter_start = table.number("splitter_start", 0.4, Range::between(0.05, 0.95), "of the meridional length");
+  plan.splitter_pitch = table.number("splitter_pitch", 0.5, Range::between(0.2, 0.8), "of the main blades' pitch");
+}
+
+void check_channel(const CaseTable& table, const ImpellerParameters& p) {
+  if (p.bore_radius >= p.inlet_hub_radius)
+    table.reject("bore_radius", "must be less than inlet_hub_radius; make the bore smaller");
+  if (p.inlet_tip_radius <= p.inlet_hub_radius)
+    table.reject("inlet_tip_radius", "must be more than inlet_hub_radius; the blade has no height at the inlet");
+  if (p.exit_radius <= p.inlet_tip_radius)
+    table.reject("exit_radius", "must be more than inlet_tip_radius; a centrifugal wheel grows towards its exit");
+  if (p.exit_tip_width >= p.axial_length)
+    table.reject("exit_tip_width", "must be less than axial_length; else the tip curve runs backwards");
+  if (p.back_profile.first_x() != p.bore_radius || p.back_profile.last_x() != p.exit_radius)
+    table.reject("back_profile", "must go from bore_radius to exit_radius; mend its first or its last radius");
+}
+
+void read_bore_elements(CaseTable& table, SectorPlan& plan) {
+  const int usual = std::max(1, static_cast<int>(usual_bore_share * plan.elements.chord));
+  plan.elements.bore =
+      table.integer("elements_along_bore", usual, Range::between(1, plan.elements.chord - 1), "elements");
+}
+
+class Impeller final : public WheelGeometry {
+ public:
+  Impeller(const ImpellerParameters& parameters, const SectorPlan& plan)
+      : parameters_(parameters),
+        plan_(plan),
+        bore_end_(plan.station(2 * plan.elements.bore)),
+        hub_({0.0, parameters.inlet_hub_radius}, {parameters.axial_length, parameters.exit_radius},
+             parameters.hub_arms),
+        tip_({0.0, parameters.inlet_tip_radius},
+             {parameters.axial_length - parameters.exit_tip_width, parameters.exit_radius}, parameters.tip_arms),
+        blade_(hub_, tip_, parameters.angles) {}
+
+  MeridionalPoint disc_point(double station, double height) const override {
+    return (1.0 - height) * foot(station) + height * hub_.at(station);
+  }
+  MeridionalPoint blade_point(double station, double span) const override { return blade_.point(station, span); }
+  double theta(double station, double span) const override { return blade_.theta(station, span); }
+  double half_width(BladeKind blade, double station, double span) const override {
+    const double chord = blade == BladeKind::main ? station : plan_.splitter_chord(station);
+    const double thickness =
+        (1.0 - span) * parameters_.thickness_root.at(chord) + span * parameters_.thickness_tip.at(chord);
+    return 0.5 * thickness / (blade_.point(station, span).r * blade_.cos_angle(station, span));
+  }
+  std::string keys_that_shape(Region region) const override {
+    if (region == Region::disc) return "back_profile, elements_along_bore, hub_arms, hub_angle_deg, thickness_root";
+    return "tip_angle_deg, hub_angle_deg, tip_lean_deg, tip_arms, thickness_root, thickness_tip";
+  }
+
+ private:
+  // The disc's inner border: the bore from the front face to the back face, then the back face out to the exit.
+  MeridionalPoint foot(double station) const {
+    const double bore = parameters_.bore_radius;
+    if (station <= bore_end_) return {parameters_.back_profile.at(bore) * station / bore_end_, bore};
+    const double radius = bore + (parameters_.exit_radius - bore) * (station - bore_end_) / (1.0 - bore_end_);
+    return {parameters_.back_profile.at(radius), radius};
+  }
+
+  ImpellerParameters parameters_;
+  SectorPlan plan_;
+  double bore_end_;  ///< station of the corner between bore and back face
+  MeridionalCurve hub_;
+  MeridionalCurve tip_;
+  BladeSurface blade_;
+};
+
+}  // namespace
+
+ImpellerParameters read_impeller(CaseTable& table, SectorPlan& plan) {
+  const auto size = [&](const char* key) { return table.number(key, std::nullopt, Range::positive(), "m"); };
+  const auto thickness = [&](const char* key) {
+    return read_chord_table(table, key, std::nullopt, Range::positive(), "m");
+  };
+  const double inlet_hub = size("inlet_hub_radius"), inlet_tip = size("inlet_tip_radius");
+  const double exit = size("exit_radius"), width = size("exit_tip_width"), length = size("axial_length");
+  const auto hub_arms = read_arms(table, "hub_arms"), tip_arms = read_arms(table, "tip_arms");
+  const BladeAngles angles = read_blade_angles(table);
+  const SmoothTable root = thickness("thickness_root"), tip = thickness("thickness_tip");
+  const double bore = size("bore_radius");
+  const SmoothTable back(table.points("back_profile", std::nullopt, Range::any(), "m"));
+  const ImpellerParameters parameters{inlet_hub, inlet_tip, exit, width, length, hub_arms,
+                                      tip_arms,  angles,    root, tip,   bore,   back};
+  check_channel(table, parameters);
+  read_splitter(table, plan);
+  read_common(table, plan, bore_and_back_face);
+  read_bore_elements(table, plan);
+  return parameters;
+}
+
+std::unique_ptr<WheelGeometry> make_impeller(const ImpellerParameters& parameters, const SectorPlan& plan) {
+  return std::make_unique<Impeller>(parameters, plan);
+}
+
+}  // namespace tiprub

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/analysis/aliasing.h"
+
+#include <cassert>
+#include <cstdlib>
+
+namespace tiprub {
+
+int signed_nodal_diameter(int engine_order, int sector_count) {
+  assert(sector_count >= 1);
+  const int remainder = ((engine_order % sector_count) + sector_count) % sector_count;
+  return 2 * remainder > sector_count ? remainder - sector_count : remainder;
+}
+
+int aliased_nodal_diameter(int engine_order, int sector_count) {
+  return std::abs(signed_nodal_diameter(engine_order, sector_count));
+}
+
+std::optional<int> smallest_engine_order(int nodal_diameter, int lobes, int sector_count) {
+  assert(lobes >= 1);
+  for (int k = 1; k <= sector_count; ++k)
+    if (aliased_nodal_diameter(k * lobes, sector_count) == nodal_diameter) return k * lobes;
+  return std::nullopt;
+}
+
+WaveDirection wave_direction(int signed_nodal_diameter, int sector_count) {
+  if (signed_nodal_diameter == 0 || 2 * std::abs(signed_nodal_diameter) == sector_count)
+    return WaveDirection::standing;
+  return signed_nodal_diameter > 0 ? WaveDirection::backward : WaveDirection::forward;
+}
+
+std::string name_of(WaveDirection direction) {
+  switch (direction) {
+    case WaveDirection::backward:
+      return "backward";
+    case WaveDirection::forward:
+      return "forward";
+    case WaveDirection::standing:
+      return "standing";
+  }
+  return "";
+}
+
+}  // namespace tiprub

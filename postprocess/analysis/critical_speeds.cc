@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/analysis/critical_speeds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "postprocess/analysis/contact_map.h"
+#include "postprocess/analysis/travelling_spectrum.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double same_order = 1e-9;
+
+int clusters_at(const SpeedResponse& at, Eigen::Index node) {
+  return contact_clusters(at.contact_count.row(node).transpose().cast<double>());
+}
+
+/// Calls visit(engine order, signed nodal diameter, amplitude) for all waves of a spectrum above frequency zero.
+template <class Visit>
+void for_each_wave(const TravellingSpectrum& spectrum, Visit visit) {
+  for (int line = 1; line < spectrum.lines(); ++line)
+    for (int column = 0; column < spectrum.sector_count; ++column)
+      visit(spectrum.engine_order(line), signed_nodal_diameter(column, spectrum.sector_count),
+            spectrum.amplitude(line, column));
+}
+
+class PeakReader {
+ public:
+  PeakReader(const Response& response, const ContactLine& contact, const FrequencyCurves& curves, Component component)
+      : response_(response), contact_(contact), curves_(curves), component_(component) {}
+
+  void name_waves(CriticalSpeed& critical, const Peak& peak) const {
+    const TravellingSpectrum here = tip_line_spectrum(peak.index);
+    const TravellingSpectrum left = tip_line_spectrum(peak.left_valley);
+    const TravellingSpectrum right = tip_line_spectrum(peak.right_valley);
+    double largest = -1, steepest = -1;
+    for_each_wave(here, [&](double order, int n, double amplitude) {
+      const double rise = amplitude - std::max(left.at(order, n), right.at(order, n));
+      const auto label = [&] { return label_wave(curves_, here.sector_count, critical.speed, order, n, amplitude); };
+      if (amplitude > largest) critical.largest = label();
+      if (rise > steepest) critical.rising = label();
+      largest = std::max(largest, amplitude);
+      steepest = std::max(steepest, rise);
+    });
+  }
+
+ private:
+  TravellingSpectrum tip_line_spectrum(Eigen::Index speed) const {
+    const SpeedResponse& at = response_.speeds[static_cast<std::size_t>(speed)];
+    std::vector<TravellingSpectrum> points;
+    for (int node = 0; node < contact_.size(); ++node)
+      points.push_back(
+          travelling_spectrum(tip_motion(at, response_.scene, contact_, node, component_), at.recorded_revolutions));
+    return mean_spectrum(points);
+  }
+
+  const Response& response_;
+  const ContactLine& contact_;
+  const FrequencyCurves& curves_;
+  Component component_;
+};
+
+}  // namespace
+
+TipAmplitudes tip_amplitudes(const Response& response, const ContactLine& contact, Component component) {
+  const auto speeds = static_cast<Eigen::Index>(response.speeds.size());
+  TipAmplitudes amplitudes{Eigen::MatrixXd(contact.size(), speeds), Eigen::VectorXd(speeds), Eigen::VectorXi(speeds)};
+  for (Eigen::Index i = 0; i < speeds; ++i) {
+    const SpeedResponse& at = response.speeds[static_cast<std::size_t>(i)];
+    for (int node = 0; node < contact.size(); ++node)
+      amplitudes.by_node(node, i) = vibration_amplitude(tip_motion(at, response.scene, contact, node, component));
+    Eigen::Index where = 0;
+    amplitudes.largest[i] = amplitudes.by_node.col(i).maxCoeff(&where);
+    amplitudes.node[i] = static_cast<int>(where);
+  }
+  return amplitudes;
+}
+
+std::vector<CriticalSpeed> critical_speeds(const Response& response, const ContactLine& contact,
+                                           const TipAmplitudes& amplitudes, const FrequencyCurves& curves,
+                                           const PostprocessParameters& parameters) {
+  const PeakReader reader(response, contact, curves, parameters.component);
+  std::vector<CriticalSpeed> all;
+  for (const Peak& peak : find_peaks(amplitudes.largest, parameters.prominence)) {
+    const SpeedResponse& at = response.speeds[static_cast<std::size_t>(peak.index)];
+    CriticalSpeed critical;
+    critical.index = peak.index;
+    critical.speed = at.speed;
+    critical.amplitude = amplitudes.largest[peak.index];
+    critical.prominence = peak.prominence;
+    critical.node = amplitudes.node[peak.index];
+    critical.motion = at.motion;
+    critical.period_revolutions = at.period_revolutions;
+    critical.leading_edge_areas = clusters_at(at, 0);
+    critical.trailing_edge_areas = clusters_at(at, contact.size() - 1);
+    reader.name_waves(critical, peak);
+    all.push_back(critical);
+  }
+  return all;
+}
+
+bool foretells(const Crossing& crossing, const CriticalSpeed& critical, double tolerance) {
+  return std::abs(crossing.engine_order - critical.rising.engine_order) < same_order &&
+         crossing.signed_nodal_diameter == critical.rising.signed_nodal_diameter &&
+         std::abs(crossing.speed - critical.speed) <= tolerance * critical.speed;
+}
+
+RuleScore score(LinearRule rule, const std::vector<Crossing>& crossings, const std::vector<int>& moving,
+                double tolerance, std::vector<CriticalSpeed>& critical) {
+  RuleScore result;
+  for (CriticalSpeed& speed : critical) {
+    const bool hit = std::any_of(crossings.begin(), crossings.end(),
+                                 [&](const Crossing& crossing) { return foretells(crossing, speed, tolerance); });
+    (rule == LinearRule::equation_2 ? speed.by_equation_2 : speed.by_aliasing) = hit;
+    ++(hit ? result.hits : result.misses);
+  }
+  for (const Crossing& crossing : crossings) {
+    if (std::find(moving.begin(), moving.end(), std::abs(crossing.signed_nodal_diameter)) == moving.end()) continue;
+    const bool met = std::any_of(critical.begin(), critical.end(),
+                                 [&](const CriticalSpeed& speed) { return foretells(crossing, speed, tolerance); });
+    if (!met) ++result.false_alarms;
+  }
+  return result;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "postprocess/analysis/linear_criterion.h"
+#include "postprocess/analysis/peaks.h"
+#include "postprocess/analysis/postprocess_parameters.h"
+#include "postprocess/analysis/wave_label.h"
+#include "postprocess/fields/field_peak.h"
+#include "reduce/model/reduced_model.h"
+#include "simulate/response/response.h"
+
+namespace tiprub {
+
+/// How much the tip line moves, over speed.
+struct TipAmplitudes {
+  Eigen::MatrixXd by_node;  ///< [m] half of the peak-to-peak, the largest over the sectors; nodes x speeds
+  Eigen::VectorXd largest;  ///< [m] over the nodes; speeds
+  Eigen::VectorXi node;     ///< where it is the largest; speeds
+};
+
+TipAmplitudes tip_amplitudes(const Response& response, const ContactLine& contact, Component component);
+
+/// A peak of the largest tip amplitude over speed (see find_peaks()), and why it is there.
+struct CriticalSpeed {
+  Eigen::Index index = 0;  ///< in the response's speeds
+  double speed = 0;        ///< [rad/s]
+  double amplitude = 0;    ///< [m]
+  double prominence = 0;   ///< [m]
+  int node = 0;            ///< contact node that moves most
+  /// The wave that makes the peak: of all lines above frequency zero, root mean square over the contact nodes, the
+  /// one that rises most above the higher of its values at the two valleys. The largest line need not be it: the
+  /// casing pushes every wheel through N_l Omega at every speed.
+  WaveLabel rising;
+  WaveLabel largest;  ///< the wave with the largest amplitude, root mean square over the contact nodes
+  MotionClass motion = MotionClass::irregular;
+  int period_revolutions = 0;
+  int leading_edge_areas = 0;            ///< contact clusters of node 0, sector 0
+  int trailing_edge_areas = 0;           ///< contact clusters of the last node, sector 0
+  bool by_equation_2 = false;            ///< foretold by the linear rule
+  bool by_aliasing = false;              ///< foretold by the rule with aliasing
+  std::optional<FieldPeak> stress = {};  ///< at the recorded sample with the largest contact force; needs full fields
+};
+
+/// All peaks, ascending in speed, without the forecasts and the stress. Needs a response at every speed.
+std::vector<CriticalSpeed> critical_speeds(const Response& response, const ContactLine& contact,
+                                           const TipAmplitudes& amplitudes, const FrequencyCurves& curves,
+                                           const PostprocessParameters& parameters);
+
+/// What a linear rule was worth.
+struct RuleScore {
+  int hits = 0;          ///< critical speeds that it foretold
+  int misses = 0;        ///< critical speeds that it did not
+  int false_alarms = 0;  ///< its speeds, on nodal diameters that can move, at which there is no such critical speed
+};
+
+/// A crossing foretells a critical speed if engine order, signed nodal diameter and, within `tolerance` of the
+/// critical speed, the speed agree with those of the wave that makes the peak.
+bool foretells(const Crossing& crossing, const CriticalSpeed& critical, double tolerance);
+
+/// Marks the critical speeds that one of the crossings foretells, and counts.
+RuleScore score(LinearRule rule, const std::vector<Crossing>& crossings, const std::vector<int>& moving,
+                double tolerance, std::vector<CriticalSpeed>& critical);
+
+}  // namespace tiprub

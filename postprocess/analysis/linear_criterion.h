@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "postprocess/analysis/aliasing.h"
+#include "postprocess/analysis/frequency_curves.h"
+
+namespace tiprub {
+
+/// [rad/s] the simulated speeds, ends included.
+struct SpeedRange {
+  double low = 0;
+  double high = 0;
+};
+
+/// How a critical speed is foretold without a simulation.
+enum class LinearRule {
+  equation_2,     ///< f_i^n(Omega) = n Omega: the paper's eq. 2 at f_c = 0, the engine order is the nodal diameter
+  with_aliasing,  ///< f_i^n(Omega) = k N_l Omega for every k that eq. 17 allows on n
+};
+
+/// A speed at which a rule foretells an interaction.
+struct Crossing {
+  double speed = 0;               ///< [rad/s]
+  double frequency = 0;           ///< [Hz] in the rotor frame
+  int engine_order = 0;           ///< multiple of the rotation frequency
+  int signed_nodal_diameter = 0;  ///< see aliasing.h
+  int family = 0;                 ///< 0 is the lowest
+};
+
+/// Speeds [rad/s] in the range with f(Omega) = |-f_c + k Omega/(2 pi)| (eq. 2 with n_d = k; all in Hz), ascending.
+/// Sign changes on `root_intervals` equal intervals, then bisection: two roots inside one interval are missed, which
+/// for f_c = 0 would need a curve that crosses an engine order twice within 1/400 of the range.
+std::vector<double> criterion_speeds(const std::function<double(double)>& frequency, int engine_order,
+                                     double casing_frequency, const SpeedRange& range);
+
+/// All crossings of the first `families` families of nodal diameters 1 .. N/2 with their own engine order. Forward
+/// waves are not among them: eq. 2 excludes them.
+std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int sector_count, int families,
+                                           const SpeedRange& range);
+
+/// All crossings with engine orders k N_l <= engine_order_max, each on the nodal diameter of eq. 17; ascending in
+/// speed. None for lobes = 0.
+std::vector<Crossing> aliased_crossings(const FrequencyCurves& curves, int sector_count, int families, int lobes,
+                                        int engine_order_max, const SpeedRange& range);
+
+}  // namespace tiprub

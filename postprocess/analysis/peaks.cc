@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/analysis/peaks.h"
+
+#include <algorithm>
+
+namespace tiprub {
+
+namespace {
+
+/// The lowest sample from `index` in direction `step`, up to the first one that is higher than the start.
+Eigen::Index valley(const Eigen::VectorXd& curve, Eigen::Index index, int step) {
+  Eigen::Index lowest = index;
+  for (Eigen::Index i = index + step; i >= 0 && i < curve.size() && curve[i] <= curve[index]; i += step)
+    if (curve[i] < curve[lowest]) lowest = i;
+  return lowest;
+}
+
+bool is_maximum(const Eigen::VectorXd& curve, Eigen::Index index) {
+  if (curve[index] <= curve[index - 1]) return false;
+  Eigen::Index next = index + 1;
+  while (next < curve.size() && curve[next] == curve[index]) ++next;
+  return next < curve.size() && curve[next] < curve[index];
+}
+
+}  // namespace
+
+std::vector<Peak> find_peaks(const Eigen::VectorXd& curve, double share) {
+  std::vector<Peak> peaks;
+  for (Eigen::Index i = 1; i + 1 < curve.size(); ++i) {
+    if (!is_maximum(curve, i)) continue;
+    Peak peak{i, valley(curve, i, -1), valley(curve, i, +1), 0.0};
+    peak.prominence = curve[i] - std::max(curve[peak.left_valley], curve[peak.right_valley]);
+    if (peak.prominence >= share * curve[i]) peaks.push_back(peak);
+  }
+  return peaks;
+}
+
+std::vector<Eigen::Index> rising_ends(const Eigen::VectorXd& curve, double share) {
+  std::vector<Eigen::Index> ends;
+  const Eigen::Index last = curve.size() - 1;
+  if (last < 1) return ends;
+  const auto rises = [&](Eigen::Index end, int inward) {
+    return curve[end] > 0 && curve[end] - curve[valley(curve, end, inward)] >= share * curve[end];
+  };
+  if (rises(0, +1)) ends.push_back(0);
+  if (rises(last, -1)) ends.push_back(last);
+  return ends;
+}
+
+}  // namespace tiprub

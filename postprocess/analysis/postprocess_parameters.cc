@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/analysis/postprocess_parameters.h"
+
+namespace tiprub {
+
+PostprocessParameters read_postprocess_parameters(CaseTable& table) {
+  PostprocessParameters p;
+  p.component = table.choice<Component>("component", p.component,
+                                        {{"normal", Component::normal},
+                                         {"radial", Component::radial},
+                                         {"tangential", Component::tangential},
+                                         {"axial", Component::axial}});
+  p.edge = table.choice<TipEdge>("edge", p.edge, {{"leading", TipEdge::leading}, {"trailing", TipEdge::trailing}});
+  p.families = table.integer("families", p.families, Range::between(1, 20), "modal families");
+  p.engine_order_max =
+      table.integer("engine_order_max", p.engine_order_max, Range::between(1, 100), "multiples of the rotation");
+  p.prominence = table.number("prominence", p.prominence, Range::between(0, 1), "of the peak's amplitude");
+  p.prediction_tolerance =
+      table.number("prediction_tolerance", p.prediction_tolerance, Range::between(0, 1), "of the speed");
+  p.amplitude_decades = table.number("amplitude_decades", p.amplitude_decades, Range::between(0.5, 12), "decades");
+  p.amplitude_max_mm =
+      table.number("amplitude_max_mm", p.amplitude_max_mm, Range::at_least(0), "mm, 0: the largest amplitude");
+  p.shown_speed_rpm = table.number("shown_speed_rpm", p.shown_speed_rpm, Range::at_least(0),
+                                   "rpm, 0: the largest amplitude that repeats every revolution");
+  p.response_up = table.text("response_up", p.response_up);
+  p.response_down = table.text("response_down", p.response_down);
+  table.close();
+  return p;
+}
+
+const char* name_of(Component component) {
+  switch (component) {
+    case Component::normal:
+      return "displacement along the casing normal";
+    case Component::radial:
+      return "radial displacement";
+    case Component::tangential:
+      return "tangential displacement";
+    case Component::axial:
+      return "axial displacement";
+  }
+  return "";
+}
+
+const char* name_of(TipEdge edge) {
+  return edge == TipEdge::leading ? "leading edge" : "trailing edge";
+}
+
+}  // namespace tiprub

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "cases/program/case_file.h"
+#include "postprocess/analysis/tip_motion.h"
+
+namespace tiprub {
+
+/// Which end of the tip line the interaction map looks at.
+enum class TipEdge { leading, trailing };
+
+/// The [postprocess] table of a case.
+struct PostprocessParameters {
+  Component component = Component::normal;  ///< of the tip motion, in every amplitude
+  TipEdge edge = TipEdge::leading;          ///< contact node of the map, the spectra and the trackings
+  int families = 2;                         ///< modal families drawn, and known to the linear rules
+  int engine_order_max = 12;                ///< highest engine order drawn and listed
+  double prominence = 0.25;                 ///< [1] of a peak's own amplitude, that it must stand above its valleys
+  double prediction_tolerance = 0.1;        ///< [1] of a speed, within which a rule's speed counts as a hit
+  double amplitude_decades = 2.5;           ///< colour range of the maps, below the largest amplitude
+  double shown_speed_rpm = 0;  ///< [rpm] motion, force and bars are drawn at the nearest speed; 0: see Study::shown
+  std::string response_up, response_down;  ///< this case swept up and down, relative to the case; empty: not compared
+  double amplitude_max_mm = 0;             ///< [mm] upper colour limit of the maps; 0: the largest amplitude
+};
+
+/// Raises InputError at a key that is unknown or out of its range.
+PostprocessParameters read_postprocess_parameters(CaseTable& table);
+
+/// "displacement along the casing normal", for axes and captions.
+const char* name_of(Component component);
+/// "leading edge" or "trailing edge".
+const char* name_of(TipEdge edge);
+
+}  // namespace tiprub

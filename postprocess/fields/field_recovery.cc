@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/fields/field_recovery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace tiprub {
+
+namespace {
+
+double sector_angle(int sectors, int sector_count) {
+  return 2 * std::numbers::pi * sectors / sector_count;
+}
+
+/// e^{i n j alpha}, the angle reduced in whole numbers, so that equal sectors are equal to the last bit.
+std::complex<double> phase(int nodal_diameter, int j, int sector_count) {
+  return std::polar(1.0, sector_angle(nodal_diameter * j % sector_count, sector_count));
+}
+
+Eigen::Matrix3d rotation(double angle) {
+  return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+}  // namespace
+
+WheelField& WheelField::operator+=(const WheelField& other) {
+  for (std::size_t j = 0; j < displacement.size(); ++j) displacement[j] += other.displacement[j];
+  for (std::size_t j = 0; j < stress.size(); ++j) stress[j] += other.stress[j];
+  return *this;
+}
+
+Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& cylindrical) {
+  Eigen::Matrix3Xcd displacement(3, sector.nodes.cols());
+  for (Eigen::Index node = 0; node < sector.nodes.cols(); ++node)
+    displacement.col(node) =
+        rotation(std::atan2(sector.nodes(1, node), sector.nodes(0, node))) * cylindrical.segment<3>(3 * node);
+  return displacement;
+}
+
+void add_stress(const SectorFields& sector, const BrickStress& bricks, WaveField& wave) {
+  const double alpha = sector_angle(1, sector.sector_count);
+  const std::complex<double> next = phase(wave.nodal_diameter, 1, sector.sector_count);
+  ComplexTensors stress = bricks.sum(wave.displacement.real()).cast<std::complex<double>>();
+  if (!wave.displacement.imag().isZero(0.0))
+    stress += std::complex<double>(0, 1) * bricks.sum(wave.displacement.imag()).cast<std::complex<double>>();
+  Eigen::VectorXd count = bricks.bricks_at_node().cast<double>();
+  const std::vector<int>&low = sector.node_set("cyclic_low"), &high = sector.node_set("cyclic_high");
+  for (std::size_t k = 0; k < low.size(); ++k) {
+    if (low[k] == high[k]) continue;  // on the axis
+    const ComplexTensors both =       // in the frame of the low face
+        stress.col(low[k]) + std::conj(next) * turned(ComplexTensors(stress.col(high[k])), -alpha);
+    stress.col(low[k]) = both;
+    stress.col(high[k]) = next * turned(both, alpha);
+    count[low[k]] = count[high[k]] = count[low[k]] + count[high[k]];
+  }
+  wave.stress = stress.array().rowwise() / count.transpose().cast<std::complex<double>>().array();
+}
+
+WaveField spin_field(const SectorFields& sector, const BrickStress& bricks, double speed) {
+  const double square = speed * speed;
+  const Eigen::Matrix3Xd moved =
+      square * sector.static_displacement_1 + square * square * sector.static_displacement_2;
+  WaveField wave{0, cartesian(sector, moved.reshaped().cast<std::complex<double>>()), {}};
+  add_stress(sector, bricks, wave);
+  return wave;
+}
+
+WheelField on_wheel(const std::vector<WaveField>& waves, int sector_count) {
+  WheelField wheel;
+  for (int j = 0; j < sector_count; ++j) {
+    const double angle = sector_angle(j, sector_count);
+    Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, waves.front().displacement.cols());
+    Tensors stress = Tensors::Zero(6, waves.front().stress.cols());
+    for (const WaveField& wave : waves) {
+      const std::complex<double> here = phase(wave.nodal_diameter, j, sector_count);
+      displacement += (wave.displacement * here).real();
+      if (stress.cols() > 0) stress += (wave.stress * here).real();
+    }
+    wheel.displacement.emplace_back(rotation(angle) * displacement);
+    wheel.stress.push_back(turned(stress, angle));
+  }
+  return wheel;
+}
+
+Eigen::Matrix3Xd nodes_of_sector(const SectorFields& sector, int j) {
+  return rotation(sector_angle(j, sector.sector_count)) * sector.nodes;
+}
+
+double outer_radius(const SectorFields& sector) {
+  return sector.nodes.topRows<2>().colwise().norm().maxCoeff();
+}
+
+double largest_displacement(const WheelField& field) {
+  double largest = 0;
+  for (const Eigen::Matrix3Xd& moved : field.displacement)
+    largest = std::max(largest, moved.colwise().norm().maxCoeff());
+  return largest;
+}
+
+TurnDifference turn_difference(const WheelField& field, int sectors) {
+  const int count = static_cast<int>(field.displacement.size());
+  const double angle = sector_angle(sectors, count);
+  double moved = 0, displacement = 0, stressed = 0, stress = 0;
+  for (int j = 0; j < count; ++j) {
+    const auto here = static_cast<std::size_t>(j), there = static_cast<std::size_t>((j + sectors) % count);
+    moved = std::max(moved, field.displacement[here].cwiseAbs().maxCoeff());
+    displacement = std::max(
+        displacement, (field.displacement[there] - rotation(angle) * field.displacement[here]).cwiseAbs().maxCoeff());
+    if (field.stress[here].cols() == 0) continue;
+    stressed = std::max(stressed, field.stress[here].cwiseAbs().maxCoeff());
+    stress = std::max(stress, (field.stress[there] - turned(field.stress[here], angle)).cwiseAbs().maxCoeff());
+  }
+  return {moved > 0 ? displacement / moved : 0, stressed > 0 ? stress / stressed : 0};
+}
+
+}  // namespace tiprub

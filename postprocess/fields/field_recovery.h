@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "postprocess/fields/brick_stress.h"
+#include "reduce/model/fields_file.h"
+
+namespace tiprub {
+
+/// A travelling wave on the sector's nodes, in the x, y, z of sector 0: sector j moves by
+/// R_j Re(u e^{i n j alpha}), R_j its turning by j alpha about z.
+struct WaveField {
+  int nodal_diameter = 0;
+  Eigen::Matrix3Xcd displacement;  ///< [m]; 3 x nodes
+  ComplexTensors stress;           ///< [Pa]; 6 x nodes; empty if it wasn't asked for
+};
+
+/// Displacement and stress of all sectors at one instant, in the wheel's x, y, z.
+struct WheelField {
+  std::vector<Eigen::Matrix3Xd> displacement;  ///< [m] by sector
+  std::vector<Tensors> stress;                 ///< [Pa] by sector
+
+  WheelField& operator+=(const WheelField& other);
+};
+
+/// From r, theta, z of node 0, node 1, ... to x, y, z.
+Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& cylindrical);
+
+/// A wave's stress from its displacement. Nodes of the cut faces are averaged over the bricks of both sectors that
+/// share them: the high face is the low face of the next sector, turned and with the wave's phase.
+void add_stress(const SectorFields& sector, const BrickStress& bricks, WaveField& wave);
+
+/// The static shape under spin [rad/s], the same in every sector: a wave of nodal diameter 0.
+WaveField spin_field(const SectorFields& sector, const BrickStress& bricks, double speed);
+
+/// All N sectors of a sum of waves.
+WheelField on_wheel(const std::vector<WaveField>& waves, int sector_count);
+
+/// Positions [m] of the nodes of sector j.
+Eigen::Matrix3Xd nodes_of_sector(const SectorFields& sector, int j);
+
+/// [m] from the axis to the outermost node.
+double outer_radius(const SectorFields& sector);
+
+/// [m] the farthest that any node of the wheel moves.
+double largest_displacement(const WheelField& field);
+
+/// How far a field is from itself turned by so many sectors, over its largest value; displacement, then stress.
+struct TurnDifference {
+  double displacement = 0;
+  double stress = 0;
+};
+TurnDifference turn_difference(const WheelField& field, int sectors);
+
+}  // namespace tiprub

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "postprocess/analysis/study.h"
+#include "postprocess/fields/field_recovery.h"
+
+namespace tiprub {
+
+/// A natural mode on the sector's nodes, its largest component 1.
+struct ModeField {
+  int family = 0;        ///< from 0
+  double frequency = 0;  ///< [Hz]
+  WaveField wave;
+};
+
+/// Full fields of a study.
+struct FieldStudy {
+  SectorFields sector;
+  double speed = 0;               ///< [rad/s] of the modes and the contact instant: the worst critical speed
+  std::vector<ModeField> modes;   ///< by nodal diameter, then family
+  bool has_instant = false;       ///< whether the response holds the rotor's state; if not, the rest is empty
+  double angle = 0;               ///< [rad] of the rotor at the contact instant, from the start of the recording
+  double force = 0;               ///< [N] all contact forces then
+  WheelField vibration, spin;     ///< at the contact instant
+  Eigen::MatrixXd contact_force;  ///< [N] sectors x contact nodes, then
+  std::vector<FieldPeak> peaks;   ///< at every critical speed, and at the speed of the instant
+  TurnDifference invariance;      ///< of the vibration under the turn that the casing and the wheel share
+  int invariant_sectors = 0;      ///< that turn, in sectors; N if they share none
+};
+
+/// Reads fields.h5 once and recovers everything. Raises InputError if the fields are of another model.
+FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study);
+
+/// Gives each critical speed its FieldPeak, if it has one.
+void note_stresses(const FieldStudy& fields, std::vector<CriticalSpeed>& critical);
+
+/// Only looks whether the fields are those of the model; raises as recover_fields() does.
+void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model);
+
+/// modes_sector.vtu, modes_wheel.vtu, contact_sector.vtu, contact_wheel.vtu.
+void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& folder);
+
+}  // namespace tiprub

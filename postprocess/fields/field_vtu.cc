@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include "postprocess/fields/field_study.h"
+#include "postprocess/fields/vtu_file.h"
+
+namespace tiprub {
+
+namespace {
+
+std::string name_of(const ModeField& mode) {
+  return "nd" + std::to_string(mode.wave.nodal_diameter) + "_family" + std::to_string(mode.family + 1);
+}
+
+/// Sectors side by side; nodes of the cut faces are there twice.
+VtuMesh wheel_mesh(const SectorFields& sector) {
+  const Eigen::Index nodes = sector.nodes.cols(), cells = sector.cells.cols();
+  VtuMesh mesh{Eigen::Matrix3Xd(3, nodes * sector.sector_count),
+               Eigen::MatrixXi(sector.cells.rows(), cells * sector.sector_count)};
+  for (int j = 0; j < sector.sector_count; ++j) {
+    mesh.points.middleCols(j * nodes, nodes) = nodes_of_sector(sector, j);
+    mesh.cells.middleCols(j * cells, cells) = sector.cells.array() + static_cast<int>(j * nodes);
+  }
+  return mesh;
+}
+
+/// Columns of all sectors, one sector after the other.
+template <class Matrix>
+Eigen::MatrixXd joined(const std::vector<Matrix>& by_sector) {
+  const Eigen::Index nodes = by_sector.front().cols();
+  Eigen::MatrixXd all(by_sector.front().rows(), nodes * static_cast<Eigen::Index>(by_sector.size()));
+  for (std::size_t j = 0; j < by_sector.size(); ++j)
+    all.middleCols(static_cast<Eigen::Index>(j) * nodes, nodes) = by_sector[j];
+  return all;
+}
+
+/// 0 none, 1 clamped, 2 contact, 3 lower cut face, 4 upper one.
+Eigen::MatrixXd node_set_numbers(const SectorFields& sector) {
+  Eigen::MatrixXd numbers = Eigen::MatrixXd::Zero(1, sector.nodes.cols());
+  constexpr std::array<std::pair<const char*, int>, 4> sets = {
+      {{"cyclic_low", 3}, {"cyclic_high", 4}, {"clamped", 1}, {"contact", 2}}};
+  for (const auto& [name, number] : sets)
+    for (const int node : sector.node_set(name)) numbers(0, node) = number;
+  return numbers;
+}
+
+std::vector<VtuArray> instant_arrays(const std::vector<Eigen::Matrix3Xd>& moved,
+                                     const std::vector<Eigen::Matrix3Xd>& spun, const std::vector<Tensors>& vibration,
+                                     const std::vector<Tensors>& spin) {
+  std::vector<Eigen::MatrixXd> mises_vibration, mises_spin, mises;
+  for (std::size_t j = 0; j < vibration.size(); ++j) {
+    mises_vibration.emplace_back(von_mises(vibration[j]).transpose());
+    mises_spin.emplace_back(von_mises(spin[j]).transpose());
+    mises.emplace_back(von_mises(vibration[j] + spin[j]).transpose());
+  }
+  return {{"displacement_vibration", joined(moved)},
+          {"displacement_spin", joined(spun)},
+          {"stress_vibration", joined(vibration)},
+          {"stress_spin", joined(spin)},
+          {"von_mises_vibration", joined(mises_vibration)},
+          {"von_mises_spin", joined(mises_spin)},
+          {"von_mises", joined(mises)}};
+}
+
+void write_modes(const FieldStudy& fields, const std::filesystem::path& folder) {
+  std::vector<VtuArray> sector_arrays = {{"node_set", node_set_numbers(fields.sector)}}, wheel_arrays;
+  for (const ModeField& mode : fields.modes) {
+    sector_arrays.push_back({name_of(mode) + "_cosine", mode.wave.displacement.real()});
+    sector_arrays.push_back({name_of(mode) + "_sine", mode.wave.displacement.imag()});
+    wheel_arrays.push_back({name_of(mode), joined(on_wheel({mode.wave}, fields.sector.sector_count).displacement)});
+  }
+  write_vtu({fields.sector.nodes, fields.sector.cells}, sector_arrays, folder / "modes_sector.vtu");
+  write_vtu(wheel_mesh(fields.sector), wheel_arrays, folder / "modes_wheel.vtu");
+}
+
+}  // namespace
+
+void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  write_modes(fields, folder);
+  if (!fields.has_instant) return;
+  const WheelField &vibration = fields.vibration, &spin = fields.spin;
+  write_vtu(wheel_mesh(fields.sector),
+            instant_arrays(vibration.displacement, spin.displacement, vibration.stress, spin.stress),
+            folder / "contact_wheel.vtu");
+  int worst = 0;
+  for (const FieldPeak& peak : fields.peaks)
+    if (peak.speed == fields.speed) worst = peak.sector;
+  const auto j = static_cast<std::size_t>(worst);
+  std::vector<VtuArray> arrays =
+      instant_arrays({vibration.displacement[j]}, {spin.displacement[j]}, {vibration.stress[j]}, {spin.stress[j]});
+  arrays.push_back({"node_set", node_set_numbers(fields.sector)});
+  write_vtu({nodes_of_sector(fields.sector, worst), fields.sector.cells}, arrays, folder / "contact_sector.vtu");
+}
+
+}  // namespace tiprub

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "postprocess/fields/field_study.h"
+#include "postprocess/fields/wheel_surface.h"
+#include "postprocess/figures/figure.h"
+
+namespace tiprub {
+
+// One builder a picture; `faces` are the sector's.
+Figure wheel_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);
+Figure sector_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);       ///< paper, figs. 3, 7
+Figure mode_shapes_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);  ///< paper, figs. 5, 6
+
+// Those of the contact instant: for fields that have one.
+Figure contact_displacement_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);  ///< fig. 23
+Figure contact_stress_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);        ///< fig. 23
+Figure running_stress_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& faces);
+
+/// All of them, in the order of the page; without a contact instant, its three are left out.
+std::vector<Figure> field_figures(const FieldStudy& fields);
+
+}  // namespace tiprub

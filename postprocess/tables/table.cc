@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/tables/table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr int file_digits = 10;
+
+std::string number(double value, const char* format, int digits) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, digits, value);
+  return buffer;
+}
+
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + '"';
+}
+
+std::string csv_cell(const Cell& cell) {
+  if (const auto* value = std::get_if<double>(&cell))
+    return std::isfinite(*value) ? number(*value, "%.*g", file_digits) : "NaN";
+  if (const auto* whole = std::get_if<int>(&cell)) return std::to_string(*whole);
+  return csv_text(std::get<std::string>(cell));
+}
+
+std::string shown(const Cell& cell) {
+  constexpr int shown_digits = 6;
+  if (const auto* value = std::get_if<double>(&cell))
+    return std::isfinite(*value) ? number(*value, "%.*g", shown_digits) : "";
+  if (const auto* whole = std::get_if<int>(&cell)) return std::to_string(*whole);
+  return std::get<std::string>(cell);
+}
+
+/// Width on a terminal: bytes that don't continue a UTF-8 letter.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char letter) { return (letter & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string fixed(double value, int digits) {
+  return std::isfinite(value) ? number(value, "%.*f", digits) : "";
+}
+
+std::string scientific(double value, int digits) {
+  return std::isfinite(value) ? number(value, "%.*e", digits) : "";
+}
+
+std::string significant(double value, int digits) {
+  return std::isfinite(value) ? number(value, "%.*g", digits) : "";
+}
+
+void write_csv(const Table& table, const std::filesystem::path& path) {
+  std::string text;
+  for (std::size_t i = 0; i < table.header.size(); ++i) text += (i > 0 ? "," : "") + csv_text(table.header[i]);
+  text += '\n';
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + csv_cell(row[i]);
+    text += '\n';
+  }
+  write_text(text, path);
+}
+
+std::string aligned_text(const Table& table) {
+  std::vector<std::vector<std::string>> lines = {table.header};
+  for (const auto& row : table.rows) {
+    lines.emplace_back();
+    for (const Cell& cell : row) lines.back().push_back(shown(cell));
+  }
+  std::string text;
+  std::vector<std::size_t> widths(table.header.size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i)
+      text += std::string(widths[i] - width(line[i]) + (i > 0 ? 2 : 0), ' ') + line[i];
+    text += '\n';
+  }
+  return text;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw RunError(path.string() + ": can't be read");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write_text(const std::string& text, const std::filesystem::path& path) {
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw RunError(path.string() + ": can't be written");
+}
+
+}  // namespace tiprub

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/tables/units.h"
+
+#include "postprocess/tables/table.h"
+
+namespace tiprub {
+
+std::string rpm_text(double speed) {
+  return fixed(speed * rpm_per_rad_s, 0) + " rpm";
+}
+
+}  // namespace tiprub

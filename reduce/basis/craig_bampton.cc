@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/basis/craig_bampton.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <utility>
+
+namespace tiprub {
+
+namespace {
+
+constexpr double dependence_tolerance = 1e-10;  // of a unit direction, in squared stiffness norm
+
+Eigen::MatrixXcd hermitian(const Eigen::MatrixXcd& matrix) {
+  return 0.5 * (matrix + matrix.adjoint());
+}
+
+}  // namespace
+
+Eigen::MatrixXcd project(const TravellingWave& wave, const SymmetricMatrix& matrix, const Eigen::MatrixXcd& basis) {
+  return hermitian(basis.adjoint() * wave.apply(matrix, basis));
+}
+
+CraigBamptonBasis::CraigBamptonBasis(const TravellingWave& wave, const SymmetricMatrix& mass,
+                                     std::vector<const SymmetricMatrix*> stiffness,
+                                     const Eigen::MatrixXcd& constraint_modes)
+    : wave_(wave),
+      mass_(mass),
+      stiffness_(std::move(stiffness)),
+      contact_dofs_(constraint_modes.cols()),
+      stiffness_products_(stiffness_.size()) {
+  join(constraint_modes);
+}
+
+void CraigBamptonBasis::append(const Eigen::MatrixXcd& shapes) {
+  if (shapes.cols() == 0) return;
+  const Eigen::MatrixXcd loads = wave_.apply(*stiffness_.front(), shapes);
+  const Eigen::VectorXd scale = shapes.conjugate().cwiseProduct(loads).colwise().sum().real().unaryExpr(
+      [](double square) { return square > 0 ? 1 / std::sqrt(square) : 0.0; });  // 0: speed changed nothing
+  const auto known = raw_.rightCols(raw_.cols() - contact_dofs_);
+  const Eigen::MatrixXcd overlap = known.adjoint() * loads;
+  // What is known is orthonormal but for rounding, which counts where a shape is all but known.
+  const Eigen::MatrixXcd shadow =
+      stiffness_products_.front().bottomRightCorner(known.cols(), known.cols()).llt().solve(overlap);
+  const Eigen::MatrixXcd gram =
+      scale.asDiagonal() * hermitian(shapes.adjoint() * loads - overlap.adjoint() * shadow) * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> directions(gram);
+  const Eigen::VectorXd& lengths = directions.eigenvalues();
+  const Eigen::Index kept = (lengths.array() > dependence_tolerance).count();
+  dropped_ += static_cast<int>(shapes.cols() - kept);
+  const Eigen::MatrixXcd weights = scale.asDiagonal() * directions.eigenvectors().rightCols(kept) *
+                                   lengths.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  Eigen::MatrixXcd fresh = shapes * weights;
+  fresh -= known * (shadow * weights);
+  join(fresh);
+}
+
+void CraigBamptonBasis::join(const Eigen::MatrixXcd& shapes) {
+  const Eigen::Index old = raw_.cols();
+  raw_.conservativeResize(shapes.rows(), old + shapes.cols());
+  raw_.rightCols(shapes.cols()) = shapes;
+  for (std::size_t s = 0; s < stiffness_.size(); ++s) extend(stiffness_products_[s], *stiffness_[s], shapes);
+  extend(mass_products_, mass_, shapes);
+}
+
+void CraigBamptonBasis::extend(Eigen::MatrixXcd& products, const SymmetricMatrix& matrix,
+                               const Eigen::MatrixXcd& shapes) const {
+  const Eigen::Index old = products.cols(), more = shapes.cols();
+  const Eigen::MatrixXcd columns = raw_.adjoint() * wave_.apply(matrix, shapes);
+  products.conservativeResize(old + more, old + more);
+  products.topRightCorner(old, more) = columns.topRows(old);
+  products.bottomLeftCorner(more, old) = columns.topRows(old).adjoint();
+  products.bottomRightCorner(more, more) = hermitian(columns.bottomRows(more));
+}
+
+void CraigBamptonBasis::orthonormalise() {
+  const Eigen::Index count = raw_.cols() - contact_dofs_;
+  // M z = K z / omega^2, largest last; K is nearly the identity.
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> modes(
+      mass_products_.bottomRightCorner(count, count), stiffness_products_.front().bottomRightCorner(count, count));
+  const Eigen::MatrixXcd ascending = modes.eigenvectors().rowwise().reverse();
+  weights_ = ascending * modes.eigenvalues().reverse().cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+Eigen::MatrixXcd CraigBamptonBasis::combine(const Eigen::MatrixXcd& coefficients) const {
+  Eigen::MatrixXcd all(raw_.cols(), coefficients.cols());
+  all << coefficients.topRows(contact_dofs_), weights_ * coefficients.bottomRows(weights_.cols());
+  return raw_ * all;
+}
+
+Eigen::MatrixXcd CraigBamptonBasis::inner_products(const Eigen::MatrixXcd& loads) const {
+  const Eigen::MatrixXcd all = raw_.adjoint() * loads;
+  Eigen::MatrixXcd products(size(), loads.cols());
+  products << all.topRows(contact_dofs_), weights_.adjoint() * all.bottomRows(weights_.rows());
+  return products;
+}
+
+Eigen::MatrixXcd CraigBamptonBasis::reduced(const Eigen::MatrixXcd& products) const {
+  const Eigen::Index inner = weights_.rows();
+  Eigen::MatrixXcd matrix(size(), size());
+  matrix.topLeftCorner(contact_dofs_, contact_dofs_) = products.topLeftCorner(contact_dofs_, contact_dofs_);
+  const Eigen::MatrixXcd mixed = products.topRightCorner(contact_dofs_, inner) * weights_;
+  matrix.topRightCorner(contact_dofs_, weights_.cols()) = mixed;
+  matrix.bottomLeftCorner(weights_.cols(), contact_dofs_) = mixed.adjoint();
+  matrix.bottomRightCorner(weights_.cols(), weights_.cols()) =
+      hermitian(weights_.adjoint() * products.bottomRightCorner(inner, inner) * weights_);
+  return matrix;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "reduce/operators/cyclic_symmetry.h"
+
+namespace tiprub {
+
+/// One basis of one nodal diameter for all speeds (eq. 9): the constraint modes at rest, kept as they are so that
+/// contact dofs stay physical, and an M-orthonormal set made from everything else: fixed-interface modes of several
+/// speeds, changes of the constraint modes with speed (without them a thin blade that has turned under load is far
+/// off), and what modes at other speeds turn out to miss. Directions are dropped by their stiffness norm, never by
+/// mass: light directions are the stiff ones.
+///
+/// The matrices are applied to each shape when it is appended; all else happens on small matrices. What is appended
+/// is made orthonormal to what is there, in the stiffness at rest, first: small matrices of nearly dependent shapes
+/// would lose the lowest modes to rounding.
+class CraigBamptonBasis {
+ public:
+  /// `stiffness` are the sector's at the speeds that the model samples, the first one at rest; all matrices must
+  /// outlive the basis. `constraint_modes` (Psi_s of eq. 8, at rest): independent x contact dofs.
+  CraigBamptonBasis(const TravellingWave& wave, const SymmetricMatrix& mass,
+                    std::vector<const SymmetricMatrix*> stiffness, const Eigen::MatrixXcd& constraint_modes);
+
+  /// More shapes, independent x any number, with contact rows of zero; then call orthonormalise().
+  void append(const Eigen::MatrixXcd& shapes);
+  /// Makes the generalized dofs: the modes, contact nodes held, of the small model at rest, by ascending frequency.
+  void orthonormalise();
+
+  /// Contact dofs, then generalized dofs.
+  Eigen::Index size() const { return contact_dofs() + weights_.cols(); }
+  Eigen::Index contact_dofs() const { return contact_dofs_; }
+  /// Shapes that the others already hold.
+  int dropped() const { return dropped_; }
+  /// T^H K T at a sampled speed, and T^H M T; size x size, Hermitian, real for a standing wave.
+  Eigen::MatrixXcd stiffness(std::size_t sample) const { return reduced(stiffness_products_[sample]); }
+  Eigen::MatrixXcd mass() const { return reduced(mass_products_); }
+  /// The shapes times `coefficients` (size x any number); independent x columns.
+  Eigen::MatrixXcd combine(const Eigen::MatrixXcd& coefficients) const;
+  /// Their inner products with columns of loads (independent x any number); size x columns.
+  Eigen::MatrixXcd inner_products(const Eigen::MatrixXcd& loads) const;
+  /// All shapes; independent x size.
+  Eigen::MatrixXcd shapes() const { return combine(Eigen::MatrixXcd::Identity(size(), size())); }
+  const TravellingWave& wave() const { return wave_; }
+
+ private:
+  void join(const Eigen::MatrixXcd& shapes);
+  void extend(Eigen::MatrixXcd& products, const SymmetricMatrix& matrix, const Eigen::MatrixXcd& shapes) const;
+  Eigen::MatrixXcd reduced(const Eigen::MatrixXcd& products) const;
+
+  const TravellingWave& wave_;
+  const SymmetricMatrix& mass_;
+  std::vector<const SymmetricMatrix*> stiffness_;
+  Eigen::Index contact_dofs_;
+  int dropped_ = 0;
+  Eigen::MatrixXcd raw_;            // constraint modes, then K-orthonormal shapes; independent x any
+  Eigen::MatrixXcd mass_products_;  // raw^H M raw
+  std::vector<Eigen::MatrixXcd> stiffness_products_;  // raw^H K raw, by sample
+  Eigen::MatrixXcd weights_;                          // raw shapes without constraint modes x generalized dofs
+};
+
+/// T^H Y T for a sector matrix and a basis; Hermitian, and real for a standing wave.
+Eigen::MatrixXcd project(const TravellingWave& wave, const SymmetricMatrix& matrix, const Eigen::MatrixXcd& basis);
+
+}  // namespace tiprub

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "reduce/operators/cyclic_symmetry.h"
+
+namespace tiprub {
+
+/// Lowest modes of one nodal diameter, M-orthonormal, ascending.
+struct CyclicModes {
+  Eigen::VectorXd eigenvalue;  ///< [rad^2/s^2] omega^2
+  Eigen::MatrixXcd shape;      ///< [kg^-1/2] independent x modes
+  Eigen::VectorXd residual;    ///< [1] bound of the relative error of each 1/omega^2
+
+  /// [Hz]
+  Eigen::VectorXd frequencies() const;
+};
+
+/// Block Lanczos with full M-reorthogonalisation on K^-1 M (Grimes, Lewis, Simon 1994), in complex arithmetic: half
+/// of the vectors of the doubled real problem, and each value once. The block hides the cost of passing through the
+/// factor. `tolerance` bounds the residual of each mode. Raises RunError if it doesn't converge.
+CyclicModes lowest_modes(const CyclicStiffness& stiffness, const SymmetricMatrix& mass, ContactNodes contact,
+                         int count, double tolerance);
+
+}  // namespace tiprub

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "reduce/model/reduced_model.h"
+#include "reduce/operators/speed_samples.h"
+
+namespace tiprub {
+
+/// A model's K by nodal diameter and sampled speed.
+using SampledStiffness = std::vector<std::vector<Eigen::MatrixXcd>>;
+
+/// Eq. 7 of the paper through as few speeds as do: fills in K0, K1, ... of a model that has M, and for nonlinear
+/// prestress what eq. 7 alone makes wrong in the verification frequencies, the polynomial's K(Omega) against K(Omega)
+/// itself on the same basis. Takes the first choice whose misfit is below `polynomial_tolerance`, or the best of all.
+/// Returns the number of speeds.
+int fit_polynomial(const SampledStiffness& stiffness, const SpeedSamples& samples,
+                   const ReductionParameters& parameters, ReducedModel& model);
+
+}  // namespace tiprub

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/basis/sector_fields.h"
+
+#include <array>
+
+namespace tiprub {
+
+namespace {
+
+// Where VTK's node k of a quadratic hexahedron stands in gmsh's order: corners, mid-sides, face centres, centre.
+constexpr std::array<int, 27> gmsh_node = {0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 13, 9,  16, 18,
+                                           19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26};
+
+}  // namespace
+
+SectorFields describe_sector(const SectorMesh& mesh, const std::vector<int>& contact, const Material& material) {
+  SectorFields sector;
+  sector.sector_count = mesh.sector_count;
+  sector.nodes = mesh.nodes;
+  sector.cells.resize(mesh.cells.rows(), mesh.cells.cols());
+  for (Eigen::Index k = 0; k < mesh.cells.rows(); ++k) sector.cells.row(k) = mesh.cells.row(gmsh_node[k]);
+  sector.node_sets = {{"clamped", mesh.clamped},
+                      {"contact", contact},
+                      {"contact_line", mesh.contact_line},
+                      {"cyclic_low", mesh.cyclic_low},
+                      {"cyclic_high", mesh.cyclic_high}};
+  sector.parts = mesh.parts;
+  sector.young = material.young;
+  sector.poisson = material.poisson;
+  sector.density = material.density;
+  return sector;
+}
+
+Eigen::VectorXcd on_nodes(const SectorDofs& dofs, const Eigen::VectorXcd& sector_vector) {
+  Eigen::VectorXcd values = Eigen::VectorXcd::Zero(3 * static_cast<Eigen::Index>(dofs.first.size()));
+  for (std::size_t node = 0; node < dofs.first.size(); ++node)
+    if (dofs.first[node] >= 0)
+      values.segment<3>(3 * static_cast<Eigen::Index>(node)) = sector_vector.segment<3>(dofs.first[node]);
+  return values;
+}
+
+}  // namespace tiprub

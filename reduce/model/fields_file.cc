@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/model/fields_file.h"
+
+#include <algorithm>
+
+#include "reduce/model/hdf5_file.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr const char* schema = "tiprub-fields";
+constexpr int schema_version = 1;
+constexpr int serendipity_nodes = 20, lagrange_nodes = 27;
+constexpr const char* required_sets[] = {"clamped", "contact", "cyclic_low", "cyclic_high"};
+
+std::string basis_of(int nodal_diameter) {
+  return "/nodal_diameter/" + std::to_string(nodal_diameter) + "/basis";
+}
+
+Array<std::int32_t> list(const std::vector<int>& values) {
+  return {{values.size()}, {values.begin(), values.end()}};
+}
+
+Array<std::int32_t> table(const Eigen::MatrixXi& columns) {
+  return {{static_cast<std::size_t>(columns.cols()), static_cast<std::size_t>(columns.rows())},
+          {columns.data(), columns.data() + columns.size()}};
+}
+
+[[noreturn]] void refuse(const Hdf5File& file, const std::string& name, const std::string& what) {
+  throw RunError(file.path() + ": " + name + " " + what);
+}
+
+std::vector<int> read_list(const Hdf5File& file, const std::string& name, Eigen::Index limit) {
+  const Array<std::int32_t> array = file.read_integers(name);
+  if (array.shape.size() != 1) refuse(file, name, "must have one axis");
+  for (const std::int32_t value : array.values)
+    if (value < 0 || value >= limit)
+      refuse(file, name, "names " + std::to_string(value) + ", of 0 .. " + std::to_string(limit - 1));
+  return {array.values.begin(), array.values.end()};
+}
+
+Eigen::Matrix3Xd read_vectors(const Hdf5File& file, const std::string& name) {
+  const Eigen::MatrixXd rows = file.read_matrix(name);
+  if (rows.cols() != 3) refuse(file, name, "must have three columns");
+  return rows.transpose();
+}
+
+Eigen::MatrixXi read_cells(const Hdf5File& file, Eigen::Index nodes) {
+  const std::string name = "/cells";
+  const Array<std::int32_t> array = file.read_integers(name);
+  if (array.shape.size() != 2 || (array.shape[1] != serendipity_nodes && array.shape[1] != lagrange_nodes))
+    refuse(file, name, "must have 20 or 27 columns");
+  for (const std::int32_t node : array.values)
+    if (node < 0 || node >= nodes)
+      refuse(file, name, "names node " + std::to_string(node) + ", of 0 .. " + std::to_string(nodes - 1));
+  return Eigen::Map<const Eigen::MatrixXi>(array.values.data(), static_cast<Eigen::Index>(array.shape[1]),
+                                           static_cast<Eigen::Index>(array.shape[0]));
+}
+
+SectorFields read_sector(const Hdf5File& file) {
+  SectorFields sector;
+  sector.sector_count = file.integer_attribute("/", "sector_count");
+  sector.young = file.number_attribute("/", "young_modulus");
+  sector.poisson = file.number_attribute("/", "poisson_ratio");
+  sector.density = file.number_attribute("/", "density");
+  sector.nodes = read_vectors(file, "/nodes");
+  sector.cells = read_cells(file, sector.nodes.cols());
+  for (const char* name : required_sets)
+    if (!file.exists(std::string("/node_set/") + name)) refuse(file, std::string("/node_set/") + name, "is missing");
+  for (const std::string& name : file.members("/node_set"))
+    sector.node_sets[name] = read_list(file, "/node_set/" + name, sector.nodes.cols());
+  if (sector.node_set("cyclic_low").size() != sector.node_set("cyclic_high").size())
+    refuse(file, "/node_set/cyclic_high", "must pair with cyclic_low");
+  if (file.exists("/part"))
+    for (const std::string& name : file.members("/part"))
+      sector.parts[name] = read_list(file, "/part/" + name, sector.cells.cols());
+  sector.static_displacement_1 = read_vectors(file, "/static/displacement_1");
+  sector.static_displacement_2 = read_vectors(file, "/static/displacement_2");
+  for (const auto* displacement : {&sector.static_displacement_1, &sector.static_displacement_2})
+    if (displacement->cols() != sector.nodes.cols()) refuse(file, "/static", "must have a row for each node");
+  return sector;
+}
+
+}  // namespace
+
+struct FieldsWriter::State {
+  Hdf5File file;
+  std::size_t nodes = 0;
+};
+
+FieldsWriter::FieldsWriter(const std::filesystem::path& path, const std::string& generator)
+    : state_(std::make_unique<State>(State{Hdf5File::create(path)})) {
+  state_->file.set_schema(schema, schema_version, generator);
+}
+FieldsWriter::~FieldsWriter() = default;
+
+void FieldsWriter::write_sector(const SectorFields& sector) {
+  Hdf5File& file = state_->file;
+  state_->nodes = static_cast<std::size_t>(sector.nodes.cols());
+  file.set_attribute("/", "sector_count", sector.sector_count);
+  file.set_attribute("/", "young_modulus", sector.young);
+  file.set_attribute("/", "poisson_ratio", sector.poisson);
+  file.set_attribute("/", "density", sector.density);
+  file.write("/nodes", Eigen::MatrixXd(sector.nodes.transpose()), "m");
+  file.write("/cells", table(sector.cells), "1");
+  for (const auto& [name, nodes] : sector.node_sets) file.write("/node_set/" + name, list(nodes), "1");
+  for (const auto& [name, cells] : sector.parts) file.write("/part/" + name, list(cells), "1");
+  file.write("/static/displacement_1", Eigen::MatrixXd(sector.static_displacement_1.transpose()), "m s^2");
+  file.write("/static/displacement_2", Eigen::MatrixXd(sector.static_displacement_2.transpose()), "m s^4");
+}
+
+void FieldsWriter::write_basis(int nodal_diameter, Eigen::Index dofs, bool standing, const Shape& shape) {
+  const std::string name = basis_of(nodal_diameter);
+  state_->file.make_slices(name, {static_cast<std::size_t>(dofs), state_->nodes, 3},
+                           standing ? Hdf5File::Number::real : Hdf5File::Number::complex, "m in contact dofs");
+  std::vector<std::complex<float>> values;
+  for (Eigen::Index k = 0; k < dofs; ++k) {
+    const Eigen::VectorXcf single = shape(k).cast<std::complex<float>>();
+    values.assign(single.data(), single.data() + single.size());
+    state_->file.write_slice(name, static_cast<std::size_t>(k), values);
+  }
+}
+
+struct FieldsReader::State {
+  Hdf5File file;
+  SectorFields sector;
+};
+
+FieldsReader::FieldsReader(const std::filesystem::path& path)
+    : state_(std::make_unique<State>(State{Hdf5File::open(path), {}})) {
+  state_->file.require_schema(schema, schema_version);
+  state_->sector = read_sector(state_->file);
+  for (int n = 0; n <= state_->sector.sector_count / 2; ++n) dofs(n);
+}
+FieldsReader::~FieldsReader() = default;
+
+const SectorFields& FieldsReader::sector() const {
+  return state_->sector;
+}
+
+Eigen::Index FieldsReader::dofs(int nodal_diameter) const {
+  const std::string name = basis_of(nodal_diameter);
+  const std::vector<std::size_t> shape = state_->file.shape_of(name);
+  if (shape.size() != 3 || shape[1] != static_cast<std::size_t>(state_->sector.nodes.cols()) || shape[2] != 3)
+    refuse(state_->file, name, "must have the axes model dof, node, component");
+  return static_cast<Eigen::Index>(shape[0]);
+}
+
+Eigen::MatrixXcd FieldsReader::expand(int nodal_diameter, const Eigen::MatrixXcd& amplitudes) const {
+  const std::string name = basis_of(nodal_diameter);
+  if (amplitudes.rows() != dofs(nodal_diameter))
+    refuse(state_->file, name,
+           "has " + std::to_string(dofs(nodal_diameter)) + " dofs, the model has " +
+               std::to_string(amplitudes.rows()) + "; give the fields that were written with the model");
+  Eigen::MatrixXcd fields = Eigen::MatrixXcd::Zero(3 * state_->sector.nodes.cols(), amplitudes.cols());
+  for (Eigen::Index k = 0; k < amplitudes.rows(); ++k) {
+    const std::vector<std::complex<float>> slice = state_->file.read_slice(name, static_cast<std::size_t>(k));
+    const Eigen::Map<const Eigen::VectorXcf> shape(slice.data(), static_cast<Eigen::Index>(slice.size()));
+    for (Eigen::Index state = 0; state < amplitudes.cols(); ++state)
+      if (amplitudes(k, state) != 0.0) fields.col(state) += amplitudes(k, state) * shape.cast<std::complex<double>>();
+  }
+  return fields;
+}
+
+}  // namespace tiprub

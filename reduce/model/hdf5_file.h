@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <complex>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+/// An array as it lies in a file: row-major values and their shape.
+template <class Value>
+struct Array {
+  std::vector<std::size_t> shape;
+  std::vector<Value> values;
+};
+
+/// A facade of HDF5 for the files between the stages. Names are absolute paths inside the file ("/contact/position");
+/// groups on the way are made as needed. Same content, same bytes: object times are off.
+/// Everything raises RunError with "file: dataset: what is wrong".
+class Hdf5File {
+ public:
+  static Hdf5File create(const std::filesystem::path& path);
+  static Hdf5File open(const std::filesystem::path& path);
+  ~Hdf5File();
+  Hdf5File(Hdf5File&&) noexcept;
+  Hdf5File& operator=(Hdf5File&&) noexcept;
+
+  /// Attributes of a group or dataset; "/" is the file itself.
+  void set_attribute(const std::string& object, const std::string& name, const std::string& value);
+  void set_attribute(const std::string& object, const std::string& name, double value);
+  void set_attribute(const std::string& object, const std::string& name, int value);
+  std::string text_attribute(const std::string& object, const std::string& name) const;
+  double number_attribute(const std::string& object, const std::string& name) const;
+  int integer_attribute(const std::string& object, const std::string& name) const;
+  bool has_attribute(const std::string& object, const std::string& name) const;
+
+  /// Every dataset carries its unit ("m", "N", "1") as the attribute `unit`.
+  void write(const std::string& name, const Eigen::MatrixXd& matrix, const std::string& unit);
+  void write(const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit);
+  void write(const std::string& name, const Eigen::VectorXd& vector, const std::string& unit);
+  void write(const std::string& name, const Array<double>& array, const std::string& unit);
+  void write(const std::string& name, const Array<std::int32_t>& array, const std::string& unit);
+
+  /// Large single-precision datasets go in and out one slice at a time, the first index of `shape`; each slice is a
+  /// chunk of its own in the file. Complex ones are {r, i} compounds of float32.
+  enum class Number { real, complex };
+  void make_slices(const std::string& name, const std::vector<std::size_t>& shape, Number number,
+                   const std::string& unit);
+  /// Of real slices the imaginary parts are left out.
+  void write_slice(const std::string& name, std::size_t index, const std::vector<std::complex<float>>& values);
+  std::vector<std::complex<float>> read_slice(const std::string& name, std::size_t index) const;
+  std::vector<std::size_t> shape_of(const std::string& name) const;
+
+  bool exists(const std::string& name) const;
+  /// Names of the objects in a group, sorted.
+  std::vector<std::string> members(const std::string& group) const;
+
+  /// Readers refuse values that are not finite, and say where the first one is.
+  Eigen::MatrixXd read_matrix(const std::string& name) const;
+  /// A real dataset or one of {r, i} compounds.
+  Eigen::MatrixXcd read_complex_matrix(const std::string& name) const;
+  Eigen::VectorXd read_vector(const std::string& name) const;
+  Array<double> read_array(const std::string& name) const;
+  Array<std::int32_t> read_integers(const std::string& name) const;
+
+  /// Writes or checks the root attributes `schema`, `schema_version` and `generator`.
+  void set_schema(const std::string& schema, int version, const std::string& generator);
+  void require_schema(const std::string& schema, int version) const;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  struct Handle;
+  Hdf5File(std::string path, std::unique_ptr<Handle> handle);
+  /// Does it; what HDF5 raises becomes a RunError with this complaint.
+  template <class Body>
+  auto attempt(const std::string& object, const std::string& complaint, const Body& body) const;
+  [[noreturn]] void fail(const std::string& object, const std::string& what) const;
+
+  std::string path_;
+  std::unique_ptr<Handle> handle_;
+};
+
+}  // namespace tiprub

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/model/matrix_market.h"
+
+#include <fstream>
+#include <iomanip>
+#include <limits>
+#include <string>
+
+#include "cases/program/errors.h"
+#include "cases/program/output_file.h"
+
+namespace tiprub {
+
+namespace {
+
+void write_matrix(const std::filesystem::path& path, const Eigen::MatrixXcd& matrix, bool real,
+                  const std::string& comment) {
+  OutputFile output(path);
+  std::ofstream out(output.scratch());
+  out << "%%MatrixMarket matrix array " << (real ? "real symmetric" : "complex hermitian") << "\n% " << comment
+      << "\n"
+      << matrix.rows() << " " << matrix.cols() << "\n"
+      << std::scientific << std::setprecision(std::numeric_limits<double>::max_digits10 - 1);
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+    for (Eigen::Index row = column; row < matrix.rows(); ++row) {
+      out << matrix(row, column).real();
+      if (!real) out << " " << (row == column ? 0.0 : matrix(row, column).imag());
+      out << "\n";
+    }
+  out.close();
+  if (!out) throw RunError(path.string() + ": can't be written");
+  output.commit();
+}
+
+}  // namespace
+
+void write_matrix_market(const ReducedModel& model, const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw RunError(folder.string() + ": can't be made: " + failure.message());
+  for (std::size_t n = 0; n < model.nodal_diameters.size(); ++n) {
+    const NodalDiameterModel& matrices = model.nodal_diameters[n];
+    const bool standing = n == 0 || 2 * static_cast<int>(n) == model.sector_count;
+    const std::string stem = "n" + std::to_string(n) + "_";
+    const std::string about = "nodal diameter " + std::to_string(n) +
+                              ", K = K0 + Omega^2 K1 + Omega^4 K2 + ..., rad/s; the first " +
+                              std::to_string(model.contact_dofs()) + " dofs are r, theta, z of the contact nodes; ";
+    write_matrix(folder / (stem + "K0.mtx"), matrices.K0, standing, about + "K0 in N/m");
+    write_matrix(folder / (stem + "K1.mtx"), matrices.K1, standing, about + "K1 in N/m s^2");
+    write_matrix(folder / (stem + "K2.mtx"), matrices.K2, standing, about + "K2 in N/m s^4");
+    for (std::size_t k = 0; k < matrices.higher.size(); ++k)
+      write_matrix(folder / (stem + "K" + std::to_string(3 + k) + ".mtx"), matrices.higher[k], standing,
+                   about + "K" + std::to_string(3 + k) + " in N/m s^" + std::to_string(2 * (3 + k)));
+    write_matrix(folder / (stem + "M.mtx"), matrices.M, standing, about + "M in kg");
+  }
+}
+
+}  // namespace tiprub

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/model/reduced_model.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double hermitian_tolerance = 1e-9;  // of the largest entry
+constexpr double unit_tolerance = 1e-6;
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw RunError(message);
+}
+
+template <class Matrix>
+std::string shape(const Matrix& matrix) {
+  return std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols());
+}
+
+void check_hermitian(const Eigen::MatrixXcd& matrix, const std::string& where) {
+  const double scale = matrix.cwiseAbs().maxCoeff();
+  const double skew = (matrix - matrix.adjoint()).cwiseAbs().maxCoeff();
+  require(skew <= hermitian_tolerance * scale, where +
+                                                   " is not Hermitian: it differs from its conjugate transpose by " +
+                                                   std::to_string(skew / scale) + " of its largest entry");
+}
+
+void check(const NodalDiameterModel& model, int contact_dofs, bool real, const std::string& where) {
+  const Eigen::Index size = model.M.rows();
+  require(size > 0 && size >= contact_dofs, where + "/M is " + shape(model.M) +
+                                                ", but the contact nodes alone have " + std::to_string(contact_dofs) +
+                                                " dofs");
+  std::vector<std::pair<std::string, const Eigen::MatrixXcd&>> all = {
+      {"/K0", model.K0}, {"/K1", model.K1}, {"/K2", model.K2}, {"/M", model.M}};
+  for (std::size_t k = 0; k < model.higher.size(); ++k)
+    all.emplace_back("/K" + std::to_string(3 + k), model.higher[k]);
+  for (const auto& [name, matrix] : all) {
+    require(matrix.rows() == size && matrix.cols() == size, where + name + " is " + shape(matrix) + ", must be " +
+                                                                std::to_string(size) + " x " + std::to_string(size));
+    check_hermitian(matrix, where + name);
+    require(!real || matrix.imag().cwiseAbs().maxCoeff() <= hermitian_tolerance * matrix.cwiseAbs().maxCoeff(),
+            where + name + " must be real: this nodal diameter is a standing wave");
+  }
+  for (int dof = 0; dof < contact_dofs; ++dof)
+    require(model.M(dof, dof).real() > 0, where + "/M has no mass in contact dof " + std::to_string(dof));
+  require(Eigen::LLT<Eigen::MatrixXcd>(model.M).info() == Eigen::Success, where + "/M is not positive definite");
+}
+
+void check(const ContactLine& contact, const std::string& name) {
+  const Eigen::Index count = contact.arc_length.size();
+  require(count > 0, name + ": /contact holds no node");
+  for (const auto* table : {&contact.position, &contact.normal, &contact.static_shift_1, &contact.static_shift_2})
+    require(table->rows() == count, name + ": /contact: every table must have " + std::to_string(count) + " rows");
+  for (Eigen::Index k = 0; k < count; ++k) {
+    require(std::abs(contact.normal.row(k).norm() - 1) < unit_tolerance,
+            name + ": /contact/normal: row " + std::to_string(k) + " is not of unit length");
+    require(k == 0 || contact.arc_length[k] > contact.arc_length[k - 1],
+            name + ": /contact/arc_length must increase from the leading edge");
+  }
+}
+
+void check(const Verification& table, std::size_t nodal_diameters, const std::string& name) {
+  const Eigen::MatrixXd& misfit = table.polynomial_misfit;
+  require(misfit.size() == 0 ||
+              (misfit.rows() == table.speeds.size() && misfit.cols() == static_cast<Eigen::Index>(nodal_diameters)),
+          name + ": /verification/polynomial_misfit is " + shape(misfit) + ", must be " +
+              std::to_string(table.speeds.size()) + " x " + std::to_string(nodal_diameters));
+  for (const auto& [kind, tables] :
+       {std::pair("unreduced", &table.unreduced), std::pair("reduced", &table.reduced)}) {
+    if (table.speeds.size() == 0 && tables->empty()) continue;
+    require(tables->size() == nodal_diameters, name + ": /verification must have every nodal diameter");
+    for (std::size_t n = 0; n < nodal_diameters; ++n) {
+      const Eigen::MatrixXd &found = (*tables)[n], &other = table.unreduced[n];
+      require(found.rows() == table.speeds.size() && found.cols() == other.cols(),
+              name + ": /verification/nodal_diameter/" + std::to_string(n) + "/" + kind + " is " + shape(found) +
+                  ", must be " + std::to_string(table.speeds.size()) + " x " + std::to_string(other.cols()));
+    }
+  }
+}
+
+}  // namespace
+
+Eigen::MatrixXcd NodalDiameterModel::stiffness(double speed) const {
+  const double square = speed * speed;
+  Eigen::MatrixXcd K = K0 + square * K1 + square * square * K2;
+  double power = square * square;
+  for (const Eigen::MatrixXcd& term : higher) K += (power *= square) * term;
+  return K;
+}
+
+Eigen::VectorXd NodalDiameterModel::natural_frequencies(double speed) const {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(stiffness(speed), M,
+                                                                          Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().unaryExpr(
+      [](double square) { return std::copysign(std::sqrt(std::abs(square)), square) / (2 * std::numbers::pi); });
+}
+
+Eigen::MatrixX3d ContactLine::static_shift(double speed) const {
+  const double square = speed * speed;
+  return square * static_shift_1 + square * square * static_shift_2;
+}
+
+void check(const ReducedModel& model, const std::string& name) {
+  require(model.sector_count > 0, name + ": sector_count must be at least 1");
+  require(model.speed_max >= 0, name + ": speed_max must be at least 0");
+  check(model.contact, name);
+  const int expected = model.nodal_diameter_max() + 1;
+  require(static_cast<int>(model.nodal_diameters.size()) == expected,
+          name + ": has " + std::to_string(model.nodal_diameters.size()) + " nodal diameters, must have " +
+              std::to_string(expected) + " for " + std::to_string(model.sector_count) + " sectors");
+  for (int n = 0; n < expected; ++n)
+    check(model.nodal_diameters[n], model.contact_dofs(), n == 0 || 2 * n == model.sector_count,
+          name + ": /nodal_diameter/" + std::to_string(n));
+  check(model.verification, model.nodal_diameters.size(), name);
+}
+
+}  // namespace tiprub

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/operators/sector_factor.h"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+namespace {
+
+using Supernode = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+constexpr Eigen::Index schur_block = 256;  // columns a rank update, for the cache
+
+/// L L' of a lower triangular matrix; a third of the work of the full product.
+Eigen::MatrixXd multiply_by_transpose(const Eigen::MatrixXd& lower) {
+  const Eigen::Index size = lower.rows();
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(size, size);
+  for (Eigen::Index at = 0; at < size; at += schur_block) {
+    const Eigen::Index width = std::min(schur_block, size - at), rest = size - at;
+    product.bottomRightCorner(rest, rest)
+        .selfadjointView<Eigen::Lower>()
+        .rankUpdate(lower.block(at, at, rest, width));
+  }
+  return product;
+}
+
+}  // namespace
+
+struct SectorFactor::Cholmod {
+  cholmod_common common{};
+  cholmod_factor* factor = nullptr;
+  int interior = 0;
+  int interface = 0;
+  std::vector<int> position;  ///< place in the factor of each sector dof
+
+  Cholmod() {
+    cholmod_start(&common);
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.final_ll = 1;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_NATURAL;
+    common.print = 0;
+  }
+  Cholmod(const Cholmod&) = delete;
+  Cholmod& operator=(const Cholmod&) = delete;
+  ~Cholmod() {
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+
+  void factorize(const SymmetricMatrix& stiffness, double shift);
+  /// Calls body(first column, rows below the diagonal block, diagonal block, block below) for each supernode of L_FF,
+  /// all counted from the first interface dof in the factor's order. Above its diagonal the diagonal block is noise.
+  template <class Body>
+  void for_each_interface_block(const Body& body) const;
+  Eigen::MatrixXd interface_factor() const;
+  /// L_FF x and L_FF' x, straight from the supernodes.
+  Eigen::MatrixXd multiply_interface(const Eigen::MatrixXd& x) const;
+  Eigen::MatrixXd multiply_interface_transposed(const Eigen::MatrixXd& x) const;
+  Eigen::MatrixXd solve(int system, Eigen::MatrixXd& right) const;
+};
+
+void SectorFactor::Cholmod::factorize(const SymmetricMatrix& stiffness, double shift) {
+  SymmetricMatrix shifted = stiffness;
+  for (int dof = interior; dof < interior + interface; ++dof)
+    shifted.valuePtr()[shifted.outerIndexPtr()[dof]] += shift;  // the diagonal is a column's first entry
+  cholmod_sparse view{};
+  view.nrow = view.ncol = static_cast<std::size_t>(shifted.rows());
+  view.nzmax = static_cast<std::size_t>(shifted.nonZeros());
+  view.p = shifted.outerIndexPtr();
+  view.i = shifted.innerIndexPtr();
+  view.x = shifted.valuePtr();
+  view.stype = -1;  // lower triangle
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = view.packed = 1;
+  factor = cholmod_analyze(&view, &common);
+  if (factor != nullptr) cholmod_factorize(&view, factor, &common);
+  if (factor == nullptr || common.status == CHOLMOD_OUT_OF_MEMORY)
+    throw RunError("not enough memory to factorize a sector of " + std::to_string(stiffness.rows()) + " dofs");
+  if (common.status == CHOLMOD_NOT_POSDEF || factor->minor < factor->n)
+    throw RunError("the stiffness is not positive definite: the rotor is unstable, or a part of it is not held");
+  position.resize(factor->n);
+  for (std::size_t k = 0; k < factor->n; ++k)
+    position[static_cast<const int*>(factor->Perm)[k]] = static_cast<int>(k);
+  // The elimination tree's postorder may move dofs, but the interface is one clique at its root and stays last.
+  if (std::any_of(position.begin() + interior, position.end(), [&](int at) { return at < interior; }))
+    throw RunError("the sector falls into parts that the cut faces don't join; mesh it as one piece");
+}
+
+template <class Body>
+void SectorFactor::Cholmod::for_each_interface_block(const Body& body) const {
+  const int* super = static_cast<const int*>(factor->super);
+  const int* row_start = static_cast<const int*>(factor->pi);
+  const int* value_start = static_cast<const int*>(factor->px);
+  const int* rows = static_cast<const int*>(factor->s);
+  const double* values = static_cast<const double*>(factor->x);
+  for (std::size_t block = 0; block < factor->nsuper; ++block) {
+    const int first = std::max(super[block], interior), width = super[block + 1] - first;
+    if (width <= 0) continue;
+    const int count = row_start[block + 1] - row_start[block], offset = first - super[block];
+    const int below = count - offset - width;
+    const double* corner = values + value_start[block] + offset + static_cast<std::ptrdiff_t>(offset) * count;
+    const Eigen::OuterStride<> stride(count);
+    const Eigen::VectorXi below_rows =
+        Eigen::Map<const Eigen::VectorXi>(rows + row_start[block] + offset + width, below).array() - interior;
+    body(first - interior, below_rows, Supernode(corner, width, width, stride),
+         Supernode(corner + width, below, width, stride));
+  }
+}
+
+Eigen::MatrixXd SectorFactor::Cholmod::interface_factor() const {
+  Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(interface, interface);
+  for_each_interface_block(
+      [&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+        lower.block(first, first, diagonal.rows(), diagonal.cols()).triangularView<Eigen::Lower>() = diagonal;
+        lower(rows, Eigen::seqN(first, below.cols())) = below;
+      });
+  return lower;
+}
+
+Eigen::MatrixXd SectorFactor::Cholmod::multiply_interface(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface, x.cols());
+  for_each_interface_block(
+      [&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+        const auto part = x.middleRows(first, diagonal.cols());
+        product.middleRows(first, diagonal.cols()) += diagonal.triangularView<Eigen::Lower>() * part;
+        const Eigen::MatrixXd moved = below * part;
+        product(rows, Eigen::all) += moved;
+      });
+  return product;
+}
+
+Eigen::MatrixXd SectorFactor::Cholmod::multiply_interface_transposed(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface, x.cols());
+  for_each_interface_block(
+      [&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+        auto part = product.middleRows(first, diagonal.cols());
+        part = diagonal.triangularView<Eigen::Lower>().transpose() * x.middleRows(first, diagonal.cols());
+        const Eigen::MatrixXd gathered = x(rows, Eigen::all);
+        part.noalias() += below.transpose() * gathered;
+      });
+  return product;
+}
+
+Eigen::MatrixXd SectorFactor::Cholmod::solve(int system, Eigen::MatrixXd& right) const {
+  cholmod_common scratch{};  // one a call: several threads may solve at once
+  cholmod_start(&scratch);
+  cholmod_dense view{};
+  view.nrow = view.d = static_cast<std::size_t>(right.rows());
+  view.ncol = static_cast<std::size_t>(right.cols());
+  view.nzmax = static_cast<std::size_t>(right.size());
+  view.x = right.data();
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  cholmod_dense* solution = cholmod_solve(system, factor, &view, &scratch);
+  if (solution == nullptr) throw RunError("not enough memory to solve with the factor of the sector");
+  Eigen::MatrixXd result =
+      Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution->x), right.rows(), right.cols());
+  cholmod_free_dense(&solution, &scratch);
+  cholmod_finish(&scratch);
+  return result;
+}
+
+SectorFactor::SectorFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs)
+    : cholmod_(std::make_unique<Cholmod>()) {
+  cholmod_->interior = dofs.interior;
+  cholmod_->interface = dofs.interface();
+  const double shift = stiffness.diagonal().tail(dofs.interface()).maxCoeff();
+  cholmod_->factorize(stiffness, shift);
+  Eigen::MatrixXd product = multiply_by_transpose(cholmod_->interface_factor());
+  product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
+  product.diagonal().array() -= shift;
+  const Eigen::VectorXi place =
+      Eigen::Map<const Eigen::VectorXi>(cholmod_->position.data() + dofs.interior, dofs.interface()).array() -
+      dofs.interior;
+  schur_ = product(place, place);
+}
+
+SectorFactor::~SectorFactor() = default;
+SectorFactor::SectorFactor(SectorFactor&&) noexcept = default;
+
+SectorFactor::Eliminated SectorFactor::eliminate(const Eigen::MatrixXd& interior_load) const {
+  const Cholmod& of = *cholmod_;
+  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(of.interior + of.interface, interior_load.cols());
+  for (int dof = 0; dof < of.interior; ++dof) load.row(of.position[dof]) = interior_load.row(dof);
+  Eliminated result;
+  result.state = cholmod_->solve(CHOLMOD_L, load);
+  const Eigen::MatrixXd reached =  // L_FF y_F = -L_FI y_I
+      of.multiply_interface(result.state.bottomRows(of.interface));
+  result.interface_load.resize(of.interface, interior_load.cols());
+  for (int dof = 0; dof < of.interface; ++dof)
+    result.interface_load.row(dof) = reached.row(of.position[of.interior + dof] - of.interior);
+  return result;
+}
+
+Eigen::MatrixXd SectorFactor::back_substitute(Eliminated&& eliminated, const Eigen::MatrixXd& interface) const {
+  const Cholmod& of = *cholmod_;
+  Eigen::MatrixXd placed(of.interface, interface.cols());
+  for (int dof = 0; dof < of.interface; ++dof)
+    placed.row(of.position[of.interior + dof] - of.interior) = interface.row(dof);
+  eliminated.state.bottomRows(of.interface) = of.multiply_interface_transposed(placed);
+  const Eigen::MatrixXd solved = cholmod_->solve(CHOLMOD_Lt, eliminated.state);
+  Eigen::MatrixXd result(solved.rows(), solved.cols());
+  for (Eigen::Index dof = 0; dof < solved.rows(); ++dof) result.row(dof) = solved.row(of.position[dof]);
+  return result;
+}
+
+}  // namespace tiprub

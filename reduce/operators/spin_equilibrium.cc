@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/operators/spin_equilibrium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "cases/program/errors.h"
+#include "reduce/operators/at_speed.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double tolerance = 1e-10;        // of a residual, in the energy norm of the load
+constexpr int most_newton_steps = 30;      // some 5 are usual
+constexpr int most_halvings = 10;          // of one step
+constexpr int most_gradient_steps = 400;   // some 10 are usual
+constexpr double coarsest_solution = 0.1;  // of a linear step, relative
+
+/// Equations of one speed on the independent dofs of nodal diameter 0, which are real.
+class Balance {
+ public:
+  Balance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicStiffness& nearby, double speed)
+      : elasticity_(elasticity), mesh_(mesh), nearby_(nearby), speed_(speed) {}
+
+  /// r = f - f_int at a shape.
+  Eigen::VectorXd residual(const Eigen::VectorXd& shape) const {
+    const Eigen::Matrix3Xd moved = displacement(shape);
+    return gather(speed_ * speed_ * elasticity_.centrifugal_load(moved) - elasticity_.internal_force(moved));
+  }
+  SymmetricMatrix tangent(const Eigen::VectorXd& shape) const {
+    return elasticity_.stiffness(speed_, displacement(shape), Prestress::nonlinear);
+  }
+  /// K_nearby^-1 r.
+  Eigen::VectorXd precondition(const Eigen::VectorXd& force) const {
+    return nearby_.solve(force.cast<std::complex<double>>(), ContactNodes::free).real();
+  }
+  double norm(const Eigen::VectorXd& force) const { return std::sqrt(force.dot(precondition(force))); }
+  double load_norm() const { return norm(gather(speed_ * speed_ * elasticity_.centrifugal_load())); }
+  /// K_T du = r by preconditioned conjugate gradients, to a relative residual.
+  Eigen::VectorXd solve(const SymmetricMatrix& tangent, const Eigen::VectorXd& force, double accuracy) const;
+
+ private:
+  Eigen::Matrix3Xd displacement(const Eigen::VectorXd& shape) const {
+    return cartesian_displacement(mesh_, nearby_.wave().dofs(), shape);
+  }
+  Eigen::VectorXd gather(const Eigen::VectorXd& sector) const {
+    return nearby_.wave().gather(sector.cast<std::complex<double>>()).real();
+  }
+
+  const RotatingElasticity& elasticity_;
+  const SectorMesh& mesh_;
+  const CyclicStiffness& nearby_;
+  double speed_;
+};
+
+Eigen::VectorXd Balance::solve(const SymmetricMatrix& tangent, const Eigen::VectorXd& force, double accuracy) const {
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(force.size()), left = force, z = precondition(left), direction = z;
+  const double first = left.dot(z);
+  double now = first;
+  for (int k = 0; k < most_gradient_steps; ++k) {
+    const Eigen::VectorXd pushed = nearby_.wave().apply(tangent, direction.cast<std::complex<double>>()).real();
+    const double curvature = direction.dot(pushed);
+    if (!(curvature > 0)) throw RunError("the loaded shape is not stable: its stiffness is not positive definite");
+    step += now / curvature * direction;
+    left -= now / curvature * pushed;
+    z = precondition(left);
+    const double next = left.dot(z);
+    if (next <= accuracy * accuracy * first) return step;
+    direction = z + next / now * direction;
+    now = next;
+  }
+  throw RunError(
+      "the stiffness of the loaded shape is too far from that at rest: conjugate gradients don't converge");
+}
+
+}  // namespace
+
+SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const SectorMesh& mesh,
+                                 const CyclicStiffness& nearby, double speed, const Eigen::VectorXd& guess) {
+  SpinEquilibrium found{guess};
+  if (speed == 0.0) return {Eigen::VectorXd::Zero(guess.size())};
+  const Balance balance(elasticity, mesh, nearby, speed);
+  const double scale = balance.load_norm();
+  Eigen::VectorXd force = balance.residual(found.displacement);
+  found.residual = balance.norm(force) / scale;
+  while (found.residual > tolerance) {
+    if (++found.iterations > most_newton_steps) break;
+    // As exact as Newton's next step will be, no more.
+    const double accuracy = std::min(coarsest_solution, found.residual);
+    const Eigen::VectorXcd step =
+        balance.solve(balance.tangent(found.displacement), force, accuracy).cast<std::complex<double>>();
+    const Eigen::VectorXd whole = nearby.wave().expand(step).real();
+    double fraction = 1.0, residual = 0.0;
+    Eigen::VectorXd shape;
+    for (int halving = 0; halving <= most_halvings; ++halving, fraction /= 2) {
+      shape = found.displacement + fraction * whole;
+      force = balance.residual(shape);
+      residual = balance.norm(force) / scale;
+      if (residual < found.residual) break;
+    }
+    if (!(residual < found.residual)) break;
+    found.displacement = shape;
+    found.residual = residual;
+  }
+  if (found.residual <= tolerance) return found;
+  std::ostringstream message;
+  message << "the shape under spin doesn't converge: after " << found.iterations << " Newton steps " << found.residual
+          << " of the load is left, more than " << tolerance
+          << "; lower speed_max_rpm, or take prestress = \"linear\"";
+  throw RunError(message.str());
+}
+
+SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorMesh& mesh,
+                             const CyclicStiffness& at_rest, std::vector<double> speeds, Prestress prestress) {
+  const Eigen::VectorXcd load = elasticity.centrifugal_load().cast<std::complex<double>>();
+  Eigen::VectorXd over_square =
+      at_rest.wave().expand(at_rest.solve(at_rest.wave().gather(load), ContactNodes::free)).real();
+  std::sort(speeds.begin(), speeds.end());
+  SpinShapes shapes;
+  for (const double speed : speeds) {
+    const double square = speed * speed;
+    shapes.at[speed] = square * over_square;
+    if (prestress != Prestress::nonlinear || speed == 0.0) continue;
+    SpinEquilibrium found =
+        at_speed(speed, [&] { return spin_equilibrium(elasticity, mesh, at_rest, speed, square * over_square); });
+    shapes.newton_steps = std::max(shapes.newton_steps, found.iterations);
+    shapes.newton_residual = std::max(shapes.newton_residual, found.residual);
+    over_square = found.displacement / square;
+    shapes.at[speed] = std::move(found.displacement);
+  }
+  return shapes;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <map>
+#include <vector>
+
+#include "reduce/operators/cyclic_symmetry.h"
+
+namespace tiprub {
+
+/// The shape that a sector takes under spin, large displacements included.
+struct SpinEquilibrium {
+  Eigen::VectorXd displacement;  ///< [m] sector dofs
+  int iterations = 0;            ///< Newton's
+  double residual = 0;           ///< [1] see spin_equilibrium()
+};
+
+/// Solves int B(F)' S(E) = Omega^2 int rho N (X + u)_perp for u (total Lagrangian, St Venant-Kirchhoff, load at the
+/// displaced radius), the same in every sector, by Newton's method
+///     K_T du = r,  K_T = material stiffness at F + K_S of the second Piola-Kirchhoff stress - Omega^2 M_perp,
+/// from `guess` (sector dofs) [m] at `speed` [rad/s]. `nearby` is the stiffness of nodal diameter 0 at another speed,
+/// usually rest: it preconditions conjugate gradients for K_T, so that no speed needs a factor of its own, and it
+/// gives the norm in which a residual is small against the load: sqrt(r' K^-1 r) / sqrt(f' K^-1 f) <= 1e-10, an
+/// energy norm. That is, the shape is within about 1e-10 of its own size. Steps that would raise the residual are
+/// halved. Costs an assembly and some ten solves a step, four to six steps. Raises RunError if K_T is not positive
+/// definite on the way (the rotor is unstable) or if it doesn't converge.
+SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const SectorMesh& mesh,
+                                 const CyclicStiffness& nearby, double speed, const Eigen::VectorXd& guess);
+
+/// Static shapes of a reduction.
+struct SpinShapes {
+  std::map<double, Eigen::VectorXd> at;  ///< [m] sector dofs, by speed [rad/s]
+  int newton_steps = 0;                  ///< most of all speeds; none unless nonlinear
+  double newton_residual = 0;            ///< [1] largest of all speeds
+};
+
+/// The shapes under spin at these speeds [rad/s]. Linear and stress-only prestress: Omega^2 K(0)^-1 f. Nonlinear:
+/// spin_equilibrium(), upwards in speed, each from the one before it. `at_rest` is K(0) of nodal diameter 0. Raises
+/// RunError, with the speed.
+SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorMesh& mesh,
+                             const CyclicStiffness& at_rest, std::vector<double> speeds, Prestress prestress);
+
+}  // namespace tiprub

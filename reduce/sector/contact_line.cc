@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/sector/contact_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+namespace {
+
+Eigen::Vector2d meridional(const Eigen::Vector3d& position) {
+  return {position.head<2>().norm(), position.z()};
+}
+
+/// Arc length of the meridional curve through a line's nodes.
+std::vector<double> arc_lengths(const SectorMesh& mesh, const std::vector<int>& line) {
+  std::vector<double> lengths = {0.0};
+  for (std::size_t k = 1; k < line.size(); ++k)
+    lengths.push_back(lengths.back() +
+                      (meridional(mesh.nodes.col(line[k])) - meridional(mesh.nodes.col(line[k - 1]))).norm());
+  return lengths;
+}
+
+/// Derivative at the middle of three points (or at an end, by the same parabola) over arc length.
+Eigen::Vector2d tangent(const SectorMesh& mesh, const std::vector<int>& line, const std::vector<double>& lengths,
+                        std::size_t at) {
+  if (line.size() < 3) return meridional(mesh.nodes.col(line.back())) - meridional(mesh.nodes.col(line.front()));
+  const std::size_t middle = std::clamp<std::size_t>(at, 1, line.size() - 2);
+  const double a = lengths[middle - 1], b = lengths[middle], c = lengths[middle + 1], s = lengths[at];
+  return meridional(mesh.nodes.col(line[middle - 1])) * ((s - b) + (s - c)) / ((a - b) * (a - c)) +
+         meridional(mesh.nodes.col(line[middle])) * ((s - a) + (s - c)) / ((b - a) * (b - c)) +
+         meridional(mesh.nodes.col(line[middle + 1])) * ((s - a) + (s - b)) / ((c - a) * (c - b));
+}
+
+/// From the middle of the cells around a node to the node: out of the blade.
+Eigen::Vector2d outward(const SectorMesh& mesh, int node) {
+  Eigen::Vector2d direction = Eigen::Vector2d::Zero();
+  for (Eigen::Index cell = 0; cell < mesh.cells.cols(); ++cell) {
+    const auto nodes = mesh.cells.col(cell);
+    if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) continue;
+    for (const int other : nodes) direction += meridional(mesh.nodes.col(node)) - meridional(mesh.nodes.col(other));
+  }
+  return direction;
+}
+
+}  // namespace
+
+std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count) {
+  const std::vector<int>& line = mesh.contact_line;
+  if (static_cast<int>(line.size()) < count)
+    throw InputError("the curve \"contact\" has " + std::to_string(line.size()) +
+                     " nodes, [reduce] contact_nodes = " + std::to_string(count) +
+                     " asks for more; ask for fewer, or refine the mesh along the blade");
+  if (count == 1) return {line.front()};
+  const std::vector<double> lengths = arc_lengths(mesh, line);
+  std::vector<int> chosen;
+  std::size_t first_left = 0;
+  for (int k = 0; k < count; ++k) {
+    const double target = lengths.back() * k / (count - 1);
+    const std::size_t last_left = line.size() - static_cast<std::size_t>(count - k);  // room for those that follow
+    std::size_t best = first_left;
+    for (std::size_t i = first_left; i <= last_left; ++i)
+      if (std::abs(lengths[i] - target) < std::abs(lengths[best] - target)) best = i;
+    chosen.push_back(line[best]);
+    first_left = best + 1;
+  }
+  return chosen;
+}
+
+ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& contact) {
+  const std::vector<double> lengths = arc_lengths(mesh, mesh.contact_line);
+  const Eigen::Index count = static_cast<Eigen::Index>(contact.size());
+  ContactLine line;
+  line.position.resize(count, 3);
+  line.normal.resize(count, 3);
+  line.arc_length.resize(count);
+  line.static_shift_1 = line.static_shift_2 = Eigen::MatrixX3d::Zero(count, 3);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto found = std::find(mesh.contact_line.begin(), mesh.contact_line.end(), contact[k]);
+    const auto at = static_cast<std::size_t>(found - mesh.contact_line.begin());
+    const Eigen::Vector3d position = mesh.nodes.col(contact[k]);
+    const Eigen::Vector2d along = tangent(mesh, mesh.contact_line, lengths, at).normalized();
+    Eigen::Vector2d normal(along.y(), -along.x());
+    if (normal.dot(outward(mesh, contact[k])) < 0) normal = -normal;
+    line.position.row(k) << position.head<2>().norm(), std::atan2(position.y(), position.x()), position.z();
+    line.normal.row(k) << normal.x(), 0.0, normal.y();
+    line.arc_length[k] = lengths[at];
+  }
+  return line;
+}
+
+}  // namespace tiprub

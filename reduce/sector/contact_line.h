@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "reduce/model/reduced_model.h"
+#include "reduce/sector/sector_mesh.h"
+
+namespace tiprub {
+
+/// `count` nodes of the mesh's contact line, the ends and those nearest to equal steps of arc length between them;
+/// the defaults follow the paper's ten. Raises InputError if the line has fewer.
+std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count);
+
+/// Where the chosen nodes stand, and the normals of the casing there. The casing is a surface of revolution about the
+/// tip line, so a normal lies in the meridional plane, square to the line (tangents by quadratic differences over arc
+/// length), and points away from the blade. Static shifts are left zero.
+ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& contact);
+
+}  // namespace tiprub

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/sector/reduction_parameters.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace tiprub {
+
+std::string name_of(Prestress prestress) {
+  return prestress == Prestress::linear ? "linear" : prestress == Prestress::nonlinear ? "nonlinear" : "stress_only";
+}
+
+ReductionParameters ReductionParameters::read(CaseTable& table) {
+  ReductionParameters p;
+  p.material.young = table.number("young_modulus", std::nullopt, Range::positive(), "Pa");
+  p.material.poisson = table.number("poisson_ratio", std::nullopt, Range::between(0.0, 0.49), "1");
+  p.material.density = table.number("density", std::nullopt, Range::positive(), "kg/m^3");
+  p.speed_max = table.number("speed_max_rpm", std::nullopt, Range::positive(), "rpm") * std::numbers::pi / 30;
+  p.prestress = table.choice<Prestress>(
+      "prestress", Prestress::linear,
+      {{"linear", Prestress::linear}, {"stress_only", Prestress::stress_only}, {"nonlinear", Prestress::nonlinear}});
+  p.spin_softening = table.flag("spin_softening", true) ? SpinSoftening::on : SpinSoftening::off;
+  p.contact_nodes = table.integer("contact_nodes", 10, Range::between(1, 200), "");
+  p.fixed_interface_modes = table.integer("fixed_interface_modes", 40, Range::between(1, 500), "a speed");
+  p.modes_at_speed = table.integer("modes_at_speed", 60, Range::between(0, 5000), "generalized dofs; 0: all");
+  p.verification_speeds = table.numbers("verification_speeds", {{0.0, 0.15, 0.35, 0.6, 0.85, 0.95}},
+                                        Range::between(0.0, 2.0), "of speed_max_rpm");
+  p.frequency_tolerance =
+      table.number("frequency_tolerance", 5e-4, {0.0, 1.0, Range::LowEnd::excluded},
+                   "of a frequency, at quarters of the top speed; what the basis misses joins it");
+  p.polynomial_speeds =
+      table.integer("polynomial_speeds", 0, Range::between(0, 9), "of eq. 7; 0: as many as it takes");
+  p.polynomial_tolerance = table.number("polynomial_tolerance", 1e-3, {0.0, 1.0, Range::LowEnd::excluded},
+                                        "of a frequency, by eq. 7 alone");
+  p.verification_modes = table.integer("verification_modes", 6, Range::between(1, 100), "a nodal diameter");
+  if (p.polynomial_speeds == 1 || p.polynomial_speeds == 2)
+    table.reject("polynomial_speeds", "must be 0 (as many as it takes) or at least 3");
+  if (!std::is_sorted(p.verification_speeds.begin(), p.verification_speeds.end()))
+    table.reject("verification_speeds", "must increase");
+  p.verification_tolerance =
+      table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded}, "of omega^2, estimated");
+  p.cyclic_tolerance = table.number("cyclic_tolerance", 1e-6, Range::positive(), "of the largest radius");
+  p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");
+  return p;
+}
+
+}  // namespace tiprub

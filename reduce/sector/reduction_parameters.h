@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/program/case_file.h"
+#include "reduce/sector/rotating_elasticity.h"
+
+namespace tiprub {
+
+/// The table [reduce] of a case file.
+struct ReductionParameters {
+  Material material;
+  double speed_max = 0;  ///< [rad/s] Omega_max of eq. 7
+  Prestress prestress = Prestress::linear;
+  SpinSoftening spin_softening = SpinSoftening::on;
+  int contact_nodes = 10;
+  int fixed_interface_modes = 0;            ///< at each of the two speeds that give modes, 0 and Omega_max
+  int modes_at_speed = 0;                   ///< generalized dofs that do at any one speed; 0: all
+  std::vector<double> verification_speeds;  ///< [1] over Omega_max
+  int verification_modes = 0;               ///< a nodal diameter
+  double verification_tolerance = 0;        ///< [1] of omega^2, estimated
+  double frequency_tolerance = 0;           ///< [1] of the lowest frequencies between the speeds of the basis
+  int polynomial_speeds = 0;                ///< of eq. 7; 0: as many as `polynomial_tolerance` takes, 3 or 5
+  double polynomial_tolerance = 0;          ///< [1] of a frequency, by eq. 7 alone
+  double cyclic_tolerance = 0;              ///< [1] over the largest radius
+  int threads = 1;                          ///< for nodal diameters and the BLAS
+
+  static ReductionParameters read(CaseTable& table);
+};
+
+/// The name of a prestress model in case files and in model.h5.
+std::string name_of(Prestress prestress);
+
+}  // namespace tiprub

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/sector/rotating_elasticity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "reduce/sector/parallel_for.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr int cells_per_chunk = 512;
+
+using Strain = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+/// Green-Lagrange strain per nodal displacement at the deformation gradient F:
+/// dE_ij = (F_ki dN_a/dX_j + F_kj dN_a/dX_i) / 2 du_ka; shears doubled. 6 x 3 nodes.
+void strain_operator(const Eigen::Matrix<double, Eigen::Dynamic, 3>& gradient, const Eigen::Matrix3d& F,
+                     Eigen::Ref<Strain> B) {
+  for (Eigen::Index a = 0; a < gradient.rows(); ++a)
+    for (int k = 0; k < 3; ++k) {
+      const double gx = gradient(a, 0), gy = gradient(a, 1), gz = gradient(a, 2);
+      const double fx = F(k, 0), fy = F(k, 1), fz = F(k, 2);
+      B.col(3 * a + k) << fx * gx, fy * gy, fz * gz, fx * gy + fy * gx, fy * gz + fz * gy, fz * gx + fx * gz;
+    }
+}
+
+/// Stress of a displacement gradient H = du_i/dX_j [Pa]: of the linear strain, or of the Green-Lagrange strain
+/// E = (H + H' + H'H)/2 (then the second Piola-Kirchhoff stress).
+Eigen::Matrix3d stress(const Eigen::Matrix3d& H, const Material& material, Prestress prestress) {
+  const double shear = material.young / (2 * (1 + material.poisson));
+  const double lame = 2 * shear * material.poisson / (1 - 2 * material.poisson);
+  Eigen::Matrix3d E = 0.5 * (H + H.transpose());
+  if (prestress == Prestress::nonlinear) E += 0.5 * H.transpose() * H;
+  return lame * E.trace() * Eigen::Matrix3d::Identity() + 2 * shear * E;
+}
+
+/// Adds `factor * scalar(a, b)` times a diagonal 3 x 3 matrix to each node pair's block.
+void add_blocks(const Eigen::MatrixXd& scalar, const Eigen::Vector3d& diagonal, Eigen::MatrixXd& matrix) {
+  for (Eigen::Index b = 0; b < scalar.cols(); ++b)
+    for (Eigen::Index a = 0; a < scalar.rows(); ++a)
+      for (int k = 0; k < 3; ++k) matrix(3 * a + k, 3 * b + k) += diagonal[k] * scalar(a, b);
+}
+
+Eigen::MatrixXd consistent_mass(const BrickPoints& points, double density) {
+  return density * points.shape * points.weight.asDiagonal() * points.shape.transpose();
+}
+
+/// The pattern of a symmetric matrix over the sector's dofs, lower triangle, with zeros in it.
+SymmetricMatrix zero_matrix(const SectorMesh& mesh, const SectorDofs& dofs) {
+  const std::vector<std::vector<int>> neighbours = node_neighbours(mesh);
+  std::vector<int> node_of(dofs.sector() / 3);
+  for (int node = 0; node < mesh.node_count(); ++node)
+    if (dofs.first[node] >= 0) node_of[dofs.first[node] / 3] = node;
+  SymmetricMatrix matrix(dofs.sector(), dofs.sector());
+  std::vector<std::vector<int>> rows(node_of.size());  // first dofs of the row nodes, one list a column node
+  Eigen::VectorXi sizes(dofs.sector());
+  for (std::size_t column = 0; column < node_of.size(); ++column) {
+    for (const int node : neighbours[node_of[column]])
+      if (dofs.first[node] >= static_cast<int>(3 * column)) rows[column].push_back(dofs.first[node]);
+    std::sort(rows[column].begin(), rows[column].end());
+    for (int k = 0; k < 3; ++k) sizes[3 * column + k] = static_cast<int>(3 * rows[column].size()) - k;
+  }
+  matrix.reserve(sizes);
+  for (std::size_t column = 0; column < node_of.size(); ++column)
+    for (int k = 0; k < 3; ++k)
+      for (const int first : rows[column])
+        for (int i = (first == static_cast<int>(3 * column) ? k : 0); i < 3; ++i)
+          matrix.insert(first + i, static_cast<Eigen::Index>(3 * column) + k) = 0.0;
+  matrix.makeCompressed();
+  return matrix;
+}
+
+}  // namespace
+
+Eigen::Matrix<double, 6, 6> Material::elasticity() const {
+  const double shear = young / (2 * (1 + poisson));
+  const double lame = 2 * shear * poisson / (1 - 2 * poisson);
+  Eigen::Matrix<double, 6, 6> C = Eigen::Matrix<double, 6, 6>::Zero();
+  C.topLeftCorner<3, 3>().setConstant(lame);
+  C.diagonal() << lame + 2 * shear, lame + 2 * shear, lame + 2 * shear, shear, shear, shear;
+  return C;
+}
+
+RotatingElasticity::RotatingElasticity(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material,
+                                       int threads)
+    : mesh_(mesh),
+      dofs_(dofs),
+      material_(material),
+      threads_(threads),
+      quadrature_(mesh),
+      zero_(zero_matrix(mesh, dofs)) {}
+
+/// Cells in chunks: their matrices at once, their sums in order, so that rounding is the same on any number of
+/// threads.
+SymmetricMatrix RotatingElasticity::assemble(const std::vector<int>& cells, const CellMatrix& cell_matrix) const {
+  SymmetricMatrix matrix = zero_;
+  std::vector<Eigen::MatrixXd> chunk(cells_per_chunk);
+  for (int first = 0; first < static_cast<int>(cells.size()); first += cells_per_chunk) {
+    const int count = std::min(cells_per_chunk, static_cast<int>(cells.size()) - first);
+    parallel_for(count, threads_, [&](int i) { chunk[i] = cell_matrix(quadrature_.at(cells[first + i])); });
+    for (int i = 0; i < count; ++i) scatter(chunk[i], quadrature_.at(cells[first + i]).nodes, matrix);
+  }
+  return matrix;
+}
+
+SymmetricMatrix RotatingElasticity::assemble(const CellMatrix& cell_matrix) const {
+  std::vector<int> all(quadrature_.cell_count());
+  std::iota(all.begin(), all.end(), 0);
+  return assemble(all, cell_matrix);
+}
+
+void RotatingElasticity::scatter(const Eigen::MatrixXd& cell_matrix, const std::vector<int>& nodes,
+                                 SymmetricMatrix& into) const {
+  const int count = static_cast<int>(nodes.size());
+  std::vector<Eigen::Matrix3d> frames(count);
+  for (int a = 0; a < count; ++a) frames[a] = cylindrical_frame(mesh_.nodes.col(nodes[a]));
+  const int* starts = into.outerIndexPtr();
+  const int* rows = into.innerIndexPtr();
+  for (int b = 0; b < count; ++b)
+    for (int a = 0; a < count; ++a) {
+      const int row = dofs_.first[nodes[a]], column = dofs_.first[nodes[b]];
+      if (row < column || column < 0) continue;
+      const Eigen::Matrix3d block = frames[a].transpose() * cell_matrix.block<3, 3>(3 * a, 3 * b) * frames[b];
+      for (int k = 0; k < 3; ++k) {
+        const int skip = row == column ? k : 0;
+        const int* at = std::lower_bound(rows + starts[column + k], rows + starts[column + k + 1], row + skip);
+        double* value = into.valuePtr() + (at - rows);
+        for (int i = skip; i < 3; ++i) value[i - skip] += block(i, k);
+      }
+    }
+}
+
+SymmetricMatrix RotatingElasticity::mass() const {
+  return assemble([&](const BrickPoints& points) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * points.shape.rows(), 3 * points.shape.rows());
+    add_blocks(consistent_mass(points, material_.density), Eigen::Vector3d::Ones(), matrix);
+    return matrix;
+  });
+}
+
+SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3Xd& displacement, Prestress prestress,
+                                              SpinSoftening softening) const {
+  const Eigen::Matrix<double, 6, 6> C = material_.elasticity();
+  const double square = softening == SpinSoftening::on ? speed * speed : 0.0;
+  const Eigen::Vector3d softened(-square, -square, 0.0);
+  return assemble([&](const BrickPoints& points) {
+    const Eigen::Index count = points.shape.rows(), gauss = points.weight.size();
+    const Eigen::Matrix3Xd moved = displacement(Eigen::all, points.nodes);
+    Eigen::MatrixXd B(6 * gauss, 3 * count), CB(6 * gauss, 3 * count);
+    Eigen::MatrixXd stress_stiffness = Eigen::MatrixXd::Zero(count, count);
+    for (Eigen::Index q = 0; q < gauss; ++q) {
+      const Eigen::Matrix3d H = moved * points.gradient[q];  // du_i/dX_j
+      Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+      if (prestress != Prestress::stress_only) F += H;
+      strain_operator(points.gradient[q], F, B.middleRows<6>(6 * q));
+      CB.middleRows<6>(6 * q) = points.weight[q] * C * B.middleRows<6>(6 * q);
+      stress_stiffness +=
+          points.weight[q] * points.gradient[q] * stress(H, material_, prestress) * points.gradient[q].transpose();
+    }
+    Eigen::MatrixXd matrix = B.transpose() * CB;                               // material stiffness
+    add_blocks(stress_stiffness, Eigen::Vector3d::Ones(), matrix);             // K_sigma
+    add_blocks(consistent_mass(points, material_.density), softened, matrix);  // spin softening, -Omega^2 M_perp
+    return matrix;
+  });
+}
+
+Eigen::VectorXd RotatingElasticity::assemble_forces(const CellForces& cell_forces) const {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(dofs_.sector());
+  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
+    const BrickPoints& points = quadrature_.at(cell);
+    const Eigen::Matrix3Xd nodal = cell_forces(points);
+    for (std::size_t a = 0; a < points.nodes.size(); ++a)
+      if (const int first = dofs_.first[points.nodes[a]]; first >= 0)
+        forces.segment<3>(first) +=
+            cylindrical_frame(mesh_.nodes.col(points.nodes[a])).transpose() * nodal.col(static_cast<Eigen::Index>(a));
+  }
+  return forces;
+}
+
+Eigen::VectorXd RotatingElasticity::centrifugal_load() const {
+  return centrifugal_load(Eigen::Matrix3Xd::Zero(3, mesh_.node_count()));
+}
+
+Eigen::VectorXd RotatingElasticity::centrifugal_load(const Eigen::Matrix3Xd& displacement) const {
+  return assemble_forces([&](const BrickPoints& points) -> Eigen::Matrix3Xd {
+    Eigen::Matrix3Xd radius = points.position + displacement(Eigen::all, points.nodes) * points.shape;
+    radius.row(2).setZero();
+    return material_.density * radius * points.weight.asDiagonal() * points.shape.transpose();
+  });
+}
+
+Eigen::VectorXd RotatingElasticity::internal_force(const Eigen::Matrix3Xd& displacement) const {
+  return assemble_forces([&](const BrickPoints& points) {
+    const Eigen::Matrix3Xd moved = displacement(Eigen::all, points.nodes);
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, moved.cols());
+    for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
+      const Eigen::Matrix3d H = moved * points.gradient[q];
+      // F S dN/dX: the first Piola-Kirchhoff stress on the shape functions' gradients.
+      forces += points.weight[q] * (Eigen::Matrix3d::Identity() + H) * stress(H, material_, Prestress::nonlinear) *
+                points.gradient[q].transpose();
+    }
+    return forces;
+  });
+}
+
+SymmetricMatrix RotatingElasticity::stiffness_of(const std::vector<int>& cells) const {
+  const Eigen::Matrix<double, 6, 6> C = material_.elasticity();
+  return assemble(cells, [&](const BrickPoints& points) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * points.shape.rows(), 3 * points.shape.rows());
+    Strain B(6, 3 * points.shape.rows());
+    for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
+      strain_operator(points.gradient[q], Eigen::Matrix3d::Identity(), B);
+      matrix += B.transpose() * (points.weight[q] * C * B);
+    }
+    return matrix;
+  });
+}
+
+Eigen::VectorXd RotatingElasticity::von_mises(const Eigen::Matrix3Xd& displacement, Prestress prestress) const {
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(quadrature_.cell_count());
+  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
+    const BrickPoints& points = quadrature_.at(cell);
+    for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
+      const Eigen::Matrix3d H = displacement(Eigen::all, points.nodes) * points.gradient[q];
+      const Eigen::Matrix3d F = Eigen::Matrix3d::Identity() + H;
+      Eigen::Matrix3d cauchy = stress(H, material_, prestress);
+      if (prestress == Prestress::nonlinear) cauchy = F * cauchy * F.transpose() / F.determinant();
+      const Eigen::Matrix3d deviator = cauchy - cauchy.trace() / 3 * Eigen::Matrix3d::Identity();
+      largest[cell] = std::max(largest[cell], std::sqrt(1.5) * deviator.norm());  // sqrt(3/2 s : s)
+    }
+  }
+  return largest;
+}
+
+double RotatingElasticity::volume() const {
+  double sum = 0;
+  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) sum += quadrature_.at(cell).weight.sum();
+  return sum;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+#include <functional>
+#include <vector>
+
+#include "reduce/sector/brick_quadrature.h"
+#include "reduce/sector/sector_dofs.h"
+#include "reduce/sector/sector_mesh.h"
+
+namespace tiprub {
+
+/// Isotropic, linear elastic.
+struct Material {
+  double young = 0;    ///< [Pa]
+  double poisson = 0;  ///< [1]
+  double density = 0;  ///< [kg/m^3]
+
+  /// 6 x 6 [Pa], for strains xx, yy, zz, 2 xy, 2 yz, 2 zx.
+  Eigen::Matrix<double, 6, 6> elasticity() const;
+};
+
+/// What the loaded shape changes in the stiffness.
+enum class Prestress {
+  stress_only,  ///< K0 + Omega^2 (K_sigma - M_perp): the stress of the linear static solution, on the shape at rest
+  linear,       ///< material stiffness at F = I + grad u of the linear static solution, plus its K_sigma: what
+                ///< CalculiX does after a linear static step; then quadratic in Omega^2, exactly as eq. 7
+  nonlinear,    ///< the consistent tangent (St Venant-Kirchhoff, total Lagrangian) at the converged shape under spin:
+                ///< what CalculiX does after a static step with NLGEOM; eq. 7 is then an approximation
+};
+
+/// Whether K(Omega) holds -Omega^2 M_perp. Physics says yes; without it is for study.
+enum class SpinSoftening { on, off };
+
+/// Lower triangle of a symmetric matrix over the sector's dofs.
+using SymmetricMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+/// K, M and the load of one sector in the rotating frame, on its own dofs (both cut faces free), in cylindrical
+/// components. Assembly is by full 3 x 3 x 3 Gauss quadrature on 20- or 27-node bricks.
+class RotatingElasticity {
+ public:
+  /// Assembly runs on up to `threads` threads; the result doesn't depend on their number.
+  RotatingElasticity(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material, int threads = 1);
+
+  SymmetricMatrix mass() const;
+  /// Tangent stiffness at a speed [rad/s]: material stiffness + K_sigma - Omega^2 M_perp, where M_perp is the mass
+  /// without the axial direction (spin softening). `displacement` [m] is the static one at this speed; 3 x nodes, x,
+  /// y, z.
+  SymmetricMatrix stiffness(double speed, const Eigen::Matrix3Xd& displacement, Prestress prestress,
+                            SpinSoftening softening = SpinSoftening::on) const;
+  /// Centrifugal load over Omega^2 [kg m], at the shape at rest; sector dofs.
+  Eigen::VectorXd centrifugal_load() const;
+  /// The same at the radius of the displaced shape; x, y, z, 3 x nodes.
+  Eigen::VectorXd centrifugal_load(const Eigen::Matrix3Xd& displacement) const;
+  /// Forces of the stress at a displaced shape, int B(F)' S(E) [N]: Green-Lagrange strain E, second Piola-Kirchhoff
+  /// stress S = lambda tr(E) + 2 mu E. stiffness(0, u, nonlinear) is its derivative. Sector dofs.
+  Eigen::VectorXd internal_force(const Eigen::Matrix3Xd& displacement) const;
+  /// Stiffness at rest of some cells alone: u' K u / 2 is their share of the strain energy [J].
+  SymmetricMatrix stiffness_of(const std::vector<int>& cells) const;
+  /// [Pa] von Mises stress, the largest of each cell's Gauss points: of the linear stress, or with nonlinear
+  /// prestress of the Cauchy stress F S F' / det F.
+  Eigen::VectorXd von_mises(const Eigen::Matrix3Xd& displacement, Prestress prestress) const;
+  /// [m^3]
+  double volume() const;
+
+ private:
+  using CellMatrix = std::function<Eigen::MatrixXd(const BrickPoints&)>;
+  SymmetricMatrix assemble(const CellMatrix& cell_matrix) const;
+  SymmetricMatrix assemble(const std::vector<int>& cells, const CellMatrix& cell_matrix) const;
+  using CellForces = std::function<Eigen::Matrix3Xd(const BrickPoints&)>;  // x, y, z at the nodes of a brick
+  Eigen::VectorXd assemble_forces(const CellForces& cell_forces) const;
+  void scatter(const Eigen::MatrixXd& cell_matrix, const std::vector<int>& nodes, SymmetricMatrix& into) const;
+
+  const SectorMesh& mesh_;
+  const SectorDofs& dofs_;
+  Material material_;
+  int threads_;
+  BrickQuadrature quadrature_;
+  SymmetricMatrix zero_;  ///< the pattern
+};
+
+}  // namespace tiprub

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "reduce/sector/sector_mesh.h"
+
+namespace tiprub {
+
+/// The dofs of a sector: r, theta, z at each node that moves. They are numbered
+///     interior | low cut face | high cut face | contact nodes,
+/// so that the elimination of the interior leaves what nodal diameters and contact need, and the interior itself is
+/// in nested-dissection order. The independent dofs of a nodal diameter are interior | low | contact (the paper's i,
+/// c, b). Displacements are in cylindrical components at every node: partners on the cut faces then differ by a phase
+/// only.
+struct SectorDofs {
+  std::vector<int> first;      ///< of each mesh node: its r-dof; theta and z follow; -1 if clamped
+  std::vector<int> contact;    ///< the chosen contact nodes, leading to trailing edge
+  int interior = 0;            ///< number of dofs off the cut faces and the contact nodes
+  int face = 0;                ///< number of dofs of one cut face
+  int clamped_face_nodes = 0;  ///< nodes of the lower cut face that belong to the clamp
+
+  int boundary() const { return static_cast<int>(3 * contact.size()); }
+  int sector() const { return interior + 2 * face + boundary(); }
+  int independent() const { return interior + face + boundary(); }
+  int interface() const { return 2 * face + boundary(); }
+};
+
+/// Numbers the dofs of a sector whose contact nodes are `contact`. Raises InputError if a contact node is clamped or
+/// lies on a cut face, or if a node on the axis is free (it has no cylindrical frame).
+SectorDofs number_dofs(const SectorMesh& mesh, const std::vector<int>& contact);
+
+/// Nodes that share a cell with each node, itself included, ascending.
+std::vector<std::vector<int>> node_neighbours(const SectorMesh& mesh);
+
+/// The frame of a node: columns e_r, e_theta, e_z in x, y, z.
+Eigen::Matrix3d cylindrical_frame(const Eigen::Vector3d& position);
+
+/// Displacements of one vector of sector dofs at all mesh nodes, in x, y, z; 3 x nodes, zero where clamped.
+Eigen::Matrix3Xd cartesian_displacement(const SectorMesh& mesh, const SectorDofs& dofs,
+                                        const Eigen::VectorXd& sector_vector);
+
+}  // namespace tiprub

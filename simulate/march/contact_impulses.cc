@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/march/contact_impulses.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double diagonal_shift = 1e-12;  // of W's diagonal
+constexpr double gap_tolerance = 1e-12;   // of the deepest penetration of the free step
+constexpr int active_set_rounds = 25;
+constexpr int least_index_rounds = 200;  // a node
+
+std::size_t whole_vectors(std::size_t size) {
+  return (size + kernels::Lines::doubles - 1) / kernels::Lines::doubles * kernels::Lines::doubles;
+}
+
+}  // namespace
+
+ContactImpulses::ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule rule)
+    : rule_(rule),
+      multipliers_(Eigen::VectorXd::Zero(compliance.rows())),
+      correction_(multipliers_),
+      free_gap_(multipliers_),
+      gap_(multipliers_),
+      stride_(whole_vectors(static_cast<std::size_t>(compliance.rows()))),
+      compliance_(stride_ * stride_),
+      lower_(stride_ * stride_),
+      upper_(stride_ * stride_),
+      inverse_pivots_(stride_),
+      closed_forces_(stride_),
+      padded_correction_(stride_) {
+  for (Eigen::Index column = 0; column < compliance.cols(); ++column)
+    for (Eigen::Index row = 0; row < compliance.rows(); ++row)
+      compliance_[static_cast<std::size_t>(column) * stride_ + row] = compliance(row, column);
+}
+
+void ContactImpulses::open() {
+  for (int i : closed_) multipliers_[i] = 0.0;
+  closed_.clear();
+  warm_.clear();
+}
+
+void ContactImpulses::factorize() {
+  if (closed_ == factorized_) return;
+  factorized_.clear();
+  const std::size_t size = closed_.size();
+  for (std::size_t column = 0; column < size; ++column) {
+    const double* from = compliance_.data() + stride_ * closed_[column];
+    double* to = lower_.data() + stride_ * column;
+    for (std::size_t row = column; row < size; ++row) to[row] = from[closed_[row]];
+    std::fill(to + size, to + whole_vectors(size), 0.0);
+    to[column] *= 1 + diagonal_shift;
+  }
+  if (!kernels::factorize(factor(), closed_.size()))
+    throw RunError("the contact compliance of " + std::to_string(size) +
+                   " closed nodes is not positive definite: nodes lie too close together, or modes are too few");
+  factorized_ = closed_;
+  ++factorizations_;
+}
+
+/// lambda on the closed set, W_cc lambda_c = -g_c, and what it does to all gaps.
+void ContactImpulses::solve_closed() {
+  factorize();
+  multipliers_.setZero();
+  const std::size_t size = closed_.size();
+  for (std::size_t i = 0; i < size; ++i) closed_forces_[i] = -free_gap_[closed_[i]];
+  std::fill(closed_forces_.data() + size, closed_forces_.data() + whole_vectors(size), 0.0);
+  if (size > 0) kernels::solve(factor(), size, closed_forces_.data());
+  for (std::size_t i = 0; i < size; ++i) multipliers_[closed_[i]] = closed_forces_[i];
+  kernels::combine_columns(compliance_.data(), stride_, closed_.data(), closed_forces_.data(), size,
+                           padded_correction_.data());
+  std::copy_n(padded_correction_.data(), correction_.size(), correction_.data());
+}
+
+/// Whether all closed nodes are pushed and no open one penetrates.
+bool ContactImpulses::set_stands(double tolerance) {
+  for (int i : closed_)
+    if (!(multipliers_[i] > 0)) return false;
+  gap_ = free_gap_ + correction_;
+  for (int i : closed_) gap_[i] = 0;
+  return gap_.minCoeff() >= -tolerance;
+}
+
+void ContactImpulses::close_penetrating() {
+  closed_.clear();
+  for (Eigen::Index i = 0; i < free_gap_.size(); ++i)
+    if (free_gap_[i] < 0) closed_.push_back(static_cast<int>(i));
+}
+
+bool ContactImpulses::settle_active_set(double tolerance) {
+  closed_ = warm_;
+  if (closed_.empty()) close_penetrating();
+  for (int round = 0; round < active_set_rounds; ++round) {
+    solve_closed();
+    if (set_stands(tolerance)) return true;
+    next_.clear();
+    std::size_t at = 0;
+    for (int i = 0; i < static_cast<int>(free_gap_.size()); ++i) {
+      const bool is_closed = at < closed_.size() && closed_[at] == i;
+      if (is_closed) ++at;
+      if (is_closed ? multipliers_[i] > 0 : free_gap_[i] + correction_[i] < -tolerance) next_.push_back(i);
+    }
+    if (next_ == closed_) return true;  // only if there are gaps that are no numbers
+    std::swap(closed_, next_);
+  }
+  return false;
+}
+
+void ContactImpulses::settle_least_index(double tolerance) {
+  ++fallbacks_;
+  closed_.clear();
+  for (Eigen::Index round = 0; round < least_index_rounds * free_gap_.size(); ++round) {
+    solve_closed();
+    int wrong = -1;
+    for (int i = 0; i < static_cast<int>(free_gap_.size()) && wrong < 0; ++i) {
+      const bool is_closed = std::binary_search(closed_.begin(), closed_.end(), i);
+      if (is_closed ? multipliers_[i] < 0 : free_gap_[i] + correction_[i] < -tolerance) wrong = i;
+    }
+    if (wrong < 0) return;
+    const auto place = std::lower_bound(closed_.begin(), closed_.end(), wrong);
+    if (place != closed_.end() && *place == wrong)
+      closed_.erase(place);
+    else
+      closed_.insert(place, wrong);
+  }
+  throw RunError("the contact problem of a step has no solution: the contact compliance is not positive definite");
+}
+
+void ContactImpulses::solve(Eigen::Ref<Eigen::VectorXd> gap) {
+  free_gap_ = gap;
+  if (rule_ == ContactRule::paper) {
+    close_penetrating();
+    solve_closed();
+  } else {
+    const double tolerance = -gap_tolerance * free_gap_.minCoeff();
+    if (!settle_active_set(tolerance)) settle_least_index(tolerance);
+    warm_ = closed_;
+  }
+  gap += correction_;
+}
+
+}  // namespace tiprub

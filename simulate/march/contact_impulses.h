@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <cstdint>
+#include <vector>
+
+#include "simulate/march/cache_lines.h"
+#include "simulate/march/contact_kernels.h"
+
+namespace tiprub {
+
+enum class ContactRule {
+  complementarity,  ///< 0 <= lambda perpendicular to g >= 0, in every step
+  paper,            ///< eqs. 14-15: every node that the free step pushes through is closed once, as an equality
+};
+
+/// The contact forces of one step. With g the gaps of the free step (positive open) and W the compliance of the
+/// contact nodes over one step (block circulant, built once a speed), finds lambda >= 0 with
+///   g+ = g + W lambda >= 0,  lambda . g+ = 0
+/// by a primal-dual active set (Hintermueller, Ito, Kunisch 2003), warm-started from the last step's set: 1-2
+/// factorizations of the closed nodes' block, none if the set stands. If that doesn't settle, Murty's least-index
+/// method (1974), which is finite for a positive definite W. W gets a relative shift on its diagonal, so that tied
+/// or doubled nodes (a singular W) keep a solution; it leaves a closed node off the wall by 1e-12 W_ii lambda_i.
+///
+/// The paper's rule holds a negative multiplier (the casing pulls) in some steps and leaves other nodes penetrating
+/// in many; it is kept for reproduction, and its violations are counted. Its eq. 15 has the opposite sign of eq. 14:
+/// here g+ = g + W lambda.
+class ContactImpulses {
+ public:
+  /// W [m/N]; n x n, symmetric positive semidefinite. Rows of zeros are nodes that are never closed.
+  ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule rule);
+
+  /// Takes the gaps [m] of the free step to those of the step: g += W lambda. At least one gap must be negative.
+  /// Raises RunError if no solution is found (W has a negative eigenvalue).
+  void solve(Eigen::Ref<Eigen::VectorXd> gap);
+  /// For a step without contact.
+  void open();
+
+  /// [N]; n, zero for open nodes.
+  const Eigen::VectorXd& multipliers() const { return multipliers_; }
+  /// [m] W lambda, what the last solve() added to the gaps; n.
+  const Eigen::VectorXd& correction() const { return correction_; }
+  /// Indices of closed nodes, ascending.
+  const std::vector<int>& closed() const { return closed_; }
+
+  std::int64_t factorizations() const { return factorizations_; }
+  std::int64_t fallbacks() const { return fallbacks_; }
+
+ private:
+  /// All of them work on free_gap_, gap_, closed_, multipliers_ and correction_.
+  void solve_closed();
+  bool set_stands(double tolerance);
+  void factorize();
+  kernels::Factor factor() { return {lower_.data(), upper_.data(), inverse_pivots_.data(), stride_}; }
+  bool settle_active_set(double tolerance);
+  void settle_least_index(double tolerance);
+  void close_penetrating();
+
+  ContactRule rule_;
+  Eigen::VectorXd multipliers_, correction_, free_gap_, gap_;
+  // padded for contact_kernels.h
+  std::size_t stride_;
+  kernels::Lines compliance_, lower_, upper_;  ///< W; the factor of the block of `factorized_`
+  kernels::Lines inverse_pivots_, closed_forces_, padded_correction_;
+  std::vector<int> closed_, next_, factorized_, warm_;
+  std::int64_t factorizations_ = 0;
+  std::int64_t fallbacks_ = 0;
+};
+
+}  // namespace tiprub

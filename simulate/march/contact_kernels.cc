@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/march/contact_kernels.h"
+
+#include "simulate/march/vector_lanes.h"
+
+namespace tiprub::kernels {
+
+namespace {
+
+constexpr std::size_t eight = 8;
+
+/// `vectors` vectors of the sum; odd and even columns apart: the chain of additions is half as long.
+template <std::size_t vectors>
+TIPRUB_INLINE void combine_rows(const double* matrix, std::size_t stride, const int* columns, const double* weights,
+                                std::size_t count, double* sum) {
+  Lanes8 even[vectors] = {}, odd[vectors] = {};
+  std::size_t i = 0;
+  for (; i + 2 <= count; i += 2) {
+    const double* first = matrix + stride * columns[i];
+    const double* second = matrix + stride * columns[i + 1];
+    for (std::size_t v = 0; v < vectors; ++v) {
+      even[v] += lanes8(first + eight * v) * weights[i];
+      odd[v] += lanes8(second + eight * v) * weights[i + 1];
+    }
+  }
+  for (std::size_t v = 0; v < vectors && i < count; ++v)
+    even[v] += lanes8(matrix + stride * columns[i] + eight * v) * weights[i];
+  for (std::size_t v = 0; v < vectors; ++v) lanes8(sum + eight * v) = even[v] + odd[v];
+}
+
+std::size_t whole_vectors(std::size_t index) {
+  return index / eight * eight;
+}
+
+}  // namespace
+
+TIPRUB_CLONES
+void combine_columns(const double* matrix, std::size_t stride, const int* columns, const double* weights,
+                     std::size_t count, double* sum) {
+  std::size_t at = 0;
+  for (; at + 5 * eight <= stride; at += 5 * eight)
+    combine_rows<5>(matrix + at, stride, columns, weights, count, sum + at);
+  for (; at < stride; at += eight) combine_rows<1>(matrix + at, stride, columns, weights, count, sum + at);
+}
+
+TIPRUB_CLONES
+bool factorize(const Factor& factor, std::size_t size) {
+  const std::size_t stride = factor.stride;
+  for (std::size_t j = 0; j < size; ++j) {
+    double* column = factor.lower + stride * j;
+    if (!(column[j] > 0)) return false;
+    const double inverse = 1 / column[j];
+    factor.inverse_pivot[j] = inverse;
+    for (std::size_t c = j + 1; c < size; ++c) {
+      const double share = column[c] * inverse;
+      factor.upper[stride * c + j] = share;
+      double* later = factor.lower + stride * c;
+      for (std::size_t i = whole_vectors(c); i < size; i += eight) lanes8(later + i) -= lanes8(column + i) * share;
+    }
+    for (std::size_t i = whole_vectors(j); i < size; i += eight) lanes8(column + i) *= inverse;
+    for (std::size_t i = whole_vectors(j); i <= j; ++i) column[i] = 0;
+  }
+  return true;
+}
+
+TIPRUB_CLONES
+void solve(const Factor& factor, std::size_t size, double* x) {
+  const std::size_t stride = factor.stride;
+  for (std::size_t j = 0; j + 1 < size; ++j) {
+    const double value = x[j];
+    for (std::size_t i = whole_vectors(j + 1); i < size; i += eight)
+      lanes8(x + i) -= lanes8(factor.lower + stride * j + i) * value;
+  }
+  for (std::size_t i = 0; i < size; i += eight) lanes8(x + i) *= lanes8(factor.inverse_pivot + i);
+  for (std::size_t j = size - 1; j > 0; --j) {
+    const double value = x[j];
+    for (std::size_t i = 0; i < j; i += eight) lanes8(x + i) -= lanes8(factor.upper + stride * j + i) * value;
+  }
+}
+
+}  // namespace tiprub::kernels

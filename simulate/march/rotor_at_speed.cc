@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/march/rotor_at_speed.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+#include "cases/program/errors.h"
+#include "reduce/model/condensation.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double zero_eigenvalue = 1e-12;  // of the largest one: a free motion, not an instability
+
+struct Spectrum {
+  Eigen::ArrayXd omega;
+  Eigen::MatrixXcd modes;
+};
+
+Eigen::ArrayXd frequencies(const Eigen::VectorXd& squares, int nodal_diameter, double speed) {
+  const double scale = squares.cwiseAbs().maxCoeff();
+  if (squares.minCoeff() < -zero_eigenvalue * scale) {
+    std::ostringstream text;
+    text << "nodal diameter " << nodal_diameter << " has omega^2 = " << squares.minCoeff() << " (rad/s)^2 at "
+         << speed << " rad/s: the rotor is statically unstable there, spin softening beats its stiffness; stay below "
+         << "this speed";
+    throw RunError(text.str());
+  }
+  return squares.array().max(0.0).sqrt();
+}
+
+/// A standing wave's matrices are real, and so are its modes.
+Spectrum solve(const ReducedModel& model, int nodal_diameter, WaveKind kind, double speed) {
+  const CondensedModel at =
+      condense(model.nodal_diameters[nodal_diameter], speed, model.contact_dofs(), model.modes_at_speed);
+  if (kind == WaveKind::standing) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(at.K.real(), at.M.real());
+    return {frequencies(solver.eigenvalues(), nodal_diameter, speed),
+            at.basis * solver.eigenvectors().cast<std::complex<double>>()};
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(at.K, at.M);
+  return {frequencies(solver.eigenvalues(), nodal_diameter, speed), at.basis * solver.eigenvectors()};
+}
+
+Eigen::MatrixXcd normal_rows(const ReducedModel& model, const Spectrum& spectrum) {
+  Eigen::MatrixXcd rows(model.contact.size(), spectrum.omega.size());
+  for (int k = 0; k < model.contact.size(); ++k)
+    rows.row(k) = model.contact.normal.row(k) * spectrum.modes.middleRows<3>(3 * k);
+  return rows;
+}
+
+/// Y omega^-2 Y^H over the last `count` modes.
+Eigen::MatrixXcd static_compliance(const Eigen::MatrixXcd& rows, const Eigen::ArrayXd& omega, Eigen::Index count) {
+  const Eigen::MatrixXcd last = rows.rightCols(count);
+  return last * omega.tail(count).square().inverse().matrix().asDiagonal() * last.adjoint();
+}
+
+WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kind, const Spectrum& spectrum,
+                     const std::vector<double>& damping_ratios, const ModeChoice& choice) {
+  const Eigen::Index all = spectrum.omega.size();
+  const Eigen::Index moving = choice.count > 0 ? std::min<Eigen::Index>(choice.count, all) : all;
+  const Eigen::Index held = choice.others == ModeChoice::Others::quasi_static ? all : moving;
+  WaveModes wave;
+  wave.nodal_diameter = nodal_diameter;
+  wave.kind = kind;
+  wave.moving = moving;
+  wave.omega = spectrum.omega.head(held);
+  wave.damping_ratio.resize(held);
+  for (Eigen::Index mode = 0; mode < held; ++mode)
+    wave.damping_ratio[mode] = damping_ratios[std::min<std::size_t>(mode, damping_ratios.size() - 1)];
+  wave.shapes = spectrum.modes.leftCols(held);
+  wave.contact_rows = wave.shapes.topRows(model.contact_dofs());
+  const Eigen::MatrixXcd rows = normal_rows(model, spectrum);
+  wave.normal_rows = rows.leftCols(held);
+  if (moving < all) wave.rest_compliance = static_compliance(rows, spectrum.omega, all - moving);
+  return wave;
+}
+
+}  // namespace
+
+RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
+                            const std::vector<double>& damping_ratios, const ModeChoice& modes) {
+  RotorAtSpeed rotor;
+  rotor.speed = speed;
+  rotor.sector_count = model.sector_count;
+  double omega_min = std::numeric_limits<double>::infinity();
+  Eigen::VectorXd tip_compliance = Eigen::VectorXd::Zero(model.contact.size());
+  for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
+    const WaveKind kind = n == 0 || 2 * n == model.sector_count ? WaveKind::standing : WaveKind::travelling;
+    const Spectrum spectrum = solve(model, n, kind, speed);
+    omega_min = std::min(omega_min, spectrum.omega.minCoeff());
+    const double share = (kind == WaveKind::standing ? 1.0 : 2.0) / model.sector_count;
+    tip_compliance +=
+        share *
+        static_compliance(normal_rows(model, spectrum), spectrum.omega, spectrum.omega.size()).diagonal().real();
+    WaveModes wave = wave_modes(model, n, kind, spectrum, damping_ratios, modes);
+    if (std::find(nodal_diameters.begin(), nodal_diameters.end(), n) == nodal_diameters.end()) {
+      rotor.others.push_back(std::move(wave));
+      continue;
+    }
+    rotor.waves.push_back(std::move(wave));
+    rotor.omega_max = std::max(rotor.omega_max, rotor.waves.back().omega[rotor.waves.back().moving - 1]);
+  }
+  rotor.first_frequency = omega_min / (2 * std::numbers::pi);
+  rotor.tip_stiffness = 1 / tip_compliance.minCoeff();
+  return rotor;
+}
+
+}  // namespace tiprub

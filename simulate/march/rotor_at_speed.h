@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "reduce/model/reduced_model.h"
+
+namespace tiprub {
+
+/// Whether a nodal diameter's wave travels (complex) or stands (real: n = 0 and n = N/2).
+enum class WaveKind { travelling, standing };
+
+/// How many modes of each nodal diameter a march keeps, and what becomes of the others.
+struct ModeChoice {
+  enum class Others { dropped, quasi_static };
+
+  int count = 0;  ///< the lowest ones; 0: all
+  Others others = Others::dropped;
+};
+
+/// One nodal diameter at one speed in its own modes: u_j = Re(Phi q e^{i n j alpha}), Phi^H M Phi = 1,
+/// Phi^H K Phi = omega^2. A real force f_j on the sectors acts on q as
+///   Phi^H (w/N) sum_j f_j e^{-i n j alpha},  w = 1 for a standing wave, 2 for a travelling one.
+struct WaveModes {
+  int nodal_diameter = 0;
+  WaveKind kind = WaveKind::travelling;
+  Eigen::Index moving = 0;        ///< modes with mass; those beyond follow their forces at once
+  Eigen::ArrayXd omega;           ///< [rad/s], ascending; m
+  Eigen::ArrayXd damping_ratio;   ///< [1] of critical; m
+  Eigen::MatrixXcd contact_rows;  ///< Phi at the contact dofs; 3 n_c x m
+  Eigen::MatrixXcd normal_rows;   ///< Y: normal displacement of the contact nodes by mode; n_c x m
+  Eigen::MatrixXcd shapes;        ///< Phi, in the model's coordinates; n x m
+  /// [m/N] Y omega^-2 Y^H over the modes without mass and those dropped: the compliance that moves without inertia,
+  /// or not at all; n_c x n_c, empty if all modes move.
+  Eigen::MatrixXcd rest_compliance;
+
+  double weight() const { return kind == WaveKind::standing ? 1.0 : 2.0; }
+};
+
+/// The model at one speed, diagonalised.
+struct RotorAtSpeed {
+  double speed = 0;               ///< [rad/s]
+  int sector_count = 0;           ///< N
+  std::vector<WaveModes> waves;   ///< the nodal diameters asked for
+  std::vector<WaveModes> others;  ///< those not asked for
+  double first_frequency = 0;     ///< [Hz] the lowest of all nodal diameters, asked for or not
+  double omega_max = 0;           ///< [rad/s] the highest with mass of those asked for
+  double tip_stiffness = 0;       ///< [N/m] static, of the stiffest contact node, pushed alone
+};
+
+/// Solves one Hermitian eigenproblem a nodal diameter (n^3 once a speed, against millions of steps). Damping is by
+/// family: mode m of each nodal diameter takes damping_ratios[m], the last one holds for the rest.
+/// Raises RunError if K(Omega) has a negative eigenvalue: the rotor at this speed has no stable shape.
+RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
+                            const std::vector<double>& damping_ratios, const ModeChoice& modes = {});
+
+}  // namespace tiprub

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/march/rotor_state.h"
+
+#include <numbers>
+
+namespace tiprub {
+
+namespace {
+
+Eigen::VectorXcd complex(const Eigen::VectorXd& parts, Eigen::Index offset, Eigen::Index count) {
+  Eigen::VectorXcd values(count);
+  values.real() = parts.head(count);
+  values.imag() = parts.segment(offset, count);
+  return values;
+}
+
+double angle_of_step(const TimeMarch& march) {
+  return 2 * std::numbers::pi / march.steps_per_revolution();
+}
+
+}  // namespace
+
+RotorState state_of(const TimeMarch& march, const RotorAtSpeed& rotor, const ReducedModel& model) {
+  RotorState state;
+  state.displacement.resize(model.nodal_diameters.size());
+  state.velocity.resize(model.nodal_diameters.size());
+  for (std::size_t i = 0; i < rotor.waves.size(); ++i) {
+    const TimeMarch::Wave& wave = march.waves()[i];
+    const Eigen::MatrixXcd& shapes = rotor.waves[i].shapes;
+    const Eigen::VectorXcd now = complex(wave.q, wave.modes(), shapes.cols());
+    const Eigen::VectorXcd before = complex(wave.before, wave.modes(), shapes.cols());
+    const auto n = static_cast<std::size_t>(wave.nodal_diameter);
+    state.displacement[n] = shapes * now;
+    state.velocity[n] = shapes * (now - before) / angle_of_step(march);
+  }
+  return state;
+}
+
+void put_state(const RotorState& state, const RotorAtSpeed& rotor, const ReducedModel& model, TimeMarch& march) {
+  for (std::size_t i = 0; i < rotor.waves.size(); ++i) {
+    const auto n = static_cast<std::size_t>(rotor.waves[i].nodal_diameter);
+    if (n >= state.displacement.size() || state.displacement[n].size() == 0) continue;
+    const Eigen::MatrixXcd onto_modes = rotor.waves[i].shapes.adjoint() * model.nodal_diameters[n].M;
+    const Eigen::VectorXcd now = onto_modes * state.displacement[n];
+    march.set_state(i, now, now - onto_modes * state.velocity[n] * angle_of_step(march));
+  }
+}
+
+}  // namespace tiprub

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "reduce/model/reduced_model.h"
+#include "simulate/march/rotor_at_speed.h"
+#include "simulate/march/time_march.h"
+
+namespace tiprub {
+
+/// The motion of a wheel at an instant on whole revolutions, in the model's coordinates, so that a march at another
+/// speed, whose modes differ, can start from it. Velocities are per radian of rotation: a harmonic keeps its engine
+/// order.
+struct RotorState {
+  std::vector<Eigen::VectorXcd> displacement;  ///< [m in contact rows] by nodal diameter 0 .. N/2; empty: at rest
+  std::vector<Eigen::VectorXcd> velocity;      ///< [m/rad in contact rows] likewise
+
+  bool at_rest() const { return displacement.empty(); }
+};
+
+/// What a march is at. Backward difference over the last step: a start for the next settling, no restart.
+RotorState state_of(const TimeMarch& march, const RotorAtSpeed& rotor, const ReducedModel& model);
+
+/// Puts a state into a march; the modes that it doesn't keep lose their part.
+void put_state(const RotorState& state, const RotorAtSpeed& rotor, const ReducedModel& model, TimeMarch& march);
+
+}  // namespace tiprub

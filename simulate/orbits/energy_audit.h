@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "simulate/march/time_march.h"
+#include "simulate/response/response.h"
+
+namespace tiprub {
+
+/// The energy of the whole wheel in the discrete sense of the scheme (see StepCoefficients): multiplied with
+/// (q+ - q-)/2, a step is the exact balance
+///   E(q+, q) - E(q, q-) = sum_j,k -lambda (p+ - p-)/2 - d |q+ - q-|^2/(4 h),
+///   E(q+, q) = 1/2 mu |q+ - q|^2/h^2 + 1/2 omega^2 Re(q+ conj q),
+/// p the normal displacement. The work is counted at the contact nodes and the rest in modes, so that the closing
+/// error is rounding, and tests the maps between them as well. On a wall at rest with complementarity the work is
+/// -lambda g-/2 <= 0: contact never adds energy.
+class EnergyAudit {
+ public:
+  /// Starts the ledger at the march's present state.
+  EnergyAudit(const TimeMarch& march, const RotorAtSpeed& rotor);
+  /// After each step.
+  void observe(const TimeMarch& march);
+  EnergyLedger ledger(const TimeMarch& march) const;
+  /// [1] elastic energy of the modes without mass, or dropped, over that of all modes; means over the steps observed.
+  double left_out_share() const;
+  /// [J] between the last two instants.
+  double energy(const TimeMarch& march) const;
+
+ private:
+  struct Terms {
+    double ring;               ///< N / w_n: modal energy to that of the wheel
+    Eigen::ArrayXd inertia;    ///< mu / (2 h^2) [1/s^2]; zero for padding
+    Eigen::ArrayXd stiffness;  ///< omega^2 / 2 [1/s^2]
+    Eigen::ArrayXd damping;    ///< d / (4 h) [1/s^2]
+    Eigen::MatrixXcd rest;     ///< [m/N] compliance of the modes without mass, or dropped; empty if there are none
+  };
+  void observe_left_out(const TimeMarch& march);
+
+  std::vector<Terms> terms_;
+  double start_ = 0;
+  double work_ = 0;
+  double dissipated_ = 0;
+  double left_out_ = 0;  ///< [J] summed over steps
+  double elastic_ = 0;   ///< [J] of the modes with mass, summed over steps
+};
+
+}  // namespace tiprub

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/orbits/recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace tiprub {
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+/// The area of the casing over which a node stands at step q of a revolution.
+int area_at(double node_angle, int sector, std::int64_t step, const TimeMarch& march, int areas) {
+  const double turns = node_angle / two_pi + static_cast<double>(sector) / march.sector_count() +
+                       static_cast<double>(step % march.steps_per_revolution()) / march.steps_per_revolution();
+  return std::min(static_cast<int>((turns - std::floor(turns)) * areas), areas - 1);
+}
+
+}  // namespace
+
+Eigen::VectorXd march_revolution(TimeMarch& march, int samples_per_revolution) {
+  const int steps = march.steps_per_revolution() / samples_per_revolution;
+  const Eigen::Index size = march.displacement().size();
+  Eigen::VectorXd motion(samples_per_revolution * size);
+  for (int sample = 0; sample < samples_per_revolution; ++sample) {
+    motion.segment(sample * size, size) = march.displacement();
+    for (int i = 0; i < steps; ++i) march.step();
+  }
+  return motion;
+}
+
+Recording::Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const ContactLine& contact, const Grid& grid)
+    : rotor_(rotor),
+      contact_(contact),
+      grid_(grid),
+      sectors_(march.sectors()),
+      nodes_(march.node_count()),
+      width_(march.width()),
+      audit_(march, rotor) {
+  const Eigen::Index samples = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid.revolutions;
+  const Eigen::Index points = static_cast<Eigen::Index>(sectors_) * nodes_;
+  kept_.displacement = Eigen::MatrixXd::Zero(samples, 3 * points);
+  kept_.contact_force = Eigen::MatrixXd::Zero(samples, points);
+  kept_.contact_count.setZero(points, grid.casing_areas);
+  for (const WaveModes& wave : rotor.waves) states_.emplace_back(wave.omega.size(), grid.samples_per_revolution);
+}
+
+void Recording::take_states(const TimeMarch& march, int sample) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const TimeMarch::Wave& wave = march.waves()[i];
+    states_[i].col(sample).real() = wave.q.head(states_[i].rows());
+    states_[i].col(sample).imag() = wave.q.segment(wave.modes(), states_[i].rows());
+  }
+}
+
+/// The step just made went from t_q to t_{q+1}; its forces act at t_q, and are counted there.
+void Recording::observe(const TimeMarch& march, int sample) {
+  audit_.observe(march);
+  const double penetration = -march.gap().minCoeff();
+  kept_.largest_penetration = std::max(kept_.largest_penetration, penetration);
+  if (penetration > grid_.leftover) ++kept_.audit.leftover_steps;
+  const std::vector<int>& closed = march.contact().closed();
+  if (closed.empty()) return;
+  const double share = static_cast<double>(grid_.samples_per_revolution) / march.steps_per_revolution();
+  double smallest = 0;
+  for (int index : closed) {
+    const int sector = index / width_, node = index % width_;
+    const double force = march.contact().multipliers()[index];
+    kept_.contact_force(sample, sector * nodes_ + node) += share * force;
+    ++kept_.contact_count(sector * nodes_ + node, area_at(contact_.position(node, 1), sector, march.step_count() - 1,
+                                                          march, grid_.casing_areas));
+    smallest = std::min(smallest, force);
+    (force < 0 ? pulling_ : pushing_) += std::abs(force);
+  }
+  ++kept_.contact_steps;
+  if (smallest < 0) ++kept_.tension_steps;
+  kept_.smallest_multiplier = std::min(kept_.smallest_multiplier, smallest);
+}
+
+/// u_j = sum over n of Re(Phi_c q e^{i n j alpha}), all samples of a revolution at once.
+void Recording::recover_displacements(int first_sample) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const WaveModes& wave = rotor_.waves[i];
+    const Eigen::MatrixXcd amplitudes = (wave.contact_rows * states_[i]).transpose();
+    for (int j = 0; j < sectors_; ++j) {
+      const std::complex<double> phase =
+          std::polar(1.0, two_pi * (wave.nodal_diameter * j % rotor_.sector_count) / rotor_.sector_count);
+      kept_.displacement.block(first_sample, 3 * nodes_ * j, amplitudes.rows(), 3 * nodes_) +=
+          (amplitudes * phase).real();
+    }
+  }
+}
+
+void Recording::compare_force(int column, int sample) {
+  const auto force = [&](int at) { return kept_.contact_force.row(at).cwiseAbs().sum(); };
+  if (hardest_sample_ >= 0 && force(sample) <= force(hardest_sample_)) return;
+  hardest_sample_ = sample;
+  hardest_.clear();
+  for (const Eigen::MatrixXcd& states : states_) hardest_.emplace_back(states.col(column));
+}
+
+Eigen::VectorXd Recording::revolution(TimeMarch& march) {
+  const int steps = march.steps_per_revolution() / grid_.samples_per_revolution;
+  const int first_sample = done_ * grid_.samples_per_revolution;
+  const Eigen::Index size = march.displacement().size();
+  Eigen::VectorXd motion(grid_.samples_per_revolution * size);
+  for (int sample = 0; sample < grid_.samples_per_revolution; ++sample) {
+    motion.segment(sample * size, size) = march.displacement();
+    take_states(march, sample);
+    for (int i = 0; i < steps; ++i) {
+      march.step();
+      observe(march, first_sample + sample);
+    }
+    compare_force(sample, first_sample + sample);
+  }
+  recover_displacements(first_sample);
+  ++done_;
+  return motion;
+}
+
+void Recording::finish(const TimeMarch& march, SpeedResponse& response) const {
+  response.displacement = kept_.displacement;
+  response.contact_force = kept_.contact_force;
+  response.contact_count = kept_.contact_count;
+  RotorSnapshot& snapshot = response.snapshot.emplace();
+  snapshot.sample = hardest_sample_;
+  snapshot.force = march.symmetry() * kept_.contact_force.row(hardest_sample_).cwiseAbs().sum();
+  for (std::size_t i = 0; i < hardest_.size(); ++i)
+    snapshot.displacement.emplace_back(rotor_.waves[i].shapes * hardest_[i]);
+  response.largest_penetration = kept_.largest_penetration;
+  response.smallest_multiplier = kept_.smallest_multiplier;
+  response.contact_steps = kept_.contact_steps;
+  response.tension_steps = kept_.tension_steps;
+  response.energy = audit_.ledger(march);
+  response.audit.leftover_steps = kept_.audit.leftover_steps;
+  response.audit.left_out_energy = audit_.left_out_share();
+  if (pulling_ > 0) response.audit.tension_share = pulling_ / (pulling_ + pushing_);
+}
+
+}  // namespace tiprub

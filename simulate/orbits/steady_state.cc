@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/orbits/steady_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tiprub {
+
+namespace {
+
+constexpr int window = 8;               // changes that the rate is fitted to
+constexpr double recent_margin = 10;    // tolerances: no change of the last `longest_period` revolutions may be above
+constexpr double standing_rate = 0.98;  // change over one revolution that falls faster goes to zero: not subharmonic
+constexpr double rounding_floor = 1e-10;  // of the norm: below, changes are rounding and have no rate
+
+}  // namespace
+
+void SteadyState::add(Eigen::VectorXd revolution) {
+  const double norm = std::max(revolution.norm(), quiet_norm_);
+  for (std::size_t lag = 1; lag <= std::min<std::size_t>(last_.size(), longest_period); ++lag)
+    changes_[lag - 1].push_back(norm > 0 ? (revolution - last_[lag - 1]).norm() / norm : 0.0);
+  last_.push_front(std::move(revolution));
+  if (last_.size() > longest_period) last_.pop_back();
+}
+
+/// exp of the slope of a line through the logarithms of the last changes (least squares).
+double SteadyState::decay_rate(const std::vector<double>& changes) const {
+  const int count = static_cast<int>(std::min<std::size_t>(changes.size(), window));
+  const double middle = (count - 1) / 2.0;
+  double moment = 0, spread = 0;
+  for (int i = 0; i < count; ++i) {
+    const double value = std::max(changes[changes.size() - count + i], rounding_floor);
+    moment += (i - middle) * std::log(value);
+    spread += (i - middle) * (i - middle);
+  }
+  return spread > 0 ? std::exp(moment / spread) : 1.0;
+}
+
+SteadyVerdict SteadyState::judge() const {
+  SteadyVerdict verdict;
+  for (int period = 1; period <= longest_period; ++period) {
+    const std::vector<double>& changes = changes_[period - 1];
+    if (changes.empty()) break;
+    const double change = changes.back();
+    const double rate = decay_rate(changes);
+    if (period == 1) {
+      verdict.change = change;
+      verdict.rate = rate;
+    }
+    if (static_cast<int>(changes.size()) < window || change > tolerance_) continue;
+    if (*std::max_element(changes.end() - longest_period, changes.end()) > recent_margin * tolerance_) continue;
+    if (period > 1 && verdict.rate < standing_rate) continue;
+    const double over_period = std::pow(rate, period);
+    const double still_to_come = rate < 1 ? change * over_period / (1 - over_period) : HUGE_VAL;
+    if (change > rounding_floor && still_to_come > tolerance_) continue;
+    return {SteadyVerdict::Settled::yes, period == 1 ? MotionClass::periodic : MotionClass::subharmonic, period,
+            change, rate};
+  }
+  return verdict;
+}
+
+}  // namespace tiprub

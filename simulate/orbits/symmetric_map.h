@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <complex>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "simulate/march/time_march.h"
+
+namespace tiprub {
+
+/// Sectors by which the wheel is relabelled after 1/lcm(N, lobes) of a revolution to meet the same casing again:
+/// the s in 0 .. N/g - 1 with s (lobes/g) = 1 mod N/g, g = gcd(N, lobes).
+int sector_shift(int sector_count, int lobes);
+
+/// The march over 1/lcm(N, lobes) of a revolution, then a shift of sectors: an orbit that travels with the casing,
+///   u_j(t + T/lcm(N, lobes)) = u_{j+s}(t),
+/// is a fixed point, found lcm(N, lobes) times as often a revolution as by the whole one. The shift is a phase,
+/// e^{-i n s alpha}, for nodal diameter n. Steps a revolution are a multiple of lcm(N, lobes); the casing must have
+/// grown to its full height. For laws of contact without memory, whose state is that of the modes at two instants.
+class SymmetricMap {
+ public:
+  SymmetricMap(TimeMarch& march, int lobes);
+
+  /// [m/s sqrt(kg)] the modes at t_q and t_{q-1} as a vector whose square is twice the energy: frequencies times
+  /// positions (not below the speed of rotation), then velocities.
+  Eigen::VectorXd state() const;
+  /// From a state to the next; the march's clock stands still.
+  Eigen::VectorXd operator()(const Eigen::VectorXd& state);
+  void put(const Eigen::VectorXd& state);
+
+  /// A change of the state as the free modes would have to bring it about: (1 - F)^-1, F the map without contact.
+  Eigen::VectorXd lifted(const Eigen::VectorXd& change) const;
+
+  int maps_per_revolution() const { return maps_; }
+
+ private:
+  struct WaveFrame {
+    Eigen::Index moving;
+    Eigen::ArrayXd scale;  ///< [rad/s]
+    std::complex<double> phase;
+    std::vector<Eigen::Matrix2cd> lift;  ///< of (q_q, q_{q-1}), by mode
+  };
+  enum class Shift { none, sectors };
+  Eigen::VectorXd state_shifted(Shift shift) const;
+
+  TimeMarch& march_;
+  int maps_;
+  std::vector<WaveFrame> frames_;
+};
+
+/// All that the next step of a march needs, to the bit; for laws of contact without memory.
+class MarchState {
+ public:
+  explicit MarchState(const TimeMarch& march);
+  void restore(TimeMarch& march) const;
+
+ private:
+  std::vector<std::pair<Eigen::VectorXcd, Eigen::VectorXcd>> waves_;
+  std::int64_t step_;
+};
+
+}  // namespace tiprub

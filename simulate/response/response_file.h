@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "simulate/march/rotor_state.h"
+#include "simulate/response/response.h"
+
+namespace tiprub {
+
+/// response.h5, schema "tiprub-response" version 1; the format is described in simulate/README.md.
+void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator);
+
+/// The same file speed by speed, for sweeps that don't fit into memory. Speeds must come in ascending order.
+class ResponseWriter {
+ public:
+  ResponseWriter(const std::filesystem::path& path, const SimulatedScene& scene, const std::string& key,
+                 const std::string& generator);
+  ~ResponseWriter();
+
+  void add(const SpeedResponse& speed);
+  /// The state at the end of the last one; for the parts of a sweep that carries it on.
+  void add_end(const RotorState& state);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Raises RunError if the file is missing, damaged, of another schema, or its arrays don't fit together.
+Response read_response(const std::filesystem::path& path);
+
+/// What add_end() wrote; at rest if there is none.
+RotorState read_end_state(const std::filesystem::path& path);
+
+/// Only its key; raises as read_response() does.
+std::string read_response_key(const std::filesystem::path& path);
+
+}  // namespace tiprub

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/scene/scene_scope.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <sstream>
+
+#include "cases/program/errors.h"
+#include "simulate/orbits/symmetric_map.h"
+
+namespace tiprub {
+
+namespace {
+
+std::string listed(const std::vector<int>& values) {
+  std::string text;
+  for (int value : values) text += (text.empty() ? "" : ", ") + std::to_string(value);
+  return text;
+}
+
+std::string short_text(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+double rounded_up(double value, double unit) {
+  return unit * std::max(1.0, std::ceil(value / unit));
+}
+
+void explain(SceneScope& scope, int sector_count, int lobes, int grid, const SimulateParameters& parameters) {
+  const std::string wheel = std::to_string(sector_count) + " sectors, " + std::to_string(lobes) + " lobes";
+  const std::string diameters = "nodal diameters " + listed(scope.nodal_diameters);
+  if (parameters.nodal_diameters == DiameterChoice::all)
+    scope.reasons.push_back(diameters + ": all, as asked for");
+  else
+    scope.reasons.push_back(diameters + ": multiples of gcd(" + wheel + ") = " + std::to_string(scope.symmetry) +
+                            "; from rest no other one moves");
+  scope.reasons.push_back("independent sectors " + std::to_string(scope.independent_sectors) + " of " +
+                          std::to_string(sector_count) + ": sector j moves as sector j mod " +
+                          std::to_string(scope.independent_sectors));
+  scope.reasons.push_back("samples a revolution " + std::to_string(scope.samples_per_revolution) + ": at least " +
+                          std::to_string(parameters.samples_per_revolution) + ", a multiple of lcm(" + wheel +
+                          ") = " + std::to_string(grid));
+  const std::string multiple = ", a multiple of the samples";
+  scope.reasons.push_back(parameters.steps_per_revolution > 0
+                              ? "steps a revolution: at least " + std::to_string(parameters.steps_per_revolution) +
+                                    " as asked for" + multiple
+                              : "steps a revolution: at least " + short_text(parameters.steps_per_period) +
+                                    " a period of the lowest frequency, for errors of " +
+                                    short_text(parameters.step_tolerance) + multiple + "; by speed");
+  if (parameters.acceleration == Acceleration::anderson)
+    scope.reasons.push_back("settling: by a jump to the fixed point of 1/" + std::to_string(grid) +
+                            " of a revolution and a shift of " + std::to_string(sector_shift(sector_count, lobes)) +
+                            " sectors, which a motion that travels with the casing repeats; marching on must confirm "
+                            "it, else by marching" +
+                            (scope.symmetry == std::gcd(sector_count, lobes)
+                                 ? ""
+                                 : "; not used, because all nodal diameters are asked for"));
+}
+
+}  // namespace
+
+SceneScope find_scope(int sector_count, int lobes, const SimulateParameters& parameters) {
+  SceneScope scope;
+  if (parameters.nodal_diameters == DiameterChoice::symmetric) scope.symmetry = std::gcd(sector_count, lobes);
+  scope.independent_sectors = sector_count / scope.symmetry;
+  for (int n = 0; n <= sector_count / 2; n += scope.symmetry) scope.nodal_diameters.push_back(n);
+  const int grid = std::lcm(sector_count, lobes);
+  scope.samples_per_revolution = static_cast<int>(rounded_up(parameters.samples_per_revolution, grid));
+  explain(scope, sector_count, lobes, grid, parameters);
+  return scope;
+}
+
+int steps_per_revolution(const SceneScope& scope, const SimulateParameters& parameters, double first_frequency,
+                         double speed) {
+  const double periods = 2 * std::numbers::pi * first_frequency / speed;
+  const double wanted =
+      parameters.steps_per_revolution > 0 ? parameters.steps_per_revolution : parameters.steps_per_period * periods;
+  const double steps = rounded_up(wanted, scope.samples_per_revolution);
+  if (steps > std::numeric_limits<int>::max() / 2)
+    throw RunError("needs " + std::to_string(steps) +
+                   " steps a revolution, more than can be counted; raise the speed");
+  return static_cast<int>(steps);
+}
+
+}  // namespace tiprub

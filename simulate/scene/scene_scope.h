@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulate/scene/casing.h"
+#include "simulate/scene/simulate_parameters.h"
+
+namespace tiprub {
+
+/// What this scene needs, and no more. Turning by 2 pi / g, g = gcd(N, orders of the casing), maps the scene onto
+/// itself at every instant: from rest only nodal diameters that are multiples of g move, and N/g sectors are
+/// independent (the paper's eq. 17). That is exact, the transient included.
+struct SceneScope {
+  int symmetry = 1;                  ///< g; 1 if all nodal diameters are asked for
+  int independent_sectors = 1;       ///< N / g
+  std::vector<int> nodal_diameters;  ///< ascending
+  int samples_per_revolution = 1;    ///< a multiple of lcm(N, lobes)
+  std::vector<std::string> reasons;  ///< one line a choice
+};
+
+SceneScope find_scope(int sector_count, int lobes, const SimulateParameters& parameters);
+
+/// The smallest multiple of the samples that resolves the first frequency [Hz] at a speed [rad/s]: the casing's phase
+/// then comes from the step's index, and sector shifts and Fourier bins are exact.
+/// Raises RunError if that is more than an int can count.
+int steps_per_revolution(const SceneScope& scope, const SimulateParameters& parameters, double first_frequency,
+                         double speed);
+
+}  // namespace tiprub

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/scene/simulate_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace tiprub {
+
+namespace {
+
+constexpr double rpm = 2 * std::numbers::pi / 60;
+constexpr int count_max = 1'000'000;
+
+/// Errors fall with the square of the step. 400 steps a period of the first family keep those of the settled periodic
+/// motion below 4e-3 on the wheels of cases/speed_accuracy; without contact any step is exact.
+double steps_for(double tolerance) {
+  constexpr double measured_tolerance = 5e-3, measured_steps = 400;
+  return measured_steps * std::sqrt(measured_tolerance / tolerance);
+}
+
+std::vector<double> read_speeds(CaseTable& table) {
+  std::vector<double> speeds;
+  if (table.has("speeds_rpm")) {
+    speeds = table.numbers("speeds_rpm", std::nullopt, Range::positive(), "rev/min");
+    std::sort(speeds.begin(), speeds.end());
+    if (std::adjacent_find(speeds.begin(), speeds.end()) != speeds.end())
+      table.reject("speeds_rpm", "names a speed twice; drop one");
+  } else {
+    const double low = table.number("speed_min_rpm", std::nullopt, Range::positive(), "rev/min");
+    const double high = table.number("speed_max_rpm", std::nullopt, Range::positive(), "rev/min");
+    const int count = table.integer("speed_count", 40, Range::between(2, count_max), "speeds, evenly spaced");
+    if (high <= low) table.reject("speed_max_rpm", "must be above speed_min_rpm");
+    for (int i = 0; i < count; ++i) speeds.push_back(low + (high - low) * i / (count - 1));
+  }
+  for (double& speed : speeds) speed *= rpm;
+  return speeds;
+}
+
+std::vector<double> read_damping(CaseTable& table) {
+  if (table.has("damping_ratio_by_family"))
+    return table.numbers("damping_ratio_by_family", std::nullopt, Range::at_least(0), "of critical, first family on");
+  return {table.number("damping_ratio", 0.005, Range::at_least(0), "of critical, every mode")};
+}
+
+void read_revolutions(CaseTable& table, SimulateParameters& parameters) {
+  parameters.recorded_revolutions = table.integer("recorded_revolutions", 6, Range::between(1, count_max), "");
+  parameters.min_revolutions = table.integer("min_revolutions", 20, Range::between(1, count_max), "");
+  parameters.max_revolutions = table.integer("max_revolutions", 200, Range::between(2, count_max), "");
+  if (parameters.max_revolutions < parameters.min_revolutions)
+    table.reject("max_revolutions", "must be at least min_revolutions");
+  if (parameters.max_revolutions <= parameters.recorded_revolutions)
+    table.reject("max_revolutions", "must be above recorded_revolutions, which it includes");
+  parameters.settle_tolerance =
+      table.number("settle_tolerance", 1e-4, {0.0, 1.0, Range::LowEnd::excluded}, "of the motion's norm");
+  parameters.acceleration = table.choice<Acceleration>(
+      "acceleration", Acceleration::none, {{"none", Acceleration::none}, {"anderson", Acceleration::anderson}});
+}
+
+/// The jump knows the modes at two instants, and nothing that a law of contact remembers beside them.
+void require_law_without_memory(CaseTable& table, const SimulateParameters& parameters) {
+  const bool has_memory = parameters.scheme == Scheme::moreau_jean || parameters.scheme == Scheme::penalty ||
+                          parameters.contact == ContactRule::paper;
+  if (parameters.acceleration == Acceleration::none || !has_memory) return;
+  table.reject("acceleration",
+               "= \"anderson\" holds only with contact = \"complementarity\" and neither scheme = \"moreau_jean\" "
+               "nor \"penalty\"; set another scheme, or acceleration = \"none\"");
+}
+
+void read_scheme(CaseTable& table, SimulateParameters& parameters) {
+  parameters.scheme = table.choice<Scheme>("scheme", Scheme::trigonometric,
+                                           {{"trigonometric", Scheme::trigonometric},
+                                            {"central_differences", Scheme::central_differences},
+                                            {"residual_flexibility", Scheme::residual_flexibility},
+                                            {"moreau_jean", Scheme::moreau_jean},
+                                            {"penalty", Scheme::penalty}});
+  parameters.contact =
+      table.choice<ContactRule>("contact", ContactRule::complementarity,
+                                {{"complementarity", ContactRule::complementarity}, {"paper", ContactRule::paper}});
+  if (parameters.contact == ContactRule::paper && parameters.scheme != Scheme::central_differences)
+    table.reject(
+        "contact",
+        "= \"paper\" holds only with scheme = \"central_differences\": with the larger steps of the "
+        "trigonometric scheme its pulling forces blow up; set that scheme, or contact = \"complementarity\"");
+  if (parameters.scheme == Scheme::moreau_jean)
+    parameters.theta = table.number("moreau_jean_theta", 0.5, Range::between(0.5, 1), "1/2 conserves, more damps");
+  if (parameters.scheme == Scheme::penalty)
+    parameters.penalty_stiffness =
+        table.number("penalty_stiffness", 100, Range::positive(), "static stiffnesses of the stiffest contact node");
+  const bool needs_modes = parameters.scheme == Scheme::residual_flexibility;
+  parameters.modes =
+      table.integer("modes", needs_modes ? std::nullopt : std::optional<int>(0),
+                    Range::between(needs_modes ? 1 : 0, count_max), "with mass, a nodal diameter; 0: all");
+}
+
+}  // namespace
+
+SimulateParameters read_simulate_parameters(CaseTable& table) {
+  SimulateParameters parameters;
+  parameters.speeds = read_speeds(table);
+  read_scheme(table, parameters);
+  parameters.damping_ratios = read_damping(table);
+  parameters.nodal_diameters =
+      table.choice<DiameterChoice>("nodal_diameters", DiameterChoice::symmetric,
+                                   {{"symmetric", DiameterChoice::symmetric}, {"all", DiameterChoice::all}});
+  parameters.step_tolerance =
+      table.number("step_tolerance", 5e-3, Range::between(1e-7, 0.5), "of the settled motion");
+  parameters.steps_per_period = table.number("steps_per_period", steps_for(parameters.step_tolerance),
+                                             Range::between(4, count_max), "of the lowest frequency, at least");
+  parameters.steps_per_revolution =
+      table.integer("steps_per_revolution", 0, Range::between(0, 100 * count_max), "at least; 0: from the period");
+  parameters.samples_per_revolution =
+      table.integer("samples_per_revolution", 240, Range::between(1, count_max), "at least");
+  read_revolutions(table, parameters);
+  require_law_without_memory(table, parameters);
+  parameters.casing_areas = table.integer("casing_areas", 200, Range::between(1, count_max), "around the casing");
+  parameters.threads = table.integer("threads", 0, Range::between(0, 1024), "0: as many as the machine has");
+  parameters.sweep = table.choice<SweepDirection>(
+      "sweep", SweepDirection::rest,
+      {{"rest", SweepDirection::rest}, {"up", SweepDirection::up}, {"down", SweepDirection::down}});
+  parameters.halved_step_checks =
+      table.integer("halved_step_checks", 3, Range::between(0, count_max), "speeds, evenly spread, ends first");
+  parameters.symmetry_check_revolutions =
+      table.integer("symmetry_check_revolutions", 12, Range::between(0, count_max), "0: no check");
+  parameters.when_symmetry_breaks =
+      table.choice<BrokenSymmetry>("when_symmetry_breaks", BrokenSymmetry::mark,
+                                   {{"mark", BrokenSymmetry::mark}, {"full_run", BrokenSymmetry::full_run}});
+  table.close();
+  return parameters;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "cases/program/case_file.h"
+#include "simulate/march/contact_impulses.h"
+#include "simulate/march/integrators/step_coefficients.h"
+
+namespace tiprub {
+
+enum class DiameterChoice {
+  symmetric,  ///< only those that the casing's orders can move from rest
+  all,
+};
+
+/// Where the march of a speed starts.
+enum class SweepDirection {
+  rest,  ///< each speed from rest: speeds are independent
+  up,    ///< from the motion at the next lower speed
+  down,  ///< from the motion at the next higher speed
+};
+
+/// How a speed comes to its settled motion.
+enum class Acceleration {
+  none,      ///< by marching
+  anderson,  ///< by a jump to the fixed point of the symmetric map, confirmed by marching; by marching if that fails
+};
+
+/// What is done about speeds whose symmetric motion repels.
+enum class BrokenSymmetry {
+  mark,      ///< they are named
+  full_run,  ///< and run again with all nodal diameters, into a response of their own
+};
+
+/// What [simulate] asks for.
+struct SimulateParameters {
+  std::vector<double> speeds;  ///< [rad/s], ascending, all different
+  Scheme scheme = Scheme::trigonometric;
+  ContactRule contact = ContactRule::complementarity;
+  double theta = 0.5;              ///< [1] of Moreau-Jean
+  double penalty_stiffness = 100;  ///< [1] of penalty, in tip stiffnesses
+  int modes = 0;                   ///< with mass, a nodal diameter; 0: all
+  SweepDirection sweep = SweepDirection::rest;
+  std::vector<double> damping_ratios;  ///< of critical, by family; the last one holds for all further families
+  DiameterChoice nodal_diameters = DiameterChoice::symmetric;
+  double step_tolerance = 5e-3;    ///< [1] aimed at: error of the settled motion; sets steps_per_period
+  double steps_per_period = 400;   ///< at least, of the lowest natural frequency
+  int steps_per_revolution = 0;    ///< at least; 0: from steps_per_period
+  int samples_per_revolution = 0;  ///< at least
+  int recorded_revolutions = 0;
+  int min_revolutions = 0;
+  int max_revolutions = 0;
+  Acceleration acceleration = Acceleration::none;
+  double settle_tolerance = 0;  ///< [1] estimated distance from the settled motion, of its norm
+  int casing_areas = 0;
+  int halved_step_checks = 0;          ///< speeds of a sweep that are computed with half the step as well
+  int symmetry_check_revolutions = 0;  ///< after settling, with a small disturbance of what symmetry left out
+  BrokenSymmetry when_symmetry_breaks = BrokenSymmetry::mark;
+  int threads = 0;  ///< 0: as many as the machine has
+};
+
+/// Reads [simulate]. Raises InputError.
+SimulateParameters read_simulate_parameters(CaseTable& table);
+
+}  // namespace tiprub

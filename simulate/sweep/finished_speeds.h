@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "simulate/march/rotor_state.h"
+#include "simulate/response/response.h"
+#include "simulate/sweep/speed_run.h"
+
+namespace tiprub {
+
+/// The speeds of a sweep that are done, each in a small response file of its own beside the output
+/// ("response.h5.speeds/"), so that a sweep may be interrupted at any moment and loses only the speeds under way.
+/// Parts of another key, damaged ones and leftovers are as good as none. A part also holds the state at its end, if
+/// the next speed starts from it. Not for several threads at once; several processes may keep different speeds.
+class FinishedSpeeds {
+ public:
+  enum class Role {
+    keeper,       ///< cleans the folder, and takes over what is in it
+    contributor,  ///< only adds
+  };
+
+  /// The keeper takes over what a former run left in the folder, and the speeds of a finished output of equal key.
+  /// Raises RunError if the folder can't be made.
+  FinishedSpeeds(const std::filesystem::path& output, SimulatedScene scene, std::string key, std::string generator,
+                 Role role = Role::keeper);
+
+  /// Whether the speed is there, with the check that it is wanted with.
+  bool has(double speed, StepCheck check) const;
+  /// Written beside, then renamed. Raises RunError if it can't be written.
+  void keep(const SpeedResponse& response, const RotorState& end = {});
+  SpeedResponse read(double speed) const;
+  /// At rest if the part holds none.
+  RotorState read_end(double speed) const;
+  /// Once the output stands, or never will.
+  void remove();
+
+ private:
+  std::filesystem::path part(double speed) const;
+  void take_over_parts();
+  void take_over_output(const std::filesystem::path& output);
+
+  std::filesystem::path folder_;
+  SimulatedScene scene_;
+  std::string key_;
+  std::string generator_;
+  std::map<double, StepCheck> speeds_;
+};
+
+}  // namespace tiprub

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep/process_group.h"
+
+#define OMPI_SKIP_MPICXX 1
+#include <mpi.h>
+
+#include <cstdlib>
+#include <mutex>
+
+namespace tiprub {
+
+namespace {
+
+constexpr long long beyond_any_list = 1LL << 40;
+
+/// Open MPI, MPICH and Intel MPI, Slurm's PMIx.
+bool started_together() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
+    if (std::getenv(name) != nullptr) return true;
+  return false;
+}
+
+}  // namespace
+
+struct ProcessGroup::Shared {
+  std::mutex one_at_a_time;
+  long long counter = 0;  ///< without MPI
+  MPI_Win window = MPI_WIN_NULL;
+  long long* memory = nullptr;  ///< the leader's counter
+};
+
+ProcessGroup::ProcessGroup() : shared_(std::make_unique<Shared>()) {
+  if (!started_together()) return;
+  int provided = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &size_);
+  MPI_Comm local = MPI_COMM_NULL;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &local);
+  MPI_Comm_size(local, &local_size_);
+  MPI_Comm_free(&local);
+  long long* counter = nullptr;
+  MPI_Win_allocate(leads() ? sizeof(long long) : 0, sizeof(long long), MPI_INFO_NULL, MPI_COMM_WORLD, &counter,
+                   &shared_->window);
+  shared_->memory = counter;
+  restart();
+}
+
+ProcessGroup::~ProcessGroup() {
+  if (shared_->window == MPI_WIN_NULL) return;
+  MPI_Win_free(&shared_->window);
+  MPI_Finalize();
+}
+
+std::size_t ProcessGroup::add(long long increment) {
+  const std::lock_guard lock(shared_->one_at_a_time);
+  long long before = shared_->counter;
+  if (shared_->window == MPI_WIN_NULL) {
+    shared_->counter += increment;
+  } else {
+    MPI_Win_lock(MPI_LOCK_SHARED, 0, 0, shared_->window);
+    MPI_Fetch_and_op(&increment, &before, MPI_LONG_LONG, 0, 0, MPI_SUM, shared_->window);
+    MPI_Win_unlock(0, shared_->window);
+  }
+  return static_cast<std::size_t>(before);
+}
+
+std::size_t ProcessGroup::next() {
+  return add(1);
+}
+
+void ProcessGroup::restart() {
+  shared_->counter = 0;
+  if (shared_->window == MPI_WIN_NULL) return;
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (leads()) {
+    MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, shared_->window);
+    *shared_->memory = 0;
+    MPI_Win_unlock(0, shared_->window);
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+void ProcessGroup::stop() {
+  add(beyond_any_list);
+}
+
+bool ProcessGroup::any(bool here) {
+  int mine = here ? 1 : 0, all = mine;
+  if (shared_->window != MPI_WIN_NULL) MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  return all != 0;
+}
+
+void ProcessGroup::share(std::vector<double>& values) {
+  if (shared_->window == MPI_WIN_NULL) return;
+  long long count = static_cast<long long>(values.size());
+  MPI_Bcast(&count, 1, MPI_LONG_LONG, 0, MPI_COMM_WORLD);
+  values.resize(static_cast<std::size_t>(count));
+  MPI_Bcast(values.data(), static_cast<int>(count), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+}
+
+}  // namespace tiprub

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep/speed_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+std::vector<SpeedTask> sweep_tasks(const SimulateParameters& parameters) {
+  std::vector<SpeedTask> tasks;
+  for (double speed : parameters.speeds) tasks.push_back({speed});
+  const auto last = static_cast<int>(tasks.size()) - 1;
+  const int checks = std::min(parameters.halved_step_checks, last + 1);
+  for (int i = 0; i < checks; ++i) {
+    const double share = checks == 1 ? 0.5 : static_cast<double>(i) / (checks - 1);
+    tasks[static_cast<std::size_t>(std::lround(share * last))].check = StepCheck::halved;
+  }
+  return tasks;
+}
+
+void sweep_speeds(const Scene& scene, const std::vector<SpeedTask>& missing, int threads, ProcessGroup& group,
+                  FinishedSpeeds& finished, const SpeedDone& done) {
+  std::mutex one_at_a_time;  // HDF5 and OutputFile know one caller only
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t i = group.next(); i < missing.size(); i = group.next()) {
+      try {
+        const SpeedResponse response = simulate_speed(scene, missing[i].speed, missing[i].check).response;
+        const std::lock_guard lock(one_at_a_time);
+        if (failure) return;
+        finished.keep(response);
+        done(response, i);
+      } catch (...) {
+        group.stop();
+        const std::lock_guard lock(one_at_a_time);
+        if (!failure) failure = std::current_exception();
+        return;
+      }
+    }
+  };
+  std::vector<std::thread> others;
+  const std::size_t wanted = std::min(static_cast<std::size_t>(std::max(threads, 1)), missing.size());
+  for (std::size_t i = 1; i < wanted; ++i) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+  const bool failed_anywhere = group.any(failure != nullptr);
+  if (failure) std::rethrow_exception(failure);
+  if (failed_anywhere) throw RunError("another process of the sweep failed; see its message");
+}
+
+void carry_speeds(const Scene& scene, const std::vector<SpeedTask>& tasks, FinishedSpeeds& finished,
+                  const SpeedDone& done) {
+  const bool up = scene.parameters.sweep == SweepDirection::up;
+  const std::size_t count = tasks.size();
+  const auto place = [&](std::size_t i) { return up ? i : count - 1 - i; };
+  RotorState state;
+  for (std::size_t i = 0; i < count; ++i) {
+    const SpeedTask& task = tasks[place(i)];
+    if (finished.has(task.speed, task.check)) {
+      if (i + 1 < count && !finished.has(tasks[place(i + 1)].speed, tasks[place(i + 1)].check))
+        state = finished.read_end(task.speed);
+      continue;
+    }
+    SpeedResult result = simulate_speed(scene, task.speed, task.check, state);
+    finished.keep(result.response, result.end);
+    done(result.response, place(i));
+    state = std::move(result.end);
+  }
+}
+
+}  // namespace tiprub

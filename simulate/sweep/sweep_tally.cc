@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep/sweep_tally.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+
+namespace tiprub {
+
+namespace {
+
+constexpr double same_motion = 1e-2;        // relative difference to the motion from rest
+constexpr double tolerated_tension = 1e-2;  // of the contact force
+
+std::string audit_text(const SpeedAudit& audit) {
+  std::ostringstream text;
+  const AccelerationReport& jump = audit.acceleration;
+  if (jump.outcome != AccelerationReport::Outcome::none)
+    text << ", acceleration " << (jump.outcome == AccelerationReport::Outcome::settled ? "settled it" : "fell back")
+         << " after " << jump.revolutions << " revolutions (residual " << jump.residual << ")";
+  if (audit.halving_difference)
+    text << ", half the step changes the " << audit.halving_measure << " by " << *audit.halving_difference;
+  else if (!audit.halving_measure.empty())
+    text << ", half the step failed: " << audit.halving_measure;
+  if (audit.excluded_growth) text << ", excluded nodal diameters x " << *audit.excluded_growth << " a revolution";
+  if (audit.symmetry == SymmetryVerdict::breaking) text << ": symmetry-breaking";
+  if (audit.rest_difference) text << ", " << *audit.rest_difference << " from the motion from rest";
+  if (audit.left_out_energy > 0) text << ", modes left out hold " << audit.left_out_energy << " of the energy";
+  return text.str();
+}
+
+/// What to write into the case to see the whole wheel at these speeds.
+std::string breaking_text(const std::vector<double>& speeds, BrokenSymmetry broken) {
+  std::ostringstream out;
+  out << "\nsymmetry-breaking at " << speeds.size() << " speeds: a nodal diameter left out grows";
+  if (broken == BrokenSymmetry::full_run) {
+    out << "; these are run again with the whole wheel";
+    return out.str();
+  }
+  out << ". For the whole wheel there, set [simulate] when_symmetry_breaks = \"full_run\", or run again into another "
+         "file with "
+         "nodal_diameters = \"all\" and, in place of speed_min_rpm, speed_max_rpm and speed_count, "
+         "speeds_rpm "
+         "= [";
+  out << std::setprecision(10);
+  for (std::size_t i = 0; i < speeds.size(); ++i) out << (i > 0 ? ", " : "") << rpm(speeds[i]);
+  out << "]";
+  return out.str();
+}
+
+}  // namespace
+
+double rpm(double speed) {
+  return speed * 60 / (2 * std::numbers::pi);
+}
+
+std::string speed_line(const SpeedResponse& at) {
+  std::ostringstream text;
+  text << rpm(at.speed) << " rev/min: ";
+  if (!at.failure.empty()) {
+    text << "failed: " << at.failure;
+    return text.str();
+  }
+  text << (at.motion == MotionClass::periodic      ? "periodic"
+           : at.motion == MotionClass::subharmonic ? "subharmonic of order " + std::to_string(at.period_revolutions)
+                                                   : "irregular");
+  text << " after " << at.revolutions << " revolutions of " << at.steps_per_revolution << " steps, change "
+       << at.change << " (x " << at.change_rate << " a revolution), " << at.contact_steps
+       << " steps in contact, energy closes to " << at.energy.closing_error;
+  if (at.tension_steps > 0)
+    text << ", " << at.tension_steps << " steps pull (" << at.audit.tension_share << " of the force)";
+  if (at.audit.leftover_steps > 0)
+    text << ", " << at.audit.leftover_steps << " steps leave up to " << at.largest_penetration << " m of penetration";
+  if (at.solver_fallbacks > 0) text << ", " << at.solver_fallbacks << " solver fallbacks";
+  text << audit_text(at.audit) << ", cond W " << at.audit.compliance_condition;
+  return text.str();
+}
+
+void SweepTally::add(const SpeedResponse& at) {
+  if (!at.failure.empty()) {
+    if (failed++ == 0) first_failure = speed_line(at);
+    return;
+  }
+  ++(at.motion == MotionClass::periodic ? periodic : at.motion == MotionClass::subharmonic ? subharmonic : irregular);
+  if (at.tension_steps > 0) ++pulling;
+  if (at.audit.leftover_steps > 0) ++penetrating;
+  if (at.audit.symmetry == SymmetryVerdict::breaking) breaking.push_back(at.speed);
+  if (at.audit.acceleration.outcome == AccelerationReport::Outcome::fell_back) ++fallen_back;
+  if (at.audit.rest_difference.value_or(0) > same_motion) ++apart_from_rest;
+  if (at.audit.halving_difference) ++halved;
+  largest_halving = std::max(largest_halving, at.audit.halving_difference.value_or(0));
+  tension_share = std::max(tension_share, at.audit.tension_share);
+}
+
+std::string SweepTally::text() const {
+  std::ostringstream out;
+  out << periodic << " periodic, " << subharmonic << " subharmonic, " << irregular << " irregular, " << failed
+      << " failed";
+  if (fallen_back > 0) out << "; the acceleration fell back at " << fallen_back;
+  if (halved > 0) out << "; half the step, at " << halved << " of them, changes at most " << largest_halving;
+  return out.str();
+}
+
+std::string SweepTally::warnings(BrokenSymmetry broken) const {
+  std::ostringstream out;
+  if (pulling > 0)
+    out << "\nat " << pulling << " speeds the casing pulls, with up to " << tension_share << " of the force";
+  if (tension_share > tolerated_tension) out << ": more than " << tolerated_tension << ", don't trust these";
+  if (penetrating > 0) out << "\nat " << penetrating << " speeds steps leave a node in the casing";
+  if (!breaking.empty()) out << breaking_text(breaking, broken);
+  if (failed > 0) out << "\nfirst failure: " << first_failure;
+  if (apart_from_rest > 0) out << "\nat " << apart_from_rest << " speeds the motion differs from that from rest";
+  return out.str();
+}
+
+}  // namespace tiprub

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "simulate/response/response.h"
+#include "simulate/scene/simulate_parameters.h"
+
+namespace tiprub {
+
+/// [rev/min] of a speed in rad/s.
+double rpm(double speed);
+
+/// What happened at a speed, for people: one line.
+std::string speed_line(const SpeedResponse& at);
+
+/// What a sweep came to.
+struct SweepTally {
+  std::size_t periodic = 0, subharmonic = 0, irregular = 0, failed = 0;
+  std::size_t pulling = 0;          ///< speeds with a casing that pulls
+  std::size_t penetrating = 0;      ///< speeds with steps that leave a node in the casing
+  std::vector<double> breaking;     ///< [rad/s] speeds at which a nodal diameter left out grows
+  std::size_t apart_from_rest = 0;  ///< speeds whose motion is another one from rest
+  std::size_t fallen_back = 0;      ///< speeds that no jump brought to their settled motion
+  std::size_t halved = 0;           ///< speeds computed with half the step as well
+  double largest_halving = 0;       ///< [1] the largest difference there
+  double tension_share = 0;         ///< [1] the largest share of the force that pulls
+  std::string first_failure;
+
+  void add(const SpeedResponse& at);
+  std::string text() const;
+  /// A line for each thing that asks for a decision, each with a line break before it.
+  std::string warnings(BrokenSymmetry broken = BrokenSymmetry::mark) const;
+};
+
+}  // namespace tiprub

@@ -10,6 +10,7 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
+#include "cases/program/units.h"
 
 namespace tiprub {
 
@@ -93,7 +94,7 @@ void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& par
   write_file(folder / "mesh.inp", [&](std::ostream& out) { write_mesh(out, mesh, parameters); });
   for (const double fraction : parameters.verification_speeds) {
     const double speed = fraction * parameters.speed_max;
-    const long rpm = std::lround(speed * 30 / std::numbers::pi);
+    const long rpm = std::lround(speed * rpm_per_rad_s);
     write_file(folder / ("speed_" + std::to_string(rpm) + ".inp"),
                [&](std::ostream& out) { write_speed(out, speed, mesh, parameters); });
   }

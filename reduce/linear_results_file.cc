@@ -3,6 +3,7 @@
 #include <numbers>
 #include <ostream>
 
+#include "cases/program/units.h"
 #include "reduce/linear_results.h"
 #include "reduce/model/hdf5_file.h"
 
@@ -14,7 +15,7 @@ constexpr const char* schema = "tiprub-modes";
 constexpr int schema_version = 1;
 
 double rpm(double speed) {
-  return speed * 30 / std::numbers::pi;
+  return speed * rpm_per_rad_s;
 }
 
 void print_modes(std::ostream& out, const LinearResults& results) {

@@ -12,6 +12,7 @@
 #include "reduce/calculix_deck.h"
 #include "reduce/linear_results.h"
 #include "reduce/model/matrix_market.h"
+#include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model_file.h"
 #include "reduce/model/verification.h"
 #include "reduce/reduction.h"
@@ -25,7 +26,7 @@ std::string summary(const tiprub::ReducedModel& model, const tiprub::ReductionRe
   const int contact = model.contact_dofs();
   int dofs = 0, dofs_at_speed = 0;
   for (std::size_t n = 0; n < model.nodal_diameters.size(); ++n) {
-    const int waves = n == 0 || 2 * static_cast<int>(n) == model.sector_count ? 1 : 2;
+    const int waves = tiprub::wave_count(static_cast<int>(n), model.sector_count);
     const int generalized = static_cast<int>(model.nodal_diameters[n].M.rows()) - contact;
     dofs += waves * (contact + generalized);
     dofs_at_speed +=

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/analysis/aliasing.h"
+#include "reduce/model/nodal_diameter.h"
 
 #include <cassert>
 #include <cstdlib>
@@ -24,8 +25,7 @@ std::optional<int> smallest_engine_order(int nodal_diameter, int lobes, int sect
 }
 
 WaveDirection wave_direction(int signed_nodal_diameter, int sector_count) {
-  if (signed_nodal_diameter == 0 || 2 * std::abs(signed_nodal_diameter) == sector_count)
-    return WaveDirection::standing;
+  if (is_standing(signed_nodal_diameter, sector_count)) return WaveDirection::standing;
   return signed_nodal_diameter > 0 ? WaveDirection::backward : WaveDirection::forward;
 }
 

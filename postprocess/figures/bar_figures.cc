@@ -5,6 +5,7 @@
 #include "postprocess/figures/figure.h"
 #include "postprocess/figures/figure_style.h"
 #include "postprocess/tables/units.h"
+#include "reduce/model/nodal_diameter.h"
 
 namespace tiprub {
 
@@ -34,11 +35,10 @@ Figure harmonic_bars_figure(const Study& study) {
   const int order = 2 * std::max(study.response.scene.lobes, 1);
   const int diameter = aliased_nodal_diameter(order, sectors);
   const auto amplitude = [&](int engine_order, int n) { return spectrum.at(engine_order, n) * mm_per_m; };
-  const auto stands = [&](int n) { return n == 0 || 2 * n == sectors; };
   Eigen::VectorXd backward(half + 1), forward(half + 1);
   for (int n = 0; n <= half; ++n) {
     backward[n] = amplitude(order, n);
-    forward[n] = stands(n) ? 0 : amplitude(order, -n);
+    forward[n] = is_standing(n, sectors) ? 0 : amplitude(order, -n);
   }
   const int last = study.parameters.engine_order_max;
   Eigen::VectorXd order_backward(last + 1), order_forward(last + 1);

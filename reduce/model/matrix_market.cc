@@ -8,6 +8,7 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
+#include "reduce/model/nodal_diameter.h"
 
 namespace tiprub {
 
@@ -40,7 +41,7 @@ void write_matrix_market(const ReducedModel& model, const std::filesystem::path&
   if (failure) throw RunError(folder.string() + ": can't be made: " + failure.message());
   for (std::size_t n = 0; n < model.nodal_diameters.size(); ++n) {
     const NodalDiameterModel& matrices = model.nodal_diameters[n];
-    const bool standing = n == 0 || 2 * static_cast<int>(n) == model.sector_count;
+    const bool standing = is_standing(static_cast<int>(n), model.sector_count);
     const std::string stem = "n" + std::to_string(n) + "_";
     const std::string about = "nodal diameter " + std::to_string(n) +
                               ", K = K0 + Omega^2 K1 + Omega^4 K2 + ..., rad/s; the first " +

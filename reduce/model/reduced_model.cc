@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cases/program/errors.h"
+#include "reduce/model/nodal_diameter.h"
 
 namespace tiprub {
 
@@ -116,7 +117,7 @@ void check(const ReducedModel& model, const std::string& name) {
           name + ": has " + std::to_string(model.nodal_diameters.size()) + " nodal diameters, must have " +
               std::to_string(expected) + " for " + std::to_string(model.sector_count) + " sectors");
   for (int n = 0; n < expected; ++n)
-    check(model.nodal_diameters[n], model.contact_dofs(), n == 0 || 2 * n == model.sector_count,
+    check(model.nodal_diameters[n], model.contact_dofs(), is_standing(n, model.sector_count),
           name + ": /nodal_diameter/" + std::to_string(n));
   check(model.verification, model.nodal_diameters.size(), name);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/model/verification.h"
+#include "reduce/model/nodal_diameter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +23,11 @@ std::vector<Compared> compared_frequencies(const ReducedModel& model, Eigen::Ind
   for (const Eigen::MatrixXd& table : verified.unreduced) end = std::min(end, table.row(speed).maxCoeff());
   std::vector<Compared> wheel;
   for (std::size_t n = 0; n < verified.unreduced.size(); ++n) {
-    const bool standing = n == 0 || 2 * static_cast<int>(n) == model.sector_count;
+    const int count = wave_count(static_cast<int>(n), model.sector_count);
     for (Eigen::Index mode = 0; mode < verified.unreduced[n].cols(); ++mode) {
       const double exact = verified.unreduced[n](speed, mode);
       if (exact <= end)
-        wheel.insert(wheel.end(), standing ? 1 : 2, {exact, std::abs(verified.reduced[n](speed, mode) / exact - 1)});
+        wheel.insert(wheel.end(), count, {exact, std::abs(verified.reduced[n](speed, mode) / exact - 1)});
     }
   }
   std::sort(wheel.begin(), wheel.end(),

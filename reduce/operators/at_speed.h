@@ -2,16 +2,16 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "cases/program/errors.h"
+#include "cases/program/units.h"
 
 namespace tiprub {
 
 /// "at 9000 rpm", of a speed in rad/s.
 inline std::string name_of_speed(double speed) {
-  return "at " + std::to_string(std::lround(speed * 30 / std::numbers::pi)) + " rpm";
+  return "at " + std::to_string(std::lround(speed * rpm_per_rad_s)) + " rpm";
 }
 
 /// Does what is to be done at a speed [rad/s]; a RunError then says at which.

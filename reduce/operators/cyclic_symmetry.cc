@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cases/program/errors.h"
+#include "reduce/model/nodal_diameter.h"
 
 /// LAPACK's Cholesky factorization, part of OpenBLAS: Eigen's own takes three times as long for complex numbers.
 extern "C" void zpotrf_(const char* uplo, const int* size, std::complex<double>* matrix, const int* rows, int* info);
@@ -109,7 +110,8 @@ std::complex<double> get(const Strip& strip, Eigen::Index row, int column, bool 
 TravellingWave::TravellingWave(const SectorDofs& dofs, int sector_count, int nodal_diameter) : dofs_(dofs) {
   // e^{i n alpha} is exactly real for n = 0 and n = N/2, and so are their matrices.
   const double angle = 2 * std::numbers::pi * nodal_diameter / sector_count;
-  phase_ = nodal_diameter == 0 ? 1.0 : 2 * nodal_diameter == sector_count ? -1.0 : std::polar(1.0, angle);
+  phase_ = std::polar(1.0, angle);
+  if (is_standing(nodal_diameter, sector_count)) phase_ = nodal_diameter == 0 ? 1.0 : -1.0;
 }
 
 Eigen::MatrixXcd TravellingWave::expand_interface(const Eigen::MatrixXcd& independent) const {

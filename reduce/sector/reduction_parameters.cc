@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/sector/reduction_parameters.h"
+#include "cases/program/units.h"
 
 #include <algorithm>
 #include <numbers>
@@ -15,7 +16,7 @@ ReductionParameters ReductionParameters::read(CaseTable& table) {
   p.material.young = table.number("young_modulus", std::nullopt, Range::positive(), "Pa");
   p.material.poisson = table.number("poisson_ratio", std::nullopt, Range::between(0.0, 0.49), "1");
   p.material.density = table.number("density", std::nullopt, Range::positive(), "kg/m^3");
-  p.speed_max = table.number("speed_max_rpm", std::nullopt, Range::positive(), "rpm") * std::numbers::pi / 30;
+  p.speed_max = table.number("speed_max_rpm", std::nullopt, Range::positive(), "rpm") * rad_s_per_rpm;
   p.prestress = table.choice<Prestress>(
       "prestress", Prestress::linear,
       {{"linear", Prestress::linear}, {"stress_only", Prestress::stress_only}, {"nonlinear", Prestress::nonlinear}});

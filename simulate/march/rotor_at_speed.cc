@@ -92,7 +92,7 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
   double omega_min = std::numeric_limits<double>::infinity();
   Eigen::VectorXd tip_compliance = Eigen::VectorXd::Zero(model.contact.size());
   for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
-    const WaveKind kind = n == 0 || 2 * n == model.sector_count ? WaveKind::standing : WaveKind::travelling;
+    const WaveKind kind = wave_kind(n, model.sector_count);
     const Spectrum spectrum = solve(model, n, kind, speed);
     omega_min = std::min(omega_min, spectrum.omega.minCoeff());
     const double share = (kind == WaveKind::standing ? 1.0 : 2.0) / model.sector_count;

@@ -4,12 +4,10 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model.h"
 
 namespace tiprub {
-
-/// Whether a nodal diameter's wave travels (complex) or stands (real: n = 0 and n = N/2).
-enum class WaveKind { travelling, standing };
 
 /// How many modes of each nodal diameter a march keeps, and what becomes of the others.
 struct ModeChoice {

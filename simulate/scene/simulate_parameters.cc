@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/scene/simulate_parameters.h"
+#include "cases/program/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@ namespace tiprub {
 
 namespace {
 
-constexpr double rpm = 2 * std::numbers::pi / 60;
 constexpr int count_max = 1'000'000;
 
 /// Errors fall with the square of the step. 400 steps a period of the first family keep those of the settled periodic
@@ -34,7 +34,7 @@ std::vector<double> read_speeds(CaseTable& table) {
     if (high <= low) table.reject("speed_max_rpm", "must be above speed_min_rpm");
     for (int i = 0; i < count; ++i) speeds.push_back(low + (high - low) * i / (count - 1));
   }
-  for (double& speed : speeds) speed *= rpm;
+  for (double& speed : speeds) speed *= rad_s_per_rpm;
   return speeds;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/sweep/sweep_tally.h"
+#include "cases/program/units.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -52,7 +53,7 @@ std::string breaking_text(const std::vector<double>& speeds, BrokenSymmetry brok
 }  // namespace
 
 double rpm(double speed) {
-  return speed * 60 / (2 * std::numbers::pi);
+  return speed * rpm_per_rad_s;
 }
 
 std::string speed_line(const SpeedResponse& at) {

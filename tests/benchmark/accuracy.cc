@@ -42,7 +42,7 @@ double operations(const BenchWheel& wheel, const SimulateParameters& parameters,
   const double in_contact = static_cast<double>(at.contact_steps) / at.recorded_revolutions;
   double sum = 0;
   for (int n : scope.nodal_diameters) {
-    const double parts = n == 0 || 2 * n == wheel.model.sector_count ? 1 : 4;
+    const double parts = is_standing(n, wheel.model.sector_count) ? 1 : 4;
     sum +=
         at.steps_per_revolution * moving * (parts * nodes + 2 * std::sqrt(parts)) + in_contact * all * parts * nodes;
   }

@@ -11,6 +11,7 @@
 #include "postprocess/fields/vtu_file.h"
 #include "postprocess/fields/wheel_surface.h"
 #include "postprocess/tables/table.h"
+#include "reduce/model/nodal_diameter.h"
 
 namespace tiprub {
 namespace {
@@ -232,7 +233,7 @@ TEST(FieldsFile, ExpandsWhatItTook) {
     FieldsWriter writer(path, "test");
     writer.write_sector(sector);
     for (int n = 0; n <= sector_count / 2; ++n) {
-      const bool standing = n == 0 || 2 * n == sector_count;
+      const bool standing = is_standing(n, sector_count);
       bases.emplace_back(Eigen::MatrixXcd::Random(size, dofs));
       if (standing) bases.back().imag().setZero();
       writer.write_basis(n, dofs, standing, [&](Eigen::Index k) { return Eigen::VectorXcd(bases.back().col(k)); });

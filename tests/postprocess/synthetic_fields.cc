@@ -110,7 +110,7 @@ void write_fields(const ReducedModel& model, const std::filesystem::path& path) 
   FieldsWriter writer(path, "test");
   writer.write_sector(sector_fields(model));
   for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
-    const bool standing = n == 0 || 2 * n == model.sector_count;
+    const bool standing = is_standing(n, model.sector_count);
     writer.write_basis(
         n, model.nodal_diameters[static_cast<std::size_t>(n)].M.rows(), standing, [&](Eigen::Index dof) {
           Eigen::VectorXcd column(3 * static_cast<Eigen::Index>(made.places.size()));

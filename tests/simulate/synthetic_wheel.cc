@@ -60,7 +60,7 @@ ReducedModel synthetic_wheel(const WheelPlan& plan) {
     at.K1 = (1e-7 * own).cast<std::complex<double>>();
     at.K2 = Eigen::MatrixXcd::Zero(size, size);
     at.M = mass.cast<std::complex<double>>();
-    if (n == 0 || 2 * n == plan.sectors) at.K0 = at.K0.real().cast<std::complex<double>>().eval();
+    if (is_standing(n, plan.sectors)) at.K0 = at.K0.real().cast<std::complex<double>>().eval();
     model.nodal_diameters.push_back(at);
   }
   check(model, "synthetic wheel");

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace tiprub {
+
+/// Whether a nodal diameter's waves travel (complex, one each way round the wheel) or stand (real, one).
+enum class WaveKind { travelling, standing };
+
+/// Nodal diameter n, of either sign, on N sectors: e^{i n alpha} is real for n = 0 and n = N/2 only.
+constexpr WaveKind wave_kind(int nodal_diameter, int sector_count) {
+  return nodal_diameter == 0 || 2 * nodal_diameter == sector_count || -2 * nodal_diameter == sector_count
+             ? WaveKind::standing
+             : WaveKind::travelling;
+}
+
+constexpr bool is_standing(int nodal_diameter, int sector_count) {
+  return wave_kind(nodal_diameter, sector_count) == WaveKind::standing;
+}
+
+/// Members of a nodal diameter in each modal family of the wheel: a wave that travels counts twice.
+constexpr int wave_count(int nodal_diameter, int sector_count) {
+  return is_standing(nodal_diameter, sector_count) ? 1 : 2;
+}
+
+}  // namespace tiprub

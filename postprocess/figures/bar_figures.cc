@@ -44,7 +44,7 @@ Figure harmonic_bars_figure(const Study& study) {
   Eigen::VectorXd order_backward(last + 1), order_forward(last + 1);
   for (int k = 0; k <= last; ++k) {
     order_backward[k] = k == 0 ? 0 : amplitude(k, diameter);
-    order_forward[k] = k == 0 || stands(diameter) ? 0 : amplitude(k, -diameter);
+    order_forward[k] = k == 0 || is_standing(diameter, sectors) ? 0 : amplitude(k, -diameter);
   }
   Figure figure;
   figure.drawing = {"harmonic_bars", 1000, 400, ""};

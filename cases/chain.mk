@@ -36,8 +36,7 @@ response.h5: .tables/casing .tables/simulate model.h5
 	tiprub-simulate case.toml model.h5 -o $@
 
 response_%.h5: .tables/casing .tables/simulate model.h5
-	@sed 's/^\[simulate\].*/&\nsweep = "$*"/' case.toml > .tables/$*.toml
-	tiprub-simulate .tables/$*.toml model.h5 -o $@
+	tiprub-simulate case.toml model.h5 -o $@ --set 'simulate.sweep="$*"'
 
 SWEEPS := $(shell sed -n 's/^response_\(up\|down\) = "\(.*\)".*/\2/p' case.toml)
 

@@ -11,7 +11,7 @@ namespace {
 using namespace tiprub;
 
 void run(const StageArguments& arguments) {
-  CaseTable table = CaseFile(arguments.inputs[0]).table("mesh");
+  CaseTable table = CaseFile(arguments.inputs[0], arguments.settings).table("mesh");
   const Wheel wheel = read_wheel(table);
   if (arguments.verbosity == Verbosity::verbose) say(arguments, table.resolved());
   const MeshedSector mesh = mesh_sector(wheel);

@@ -31,7 +31,7 @@ struct Inputs {
 };
 
 Inputs read_inputs(const StageArguments& arguments) {
-  const CaseFile file(arguments.inputs[0]);
+  const CaseFile file(arguments.inputs[0], arguments.settings);
   CaseTable table = file.table("postprocess");
   Inputs inputs;
   inputs.parameters = read_postprocess_parameters(table);

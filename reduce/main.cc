@@ -128,7 +128,7 @@ tiprub::ReducedModel make_model(const tiprub::StageArguments& arguments, const t
 }
 
 void run(const tiprub::StageArguments& arguments, const Options& options) {
-  const tiprub::CaseFile case_file(arguments.inputs[0]);
+  const tiprub::CaseFile case_file(arguments.inputs[0], arguments.settings);
   tiprub::CaseTable table = case_file.table("reduce");
   const auto parameters = tiprub::ReductionParameters::read(table);
   table.close();

@@ -37,7 +37,7 @@ struct Inputs {
 };
 
 Inputs read_inputs(const StageArguments& arguments) {
-  CaseFile case_file(arguments.inputs[0]);
+  CaseFile case_file(arguments.inputs[0], arguments.settings);
   CaseTable casing_table = case_file.table("casing");
   CaseTable simulate_table = case_file.table("simulate");
   Casing casing = read_casing(casing_table);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/program/case_file.h"
 
-#include <toml++/toml.h>
+#include "cases/program/case_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +31,20 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  if (!stream || std::filesystem::is_directory(path)) throw RunError(path.string() + ": can't be read");
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+toml::table parse_case(const std::string& text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw InputError(place(file, error.source()) + "not TOML: " + std::string(error.description()));
+  }
+}
+
 }  // namespace
 
 struct CaseTable::Node {
@@ -43,8 +57,7 @@ struct CaseTable::Node {
   std::vector<std::pair<std::string, std::shared_ptr<Node>>> children;
 
   std::string where(const toml::node* node) const {
-    const toml::source_region& source = node != nullptr ? node->source() : values->source();
-    return file + ":" + std::to_string(source.begin.line) + ":" + std::to_string(source.begin.column) + ": ";
+    return place(file, node != nullptr ? node->source() : values->source());
   }
   std::string where(std::string_view key) const {
     return where(values->get(key)) + "[" + path + "] " + std::string(key);
@@ -210,12 +223,9 @@ void CaseTable::reject(std::string_view key, const std::string& message) const {
 
 void CaseTable::close() const {
   for (const auto& [key, value] : *node_->values)
-    if (std::find(node_->asked.begin(), node_->asked.end(), key.str()) == node_->asked.end()) {
-      const toml::source_position at = key.source().begin;
-      throw InputError(node_->file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
-                       ": unknown key \"" + std::string(key.str()) + "\" in [" + node_->path +
-                       "]; known: " + joined(node_->asked));
-    }
+    if (std::find(node_->asked.begin(), node_->asked.end(), key.str()) == node_->asked.end())
+      throw InputError(place(node_->file, key.source()) + "unknown key \"" + std::string(key.str()) + "\" in [" +
+                       node_->path + "]; known: " + joined(node_->asked));
   for (const auto& [key, child] : node_->children) CaseTable(child).close();
 }
 
@@ -226,18 +236,16 @@ std::string CaseTable::resolved() const {
   return text;
 }
 
-CaseFile::CaseFile(const std::filesystem::path& path) : root_(std::make_shared<CaseTable::Node>()) {
-  std::ifstream stream(path);
-  if (!stream || std::filesystem::is_directory(path)) throw RunError(path.string() + ": can't be read");
-  source_ = std::string(std::istreambuf_iterator<char>(stream), {});
+CaseFile::CaseFile(const std::filesystem::path& path, const std::vector<std::string>& settings)
+    : source_(text_of(path)), root_(std::make_shared<CaseTable::Node>()) {
   root_->file = path.string();
-  try {
-    root_->values = std::make_shared<const toml::table>(toml::parse(source_, root_->file));
-  } catch (const toml::parse_error& error) {
-    const toml::source_position at = error.source().begin;
-    throw InputError(root_->file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
-                     ": not TOML: " + std::string(error.description()));
+  toml::table values = parse_case(source_, root_->file);
+  if (!settings.empty() && !source_.ends_with('\n')) source_ += '\n';
+  for (const std::string& setting : settings) {
+    apply_setting(values, setting);
+    source_ += "# " + setting_origin(setting) + "\n";
   }
+  root_->values = std::make_shared<const toml::table>(std::move(values));
   for (const auto& [key, value] : *root_->values) {
     const bool is_table = std::find(program_tables.begin(), program_tables.end(), key.str()) != program_tables.end();
     if (is_table ? value.is_table() : (key.str() == "title" && value.is_string())) continue;

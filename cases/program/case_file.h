@@ -33,11 +33,12 @@ struct Range {
 };
 
 /// One table of a case file, read as a closed world: every key is asked for by name, with its default, range and
-/// unit, and close() refuses whatever was never asked for. All readers raise InputError with file:line:column.
+/// unit, and close() refuses whatever was never asked for. All readers raise InputError with file:line:column, or
+/// with the setting that gave the value.
 /// A key without a default (std::nullopt) must be present.
 class CaseTable {
  public:
-  struct Node;  ///< the toml node behind it; only case_file.cc knows toml++
+  struct Node;  ///< the toml node behind it; only the .cc files here know toml++
   explicit CaseTable(std::shared_ptr<Node> node);
 
   bool has(std::string_view key) const;
@@ -75,12 +76,13 @@ class CaseTable {
 /// it.
 class CaseFile {
  public:
-  /// Raises RunError if the file can't be read, InputError if it is not TOML or has a top-level table that no program
-  /// knows (the known ones: mesh, reduce, casing, simulate, postprocess, and the text `title`).
-  explicit CaseFile(const std::filesystem::path& path);
+  /// Each setting is "TABLE.KEY=VALUE" with a value as TOML writes it; it takes the place of the file's key, or joins
+  /// it. Raises RunError if the file can't be read, InputError if it or a setting is not TOML or has a top-level
+  /// table that no program knows (the known ones: mesh, reduce, casing, simulate, postprocess, and the text `title`).
+  explicit CaseFile(const std::filesystem::path& path, const std::vector<std::string>& settings = {});
 
   const std::string& title() const { return title_; }
-  /// The whole file as it was read, for provenance.
+  /// The whole file as it was read, and a comment for each setting after it: for provenance.
   const std::string& source() const { return source_; }
   /// Raises InputError if the table is absent.
   CaseTable table(std::string_view name) const;

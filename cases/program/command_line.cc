@@ -31,6 +31,9 @@ int run_stage(int argc, char** argv, const Stage& stage, const std::function<voi
   for (std::size_t i = 0; i < stage.inputs.size(); ++i)
     app.add_option(stage.inputs[i].name, arguments.inputs[i], stage.inputs[i].help)->required();
   app.add_option("-o,--output", arguments.output, "what to write")->capture_default_str();
+  app.add_option("--set", arguments.settings,
+                 "a key of the case file instead of its own, TABLE.KEY=VALUE; may be repeated")
+      ->allow_extra_args(false);
   bool check = false, quiet = false, verbose = false;
   app.add_flag("--check", check, "validate the inputs and stop");
   CLI::Option* quiet_flag = app.add_flag("-q,--quiet", quiet, "print nothing but errors");

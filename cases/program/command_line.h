@@ -33,13 +33,14 @@ struct Stage {
 struct StageArguments {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path output;
+  std::vector<std::string> settings;  ///< "TABLE.KEY=VALUE", over what the case file says
   Verbosity verbosity = Verbosity::normal;
   Action action = Action::run;
 };
 
-/// The one `main` of all stages: reads the command line (inputs in chain order, -o, -q, -v, --check, --version,
-/// --help), runs the body, and turns what it throws into one line on stderr. Returns the exit code: 0; 1 for a
-/// computation that failed or a file that can't be read or written; 2 for wrong input.
+/// The one `main` of all stages: reads the command line (inputs in chain order, -o, --set, -q, -v, --check,
+/// --version, --help), runs the body, and turns what it throws into one line on stderr. Returns the exit code: 0; 1
+/// for a computation that failed or a file that can't be read or written; 2 for wrong input.
 int run_stage(int argc, char** argv, const Stage& stage, const std::function<void(const StageArguments&)>& body);
 
 /// "tiprub-mesh 0.1.0", as --version prints it and as files carry it.

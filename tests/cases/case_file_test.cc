@@ -147,6 +147,63 @@ TEST_F(GoodCase, RejectsAValueBesideAnotherAtItsPlace) {
   }
 }
 
+TEST_F(GoodCase, SettingsReplaceAndJoinItsKeys) {
+  write(path("case.toml"), "[mesh]\nlength = 2\nname = \"x\"");
+  const CaseFile scene(path("case.toml"), {"mesh.length=3.5", "mesh.speeds = [1, 2]", "mesh.inner.depth=7",
+                                           "mesh.length=4", "simulate.sweep=\"up\""});
+  CaseTable table = scene.table("mesh");
+  EXPECT_EQ(table.number("length", std::nullopt, Range::positive(), "m"), 4.0);
+  EXPECT_EQ(table.text("name", std::nullopt), "x");
+  EXPECT_EQ(table.numbers("speeds", std::nullopt, Range::any(), "rpm"), (std::vector<double>{1.0, 2.0}));
+  EXPECT_EQ(table.table("inner").number("depth", 1.0, Range::any(), "m"), 7.0);
+  EXPECT_NO_THROW(table.close());
+  EXPECT_EQ(scene.table("simulate").text("sweep", std::nullopt), "up");
+  EXPECT_EQ(scene.source(),
+            "[mesh]\nlength = 2\nname = \"x\"\n# --set mesh.length=3.5\n# --set mesh.speeds = [1, 2]\n"
+            "# --set mesh.inner.depth=7\n# --set mesh.length=4\n# --set simulate.sweep=\"up\"\n");
+}
+
+TEST_F(GoodCase, WrongSettingsAreRefusedByTheirText) {
+  write(path("case.toml"), "[mesh]\nlength = 2\n");
+  const auto message = [&](const std::string& setting) -> std::string {
+    try {
+      CaseTable table = CaseFile(path("case.toml"), {setting}).table("mesh");
+      read_all(table);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing was refused";
+  };
+  const std::string shape = ": must be TABLE.KEY=VALUE, in one line";
+  for (const std::string setting : {"length", "length=2", "mesh.=2", ".length=2", "mesh..length=2", "mesh.length",
+                                    "[mesh]", "# mesh.length=2", "mesh.length=1\nmesh.count=2"})
+    EXPECT_EQ(message(setting), "--set " + setting + shape);
+  const std::string bare = message("mesh.name=long");
+  EXPECT_EQ(bare.substr(0, 45), "--set mesh.name=long: long is no TOML value (") << bare;
+  EXPECT_NE(bare.find("; a text needs quotes: --set 'mesh.name=\"long\"'"), std::string::npos) << bare;
+  EXPECT_NE(message("mesh.name=").find("is no TOML value"), std::string::npos);
+  EXPECT_EQ(
+      message("mesh.lenght=2"),
+      "--set mesh.lenght=2: unknown key \"lenght\" in [mesh]; known: length, count, open, name, colour, speeds, "
+      "curve, inner");
+  EXPECT_EQ(message("mesh.inner.width=2"),
+            "--set mesh.inner.width=2: unknown key \"width\" in [mesh.inner]; known: depth");
+  EXPECT_EQ(message("mesh.length=-1"), "--set mesh.length=-1: [mesh] length = -1 must be more than 0 [m]");
+  EXPECT_EQ(message("mesh.speeds=[1, -2]"), "--set mesh.speeds=[1, -2]: [mesh] speeds = -2 must be at least 0 [rpm]");
+  EXPECT_EQ(message("mash.length=1").substr(0, 46), "--set mash.length=1: \"mash\" is not known here;");
+}
+
+TEST_F(GoodCase, ATableMadeBySettingsNeedsItsKeysToo) {
+  write(path("case.toml"), "title = \"x\"\n");
+  try {
+    CaseTable table = CaseFile(path("case.toml"), {"mesh.count=2"}).table("mesh");
+    read_all(table);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "--set mesh.count=2: [mesh] has no length, and it has no default; add it");
+  }
+}
+
 TEST_F(GoodCase, AFileThatCannotBeReadIsNoWrongInput) {
   EXPECT_THROW(CaseFile(path("none.toml")), RunError);
   EXPECT_THROW(CaseFile{folder_}, RunError);

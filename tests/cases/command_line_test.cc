@@ -67,6 +67,9 @@ TEST(CommandLine, KnowsItsOptions) {
   EXPECT_EQ(seen.output, "x.h5");
   EXPECT_EQ(seen.action, Action::check);
   EXPECT_EQ(seen.verbosity, Verbosity::quiet);
+  EXPECT_EQ(run({"--set", "a.b=1", "a.toml", "--set", "a.c=[1, 2]", "b.msh"}, look).code, 0);
+  EXPECT_EQ(seen.settings, (std::vector<std::string>{"a.b=1", "a.c=[1, 2]"}));
+  EXPECT_EQ(seen.inputs, (std::vector<std::filesystem::path>{"a.toml", "b.msh"}));
   EXPECT_EQ(run(with({"-v"}), look).code, 0);
   EXPECT_EQ(seen.verbosity, Verbosity::verbose);
 }
@@ -89,13 +92,14 @@ TEST(CommandLine, RefusesWhatItDoesNotKnow) {
   expect_untouched(with({"--fast"}), "--fast");
   expect_untouched(with({"-q", "-v"}), "excludes");
   expect_untouched(with({"-o"}), "--output");
+  expect_untouched(with({"--set"}), "--set");
 }
 
 TEST(CommandLine, HelpAndVersionGoToStdout) {
   const auto never = [](const StageArguments&) { FAIL() << "the body ran"; };
   const Ending help = run({"--help"}, never), version = run({"--version"}, never);
   EXPECT_EQ(help.code, 0);
-  for (const std::string word : {"Does little.", "case.toml", "sector.msh", "tiny.h5", "--check", "--quiet"})
+  for (const std::string word : {"Does little.", "case.toml", "sector.msh", "tiny.h5", "--check", "--quiet", "--set"})
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
   EXPECT_EQ(version.code, 0);
   EXPECT_EQ(version.out, "tiprub-tiny " TIPRUB_VERSION "\n");

@@ -5,7 +5,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -35,25 +34,15 @@ class Program : public testing::Test {
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
 
-  static Outcome run(const std::string& arguments, const std::string& environment = "") {
-    const std::string command = "cd '" + folder_.string() + "' && " + environment + " " + TIPRUB_POSTPROCESS + " " +
-                                arguments + " >out.txt 2>error.txt";
+  static Outcome run(const std::string& arguments) {
+    const std::string command =
+        "cd '" + folder_.string() + "' && " + TIPRUB_POSTPROCESS + " " + arguments + " >out.txt 2>error.txt";
     Outcome outcome;
     const int status = std::system(command.c_str());
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     outcome.out = text_of(folder_ / "out.txt");
     outcome.error = text_of(folder_ / "error.txt");
     return outcome;
-  }
-
-  static void write_case(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
-
-  static void expect_failure(const Outcome& outcome, int exit_code, const std::string& phrase) {
-    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.error;
-    EXPECT_NE(outcome.error.find(phrase), std::string::npos) << outcome.error;
-    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "wrong"));
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "wrong.part"));
   }
 
   static inline std::filesystem::path folder_;

@@ -7,16 +7,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <thread>
 
 #include "program_fixture.h"
-#include "reduce/model/fields_file.h"
-#include "reduce/model/hdf5_file.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
 
@@ -88,12 +84,6 @@ TEST_F(Program, ReplacesAnOldReport) {
   EXPECT_FALSE(fs::exists(folder_ / "again.part"));
 }
 
-TEST_F(Program, CheckWritesNothing) {
-  const Outcome outcome = run("case.toml model.h5 response.h5 -o wrong --check");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-  EXPECT_FALSE(fs::exists(folder_ / "wrong"));
-}
-
 TEST_F(Program, DrawsASingleSpeedAndASingleBlade) {
   ReducedModel rotor = synthetic::model(1);
   SimulatedScene scene = synthetic::two_lobes();
@@ -116,74 +106,6 @@ TEST_F(Program, DrawsAWheelThatNeverTouchesNorMoves) {
   write_response(response, folder_ / "still.h5", "test");
   const Outcome outcome = run("case.toml model.h5 still.h5 -o still");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-}
-
-TEST_F(Program, RefusesAnUnknownKey) {
-  write_case("unknown.toml", "[postprocess]\ncolour = 3\n");
-  expect_failure(run("unknown.toml model.h5 response.h5 -o wrong"), 2, "unknown.toml:2:1: unknown key \"colour\"");
-}
-
-TEST_F(Program, RefusesAValueOutOfRange) {
-  write_case("range.toml", "[postprocess]\nfamilies = 0\n");
-  expect_failure(run("range.toml model.h5 response.h5 -o wrong"), 2, "families = 0 must be");
-}
-
-TEST_F(Program, RefusesAMissingFile) {
-  expect_failure(run("case.toml model.h5 nowhere.h5 -o wrong"), 1, "nowhere.h5");
-  expect_failure(run("nowhere.toml model.h5 response.h5 -o wrong"), 1, "nowhere.toml: can't be read");
-}
-
-TEST_F(Program, RefusesAWrongSchema) {
-  expect_failure(run("case.toml response.h5 model.h5 -o wrong"), 1, "response.h5");
-}
-
-TEST_F(Program, RefusesFilesOfDifferentRotors) {
-  write_model(synthetic::model(9), folder_ / "nine.h5", "test");
-  expect_failure(run("case.toml nine.h5 response.h5 -o wrong"), 2, "has 10 sectors, the model has 9");
-}
-
-TEST_F(Program, RefusesFieldsOfAnotherRotor) {
-  expect_failure(run("case.toml model.h5 response.h5 --fields model.h5 -o wrong"), 1,
-                 "expected tiprub-fields version 1");
-  expect_failure(run("case.toml model.h5 response.h5 --fields none.h5 -o wrong"), 1, "none.h5: no such file");
-  SectorFields sector;
-  sector.sector_count = 1;
-  sector.nodes = Eigen::Matrix3Xd::Random(3, 20);
-  sector.cells = Eigen::VectorXi::LinSpaced(20, 0, 19);
-  sector.node_sets = {{"clamped", {}}, {"contact", {0}}, {"cyclic_low", {}}, {"cyclic_high", {}}};
-  sector.static_displacement_1 = sector.static_displacement_2 = Eigen::Matrix3Xd::Zero(3, 20);
-  {
-    FieldsWriter writer(folder_ / "other_fields.h5", "test");
-    writer.write_sector(sector);
-    writer.write_basis(0, 1, true, [](Eigen::Index) { return Eigen::VectorXcd(Eigen::VectorXcd::Ones(60)); });
-  }
-  expect_failure(run("case.toml model.h5 response.h5 --fields other_fields.h5 -o wrong"), 2,
-                 "other_fields.h5: has 1 sectors, the model has 10");
-  expect_failure(run("case.toml model.h5 response.h5 --fields other_fields.h5 --check -o wrong"), 2,
-                 "give the fields that were written with the model");
-}
-
-TEST_F(Program, RefusesNumbersThatAreNone) {
-  const ReducedModel rotor = synthetic::model();
-  Response response{synthetic::two_lobes(), "made", {}};
-  response.speeds.push_back(synthetic::speed(response.scene, rotor.contact, 1500, {}, 1));
-  response.speeds[0].displacement(3, 2) = std::nan("");
-  write_response(response, folder_ / "nan.h5", "test");
-  expect_failure(run("case.toml model.h5 nan.h5 -o wrong"), 1, "nan.h5");
-}
-
-TEST_F(Program, RefusesASweepOfFailures) {
-  Response response{synthetic::two_lobes(), "made", {}};
-  response.speeds.resize(1);
-  response.speeds[0].speed = 1500;
-  response.speeds[0].failure = "it blew up";
-  write_response(response, folder_ / "failed.h5", "test");
-  expect_failure(run("case.toml model.h5 failed.h5 -o wrong"), 1, "it blew up");
-}
-
-TEST_F(Program, SaysWhatToInstallWithoutGnuplot) {
-  expect_failure(run("case.toml model.h5 response.h5 -o wrong", "PATH=/nowhere"), 1,
-                 "install it (Debian: gnuplot-nox)");
 }
 
 TEST_F(Program, LeavesNothingWhenInterrupted) {

@@ -2,6 +2,7 @@
 // The page and the tables that the executable makes of a made scene: they stand alone, and say what was computed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "postprocess/fields/brick_stress.h"
+#include "reduce/model/nodal_diameter.h"
 
 namespace tiprub::synthetic {
 

@@ -1,7 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the made scene into a folder: input to try the program on by hand.
+// Writes the made scene into a folder: input to try the program on by hand. Beside it, files with one thing wrong.
+#include <cmath>
+
+#include "reduce/model/fields_file.h"
+#include "reduce/model/reduced_model_file.h"
+#include "simulate/response/response_file.h"
 #include "synthetic_scene.h"
 
+namespace tiprub::synthetic {
+namespace {
+
+void write_fields_of_one_sector(const std::filesystem::path& path) {
+  SectorFields sector;
+  sector.sector_count = 1;
+  sector.nodes = Eigen::Matrix3Xd::Random(3, 20);
+  sector.cells = Eigen::VectorXi::LinSpaced(20, 0, 19);
+  sector.node_sets = {{"clamped", {}}, {"contact", {0}}, {"cyclic_low", {}}, {"cyclic_high", {}}};
+  sector.static_displacement_1 = sector.static_displacement_2 = Eigen::Matrix3Xd::Zero(3, 20);
+  FieldsWriter writer(path, "test");
+  writer.write_sector(sector);
+  writer.write_basis(0, 1, true, [](Eigen::Index) { return Eigen::VectorXcd(Eigen::VectorXcd::Ones(60)); });
+}
+
+void write_response_with_a_nan(const std::filesystem::path& path) {
+  Response response{two_lobes(), "made", {}};
+  response.speeds.push_back(speed(response.scene, model().contact, 1500, {}, 1));
+  response.speeds[0].displacement(3, 2) = std::nan("");
+  write_response(response, path, "test");
+}
+
+void write_response_of_failures(const std::filesystem::path& path) {
+  Response response{two_lobes(), "made", {}};
+  response.speeds.resize(1);
+  response.speeds[0].speed = 1500;
+  response.speeds[0].failure = "it blew up";
+  write_response(response, path, "test");
+}
+
+void write_wrong_files(const std::filesystem::path& folder) {
+  write_model(model(9), folder / "nine_sectors_model.h5", "test");
+  write_fields_of_one_sector(folder / "one_sector_fields.h5");
+  write_response_with_a_nan(folder / "nan_response.h5");
+  write_response_of_failures(folder / "failed_response.h5");
+}
+
+}  // namespace
+}  // namespace tiprub::synthetic
+
 int main(int argc, char** argv) {
-  tiprub::synthetic::write_scene(argc > 1 ? argv[1] : "synthetic");
+  const std::filesystem::path folder = argc > 1 ? argv[1] : "synthetic";
+  tiprub::synthetic::write_scene(folder);
+  tiprub::synthetic::write_wrong_files(folder);
 }

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the mesher says, case by case.
+set(message_room mesh)
+set(impeller INPUTS ${PROJECT_SOURCE_DIR}/cases/impeller_quick/case.toml)
+set(message_defaults PROGRAM $<TARGET_FILE:tiprub-mesh> ARGUMENTS case.toml -o sector.msh ${impeller})
+
+expect_message(works ERRORS "wrote sector.msh" WRITES sector.msh)
+expect_message(plate_works INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/annular_plate.toml=case.toml
+               ERRORS "wrote sector.msh" WRITES sector.msh)
+expect_message(bladed_disc_works INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/bladed_disc.toml=case.toml
+               ERRORS "wrote sector.msh" WRITES sector.msh)
+expect_message(check_writes_nothing ARGUMENTS case.toml --check ERRORS "worst scaled Jacobian")
+expect_message(unknown_key KEY clamped LINE "clampd = \"bore\"" EXIT_CODE 2
+               ERRORS "unknown key \"clampd\" in [mesh]; known: family")
+expect_message(negative_radius KEY exit_radius LINE "exit_radius = -0.1" EXIT_CODE 2
+               ERRORS "exit_radius = -0.1 must be more than 0 [m]")
+expect_message(missing_key KEY exit_radius LINE "" EXIT_CODE 2
+               ERRORS "[mesh] has no exit_radius, and it has no default; add it")
+expect_message(wrong_family KEY family LINE "family = \"fan\"" EXIT_CODE 2 ERRORS "must be one of: impeller, bladed_disc")
+expect_message(bore_too_large KEY bore_radius LINE "bore_radius = 0.04" EXIT_CODE 2
+               ERRORS "must be less than inlet_hub_radius")
+expect_message(crossing_thickness KEY thickness_root LINE "thickness_root = [[0.0, 0.02]]" EXIT_CODE 2
+               ERRORS "thickness_root makes blades cross: at 0 of the meridional length")
+expect_message(odd_passage KEY elements_between_blades LINE "elements_between_blades = 3" EXIT_CODE 2 ERRORS "must be even")
+expect_message(inverted_element KEY back_profile LINE "back_profile = [[0.028, 0.092], [0.09, 0.04], [0.122, 0.0705]]"
+               EXIT_CODE 2 ERRORS "inverted element in the disc, at" "look at [mesh] back_profile")
+expect_message(no_folder ARGUMENTS -q case.toml -o no_such_folder/sector.msh EXIT_CODE 1 ERRORS "can't be written: no folder")

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the post-processor says, case by case, on a made scene.
+set(message_room postprocess)
+set(made ${CMAKE_CURRENT_BINARY_DIR}/message_inputs)
+add_test(NAME postprocess.inputs_of_messages COMMAND write-synthetic-scene ${made})
+set_tests_properties(postprocess.inputs_of_messages PROPERTIES FIXTURES_SETUP postprocess_message_inputs)
+set(message_fixtures postprocess_message_inputs)
+set(message_defaults PROGRAM $<TARGET_FILE:tiprub-postprocess> ARGUMENTS case.toml model.h5 response.h5 -o report
+                     INPUTS ${made}/case.toml ${made}/model.h5 ${made}/response.h5)
+
+expect_message(unknown_key KEY families LINE "colour = 3" EXIT_CODE 2 ERRORS "case.toml:4:1: unknown key \"colour\"")
+expect_message(value_out_of_range KEY families LINE "families = 0" EXIT_CODE 2 ERRORS "families = 0 must be")
+expect_message(no_case ARGUMENTS nowhere.toml model.h5 response.h5 -o report EXIT_CODE 1
+               ERRORS "nowhere.toml: can't be read")
+expect_message(no_response ARGUMENTS case.toml model.h5 nowhere.h5 -o report EXIT_CODE 1 ERRORS "nowhere.h5")
+expect_message(no_fields ARGUMENTS case.toml model.h5 response.h5 --fields none.h5 -o report EXIT_CODE 1
+               ERRORS "none.h5: no such file")
+expect_message(files_exchanged ARGUMENTS case.toml response.h5 model.h5 -o report EXIT_CODE 1 ERRORS "response.h5")
+expect_message(model_for_fields ARGUMENTS case.toml model.h5 response.h5 --fields model.h5 -o report EXIT_CODE 1
+               ERRORS "expected tiprub-fields version 1")
+expect_message(model_of_another_rotor INPUTS ${made}/case.toml ${made}/nine_sectors_model.h5=model.h5 ${made}/response.h5
+               EXIT_CODE 2 ERRORS "has 10 sectors, the model has 9")
+expect_message(not_finite INPUTS ${made}/case.toml ${made}/model.h5 ${made}/nan_response.h5=response.h5 EXIT_CODE 1
+               ERRORS "response.h5")
+expect_message(only_failures INPUTS ${made}/case.toml ${made}/model.h5 ${made}/failed_response.h5=response.h5 EXIT_CODE 1
+               ERRORS "it blew up")
+expect_message(no_gnuplot PROGRAM /usr/bin/env PATH=/nowhere $<TARGET_FILE:tiprub-postprocess> EXIT_CODE 1
+               ERRORS "install it (Debian: gnuplot-nox)")
+
+set(other_fields INPUTS ${made}/case.toml ${made}/model.h5 ${made}/response.h5 ${made}/one_sector_fields.h5=fields.h5)
+expect_message(fields_of_another_rotor ${other_fields} EXIT_CODE 2 ERRORS "fields.h5: has 1 sectors, the model has 10"
+               ARGUMENTS case.toml model.h5 response.h5 --fields fields.h5 -o report)
+expect_message(check_of_fields_of_another_rotor ${other_fields} EXIT_CODE 2
+               ERRORS "give the fields that were written with the model"
+               ARGUMENTS case.toml model.h5 response.h5 --fields fields.h5 --check -o report)
+expect_message(check_writes_nothing ARGUMENTS case.toml model.h5 response.h5 -o report --check)

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the reduction says, case by case, on a small plate, and on sectors that others meshed.
+set(message_room reduce)
+set(here ${CMAKE_CURRENT_SOURCE_DIR})
+set(plate ${here}/annular_plate.toml=case.toml)
+set(made ${CMAKE_CURRENT_BINARY_DIR})
+add_test(NAME reduce.mesh_for_messages COMMAND tiprub-mesh -q ${here}/annular_plate.toml -o ${made}/sector.msh)
+set_tests_properties(reduce.mesh_for_messages PROPERTIES FIXTURES_SETUP reduce_plate_sector)
+set(message_fixtures reduce_plate_sector)
+set(message_defaults PROGRAM $<TARGET_FILE:tiprub-reduce> ARGUMENTS case.toml sector.msh INPUTS ${plate} ${made}/sector.msh)
+
+expect_message(works ERRORS "6 sectors of" WRITES model.h5)
+expect_message(help ARGUMENTS --help OUTPUTS "sector.msh")
+expect_message(version ARGUMENTS --version OUTPUTS "tiprub-reduce ${PROJECT_VERSION}")
+expect_message(check ARGUMENTS case.toml sector.msh --check ERRORS "the case and the sector are sound: 6 sectors")
+expect_message(verbose ARGUMENTS case.toml sector.msh --check -v ERRORS "BLAS: OpenBLAS")
+expect_message(other_output ARGUMENTS case.toml sector.msh -o other.h5 ERRORS "other.h5: 6 sectors" WRITES other.h5)
+expect_message(no_arguments ARGUMENTS -q EXIT_CODE 2 ERRORS "case.toml is required")
+expect_message(unknown_option ARGUMENTS case.toml sector.msh --fast EXIT_CODE 2 ERRORS "--fast")
+expect_message(unknown_key KEY density LINE "densty = 7800.0" EXIT_CODE 2 ERRORS "[reduce] has no density")
+expect_message(misspelt_key KEY contact_nodes LINE "contact_node = 2" EXIT_CODE 2
+               ERRORS "case.toml:21:1: unknown key \"contact_node\" in [reduce]; known: young_modulus")
+expect_message(negative_modulus KEY young_modulus LINE "young_modulus = -1.0" EXIT_CODE 2
+               ERRORS "[reduce] young_modulus = -1 must be more than 0 [Pa]")
+expect_message(wrong_prestress KEY density LINE "density = 1.0\nprestress = \"none\"" EXIT_CODE 2
+               ERRORS "prestress = \"none\" must be one of: linear, stress_only")
+expect_message(too_many_contact_nodes KEY contact_nodes LINE "contact_nodes = 50" EXIT_CODE 2
+               ERRORS "contact_nodes = 50 asks for more; ask for fewer, or refine the mesh along the blade")
+expect_message(too_many_modes KEY fixed_interface_modes LINE "fixed_interface_modes = 500" EXIT_CODE 1
+               ERRORS "modes, 500 are asked for; ask for fewer, or refine the mesh")
+expect_message(no_case ARGUMENTS none.toml sector.msh EXIT_CODE 1 ERRORS "none.toml: can't be read")
+expect_message(no_mesh ARGUMENTS case.toml none.msh EXIT_CODE 1 ERRORS "none.msh: no such file")
+expect_message(no_folder ARGUMENTS case.toml sector.msh -o nowhere/model.h5 EXIT_CODE 1
+               ERRORS "nowhere/model.h5: can't be written: no folder nowhere")
+expect_message(no_gmsh_file FILE sector.msh OLD "MeshFormat" NEW "Recipe" EXIT_CODE 1 ERRORS "sector.msh: gmsh can't read it")
+expect_message(no_gmsh_file_at_all ARGUMENTS case.toml case.toml EXIT_CODE 1 ERRORS "case.toml: gmsh can't read it")
+expect_message(no_cyclic_high FILE sector.msh OLD "\"cyclic_high\"" NEW "\"cut\"" EXIT_CODE 2
+               ERRORS "sector.msh: has no surface group \"cyclic_high\"; name it in the mesher")
+expect_message(faces_of_different_size FILE sector.msh OLD "\"hub\"" NEW "\"cyclic_high\"" EXIT_CODE 2
+               ERRORS "nodes on cyclic_low have no partner among the 37 on cyclic_high")
+expect_message(a_node_astray FILE sector.msh OLD "0.1732050807568877 0.1 0.005" NEW "0.1732050807568877 0.1 0.0051" EXIT_CODE 2
+               ERRORS "sector.msh: 1 of 21 nodes on cyclic_low have no partner among the 21 on cyclic_high, turned by \
+360/6 degrees, within tolerance; re-mesh, or raise [reduce] cyclic_tolerance")
+expect_message(a_node_astray_within_tolerance KEY contact_nodes LINE "contact_nodes = 2\ncyclic_tolerance = 1e-3"
+               FILE sector.msh OLD "0.1732050807568877 0.1 0.005" NEW "0.1732050807568877 0.1 0.0051" ERRORS "6 sectors" WRITES model.h5)
+expect_message(no_clamp FILE sector.msh OLD "\"clamped\"" NEW "\"bore\"" EXIT_CODE 2 ERRORS "has no surface group \"clamped\"")
+expect_message(no_contact FILE sector.msh OLD "\"contact\"" NEW "\"tip\"" EXIT_CODE 2 ERRORS "has no curve or points named \"contact\"")
+expect_message(no_sector FILE sector.msh OLD "\"sector\"" NEW "\"wheel\"" EXIT_CODE 2 ERRORS "has no volume group \"sector\"")
+expect_message(unstable_at_top_speed KEY young_modulus LINE "young_modulus = 1e5\nprestress = \"stress_only\"" EXIT_CODE 1
+               ERRORS "at 5000 rpm: the stiffness is not positive definite: the rotor is unstable")
+expect_message(matrix_market ARGUMENTS case.toml sector.msh --export-matrix-market matrices
+               ERRORS "matrices: K0, K1, K2, M of 4 nodal diameters" WRITES matrices model.h5)
+expect_message(modes ARGUMENTS case.toml sector.msh --modes modes.h5
+               OUTPUTS "speed_rpm nodal_diameter mode frequency_hz branch mac energy_disc" WRITES modes.h5)
+expect_message(nonlinear KEY density LINE "density = 7800.0\nprestress = \"nonlinear\"" ERRORS "eq. 7 through 3 speeds alone within"
+               WRITES model.h5)
+expect_message(polynomial_misses INPUTS ${here}/soft_plate.toml=case.toml ${made}/sector.msh
+               ERRORS "the shape changes too much for eq. 7" WRITES model.h5)
+
+# A sector that tiprub-mesh didn't make.
+add_executable(gmsh_sector gmsh_sector.cc)
+target_link_libraries(gmsh_sector PRIVATE ${GMSH_LIBRARY})
+foreach(kind hex20 hex27 hex8 inverted)
+  add_test(NAME reduce.gmsh_${kind} COMMAND gmsh_sector ${kind} ${made}/gmsh_${kind}.msh)
+  set_tests_properties(reduce.gmsh_${kind} PROPERTIES FIXTURES_SETUP reduce_gmsh_sectors)
+endforeach()
+set(message_fixtures reduce_gmsh_sectors)
+expect_message(gmsh_sector_hex20 INPUTS ${plate} ${made}/gmsh_hex20.msh=sector.msh ERRORS "8 sectors of 270 dofs" WRITES model.h5)
+expect_message(gmsh_sector_hex27 INPUTS ${plate} ${made}/gmsh_hex27.msh=sector.msh ERRORS "8 sectors of 450 dofs" WRITES model.h5)
+expect_message(gmsh_sector_hex8 INPUTS ${plate} ${made}/gmsh_hex8.msh=sector.msh EXIT_CODE 2
+               ERRORS "elements of gmsh type 5; it must hold 20-node bricks")
+expect_message(gmsh_sector_inverted INPUTS ${plate} ${made}/gmsh_inverted.msh=sector.msh EXIT_CODE 2
+               ERRORS "m is inverted; re-mesh")
+
+# Of 600 sectors with 500 modes at 301 nodal diameters, under 1.5 GB of data.
+add_test(NAME reduce.mesh_large_disc COMMAND tiprub-mesh -q ${here}/large_disc.toml -o ${made}/large_disc.msh)
+set_tests_properties(reduce.mesh_large_disc PROPERTIES FIXTURES_SETUP reduce_large_disc)
+set(message_fixtures reduce_large_disc)
+expect_message(too_little_memory PROGRAM sh ${here}/limited.sh 1500000 $<TARGET_FILE:tiprub-reduce>
+               INPUTS ${here}/large_disc.toml=case.toml ${made}/large_disc.msh=sector.msh EXIT_CODE 1
+               ERRORS "not enough memory: about")

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The small wheel's case and model, and models with one thing wrong, for messages.cmake.   inputs_of_messages.py <folder>"""
+import os
+import sys
+
+from small_wheel import CASE, write_model
+
+
+def not_finite(file):
+    data = file["nodal_diameter/0/K0"][()]
+    data.flat[1] = float("nan")
+    file["nodal_diameter/0/K0"][...] = data
+
+
+def other_schema(file):
+    file.attrs["schema"] = b"tiprub-response"
+
+
+def not_hermitian(file):
+    mass = file["nodal_diameter/0/M"][()]
+    mass.flat[1] = 0.5
+    file["nodal_diameter/0/M"][...] = mass
+
+
+def unstable(file):
+    file["nodal_diameter/1/K1"] = -1e3 * file["nodal_diameter/1/M"][()]
+
+
+folder = sys.argv[1]
+os.makedirs(folder, exist_ok=True)
+for name, text in (("case.toml", CASE), ("text.h5", "text")):
+    with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+        file.write(text)
+write_model(os.path.join(folder, "model.h5"))
+for change in (not_finite, other_schema, not_hermitian, unstable):
+    write_model(os.path.join(folder, change.__name__ + ".h5"), change)

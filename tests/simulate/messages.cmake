@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the simulation says, case by case, on a small wheel.
+set(message_room simulate)
+set(made ${CMAKE_CURRENT_BINARY_DIR}/message_inputs)
+add_test(NAME simulate.inputs_of_messages
+         COMMAND ${TIPRUB_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/inputs_of_messages.py ${made})
+set_tests_properties(simulate.inputs_of_messages PROPERTIES FIXTURES_SETUP simulate_message_inputs)
+set(message_fixtures simulate_message_inputs)
+set(message_defaults PROGRAM $<TARGET_FILE:tiprub-simulate> ARGUMENTS case.toml model.h5 -o response.h5
+                     INPUTS ${made}/case.toml ${made}/model.h5)
+
+expect_message(no_case ARGUMENTS absent.toml model.h5 -o response.h5 EXIT_CODE 1 ERRORS "absent.toml: can't be read")
+expect_message(no_model ARGUMENTS case.toml absent.h5 -o response.h5 EXIT_CODE 1 ERRORS "absent.h5: no such file")
+expect_message(no_folder ARGUMENTS case.toml model.h5 -o absent/response.h5 EXIT_CODE 1
+               ERRORS "can't be written: no folder")
+
+expect_message(unknown_key OLD "lobes = 2" NEW "lobs = 2" EXIT_CODE 2
+               ERRORS "case.toml:4:1: unknown key \"lobs\" in [casing]; known: shape, lobes")
+expect_message(unknown_key_of_its_own OLD "damping_ratio" NEW "damping" EXIT_CODE 2
+               ERRORS "unknown key \"damping\" in [simulate]; known: ")
+expect_message(negative_clearance OLD "1.2e-4" NEW "-1.2e-4" EXIT_CODE 2
+               ERRORS "case.toml:6:35: [casing] clearance = -0.00012 must be at least 0 [fraction of the chord, m]")
+expect_message(clearance_outside_the_chord OLD "[1.0, 1.2" NEW "[1.1, 1.2" EXIT_CODE 2
+               ERRORS "must have its fractions of the arc length in 0 .. 1")
+expect_message(no_amplitude OLD "amplitude = 2.0e-4\n" NEW "" EXIT_CODE 2
+               ERRORS "case.toml:2:1: [casing] has no amplitude, and it has no default")
+expect_message(wide_bumps OLD "shape = \"cosine\"" NEW "shape = \"bumps\"\nbump_width_deg = 200" EXIT_CODE 2
+               ERRORS "bump_width_deg = 200 must be more than 0 and at most 180 [deg]")
+expect_message(table_beyond_a_lobe OLD "shape = \"cosine\"\nlobes = 2\namplitude = 2.0e-4"
+               NEW "shape = \"table\"\nlobes = 2\ndistortion_table = [[0, 0], [200, 1e-4]]" EXIT_CODE 2
+               ERRORS "must have its angles in 0 .. 360/lobes")
+expect_message(amplitude_of_a_table OLD "shape = \"cosine\""
+               NEW "shape = \"table\"\ndistortion_table = [[0, 0], [90, 1e-4]]" EXIT_CODE 2
+               ERRORS "unknown key \"amplitude\" in [casing]")
+expect_message(cold_clearance_closed_by_spin OLD "clearance =" NEW "clearance_state = \"cold\"\nclearance =" EXIT_CODE 1
+               ERRORS "spin closes the cold clearance: contact node 0")
+
+expect_message(papers_rule_with_the_wrong_scheme OLD "damping_ratio" NEW "contact = \"paper\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "case.toml:11:11: [simulate] contact = \"paper\" holds only with scheme = \"central_differences\"")
+expect_message(jump_with_a_law_that_remembers OLD "damping_ratio"
+               NEW "acceleration = \"anderson\"\nscheme = \"penalty\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "[simulate] acceleration = \"anderson\" holds only with contact = \"complementarity\" and neither")
+expect_message(unknown_scheme OLD "damping_ratio" NEW "scheme = \"newmark\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "scheme = \"newmark\" must be one of: trigonometric, central_differences, residual_flexibility, \
+moreau_jean, penalty")
+expect_message(residual_flexibility_without_modes OLD "damping_ratio"
+               NEW "scheme = \"residual_flexibility\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "[simulate] has no modes, and it has no default")
+expect_message(key_of_another_scheme OLD "damping_ratio" NEW "moreau_jean_theta = 0.6\ndamping_ratio" EXIT_CODE 2
+               ERRORS "unknown key \"moreau_jean_theta\"")
+expect_message(theta_that_blows_up OLD "damping_ratio"
+               NEW "scheme = \"moreau_jean\"\nmoreau_jean_theta = 0.4\ndamping_ratio" EXIT_CODE 2
+               ERRORS "moreau_jean_theta = 0.4 must be")
+expect_message(penalty_too_stiff_for_the_step OLD "damping_ratio"
+               NEW "scheme = \"penalty\"\npenalty_stiffness = 1e9\ndamping_ratio" EXIT_CODE 1
+               ERRORS "no speed could be computed" "the penalty's springs included" "a lower penalty_stiffness")
+expect_message(fewer_modes_than_contact_nodes OLD "damping_ratio" NEW "modes = 2\ndamping_ratio" EXIT_CODE 1
+               ERRORS "no speed could be computed" "2 modes a nodal diameter can't move 3 contact nodes independently")
+expect_message(step_beyond_the_limit_at_every_speed OLD "damping_ratio"
+               NEW "scheme = \"central_differences\"\nsteps_per_period = 4\nsamples_per_revolution = 12\ndamping_ratio"
+               EXIT_CODE 1
+               ERRORS "no speed could be computed" "central differences need h omega_max / 2 <= 1, and have"
+                      "set [simulate] steps_per_revolution to at least")
+
+expect_message(speeds_the_wrong_way OLD "speed_max_rpm = 12000" NEW "speed_max_rpm = 8000" EXIT_CODE 2
+               ERRORS "[simulate] speed_max_rpm must be above speed_min_rpm")
+expect_message(speed_beyond_the_model OLD "speed_max_rpm = 12000" NEW "speed_max_rpm = 20000" EXIT_CODE 2
+               ERRORS "speed_max_rpm goes to 20000 rev/min" "holds up to 19098.6")
+expect_message(a_speed_twice OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40"
+               NEW "speeds_rpm = [9000, 9000]" EXIT_CODE 2 ERRORS "speeds_rpm names a speed twice")
+expect_message(too_few_revolutions OLD "max_revolutions = 70" NEW "max_revolutions = 10" EXIT_CODE 2
+               ERRORS "max_revolutions must be at least min_revolutions")
+
+# Models with one thing wrong.
+function(expect_wrong_model model)
+  expect_message(model_${model} INPUTS ${made}/case.toml ${made}/${model}.h5 ARGUMENTS case.toml ${model}.h5 -o response.h5
+                 EXIT_CODE 1 ERRORS ${ARGN})
+endfunction()
+expect_wrong_model(text "text.h5: is not an HDF5 file, or is damaged")
+expect_wrong_model(not_finite "not_finite.h5: /nodal_diameter/0/K0: value 1 (row-major, from 0) is not finite")
+expect_wrong_model(other_schema "is tiprub-response version 1, expected tiprub-model version 1")
+expect_wrong_model(not_hermitian "/M is not Hermitian")
+expect_wrong_model(unstable "no speed could be computed" "nodal diameter 1 has omega^2 = -" "statically unstable")
+
+set(check ARGUMENTS case.toml model.h5 --check)
+expect_message(check ${check} ERRORS "at least 400 a period of the lowest frequency, for errors of 0.005"
+                                     "nodal diameters 0, 2: multiples of gcd(6 sectors, 2 lobes) = 2")
+# Four times the tolerance: half the steps.
+expect_message(check_of_coarser_steps ${check} OLD "damping_ratio" NEW "step_tolerance = 2e-2\ndamping_ratio"
+               ERRORS "at least 200 a period")
+expect_message(check_of_a_jump ${check} OLD "damping_ratio" NEW "acceleration = \"anderson\"\ndamping_ratio"
+               ERRORS "settling: by a jump to the fixed point of 1/6 of a revolution and a shift of 1 sectors")

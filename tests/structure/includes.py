@@ -25,7 +25,7 @@ FILE_HEADERS = {"cases": "cases/program", "reduce": "reduce/model", "simulate": 
 STANDS_ON = {"cases": [], "mesh": ["cases"], "reduce": ["cases"], "simulate": ["cases", "reduce"],
              "postprocess": ["cases", "reduce", "simulate"]}
 # What no file header brings to who includes it.
-HEAVY = re.compile(r"deal\.II/|gmsh|mpi\.h|H5|hdf5|Epetra|Anasazi|Teuchos|NOX|LOCA|CLI/|toml\+\+|fftw")
+HEAVY = re.compile(r"deal\.II/|gmsh|mpi\.h|H5|hdf5|Epetra|Anasazi|Teuchos|NOX|LOCA")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)', re.M)
 
 

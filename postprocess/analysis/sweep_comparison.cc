@@ -45,14 +45,15 @@ void require_same_scene(const SimulatedScene& one, const SimulatedScene& other, 
 void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> SweepComparison::*direction,
          const Response& response, const ContactLine& contact, int node, Component component,
          const std::filesystem::path& path) {
-  const Response swept = read_response(path);
+  Response swept = read_response(path);
   require_same_scene(response.scene, swept.scene, path);
+  std::erase_if(swept.speeds, [](const SpeedResponse& at) { return !at.failure.empty(); });  // they have no motion
   const TipAmplitudes amplitudes = tip_amplitudes(swept, contact, component);
   for (SweepComparison& comparison : comparisons) {
     const SpeedResponse& here = response.speeds[static_cast<std::size_t>(comparison.index)];
     for (std::size_t i = 0; i < swept.speeds.size(); ++i) {
       const SpeedResponse& there = swept.speeds[i];
-      if (!there.failure.empty() || std::abs(there.speed - here.speed) > same_speed * here.speed) continue;
+      if (std::abs(there.speed - here.speed) > same_speed * here.speed) continue;
       const auto spectrum = [&](const SpeedResponse& at) {
         return travelling_spectrum(tip_motion(at, response.scene, contact, node, component), at.recorded_revolutions);
       };

@@ -144,6 +144,18 @@ TEST_F(Sweeps, SpeedsThatOnlyOneHasAreLeftAlone) {
   EXPECT_TRUE(compared(up)[1].up.has_value());
 }
 
+TEST_F(Sweeps, SpeedsThatFailedAreLeftAlone) {
+  // A failed speed of a sweep holds no motion: its amplitudes were asked for all the same, out of an empty matrix.
+  Response up = rest_;
+  up.speeds[1] = {};
+  up.speeds[1].speed = 1100;
+  up.speeds[1].failure = "it blew up";
+  const std::vector<SweepComparison> found = compared(up);
+  EXPECT_TRUE(found[0].up.has_value());
+  EXPECT_FALSE(found[1].up.has_value());
+  EXPECT_TRUE(found[2].up.has_value());
+}
+
 TEST_F(Sweeps, OfAnotherCasingAreRefused) {
   Response up = rest_;
   up.scene.clearance[0] *= 2;

@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The 81 checks, in the paper's order. Each returns (holds, what was measured), or raises CannotBeMade.
+"""The 81 checks, in the paper's order. Each returns (holds, what was measured), or raises CannotBeMade or ByConstruction.
 
 Thresholds are named where they are used. WHEEL marks checks whose outcome depends on the paper's confidential wheel: a
 public one may fail them and still reproduce the paper.
 """
+
+class CannotBeMade(Exception):
+    """A check lacks what it looks at; the reason is the message."""
+
+
+class ByConstruction(Exception):
+    """Nothing that was computed could break what a check asks; the message says why. Not counted among those that hold."""
+
 
 CHECKS = []  # number, text, what it depends on, function
 WHEEL = "wheel"

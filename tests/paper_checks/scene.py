@@ -9,12 +9,10 @@ import subprocess
 import h5py
 import numpy
 
+from registry import CannotBeMade
+
 RPM = 30 / numpy.pi           # rev/min in a rad/s
 HIGHEST_ORDER = 30            # engine orders held of each spectrum
-
-
-class CannotBeMade(Exception):
-    """A check lacks what it looks at; the reason is the message."""
 
 
 def read_table(path):
@@ -277,6 +275,13 @@ class Case:
         if not self.periodic.any():
             raise CannotBeMade(f"no speed of {self.name} is periodic")
         return int(numpy.where(self.periodic, self.amplitude, -1).argmax())
+
+    def strongest_diameters(self, orders):
+        """Engine order -> the nodal diameter that holds most of its power over the periodic speeds, and its share."""
+        if not self.periodic.any():
+            raise CannotBeMade(f"no speed of {self.name} is periodic")
+        power = (self.by_diameter()[self.periodic] ** 2).sum(axis=0)
+        return {k: (int(power[k].argmax()), power[k].max() / power[k].sum()) for k in orders}
 
     def by_diameter(self):
         """[m] both directions added: speeds x engine orders x nodal diameters 0 .. N/2."""

@@ -6,6 +6,7 @@
 # Each stage is out of date when its own tables of case.toml change, or a file it reads.
 #
 # MODEL_OF := ../<case>, set before the include, takes sector.msh and model.h5 from another case: one wheel, many casings.
+# SIMULATE_FLAGS, likewise, are further options of tiprub-simulate, such as --set simulate.speed_count=12.
 # [postprocess] response_up = "response_up.h5" asks for this case swept up as well; response_down likewise.
 HERE := $(dir $(lastword $(MAKEFILE_LIST)))
 BIN ?= $(abspath $(HERE)../build/bin)
@@ -33,10 +34,10 @@ model.h5 fields.h5 &: .tables/reduce sector.msh
 endif
 
 response.h5: .tables/casing .tables/simulate model.h5
-	tiprub-simulate case.toml model.h5 -o $@
+	tiprub-simulate case.toml model.h5 -o $@ $(SIMULATE_FLAGS)
 
 response_%.h5: .tables/casing .tables/simulate model.h5
-	tiprub-simulate case.toml model.h5 -o $@ --set 'simulate.sweep="$*"'
+	tiprub-simulate case.toml model.h5 -o $@ --set 'simulate.sweep="$*"' $(SIMULATE_FLAGS)
 
 SWEEPS := $(shell sed -n 's/^response_\(up\|down\) = "\(.*\)".*/\2/p' case.toml)
 

@@ -33,7 +33,8 @@ def smallest_multiple(nodal_diameter, lobes):
 
 
 def marched(order):
-    """Ten oscillators from rest under F cos(p(omega t + i alpha)), by central differences; two-way transform of the motion.
+    """Ten oscillators (eq. 18) from rest under F cos(p(omega t + i alpha)) (eq. 21), by central differences; two-way transform of
+    the motion.
 
     Returns the complex amplitudes of the line `order` over the sectors' signed wave numbers. The steady amplitude of the
     scheme is F/(k - (4 m/h^2) sin^2(p omega h/2)), which tends to the table's with h^2."""

@@ -9,16 +9,12 @@ run) and traces.tsv (one revolution of the motion for each number of modes, as t
 root mean square of the radial motion's difference to the finest run of its row, over that run's root mean square.
 """
 import os
-import re
 import shutil
 import subprocess
 import sys
 
 import h5py
 import numpy
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from case_keys import with_keys
 
 # First family on engine orders 6 and 4, the tallest peaks whose motion is periodic, and a speed between them.
 SPEEDS_RPM = [13500, 17500, 22500]
@@ -39,41 +35,35 @@ MESHES = {
 
 class Bench:
     def __init__(self, programs, cases):
-        self.programs = programs
-        with open(os.path.join(cases, "impeller_quick", "case.toml"), encoding="utf-8") as file:
-            text = re.sub(r"^speed_(min|max)_rpm = .*\n|^speed_count = .*\n", "", file.read().split("[casing]")[1], flags=re.M)
-            file.seek(0)
-            self.case = file.read().split("[casing]")[0] + "[casing]" + text
-        self.case = with_keys(self.case, "simulate", {"speeds_rpm": SPEEDS_RPM, "samples_per_revolution": SAMPLES})
+        self.programs, self.case = programs, os.path.join("runs", "case.toml")
         shutil.rmtree("runs", ignore_errors=True)
         os.makedirs("runs")
+        # Speeds come as a list: those that the case spaces evenly go.
+        with open(os.path.join(cases, "impeller_quick", "case.toml"), encoding="utf-8") as file:
+            simulate = file.read().partition("[simulate]")
+        kept = [line for line in simulate[2].splitlines(True) if not line.startswith(("speed_min_rpm", "speed_max_rpm", "speed_count"))]
+        with open(self.case, "w", encoding="utf-8") as file:
+            file.write("".join([*simulate[:2], *kept]))
 
-    def write(self, name, changes):
-        text = self.case
-        for table, keys in changes.items():
-            text = with_keys(text, table, keys)
-        path = os.path.join("runs", name + ".toml")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-        return path
-
-    def run(self, program, *arguments):
-        subprocess.run([os.path.join(self.programs, program), "-q", *arguments], check=True)
+    def run(self, program, inputs, output, table, keys):
+        settings = [word for key, value in keys.items() for word in ("--set", f"{table}.{key}={value}")]
+        subprocess.run([os.path.join(self.programs, program), "-q", self.case, *inputs, "-o", output, *settings], check=True)
 
     def mesh(self, name, keys):
-        path, sector = self.write(name, {"mesh": keys}), os.path.join("runs", name + ".msh")
-        self.run("tiprub-mesh", path, "-o", sector)
+        sector = os.path.join("runs", name + ".msh")
+        self.run("tiprub-mesh", [], sector, "mesh", keys)
         return sector
 
     def model(self, name, sector, keys):
-        path, model = self.write(name, {"reduce": keys}), os.path.join("runs", name + ".h5")
-        self.run("tiprub-reduce", path, sector, "-o", model)
+        model = os.path.join("runs", name + ".h5")
+        self.run("tiprub-reduce", [sector], model, "reduce", keys)
         return model
 
     def motion(self, name, model, keys):
         """By speed: radial displacement of the leading edge of sector 0 over one period, and the motion's class."""
-        path, response = self.write(name, {"simulate": keys}), os.path.join("runs", name + "_response.h5")
-        self.run("tiprub-simulate", path, model, "-o", response)
+        response = os.path.join("runs", name + "_response.h5")
+        self.run("tiprub-simulate", [model], response, "simulate",
+                 {"speeds_rpm": SPEEDS_RPM, "samples_per_revolution": SAMPLES, **keys})
         with h5py.File(response) as file:
             return [(group["displacement"][:, 0, 0, 0], group.attrs["motion"].decode())
                     for group in file["speed"].values()]
@@ -88,33 +78,38 @@ def sector_dofs(sector):
     raise ValueError(f"{sector}: has no nodes")
 
 
-def main(programs, cases):
-    bench = Bench(programs, cases)
-    quick_sector = os.path.join(cases, "impeller_quick", "sector.msh")
-    quick_model = os.path.join(cases, "impeller_quick", "model.h5")
-    rows = {"eta": [], "steps a revolution": [], "dofs a sector": []}
-    with h5py.File(quick_model) as model:
-        sectors = int(model.attrs["sector_count"])
-
+def over_modes(bench, quick_sector, sectors):
+    """Component modes: (eta, motions); the last keeps all."""
+    rows = []
     for eta in ETAS + [0]:  # 0 keeps all
         count = eta * WHEEL_MODES_PER_ETA // sectors
         model = bench.model(f"eta{eta}", quick_sector, {"fixed_interface_modes": MODES_IN_FILE, "modes_at_speed": count,
                                                        "verification_speeds": [0.0]})
         with h5py.File(model) as file:
             size = len(file["nodal_diameter/0/M"]) - 3 * len(file["contact/arc_length"])
-        rows["eta"].append((eta or size * sectors // WHEEL_MODES_PER_ETA, bench.motion(f"eta{eta}", model, {})))
+        rows.append((eta or size * sectors // WHEEL_MODES_PER_ETA, bench.motion(f"eta{eta}", model, {})))
+    return rows
+
+
+def over_steps(bench, quick_model):
+    rows = []
     for k in range(HALVINGS):
         steps = FEWEST_STEPS * 2 ** k
-        rows["steps a revolution"].append(
-            (steps, bench.motion(f"steps{steps}", quick_model, {"steps_per_revolution": steps, "halved_step_checks": 0})))
+        rows.append((steps, bench.motion(f"steps{steps}", quick_model, {"steps_per_revolution": steps, "halved_step_checks": 0})))
+    return rows
+
+
+def over_meshes(bench, quick_sector, quick_model, cases):
     meshes = [(quick_sector, quick_model),
               tuple(os.path.join(cases, "impeller", name) for name in ("sector.msh", "model.h5"))]
     for name, keys in MESHES.items():
         sector = bench.mesh(name, keys)
         meshes.append((sector, bench.model(name, sector, {"verification_speeds": [0.0]})))
-    for sector, model in sorted(meshes, key=lambda pair: sector_dofs(pair[0])):
-        rows["dofs a sector"].append((sector_dofs(sector), bench.motion(f"mesh{sector_dofs(sector)}", model, {})))
+    return [(sector_dofs(sector), bench.motion(f"mesh{sector_dofs(sector)}", model, {}))
+            for sector, model in sorted(meshes, key=lambda pair: sector_dofs(pair[0]))]
 
+
+def write_differences(rows):
     with open("convergence.tsv", "w", encoding="utf-8") as file:
         file.write("over\tvalue\tspeed [rpm]\tamplitude [mm]\tdifference [1]\tmotion\n")
         for over, runs in rows.items():
@@ -124,12 +119,26 @@ def main(programs, cases):
                     difference = numpy.sqrt(((trace[:length] - finest[:length]) ** 2).mean() / (finest ** 2).mean())
                     amplitude = 0.5e3 * (trace.max() - trace.min())
                     file.write(f"{over}\t{value}\t{rpm}\t{amplitude:.6f}\t{difference:.3e}\t{kind}\n")
-    counts = rows["eta"]
+
+
+def write_traces(counts):
     with open("traces.tsv", "w", encoding="utf-8") as file:
         file.write("angle [deg]\t" + "\t".join(f"eta = {value}, {rpm} rpm [mm]" for rpm in SPEEDS_RPM for value, _ in counts) + "\n")
         for s in range(SAMPLES):
             values = [1e3 * motions[i][0][s] for i in range(len(SPEEDS_RPM)) for _, motions in counts]
             file.write(f"{360.0 * s / SAMPLES:g}\t" + "\t".join(f"{value:.6f}" for value in values) + "\n")
+
+
+def main(programs, cases):
+    bench = Bench(programs, cases)
+    quick_sector, quick_model = (os.path.join(cases, "impeller_quick", name) for name in ("sector.msh", "model.h5"))
+    with h5py.File(quick_model) as model:
+        sectors = int(model.attrs["sector_count"])
+    rows = {"eta": over_modes(bench, quick_sector, sectors),
+            "steps a revolution": over_steps(bench, quick_model),
+            "dofs a sector": over_meshes(bench, quick_sector, quick_model, cases)}
+    write_differences(rows)
+    write_traces(rows["eta"])
 
 
 if __name__ == "__main__":

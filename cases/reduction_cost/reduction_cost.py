@@ -14,9 +14,6 @@ import subprocess
 import sys
 import time
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from case_keys import with_keys
-
 MESHES = [  # elements along chord, bore and span, through the disc, between blades
     (14, 6, 5, 2, 4),
     (22, 9, 8, 3, 4),
@@ -42,15 +39,19 @@ def run(*command):
     return time.monotonic() - start, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 2**20, output
 
 
-def reduce(programs, text, mesh_text=None):
-    """One line of figures: dofs of the sector, of the model, at any one speed, error [%], wall, processor, memory, and that expected."""
+def settings(table, keys):
+    return [word for key, value in keys.items() for word in ("--set", f"{table}.{key}={value}")]
+
+
+def reduce(programs, case, keys, mesh_keys=None):
+    """One line of figures: dofs of the sector, of the model, at any one speed, error [%], wall, processor, memory, and that expected.
+
+    With `mesh_keys`, on a new sector, which the next lines keep."""
     os.makedirs("runs", exist_ok=True)
-    with open("runs/case.toml", "w", encoding="utf-8") as file:
-        file.write(text)
-    if mesh_text is not None:
-        run(f"{programs}/tiprub-mesh", "-q", "runs/case.toml", "-o", "runs/sector.msh")
-    wall, processor, memory, output = run(f"{programs}/tiprub-reduce", "-v", "runs/case.toml", "runs/sector.msh", "-o",
-                                          "runs/model.h5")
+    if mesh_keys is not None:
+        run(f"{programs}/tiprub-mesh", "-q", case, "-o", "runs/sector.msh", *settings("mesh", mesh_keys))
+    wall, processor, memory, output = run(f"{programs}/tiprub-reduce", "-v", case, "runs/sector.msh", "-o", "runs/model.h5",
+                                          *settings("reduce", keys))
     expected = re.search(r"^memory: ([.\d]+) GiB expected", output, flags=re.M).group(1)
     sector, model, at_speed = re.search(r"of (\d+) dofs -> (\d+) dofs, (\d+) at any one speed", output).groups()
     error = re.search(r"frequencies within ([-+.e\d]+) %", output).group(1)
@@ -59,27 +60,23 @@ def reduce(programs, text, mesh_text=None):
 
 def main():
     what, programs, case = sys.argv[1:]
-    with open(case, encoding="utf-8") as file:
-        text = with_keys(file.read(), "reduce", {"threads": len(os.sched_getaffinity(0))})
+    threads = len(os.sched_getaffinity(0))
     columns = "sector_dofs\tmodel_dofs\tdofs_at_speed\terror_percent\twall_s\tprocessor_s\tmemory_GiB\texpected_memory_GiB"
     if what == "cost":
-        print(f"# threads {len(os.sched_getaffinity(0))}\n{columns}")
+        print(f"# threads {threads}\n{columns}")
         for chord, bore, span, disc, between in MESHES:
-            mesh = with_keys(text, "mesh", {"elements_along_chord": chord, "elements_along_bore": bore,
-                                            "elements_along_span": span, "elements_through_disc": disc,
-                                            "elements_between_blades": between})
-            print(reduce(programs, mesh, mesh), flush=True)
+            mesh_keys = {"elements_along_chord": chord, "elements_along_bore": bore, "elements_along_span": span,
+                         "elements_through_disc": disc, "elements_between_blades": between}
+            print(reduce(programs, case, {"threads": threads}, mesh_keys), flush=True)
         return
     print(f"prestress\tspeed_max_rpm\tfixed_interface_modes\tfrequency_tolerance\t{columns}")
-    first = True
+    mesh_keys = {}
     for prestress, top in PRESTRESS.items():
         for modes, at_speed, tolerance in MODELS:
-            keys = {"prestress": f'"{prestress}"', "speed_max_rpm": top, "fixed_interface_modes": modes,
+            keys = {"threads": threads, "prestress": f'"{prestress}"', "speed_max_rpm": top, "fixed_interface_modes": modes,
                     "modes_at_speed": at_speed, "frequency_tolerance": tolerance, "verification_speeds": UNSEEN}
-            model = with_keys(text, "reduce", keys)
-            print(f"{prestress}\t{top}\t{modes}\t{tolerance:g}\t{reduce(programs, model, model if first else None)}",
-                  flush=True)
-            first = False
+            print(f"{prestress}\t{top}\t{modes}\t{tolerance:g}\t{reduce(programs, case, keys, mesh_keys)}", flush=True)
+            mesh_keys = None
 
 
 if __name__ == "__main__":

@@ -17,9 +17,6 @@ import sys
 
 import h5py
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cases"))
-from case_keys import with_keys
-
 TOLERANCE = 1e-6  # relative; CalculiX prints seven digits
 SKIPPED = 77
 
@@ -35,28 +32,19 @@ def calculix_frequencies(table):
     return {n: values[::2] for n, values in rows.items()}
 
 
-def copy_with_keys(case, keys, copy, mesh_keys=()):
-    """Writes a copy of a case file with other values of some keys of [reduce] and [mesh]."""
-    with open(case, encoding="utf-8") as file:
-        text = file.read()
-    with open(copy, "w", encoding="utf-8") as file:
-        file.write(with_keys(with_keys(text, "mesh", dict(mesh_keys)), "reduce", keys))
-
-
 def main(mesh, reduce, case, prestress, work, *mesh_keys):
     if shutil.which("ccx") is None:
         print("SKIPPED: CalculiX (ccx) is not installed; it is Debian's package calculix-ccx")
         return SKIPPED
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
-    changed, sector, model, decks = (os.path.join(work, name) for name in ("case.toml", "sector.msh", "model.h5", "ccx"))
-    copy_with_keys(case, {"prestress": f'"{prestress}"', "verification_speeds": "[0.0, 0.5, 1.0]",
-                          "verification_modes": "10", "verification_tolerance": "1e-9"}, changed,
-                   (key.split("=") for key in mesh_keys))
-    case = changed
-    subprocess.run([mesh, "-q", case, "-o", sector], check=True)
-    subprocess.run([reduce, "-q", case, sector, "-o", model], check=True)
-    subprocess.run([reduce, "-q", case, sector, "--export-ccx", decks], check=True)
+    sector, model, decks = (os.path.join(work, name) for name in ("sector.msh", "model.h5", "ccx"))
+    keys = {"prestress": f'"{prestress}"', "verification_speeds": "[0.0, 0.5, 1.0]", "verification_modes": "10",
+            "verification_tolerance": "1e-9"}
+    settings = [word for key, value in keys.items() for word in ("--set", f"reduce.{key}={value}")]
+    subprocess.run([mesh, "-q", case, "-o", sector, *(word for key in mesh_keys for word in ("--set", f"mesh.{key}"))], check=True)
+    subprocess.run([reduce, "-q", case, sector, "-o", model, *settings], check=True)
+    subprocess.run([reduce, "-q", case, sector, "--export-ccx", decks, *settings], check=True)
     worst, compared = 0.0, 0
     with h5py.File(model) as file:
         diameters = file.attrs["sector_count"] // 2 + 1

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/analysis/contact_drift.h"
 
+#include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <tuple>
+#include <vector>
 
 namespace tiprub {
 
@@ -22,40 +25,38 @@ double folded_phase(const Eigen::VectorXd& column, int lobes) {
   return std::abs(sum) > no_middle * column.sum() ? std::arg(sum) : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// The middle of each column's contact [rad], NaN without one; each the nearest to the one before, modulo a lobe.
+Eigen::VectorXd followed_angles(const ContactMap& map, int lobes) {
+  Eigen::VectorXd angles = Eigen::VectorXd::Constant(map.share.cols(), std::numeric_limits<double>::quiet_NaN());
+  double previous = 0;
+  for (Eigen::Index i = 0; i < angles.size(); ++i) {
+    const double phase = folded_phase(map.share.col(i), lobes);
+    if (std::isnan(phase)) continue;
+    previous = phase + turn * std::round((previous - phase) / turn);
+    angles[i] = previous / lobes;
+  }
+  return angles;
+}
+
 }  // namespace
 
 ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds, int lobes,
                            const ContactLine& contact) {
+  constexpr std::size_t fewest = 3;
   ContactDrift drift;
-  drift.angle.setConstant(speeds.size(), std::numeric_limits<double>::quiet_NaN());
-  double previous = 0, count = 0, mean_speed = 0, mean_angle = 0;
-  for (Eigen::Index i = 0; i < speeds.size(); ++i) {
-    double phase = folded_phase(map.share.col(i), lobes);
-    if (std::isnan(phase)) continue;
-    phase += turn * std::round((previous - phase) / turn);  // the nearest to the last one
-    previous = phase;
-    drift.angle[i] = phase / lobes;
-    mean_speed += speeds[i];
-    mean_angle += drift.angle[i];
-    count += 1;
-  }
-  constexpr double fewest = 3;
-  if (count < fewest) return drift;
-  mean_speed /= count;
-  mean_angle /= count;
-  double speed_square = 0, angle_square = 0, product = 0;
+  drift.angle = followed_angles(map, lobes);
+  std::vector<double> x, y;
   for (Eigen::Index i = 0; i < speeds.size(); ++i) {
     if (std::isnan(drift.angle[i])) continue;
-    const double x = speeds[i] - mean_speed, y = drift.angle[i] - mean_angle;
-    speed_square += x * x;
-    angle_square += y * y;
-    product += x * y;
+    x.push_back(speeds[i]);
+    y.push_back(drift.angle[i]);
   }
-  drift.slope = product / speed_square;
-  drift.intercept = mean_angle - drift.slope * mean_speed;
-  if (angle_square > 0) drift.determination = product * product / (speed_square * angle_square);
+  if (x.size() < fewest) return drift;
+  std::tie(drift.intercept, drift.slope, drift.determination) =
+      boost::math::statistics::simple_ordinary_least_squares_with_R_squared(x, y);
+  if (drift.slope == 0) return drift;
   const Eigen::VectorXd& arc = contact.arc_length;
-  if (drift.slope != 0) drift.implied_wave_speed = (arc[arc.size() - 1] - arc[0]) / std::abs(drift.slope);
+  drift.implied_wave_speed = (arc[arc.size() - 1] - arc[0]) / std::abs(drift.slope);
   return drift;
 }
 

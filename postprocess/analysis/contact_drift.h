@@ -8,14 +8,14 @@ namespace tiprub {
 
 /// How the place that an edge rubs moves around the casing with speed (paper, sec. 6.1.3): the middle of the contact
 /// of a column c of the map, folded onto one lobe, theta = arg(sum c e^{i N_l theta}) / N_l, followed from speed to
-/// speed, and the line theta = intercept + slope Omega through it by least squares. A contact that is passed on along
-/// the blade at the wave speed v comes l/v late, l the length of the tip: then slope = l/v.
+/// speed, and the line theta = intercept + slope Omega through it by least squares (Boost). A contact that is passed
+/// on along the blade at the wave speed v comes l/v late, l the length of the tip: then slope = l/v.
 struct ContactDrift {
   Eigen::VectorXd
       angle;             ///< [rad] by speed, against the rotation positive as the casing's angle; NaN without contact
   double slope = 0;      ///< [s]
   double intercept = 0;  ///< [rad]
-  double determination = 0;       ///< [1] R^2 of the line; 0 if there is none
+  double determination = 0;       ///< [1] R^2 of the line; 0 if there is none, 1 of angles all the same
   double implied_wave_speed = 0;  ///< [m/s] tip length over |slope|
 };
 

@@ -24,14 +24,15 @@ int contact_clusters(const Eigen::VectorXd& column) {
 
 ContactMap contact_map(const Response& response, int node) {
   Eigen::Index areas = 0;
-  for (const SpeedResponse& at : response.speeds) areas = std::max<Eigen::Index>(areas, at.contact_count.cols());
+  for (const SpeedResponse& speed : response.speeds)
+    areas = std::max<Eigen::Index>(areas, speed.contact_count.cols());
   const auto speeds = static_cast<Eigen::Index>(response.speeds.size());
   ContactMap map{Eigen::MatrixXd::Zero(areas, speeds), Eigen::VectorXd::Zero(speeds), Eigen::VectorXi::Zero(speeds)};
   for (Eigen::Index i = 0; i < speeds; ++i) {
-    const SpeedResponse& at = response.speeds[static_cast<std::size_t>(i)];
-    if (!at.failure.empty()) continue;
-    const double steps = static_cast<double>(at.steps_per_revolution) * at.recorded_revolutions;
-    map.share.col(i) = at.contact_count.row(node).transpose().cast<double>() * static_cast<double>(areas) / steps;
+    const SpeedResponse& speed = response.speeds[static_cast<std::size_t>(i)];
+    if (!speed.failure.empty()) continue;
+    const double steps = static_cast<double>(speed.steps_per_revolution) * speed.recorded_revolutions;
+    map.share.col(i) = speed.contact_count.row(node).transpose().cast<double>() * static_cast<double>(areas) / steps;
     map.contrast[i] = contact_contrast(map.share.col(i));
     map.clusters[i] = contact_clusters(map.share.col(i));
   }

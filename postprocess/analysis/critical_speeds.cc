@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "postprocess/analysis/contact_map.h"
-#include "postprocess/analysis/travelling_spectrum.h"
+#include "postprocess/waves/travelling_spectrum.h"
 
 namespace tiprub {
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double same_order = 1e-9;
 
-int clusters_at(const SpeedResponse& at, Eigen::Index node) {
-  return contact_clusters(at.contact_count.row(node).transpose().cast<double>());
+int clusters_at(const SpeedResponse& response, Eigen::Index node) {
+  return contact_clusters(response.contact_count.row(node).transpose().cast<double>());
 }
 
 /// Calls visit(engine order, signed nodal diameter, amplitude) for all waves of a spectrum above frequency zero.
@@ -49,11 +49,11 @@ class PeakReader {
 
  private:
   TravellingSpectrum tip_line_spectrum(Eigen::Index speed) const {
-    const SpeedResponse& at = response_.speeds[static_cast<std::size_t>(speed)];
+    const SpeedResponse& response = response_.speeds[static_cast<std::size_t>(speed)];
     std::vector<TravellingSpectrum> points;
     for (int node = 0; node < contact_.size(); ++node)
-      points.push_back(
-          travelling_spectrum(tip_motion(at, response_.scene, contact_, node, component_), at.recorded_revolutions));
+      points.push_back(travelling_spectrum(tip_motion(response, response_.scene, contact_, node, component_),
+                                           response.recorded_revolutions));
     return mean_spectrum(points);
   }
 
@@ -69,9 +69,9 @@ TipAmplitudes tip_amplitudes(const Response& response, const ContactLine& contac
   const auto speeds = static_cast<Eigen::Index>(response.speeds.size());
   TipAmplitudes amplitudes{Eigen::MatrixXd(contact.size(), speeds), Eigen::VectorXd(speeds), Eigen::VectorXi(speeds)};
   for (Eigen::Index i = 0; i < speeds; ++i) {
-    const SpeedResponse& at = response.speeds[static_cast<std::size_t>(i)];
+    const SpeedResponse& speed = response.speeds[static_cast<std::size_t>(i)];
     for (int node = 0; node < contact.size(); ++node)
-      amplitudes.by_node(node, i) = vibration_amplitude(tip_motion(at, response.scene, contact, node, component));
+      amplitudes.by_node(node, i) = vibration_amplitude(tip_motion(speed, response.scene, contact, node, component));
     Eigen::Index where = 0;
     amplitudes.largest[i] = amplitudes.by_node.col(i).maxCoeff(&where);
     amplitudes.node[i] = static_cast<int>(where);
@@ -85,24 +85,24 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
   const PeakReader reader(response, contact, curves, parameters.component);
   std::vector<CriticalSpeed> all;
   for (const Peak& peak : find_peaks(amplitudes.largest, parameters.prominence)) {
-    const SpeedResponse& at = response.speeds[static_cast<std::size_t>(peak.index)];
+    const SpeedResponse& peak_response = response.speeds[static_cast<std::size_t>(peak.index)];
     CriticalSpeed critical;
     critical.index = peak.index;
-    critical.speed = at.speed;
+    critical.speed = peak_response.speed;
     critical.amplitude = amplitudes.largest[peak.index];
     critical.prominence = peak.prominence;
     critical.node = amplitudes.node[peak.index];
-    critical.motion = at.motion;
-    critical.period_revolutions = at.period_revolutions;
-    critical.leading_edge_areas = clusters_at(at, 0);
-    critical.trailing_edge_areas = clusters_at(at, contact.size() - 1);
+    critical.motion = peak_response.motion;
+    critical.period_revolutions = peak_response.period_revolutions;
+    critical.leading_edge_areas = clusters_at(peak_response, 0);
+    critical.trailing_edge_areas = clusters_at(peak_response, contact.size() - 1);
     reader.name_waves(critical, peak);
     all.push_back(critical);
   }
   return all;
 }
 
-bool foretells(const Crossing& crossing, const CriticalSpeed& critical, double tolerance) {
+bool predicts(const Crossing& crossing, const CriticalSpeed& critical, double tolerance) {
   return std::abs(crossing.engine_order - critical.rising.engine_order) < same_order &&
          crossing.signed_nodal_diameter == critical.rising.signed_nodal_diameter &&
          std::abs(crossing.speed - critical.speed) <= tolerance * critical.speed;
@@ -113,14 +113,14 @@ RuleScore score(LinearRule rule, const std::vector<Crossing>& crossings, const s
   RuleScore result;
   for (CriticalSpeed& speed : critical) {
     const bool hit = std::any_of(crossings.begin(), crossings.end(),
-                                 [&](const Crossing& crossing) { return foretells(crossing, speed, tolerance); });
+                                 [&](const Crossing& crossing) { return predicts(crossing, speed, tolerance); });
     (rule == LinearRule::equation_2 ? speed.by_equation_2 : speed.by_aliasing) = hit;
     ++(hit ? result.hits : result.misses);
   }
   for (const Crossing& crossing : crossings) {
     if (std::find(moving.begin(), moving.end(), std::abs(crossing.signed_nodal_diameter)) == moving.end()) continue;
     const bool met = std::any_of(critical.begin(), critical.end(),
-                                 [&](const CriticalSpeed& speed) { return foretells(crossing, speed, tolerance); });
+                                 [&](const CriticalSpeed& speed) { return predicts(crossing, speed, tolerance); });
     if (!met) ++result.false_alarms;
   }
   return result;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "postprocess/analysis/linear_criterion.h"
 #include "postprocess/analysis/peaks.h"
 #include "postprocess/analysis/postprocess_parameters.h"
-#include "postprocess/analysis/wave_label.h"
-#include "postprocess/fields/field_peak.h"
+#include "postprocess/waves/wave_label.h"
 #include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 
@@ -37,30 +35,29 @@ struct CriticalSpeed {
   WaveLabel largest;  ///< the wave with the largest amplitude, root mean square over the contact nodes
   MotionClass motion = MotionClass::irregular;
   int period_revolutions = 0;
-  int leading_edge_areas = 0;            ///< contact clusters of node 0, sector 0
-  int trailing_edge_areas = 0;           ///< contact clusters of the last node, sector 0
-  bool by_equation_2 = false;            ///< foretold by the linear rule
-  bool by_aliasing = false;              ///< foretold by the rule with aliasing
-  std::optional<FieldPeak> stress = {};  ///< at the recorded sample with the largest contact force; needs full fields
+  int leading_edge_areas = 0;   ///< contact clusters of node 0, sector 0
+  int trailing_edge_areas = 0;  ///< contact clusters of the last node, sector 0
+  bool by_equation_2 = false;   ///< predicted by the linear rule
+  bool by_aliasing = false;     ///< predicted by the rule with aliasing
 };
 
-/// All peaks, ascending in speed, without the forecasts and the stress. Needs a response at every speed.
+/// All peaks, ascending in speed, without the predictions. Needs a response at every speed.
 std::vector<CriticalSpeed> critical_speeds(const Response& response, const ContactLine& contact,
                                            const TipAmplitudes& amplitudes, const FrequencyCurves& curves,
                                            const PostprocessParameters& parameters);
 
 /// What a linear rule was worth.
 struct RuleScore {
-  int hits = 0;          ///< critical speeds that it foretold
+  int hits = 0;          ///< critical speeds that it predicted
   int misses = 0;        ///< critical speeds that it did not
   int false_alarms = 0;  ///< its speeds, on nodal diameters that can move, at which there is no such critical speed
 };
 
-/// A crossing foretells a critical speed if engine order, signed nodal diameter and, within `tolerance` of the
+/// A crossing predicts a critical speed if engine order, signed nodal diameter and, within `tolerance` of the
 /// critical speed, the speed agree with those of the wave that makes the peak.
-bool foretells(const Crossing& crossing, const CriticalSpeed& critical, double tolerance);
+bool predicts(const Crossing& crossing, const CriticalSpeed& critical, double tolerance);
 
-/// Marks the critical speeds that one of the crossings foretells, and counts.
+/// Marks the critical speeds that one of the crossings predicts, and counts.
 RuleScore score(LinearRule rule, const std::vector<Crossing>& crossings, const std::vector<int>& moving,
                 double tolerance, std::vector<CriticalSpeed>& critical);
 

@@ -43,7 +43,7 @@ void sort_by_speed(std::vector<Crossing>& crossings) {
 std::vector<double> criterion_speeds(const std::function<double(double)>& frequency, int engine_order,
                                      double casing_frequency, const SpeedRange& range) {
   const auto mismatch = [&](double speed) {
-    return frequency(speed) - std::abs(engine_order * speed * hz_per_rad_s - casing_frequency);
+    return frequency(speed) - std::abs(engine_order * speed * hz_per_rad_s - casing_frequency);  // eq. 2
   };
   std::vector<double> roots;
   double low = range.low, at_low = mismatch(low);
@@ -64,7 +64,8 @@ std::vector<double> criterion_speeds(const std::function<double(double)>& freque
 std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int sector_count, int families,
                                            const SpeedRange& range) {
   std::vector<Crossing> crossings;
-  for (int n = 1; n <= sector_count / 2; ++n) append_crossings(crossings, curves, families, n, n, range);
+  for (int n = 1; n <= sector_count / 2; ++n)  // eq. 2 with f_c = 0
+    append_crossings(crossings, curves, families, n, n, range);
   sort_by_speed(crossings);
   return crossings;
 }
@@ -72,7 +73,8 @@ std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int se
 std::vector<Crossing> aliased_crossings(const FrequencyCurves& curves, int sector_count, int families, int lobes,
                                         int engine_order_max, const SpeedRange& range) {
   std::vector<Crossing> crossings;
-  for (int order = lobes; lobes > 0 && order <= engine_order_max; order += lobes)
+  for (int order = lobes; lobes > 0 && order <= engine_order_max;
+       order += lobes)  // eq. 16: k N_l Omega; on n: eq. 17
     append_crossings(crossings, curves, families, order, signed_nodal_diameter(order, sector_count), range);
   sort_by_speed(crossings);
   return crossings;

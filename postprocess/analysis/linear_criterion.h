@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "postprocess/analysis/aliasing.h"
-#include "postprocess/analysis/frequency_curves.h"
+#include "postprocess/waves/aliasing.h"
+#include "postprocess/waves/frequency_curves.h"
 
 namespace tiprub {
 
@@ -15,13 +15,13 @@ struct SpeedRange {
   double high = 0;
 };
 
-/// How a critical speed is foretold without a simulation.
+/// How a critical speed is predicted without a simulation.
 enum class LinearRule {
   equation_2,     ///< f_i^n(Omega) = n Omega: the paper's eq. 2 at f_c = 0, the engine order is the nodal diameter
   with_aliasing,  ///< f_i^n(Omega) = k N_l Omega for every k that eq. 17 allows on n
 };
 
-/// A speed at which a rule foretells an interaction.
+/// A speed at which a rule predicts an interaction.
 struct Crossing {
   double speed = 0;               ///< [rad/s]
   double frequency = 0;           ///< [Hz] in the rotor frame
@@ -30,19 +30,21 @@ struct Crossing {
   int family = 0;                 ///< 0 is the lowest
 };
 
-/// Speeds [rad/s] in the range with f(Omega) = |-f_c + k Omega/(2 pi)| (eq. 2 with n_d = k; all in Hz), ascending.
+/// Speeds [rad/s] in the range with f(Omega) = |-f_c + k Omega/(2 pi)| (paper, eq. 2 with n_d = k; all in Hz),
+/// ascending. Eq. 2 is what is left of eq. 1, f = +-f_c +- n_d Omega, without the waves that contact can't drive.
 /// Sign changes on `root_intervals` equal intervals, then bisection: two roots inside one interval are missed, which
 /// for f_c = 0 would need a curve that crosses an engine order twice within 1/400 of the range.
 std::vector<double> criterion_speeds(const std::function<double(double)>& frequency, int engine_order,
                                      double casing_frequency, const SpeedRange& range);
 
-/// All crossings of the first `families` families of nodal diameters 1 .. N/2 with their own engine order. Forward
-/// waves are not among them: eq. 2 excludes them.
+/// Eq. 2 at f_c = 0: all crossings of the first `families` families of nodal diameters 1 .. N/2 with their own engine
+/// order. Forward waves are not among them: eq. 2 excludes them.
 std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int sector_count, int families,
                                            const SpeedRange& range);
 
-/// All crossings with engine orders k N_l <= engine_order_max, each on the nodal diameter of eq. 17; ascending in
-/// speed. None for lobes = 0.
+/// All crossings with the engine orders of a casing with N_l lobes: the fundamental f = N_l Omega (paper, eq. 16) and
+/// its multiples k N_l <= engine_order_max, each on the nodal diameter of eq. 17; ascending in speed. None for
+/// lobes = 0.
 std::vector<Crossing> aliased_crossings(const FrequencyCurves& curves, int sector_count, int families, int lobes,
                                         int engine_order_max, const SpeedRange& range);
 

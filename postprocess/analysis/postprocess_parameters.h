@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cases/program/case_file.h"
-#include "postprocess/analysis/tip_motion.h"
+#include "postprocess/waves/tip_motion.h"
 
 namespace tiprub {
 

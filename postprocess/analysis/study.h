@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "postprocess/analysis/contact_drift.h"
 #include "postprocess/analysis/contact_map.h"
 #include "postprocess/analysis/critical_speeds.h"
-#include "postprocess/analysis/interaction_map.h"
+#include "postprocess/analysis/ridges.h"
 #include "postprocess/analysis/sweep_comparison.h"
 
 namespace tiprub {
 
-/// A travelling wave's peak over speed, on one line of the interaction map.
-struct Ridge {
-  double speed = 0;  ///< [rad/s]
-  WaveLabel wave;
-};
-
-/// All that the figures, the tables and the page are drawn from.
+/// All numbers that the figures, the tables and the page are drawn from. make_study() makes it whole; nothing is
+/// added to it later. What full fields give stands beside it (fields/field_results.h).
 struct Study {
   PostprocessParameters parameters;
   ReducedModel model;
@@ -29,7 +23,7 @@ struct Study {
   TipAmplitudes amplitudes{};
   int map_node = 0;
   InteractionMap map{};
-  std::vector<Ridge> ridges{};  ///< engine orders 1 .. engine_order_max
+  std::vector<Ridge> ridges{};
   ContactMap leading_edge{}, trailing_edge{};
   ContactDrift leading_drift{}, trailing_drift{};
   std::vector<CriticalSpeed> critical{};
@@ -45,11 +39,9 @@ struct Study {
   const SpeedResponse& shown_response() const { return response.speeds[static_cast<std::size_t>(shown)]; }
 };
 
-/// Raises InputError if the model and the response are of different rotors, RunError if no speed has a usable
-/// response. `name` is the response's, for messages.
-void check_together(const ReducedModel& model, const Response& response, const std::string& name);
-
-/// Computes everything; needs check_together().
-Study make_study(const PostprocessParameters& parameters, ReducedModel model, Response response);
+/// Computes everything, and reads the sweeps that are to be compared; needs check_together(). Raises as
+/// compare_sweeps() does.
+Study make_study(const PostprocessParameters& parameters, ReducedModel model, Response response,
+                 const SweepFiles& sweeps);
 
 }  // namespace tiprub

@@ -6,7 +6,7 @@
 
 #include "cases/program/errors.h"
 #include "postprocess/analysis/critical_speeds.h"
-#include "postprocess/analysis/travelling_spectrum.h"
+#include "postprocess/waves/travelling_spectrum.h"
 #include "simulate/response/response_file.h"
 
 namespace tiprub {
@@ -47,15 +47,17 @@ void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> Sw
          const std::filesystem::path& path) {
   Response swept = read_response(path);
   require_same_scene(response.scene, swept.scene, path);
-  std::erase_if(swept.speeds, [](const SpeedResponse& at) { return !at.failure.empty(); });  // they have no motion
+  std::erase_if(swept.speeds,
+                [](const SpeedResponse& speed) { return !speed.failure.empty(); });  // they have no motion
   const TipAmplitudes amplitudes = tip_amplitudes(swept, contact, component);
   for (SweepComparison& comparison : comparisons) {
     const SpeedResponse& here = response.speeds[static_cast<std::size_t>(comparison.index)];
     for (std::size_t i = 0; i < swept.speeds.size(); ++i) {
       const SpeedResponse& there = swept.speeds[i];
       if (std::abs(there.speed - here.speed) > same_speed * here.speed) continue;
-      const auto spectrum = [&](const SpeedResponse& at) {
-        return travelling_spectrum(tip_motion(at, response.scene, contact, node, component), at.recorded_revolutions);
+      const auto spectrum = [&](const SpeedResponse& speed) {
+        return travelling_spectrum(tip_motion(speed, response.scene, contact, node, component),
+                                   speed.recorded_revolutions);
       };
       SweptSpeed found{.amplitude = amplitudes.largest[static_cast<Eigen::Index>(i)],
                        .motion = there.motion,
@@ -71,14 +73,13 @@ void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> Sw
 }  // namespace
 
 std::vector<SweepComparison> compare_sweeps(const Response& response, const ContactLine& contact, int node,
-                                            Component component, const std::filesystem::path& up,
-                                            const std::filesystem::path& down) {
+                                            Component component, const SweepFiles& files) {
   std::vector<SweepComparison> comparisons;
-  if (up.empty() && down.empty()) return comparisons;
+  if (files.up.empty() && files.down.empty()) return comparisons;
   for (std::size_t i = 0; i < response.speeds.size(); ++i)
     comparisons.push_back({.index = static_cast<Eigen::Index>(i), .up = {}, .down = {}});
-  if (!up.empty()) add(comparisons, &SweepComparison::up, response, contact, node, component, up);
-  if (!down.empty()) add(comparisons, &SweepComparison::down, response, contact, node, component, down);
+  if (!files.up.empty()) add(comparisons, &SweepComparison::up, response, contact, node, component, files.up);
+  if (!files.down.empty()) add(comparisons, &SweepComparison::down, response, contact, node, component, files.down);
   return comparisons;
 }
 

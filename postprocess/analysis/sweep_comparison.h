@@ -11,6 +11,11 @@
 
 namespace tiprub {
 
+/// Responses of the same case swept up and down; an empty path: there is none.
+struct SweepFiles {
+  std::filesystem::path up, down;
+};
+
 /// One speed reached in another way: by a sweep that carried its motion along from the speed before.
 struct SweptSpeed {
   double amplitude = 0;  ///< [m] half of the peak-to-peak, the largest over sectors and nodes
@@ -34,7 +39,6 @@ struct SweepComparison {
 /// One entry a speed of `response`, or none if neither sweep is given. Reads the files one after the other; raises
 /// RunError as read_response() does, InputError if a sweep is of another casing or another rotor.
 std::vector<SweepComparison> compare_sweeps(const Response& response, const ContactLine& contact, int node,
-                                            Component component, const std::filesystem::path& up,
-                                            const std::filesystem::path& down);
+                                            Component component, const SweepFiles& files);
 
 }  // namespace tiprub

@@ -33,13 +33,13 @@ Eigen::RowVector3d product_gradient(const std::array<Factor, 3>& f) {
 }
 
 /// Derivatives of the shape functions in the reference cube; nodes x 3.
-Eigen::Matrix<double, Eigen::Dynamic, 3> reference_gradient(int nodes, const Eigen::Vector3d& at) {
+Eigen::Matrix<double, Eigen::Dynamic, 3> reference_gradient(int nodes, const Eigen::Vector3d& point) {
   Eigen::Matrix<double, Eigen::Dynamic, 3> gradient(nodes, 3);
   for (int k = 0; k < nodes; ++k) {
     const std::array<int, 3>& node = brick_reference_nodes()[k];
     std::array<Factor, 3> f;
     for (int d = 0; d < 3; ++d)
-      f[d] = nodes == serendipity_nodes ? serendipity(node[d], at[d]) : lagrange(node[d], at[d]);
+      f[d] = nodes == serendipity_nodes ? serendipity(node[d], point[d]) : lagrange(node[d], point[d]);
     gradient.row(k) = product_gradient(f);
     if (nodes != serendipity_nodes) continue;
     if (k >= 8) {
@@ -48,7 +48,7 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> reference_gradient(int nodes, const Eig
     }
     const Eigen::Vector3d sign(node[0], node[1], node[2]);  // corners: (f0 f1 f2) (sum of sign x - 2) / 8
     const double product = f[0].value * f[1].value * f[2].value;
-    gradient.row(k) = 0.125 * (gradient.row(k) * (sign.dot(at) - 2) + product * sign.transpose());
+    gradient.row(k) = 0.125 * (gradient.row(k) * (sign.dot(point) - 2) + product * sign.transpose());
   }
   return gradient;
 }

@@ -20,6 +20,10 @@ const std::array<std::array<int, 3>, 27>& brick_reference_nodes();
 /// the 2 x 2 x 2 Gauss points of each brick, where those of quadratic bricks are exact to one order more (Barlow
 /// 1976), carried on to its nodes trilinearly (Hinton and Campbell 1974), and averaged over the bricks that share a
 /// node. Strains at the nodes themselves would be of the same order, and several times as wrong.
+///
+/// The shape functions of the 20- and 27-node brick are written out here: the sector's operators take theirs from
+/// deal.II, which has no 20-node brick (reduce/sector) and would make this program start in seconds, and the mesher's
+/// (mesh/lattice) belong to another room. The tests hold them to constant and to linear stress, exactly.
 class BrickStress {
  public:
   explicit BrickStress(const SectorFields& sector);

@@ -27,21 +27,21 @@ FieldPeak field_peak(const SectorFields& sector, double speed, const WheelField&
   FieldPeak peak;
   peak.speed = speed;
   peak.displacement = largest_displacement(vibration);
-  Eigen::Index at = 0;
+  Eigen::Index worst_node = 0;
   for (std::size_t j = 0; j < vibration.displacement.size(); ++j) {
     Eigen::Index node = 0;
     const double here = von_mises(vibration.stress[j]).maxCoeff(&node);
     if (here > peak.vibration) {
       peak.vibration = here;
       peak.sector = static_cast<int>(j);
-      at = node;
+      worst_node = node;
     }
     peak.spin = std::max(peak.spin, von_mises(spin.stress[j]).maxCoeff());
     peak.both = std::max(peak.both, von_mises(vibration.stress[j] + spin.stress[j]).maxCoeff());
   }
-  peak.place << sector.nodes.col(at).head<2>().norm(), std::atan2(sector.nodes(1, at), sector.nodes(0, at)),
-      sector.nodes(2, at);
-  peak.part = part_of(sector, static_cast<int>(at));
+  peak.place << sector.nodes.col(worst_node).head<2>().norm(),
+      std::atan2(sector.nodes(1, worst_node), sector.nodes(0, worst_node)), sector.nodes(2, worst_node);
+  peak.part = part_of(sector, static_cast<int>(worst_node));
   return peak;
 }
 

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "cases/program/errors.h"
-#include "postprocess/analysis/aliasing.h"
 #include "postprocess/tables/interruption.h"
+#include "postprocess/waves/aliasing.h"
 
 namespace tiprub {
 
@@ -88,10 +88,10 @@ void normalise(Eigen::Matrix3Xcd& shape) {
   shape /= shape(row, column);
 }
 
-Eigen::MatrixXd forces_at(const SpeedResponse& at, const SimulatedScene& scene, int nodes, int sample) {
+Eigen::MatrixXd forces_at(const SpeedResponse& response, const SimulatedScene& scene, int nodes, int sample) {
   Eigen::MatrixXd forces(scene.sector_count, nodes);
   for (int j = 0; j < scene.sector_count; ++j)
-    forces.row(j) = at.contact_force.row(sample).segment((j % scene.independent_sectors) * nodes, nodes);
+    forces.row(j) = response.contact_force.row(sample).segment((j % scene.independent_sectors) * nodes, nodes);
   return forces;
 }
 
@@ -179,28 +179,23 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
   recovery.ask_instants(speeds);
   recovery.run(bricks, fields);
   for (std::size_t i = 0; i < recovery.instants().size(); ++i) {
-    const SpeedResponse& at = study.response.speeds[recovery.instants()[i]];
+    const SpeedResponse& response = study.response.speeds[recovery.instants()[i]];
     const int count = fields.sector.sector_count;
     WheelField vibration = on_wheel(recovery.waves(i), count);
-    WheelField spin = on_wheel({spin_field(fields.sector, bricks, at.speed)}, count);
-    fields.peaks.push_back(field_peak(fields.sector, at.speed, vibration, spin));
+    WheelField spin = on_wheel({spin_field(fields.sector, bricks, response.speed)}, count);
+    fields.peaks.push_back(field_peak(fields.sector, response.speed, vibration, spin));
     if (recovery.instants()[i] != worst) continue;
     fields.has_instant = true;
-    fields.angle = 2 * std::numbers::pi * at.snapshot->sample / at.samples_per_revolution;
-    fields.force = at.snapshot->force;
-    fields.contact_force = forces_at(at, study.response.scene, study.model.contact.size(), at.snapshot->sample);
+    fields.angle = 2 * std::numbers::pi * response.snapshot->sample / response.samples_per_revolution;
+    fields.force = response.snapshot->force;
+    fields.contact_force =
+        forces_at(response, study.response.scene, study.model.contact.size(), response.snapshot->sample);
     fields.invariant_sectors = count / std::gcd(count, study.response.scene.lobes);
     fields.invariance = turn_difference(vibration, fields.invariant_sectors);
     fields.vibration = std::move(vibration);
     fields.spin = std::move(spin);
   }
   return fields;
-}
-
-void note_stresses(const FieldStudy& fields, std::vector<CriticalSpeed>& critical) {
-  for (CriticalSpeed& speed : critical)
-    for (const FieldPeak& peak : fields.peaks)
-      if (peak.speed == speed.speed) speed.stress = peak;
 }
 
 }  // namespace tiprub

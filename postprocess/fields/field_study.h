@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "postprocess/analysis/study.h"
+#include "postprocess/fields/field_peak.h"
 #include "postprocess/fields/field_recovery.h"
 
 namespace tiprub {
@@ -34,9 +35,6 @@ struct FieldStudy {
 
 /// Reads fields.h5 once and recovers everything. Raises InputError if the fields are of another model.
 FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study);
-
-/// Gives each critical speed its FieldPeak, if it has one.
-void note_stresses(const FieldStudy& fields, std::vector<CriticalSpeed>& critical);
 
 /// Only looks whether the fields are those of the model; raises as recover_fields() does.
 void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model);

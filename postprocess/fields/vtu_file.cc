@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "cases/program/errors.h"
-#include "postprocess/report/html.h"
+#include "postprocess/tables/base64.h"
 
 namespace tiprub {
 
@@ -23,7 +23,7 @@ std::string encoded(const std::vector<Value>& values) {
   const std::uint64_t length = sizeof(Value) * values.size();
   std::string bytes(reinterpret_cast<const char*>(&length), sizeof length);
   bytes.append(reinterpret_cast<const char*>(values.data()), length);
-  return html::base64(bytes);
+  return base64(bytes);
 }
 
 template <class Value>

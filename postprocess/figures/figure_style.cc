@@ -148,13 +148,6 @@ Eigen::MatrixXd modal_lines(const Study& study, int nodal_diameter, const SpeedA
   return rows;
 }
 
-std::string engine_order_name(double engine_order) {
-  std::ostringstream out;
-  out.precision(4);
-  out << "EO " << engine_order;
-  return out.str();
-}
-
 std::string signed_name(int nodal_diameter) {
   if (nodal_diameter == 0) return "0";
   return (nodal_diameter > 0 ? "+" : "\xE2\x88\x92") + std::to_string(std::abs(nodal_diameter));

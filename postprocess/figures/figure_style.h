@@ -54,8 +54,6 @@ Eigen::MatrixXd modal_lines(const Study& study, int nodal_diameter, const SpeedA
 /// Families that are drawn at a nodal diameter.
 int drawn_families(const Study& study, int nodal_diameter);
 
-/// "EO 6", "EO 5.5".
-std::string engine_order_name(double engine_order);
 /// "+4", "-4", "0", with a true minus sign.
 std::string signed_name(int nodal_diameter);
 

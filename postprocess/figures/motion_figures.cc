@@ -37,7 +37,7 @@ struct SectorSignal {
 };
 
 std::string peak_name(const CriticalSpeed& critical) {
-  return style::engine_order_name(critical.rising.engine_order) + ", ND " +
+  return engine_order_name(critical.rising.engine_order) + ", ND " +
          style::signed_name(critical.rising.signed_nodal_diameter);
 }
 

@@ -4,7 +4,7 @@
 
 #include "postprocess/figures/figure.h"
 #include "postprocess/figures/figure_style.h"
-#include "postprocess/report/result_tables.h"
+#include "postprocess/records/sweep_record.h"
 #include "postprocess/tables/units.h"
 
 namespace tiprub {

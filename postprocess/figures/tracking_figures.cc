@@ -3,7 +3,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "postprocess/analysis/harmonic_tracking.h"
+#include "postprocess/waves/harmonic_tracking.h"
 #include "postprocess/figures/figure.h"
 #include "postprocess/figures/figure_style.h"
 #include "postprocess/tables/units.h"

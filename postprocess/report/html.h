@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 
 #include "postprocess/tables/table.h"
 
@@ -10,14 +12,11 @@ namespace tiprub::html {
 /// Text with the letters that HTML would read as its own replaced.
 std::string escaped(const std::string& text);
 
-/// Base 64 (RFC 4648), for data URIs.
-std::string base64(const std::string& bytes);
-
 /// A table with a head; numbers to the right, texts to the left.
 std::string table(const Table& table);
 
-/// The page's look and its two scripts' worth of behaviour; no outside resource.
-const char* style();
-const char* script();
+/// A template with every {{name}} replaced by its value, in one pass: what a value holds is not looked at again.
+/// Every name of the template must have a value, and every value a place.
+std::string filled(std::string_view page, const std::map<std::string, std::string>& values);
 
 }  // namespace tiprub::html

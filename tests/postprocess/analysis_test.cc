@@ -3,22 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "postprocess/analysis/aliasing.h"
 #include "postprocess/analysis/contact_map.h"
 #include "postprocess/analysis/critical_speeds.h"
-#include "postprocess/analysis/harmonic_tracking.h"
-#include "postprocess/analysis/linear_criterion.h"
 #include "postprocess/analysis/study.h"
-#include "postprocess/report/result_tables.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/records/linear_criterion_record.h"
+#include "postprocess/waves/harmonic_tracking.h"
 #include "synthetic_scene.h"
 
 namespace tiprub {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 const Study& made_study() {
   static const Study study = [] {
@@ -26,116 +20,9 @@ const Study& made_study() {
     Response response = synthetic::resonant_sweep(rotor);
     PostprocessParameters parameters;
     parameters.prominence = 0.15;
-    return make_study(parameters, std::move(rotor), std::move(response));
+    return make_study(parameters, std::move(rotor), std::move(response), {});
   }();
   return study;
-}
-
-// --- aliasing: checks 43-47 and 54 ---
-
-TEST(Aliasing, TenBladesCannotTellSixFromFour) {
-  for (int j = 0; j < 10; ++j) {
-    EXPECT_NEAR(std::cos(6 * two_pi * j / 10), std::cos(4 * two_pi * j / 10), 1e-14);
-    EXPECT_NEAR(std::cos(8 * two_pi * j / 10), std::cos(2 * two_pi * j / 10), 1e-14);
-  }
-}
-
-TEST(Aliasing, IsTheZigZagOfTheTenBlades) {
-  const int zigzag[] = {0, 1, 2, 3, 4, 5, 4, 3, 2, 1};
-  for (int order = 0; order <= 40; ++order) EXPECT_EQ(aliased_nodal_diameter(order, 10), zigzag[order % 10]);
-}
-
-TEST(Aliasing, TwoAndThreeLobes) {
-  const int two[] = {2, 4, 4, 2, 0, 2}, three[] = {3, 4, 1, 2, 5, 2, 1, 4, 3, 0};
-  for (int k = 1; k <= 6; ++k) EXPECT_EQ(aliased_nodal_diameter(2 * k, 10), two[k - 1]);
-  for (int k = 1; k <= 10; ++k) EXPECT_EQ(aliased_nodal_diameter(3 * k, 10), three[k - 1]);
-}
-
-TEST(Aliasing, SmallestEngineOrderSolvesEquation17) {
-  for (const int sectors : {1, 2, 7, 10, 13})
-    for (int lobes = 1; lobes <= 6; ++lobes)
-      for (int n = 0; n <= sectors / 2; ++n) {
-        std::optional<int> expected;  // alpha N +- n = k N_l, by trying
-        for (int k = 1; k <= 2 * sectors && !expected; ++k)
-          if ((k * lobes - n) % sectors == 0 || (k * lobes + n) % sectors == 0) expected = k * lobes;
-        EXPECT_EQ(smallest_engine_order(n, lobes, sectors), expected) << sectors << " " << lobes << " " << n;
-      }
-  EXPECT_FALSE(smallest_engine_order(1, 2, 10));
-  EXPECT_EQ(smallest_engine_order(0, 2, 10), 10);
-}
-
-TEST(Aliasing, DirectionOfTheEngineOrders) {
-  for (int order = 1; order <= 30; ++order) {
-    const WaveDirection direction = wave_direction(signed_nodal_diameter(order, 10), 10);
-    const int place = order % 10;
-    const WaveDirection expected = place == 0 || place == 5 ? WaveDirection::standing
-                                   : place < 5              ? WaveDirection::backward
-                                                            : WaveDirection::forward;
-    EXPECT_EQ(direction, expected) << "EO " << order;
-  }
-  EXPECT_EQ(signed_nodal_diameter(3, 10), 3);
-  EXPECT_EQ(signed_nodal_diameter(6, 10), -4);
-  EXPECT_EQ(signed_nodal_diameter(9, 10), -1);
-  EXPECT_EQ(signed_nodal_diameter(12, 10), 2);
-}
-
-// --- linear criterion: checks 10-11 ---
-
-/// sqrt(f0^2 + b r^2) = k r with r the rotation frequency: r = f0 / sqrt(k^2 - b).
-double crossing_in_closed_form(int nodal_diameter, int family, int engine_order) {
-  return two_pi * synthetic::rest_frequency(nodal_diameter, family) /
-         std::sqrt(engine_order * engine_order - synthetic::stiffening);
-}
-
-TEST(LinearCriterion, Equation2MatchesTheClosedForm) {
-  const FrequencyCurves curves(synthetic::model(), 2500);
-  const SpeedRange range{1000, 2500};
-  const std::vector<Crossing> crossings = equation_2_crossings(curves, 10, 2, range);
-  std::size_t expected = 0;
-  for (int n = 1; n <= 5; ++n)
-    for (int family = 0; family < 2; ++family) {
-      const double speed = crossing_in_closed_form(n, family, n);
-      if (speed < range.low || speed > range.high) continue;
-      ++expected;
-      EXPECT_TRUE(std::any_of(crossings.begin(), crossings.end(),
-                              [&](const Crossing& crossing) {
-                                return crossing.signed_nodal_diameter == n && crossing.engine_order == n &&
-                                       crossing.family == family && std::abs(crossing.speed - speed) < 1e-8 * speed;
-                              }))
-          << "nodal diameter " << n << ", family " << family;
-    }
-  EXPECT_GT(expected, 0U);
-  EXPECT_EQ(crossings.size(), expected);
-}
-
-TEST(LinearCriterion, AliasedCrossingsMatchTheClosedForm) {
-  const FrequencyCurves curves(synthetic::model(), 2500);
-  for (const Crossing& crossing : aliased_crossings(curves, 10, 2, 2, 12, {1000, 2500})) {
-    EXPECT_EQ(crossing.engine_order % 2, 0);
-    EXPECT_EQ(crossing.signed_nodal_diameter, signed_nodal_diameter(crossing.engine_order, 10));
-    const double speed =
-        crossing_in_closed_form(std::abs(crossing.signed_nodal_diameter), crossing.family, crossing.engine_order);
-    EXPECT_NEAR(crossing.speed, speed, 1e-8 * speed);
-  }
-  EXPECT_TRUE(aliased_crossings(curves, 10, 2, 0, 12, {1000, 2500}).empty());
-}
-
-/// f = |-f_c + n Omega| has two roots, n Omega = f_c - f and f_c + f, for a mode below the casing's.
-TEST(LinearCriterion, AFlexibleCasingGivesBothRoots) {
-  const auto constant = [](double) { return 100.0; };
-  const std::vector<double> speeds = criterion_speeds(constant, 4, 300.0, {0, 1000});
-  ASSERT_EQ(speeds.size(), 2U);
-  EXPECT_NEAR(speeds[0], two_pi * 200 / 4, 1e-9);
-  EXPECT_NEAR(speeds[1], two_pi * 400 / 4, 1e-9);
-}
-
-TEST(FrequencyCurves, FollowTheClosedFormBetweenTheirSamples) {
-  const FrequencyCurves curves(synthetic::model(9), 2500);
-  EXPECT_EQ(curves.nodal_diameters(), 5);
-  for (const double speed : {0.0, 37.0, 911.0, 1777.7, 2500.0})
-    for (int n = 0; n < 5; ++n)
-      for (int family = 0; family < 3; ++family)
-        EXPECT_NEAR(curves.frequency(n, family, speed), synthetic::frequency(n, family, speed), 1e-7);
 }
 
 // --- contact maps: checks 57-59 ---
@@ -240,7 +127,8 @@ TEST(CriticalSpeeds, AreFoundAndNamed) {
     EXPECT_EQ(critical.rising.family, want.family);
     EXPECT_EQ(critical.rising.direction, want.direction);
     EXPECT_NEAR(critical.speed,
-                crossing_in_closed_form(std::abs(want.signed_nodal_diameter), want.family, want.engine_order), step);
+                synthetic::crossing_speed(std::abs(want.signed_nodal_diameter), want.family, want.engine_order),
+                step);
     EXPECT_EQ(critical.node, 0);
     EXPECT_TRUE(critical.by_aliasing);
     EXPECT_FALSE(critical.by_equation_2);
@@ -259,6 +147,7 @@ TEST(CriticalSpeeds, TheRisingWaveIsNotAlwaysTheLargest) {
   EXPECT_EQ(critical.largest.engine_order, 2);
 }
 
+/// Forward waves, which eq. 2 excludes, are listed as such.
 TEST(CriticalSpeeds, RuleSaysWhatItLeavesOut) {
   const Table table = linear_criterion_record(made_study());
   ASSERT_FALSE(table.rows.empty());

@@ -6,7 +6,8 @@
 #include <fstream>
 #include <numbers>
 
-#include "postprocess/analysis/aliasing.h"
+#include "cases/program/units.h"
+#include "postprocess/waves/aliasing.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
 #include "synthetic_fields.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr int contact_nodes = 4;
+constexpr int steps_per_sample = 10;
 constexpr int dofs = 3 * contact_nodes + 4;
 constexpr double nodal_mass = 0.01;  // [kg]
 
@@ -60,6 +62,52 @@ Wave driven_wave(int engine_order, int sectors, double speed) {
   return {static_cast<double>(engine_order), n, 0.15 * amplitude + 2 * strength, 0.3 * engine_order};
 }
 
+/// A speed that settled, without motion and contact.
+SpeedResponse motionless(const SimulatedScene& scene, const ContactLine& contact, double omega,
+                         int recorded_revolutions) {
+  constexpr int samples_per_revolution = 360, areas = 200;
+  const int samples = samples_per_revolution * recorded_revolutions;
+  const int points = scene.independent_sectors * contact.size();
+  SpeedResponse response;
+  response.speed = omega;
+  response.samples_per_revolution = samples_per_revolution;
+  response.steps_per_revolution = samples_per_revolution * steps_per_sample;
+  response.recorded_revolutions = recorded_revolutions;
+  response.revolutions = 10 * recorded_revolutions;
+  response.motion = MotionClass::periodic;
+  response.period_revolutions = 1;
+  response.change = 3e-5;
+  response.change_rate = 0.8;
+  response.energy.closing_error = 2e-4;
+  response.displacement.setZero(samples, 3 * points);
+  response.contact_force.setZero(samples, points);
+  response.contact_count.setZero(points, areas);
+  return response;
+}
+
+/// Moves the contact nodes of a sector along their normals, less towards the trailing edge, and lets the casing push;
+/// whether it does.
+bool move_sector(SpeedResponse& response, const SimulatedScene& scene, const ContactLine& contact, int sample,
+                 int sector, double motion) {
+  const double turned = two_pi * sample / response.samples_per_revolution;
+  const double alpha = two_pi * sector / scene.sector_count;
+  const auto areas = static_cast<int>(response.contact_count.cols());
+  bool touching = false;
+  for (int node = 0; node < contact.size(); ++node) {
+    const int point = sector * contact.size() + node;
+    const double moved = motion * (1.0 - 0.2 * node);
+    response.displacement.block<1, 3>(sample, 3 * point) =
+        moved * (contact.normal.row(node) + 0.8 * Eigen::RowVector3d::UnitY());
+    const double angle = std::fmod(alpha + contact.position(node, 1) + turned, two_pi);
+    const double gap = scene.clearance[node] - 3e-4 * std::cos(2 * angle) - moved;
+    if (gap >= 0) continue;
+    touching = true;
+    response.contact_force(sample, point) = -gap * 1e6;
+    response.contact_count(point, static_cast<int>(areas * angle / two_pi) % areas) += steps_per_sample;
+  }
+  return touching;
+}
+
 }  // namespace
 
 double rest_frequency(int nodal_diameter, int family) {
@@ -70,6 +118,10 @@ double rest_frequency(int nodal_diameter, int family) {
 
 double frequency(int nodal_diameter, int family, double speed) {
   return std::hypot(rest_frequency(nodal_diameter, family), std::sqrt(stiffening) * speed / two_pi);
+}
+
+double crossing_speed(int nodal_diameter, int family, int engine_order) {
+  return two_pi * rest_frequency(nodal_diameter, family) / std::sqrt(engine_order * engine_order - stiffening);
 }
 
 ReducedModel model(int sector_count) {
@@ -115,24 +167,9 @@ SimulatedScene two_lobes() {
 
 SpeedResponse speed(const SimulatedScene& scene, const ContactLine& contact, double omega,
                     const std::vector<Wave>& waves, int recorded_revolutions) {
-  constexpr int samples_per_revolution = 360, steps_per_sample = 10, areas = 200;
-  const int samples = samples_per_revolution * recorded_revolutions, nodes = contact.size();
-  SpeedResponse at;
-  at.speed = omega;
-  at.samples_per_revolution = samples_per_revolution;
-  at.steps_per_revolution = samples_per_revolution * steps_per_sample;
-  at.recorded_revolutions = recorded_revolutions;
-  at.revolutions = 10 * recorded_revolutions;
-  at.motion = MotionClass::periodic;
-  at.period_revolutions = 1;
-  at.change = 3e-5;
-  at.change_rate = 0.8;
-  at.energy.closing_error = 2e-4;
-  at.displacement.setZero(samples, 3 * scene.independent_sectors * nodes);
-  at.contact_force.setZero(samples, scene.independent_sectors * nodes);
-  at.contact_count.setZero(scene.independent_sectors * nodes, areas);
-  for (int s = 0; s < samples; ++s) {
-    const double turned = two_pi * s / samples_per_revolution;
+  SpeedResponse response = motionless(scene, contact, omega, recorded_revolutions);
+  for (int sample = 0; sample < response.displacement.rows(); ++sample) {
+    const double turned = two_pi * sample / response.samples_per_revolution;
     bool touching = false;
     for (int sector = 0; sector < scene.independent_sectors; ++sector) {
       const double alpha = two_pi * sector / scene.sector_count;
@@ -140,22 +177,11 @@ SpeedResponse speed(const SimulatedScene& scene, const ContactLine& contact, dou
       for (const Wave& wave : waves)
         motion +=
             wave.amplitude * std::cos(wave.engine_order * turned + wave.signed_nodal_diameter * alpha + wave.phase);
-      for (int node = 0; node < nodes; ++node) {
-        const int row = sector * nodes + node;
-        const double here = motion * (1.0 - 0.2 * node);
-        at.displacement.block<1, 3>(s, 3 * row) =
-            here * (contact.normal.row(node) + 0.8 * Eigen::RowVector3d::UnitY());
-        const double angle = std::fmod(alpha + contact.position(node, 1) + turned, two_pi);
-        const double gap = scene.clearance[node] - 3e-4 * std::cos(2 * angle) - here;
-        if (gap >= 0) continue;
-        touching = true;
-        at.contact_force(s, row) = -gap * 1e6;
-        at.contact_count(row, static_cast<int>(areas * angle / two_pi) % areas) += steps_per_sample;
-      }
+      touching = move_sector(response, scene, contact, sample, sector, motion) || touching;
     }
-    at.contact_steps += touching ? steps_per_sample : 0;
+    response.contact_steps += touching ? steps_per_sample : 0;
   }
-  return at;
+  return response;
 }
 
 Response resonant_sweep(const ReducedModel& rotor) {
@@ -164,26 +190,26 @@ Response resonant_sweep(const ReducedModel& rotor) {
   response.scene = two_lobes();
   response.key = "made";
   for (int i = 0; i < count; ++i) {
-    const double omega = (10500.0 + 8000.0 * i / (count - 1)) * std::numbers::pi / 30;
+    const double omega = (10500.0 + 8000.0 * i / (count - 1)) * rad_s_per_rpm;
     std::vector<Wave> waves;
     for (int order = 2; order <= 12; order += 2) waves.push_back(driven_wave(order, rotor.sector_count, omega));
     if (i == 30) waves.push_back({4.5, 0, 3e-5, 0.0});
     if (i == 31) waves.push_back({5.25, 2, 2e-5, 0.0});
-    SpeedResponse at = speed(response.scene, rotor.contact, omega, waves);
+    SpeedResponse made = speed(response.scene, rotor.contact, omega, waves);
     if (i == 30) {
-      at.motion = MotionClass::subharmonic;
-      at.period_revolutions = 2;
+      made.motion = MotionClass::subharmonic;
+      made.period_revolutions = 2;
     }
     if (i == 31) {
-      at.motion = MotionClass::irregular;
-      at.period_revolutions = 0;
+      made.motion = MotionClass::irregular;
+      made.period_revolutions = 0;
     }
     if (i == 40) {
-      at = SpeedResponse{};
-      at.speed = omega;
-      at.failure = "the step is above the limit of central differences";
+      made = SpeedResponse{};
+      made.speed = omega;
+      made.failure = "the step is above the limit of central differences";
     }
-    response.speeds.push_back(at);
+    response.speeds.push_back(made);
   }
   return response;
 }

@@ -19,6 +19,10 @@ double rest_frequency(int nodal_diameter, int family);
 /// [Hz] at a speed in rad/s.
 double frequency(int nodal_diameter, int family, double speed);
 
+/// [rad/s] where that mode meets an engine order k: sqrt(f0^2 + b r^2) = k r with r the rotation frequency, so r =
+/// f0/sqrt(k^2 - b).
+double crossing_speed(int nodal_diameter, int family, int engine_order);
+
 /// N = 10 (or another number of sectors), four contact nodes on a tip line that turns from radial to axial.
 ReducedModel model(int sector_count = 10);
 

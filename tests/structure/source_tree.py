@@ -5,8 +5,8 @@ import sys
 
 ROOMS = ("cases", "mesh", "reduce", "simulate", "postprocess")
 SOURCE_ENDS = (".h", ".cc", ".py", ".sh", ".cmake", ".gp", ".gnuplot", ".css", ".js", ".html")
-# What runs make, beside the sources.
-MADE = {"report", "runs", "expected", "__pycache__"}
+# What runs of the cases make, beside the sources.
+MADE = {"report", "runs", "expected"}
 
 
 def is_source(name):
@@ -18,7 +18,8 @@ def files(root, rooms=ROOMS + ("tests",)):
     found = []
     for room in rooms:
         for folder, inner, names in os.walk(os.path.join(root, room)):
-            inner[:] = sorted(name for name in inner if name not in MADE and not name.startswith((".", "build")))
+            made = MADE if room == "cases" else set()
+            inner[:] = sorted(name for name in inner if name not in made and not name.startswith((".", "build", "__")))
             found += [os.path.relpath(os.path.join(folder, name), root) for name in sorted(names) if is_source(name)]
     return found
 

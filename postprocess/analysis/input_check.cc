@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/analysis/input_check.h"
+
+#include "cases/program/errors.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+void check_speed(const SpeedResponse& response, const std::string& name) {
+  const std::string where = name + ": the speed " + rpm_text(response.speed) + " ";
+  if (!(response.speed > 0)) throw RunError(where + "must be above 0");
+  if (response.recorded_revolutions < 1 || response.samples_per_revolution < 1 || response.steps_per_revolution < 1)
+    throw RunError(where + "holds no whole revolution");
+  if (response.contact_count.cols() < 1) throw RunError(where + "has no contact areas");
+}
+
+}  // namespace
+
+void check_together(const ReducedModel& model, const Response& response, const std::string& name) {
+  const SimulatedScene& scene = response.scene;
+  if (scene.sector_count != model.sector_count)
+    throw InputError(name + ": has " + std::to_string(scene.sector_count) + " sectors, the model has " +
+                     std::to_string(model.sector_count) + "; give the model that the response was made with");
+  if (scene.clearance.size() != model.contact.size())
+    throw InputError(name + ": has " + std::to_string(scene.clearance.size()) + " contact nodes, the model has " +
+                     std::to_string(model.contact.size()) + "; give the model that the response was made with");
+  if (response.speeds.empty()) throw RunError(name + ": holds no speed; run tiprub-simulate");
+  bool usable = false;
+  for (const SpeedResponse& speed : response.speeds) {
+    if (!speed.failure.empty()) continue;
+    check_speed(speed, name);
+    usable = true;
+  }
+  if (!usable)
+    throw RunError(name + ": all " + std::to_string(response.speeds.size()) + " speeds failed; the first, " +
+                   rpm_text(response.speeds.front().speed) + ", because: " + response.speeds.front().failure);
+}
+
+}  // namespace tiprub

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "reduce/model/reduced_model.h"
+#include "simulate/response/response.h"
+
+namespace tiprub {
+
+/// Raises InputError if the model and the response are of different rotors, RunError if no speed has a usable
+/// response. `name` is the response's, for messages.
+void check_together(const ReducedModel& model, const Response& response, const std::string& name);
+
+}  // namespace tiprub

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/postprocess.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "cases/program/case_file.h"
+#include "cases/program/output_file.h"
+#include "cases/program/progress.h"
+#include "postprocess/analysis/input_check.h"
+#include "postprocess/figures/field_figures.h"
+#include "postprocess/records/critical_speed_record.h"
+#include "postprocess/report/report_folder.h"
+#include "postprocess/report/summary.h"
+#include "postprocess/tables/interruption.h"
+#include "reduce/model/reduced_model_file.h"
+#include "simulate/response/response_file.h"
+
+namespace fs = std::filesystem;
+
+namespace tiprub {
+
+namespace {
+
+struct Inputs {
+  ReportSource source;
+  PostprocessParameters parameters;
+  ReducedModel model;
+  Response response;
+  SweepFiles sweeps;
+  fs::path fields_file;  ///< empty: no full fields
+};
+
+Inputs read_inputs(const StageArguments& arguments, const fs::path& fields_file) {
+  const CaseFile file(arguments.inputs[0], arguments.settings);
+  CaseTable table = file.table("postprocess");
+  Inputs inputs;
+  inputs.parameters = read_postprocess_parameters(table);
+  if (arguments.verbosity == Verbosity::verbose) say(arguments, "[postprocess]\n" + table.resolved());
+  inputs.source = {file.title(), file.source()};
+  inputs.model = read_model(arguments.inputs[1]);
+  inputs.response = read_response(arguments.inputs[2]);
+  check_together(inputs.model, inputs.response, arguments.inputs[2].string());
+  const auto beside_case = [&](const std::string& name) {
+    return name.empty() ? fs::path() : arguments.inputs[0].parent_path() / name;
+  };
+  inputs.sweeps = {beside_case(inputs.parameters.response_up), beside_case(inputs.parameters.response_down)};
+  inputs.fields_file = fields_file;
+  require_gnuplot();
+  return inputs;
+}
+
+void check(const Inputs& inputs) {
+  if (!inputs.fields_file.empty()) check_fields(inputs.fields_file, inputs.model);
+}
+
+ReportContents run(Inputs inputs) {
+  ReportContents contents{
+      .study = make_study(inputs.parameters, std::move(inputs.model), std::move(inputs.response), inputs.sweeps),
+      .source = std::move(inputs.source)};
+  contents.figures = all_figures(contents.study);
+  if (!inputs.fields_file.empty()) {
+    contents.fields = recover_fields(inputs.fields_file, contents.study);
+    for (Figure& figure : field_figures(*contents.fields)) contents.figures.push_back(std::move(figure));
+  }
+  contents.field_results = field_results(contents.fields, contents.study.critical);
+  return contents;
+}
+
+void report(const StageArguments& arguments, const ReportContents& contents) {
+  const Study& study = contents.study;
+  std::printf("%s", aligned_text(critical_speed_overview(study, contents.field_results)).c_str());
+  std::fflush(stdout);
+  if (arguments.verbosity == Verbosity::verbose)
+    for (const std::string& line : summary(study, contents.field_results)) say(arguments, line);
+  say(arguments, (arguments.output / "report.html").lexically_normal().string() + ": " +
+                     std::to_string(study.critical.size()) + " critical speeds, " +
+                     std::to_string(study.response.speeds.size()) + " speeds, " +
+                     std::to_string(contents.figures.size()) + " figures");
+}
+
+}  // namespace
+
+void postprocess(const StageArguments& arguments, const fs::path& fields_file) try {
+  Inputs inputs = read_inputs(arguments, fields_file);
+  if (arguments.action == Action::check) return check(inputs);
+  OutputFile output(arguments.output);
+  note_interruptions();
+  const ReportContents contents = run(std::move(inputs));
+  write_report_folder(
+      contents, output.scratch(),
+      arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal);
+  stop_if_interrupted();
+  output.commit();
+  report(arguments, contents);
+} catch (const Interrupted&) {  // everything is cleaned up; leave as the other stages do
+  constexpr int exit_by_signal = 128;
+  std::_Exit(exit_by_signal + interruption());
+}
+
+}  // namespace tiprub

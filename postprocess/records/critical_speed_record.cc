@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/records/critical_speed_record.h"
+
+#include <cstdlib>
+
+#include "postprocess/records/columns.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+struct PeakRow {
+  const CriticalSpeed& critical;
+  const std::optional<FieldPeak>& stress;
+};
+
+using PeakRows = std::vector<PeakRow>;
+using PeakColumns = std::vector<Column<PeakRow>>;
+
+PeakRows peaks_of(const Study& study, const FieldResults& fields) {
+  PeakRows peaks;
+  for (std::size_t i = 0; i < study.critical.size(); ++i) peaks.push_back({study.critical[i], fields.peaks[i]});
+  return peaks;
+}
+
+std::string signed_percent(double value) {
+  return (value >= 0 ? "+" : "") + fixed(percent * value, 1);
+}
+
+/// [MPa]; empty without full fields.
+Cell stress_cell(const PeakRow& peak, double FieldPeak::*stress) {
+  return peak.stress ? Cell((*peak.stress).*stress * mpa_per_pa) : Cell(std::string());
+}
+
+PeakColumns amplitude_columns() {
+  return {{"speed [rpm]", [](const PeakRow& peak) { return peak.critical.speed * rpm_per_rad_s; }},
+          {"speed [rad/s]", [](const PeakRow& peak) { return peak.critical.speed; }},
+          {"amplitude [mm]", [](const PeakRow& peak) { return peak.critical.amplitude * mm_per_m; }},
+          {"prominence [mm]", [](const PeakRow& peak) { return peak.critical.prominence * mm_per_m; }},
+          {"contact node", [](const PeakRow& peak) { return peak.critical.node; }}};
+}
+
+PeakColumns wave_columns() {
+  return {
+      {"family", [](const PeakRow& peak) { return peak.critical.rising.family + 1; }},
+      {"nodal diameter", [](const PeakRow& peak) { return std::abs(peak.critical.rising.signed_nodal_diameter); }},
+      {"signed nodal diameter", [](const PeakRow& peak) { return peak.critical.rising.signed_nodal_diameter; }},
+      {"engine order", [](const PeakRow& peak) { return peak.critical.rising.engine_order; }},
+      {"wave", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
+      {"wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.rising.amplitude * mm_per_m; }},
+      {"natural frequency [Hz]", [](const PeakRow& peak) { return peak.critical.rising.natural_frequency; }},
+      {"detuning [%]", [](const PeakRow& peak) { return percent * peak.critical.rising.detuning; }},
+      {"largest engine order", [](const PeakRow& peak) { return peak.critical.largest.engine_order; }},
+      {"largest signed nodal diameter",
+       [](const PeakRow& peak) { return peak.critical.largest.signed_nodal_diameter; }},
+      {"largest wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.largest.amplitude * mm_per_m; }},
+  };
+}
+
+PeakColumns contact_columns() {
+  return {{"contact areas leading edge", [](const PeakRow& peak) { return peak.critical.leading_edge_areas; }},
+          {"contact areas trailing edge", [](const PeakRow& peak) { return peak.critical.trailing_edge_areas; }}};
+}
+
+PeakColumns stress_columns() {
+  return {
+      {"von Mises, vibration [MPa]", [](const PeakRow& peak) { return stress_cell(peak, &FieldPeak::vibration); }},
+      {"von Mises, spin [MPa]", [](const PeakRow& peak) { return stress_cell(peak, &FieldPeak::spin); }},
+      {"von Mises, both [MPa]", [](const PeakRow& peak) { return stress_cell(peak, &FieldPeak::both); }},
+      {"part with the largest vibration stress",
+       [](const PeakRow& peak) { return peak.stress ? peak.stress->part : std::string(); }},
+      {"radius of the largest vibration stress [mm]", [](const PeakRow& peak) {
+         return peak.stress ? Cell(peak.stress->place[0] * mm_per_m) : Cell(std::string());
+       }}};
+}
+
+PeakColumns prediction_columns() {
+  return {{"motion",
+           [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_revolutions); }},
+          {"predicted by eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
+          {"predicted with aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
+}
+
+PeakColumns rounded_columns() {
+  return {{"speed [rpm]", [](const PeakRow& peak) { return fixed(peak.critical.speed * rpm_per_rad_s, 0); }},
+          {"amplitude [mm]", [](const PeakRow& peak) { return fixed(peak.critical.amplitude * mm_per_m, 4); }},
+          {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.rising.family + 1); }},
+          {"nodal diameter",
+           [](const PeakRow& peak) { return std::to_string(std::abs(peak.critical.rising.signed_nodal_diameter)); }},
+          {"engine order", [](const PeakRow& peak) { return engine_order_text(peak.critical.rising.engine_order); }},
+          {"wave", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
+          {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.rising.detuning); }},
+          {"largest wave",
+           [](const PeakRow& peak) {
+             return engine_order_name(peak.critical.largest.engine_order) + ", ND " +
+                    std::to_string(peak.critical.largest.signed_nodal_diameter);
+           }},
+          {"areas LE/TE",
+           [](const PeakRow& peak) {
+             return std::to_string(peak.critical.leading_edge_areas) + "/" +
+                    std::to_string(peak.critical.trailing_edge_areas);
+           }},
+          {"motion",
+           [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_revolutions); }},
+          {"eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
+          {"aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
+}
+
+PeakColumns rounded_stress_columns() {
+  const auto column = [](const char* name, double FieldPeak::*stress) {
+    return Column<PeakRow>{name, [stress](const PeakRow& peak) {
+                             return peak.stress ? fixed((*peak.stress).*stress * mpa_per_pa, 1) : std::string();
+                           }};
+  };
+  return {column("vibration [MPa]", &FieldPeak::vibration), column("spin [MPa]", &FieldPeak::spin),
+          column("both [MPa]", &FieldPeak::both)};
+}
+
+}  // namespace
+
+Table critical_speed_record(const Study& study, const FieldResults& fields) {
+  return table_of(joined<PeakRow>({amplitude_columns(), wave_columns(), contact_columns(), stress_columns(),
+                                   prediction_columns()}),
+                  peaks_of(study, fields));
+}
+
+Table critical_speed_overview(const Study& study, const FieldResults& fields) {
+  PeakColumns columns = rounded_columns();
+  if (fields.has_stress()) columns = joined<PeakRow>({columns, rounded_stress_columns()});
+  return table_of(columns, peaks_of(study, fields));
+}
+
+}  // namespace tiprub

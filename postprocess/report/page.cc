@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/report/page.h"
+
+#include <sstream>
+#include <string_view>
+
+#include "cases/program/command_line.h"
+#include "embedded/page_files.h"
+#include "postprocess/records/critical_speed_record.h"
+#include "postprocess/records/drift_record.h"
+#include "postprocess/records/exactness_record.h"
+#include "postprocess/records/linear_criterion_record.h"
+#include "postprocess/records/speed_record.h"
+#include "postprocess/records/sweep_record.h"
+#include "postprocess/report/html.h"
+#include "postprocess/report/summary.h"
+#include "postprocess/tables/base64.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+/// By every model and every casing of this chain, so that no stage's file says it.
+constexpr const char* left_out_always =
+    "left out: friction at the tips, a casing that yields or wears, Coriolis terms, differences between the blades, "
+    "heat and gas";
+constexpr const char* dot = " \xC2\xB7 ";
+
+/// The licence stays with the source.
+std::string without_first_line(std::string_view text) {
+  return std::string(text.substr(text.find('\n') + 1));
+}
+
+/// To a file of the report's folder.
+std::string link(const std::string& file, const std::string& words) {
+  return "<a href=\"" + file + "\">" + words + "</a>";
+}
+
+/// Likewise, by its name.
+std::string link(const std::string& file) {
+  return link(file, std::filesystem::path(file).filename().string());
+}
+
+std::string item(const std::string& text) {
+  return "<li>" + html::escaped(text) + "</li>\n";
+}
+
+std::string paragraphs(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += "<p>" + html::escaped(line) + "</p>";
+  return text;
+}
+
+/// What the stresses of the critical speeds are, or why there are none.
+std::string stress_note(const FieldResults& fields) {
+  if (!fields.has_stress())
+    return "Stress at the peaks is left out: it takes full fields (--fields) and a response that holds the rotor's "
+           "state.";
+  return "Vibration, spin, both: the largest von Mises stress on the wheel at the recorded sample with the largest "
+         "contact force, of the vibration alone, of the static shape under spin, of both together. At the contact "
+         "nodes, where the casing pushes at points, at re-entrant corners and at the clamp's rim it grows as the "
+         "mesh is refined.";
+}
+
+std::string scene_items(const Study& study, const FieldResults& fields) {
+  const SimulatedScene& scene = study.response.scene;
+  std::istringstream lines(scene.scope + "\n" + fields.scope);
+  std::string text;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) text += item(line);
+  text += item(counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
+               counted(static_cast<std::size_t>(study.model.contact.size()), "contact node") + " a blade, " +
+               counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", clearances " + scene.clearance_state +
+               "; stiffness under spin: " + study.model.prestress + ".");
+  return text + item(std::string(left_out_always) + ".");
+}
+
+std::string figure_sections(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+  std::string text;
+  for (const Figure& figure : figures) {
+    const std::string &name = figure.drawing.name, file = "figures/" + name;
+    text += "<h2 id=\"" + name + "\">" + html::escaped(figure.title) + "</h2>\n<figure><img alt=\"" +
+            html::escaped(figure.title) + "\" src=\"data:image/svg+xml;base64," +
+            base64(read_text(folder / (file + ".svg"))) + "\"><figcaption>" + html::escaped(figure.caption) + " " +
+            link(file + ".csv", "data") + dot + link(file + ".svg", "SVG") + dot + link(file + ".png", "PNG");
+    for (const std::string& field : figure.fields) text += dot + link(field);
+    text += "</figcaption></figure>\n";
+  }
+  return text;
+}
+
+std::string figure_links(const std::vector<Figure>& figures) {
+  std::string text;
+  for (const Figure& figure : figures)
+    text += dot + ("<a href=\"#" + figure.drawing.name + "\">" + html::escaped(figure.title) + "</a>");
+  return text;
+}
+
+std::string record(const Study& study, const ReportSource& source) {
+  const auto folded = [](const std::string& title, const std::string& body, const std::string& file = "") {
+    return "<details><summary>" + title + "</summary>" + body +
+           (file.empty() ? "" : "<p class=\"sub\">" + link(file) + "</p>") + "</details>\n";
+  };
+  const auto listing = [](const std::string& text) { return "<pre>" + html::escaped(text) + "</pre>"; };
+  return folded("Every speed: how steady, how exact", html::table(speed_record(study)), "speeds.csv") +
+         folded("What the linear rules list", html::table(linear_criterion_record(study)), "linear_criterion.csv") +
+         (study.sweeps.empty()
+              ? std::string()
+              : folded("From rest, upwards, downwards", html::table(sweep_record(study)), "sweeps.csv")) +
+         folded("How the contact drifts with speed", html::table(drift_record(study)), "contact_drift.csv") +
+         folded("The case file", listing(source.case_text), "case.toml") +
+         folded("Where the response comes from", listing(study.response.scene.provenance)) +
+         folded("Where the model comes from", listing(study.model.provenance));
+}
+
+}  // namespace
+
+std::string report_page(const Study& study, const FieldResults& fields, const ReportSource& source,
+                        const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+  namespace files = embedded::page_files;
+  const bool none = study.critical.empty();
+  return html::filled(
+      without_first_line(files::page_html),
+      {{"title", html::escaped(source.title.empty() ? "Blade-tip rub" : source.title)},
+       {"style", without_first_line(files::style_css)},
+       {"script", without_first_line(files::page_js)},
+       {"speed_low", rpm_text(study.range.low)},
+       {"speed_high", rpm_text(study.range.high)},
+       {"summary", paragraphs(summary(study, fields))},
+       {"critical_speeds", none ? "<p>None.</p>" : html::table(critical_speed_overview(study, fields))},
+       {"stress_note", stress_note(fields)},
+       {"figure_links", figure_links(figures)},
+       {"scene", scene_items(study, fields)},
+       {"exactness", html::table(exactness_record(study))},
+       {"figures", figure_sections(figures, folder)},
+       {"record", record(study, source)},
+       {"program", program_version("tiprub-postprocess")}});
+}
+
+}  // namespace tiprub

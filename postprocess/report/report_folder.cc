@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/report/report_folder.h"
+
+#include "postprocess/records/critical_speed_record.h"
+#include "postprocess/records/drift_record.h"
+#include "postprocess/records/exactness_record.h"
+#include "postprocess/records/linear_criterion_record.h"
+#include "postprocess/records/speed_record.h"
+#include "postprocess/records/sweep_record.h"
+
+namespace tiprub {
+
+namespace {
+
+void write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder, Progress::Shown shown) {
+  std::filesystem::create_directories(folder);
+  Progress progress("drawing", figures.size(), shown);
+  draw_figures(figures, folder, [&] { progress.advance(); });
+}
+
+void write_tables(const Study& study, const FieldResults& fields, const std::filesystem::path& folder) {
+  write_csv(critical_speed_record(study, fields), folder / "critical_speeds.csv");
+  write_text(aligned_text(critical_speed_overview(study, fields)), folder / "critical_speeds.txt");
+  write_csv(linear_criterion_record(study), folder / "linear_criterion.csv");
+  write_csv(speed_record(study), folder / "speeds.csv");
+  write_csv(exactness_record(study), folder / "exactness.csv");
+  write_csv(drift_record(study), folder / "contact_drift.csv");
+  if (!study.sweeps.empty()) write_csv(sweep_record(study), folder / "sweeps.csv");
+}
+
+}  // namespace
+
+void write_report_folder(const ReportContents& contents, const std::filesystem::path& folder, Progress::Shown shown) {
+  if (contents.fields) write_vtu_files(*contents.fields, folder / "fields");
+  write_figures(contents.figures, folder / "figures", shown);
+  write_tables(contents.study, contents.field_results, folder);
+  write_text(contents.source.case_text, folder / "case.toml");
+  write_text(report_page(contents.study, contents.field_results, contents.source, contents.figures, folder),
+             folder / "report.html");
+}
+
+}  // namespace tiprub

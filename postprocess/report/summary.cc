@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/report/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "postprocess/tables/table.h"
+#include "postprocess/tables/units.h"
+#include "reduce/model/verification.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double percent = 100.0;
+
+std::string wave_sentence(const CriticalSpeed& critical) {
+  const WaveLabel& wave = critical.rising;
+  return "family " + std::to_string(wave.family + 1) + " on nodal diameter " +
+         std::to_string(std::abs(wave.signed_nodal_diameter)) + ", driven by " +
+         engine_order_name(wave.engine_order) + " as a " + name_of(wave.direction) + " wave";
+}
+
+std::string critical_sentence(const Study& study) {
+  const std::string range = rpm_text(study.range.low) + " and " + rpm_text(study.range.high);
+  if (study.critical.empty())
+    return "No critical speed between " + range + ": the amplitude has no peak that stands out.";
+  const auto worst =
+      std::max_element(study.critical.begin(), study.critical.end(),
+                       [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.amplitude < b.amplitude; });
+  return counted(study.critical.size(), "critical speed") + " between " + range + ". The worst is " +
+         rpm_text(worst->speed) + " with " + fixed(worst->amplitude * mm_per_m, 3) + " mm: " + wave_sentence(*worst) +
+         ".";
+}
+
+std::string edge_sentence(const Study& study) {
+  std::string text;
+  for (const Eigen::Index end : rising_ends(study.amplitudes.largest, study.parameters.prominence))
+    text += (text.empty() ? "The amplitude still rises towards " : " and ") +
+            rpm_text(study.response.speeds[static_cast<std::size_t>(end)].speed) + " (" +
+            fixed(study.amplitudes.largest[end] * mm_per_m, 3) + " mm)";
+  return text.empty() ? "" : text + ": a peak may lie outside the simulated speeds.";
+}
+
+std::string rule_sentence(const Study& study) {
+  if (study.critical.empty()) return "";
+  const auto part = [](const RuleScore& score) {
+    return "misses " + std::to_string(score.misses) + " of " + std::to_string(score.hits + score.misses) +
+           " and raises " + counted(static_cast<std::size_t>(score.false_alarms), "false alarm");
+  };
+  return "The linear rule (eq. 2) " + part(study.equation_2_score) + "; with aliasing it " +
+         part(study.aliasing_score) + " (same wave, within " +
+         fixed(percent * study.parameters.prediction_tolerance, 1) + " % of the speed).";
+}
+
+std::string steadiness_sentence(const Study& study) {
+  std::size_t periodic = 0, subharmonic = 0, halved = 0;
+  double change = 0, closing = 0, halving = 0;
+  for (const SpeedResponse& speed : study.response.speeds) {
+    periodic += speed.motion == MotionClass::periodic;
+    subharmonic += speed.motion == MotionClass::subharmonic;
+    if (speed.motion != MotionClass::irregular) change = std::max(change, speed.change);
+    closing = std::max(closing, std::abs(speed.energy.closing_error));
+    halved += speed.audit.halving_difference.has_value();
+    halving = std::max(halving, speed.audit.halving_difference.value_or(0));
+  }
+  const std::size_t all = study.response.speeds.size();
+  return counted(all, "speed") + " computed: " + std::to_string(periodic) + " periodic, " +
+         std::to_string(subharmonic) + " subharmonic, " + std::to_string(all - periodic - subharmonic) +
+         " irregular, " + std::to_string(study.failed.size()) +
+         " failed. Periodic and subharmonic motions have settled to " + scientific(change, 1) +
+         " a period; the energy balance closes to " + scientific(closing, 1) +
+         (halved > 0 ? "; half the time step changes the motion by " + scientific(halving, 1) + " at most, at " +
+                           counted(halved, "speed")
+                     : "; half the time step was not tried") +
+         ".";
+}
+
+/// "12,000 to 12,400, 13,000 rpm": the speeds for which a property holds, neighbours drawn together.
+template <class Property>
+std::string runs_of_speeds(const Study& study, const Property& holds) {
+  const auto& speeds = study.response.speeds;
+  std::string text;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    if (!holds(speeds[i]) || (i > 0 && holds(speeds[i - 1]))) continue;
+    std::size_t last = i;
+    while (last + 1 < speeds.size() && holds(speeds[last + 1])) ++last;
+    text += (text.empty() ? "" : ", ") + fixed(speeds[i].speed * rpm_per_rad_s, 0) +
+            (last > i ? " to " + fixed(speeds[last].speed * rpm_per_rad_s, 0) : "");
+  }
+  return text.empty() ? text : text + " rpm";
+}
+
+std::string unusual_sentence(const Study& study) {
+  std::string text;
+  const auto add = [&](const std::string& what, const std::string& where) {
+    if (!where.empty()) text += (text.empty() ? "" : " ") + what + ": " + where + ".";
+  };
+  add("Irregular motion",
+      runs_of_speeds(study, [](const SpeedResponse& speed) { return speed.motion == MotionClass::irregular; }));
+  add("Subharmonic motion",
+      runs_of_speeds(study, [](const SpeedResponse& speed) { return speed.motion == MotionClass::subharmonic; }));
+  add("A nodal diameter that was left out is unstable (run these with nodal_diameters = \"all\")",
+      runs_of_speeds(study,
+                     [](const SpeedResponse& speed) { return speed.audit.symmetry == SymmetryVerdict::breaking; }));
+  return text;
+}
+
+std::string sweep_sentence(const Study& study) {
+  if (study.sweeps.empty()) return "";
+  std::size_t apart = 0;
+  const SweepComparison* largest = nullptr;
+  const auto change = [&](const SweepComparison& compared) {
+    double most = 0;
+    for (const auto& swept : {compared.up, compared.down})
+      if (swept && swept->differs)
+        most = std::max(most, std::abs(swept->amplitude - study.amplitudes.largest[compared.index]));
+    return most;
+  };
+  for (const SweepComparison& compared : study.sweeps) {
+    if (!compared.differs()) continue;
+    ++apart;
+    if (largest == nullptr || change(compared) > change(*largest)) largest = &compared;
+  }
+  if (largest == nullptr) return "Sweeps up and down come to the same motions as from rest.";
+  return "At " + counted(apart, "speed") +
+         " more than one motion exists: sweeps differ from the response from rest, most at " +
+         rpm_text(study.response.speeds[static_cast<std::size_t>(largest->index)].speed) + ", by " +
+         fixed(change(*largest) * mm_per_m, 3) + " mm of amplitude.";
+}
+
+std::string share_sentence(const Study& study) {
+  constexpr double invisible = 5e-5;
+  const Eigen::VectorXd shares = energy_shares(study.map);
+  std::string text;
+  for (Eigen::Index n = 0; n < shares.size(); ++n)
+    text += (n > 0 ? ", " : "") + std::to_string(n) + ": " +
+            (shares[n] < invisible ? std::string("0") : fixed(percent * shares[n], 2));
+  return "Share of the motion by nodal diameter, over all speeds [%]: " + text + ".";
+}
+
+std::string stress_sentence(const FieldResults& fields) {
+  const FieldPeak* worst = nullptr;
+  for (const std::optional<FieldPeak>& peak : fields.peaks)
+    if (peak && (worst == nullptr || peak->vibration > worst->vibration)) worst = &*peak;
+  if (worst == nullptr) return "";
+  const auto mpa = [](double stress) { return fixed(stress * mpa_per_pa, 0) + " MPa"; };
+  return "The vibration stresses the wheel most at " + rpm_text(worst->speed) + ": von Mises " +
+         mpa(worst->vibration) + ", with spin " + mpa(worst->both) + " (spin alone " + mpa(worst->spin) + ").";
+}
+
+std::string model_sentence(const Study& study) {
+  const ModelError error = model_error(study.model);
+  if (error.frequencies == 0) return "The model came without frequencies of the unreduced sector to verify it.";
+  return "The reduced model has the wheel's first " + std::to_string(error.frequencies) + " frequencies within " +
+         significant(percent * error.error, 2) + " % of the unreduced sector's, at " +
+         counted(static_cast<std::size_t>(study.model.verification.speeds.size()), "speed") + ".";
+}
+
+}  // namespace
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::vector<std::string> summary(const Study& study, const FieldResults& fields) {
+  std::vector<std::string> lines;
+  for (const std::string& line : {critical_sentence(study), stress_sentence(fields), edge_sentence(study),
+                                  rule_sentence(study), model_sentence(study), steadiness_sentence(study),
+                                  unusual_sentence(study), sweep_sentence(study), share_sentence(study)})
+    if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace tiprub {
+
+/// Base 64 (RFC 4648, padded, without line breaks): bytes inside text files, as data URIs and VTK's inline arrays
+/// want them.
+std::string base64(const std::string& bytes);
+
+}  // namespace tiprub

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/waves/travelling_spectrum.h"
+
+#include <fftw3.h>
+
+#include <cassert>
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <vector>
+
+#include "postprocess/waves/aliasing.h"
+
+namespace tiprub {
+
+namespace {
+
+/// a_m of the header: what a line that stands for itself and its mirror image counts.
+double mirror_factor(Eigen::Index line, Eigen::Index samples) {
+  return line == 0 || 2 * line == samples ? 1.0 : 2.0;
+}
+
+}  // namespace
+
+TravellingSpectrum travelling_spectrum(const Eigen::MatrixXd& motion, int revolutions) {
+  assert(motion.size() > 0 && revolutions >= 1);
+  const Eigen::Index samples = motion.rows(), sectors = motion.cols(), lines = samples / 2 + 1;
+  Eigen::MatrixXd in(samples, sectors);  // column by column: sectors x samples, the last fastest, as FFTW wants it
+  std::vector<std::complex<double>> out(static_cast<std::size_t>(lines * sectors));
+  const std::unique_ptr<fftw_plan_s, decltype(&fftw_destroy_plan)> plan(
+      fftw_plan_dft_r2c_2d(static_cast<int>(sectors), static_cast<int>(samples), in.data(),
+                           reinterpret_cast<fftw_complex*>(out.data()), FFTW_ESTIMATE),
+      &fftw_destroy_plan);
+  in = motion;
+  fftw_execute(plan.get());
+
+  TravellingSpectrum spectrum;
+  spectrum.sector_count = static_cast<int>(sectors);
+  spectrum.revolutions = revolutions;
+  const Eigen::Map<const Eigen::MatrixXcd> transform(out.data(), lines, sectors);
+  // eq. 19: the amplitudes a_m |X(m, n)| of its waves; a row is eq. 20
+  spectrum.amplitude = transform.cwiseAbs() / static_cast<double>(samples * sectors);
+  for (Eigen::Index m = 0; m < lines; ++m) spectrum.amplitude.row(m) *= mirror_factor(m, samples);
+  return spectrum;
+}
+
+TravellingSpectrum mean_spectrum(const std::vector<TravellingSpectrum>& points) {
+  assert(!points.empty());
+  TravellingSpectrum mean = points.front();
+  mean.amplitude.setZero();
+  for (const TravellingSpectrum& point : points) mean.amplitude += point.amplitude.cwiseAbs2();
+  mean.amplitude = (mean.amplitude / static_cast<double>(points.size())).cwiseSqrt();
+  return mean;
+}
+
+Eigen::VectorXd line_spectrum(const Eigen::VectorXd& signal) {
+  return travelling_spectrum(signal, 1).amplitude.col(0);
+}
+
+double TravellingSpectrum::at(double engine_order_wanted, int signed_nodal_diameter) const {
+  constexpr double line_tolerance = 1e-9;
+  const double line = engine_order_wanted * revolutions;
+  const auto nearest = static_cast<Eigen::Index>(std::lround(line));
+  if (std::abs(line - static_cast<double>(nearest)) > line_tolerance || nearest >= amplitude.rows()) return 0.0;
+  return amplitude(nearest, (signed_nodal_diameter + sector_count) % sector_count);
+}
+
+Eigen::MatrixXd TravellingSpectrum::by_nodal_diameter() const {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(amplitude.rows(), sector_count / 2 + 1);
+  for (int column = 0; column < sector_count; ++column)
+    sum.col(aliased_nodal_diameter(column, sector_count)) += amplitude.col(column);
+  return sum;
+}
+
+}  // namespace tiprub

@@ -40,14 +40,14 @@ test-all: tests
 # detect_container_overflow: vectors pass between our code and libraries that are built without it, which it takes for wrong.
 # The unit tests of all rooms but those that only run long numerics again, or lack the memory that sanitizers take (unsanitized).
 SANITIZED := programs write-synthetic-scene gmsh_sector cases_test mesh_test model_file_test reduce_test reduce_linear_test \
-  simulate_test postprocess-test postprocess-program-test
+  simulate_test postprocess-test postprocess-program-test planted_fault
 
 test-sanitized: packages
 	cmake -G Ninja -S . -B $(BUILD)-sanitized -DCMAKE_BUILD_TYPE=Debug -DTIPRUB_SANITIZE=ON > $(BUILD)-sanitized.configure.log
 	ninja -C $(BUILD)-sanitized -j $(JOBS) $(SANITIZED)
 	LSAN_OPTIONS=suppressions=$(CURDIR)/.ci/leaks.supp:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1 \
 	  ASAN_OPTIONS=detect_container_overflow=0 \
-	  ctest --test-dir $(BUILD)-sanitized --output-on-failure -j $(JOBS) -R '^(cases|mesh|reduce|simulate|postprocess)\.' \
+	  ctest --test-dir $(BUILD)-sanitized --output-on-failure -j $(JOBS) -R '^(cases|mesh|reduce|simulate|postprocess|structure)\.' \
 	    -LE 'slow|unsanitized'
 
 paper-checks: tests

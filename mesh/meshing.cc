@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/meshing.h"
+
+#include "cases/program/case_file.h"
+#include "cases/program/output_file.h"
+#include "mesh/sector/sector_check.h"
+#include "mesh/sector/sector_file.h"
+#include "mesh/sector/sector_mesher.h"
+
+namespace tiprub {
+
+namespace {
+
+Wheel read(const StageArguments& arguments) {
+  CaseTable table = CaseFile(arguments.inputs[0], arguments.settings).table("mesh");
+  Wheel wheel = read_wheel(table);
+  if (arguments.verbosity == Verbosity::verbose) say(arguments, table.resolved());
+  return wheel;
+}
+
+/// Of the sector in memory: an inverted element shows only there.
+void check(const StageArguments& arguments, const MeshedSector& mesh, const Wheel& wheel) {
+  const SectorReport report = measure_sector(mesh, wheel);
+  say(arguments, describe(report, mesh, wheel));
+}
+
+void write(const StageArguments& arguments, const MeshedSector& mesh) {
+  OutputFile output(arguments.output);
+  write_sector(mesh, output.scratch());
+  output.commit();
+}
+
+void report(const StageArguments& arguments) {
+  say(arguments, "wrote " + arguments.output.string());
+}
+
+}  // namespace
+
+void mesh_case(const StageArguments& arguments) {
+  const Wheel wheel = read(arguments);
+  const MeshedSector mesh = mesh_sector(wheel);
+  check(arguments, mesh, wheel);
+  if (arguments.action == Action::check) return;
+  write(arguments, mesh);
+  report(arguments);
+}
+
+}  // namespace tiprub

@@ -61,7 +61,7 @@ class CraigBamptonBasis {
   Eigen::MatrixXcd weights_;                          // raw shapes without constraint modes x generalized dofs
 };
 
-/// T^H Y T for a sector matrix and a basis; Hermitian, and real for a standing wave.
+/// eq. 10: T^H Y T for a sector matrix and a basis; Hermitian, and real for a standing wave.
 Eigen::MatrixXcd project(const TravellingWave& wave, const SymmetricMatrix& matrix, const Eigen::MatrixXcd& basis);
 
 }  // namespace tiprub

@@ -90,7 +90,7 @@ void check(const Verification& table, std::size_t nodal_diameters, const std::st
 
 Eigen::MatrixXcd NodalDiameterModel::stiffness(double speed) const {
   const double square = speed * speed;
-  Eigen::MatrixXcd K = K0 + square * K1 + square * square * K2;
+  Eigen::MatrixXcd K = K0 + square * K1 + square * square * K2;  // eq. 11
   double power = square * square;
   for (const Eigen::MatrixXcd& term : higher) K += (power *= square) * term;
   return K;

@@ -7,9 +7,9 @@
 
 namespace tiprub {
 
-/// The reduced matrices of one nodal diameter n: a travelling wave u_j = Re(u e^{i n j alpha}) over the sectors j,
-/// alpha = 2 pi / N (the paper's eq. 6 in half the size). Rows: r, theta, z of each contact node from leading to
-/// trailing edge, then the generalized dofs. All n x n and Hermitian; real for n = 0 and n = N/2.
+/// The reduced matrices of one nodal diameter n (eq. 10): a travelling wave u_j = Re(u e^{i n j alpha}) over the
+/// sectors j, alpha = 2 pi / N (the paper's eq. 6 in half the size). Rows: r, theta, z of each contact node from
+/// leading to trailing edge, then the generalized dofs. All n x n and Hermitian; real for n = 0 and n = N/2.
 struct NodalDiameterModel {
   Eigen::MatrixXcd K0;                        ///< [N/m in contact rows] stiffness at rest (eq. 7)
   Eigen::MatrixXcd K1;                        ///< [N/m s^2] its part with Omega^2
@@ -17,7 +17,7 @@ struct NodalDiameterModel {
   Eigen::MatrixXcd M;                         ///< [kg in contact rows] mass, positive definite
   std::vector<Eigen::MatrixXcd> higher = {};  ///< K3, K4, ... with Omega^6, Omega^8, ...; eq. 7 has none
 
-  /// K0 + Omega^2 K1 + Omega^4 K2 + ... (eq. 11), Omega in rad/s.
+  /// eq. 11, one block: K0 + Omega^2 K1 + Omega^4 K2 + ..., Omega in rad/s.
   Eigen::MatrixXcd stiffness(double speed) const;
   /// [Hz], ascending, at a speed in rad/s. A negative eigenvalue (an unstable rotor) gives a negative frequency.
   Eigen::VectorXd natural_frequencies(double speed) const;
@@ -53,7 +53,7 @@ struct ReducedModel {
   int modes_at_speed = 0;  ///< generalized dofs that do at any one speed (see condensation.h); 0: all of them
   std::string prestress;   ///< how K1, K2 came to be: "linear", ...; "given" for a model by hand
   ContactLine contact;
-  std::vector<NodalDiameterModel> nodal_diameters;  ///< n = 0 .. floor(N/2)
+  std::vector<NodalDiameterModel> nodal_diameters;  ///< n = 0 .. floor(N/2): the blocks of Bdiag, eq. 12
   Verification verification;                        ///< may be empty
   std::string provenance;                           ///< the case and the chain that made it, as text
 

@@ -8,6 +8,9 @@
 
 namespace tiprub {
 
+/// eq. 3: a wheel's K and M are block-circulant, for a sector's high cut face is its neighbour's low one. eq. 4: the
+/// Fourier matrix makes them block-diagonal, a block a nodal diameter; neither is ever formed.
+///
 /// One nodal diameter n of a wheel of N sectors: a travelling wave u_j = Re(u e^{i n j alpha}), alpha = 2 pi/N. In
 /// cylindrical components the high cut face moves as the low one times e^{i n alpha}; this takes the place of eq. 6
 /// of the paper in half its size (one complex matrix instead of a real one of twice the order). Independent dofs are
@@ -48,8 +51,8 @@ class CyclicStiffness {
   /// x with K x = b; independent x columns; b must be real for a standing wave. With fixed contact nodes their rows
   /// of b are ignored, of x zero.
   Eigen::MatrixXcd solve(const Eigen::MatrixXcd& load, ContactNodes contact) const;
-  /// Static shapes of a unit displacement of each contact dof, all else free of load (constraint modes, Psi_s of eq.
-  /// 8, with their unit rows); independent x contact dofs.
+  /// The constraint modes, Psi_s of eq. 8 with its unit rows: static shapes of a unit displacement of each contact
+  /// dof, all else free of load; independent x contact dofs.
   Eigen::MatrixXcd constraint_modes() const;
   const TravellingWave& wave() const { return wave_; }
 

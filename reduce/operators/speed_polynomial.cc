@@ -15,6 +15,7 @@ SpeedPolynomial::SpeedPolynomial(const std::vector<double>& speeds) : speed_max_
   inverse_ = vandermonde.inverse();
 }
 
+// eq. 7, for any number of speeds.
 std::vector<Eigen::MatrixXcd> SpeedPolynomial::coefficients(const std::vector<Eigen::MatrixXcd>& samples) const {
   std::vector<Eigen::MatrixXcd> result = {samples.front()};  // as it is: the first speed is zero
   for (Eigen::Index term = 1; term < inverse_.rows(); ++term) {

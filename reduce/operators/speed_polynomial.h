@@ -6,7 +6,7 @@
 
 namespace tiprub {
 
-/// Y(Omega) = Y0 + Omega^2 Y1 + Omega^4 Y2 + ... through as many speeds as it has terms (eq. 7 of the paper takes
+/// eq. 7: Y(Omega) = Y0 + Omega^2 Y1 + Omega^4 Y2 + ... through as many speeds as it has terms (the paper takes
 /// three: 0, Omega_max/2, Omega_max; Sternchuess and Balmes 2006). With three terms exact for linear and stress-only
 /// prestress; for others its misfit in between is to be measured.
 class SpeedPolynomial {

@@ -37,8 +37,9 @@ enum class SpinSoftening { on, off };
 /// Lower triangle of a symmetric matrix over the sector's dofs.
 using SymmetricMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-/// K, M and the load of one sector in the rotating frame, on its own dofs (both cut faces free), in cylindrical
-/// components. Assembly is by full 3 x 3 x 3 Gauss quadrature on 20- or 27-node bricks.
+/// K, M and the load of one sector in the rotating frame, on its own dofs (both cut faces free; Y_s of eq. 5, of
+/// which the blocks of eq. 3 are made, see CyclicTransformation), in cylindrical components. Assembly is by full 3 x
+/// 3 x 3 Gauss quadrature on 20- or 27-node bricks.
 class RotatingElasticity {
  public:
   /// Assembly runs on up to `threads` threads; the result doesn't depend on their number.

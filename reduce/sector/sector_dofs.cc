@@ -72,6 +72,7 @@ std::vector<std::vector<int>> node_neighbours(const SectorMesh& mesh) {
   return neighbours;
 }
 
+// eq. 5: i first, then c (low, high), then b.
 SectorDofs number_dofs(const SectorMesh& mesh, const std::vector<int>& contact) {
   const std::vector<Place> places = place_nodes(mesh, contact);
   SectorDofs dofs;

@@ -8,7 +8,8 @@
 
 namespace tiprub {
 
-/// The dofs of a sector: r, theta, z at each node that moves. They are numbered
+/// The dofs of a sector: r, theta, z at each node that moves. eq. 5: interior i, contact (boundary) b and cut faces c
+/// are apart in every vector and matrix. They are numbered
 ///     interior | low cut face | high cut face | contact nodes,
 /// so that the elimination of the interior leaves what nodal diameters and contact need, and the interior itself is
 /// in nested-dissection order. The independent dofs of a nodal diameter are interior | low | contact (the paper's i,

@@ -55,7 +55,7 @@ TEST_P(Wheel, EigenvaluesAreTheUnionOverNodalDiameters) {
 }
 
 TEST_P(Wheel, MatricesAreBlockCirculant) {
-  // Each sector couples to itself and its two neighbours, always by the same blocks (check 13).
+  // Each sector couples to itself and its two neighbours, always by the same blocks (eq. 3, check 13).
   const int N = GetParam();
   for (const SymmetricMatrix& matrix : {wheel_.at_speed(speed, Prestress::linear), wheel_.mass()}) {
     const Eigen::MatrixXd Y = sector_by_sector(matrix);
@@ -73,7 +73,8 @@ TEST_P(Wheel, MatricesAreBlockCirculant) {
 }
 
 TEST_P(Wheel, FourierTransformLeavesTheSectorsOwnBlocks) {
-  // F^H Y F is block diagonal, and its blocks have the eigenvalues of T^H Y T (checks 14, 16).
+  // eq. 4: F^H Y F is block diagonal (F complex here), and its blocks have the eigenvalues of T^H Y T (checks 14,
+  // 16).
   const int N = GetParam();
   const SymmetricMatrix sector_matrix = sector_.at_speed(speed, Prestress::linear);
   const Eigen::MatrixXd Y = sector_by_sector(wheel_.at_speed(speed, Prestress::linear));

@@ -31,7 +31,7 @@ std::vector<Eigen::MatrixXcd> some_matrices(int count) {
 }
 
 TEST(SpeedPolynomial, GoesThroughItsSpeeds) {
-  // Check 22.
+  // eq. 7 (check 22).
   for (const std::vector<double>& speeds :
        {std::vector{0.0, top / 2, top}, {0.0, top / 4, top / 2, 0.75 * top, top}}) {
     const std::vector<Eigen::MatrixXcd> samples = some_matrices(static_cast<int>(speeds.size()));

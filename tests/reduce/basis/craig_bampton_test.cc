@@ -80,6 +80,7 @@ TEST_P(CraigBampton, KeepsContactDofsPhysical) {
 }
 
 TEST_P(CraigBampton, GeneralizedDofsAreOrthonormal) {
+  // eq. 9: Psi*.
   const Eigen::MatrixXcd M = project(wave_, mass_, basis(4).shapes());
   const Eigen::Index size = M.cols() - rotor_.dofs().boundary();
   EXPECT_LT((M.bottomRightCorner(size, size) - Eigen::MatrixXcd::Identity(size, size)).cwiseAbs().maxCoeff(), 1e-10);
@@ -99,6 +100,7 @@ TEST_P(CraigBampton, ConstraintModesAtRestDoNotMeetTheGeneralizedDofsInStiffness
 }
 
 TEST_P(CraigBampton, KnowsWhatTheSectorsMatricesMakeOfIt) {
+  // eq. 10
   const CraigBamptonBasis found = basis(4);
   EXPECT_LT(difference(found.stiffness(0), project(wave_, at_rest_, found.shapes())), 1e-10);
   EXPECT_LT(difference(found.stiffness(1), project(wave_, at_top_, found.shapes())), 1e-10);

@@ -41,6 +41,7 @@ class EverySectorCount : public ::testing::TestWithParam<int> {
 INSTANTIATE_TEST_SUITE_P(Sectors, EverySectorCount, ::testing::Values(3, 4, 5, 6));
 
 TEST_P(EverySectorCount, WavesExpandAndGatherByThePhase) {
+  // eq. 6 as T^H Y T.
   for (int n = 0; n <= last(); ++n) {
     const Eigen::MatrixXcd T = test::phase_matrix(rotor_.dofs(), GetParam(), n);
     const Eigen::MatrixXcd x = columns(n, T.cols()), f = columns(n, T.rows());
@@ -83,6 +84,7 @@ TEST_P(EverySectorCount, HeldContactNodesStayAndTheOthersAreInBalance) {
 }
 
 TEST_P(EverySectorCount, ConstraintModesHaveUnitRowsAndNoInnerForce) {
+  // eq. 8: (I, Psi_s).
   const Eigen::Index boundary = rotor_.dofs().boundary(), inner = rotor_.dofs().interior + rotor_.dofs().face;
   for (int n = 0; n <= last(); ++n) {
     const Eigen::MatrixXcd psi = CyclicStiffness(factor_, wave(n)).constraint_modes();

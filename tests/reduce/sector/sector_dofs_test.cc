@@ -17,6 +17,7 @@ using test::Annulus;
 using test::complaint;
 
 TEST(SectorDofs, PartsSumToTheTotal) {
+  // eq. 5: interior, cut faces, contact nodes.
   for (const int nodes_per_brick : {20, 27}) {
     Annulus annulus;
     annulus.nodes_per_brick = nodes_per_brick;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/reduce/some_model.h"
+#include "tests/reduce/model/some_model.h"
 
 namespace tiprub::test {
 

@@ -10,7 +10,7 @@
 
 #include "reduce/model/hdf5_file.h"
 #include "tests/reduce/complaint.h"
-#include "tests/reduce/some_model.h"
+#include "tests/reduce/model/some_model.h"
 
 namespace tiprub {
 namespace {

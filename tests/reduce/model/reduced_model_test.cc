@@ -8,7 +8,7 @@
 #include <ostream>
 
 #include "tests/reduce/complaint.h"
-#include "tests/reduce/some_model.h"
+#include "tests/reduce/model/some_model.h"
 
 namespace tiprub {
 namespace {
@@ -79,6 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& wrong) { return wrong.param.name; });
 
 TEST(NodalDiameterModel, AnUnstableRotorHasANegativeFrequency) {
+  // eq. 11: K0 + Omega^2 K1.
   const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(1, 1);
   const NodalDiameterModel model{4.0 * one, -1.0 * one, 0.0 * one, one};
   EXPECT_NEAR(model.natural_frequencies(0.0)[0], 2 / (2 * std::numbers::pi), 1e-15);

@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "reduce/basis/cyclic_modes.h"
-#include "reduce/memory_need.h"
 #include "reduce/operators/at_speed.h"
+#include "reduce/operators/memory_need.h"
 #include "reduce/operators/spin_equilibrium.h"
 #include "reduce/sector/contact_line.h"
 #include "reduce/sector/parallel_for.h"
@@ -55,8 +55,8 @@ class LinearAnalysis {
         dofs_(number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes))),
         elasticity_(mesh, dofs_, parameters.material, parameters.threads),
         mass_(elasticity_.mass()) {
-    for (int n = 0; n <= mesh.sector_count / 2; ++n) waves_.emplace_back(dofs_, mesh.sector_count, n);
-    shapes_.resize(waves_.size());
+    for (int n = 0; n <= mesh.sector_count / 2; ++n) transforms_.emplace_back(dofs_, mesh.sector_count, n);
+    shapes_.resize(transforms_.size());
   }
 
   LinearResults run() {
@@ -87,7 +87,7 @@ class LinearAnalysis {
     const ModesOverSpeed empty = {Eigen::MatrixXd(speeds, modes), Eigen::MatrixXi(speeds, modes),
                                   Eigen::MatrixXd::Ones(speeds, modes),
                                   std::vector<Eigen::MatrixXd>(parts_.size(), Eigen::MatrixXd(speeds, modes))};
-    results_.nodal_diameters.assign(waves_.size(), empty);
+    results_.nodal_diameters.assign(transforms_.size(), empty);
     results_.displacement = results_.von_mises =
         Eigen::MatrixXd::Zero(speeds, static_cast<Eigen::Index>(parts_.size()));
     tip_ = describe_contact(mesh_, contact_);
@@ -101,7 +101,7 @@ class LinearAnalysis {
         elasticity_.stiffness(0.0, Eigen::Matrix3Xd::Zero(3, mesh_.node_count()), parameters_.prestress), dofs_);
     const std::vector<double> speeds(results_.speeds.begin(), results_.speeds.end());
     static_ =
-        shapes_under_spin(elasticity_, mesh_, CyclicStiffness(factor, waves_[0]), speeds, parameters_.prestress);
+        shapes_under_spin(elasticity_, mesh_, CyclicSolver(factor, transforms_[0]), speeds, parameters_.prestress);
     for (int row = 0; row < results_.speed_count() && speeds[row] == 0; ++row) solve_modes(row, factor);
   }
 
@@ -138,8 +138,8 @@ class LinearAnalysis {
 
   void solve_modes(int row, const SectorFactor& factor) {
     at_speed(results_.speeds[row], [&] {
-      parallel_for(static_cast<int>(waves_.size()), parameters_.threads, [&](int n) {
-        const CyclicModes modes = lowest_modes(CyclicStiffness(factor, waves_[n]), mass_, ContactNodes::free,
+      parallel_for(static_cast<int>(transforms_.size()), parameters_.threads, [&](int n) {
+        const CyclicModes modes = lowest_modes(CyclicSolver(factor, transforms_[n]), mass_, ContactNodes::free,
                                                parameters_.verification_modes, mode_tolerance);
         results_.nodal_diameters[n].frequency.row(row) = modes.frequencies().transpose();
         follow(modes.shape, n, row);
@@ -152,8 +152,8 @@ class LinearAnalysis {
     Eigen::Index part = 0;
     for (const auto& [name, cells] : parts_) {
       const SymmetricMatrix stiffness = elasticity_.stiffness_of(cells);
-      for (std::size_t n = 0; n < waves_.size(); ++n) {
-        const Eigen::MatrixXcd force = waves_[n].apply(stiffness, shapes_[n]);
+      for (std::size_t n = 0; n < transforms_.size(); ++n) {
+        const Eigen::MatrixXcd force = transforms_[n].apply(stiffness, shapes_[n]);
         results_.nodal_diameters[n].energy_share[part].row(row) =
             shapes_[n].conjugate().cwiseProduct(force).colwise().sum().real();
       }
@@ -171,7 +171,7 @@ class LinearAnalysis {
     if (row == 0) {
       modes.branch.row(0).setLinSpaced(shape.cols(), 0, static_cast<int>(shape.cols()) - 1);
     } else {
-      const Eigen::MatrixXd mac = (waves_[n].apply(mass_, shape).adjoint() * shapes_[n]).cwiseAbs2();
+      const Eigen::MatrixXd mac = (transforms_[n].apply(mass_, shape).adjoint() * shapes_[n]).cwiseAbs2();
       const std::vector<int> partner = pair_by_mac(mac);
       int next = modes.branch.topRows(row).maxCoeff() + 1;
       for (Eigen::Index k = 0; k < shape.cols(); ++k) {
@@ -190,7 +190,7 @@ class LinearAnalysis {
   SectorDofs dofs_;
   RotatingElasticity elasticity_;
   SymmetricMatrix mass_;
-  std::vector<TravellingWave> waves_;
+  std::vector<CyclicTransformation> transforms_;
   ContactLine tip_;
   SpinShapes static_;
   std::vector<Eigen::MatrixXcd> shapes_;  // at the speed before, by nodal diameter

@@ -8,14 +8,11 @@
 #include <mutex>
 #include <utility>
 
-#include "reduce/basis/craig_bampton.h"
-#include "reduce/basis/cyclic_modes.h"
-#include "reduce/basis/mode_following.h"
+#include "reduce/basis/diameter_reduction.h"
 #include "reduce/basis/polynomial_fit.h"
 #include "reduce/basis/sector_fields.h"
-#include "reduce/memory_need.h"
 #include "reduce/model/condensation.h"
-#include "reduce/operators/at_speed.h"
+#include "reduce/operators/memory_need.h"
 #include "reduce/operators/spinning_sector.h"
 #include "reduce/sector/contact_line.h"
 #include "reduce/sector/parallel_for.h"
@@ -23,10 +20,6 @@
 namespace tiprub {
 
 namespace {
-
-constexpr double mode_tolerance = 1e-4;  // of 1/omega^2, a residual; the error of a frequency goes with its square
-constexpr double nearer_rest =
-    0.7;  // of Omega_max: below, K, which goes with Omega^2, is nearer to rest than to full speed
 
 /// The work of one reduction. Two factors, of rest and of full speed, serve all nodal diameters; these go side by
 /// side, and what belongs to one is released as soon as its model is made and verified.
@@ -40,7 +33,7 @@ class Reducer {
         contact_(choose_contact_nodes(mesh, parameters.contact_nodes)),
         dofs_(number_dofs(mesh, contact_)),
         samples_(parameters) {
-    for (int n = 0; n <= mesh.sector_count / 2; ++n) waves_.emplace_back(dofs_, mesh.sector_count, n);
+    for (int n = 0; n <= mesh.sector_count / 2; ++n) transforms_.emplace_back(dofs_, mesh.sector_count, n);
   }
 
   static int steps(const SectorMesh& mesh) {
@@ -51,28 +44,22 @@ class Reducer {
   ReducedModel run(ReductionReport& report) {
     report.sector_dofs = dofs_.sector();
     report.clamped_face_nodes = dofs_.clamped_face_nodes;
-    const MemoryNeed need = memory_need(mesh_, dofs_,
-                                        {.factors = 2,
-                                         .stiffnesses = static_cast<int>(samples_.fractions().size()),
-                                         .columns = columns_at_once(),
-                                         .threads = parameters_.threads});
-    report.memory_needed = need.total();
-    require_memory(need, available_memory());
+    report.memory_needed = require_room();
     SpinningSector sector(mesh_, dofs_, parameters_, samples_);
     timed(report, "mass and stiffness at rest");
-    const SectorFactor rest = sector.factorize(samples_.find(0.0).value());
+    const SectorFactor at_rest = sector.factorize(samples_.find(0.0).value());
     timed(report, "factor at rest");
-    sector.spin(rest, waves_[0]);
+    sector.spin(at_rest, transforms_[0]);
     report.newton_steps = sector.shapes().newton_steps;
     report.newton_residual = sector.shapes().newton_residual;
     timed(report, "shape and stiffness under spin");
-    const SectorFactor full = sector.factorize(samples_.find(1.0).value());
+    const SectorFactor at_top = sector.factorize(samples_.find(1.0).value());
     timed(report, "factor at full speed");
     ReducedModel model = describe(sector.static_shift());
     write_sector_fields(sector.static_shift());
-    const SampledStiffness stiffness = build({sector, rest, full}, model, report);
+    const SampledStiffness stiffness = reduce_diameters({sector, at_rest, at_top}, model, report);
     timed(report, "modes, bases, verification");
-    report.polynomial_speeds = fit_polynomial(stiffness, samples_, parameters_, model);
+    report.polynomial_speeds = fit_polynomial(stiffness, samples_, parameters_, model);  // eq. 7
     find_reduced_frequencies(model);
     timed(report, "model");
     return model;
@@ -82,16 +69,21 @@ class Reducer {
   /// What all nodal diameters share.
   struct Shared {
     const SpinningSector& sector;
-    const SectorFactor& rest;
-    const SectorFactor& full;
-  };
-  /// One nodal diameter's own.
-  struct Diameter {
-    const SpinningSector& sector;
-    CyclicStiffness rest;
-    CyclicStiffness full;
+    const SectorFactor& at_rest;
+    const SectorFactor& at_top;
   };
   using Shift = std::array<Eigen::VectorXcd, 2>;
+
+  /// [bytes] that it will take; raises RunError if there are fewer.
+  double require_room() const {
+    const MemoryNeed need = memory_need(mesh_, dofs_,
+                                        {.factors = 2,
+                                         .stiffnesses = static_cast<int>(samples_.fractions().size()),
+                                         .columns = columns_at_once(),
+                                         .threads = parameters_.threads});
+    require_memory(need, available_memory());
+    return need.total();
+  }
 
   /// Complex vectors that one nodal diameter holds: its basis, and either the Lanczos vectors with their products or
   /// what it takes to follow all modes at all verification speeds (shapes, loads, directions, and those of some
@@ -138,101 +130,39 @@ class Reducer {
     if (fields_ == nullptr) return;
     const Eigen::MatrixXcd shapes = basis.shapes();
     const std::lock_guard lock(writing_);
-    fields_->write_basis(n, shapes.cols(), waves_[n].standing(),
-                         [&](Eigen::Index k) { return on_nodes(dofs_, waves_[n].expand(shapes.col(k))); });
+    fields_->write_basis(n, shapes.cols(), transforms_[n].is_real(),
+                         [&](Eigen::Index k) { return on_nodes(dofs_, transforms_[n].expand(shapes.col(k))); });
   }
 
-  /// Everything that a nodal diameter needs from the sector; returns the models' K.
-  SampledStiffness build(const Shared& shared, ReducedModel& model, ReductionReport& report) {
-    const std::size_t diameters = waves_.size();
+  /// Every nodal diameter's M, basis and unreduced frequencies; returns their K at the samples.
+  SampledStiffness reduce_diameters(const Shared& shared, ReducedModel& model, ReductionReport& report) {
+    const std::size_t diameters = transforms_.size();
     const auto rows = static_cast<Eigen::Index>(parameters_.verification_speeds.size());
     report.generalized_dofs.resize(diameters);
     report.dropped.resize(diameters);
     report.corrections.resize(diameters);
     model.verification.speeds =
         parameters_.speed_max * Eigen::Map<const Eigen::VectorXd>(parameters_.verification_speeds.data(), rows);
-    model.verification.unreduced.assign(diameters, Eigen::MatrixXd(rows, parameters_.verification_modes));
+    model.verification.unreduced.resize(diameters);
     model.nodal_diameters.resize(diameters);
     SampledStiffness stiffness(diameters);
     parallel_for(static_cast<int>(diameters), parameters_.threads, [&](int n) {
-      const Diameter of{shared.sector, at_speed(0.0, [&] { return CyclicStiffness(shared.rest, waves_[n]); }),
-                        at_speed(parameters_.speed_max, [&] { return CyclicStiffness(shared.full, waves_[n]); })};
-      CraigBamptonBasis basis = start_basis(of);
+      const DiameterReduction diameter(shared.sector, shared.at_rest, shared.at_top, transforms_[n], samples_,
+                                       parameters_);
+      CraigBamptonBasis basis = diameter.start_basis();  // eq. 8, eq. 9
+      progress_.advance();
       require_enough_modes(n, basis.size());
-      report.corrections[n] = correct(basis, of);
+      report.corrections[n] = diameter.correct(basis);
+      progress_.advance();
       report.generalized_dofs[n] = static_cast<int>(basis.size() - basis.contact_dofs());
       report.dropped[n] = basis.dropped();
-      stiffness[n] = sampled_stiffness(basis);
-      model.nodal_diameters[n].M = basis.mass();
-      find_unreduced(basis, of, model.verification.unreduced[n]);
+      stiffness[n] = diameter.sampled_stiffness(basis);  // eq. 10
+      model.nodal_diameters[n].M = basis.mass();         // eq. 10
+      model.verification.unreduced[n] = diameter.unreduced_frequencies(basis);
+      progress_.advance();
       write_basis(n, basis);
     });
     return stiffness;
-  }
-
-  /// Modes and static shapes of both speeds. The basis needs the span of the fixed-interface modes at Omega_max, not
-  /// the modes: one inverse iteration of those at rest gives it.
-  CraigBamptonBasis start_basis(const Diameter& of) {
-    const TravellingWave& wave = of.rest.wave();
-    const SymmetricMatrix& mass = of.sector.mass();
-    const Eigen::MatrixXcd modes = at_speed(0.0, [&] {
-      return lowest_modes(of.rest, mass, ContactNodes::fixed, parameters_.fixed_interface_modes, mode_tolerance)
-          .shape;
-    });
-    progress_.advance();
-    std::vector<const SymmetricMatrix*> samples;
-    for (const SymmetricMatrix& sample : of.sector.sampled_stiffness()) samples.push_back(&sample);
-    const Eigen::MatrixXcd constraint_modes = of.rest.constraint_modes();
-    CraigBamptonBasis basis(wave, mass, samples, constraint_modes);
-    basis.append(modes);
-    basis.append(of.full.solve(wave.apply(mass, modes), ContactNodes::fixed));
-    basis.append(of.full.constraint_modes() - constraint_modes);
-    basis.orthonormalise();
-    return basis;
-  }
-
-  std::vector<Eigen::MatrixXcd> sampled_stiffness(const CraigBamptonBasis& basis) const {
-    std::vector<Eigen::MatrixXcd> samples;
-    for (std::size_t s = 0; s < samples_.fractions().size(); ++s) samples.push_back(basis.stiffness(s));
-    return samples;
-  }
-
-  ModeFollowing modes_between(const CraigBamptonBasis& basis, const Diameter& of,
-                              const std::vector<double>& fractions) const {
-    const std::vector<Eigen::MatrixXcd> samples = sampled_stiffness(basis);
-    std::vector<SpeedToFollow> speeds;
-    for (const double fraction : fractions)
-      speeds.push_back({name_of_speed(fraction * parameters_.speed_max),
-                        [&sector = of.sector, fraction] { return sector.stiffness(fraction); },
-                        samples_.combine(samples, fraction), fraction < nearer_rest ? &of.rest : &of.full});
-    return {basis, of.sector.mass(), std::move(speeds), parameters_.verification_modes};
-  }
-
-  /// Modes at speeds between those of the basis: where the basis misses one by more than the tolerance, it gets what
-  /// it misses. Returns how many shapes that are.
-  int correct(CraigBamptonBasis& basis, const Diameter& of) {
-    Eigen::Index corrections = 0;
-    ModeFollowing modes = modes_between(basis, of, {corrected_speeds.begin(), corrected_speeds.end()});
-    for (const Eigen::MatrixXcd& block : modes.missing(2 * parameters_.frequency_tolerance)) {
-      basis.append(block);
-      corrections += block.cols();
-    }
-    basis.orthonormalise();
-    progress_.advance();
-    return static_cast<int>(corrections);
-  }
-
-  void find_unreduced(const CraigBamptonBasis& basis, const Diameter& of, Eigen::MatrixXd& table) {
-    const std::vector<double>& fractions = parameters_.verification_speeds;
-    const auto middle = std::find_if(fractions.begin(), fractions.end(), [](double f) { return f >= nearer_rest; });
-    Eigen::Index row = 0;
-    for (const std::vector<double>& half :
-         {std::vector(fractions.begin(), middle), std::vector(middle, fractions.end())}) {
-      ModeFollowing modes = modes_between(basis, of, half);  // one factor at a time: half of the room
-      modes.converge(parameters_.verification_tolerance);
-      for (const FollowedModes& at : modes.modes()) table.row(row++) = at.frequencies().transpose();
-    }
-    progress_.advance();
   }
 
   /// The model's own frequencies beside the unreduced ones, with as many dofs as it has at any one speed.
@@ -265,7 +195,7 @@ class Reducer {
   std::vector<int> contact_;
   SectorDofs dofs_;
   SpeedSamples samples_;
-  std::vector<TravellingWave> waves_;
+  std::vector<CyclicTransformation> transforms_;
 };
 
 }  // namespace

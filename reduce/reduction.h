@@ -27,10 +27,11 @@ struct ReductionReport {
   std::vector<std::pair<std::string, double>> seconds;  ///< what took how long
 };
 
-/// Eqs. 3-10 of the paper: K and M of a sector, nodal diameter by nodal diameter on one Craig-Bampton basis, eq. 7
-/// through K at three speeds or more, and the unreduced frequencies that verify it. Costs two factorizations, at rest
-/// and at Omega_max, for all nodal diameters and all speeds. Raises RunError for an unstable rotor, with the speed.
-/// `fields`, if given, gets the basis on all nodes as soon as it is known.
+/// Section 3.4 of the paper: K and M of a sector (eq. 3, eq. 5), nodal diameter by nodal diameter (eq. 4, eq. 6) on
+/// one Craig-Bampton basis (eq. 8, eq. 9, eq. 10), eq. 7 through K at three speeds or more, and the unreduced
+/// frequencies that verify it. Costs two factorizations, at rest and at Omega_max, for all nodal diameters and all
+/// speeds. Raises RunError for an unstable rotor, with the speed. `fields`, if given, gets the basis on all nodes as
+/// soon as it is known.
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown progress,
                     ReductionReport& report, FieldsWriter* fields = nullptr);
 

@@ -6,36 +6,36 @@
 #include <cmath>
 #include <utility>
 
+#include "reduce/basis/hermitian_products.h"
+
 namespace tiprub {
 
 namespace {
 
 constexpr double dependence_tolerance = 1e-10;  // of a unit direction, in squared stiffness norm
 
-Eigen::MatrixXcd hermitian(const Eigen::MatrixXcd& matrix) {
-  return 0.5 * (matrix + matrix.adjoint());
-}
-
 }  // namespace
 
-Eigen::MatrixXcd project(const TravellingWave& wave, const SymmetricMatrix& matrix, const Eigen::MatrixXcd& basis) {
-  return hermitian(basis.adjoint() * wave.apply(matrix, basis));
+// eq. 10: Y_r = T^H Y T for Y = K0, K1, K2, M.
+Eigen::MatrixXcd project(const CyclicTransformation& transform, const SymmetricMatrix& matrix,
+                         const Eigen::MatrixXcd& basis) {
+  return hermitian_part(basis.adjoint() * transform.apply(matrix, basis));
 }
 
-CraigBamptonBasis::CraigBamptonBasis(const TravellingWave& wave, const SymmetricMatrix& mass,
+CraigBamptonBasis::CraigBamptonBasis(const CyclicTransformation& transform, const SymmetricMatrix& mass,
                                      std::vector<const SymmetricMatrix*> stiffness,
                                      const Eigen::MatrixXcd& constraint_modes)
-    : wave_(wave),
+    : transform_(transform),
       mass_(mass),
       stiffness_(std::move(stiffness)),
       contact_dofs_(constraint_modes.cols()),
       stiffness_products_(stiffness_.size()) {
-  join(constraint_modes);
+  join(constraint_modes);  // eq. 9, left column: (I, Psi_s(0))
 }
 
 void CraigBamptonBasis::append(const Eigen::MatrixXcd& shapes) {
   if (shapes.cols() == 0) return;
-  const Eigen::MatrixXcd loads = wave_.apply(*stiffness_.front(), shapes);
+  const Eigen::MatrixXcd loads = transform_.apply(*stiffness_.front(), shapes);
   const Eigen::VectorXd scale = shapes.conjugate().cwiseProduct(loads).colwise().sum().real().unaryExpr(
       [](double square) { return square > 0 ? 1 / std::sqrt(square) : 0.0; });  // 0: speed changed nothing
   const auto known = raw_.rightCols(raw_.cols() - contact_dofs_);
@@ -44,7 +44,7 @@ void CraigBamptonBasis::append(const Eigen::MatrixXcd& shapes) {
   const Eigen::MatrixXcd shadow =
       stiffness_products_.front().bottomRightCorner(known.cols(), known.cols()).llt().solve(overlap);
   const Eigen::MatrixXcd gram =
-      scale.asDiagonal() * hermitian(shapes.adjoint() * loads - overlap.adjoint() * shadow) * scale.asDiagonal();
+      scale.asDiagonal() * hermitian_part(shapes.adjoint() * loads - overlap.adjoint() * shadow) * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> directions(gram);
   const Eigen::VectorXd& lengths = directions.eigenvalues();
   const Eigen::Index kept = (lengths.array() > dependence_tolerance).count();
@@ -60,20 +60,15 @@ void CraigBamptonBasis::join(const Eigen::MatrixXcd& shapes) {
   const Eigen::Index old = raw_.cols();
   raw_.conservativeResize(shapes.rows(), old + shapes.cols());
   raw_.rightCols(shapes.cols()) = shapes;
-  for (std::size_t s = 0; s < stiffness_.size(); ++s) extend(stiffness_products_[s], *stiffness_[s], shapes);
-  extend(mass_products_, mass_, shapes);
+  const auto columns = [&](const SymmetricMatrix& matrix) -> Eigen::MatrixXcd {
+    return raw_.adjoint() * transform_.apply(matrix, shapes);
+  };
+  for (std::size_t s = 0; s < stiffness_.size(); ++s)
+    append_products(stiffness_products_[s], columns(*stiffness_[s]));
+  append_products(mass_products_, columns(mass_));
 }
 
-void CraigBamptonBasis::extend(Eigen::MatrixXcd& products, const SymmetricMatrix& matrix,
-                               const Eigen::MatrixXcd& shapes) const {
-  const Eigen::Index old = products.cols(), more = shapes.cols();
-  const Eigen::MatrixXcd columns = raw_.adjoint() * wave_.apply(matrix, shapes);
-  products.conservativeResize(old + more, old + more);
-  products.topRightCorner(old, more) = columns.topRows(old);
-  products.bottomLeftCorner(more, old) = columns.topRows(old).adjoint();
-  products.bottomRightCorner(more, more) = hermitian(columns.bottomRows(more));
-}
-
+// eq. 9, right column: Psi*, orthonormal.
 void CraigBamptonBasis::orthonormalise() {
   const Eigen::Index count = raw_.cols() - contact_dofs_;
   // M z = K z / omega^2, largest last; K is nearly the identity.
@@ -96,6 +91,7 @@ Eigen::MatrixXcd CraigBamptonBasis::inner_products(const Eigen::MatrixXcd& loads
   return products;
 }
 
+// eq. 10, from the products of the raw shapes.
 Eigen::MatrixXcd CraigBamptonBasis::reduced(const Eigen::MatrixXcd& products) const {
   const Eigen::Index inner = weights_.rows();
   Eigen::MatrixXcd matrix(size(), size());
@@ -104,7 +100,7 @@ Eigen::MatrixXcd CraigBamptonBasis::reduced(const Eigen::MatrixXcd& products) co
   matrix.topRightCorner(contact_dofs_, weights_.cols()) = mixed;
   matrix.bottomLeftCorner(weights_.cols(), contact_dofs_) = mixed.adjoint();
   matrix.bottomRightCorner(weights_.cols(), weights_.cols()) =
-      hermitian(weights_.adjoint() * products.bottomRightCorner(inner, inner) * weights_);
+      hermitian_part(weights_.adjoint() * products.bottomRightCorner(inner, inner) * weights_);
   return matrix;
 }
 

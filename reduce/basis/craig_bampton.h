@@ -4,15 +4,15 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "reduce/operators/cyclic_symmetry.h"
+#include "reduce/operators/cyclic_transformation.h"
 
 namespace tiprub {
 
-/// One basis of one nodal diameter for all speeds (eq. 9): the constraint modes at rest, kept as they are so that
-/// contact dofs stay physical, and an M-orthonormal set made from everything else: fixed-interface modes of several
-/// speeds, changes of the constraint modes with speed (without them a thin blade that has turned under load is far
-/// off), and what modes at other speeds turn out to miss. Directions are dropped by their stiffness norm, never by
-/// mass: light directions are the stiff ones.
+/// eq. 9: one basis of one nodal diameter for all speeds. It holds the constraint modes at rest, kept as they are so
+/// that contact dofs stay physical, and an M-orthonormal set made from everything else: fixed-interface modes of
+/// several speeds, changes of the constraint modes with speed (without them a thin blade that has turned under load
+/// is far off), and what modes at other speeds turn out to miss. Directions are dropped by their stiffness norm,
+/// never by mass: light directions are the stiff ones.
 ///
 /// The matrices are applied to each shape when it is appended; all else happens on small matrices. What is appended
 /// is made orthonormal to what is there, in the stiffness at rest, first: small matrices of nearly dependent shapes
@@ -21,7 +21,7 @@ class CraigBamptonBasis {
  public:
   /// `stiffness` are the sector's at the speeds that the model samples, the first one at rest; all matrices must
   /// outlive the basis. `constraint_modes` (Psi_s of eq. 8, at rest): independent x contact dofs.
-  CraigBamptonBasis(const TravellingWave& wave, const SymmetricMatrix& mass,
+  CraigBamptonBasis(const CyclicTransformation& transform, const SymmetricMatrix& mass,
                     std::vector<const SymmetricMatrix*> stiffness, const Eigen::MatrixXcd& constraint_modes);
 
   /// More shapes, independent x any number, with contact rows of zero; then call orthonormalise().
@@ -34,7 +34,7 @@ class CraigBamptonBasis {
   Eigen::Index contact_dofs() const { return contact_dofs_; }
   /// Shapes that the others already hold.
   int dropped() const { return dropped_; }
-  /// T^H K T at a sampled speed, and T^H M T; size x size, Hermitian, real for a standing wave.
+  /// eq. 10: T^H K T at a sampled speed, and T^H M T; size x size, Hermitian, real for a standing transform.
   Eigen::MatrixXcd stiffness(std::size_t sample) const { return reduced(stiffness_products_[sample]); }
   Eigen::MatrixXcd mass() const { return reduced(mass_products_); }
   /// The shapes times `coefficients` (size x any number); independent x columns.
@@ -43,14 +43,13 @@ class CraigBamptonBasis {
   Eigen::MatrixXcd inner_products(const Eigen::MatrixXcd& loads) const;
   /// All shapes; independent x size.
   Eigen::MatrixXcd shapes() const { return combine(Eigen::MatrixXcd::Identity(size(), size())); }
-  const TravellingWave& wave() const { return wave_; }
+  const CyclicTransformation& transform() const { return transform_; }
 
  private:
   void join(const Eigen::MatrixXcd& shapes);
-  void extend(Eigen::MatrixXcd& products, const SymmetricMatrix& matrix, const Eigen::MatrixXcd& shapes) const;
   Eigen::MatrixXcd reduced(const Eigen::MatrixXcd& products) const;
 
-  const TravellingWave& wave_;
+  const CyclicTransformation& transform_;
   const SymmetricMatrix& mass_;
   std::vector<const SymmetricMatrix*> stiffness_;
   Eigen::Index contact_dofs_;
@@ -61,7 +60,8 @@ class CraigBamptonBasis {
   Eigen::MatrixXcd weights_;                          // raw shapes without constraint modes x generalized dofs
 };
 
-/// eq. 10: T^H Y T for a sector matrix and a basis; Hermitian, and real for a standing wave.
-Eigen::MatrixXcd project(const TravellingWave& wave, const SymmetricMatrix& matrix, const Eigen::MatrixXcd& basis);
+/// eq. 10: T^H Y T for a sector matrix and a basis; Hermitian, and real for a standing transform.
+Eigen::MatrixXcd project(const CyclicTransformation& transform, const SymmetricMatrix& matrix,
+                         const Eigen::MatrixXcd& basis);
 
 }  // namespace tiprub

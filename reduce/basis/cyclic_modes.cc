@@ -30,7 +30,7 @@ Eigen::MatrixXcd reproducible_noise(Eigen::Index rows, Eigen::Index columns, boo
 /// The growing Krylov space: M-orthonormal vectors Q, M Q beside them, and the projected operator.
 class KrylovSpace {
  public:
-  KrylovSpace(const CyclicStiffness& stiffness, const SymmetricMatrix& mass, ContactNodes contact)
+  KrylovSpace(const CyclicSolver& stiffness, const SymmetricMatrix& mass, ContactNodes contact)
       : stiffness_(stiffness), mass_(mass), contact_(contact) {}
 
   Eigen::Index size() const { return size_; }
@@ -40,9 +40,9 @@ class KrylovSpace {
   Eigen::MatrixXcd combine(const Eigen::MatrixXcd& weights) const { return Q_.leftCols(weights.rows()) * weights; }
 
   void start() {
-    const SectorDofs& dofs = stiffness_.wave().dofs();
+    const SectorDofs& dofs = stiffness_.transform().dofs();
     const Eigen::Index width = std::min<Eigen::Index>(block_size, free_dofs());
-    const Eigen::MatrixXcd noise = reproducible_noise(dofs.independent(), width, stiffness_.wave().standing());
+    const Eigen::MatrixXcd noise = reproducible_noise(dofs.independent(), width, stiffness_.transform().is_real());
     append(stiffness_.solve(noise, contact_), 0.0);
     operated_ = 0;
   }
@@ -67,7 +67,7 @@ class KrylovSpace {
 
  private:
   Eigen::Index free_dofs() const {
-    const SectorDofs& dofs = stiffness_.wave().dofs();
+    const SectorDofs& dofs = stiffness_.transform().dofs();
     return dofs.independent() - (contact_ == ContactNodes::fixed ? dofs.boundary() : 0);
   }
 
@@ -77,7 +77,7 @@ class KrylovSpace {
     const Eigen::Index room = free_dofs() - size_;
     double floor = std::pow(rounding * reference, 2);
     coupling_ = Eigen::MatrixXcd::Identity(block.cols(), block.cols());
-    Eigen::MatrixXcd moved = stiffness_.wave().apply(mass_, block);
+    Eigen::MatrixXcd moved = stiffness_.transform().apply(mass_, block);
     for (int pass = 0; pass < 2 && block.cols() > 0; ++pass, floor = 0) {
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> gram(block.adjoint() * moved);
       const Eigen::VectorXd& squares = gram.eigenvalues();
@@ -98,7 +98,7 @@ class KrylovSpace {
     size_ += block.cols();
   }
 
-  const CyclicStiffness& stiffness_;
+  const CyclicSolver& stiffness_;
   const SymmetricMatrix& mass_;
   ContactNodes contact_;
   Eigen::MatrixXcd Q_, MQ_, projected_, coupling_;
@@ -111,8 +111,8 @@ Eigen::VectorXd CyclicModes::frequencies() const {
   return eigenvalue.cwiseSqrt() / (2 * std::numbers::pi);
 }
 
-CyclicModes lowest_modes(const CyclicStiffness& stiffness, const SymmetricMatrix& mass, ContactNodes contact,
-                         int count, double tolerance) {
+CyclicModes lowest_modes(const CyclicSolver& stiffness, const SymmetricMatrix& mass, ContactNodes contact, int count,
+                         double tolerance) {
   constexpr int longest = 20;  // Krylov vectors per wanted mode before giving up
   KrylovSpace space(stiffness, mass, contact);
   space.start();

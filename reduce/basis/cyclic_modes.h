@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "reduce/operators/cyclic_symmetry.h"
+#include "reduce/operators/cyclic_solver.h"
 
 namespace tiprub {
 
@@ -18,9 +18,14 @@ struct CyclicModes {
 };
 
 /// Block Lanczos with full M-reorthogonalisation on K^-1 M (Grimes, Lewis, Simon 1994), in complex arithmetic: half
-/// of the vectors of the doubled real problem, and each value once. The block hides the cost of passing through the
-/// factor. `tolerance` bounds the residual of each mode. Raises RunError if it doesn't converge.
-CyclicModes lowest_modes(const CyclicStiffness& stiffness, const SymmetricMatrix& mass, ContactNodes contact,
-                         int count, double tolerance);
+/// of the vectors of the doubled real problem, and each value once. With ContactNodes::fixed these are the
+/// fixed-interface modes, Psi_co of eq. 8. The block hides the cost of passing through the factor. `tolerance` bounds
+/// the residual of each mode. Raises RunError if it doesn't converge.
+///
+/// Why not Trilinos' Anasazi: its Epetra adapter is real, so that it works on the doubled problem, on vectors of
+/// twice the length, and has to find each value twice. `anasazi_test --gtest_also_run_disabled_tests
+/// --gtest_filter=*Side*` times both on the same factor and mass, for the same modes to the same residual.
+CyclicModes lowest_modes(const CyclicSolver& stiffness, const SymmetricMatrix& mass, ContactNodes contact, int count,
+                         double tolerance);
 
 }  // namespace tiprub

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cases/program/errors.h"
+#include "reduce/basis/hermitian_products.h"
 
 namespace tiprub {
 
@@ -15,10 +16,6 @@ namespace {
 
 constexpr int longest = 30;                     // rounds before giving up
 constexpr double dependence_tolerance = 1e-12;  // of a round's directions, in squared stiffness norm
-
-Eigen::MatrixXcd hermitian(const Eigen::MatrixXcd& matrix) {
-  return 0.5 * (matrix + matrix.adjoint());
-}
 
 Eigen::Index columns_of(const std::vector<Eigen::MatrixXcd>& blocks) {
   Eigen::Index columns = 0;
@@ -29,27 +26,18 @@ Eigen::Index columns_of(const std::vector<Eigen::MatrixXcd>& blocks) {
 /// Side by side, for operators that are cheaper on many columns.
 Eigen::MatrixXcd join(const std::vector<Eigen::MatrixXcd>& blocks) {
   Eigen::MatrixXcd all(blocks.front().rows(), columns_of(blocks));
-  Eigen::Index at = 0;
+  Eigen::Index first = 0;
   for (const Eigen::MatrixXcd& block : blocks) {
-    all.middleCols(at, block.cols()) = block;
-    at += block.cols();
+    all.middleCols(first, block.cols()) = block;
+    first += block.cols();
   }
   return all;
-}
-
-/// A Hermitian matrix with more columns; `columns` ends in the new diagonal block.
-void extend(Eigen::MatrixXcd& products, const Eigen::MatrixXcd& columns) {
-  const Eigen::Index old = products.cols(), more = columns.cols();
-  products.conservativeResize(old + more, old + more);
-  products.topRightCorner(old, more) = columns.topRows(old);
-  products.bottomLeftCorner(more, old) = columns.topRows(old).adjoint();
-  products.bottomRightCorner(more, more) = hermitian(columns.bottomRows(more));
 }
 
 /// Directions of unit length in the norm of the nearby stiffness. A residual is orthogonal to the basis, so what
 /// becomes of it is so as well in that norm: only the new block has to be made independent.
 Eigen::MatrixXcd independent(const Eigen::MatrixXcd& directions, const Eigen::MatrixXcd& residual) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> gram(hermitian(directions.adjoint() * residual));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> gram(hermitian_part(directions.adjoint() * residual));
   const Eigen::VectorXd& squares = gram.eigenvalues();
   const Eigen::Index kept = (squares.array() > dependence_tolerance * squares[squares.size() - 1]).count();
   return directions * gram.eigenvectors().rightCols(kept) *
@@ -70,7 +58,7 @@ ModeFollowing::ModeFollowing(const CraigBamptonBasis& basis, const SymmetricMatr
       count_(count),
       spaces_(speeds_.size()),
       modes_(speeds_.size()) {
-  const Eigen::Index rows = basis.wave().dofs().independent();
+  const Eigen::Index rows = basis.transform().dofs().independent();
   for (std::size_t s = 0; s < speeds_.size(); ++s) {
     spaces_[s] = {speeds_[s].reduced, basis.mass(), Eigen::MatrixXcd(rows, 0), {}};
     modes_[s].error = Eigen::VectorXd::Ones(count);
@@ -98,7 +86,7 @@ Eigen::MatrixXcd ModeFollowing::shapes(std::size_t speed, const std::vector<Eige
 }
 
 std::vector<Eigen::MatrixXcd> ModeFollowing::missing(double tolerance) {
-  const TravellingWave& wave = basis_.wave();
+  const CyclicTransformation& transform = basis_.transform();
   std::vector<std::vector<Eigen::Index>> moving(speeds_.size());
   std::vector<Eigen::MatrixXcd> blocks(speeds_.size());
   for (std::size_t s = 0; s < speeds_.size(); ++s) {
@@ -107,29 +95,29 @@ std::vector<Eigen::MatrixXcd> ModeFollowing::missing(double tolerance) {
     blocks[s] = shapes(s, moving[s]);
   }
   if (columns_of(blocks) == 0) return blocks;
-  Eigen::MatrixXcd residual = -wave.apply(mass_, join(blocks));
-  Eigen::Index at = 0;
+  Eigen::MatrixXcd residual = -transform.apply(mass_, join(blocks));
+  Eigen::Index first = 0;
   for (std::size_t s = 0; s < speeds_.size(); ++s) {
     const Eigen::Index columns = blocks[s].cols();
     if (columns > 0)
-      residual.middleCols(at, columns) =
-          residual.middleCols(at, columns) * modes_[s].eigenvalue(moving[s]).asDiagonal() +
-          wave.apply(speeds_[s].stiffness(), blocks[s]);
-    at += columns;
+      residual.middleCols(first, columns) =
+          residual.middleCols(first, columns) * modes_[s].eigenvalue(moving[s]).asDiagonal() +
+          transform.apply(speeds_[s].stiffness(), blocks[s]);
+    first += columns;
   }
   const Eigen::MatrixXcd directions = precondition(blocks, residual);
   const Eigen::VectorXd work = residual.conjugate().cwiseProduct(directions).colwise().sum().real();
-  at = 0;
+  first = 0;
   for (std::size_t s = 0; s < speeds_.size(); ++s) {
     const Eigen::Index columns = blocks[s].cols();
     Eigen::VectorXd& error = modes_[s].error;
-    if (columns > 0) error(moving[s]) = work.segment(at, columns).cwiseQuotient(modes_[s].eigenvalue(moving[s]));
+    if (columns > 0) error(moving[s]) = work.segment(first, columns).cwiseQuotient(modes_[s].eigenvalue(moving[s]));
     std::vector<Eigen::Index> wanted;
     for (Eigen::Index k = 0; k < columns; ++k)
-      if (error[moving[s][k]] > tolerance) wanted.push_back(at + k);
+      if (error[moving[s][k]] > tolerance) wanted.push_back(first + k);
     blocks[s].resize(residual.rows(), 0);
     if (!wanted.empty()) blocks[s] = independent(directions(Eigen::all, wanted), residual(Eigen::all, wanted));
-    at += columns;
+    first += columns;
   }
   return blocks;
 }
@@ -137,10 +125,10 @@ std::vector<Eigen::MatrixXcd> ModeFollowing::missing(double tolerance) {
 /// Columns of `residual` by speed, as many as each block has: those that share a factor are solved together.
 Eigen::MatrixXcd ModeFollowing::precondition(const std::vector<Eigen::MatrixXcd>& blocks,
                                              const Eigen::MatrixXcd& residual) const {
-  std::map<const CyclicStiffness*, std::vector<Eigen::Index>> columns;
-  Eigen::Index at = 0;
+  std::map<const CyclicSolver*, std::vector<Eigen::Index>> columns;
+  Eigen::Index first = 0;
   for (std::size_t s = 0; s < speeds_.size(); ++s)
-    for (Eigen::Index k = 0; k < blocks[s].cols(); ++k) columns[speeds_[s].nearby].push_back(at++);
+    for (Eigen::Index k = 0; k < blocks[s].cols(); ++k) columns[speeds_[s].nearby].push_back(first++);
   Eigen::MatrixXcd directions(residual.rows(), residual.cols());
   for (const auto& [nearby, which] : columns)
     directions(Eigen::all, which) = nearby->solve(residual(Eigen::all, which), ContactNodes::fixed);
@@ -148,18 +136,18 @@ Eigen::MatrixXcd ModeFollowing::precondition(const std::vector<Eigen::MatrixXcd>
 }
 
 void ModeFollowing::add(const std::vector<Eigen::MatrixXcd>& blocks) {
-  const TravellingWave& wave = basis_.wave();
-  const Eigen::MatrixXcd all = join(blocks), mass_loads = wave.apply(mass_, all);
+  const CyclicTransformation& transform = basis_.transform();
+  const Eigen::MatrixXcd all = join(blocks), mass_loads = transform.apply(mass_, all);
   Eigen::MatrixXcd stiffness_loads(all.rows(), all.cols());
-  Eigen::Index at = 0;
+  Eigen::Index first = 0;
   for (std::size_t s = 0; s < blocks.size(); ++s) {
     if (blocks[s].cols() > 0)
-      stiffness_loads.middleCols(at, blocks[s].cols()) = wave.apply(speeds_[s].stiffness(), blocks[s]);
-    at += blocks[s].cols();
+      stiffness_loads.middleCols(first, blocks[s].cols()) = transform.apply(speeds_[s].stiffness(), blocks[s]);
+    first += blocks[s].cols();
   }
   const Eigen::MatrixXcd mass_products = basis_.inner_products(mass_loads);
   const Eigen::MatrixXcd stiffness_products = basis_.inner_products(stiffness_loads);
-  at = 0;
+  first = 0;
   for (std::size_t s = 0; s < blocks.size(); ++s) {
     const Eigen::Index columns = blocks[s].cols();
     if (columns == 0) continue;
@@ -168,14 +156,14 @@ void ModeFollowing::add(const std::vector<Eigen::MatrixXcd>& blocks) {
     space.corrections.conservativeResize(all.rows(), old + columns);
     space.corrections.rightCols(columns) = blocks[s];
     Eigen::MatrixXcd products(space.K.cols() + columns, columns);
-    products << stiffness_products.middleCols(at, columns),
-        space.corrections.adjoint() * stiffness_loads.middleCols(at, columns);
-    extend(space.K, products);
-    products << mass_products.middleCols(at, columns),
-        space.corrections.adjoint() * mass_loads.middleCols(at, columns);
-    extend(space.M, products);
+    products << stiffness_products.middleCols(first, columns),
+        space.corrections.adjoint() * stiffness_loads.middleCols(first, columns);
+    append_products(space.K, products);
+    products << mass_products.middleCols(first, columns),
+        space.corrections.adjoint() * mass_loads.middleCols(first, columns);
+    append_products(space.M, products);
     solve(s);
-    at += columns;
+    first += columns;
   }
 }
 

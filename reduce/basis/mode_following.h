@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reduce/basis/craig_bampton.h"
+#include "reduce/operators/cyclic_solver.h"
 
 namespace tiprub {
 
@@ -14,7 +15,7 @@ struct SpeedToFollow {
   std::string where;                           ///< for messages, as "at 9000 rpm"
   std::function<SymmetricMatrix()> stiffness;  ///< the sector's K; asked for when it is needed, and not kept
   Eigen::MatrixXcd reduced;                    ///< the basis' T^H K T
-  const CyclicStiffness* nearby;               ///< of the nearest speed that is factorized
+  const CyclicSolver* nearby;                  ///< of the nearest speed that is factorized
 };
 
 /// Modes at one speed.
@@ -32,6 +33,9 @@ struct FollowedModes {
 /// about r^H K^-1 r, and K^-1 r is what the basis lacks. What the basis doesn't contain at all can't be found. The
 /// basis must hold the constraint modes of rest and of the factors' speeds, so that contact nodes may be held in what
 /// is added. All raise RunError if a stiffness is not positive definite on the basis.
+///
+/// Why not Trilinos' Anasazi (it has a block Davidson): its space belongs to one operator, so that each speed would
+/// pass through the factor by itself, and it has no complex adapter here (see cyclic_modes.h).
 class ModeFollowing {
  public:
   /// The lowest `count` modes; everything must outlive this object.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reduce/model/fields_file.h"
-#include "reduce/operators/cyclic_symmetry.h"
 #include "reduce/sector/rotating_elasticity.h"
 
 namespace tiprub {

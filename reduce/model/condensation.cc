@@ -4,6 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "reduce/model/hermitian_part.h"
+
 namespace tiprub {
 
 namespace {
@@ -18,8 +20,7 @@ Eigen::MatrixXcd modes_of(const Eigen::MatrixXcd& K, const Eigen::MatrixXcd& M) 
 }
 
 Eigen::MatrixXcd project(const Eigen::MatrixXcd& matrix, const Eigen::MatrixXcd& basis) {
-  const Eigen::MatrixXcd product = basis.adjoint() * matrix * basis;
-  return 0.5 * (product + product.adjoint());
+  return hermitian_part(basis.adjoint() * matrix * basis);
 }
 
 }  // namespace

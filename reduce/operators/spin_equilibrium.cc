@@ -21,7 +21,7 @@ constexpr double coarsest_solution = 0.1;  // of a linear step, relative
 /// Equations of one speed on the independent dofs of nodal diameter 0, which are real.
 class Balance {
  public:
-  Balance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicStiffness& nearby, double speed)
+  Balance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby, double speed)
       : elasticity_(elasticity), mesh_(mesh), nearby_(nearby), speed_(speed) {}
 
   /// r = f - f_int at a shape.
@@ -43,15 +43,15 @@ class Balance {
 
  private:
   Eigen::Matrix3Xd displacement(const Eigen::VectorXd& shape) const {
-    return cartesian_displacement(mesh_, nearby_.wave().dofs(), shape);
+    return cartesian_displacement(mesh_, nearby_.transform().dofs(), shape);
   }
   Eigen::VectorXd gather(const Eigen::VectorXd& sector) const {
-    return nearby_.wave().gather(sector.cast<std::complex<double>>()).real();
+    return nearby_.transform().gather(sector.cast<std::complex<double>>()).real();
   }
 
   const RotatingElasticity& elasticity_;
   const SectorMesh& mesh_;
-  const CyclicStiffness& nearby_;
+  const CyclicSolver& nearby_;
   double speed_;
 };
 
@@ -60,7 +60,7 @@ Eigen::VectorXd Balance::solve(const SymmetricMatrix& tangent, const Eigen::Vect
   const double first = left.dot(z);
   double now = first;
   for (int k = 0; k < most_gradient_steps; ++k) {
-    const Eigen::VectorXd pushed = nearby_.wave().apply(tangent, direction.cast<std::complex<double>>()).real();
+    const Eigen::VectorXd pushed = nearby_.transform().apply(tangent, direction.cast<std::complex<double>>()).real();
     const double curvature = direction.dot(pushed);
     if (!(curvature > 0)) throw RunError("the loaded shape is not stable: its stiffness is not positive definite");
     step += now / curvature * direction;
@@ -78,7 +78,7 @@ Eigen::VectorXd Balance::solve(const SymmetricMatrix& tangent, const Eigen::Vect
 }  // namespace
 
 SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const SectorMesh& mesh,
-                                 const CyclicStiffness& nearby, double speed, const Eigen::VectorXd& guess) {
+                                 const CyclicSolver& nearby, double speed, const Eigen::VectorXd& guess) {
   SpinEquilibrium found{guess};
   if (speed == 0.0) return {Eigen::VectorXd::Zero(guess.size())};
   const Balance balance(elasticity, mesh, nearby, speed);
@@ -91,7 +91,7 @@ SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const Sec
     const double accuracy = std::min(coarsest_solution, found.residual);
     const Eigen::VectorXcd step =
         balance.solve(balance.tangent(found.displacement), force, accuracy).cast<std::complex<double>>();
-    const Eigen::VectorXd whole = nearby.wave().expand(step).real();
+    const Eigen::VectorXd whole = nearby.transform().expand(step).real();
     double fraction = 1.0, residual = 0.0;
     Eigen::VectorXd shape;
     for (int halving = 0; halving <= most_halvings; ++halving, fraction /= 2) {
@@ -113,10 +113,10 @@ SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const Sec
 }
 
 SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorMesh& mesh,
-                             const CyclicStiffness& at_rest, std::vector<double> speeds, Prestress prestress) {
+                             const CyclicSolver& at_rest, std::vector<double> speeds, Prestress prestress) {
   const Eigen::VectorXcd load = elasticity.centrifugal_load().cast<std::complex<double>>();
   Eigen::VectorXd over_square =
-      at_rest.wave().expand(at_rest.solve(at_rest.wave().gather(load), ContactNodes::free)).real();
+      at_rest.transform().expand(at_rest.solve(at_rest.transform().gather(load), ContactNodes::free)).real();
   std::sort(speeds.begin(), speeds.end());
   SpinShapes shapes;
   for (const double speed : speeds) {

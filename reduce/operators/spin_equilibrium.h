@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "reduce/operators/cyclic_symmetry.h"
+#include "reduce/operators/cyclic_solver.h"
 
 namespace tiprub {
 
@@ -26,7 +26,7 @@ struct SpinEquilibrium {
 /// halved. Costs an assembly and some ten solves a step, four to six steps. Raises RunError if K_T is not positive
 /// definite on the way (the rotor is unstable) or if it doesn't converge.
 SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const SectorMesh& mesh,
-                                 const CyclicStiffness& nearby, double speed, const Eigen::VectorXd& guess);
+                                 const CyclicSolver& nearby, double speed, const Eigen::VectorXd& guess);
 
 /// Static shapes of a reduction.
 struct SpinShapes {
@@ -39,6 +39,6 @@ struct SpinShapes {
 /// spin_equilibrium(), upwards in speed, each from the one before it. `at_rest` is K(0) of nodal diameter 0. Raises
 /// RunError, with the speed.
 SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorMesh& mesh,
-                             const CyclicStiffness& at_rest, std::vector<double> speeds, Prestress prestress);
+                             const CyclicSolver& at_rest, std::vector<double> speeds, Prestress prestress);
 
 }  // namespace tiprub

@@ -20,9 +20,9 @@ SpinningSector::SpinningSector(const SectorMesh& mesh, const SectorDofs& dofs, c
   stiffness_.push_back(assemble_stiffness(0.0));
 }
 
-void SpinningSector::spin(const SectorFactor& rest, const TravellingWave& wave) {
+void SpinningSector::spin(const SectorFactor& factor_at_rest, const CyclicTransformation& transform) {
   const std::vector<double> speeds = speeds_at(samples_.fractions(), parameters_.speed_max);
-  const CyclicStiffness at_rest = at_speed(0.0, [&] { return CyclicStiffness(rest, wave); });
+  const CyclicSolver at_rest = at_speed(0.0, [&] { return CyclicSolver(factor_at_rest, transform); });
   shapes_ = shapes_under_spin(*elasticity_, mesh_, at_rest, speeds, parameters_.prestress);
   for (std::size_t s = 1; s < speeds.size(); ++s) stiffness_.push_back(assemble_stiffness(samples_.fractions()[s]));
   elasticity_.reset();

@@ -18,9 +18,9 @@ class SpinningSector {
   SpinningSector(const SectorMesh& mesh, const SectorDofs& dofs, const ReductionParameters& parameters,
                  const SpeedSamples& samples);
 
-  /// The shape at every sample, K there, and what assembles them released: it is large. `rest` is the factor of K at
-  /// rest, `wave` nodal diameter 0. Raises RunError, with the speed.
-  void spin(const SectorFactor& rest, const TravellingWave& wave);
+  /// The shape at every sample, K there, and what assembles them released: it is large. `transform`
+  /// is that of nodal diameter 0. Raises RunError, with the speed.
+  void spin(const SectorFactor& factor_at_rest, const CyclicTransformation& transform);
 
   const SymmetricMatrix& mass() const { return mass_; }
   /// K at the samples, in their order; only the first, at rest, before spin().

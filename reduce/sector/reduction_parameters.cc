@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/sector/reduction_parameters.h"
-#include "cases/program/units.h"
 
 #include <algorithm>
-#include <numbers>
+
+#include "cases/program/units.h"
 
 namespace tiprub {
 
@@ -11,7 +11,7 @@ std::string name_of(Prestress prestress) {
   return prestress == Prestress::linear ? "linear" : prestress == Prestress::nonlinear ? "nonlinear" : "stress_only";
 }
 
-ReductionParameters ReductionParameters::read(CaseTable& table) {
+ReductionParameters read_reduction_parameters(CaseTable& table) {
   ReductionParameters p;
   p.material.young = table.number("young_modulus", std::nullopt, Range::positive(), "Pa");
   p.material.poisson = table.number("poisson_ratio", std::nullopt, Range::between(0.0, 0.49), "1");
@@ -42,6 +42,7 @@ ReductionParameters ReductionParameters::read(CaseTable& table) {
       table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded}, "of omega^2, estimated");
   p.cyclic_tolerance = table.number("cyclic_tolerance", 1e-6, Range::positive(), "of the largest radius");
   p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");
+  table.close();
   return p;
 }
 

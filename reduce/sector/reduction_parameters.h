@@ -26,9 +26,10 @@ struct ReductionParameters {
   double polynomial_tolerance = 0;          ///< [1] of a frequency, by eq. 7 alone
   double cyclic_tolerance = 0;              ///< [1] over the largest radius
   int threads = 1;                          ///< for nodal diameters and the BLAS
-
-  static ReductionParameters read(CaseTable& table);
 };
+
+/// Reads and closes the table. Raises InputError.
+ReductionParameters read_reduction_parameters(CaseTable& table);
 
 /// The name of a prestress model in case files and in model.h5.
 std::string name_of(Prestress prestress);

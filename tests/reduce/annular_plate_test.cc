@@ -20,9 +20,9 @@ Eigen::MatrixXd frequencies(TestRotor& rotor, double speed, int last, int modes)
   const SectorFactor factor(rotor.at_speed(speed, Prestress::linear), rotor.dofs());
   Eigen::MatrixXd table(last + 1, modes);
   for (int n = 0; n <= last; ++n) {
-    const TravellingWave wave(rotor.dofs(), rotor.mesh().sector_count, n);
+    const CyclicTransformation wave(rotor.dofs(), rotor.mesh().sector_count, n);
     table.row(n) =
-        lowest_modes(CyclicStiffness(factor, wave), mass, ContactNodes::free, modes, 1e-8).frequencies().transpose();
+        lowest_modes(CyclicSolver(factor, wave), mass, ContactNodes::free, modes, 1e-8).frequencies().transpose();
   }
   return table;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "reduce/operators/cyclic_transformation.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
@@ -100,6 +101,29 @@ TEST_P(Wheel, FourierTransformLeavesTheSectorsOwnBlocks) {
       const Eigen::VectorXd found = test::generalized_eigenvalues(block, one);
       EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-10 * expected.maxCoeff());
     }
+}
+
+TEST_P(Wheel, ThePapersRealBlocksAreTheCyclicTransformationsTwice) {
+  // eq. 6, from the blocks Y_0 and Y_1 of the wheel: twice the size of T^H Y T, each eigenvalue twice.
+  const int N = GetParam();
+  const SymmetricMatrix sector_matrix = sector_.at_speed(speed, Prestress::linear);
+  const Eigen::MatrixXd Y = sector_by_sector(wheel_.at_speed(speed, Prestress::linear));
+  const Eigen::Index size = Y.rows() / N;
+  const Eigen::MatrixXd Y0 = Y.topLeftCorner(size, size), Y1 = Y.block(size, 0, size, size);
+  const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(size, size),
+                         two = Eigen::MatrixXcd::Identity(2 * size, 2 * size);
+  for (int n = 0; n <= N / 2; ++n) {
+    const double angle = 2 * std::numbers::pi * n / N;
+    const Eigen::MatrixXd even = Y0 + (Y1 + Y1.transpose()) * std::cos(angle);
+    const Eigen::MatrixXd odd = (Y1 - Y1.transpose()) * std::sin(angle);
+    Eigen::MatrixXcd real_block(2 * size, 2 * size);
+    real_block << even, odd, -odd, even;
+    const CyclicTransformation transform(sector_.dofs(), N, n);
+    const Eigen::VectorXd expected = test::generalized_eigenvalues(transform.apply(sector_matrix, one), one);
+    const Eigen::VectorXd found = test::generalized_eigenvalues(real_block, two);
+    for (Eigen::Index k = 0; k < found.size(); ++k)
+      EXPECT_NEAR(found[k], expected[k / 2], 1e-10 * expected[size - 1]) << n << " " << k;
+  }
 }
 
 TEST_P(Wheel, StaticShapeUnderSpinIsTheSectors) {

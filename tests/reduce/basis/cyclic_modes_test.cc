@@ -27,7 +27,7 @@ class Modes : public ::testing::TestWithParam<ContactNodes> {
         factor_(stiffness_, rotor_.dofs()) {}
 
   CyclicModes lowest(int n, int count, double residual = tolerance) const {
-    return lowest_modes(CyclicStiffness(factor_, {rotor_.dofs(), sectors, n}), mass_, GetParam(), count, residual);
+    return lowest_modes(CyclicSolver(factor_, {rotor_.dofs(), sectors, n}), mass_, GetParam(), count, residual);
   }
   /// Dofs that can move.
   Eigen::Index free_dofs() const {
@@ -118,7 +118,7 @@ TEST(LowestModes, FindBothOfADoubleEigenvalue) {
   TestRotor wheel(annulus.wheel(), {annulus.wheel().node_count() - 1});
   const SectorFactor factor(wheel.at_rest(), wheel.dofs());
   const CyclicModes modes =
-      lowest_modes(CyclicStiffness(factor, {wheel.dofs(), 1, 0}), wheel.mass(), ContactNodes::free, 12, tolerance);
+      lowest_modes(CyclicSolver(factor, {wheel.dofs(), 1, 0}), wheel.mass(), ContactNodes::free, 12, tolerance);
   const Eigen::VectorXd exact =
       test::generalized_eigenvalues(test::dense(wheel.at_rest()), test::dense(wheel.mass()));
   for (int k = 0; k < 12; ++k) EXPECT_NEAR(modes.eigenvalue[k] / exact[k], 1.0, 1e-9) << k;

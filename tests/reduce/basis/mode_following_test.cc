@@ -49,10 +49,10 @@ class ModeFollowingTest : public ::testing::TestWithParam<int> {
   }
 
   TestRotor rotor_;
-  TravellingWave wave_;
+  CyclicTransformation wave_;
   SymmetricMatrix mass_, at_rest_;
   SectorFactor rest_factor_, full_factor_;
-  CyclicStiffness rest_, full_;
+  CyclicSolver rest_, full_;
   CraigBamptonBasis basis_;
   std::vector<SymmetricMatrix> stiffness_;
 };

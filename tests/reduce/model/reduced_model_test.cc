@@ -73,13 +73,22 @@ INSTANTIATE_TEST_SUITE_P(
               },
               "/contact/arc_length must increase from the leading edge"},
         Wrong{"no_sectors", [](ReducedModel& m) { m.sector_count = 0; }, "sector_count must be at least 1"},
+        Wrong{"a_block_too_few", [](ReducedModel& m) { m.nodal_diameters.pop_back(); },  // of Bdiag, eq. 12
+              "has 2 nodal diameters, must have 3 for 4 sectors"},
         Wrong{"negative_speed", [](ReducedModel& m) { m.speed_max = -1.0; }, "speed_max must be at least 0"},
         Wrong{"verification_shape", [](ReducedModel& m) { m.verification.reduced[1].resize(1, 4); },
               "/verification/nodal_diameter/1/reduced is 1 x 4, must be 2 x 4"}),
     [](const auto& wrong) { return wrong.param.name; });
 
+TEST(NodalDiameterModel, ItsStiffnessIsAPolynomialOfTheSpeedSquared) {
+  // eq. 11, one block, and a term more than the paper has.
+  const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(1, 1);
+  const NodalDiameterModel model{4.0 * one, -1.0 * one, 0.5 * one, one, {0.25 * one}};
+  EXPECT_EQ(model.stiffness(0.0)(0, 0), 4.0);
+  EXPECT_EQ(model.stiffness(2.0)(0, 0), 4.0 - 4.0 + 0.5 * 16 + 0.25 * 64);
+}
+
 TEST(NodalDiameterModel, AnUnstableRotorHasANegativeFrequency) {
-  // eq. 11: K0 + Omega^2 K1.
   const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(1, 1);
   const NodalDiameterModel model{4.0 * one, -1.0 * one, 0.0 * one, one};
   EXPECT_NEAR(model.natural_frequencies(0.0)[0], 2 / (2 * std::numbers::pi), 1e-15);

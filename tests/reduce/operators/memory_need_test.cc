@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/memory_need.h"
+#include "reduce/operators/memory_need.h"
 
 #include <gtest/gtest.h>
 

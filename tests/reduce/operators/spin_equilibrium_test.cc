@@ -23,7 +23,7 @@ class Spinning : public ::testing::Test {
   Spinning()
       : rotor_(test::tip_rotor(test::skewed_annulus(sectors), soft())),
         factor_(rotor_.at_rest(), rotor_.dofs()),
-        at_rest_(factor_, TravellingWave(rotor_.dofs(), sectors, 0)) {}
+        at_rest_(factor_, CyclicTransformation(rotor_.dofs(), sectors, 0)) {}
   /// A tenth of steel's stiffness, so that the shape changes visibly.
   static Material soft() {
     Material material = test::steel();
@@ -39,7 +39,7 @@ class Spinning : public ::testing::Test {
   }
   /// Forces on the independent dofs.
   Eigen::VectorXd gather(const Eigen::VectorXd& sector) const {
-    return at_rest_.wave().gather(sector.cast<std::complex<double>>()).real();
+    return at_rest_.transform().gather(sector.cast<std::complex<double>>()).real();
   }
   /// Some vector of sector dofs, the same every time.
   Eigen::VectorXd some_shape(double size) const {
@@ -50,7 +50,7 @@ class Spinning : public ::testing::Test {
 
   TestRotor rotor_;
   SectorFactor factor_;
-  CyclicStiffness at_rest_;
+  CyclicSolver at_rest_;
 };
 
 TEST_F(Spinning, IsInBalance) {
@@ -143,7 +143,7 @@ TEST(NonlinearReduction, ShiftsTheContactNodesExactlyAtHalfAndFullSpeed) {
   const ReducedModel model = reduce(test::skewed_annulus(sectors).sector(), p, Progress::Shown::never, report);
   TestRotor rotor = test::tip_rotor(test::skewed_annulus(sectors), p.material);
   const SectorFactor factor(rotor.at_rest(), rotor.dofs());
-  const CyclicStiffness at_rest(factor, TravellingWave(rotor.dofs(), sectors, 0));
+  const CyclicSolver at_rest(factor, CyclicTransformation(rotor.dofs(), sectors, 0));
   for (const double fraction : {0.5, 1.0}) {
     const Eigen::VectorXd exact = spin_equilibrium(rotor.elasticity(), rotor.mesh(), at_rest, fraction * top,
                                                    Eigen::VectorXd::Zero(rotor.dofs().sector()))

@@ -32,6 +32,7 @@ TEST(SectorDofs, PartsSumToTheTotal) {
 }
 
 TEST(SectorDofs, EachIsNumberedOnceAndInItsPart) {
+  // eq. 5: the blocks of Y_s follow from the order.
   const SectorMesh mesh = Annulus().sector();
   const SectorDofs dofs = number_dofs(mesh, mesh.contact_line);
   std::vector<int> numbers;

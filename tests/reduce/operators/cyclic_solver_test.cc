@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/operators/cyclic_symmetry.h"
+#include "reduce/operators/cyclic_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -25,13 +25,13 @@ class EverySectorCount : public ::testing::TestWithParam<int> {
         stiffness_(rotor_.at_speed(2000.0, Prestress::linear)),
         factor_(stiffness_, rotor_.dofs()) {}
 
-  TravellingWave wave(int n) const { return {rotor_.dofs(), GetParam(), n}; }
+  CyclicTransformation wave(int n) const { return {rotor_.dofs(), GetParam(), n}; }
   Eigen::MatrixXcd K(int n) const { return cyclic(stiffness_, rotor_.dofs(), GetParam(), n); }
   int last() const { return GetParam() / 2; }
   /// Three columns that a wave of n nodal diameters can have: real ones if it stands.
   Eigen::MatrixXcd columns(int n, Eigen::Index rows) const {
     const Eigen::MatrixXcd any = arbitrary(rows, 3);
-    return wave(n).standing() ? Eigen::MatrixXcd(any.real().cast<std::complex<double>>()) : any;
+    return wave(n).is_real() ? Eigen::MatrixXcd(any.real().cast<std::complex<double>>()) : any;
   }
 
   TestRotor rotor_;
@@ -53,8 +53,8 @@ TEST_P(EverySectorCount, WavesExpandAndGatherByThePhase) {
 
 TEST_P(EverySectorCount, StandsOnlyForZeroAndHalfTheSectors) {
   for (int n = 0; n <= last(); ++n) {
-    EXPECT_EQ(wave(n).standing(), n == 0 || 2 * n == GetParam());
-    if (!wave(n).standing()) continue;
+    EXPECT_EQ(wave(n).is_real(), n == 0 || 2 * n == GetParam());
+    if (!wave(n).is_real()) continue;
     const Eigen::MatrixXcd real = arbitrary(rotor_.dofs().independent(), 2).real();
     EXPECT_EQ(wave(n).apply(stiffness_, real).imag().cwiseAbs().maxCoeff(), 0.0);
   }
@@ -62,7 +62,7 @@ TEST_P(EverySectorCount, StandsOnlyForZeroAndHalfTheSectors) {
 
 TEST_P(EverySectorCount, OneFactorSolvesForAllNodalDiameters) {
   for (int n = 0; n <= last(); ++n) {
-    const CyclicStiffness cyclic_stiffness(factor_, wave(n));
+    const CyclicSolver cyclic_stiffness(factor_, wave(n));
     const Eigen::MatrixXcd b = columns(n, rotor_.dofs().independent());
     const Eigen::MatrixXcd x = cyclic_stiffness.solve(b, ContactNodes::free);
     EXPECT_LT(difference(K(n) * x, b), 1e-10) << n;
@@ -73,7 +73,7 @@ TEST_P(EverySectorCount, OneFactorSolvesForAllNodalDiameters) {
 TEST_P(EverySectorCount, HeldContactNodesStayAndTheOthersAreInBalance) {
   const Eigen::Index inner = rotor_.dofs().interior + rotor_.dofs().face;
   for (int n = 0; n <= last(); ++n) {
-    const CyclicStiffness cyclic_stiffness(factor_, wave(n));
+    const CyclicSolver cyclic_stiffness(factor_, wave(n));
     Eigen::MatrixXcd b = columns(n, rotor_.dofs().independent());
     const Eigen::MatrixXcd x = cyclic_stiffness.solve(b, ContactNodes::fixed);
     EXPECT_EQ(x.bottomRows(rotor_.dofs().boundary()).cwiseAbs().maxCoeff(), 0.0);
@@ -87,15 +87,15 @@ TEST_P(EverySectorCount, ConstraintModesHaveUnitRowsAndNoInnerForce) {
   // eq. 8: (I, Psi_s).
   const Eigen::Index boundary = rotor_.dofs().boundary(), inner = rotor_.dofs().interior + rotor_.dofs().face;
   for (int n = 0; n <= last(); ++n) {
-    const Eigen::MatrixXcd psi = CyclicStiffness(factor_, wave(n)).constraint_modes();
+    const Eigen::MatrixXcd psi = CyclicSolver(factor_, wave(n)).constraint_modes();
     EXPECT_EQ(psi.bottomRows(boundary), Eigen::MatrixXcd::Identity(boundary, boundary));
     const Eigen::MatrixXcd force = K(n) * psi;
     EXPECT_LT(force.topRows(inner).cwiseAbs().maxCoeff(), 1e-11 * force.cwiseAbs().maxCoeff()) << n;
-    EXPECT_EQ(psi.imag().cwiseAbs().maxCoeff() == 0.0, wave(n).standing());
+    EXPECT_EQ(psi.imag().cwiseAbs().maxCoeff() == 0.0, wave(n).is_real());
   }
 }
 
-TEST(CyclicStiffness, RefusesARotorThatOnlyOneNodalDiameterMakesUnstable) {
+TEST(CyclicSolver, RefusesARotorThatOnlyOneNodalDiameterMakesUnstable) {
   // A speed at which the sector's interior still stands and the wheel does not: bisect between both by dense algebra.
   TestRotor rotor = test::tip_rotor(test::skewed_annulus(5));
   const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, rotor.mesh().node_count());
@@ -108,7 +108,7 @@ TEST(CyclicStiffness, RefusesARotorThatOnlyOneNodalDiameterMakesUnstable) {
     speed *= 1.05;
     const SectorFactor factor(rotor.elasticity().stiffness(speed, still, Prestress::linear), rotor.dofs());
     message = test::complaint<RunError>([&] {
-      for (int n = 0; n <= 2; ++n) CyclicStiffness(factor, TravellingWave(rotor.dofs(), 5, n)).constraint_modes();
+      for (int n = 0; n <= 2; ++n) CyclicSolver(factor, CyclicTransformation(rotor.dofs(), 5, n)).constraint_modes();
     });
     bool indefinite = false;
     for (int n = 0; n <= 2; ++n) {

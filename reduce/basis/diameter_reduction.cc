@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/basis/diameter_reduction.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "reduce/basis/cyclic_modes.h"
+#include "reduce/operators/at_speed.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double mode_tolerance = 1e-4;  // of 1/omega^2, a residual; the error of a frequency goes with its square
+// Of Omega_max: below, K, which goes with Omega^2, is nearer to rest than to full speed.
+constexpr double nearer_to_rest = 0.7;
+
+}  // namespace
+
+DiameterReduction::DiameterReduction(const SpinningSector& sector, const SectorFactor& factor_at_rest,
+                                     const SectorFactor& factor_at_top, const CyclicTransformation& transform,
+                                     const SpeedSamples& samples, const ReductionParameters& parameters)
+    : sector_(sector),
+      samples_(samples),
+      parameters_(parameters),
+      at_rest_(at_speed(0.0, [&] { return CyclicSolver(factor_at_rest, transform); })),
+      at_top_(at_speed(parameters.speed_max, [&] { return CyclicSolver(factor_at_top, transform); })) {}
+
+CraigBamptonBasis DiameterReduction::start_basis() const {
+  const CyclicTransformation& transform = at_rest_.transform();
+  const SymmetricMatrix& mass = sector_.mass();
+  // eq. 8: Psi_co(0), the fixed-interface modes at rest
+  const Eigen::MatrixXcd modes = at_speed(0.0, [&] {
+    return lowest_modes(at_rest_, mass, ContactNodes::fixed, parameters_.fixed_interface_modes, mode_tolerance).shape;
+  });
+  std::vector<const SymmetricMatrix*> samples;
+  for (const SymmetricMatrix& sample : sector_.sampled_stiffness()) samples.push_back(&sample);
+  // eq. 8: Psi_s(0), the constraint modes at rest
+  const Eigen::MatrixXcd constraint_modes = at_rest_.constraint_modes();
+  // eq. 9: the constraint modes as they are, all else orthonormal
+  CraigBamptonBasis basis(transform, mass, samples, constraint_modes);
+  basis.append(modes);
+  basis.append(at_top_.solve(transform.apply(mass, modes), ContactNodes::fixed));  // span of Psi_co(Omega_max)
+  basis.append(at_top_.constraint_modes() - constraint_modes);                     // Psi_s(Omega_max) - Psi_s(0)
+  basis.orthonormalise();
+  return basis;
+}
+
+int DiameterReduction::correct(CraigBamptonBasis& basis) const {
+  Eigen::Index corrections = 0;
+  ModeFollowing modes = modes_between(basis, {corrected_speeds.begin(), corrected_speeds.end()});
+  for (const Eigen::MatrixXcd& block : modes.missing(2 * parameters_.frequency_tolerance)) {
+    basis.append(block);
+    corrections += block.cols();
+  }
+  basis.orthonormalise();
+  return static_cast<int>(corrections);
+}
+
+Eigen::MatrixXd DiameterReduction::unreduced_frequencies(const CraigBamptonBasis& basis) const {
+  const std::vector<double>& fractions = parameters_.verification_speeds;
+  Eigen::MatrixXd table(static_cast<Eigen::Index>(fractions.size()), parameters_.verification_modes);
+  const auto middle = std::find_if(fractions.begin(), fractions.end(), [](double f) { return f >= nearer_to_rest; });
+  Eigen::Index row = 0;
+  for (const std::vector<double>& half :
+       {std::vector(fractions.begin(), middle), std::vector(middle, fractions.end())}) {
+    ModeFollowing following = modes_between(basis, half);  // one factor at a time: half of the room
+    following.converge(parameters_.verification_tolerance);
+    for (const FollowedModes& modes : following.modes()) table.row(row++) = modes.frequencies().transpose();
+  }
+  return table;
+}
+
+std::vector<Eigen::MatrixXcd> DiameterReduction::sampled_stiffness(const CraigBamptonBasis& basis) const {
+  std::vector<Eigen::MatrixXcd> stiffness;
+  for (std::size_t s = 0; s < samples_.fractions().size(); ++s) stiffness.push_back(basis.stiffness(s));
+  return stiffness;
+}
+
+ModeFollowing DiameterReduction::modes_between(const CraigBamptonBasis& basis,
+                                               const std::vector<double>& fractions) const {
+  const std::vector<Eigen::MatrixXcd> samples = sampled_stiffness(basis);
+  std::vector<SpeedToFollow> speeds;
+  for (const double fraction : fractions)
+    speeds.push_back({name_of_speed(fraction * parameters_.speed_max),
+                      [this, fraction] { return sector_.stiffness(fraction); }, samples_.combine(samples, fraction),
+                      fraction < nearer_to_rest ? &at_rest_ : &at_top_});
+  return {basis, sector_.mass(), std::move(speeds), parameters_.verification_modes};
+}
+
+}  // namespace tiprub

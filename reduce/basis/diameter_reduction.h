@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "reduce/basis/craig_bampton.h"
+#include "reduce/basis/mode_following.h"
+#include "reduce/operators/cyclic_solver.h"
+#include "reduce/operators/spinning_sector.h"
+
+namespace tiprub {
+
+/// The reduction of one nodal diameter: a Craig-Bampton basis from two speeds, rest and Omega_max, what it misses in
+/// between, and the unreduced modes that verify it. Holds a dense factor a speed, and a Lanczos or Davidson space
+/// while it looks for modes.
+class DiameterReduction {
+ public:
+  /// The factors are those of K at rest and at Omega_max. All arguments must outlive the object. Raises RunError,
+  /// with the speed, if the rotor is unstable.
+  DiameterReduction(const SpinningSector& sector, const SectorFactor& factor_at_rest,
+                    const SectorFactor& factor_at_top, const CyclicTransformation& transform,
+                    const SpeedSamples& samples, const ReductionParameters& parameters);
+
+  /// Modes and static shapes of both speeds (eq. 8), made one basis (eq. 9). It needs the span of the fixed-interface
+  /// modes at Omega_max, not the modes: one inverse iteration of those at rest gives it.
+  CraigBamptonBasis start_basis() const;
+  /// Modes at speeds between those of the basis: where the basis misses one by more than [reduce]
+  /// frequency_tolerance, it gets what it misses. Returns how many shapes that are.
+  int correct(CraigBamptonBasis& basis) const;
+  /// [Hz] The unreduced sector's lowest frequencies at the verification speeds, followed from the modes of the basis;
+  /// n_s x n_f.
+  Eigen::MatrixXd unreduced_frequencies(const CraigBamptonBasis& basis) const;
+  /// The model's K at the samples (eq. 10).
+  std::vector<Eigen::MatrixXcd> sampled_stiffness(const CraigBamptonBasis& basis) const;
+
+ private:
+  ModeFollowing modes_between(const CraigBamptonBasis& basis, const std::vector<double>& fractions) const;
+
+  const SpinningSector& sector_;
+  const SpeedSamples& samples_;
+  const ReductionParameters& parameters_;
+  CyclicSolver at_rest_;
+  CyclicSolver at_top_;
+};
+
+}  // namespace tiprub

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/operators/cyclic_solver.h"
+
+#include <algorithm>
+#include <cassert>
+#include <complex>
+#include <utility>
+
+#include "cases/program/errors.h"
+
+/// LAPACK's Cholesky factorization, part of OpenBLAS: Eigen's own takes three times as long for complex numbers.
+extern "C" void zpotrf_(const char* uplo, const int* size, std::complex<double>* matrix, const int* rows, int* info);
+
+namespace tiprub {
+
+namespace {
+
+// Of a solve: enough to hide the pass through the factor, little to hold.
+constexpr Eigen::Index columns_at_once = 24;
+
+/// Real and imaginary parts side by side: real operators then work on one real matrix. A standing wave has no
+/// imaginary part, and half the work.
+Eigen::MatrixXd split(const Eigen::MatrixXcd& matrix, bool standing) {
+  if (standing) {
+    assert(matrix.imag().isZero(0.0));
+    return matrix.real();
+  }
+  Eigen::MatrixXd parts(matrix.rows(), 2 * matrix.cols());
+  parts << matrix.real(), matrix.imag();
+  return parts;
+}
+
+Eigen::MatrixXcd join(const Eigen::MatrixXd& parts, bool standing) {
+  if (standing) return parts.cast<std::complex<double>>();
+  const Eigen::Index columns = parts.cols() / 2;
+  Eigen::MatrixXcd matrix(parts.rows(), columns);
+  matrix.real() = parts.leftCols(columns);
+  matrix.imag() = parts.rightCols(columns);
+  return matrix;
+}
+
+}  // namespace
+
+CyclicSolver::CyclicSolver(const SectorFactor& factor, const CyclicTransformation& transform)
+    : factor_(factor), transform_(transform) {
+  const Eigen::MatrixXd& S = factor.schur_complement();
+  const Eigen::Index face = transform_.dofs().face, boundary = transform_.dofs().boundary();
+  const std::complex<double> phase = transform_.phase();
+  // eq. 6 on the interface: the lower triangle of T^H S T, Hermitian. Both faces on themselves, then one on the
+  // other.
+  cholesky_.resize(face + boundary, face + boundary);
+  for (Eigen::Index column = 0; column < face; ++column) {
+    const Eigen::Index below = face - column;
+    cholesky_.col(column).segment(column, below) =
+        (S.col(column).segment(column, below) + S.col(face + column).segment(face + column, below)) +
+        phase * S.col(face + column).segment(column, below) +
+        std::conj(phase) * S.col(column).segment(face + column, below);
+    cholesky_.col(column).tail(boundary) = S.col(column).tail(boundary) + phase * S.col(face + column).tail(boundary);
+  }
+  cholesky_.bottomRightCorner(boundary, boundary) = S.bottomRightCorner(boundary, boundary);
+  const int size = static_cast<int>(cholesky_.rows());
+  int info = 0;
+  zpotrf_("L", &size, cholesky_.data(), &size, &info);
+  if (info != 0) throw RunError("the stiffness of a nodal diameter is not positive definite: the rotor is unstable");
+}
+
+Eigen::MatrixXcd CyclicSolver::solve(const Eigen::MatrixXcd& load, ContactNodes contact) const {
+  Eigen::MatrixXcd result(load.rows(), load.cols());
+  for (Eigen::Index first = 0; first < load.cols(); first += columns_at_once) {
+    const Eigen::Index count = std::min(columns_at_once, load.cols() - first);
+    result.middleCols(first, count) = solve_block(load.middleCols(first, count), contact);
+  }
+  return result;
+}
+
+Eigen::MatrixXcd CyclicSolver::solve_block(const Eigen::MatrixXcd& load, ContactNodes contact) const {
+  const SectorDofs& dofs = transform_.dofs();
+  const Eigen::Index kept = dofs.face + (contact == ContactNodes::free ? dofs.boundary() : 0);
+  SectorFactor::Eliminated eliminated = factor_.eliminate(split(load.topRows(dofs.interior), transform_.is_real()));
+  Eigen::MatrixXcd interface = load.bottomRows(dofs.face + dofs.boundary()) +
+                               transform_.gather_interface(join(eliminated.interface_load, transform_.is_real()));
+  const auto lower = cholesky_.topLeftCorner(kept, kept).triangularView<Eigen::Lower>();
+  interface.bottomRows(interface.rows() - kept).setZero();
+  auto solved = interface.topRows(kept);
+  lower.solveInPlace(solved);
+  lower.adjoint().solveInPlace(solved);
+  Eigen::MatrixXcd result(dofs.independent(), load.cols());
+  const Eigen::MatrixXd moved = factor_.back_substitute(
+      std::move(eliminated), split(transform_.expand_interface(interface), transform_.is_real()));
+  result << join(moved.topRows(dofs.interior), transform_.is_real()), interface;
+  return result;
+}
+
+// eq. 8: Psi_s = -K_ii^-1 K_ib with i all but the contact dofs.
+Eigen::MatrixXcd CyclicSolver::constraint_modes() const {
+  const SectorDofs& dofs = transform_.dofs();
+  const Eigen::Index face = dofs.face, boundary = dofs.boundary();
+  Eigen::MatrixXcd interface = Eigen::MatrixXcd::Zero(face + boundary, boundary);
+  interface.bottomRows(boundary).setIdentity();
+  // L = [L_c 0; L_bc L_b]: S_cb = L_c L_bc^H, so x_c = -S_cc^-1 S_cb = -L_c^-H L_bc^H.
+  interface.topRows(face) = -cholesky_.block(face, 0, boundary, face).adjoint();
+  auto solved = interface.topRows(face);
+  cholesky_.topLeftCorner(face, face).triangularView<Eigen::Lower>().adjoint().solveInPlace(solved);
+  SectorFactor::Eliminated nothing;
+  nothing.state = Eigen::MatrixXd::Zero(dofs.sector(), (transform_.is_real() ? 1 : 2) * boundary);
+  const Eigen::MatrixXd moved = factor_.back_substitute(
+      std::move(nothing), split(transform_.expand_interface(interface), transform_.is_real()));
+  Eigen::MatrixXcd result(dofs.independent(), boundary);
+  result << join(moved.topRows(dofs.interior), transform_.is_real()), interface;
+  return result;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "reduce/operators/cyclic_transformation.h"
+#include "reduce/operators/sector_factor.h"
+
+namespace tiprub {
+
+/// What holds the contact nodes.
+enum class ContactNodes { free, fixed };
+
+/// Solves T^H K T x = b of one nodal diameter (eq. 6) from the one factor of the sector's K. Only the Schur
+/// complement on cut faces and contact nodes knows of the phase: a dense Cholesky factorization a nodal diameter, and
+/// two passes through the sector's factor for each block of right sides.
+class CyclicSolver {
+ public:
+  /// Raises RunError if K of this nodal diameter is not positive definite.
+  CyclicSolver(const SectorFactor& factor, const CyclicTransformation& transform);
+
+  /// x with K x = b; independent x columns; b must be real for a standing transform. With fixed contact nodes their
+  /// rows of b are ignored, of x zero.
+  Eigen::MatrixXcd solve(const Eigen::MatrixXcd& load, ContactNodes contact) const;
+  /// The constraint modes, Psi_s of eq. 8 with its unit rows: static shapes of a unit displacement of each contact
+  /// dof, all else free of load; independent x contact dofs.
+  Eigen::MatrixXcd constraint_modes() const;
+  const CyclicTransformation& transform() const { return transform_; }
+
+ private:
+  Eigen::MatrixXcd solve_block(const Eigen::MatrixXcd& load, ContactNodes contact) const;
+
+  const SectorFactor& factor_;
+  CyclicTransformation transform_;
+  Eigen::MatrixXcd
+      cholesky_;  ///< L of S_n = T^H S T, low | contact; its leading block is that of fixed contact nodes
+};
+
+}  // namespace tiprub

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/operators/cyclic_transformation.h"
+
+#include <algorithm>
+#include <cassert>
+#include <complex>
+#include <numbers>
+
+#include "reduce/model/nodal_diameter.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr int strip_width = 16;
+using Strip = Eigen::Matrix<double, Eigen::Dynamic, strip_width, Eigen::RowMajor>;
+
+constexpr int node_dofs = 3;
+
+/// One strip of right sides, row by row, `strip_width` of them. The matrix couples nodes by full blocks of 3 x 3 (see
+/// SectorDofs): a block is used for its own rows and, turned, for its columns, while the strip's rows of the column
+/// node stay in registers. Compiled for what the processor has: the sum over a row is then the same on the same
+/// machine.
+__attribute__((target_clones("avx512f", "avx2,fma", "default"))) void multiply_strip(
+    int columns, const int* starts, const int* rows, const double* values, const double* right, double* product) {
+  constexpr int lanes = 8, parts = strip_width / lanes;
+  using Lanes = double __attribute__((vector_size(lanes * sizeof(double)), aligned(alignof(double)), may_alias));
+  const auto row_of = [](auto* strip, int row) { return strip + static_cast<std::ptrdiff_t>(row) * strip_width; };
+  for (int node = 0; node < columns; node += node_dofs) {
+    // Of column 0 of a node the first three entries are its own, of column 1 two, of column 2 one.
+    const double* column[node_dofs] = {values + starts[node], values + starts[node + 1], values + starts[node + 2]};
+    const int blocks = (starts[node + 1] - starts[node] - node_dofs) / node_dofs;
+    const int* row = rows + starts[node] + node_dofs;
+    for (int part = 0; part < parts; ++part) {
+      const auto* x = reinterpret_cast<const Lanes*>(row_of(right, node) + part * lanes);
+      auto* y = reinterpret_cast<Lanes*>(row_of(product, node) + part * lanes);
+      const Lanes x0 = x[0], x1 = x[parts], x2 = x[2 * parts];
+      Lanes y0 = column[0][0] * x0 + column[0][1] * x1 + column[0][2] * x2;
+      Lanes y1 = column[0][1] * x0 + column[1][0] * x1 + column[1][1] * x2;
+      Lanes y2 = column[0][2] * x0 + column[1][1] * x1 + column[2][0] * x2;
+      const double *a = column[0] + 3, *b = column[1] + 2, *c = column[2] + 1;
+      for (int block = 0; block < blocks; ++block, a += node_dofs, b += node_dofs, c += node_dofs) {
+        const int other = row[block * node_dofs];
+        const auto* z = reinterpret_cast<const Lanes*>(row_of(right, other) + part * lanes);
+        auto* w = reinterpret_cast<Lanes*>(row_of(product, other) + part * lanes);
+        const Lanes z0 = z[0], z1 = z[parts], z2 = z[2 * parts];
+        y0 += a[0] * z0 + a[1] * z1 + a[2] * z2;
+        y1 += b[0] * z0 + b[1] * z1 + b[2] * z2;
+        y2 += c[0] * z0 + c[1] * z1 + c[2] * z2;
+        w[0] += a[0] * x0 + b[0] * x1 + c[0] * x2;
+        w[parts] += a[1] * x0 + b[1] * x1 + c[1] * x2;
+        w[2 * parts] += a[2] * x0 + b[2] * x1 + c[2] * x2;
+      }
+      y[0] += y0;
+      y[parts] += y1;
+      y[2 * parts] += y2;
+    }
+  }
+}
+
+/// Complex columns side by side in a strip, real and imaginary part in turn; a standing wave has real ones only.
+int columns_of_strip(bool standing) {
+  return standing ? strip_width : strip_width / 2;
+}
+
+void put(Strip& strip, Eigen::Index row, int column, std::complex<double> value, bool standing) {
+  if (standing) {
+    strip(row, column) = value.real();
+  } else {
+    strip(row, 2 * column) = value.real();
+    strip(row, 2 * column + 1) = value.imag();
+  }
+}
+
+std::complex<double> get(const Strip& strip, Eigen::Index row, int column, bool standing) {
+  if (standing) return strip(row, column);
+  return {strip(row, 2 * column), strip(row, 2 * column + 1)};
+}
+
+}  // namespace
+
+CyclicTransformation::CyclicTransformation(const SectorDofs& dofs, int sector_count, int nodal_diameter)
+    : dofs_(dofs) {
+  // e^{i n alpha} is exactly real for n = 0 and n = N/2, and so are their matrices.
+  const double angle = 2 * std::numbers::pi * nodal_diameter / sector_count;
+  phase_ = std::polar(1.0, angle);
+  if (is_standing(nodal_diameter, sector_count)) phase_ = nodal_diameter == 0 ? 1.0 : -1.0;
+}
+
+Eigen::MatrixXcd CyclicTransformation::expand_interface(const Eigen::MatrixXcd& independent) const {
+  Eigen::MatrixXcd sector(dofs_.interface(), independent.cols());
+  sector << independent.topRows(dofs_.face), phase_ * independent.topRows(dofs_.face),
+      independent.bottomRows(dofs_.boundary());
+  return sector;
+}
+
+Eigen::MatrixXcd CyclicTransformation::gather_interface(const Eigen::MatrixXcd& sector) const {
+  Eigen::MatrixXcd independent(dofs_.face + dofs_.boundary(), sector.cols());
+  independent << sector.topRows(dofs_.face) + std::conj(phase_) * sector.middleRows(dofs_.face, dofs_.face),
+      sector.bottomRows(dofs_.boundary());
+  return independent;
+}
+
+Eigen::MatrixXcd CyclicTransformation::expand(const Eigen::MatrixXcd& independent) const {
+  Eigen::MatrixXcd sector(dofs_.sector(), independent.cols());
+  sector << independent.topRows(dofs_.interior),
+      expand_interface(independent.bottomRows(dofs_.face + dofs_.boundary()));
+  return sector;
+}
+
+Eigen::MatrixXcd CyclicTransformation::gather(const Eigen::MatrixXcd& sector) const {
+  Eigen::MatrixXcd independent(dofs_.independent(), sector.cols());
+  independent << sector.topRows(dofs_.interior), gather_interface(sector.bottomRows(dofs_.interface()));
+  return independent;
+}
+
+// eq. 6: the block of n, applied and never formed.
+Eigen::MatrixXcd CyclicTransformation::apply(const SymmetricMatrix& matrix,
+                                             const Eigen::MatrixXcd& independent) const {
+  assert(!is_real() || independent.imag().isZero(0.0));
+  const Eigen::Index interior = dofs_.interior, face = dofs_.face, high = interior + face;
+  Eigen::MatrixXcd result(independent.rows(), independent.cols());
+  Strip moved = Strip::Zero(dofs_.sector(), strip_width), product(dofs_.sector(), strip_width);
+  const int width = columns_of_strip(is_real());
+  for (Eigen::Index first = 0; first < independent.cols(); first += width) {
+    const int count = static_cast<int>(std::min<Eigen::Index>(width, independent.cols() - first));
+    for (int k = 0; k < count; ++k) {  // T x
+      const auto x = independent.col(first + k);
+      for (Eigen::Index row = 0; row < high; ++row) put(moved, row, k, x[row], is_real());
+      for (Eigen::Index row = 0; row < face; ++row) put(moved, high + row, k, phase_ * x[interior + row], is_real());
+      for (Eigen::Index row = high; row < x.size(); ++row) put(moved, row + face, k, x[row], is_real());
+    }
+    product.setZero();
+    multiply_strip(static_cast<int>(matrix.cols()), matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
+                   moved.data(), product.data());
+    for (int k = 0; k < count; ++k) {  // T^H y
+      auto y = result.col(first + k);
+      for (Eigen::Index row = 0; row < high; ++row) y[row] = get(product, row, k, is_real());
+      for (Eigen::Index row = 0; row < face; ++row)
+        y[interior + row] += std::conj(phase_) * get(product, high + row, k, is_real());
+      for (Eigen::Index row = high; row < y.size(); ++row) y[row] = get(product, row + face, k, is_real());
+    }
+  }
+  return result;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/reducing.h"
+
+#include <cblas.h>
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+#include <utility>
+
+#include "cases/program/case_file.h"
+#include "cases/program/output_file.h"
+#include "reduce/calculix_deck.h"
+#include "reduce/linear_results.h"
+#include "reduce/model/matrix_market.h"
+#include "reduce/model/nodal_diameter.h"
+#include "reduce/model/reduced_model_file.h"
+#include "reduce/model/verification.h"
+#include "reduce/reduction.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr const char* program = "tiprub-reduce";
+constexpr double tolerable_misfit = 0.01;  // of a frequency, by eq. 7 alone
+constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
+
+struct Inputs {
+  ReductionParameters parameters;
+  SectorMesh mesh;
+  std::string provenance;
+};
+
+void tell(const StageArguments& arguments, const std::string& line) {
+  say(arguments, std::string(program) + ": " + line);
+}
+
+Inputs read(const StageArguments& arguments) {
+  const CaseFile case_file(arguments.inputs[0], arguments.settings);
+  CaseTable table = case_file.table("reduce");
+  ReductionParameters parameters = read_reduction_parameters(table);
+  if (arguments.verbosity == Verbosity::verbose)
+    say(arguments, "[reduce]\n" + table.resolved() + "BLAS: " + openblas_get_config());
+  SectorMesh mesh = read_sector_mesh(arguments.inputs[1], parameters.cyclic_tolerance);
+  return {std::move(parameters), std::move(mesh), case_file.source()};
+}
+
+void check(const StageArguments& arguments, const Inputs& inputs) {
+  const SectorMesh& mesh = inputs.mesh;
+  check_sector(mesh, inputs.parameters);
+  tell(arguments, "the case and the sector are sound: " + std::to_string(mesh.sector_count) + " sectors, " +
+                      std::to_string(mesh.node_count()) + " nodes, " + std::to_string(mesh.cell_count()) +
+                      " bricks of " + std::to_string(mesh.nodes_per_cell()) + " nodes");
+}
+
+void export_decks(const StageArguments& arguments, const Inputs& inputs, const std::string& folder) {
+  write_calculix_decks(inputs.mesh, inputs.parameters, folder);
+  tell(arguments,
+       folder + ": CalculiX decks for " + std::to_string(inputs.parameters.verification_speeds.size()) + " speeds");
+}
+
+void find_modes(const StageArguments& arguments, const Inputs& inputs, const std::string& file) {
+  OutputFile output(file);
+  const LinearResults results = linear_results(inputs.mesh, inputs.parameters);
+  write_linear_results(results, output.scratch(), program_version(program), inputs.provenance);
+  output.commit();
+  print(std::cout, results);
+  tell(arguments, file + ": " + std::to_string(inputs.parameters.verification_modes) + " modes of " +
+                      std::to_string(results.nodal_diameters.size()) + " nodal diameters at " +
+                      std::to_string(results.speed_count()) + " speeds");
+}
+
+/// Reduces, and writes the full fields beside it if a file is named for them.
+ReducedModel reduce_with_fields(const StageArguments& arguments, const Inputs& inputs, const std::string& fields_file,
+                                ReductionReport& report) {
+  const auto shown =
+      arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal;
+  if (fields_file.empty()) return reduce(inputs.mesh, inputs.parameters, shown, report);
+  OutputFile output(fields_file);
+  ReducedModel model = [&] {
+    FieldsWriter fields(output.scratch(), program_version(program));
+    return reduce(inputs.mesh, inputs.parameters, shown, report, &fields);
+  }();
+  output.commit();
+  return model;
+}
+
+ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const ReducingOptions& options,
+                 ReductionReport& report) {
+  { const OutputFile writable(arguments.output); }  // complain before the work, not after it
+  ReducedModel model = reduce_with_fields(arguments, inputs, options.fields_file, report);
+  model.provenance = inputs.provenance;
+  OutputFile output(arguments.output);
+  write_model(model, output.scratch(), program_version(program));
+  output.commit();
+  if (!options.matrix_market_folder.empty()) write_matrix_market(model, options.matrix_market_folder);
+  return model;
+}
+
+std::string summary(const ReducedModel& model, const ReductionReport& report) {
+  const int contact = model.contact_dofs();
+  int dofs = 0, dofs_at_speed = 0;
+  for (std::size_t n = 0; n < model.nodal_diameters.size(); ++n) {
+    const int waves = wave_count(static_cast<int>(n), model.sector_count);
+    const int generalized = static_cast<int>(model.nodal_diameters[n].M.rows()) - contact;
+    dofs += waves * (contact + generalized);
+    dofs_at_speed +=
+        waves * (contact + (model.modes_at_speed > 0 ? std::min(model.modes_at_speed, generalized) : generalized));
+  }
+  const ModelError verified = model_error(model);
+  std::ostringstream line;
+  line << model.sector_count << " sectors of " << report.sector_dofs << " dofs -> " << dofs << " dofs, "
+       << dofs_at_speed << " at any one speed (" << model.sector_count * contact << " of contact); first "
+       << verified.frequencies << " frequencies within " << 100 * verified.error << " % at "
+       << model.verification.speeds.size() << " speeds";
+  if (model.verification.polynomial_misfit.size() > 0)
+    line << ", eq. 7 through " << report.polynomial_speeds << " speeds alone within "
+         << 100 * model.verification.polynomial_misfit.maxCoeff() << " %; shapes under spin in "
+         << report.newton_steps << " Newton steps to " << report.newton_residual;
+  return line.str();
+}
+
+/// What it took: memory, times, and the shapes of each nodal diameter.
+void tell_details(const StageArguments& arguments, const ReductionReport& report) {
+  say(arguments, "memory: " + std::to_string(report.memory_needed / bytes_per_gib) + " GiB expected");
+  for (const auto& [what, seconds] : report.seconds) say(arguments, what + ": " + std::to_string(seconds) + " s");
+  for (std::size_t n = 0; n < report.corrections.size(); ++n)
+    say(arguments, "nodal diameter " + std::to_string(n) + ": " + std::to_string(report.generalized_dofs[n]) +
+                       " generalized dofs, " + std::to_string(report.corrections[n]) +
+                       " of them from modes between the speeds; " + std::to_string(report.dropped[n]) +
+                       " shapes dropped");
+}
+
+void report(const StageArguments& arguments, const ReducedModel& model, const ReductionReport& report,
+            const std::string& matrix_market_folder) {
+  if (arguments.verbosity == Verbosity::verbose) tell_details(arguments, report);
+  tell(arguments, arguments.output.string() + ": " + summary(model, report));
+  const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
+  if (misfit.size() > 0 && misfit.maxCoeff() > tolerable_misfit)
+    tell(arguments,
+         "warning: the shape changes too much for eq. 7 between its speeds; lower speed_max_rpm, or take prestress = "
+         "\"linear\", for which eq. 7 is exact");
+  if (!matrix_market_folder.empty())
+    tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
+                        " nodal diameters in Matrix Market");
+}
+
+}  // namespace
+
+void reduce_case(const StageArguments& arguments, const ReducingOptions& options) {
+  const Inputs inputs = read(arguments);
+  if (arguments.action == Action::check) return check(arguments, inputs);
+  if (!options.calculix_folder.empty()) return export_decks(arguments, inputs, options.calculix_folder);
+  if (!options.modes_file.empty()) return find_modes(arguments, inputs, options.modes_file);
+  ReductionReport made;
+  const ReducedModel model = run(arguments, inputs, options, made);
+  report(arguments, model, made, options.matrix_market_folder);
+}
+
+}  // namespace tiprub

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "cases/program/command_line.h"
+
+namespace tiprub {
+
+/// What this stage may write besides model.h5, or instead of it; empty: not asked for.
+struct ReducingOptions {
+  std::string calculix_folder;       ///< instead
+  std::string modes_file;            ///< instead
+  std::string matrix_market_folder;  ///< besides
+  std::string fields_file;           ///< besides
+};
+
+/// tiprub-reduce case.toml sector.msh -o model.h5.
+void reduce_case(const StageArguments& arguments, const ReducingOptions& options);
+
+}  // namespace tiprub

@@ -7,13 +7,9 @@
 
 #include "simulate/march/cache_lines.h"
 #include "simulate/march/contact_kernels.h"
+#include "simulate/scene/scheme.h"
 
 namespace tiprub {
-
-enum class ContactRule {
-  complementarity,  ///< 0 <= lambda perpendicular to g >= 0, in every step
-  paper,            ///< eqs. 14-15: every node that the free step pushes through is closed once, as an equality
-};
 
 /// The contact forces of one step. With g the gaps of the free step (positive open) and W the compliance of the
 /// contact nodes over one step (block circulant, built once a speed), finds lambda >= 0 with
@@ -24,8 +20,8 @@ enum class ContactRule {
 /// or doubled nodes (a singular W) keep a solution; it leaves a closed node off the wall by 1e-12 W_ii lambda_i.
 ///
 /// The paper's rule holds a negative multiplier (the casing pulls) in some steps and leaves other nodes penetrating
-/// in many; it is kept for reproduction, and its violations are counted. Its eq. 15 has the opposite sign of eq. 14:
-/// here g+ = g + W lambda.
+/// in many; it is kept for reproduction, and its violations are counted. Its eq. 15 has the opposite sign of its eq.
+/// 14: here g+ = g + W lambda.
 class ContactImpulses {
  public:
   /// W [m/N]; n x n, symmetric positive semidefinite. Rows of zeros are nodes that are never closed.

@@ -35,17 +35,9 @@ Eigen::ArrayXd frequencies(const Eigen::VectorXd& squares, int nodal_diameter, d
   return squares.array().max(0.0).sqrt();
 }
 
-/// A standing wave's matrices are real, and so are its modes.
-Spectrum solve(const ReducedModel& model, int nodal_diameter, WaveKind kind, double speed) {
-  const CondensedModel at =
-      condense(model.nodal_diameters[nodal_diameter], speed, model.contact_dofs(), model.modes_at_speed);
-  if (kind == WaveKind::standing) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(at.K.real(), at.M.real());
-    return {frequencies(solver.eigenvalues(), nodal_diameter, speed),
-            at.basis * solver.eigenvectors().cast<std::complex<double>>()};
-  }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(at.K, at.M);
-  return {frequencies(solver.eigenvalues(), nodal_diameter, speed), at.basis * solver.eigenvectors()};
+Spectrum solve(const ReducedModel& model, int nodal_diameter, double speed) {
+  const ModesAtSpeed modes = modes_at_speed(model, nodal_diameter, speed);
+  return {frequencies(modes.omega_squared, nodal_diameter, speed), modes.shapes};
 }
 
 Eigen::MatrixXcd normal_rows(const ReducedModel& model, const Spectrum& spectrum) {
@@ -78,11 +70,31 @@ WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kin
   wave.contact_rows = wave.shapes.topRows(model.contact_dofs());
   const Eigen::MatrixXcd rows = normal_rows(model, spectrum);
   wave.normal_rows = rows.leftCols(held);
-  if (moving < all) wave.rest_compliance = static_compliance(rows, spectrum.omega, all - moving);
+  if (moving < all) wave.residual_compliance = static_compliance(rows, spectrum.omega, all - moving);
   return wave;
 }
 
 }  // namespace
+
+ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, double speed, ModeParts parts) {
+  const int options =
+      Eigen::Ax_lBx | (parts == ModeParts::frequencies ? Eigen::EigenvaluesOnly : Eigen::ComputeEigenvectors);
+  // eq. 11: K(Omega) of this nodal diameter
+  const CondensedModel condensed =
+      condense(model.nodal_diameters[nodal_diameter], speed, model.contact_dofs(), model.modes_at_speed);
+  ModesAtSpeed modes;
+  if (is_standing(nodal_diameter, model.sector_count)) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(condensed.K.real(), condensed.M.real(),
+                                                                           options);
+    modes.omega_squared = solver.eigenvalues();
+    if (parts == ModeParts::all) modes.shapes = condensed.basis * solver.eigenvectors().cast<std::complex<double>>();
+  } else {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(condensed.K, condensed.M, options);
+    modes.omega_squared = solver.eigenvalues();
+    if (parts == ModeParts::all) modes.shapes = condensed.basis * solver.eigenvectors();
+  }
+  return modes;
+}
 
 RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
                             const std::vector<double>& damping_ratios, const ModeChoice& modes) {
@@ -91,9 +103,9 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
   rotor.sector_count = model.sector_count;
   double omega_min = std::numeric_limits<double>::infinity();
   Eigen::VectorXd tip_compliance = Eigen::VectorXd::Zero(model.contact.size());
-  for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
+  for (int n = 0; n <= model.nodal_diameter_max(); ++n) {  // eq. 12: block by block
     const WaveKind kind = wave_kind(n, model.sector_count);
-    const Spectrum spectrum = solve(model, n, kind, speed);
+    const Spectrum spectrum = solve(model, n, speed);
     omega_min = std::min(omega_min, spectrum.omega.minCoeff());
     const double share = (kind == WaveKind::standing ? 1.0 : 2.0) / model.sector_count;
     tip_compliance +=

@@ -17,8 +17,8 @@ struct ModeChoice {
   Others others = Others::dropped;
 };
 
-/// One nodal diameter at one speed in its own modes: u_j = Re(Phi q e^{i n j alpha}), Phi^H M Phi = 1,
-/// Phi^H K Phi = omega^2. A real force f_j on the sectors acts on q as
+/// One nodal diameter at one speed, a block of the paper's eq. 12, in its own modes: u_j = Re(Phi q e^{i n j alpha}),
+/// Phi^H M Phi = 1, Phi^H K Phi = omega^2. A real force f_j on the sectors acts on q as
 ///   Phi^H (w/N) sum_j f_j e^{-i n j alpha},  w = 1 for a standing wave, 2 for a travelling one.
 struct WaveModes {
   int nodal_diameter = 0;
@@ -31,12 +31,12 @@ struct WaveModes {
   Eigen::MatrixXcd shapes;        ///< Phi, in the model's coordinates; n x m
   /// [m/N] Y omega^-2 Y^H over the modes without mass and those dropped: the compliance that moves without inertia,
   /// or not at all; n_c x n_c, empty if all modes move.
-  Eigen::MatrixXcd rest_compliance;
+  Eigen::MatrixXcd residual_compliance;
 
   double weight() const { return kind == WaveKind::standing ? 1.0 : 2.0; }
 };
 
-/// The model at one speed, diagonalised.
+/// The model at one speed, diagonalised: the blocks of eq. 12, each by itself, so that F of eq. 11 is never built.
 struct RotorAtSpeed {
   double speed = 0;               ///< [rad/s]
   int sector_count = 0;           ///< N
@@ -46,6 +46,17 @@ struct RotorAtSpeed {
   double omega_max = 0;           ///< [rad/s] the highest with mass of those asked for
   double tip_stiffness = 0;       ///< [N/m] static, of the stiffest contact node, pushed alone
 };
+
+/// The modes of one nodal diameter of the model as it is marched: condensed at the speed.
+struct ModesAtSpeed {
+  Eigen::VectorXd omega_squared;  ///< [rad^2/s^2], ascending; below zero where the rotor is statically unstable
+  Eigen::MatrixXcd shapes;        ///< Phi, Phi^H M Phi = 1, in the model's coordinates; a standing wave's are real
+};
+enum class ModeParts { all, frequencies };  ///< frequencies: without shapes
+
+/// (K(Omega) - omega^2 M) Phi = 0, K of eq. 11; dense. An unstable speed is no failure here.
+ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, double speed,
+                            ModeParts parts = ModeParts::all);
 
 /// Solves one Hermitian eigenproblem a nodal diameter (n^3 once a speed, against millions of steps). Damping is by
 /// family: mode m of each nodal diameter takes damping_ratios[m], the last one holds for the rest.

@@ -39,14 +39,10 @@ SteadyState make_judge(const Scene& scene, const TimeMarch& march) {
 }
 
 bool steady(const SteadyState& state) {
-  return state.judge().settled == SteadyVerdict::Settled::yes;
+  return state.judge().settled == SettlingState::Settled::yes;
 }
 
 }  // namespace
-
-double length_scale(const Scene& scene) {
-  return scene.casing.amplitude + scene.casing.given_clearance(scene.model.contact).maxCoeff();
-}
 
 Settling::Settling(const Scene& scene, TimeMarch& march)
     : scene_(scene),
@@ -86,7 +82,7 @@ bool Settling::should_jump() const {
   return march_.step_count() >= start * march_.steps_per_revolution();
 }
 
-/// A little off the orbit towards where the march came from: if the orbit repels, it does so in the directions in
+/// A little off the orbit towards where the march came from: an unstable orbit is left in the directions in
 /// which a march from rest goes elsewhere.
 void Settling::put_beside(const Eigen::VectorXd& orbit, const Eigen::VectorXd& start, SymmetricMap& map) const {
   const Eigen::VectorXd away = start - orbit;

@@ -7,13 +7,9 @@
 #include "simulate/orbits/steady_state.h"
 #include "simulate/orbits/symmetric_map.h"
 #include "simulate/response/response.h"
-#include "simulate/scene/simulate_parameters.h"
-#include "simulate/sweep/speed_run.h"
+#include "simulate/scene/scene.h"
 
 namespace tiprub {
-
-/// [m] amplitude and clearance of a scene: what its motions are measured by.
-double length_scale(const Scene& scene);
 
 /// The march of one speed on its way to the settled motion: revolutions, their bound, and the judgement.
 class Settling {
@@ -24,12 +20,12 @@ class Settling {
   void add(Eigen::VectorXd motion);
   /// Whether the motion has settled after min_revolutions.
   bool settled() const;
-  SteadyVerdict verdict() const { return state_.judge(); }
+  SettlingState state() const { return state_.judge(); }
   int revolutions() const { return revolutions_; }
 
   /// Marches one revolution, or, once and after the casing has grown, jumps to the settled motion: Anderson's
   /// acceleration of the symmetric map (acceleration = "anderson"). The jump counts only if the motion is then judged
-  /// steady by marching on from beside it (14 .. 20 revolutions), so that one that repels is not taken; if not, the
+  /// steady by marching on from beside it (14 .. 20 revolutions), so that an unstable one is not taken; if not, the
   /// march goes on from where it was, to the bit, and all that is lost is time. Raises what add() raises.
   void advance();
   /// What became of the jump; `revolutions` counts those of the map, and of a confirmation that failed.

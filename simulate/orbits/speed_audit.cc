@@ -10,6 +10,8 @@
 #include <random>
 #include <vector>
 
+#include "simulate/orbits/even_line_fit.h"
+
 namespace tiprub {
 
 namespace {
@@ -21,12 +23,13 @@ double modal_energy(const TimeMarch& march, const std::vector<std::size_t>& wave
   double sum = 0;
   const double h = march.time_step();
   for (std::size_t i : waves) {
-    const TimeMarch::Wave& wave = march.waves()[i];
-    for (Eigen::Index part : {Eigen::Index{0}, wave.modes()}) {
-      const auto q = wave.q.segment(part, wave.modes()).array();
-      const auto before = wave.before.segment(part, wave.modes()).array();
-      sum += ((q - before) / h).square().sum() + (wave.omega * q).square().sum();
-    }
+    const Eigen::ArrayXd& omega = march.wave(i).omega;
+    const auto of_part = [&](const auto& q, const auto& before) {
+      return ((q - before) / h).square().sum() + (omega * q).square().sum();
+    };
+    const ModalCoordinates now = march.coordinates(i), before = march.coordinates(i, Instant::before);
+    sum += of_part(now.real, before.real);
+    sum += of_part(now.imaginary, before.imaginary);
   }
   return sum;
 }
@@ -43,34 +46,19 @@ Eigen::VectorXcd disturbance(Eigen::Index modes, double size, WaveKind kind, std
   return q;
 }
 
-double slope(const std::vector<double>& values) {
-  const double middle = (static_cast<double>(values.size()) - 1) / 2;
-  double moment = 0, spread = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double at = static_cast<double>(i) - middle;
-    moment += at * values[i];
-    spread += at * at;
-  }
-  return spread > 0 ? moment / spread : 0.0;
-}
-
 /// The settled waves into the whole wheel's march, and the seed into the others; the indices of these.
 std::vector<std::size_t> seed_whole_wheel(const TimeMarch& settled, std::size_t held, TimeMarch& whole) {
   double norm = 0;
   for (std::size_t i = 0; i < held; ++i) {
-    const TimeMarch::Wave& wave = settled.waves()[i];
-    Eigen::VectorXcd now(wave.modes()), before(wave.modes());
-    now.real() = wave.q.head(wave.modes());
-    now.imag() = wave.q.tail(wave.modes());
-    before.real() = wave.before.head(wave.modes());
-    before.imag() = wave.before.tail(wave.modes());
-    whole.set_state(i, now, before);
+    const Eigen::Index modes = settled.wave(i).modes();
+    const Eigen::VectorXcd now = settled.coordinates(i).head(modes);
+    whole.set_state(i, now, settled.coordinates(i, Instant::before).head(modes));
     norm += now.squaredNorm();
   }
   std::mt19937 source(1);
   std::vector<std::size_t> others;
-  for (std::size_t i = held; i < whole.waves().size(); ++i) {
-    const TimeMarch::Wave& wave = whole.waves()[i];
+  for (std::size_t i = held; i < whole.wave_count(); ++i) {
+    const MarchedWave& wave = whole.wave(i);
     const Eigen::VectorXcd q = disturbance(wave.moving, seed_share * std::sqrt(norm), wave.kind, source);
     whole.set_state(i, q, q);
     others.push_back(i);
@@ -79,26 +67,26 @@ std::vector<std::size_t> seed_whole_wheel(const TimeMarch& settled, std::size_t 
 }
 
 /// rms over the revolutions of the amplitudes of engine orders 0 .. highest; orders x columns.
-Eigen::MatrixXd averaged_spectrum(const SpeedResponse& at) {
-  const Eigen::Index samples = at.samples_per_revolution;
+Eigen::MatrixXd averaged_spectrum(const SpeedResponse& response) {
+  const Eigen::Index samples = response.samples_per_revolution;
   const Eigen::Index orders = std::min<Eigen::Index>(highest_order, (samples - 1) / 2) + 1;
   Eigen::MatrixXcd waves(orders, samples);
   for (Eigen::Index m = 0; m < orders; ++m)
     for (Eigen::Index s = 0; s < samples; ++s)
       waves(m, s) = std::polar((m == 0 ? 1.0 : 2.0) / static_cast<double>(samples),
                                -2 * std::numbers::pi * static_cast<double>(m * s % samples) / samples);
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(orders, at.displacement.cols());
-  for (int r = 0; r < at.recorded_revolutions; ++r)
-    sum += (waves * at.displacement.middleRows(r * samples, samples)).cwiseAbs2();
-  return (sum / at.recorded_revolutions).cwiseSqrt();
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(orders, response.displacement.cols());
+  for (int r = 0; r < response.recorded_revolutions; ++r)
+    sum += (waves * response.displacement.middleRows(r * samples, samples)).cwiseAbs2();
+  return (sum / response.recorded_revolutions).cwiseSqrt();
 }
 
 /// The last period of a settled response, begun `shift` revolutions later.
-Eigen::MatrixXd last_period(const SpeedResponse& at, int shift) {
-  const Eigen::Index rows = static_cast<Eigen::Index>(at.period_revolutions) * at.samples_per_revolution;
-  const Eigen::Index first = static_cast<Eigen::Index>(shift) * at.samples_per_revolution;
-  const auto period = at.displacement.bottomRows(rows);
-  Eigen::MatrixXd moved(rows, at.displacement.cols());
+Eigen::MatrixXd last_period(const SpeedResponse& response, int shift) {
+  const Eigen::Index rows = static_cast<Eigen::Index>(response.period_revolutions) * response.samples_per_revolution;
+  const Eigen::Index first = static_cast<Eigen::Index>(shift) * response.samples_per_revolution;
+  const auto period = response.displacement.bottomRows(rows);
+  Eigen::MatrixXd moved(rows, response.displacement.cols());
   moved << period.bottomRows(rows - first), period.topRows(first);
   return moved;
 }
@@ -129,7 +117,7 @@ double excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, cons
   whole_rotor.waves.insert(whole_rotor.waves.end(), rotor.others.begin(), rotor.others.end());
   MarchSetup setup = settled.setup();
   setup.symmetry = 1;
-  TimeMarch whole(whole_rotor, casing, contact, setup);
+  TimeMarch whole(whole_rotor, casing, contact, settled.clearance(), setup);
   const std::vector<std::size_t> others = seed_whole_wheel(settled, rotor.waves.size(), whole);
   whole.set_step(settled.step_count());
   std::vector<double> logarithms;
@@ -138,7 +126,7 @@ double excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, cons
     if (2 * (r + 1) < revolutions) continue;
     logarithms.push_back(0.5 * std::log(std::max(modal_energy(whole, others), std::numeric_limits<double>::min())));
   }
-  return std::exp(slope(logarithms));
+  return std::exp(slope_per_place(logarithms));
 }
 
 ResponseDifference difference(const SpeedResponse& here, const SpeedResponse& there) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "simulate/orbits/even_line_fit.h"
+
 namespace tiprub {
 
 namespace {
@@ -26,38 +28,34 @@ void SteadyState::add(Eigen::VectorXd revolution) {
 
 /// exp of the slope of a line through the logarithms of the last changes (least squares).
 double SteadyState::decay_rate(const std::vector<double>& changes) const {
-  const int count = static_cast<int>(std::min<std::size_t>(changes.size(), window));
-  const double middle = (count - 1) / 2.0;
-  double moment = 0, spread = 0;
-  for (int i = 0; i < count; ++i) {
-    const double value = std::max(changes[changes.size() - count + i], rounding_floor);
-    moment += (i - middle) * std::log(value);
-    spread += (i - middle) * (i - middle);
-  }
-  return spread > 0 ? std::exp(moment / spread) : 1.0;
+  const std::size_t count = std::min<std::size_t>(changes.size(), window);
+  std::vector<double> logarithms;
+  for (std::size_t i = changes.size() - count; i < changes.size(); ++i)
+    logarithms.push_back(std::log(std::max(changes[i], rounding_floor)));
+  return std::exp(slope_per_place(logarithms));
 }
 
-SteadyVerdict SteadyState::judge() const {
-  SteadyVerdict verdict;
+SettlingState SteadyState::judge() const {
+  SettlingState state;
   for (int period = 1; period <= longest_period; ++period) {
     const std::vector<double>& changes = changes_[period - 1];
     if (changes.empty()) break;
     const double change = changes.back();
     const double rate = decay_rate(changes);
     if (period == 1) {
-      verdict.change = change;
-      verdict.rate = rate;
+      state.change = change;
+      state.rate = rate;
     }
     if (static_cast<int>(changes.size()) < window || change > tolerance_) continue;
     if (*std::max_element(changes.end() - longest_period, changes.end()) > recent_margin * tolerance_) continue;
-    if (period > 1 && verdict.rate < standing_rate) continue;
+    if (period > 1 && state.rate < standing_rate) continue;
     const double over_period = std::pow(rate, period);
     const double still_to_come = rate < 1 ? change * over_period / (1 - over_period) : HUGE_VAL;
     if (change > rounding_floor && still_to_come > tolerance_) continue;
-    return {SteadyVerdict::Settled::yes, period == 1 ? MotionClass::periodic : MotionClass::subharmonic, period,
+    return {SettlingState::Settled::yes, period == 1 ? MotionClass::periodic : MotionClass::subharmonic, period,
             change, rate};
   }
-  return verdict;
+  return state;
 }
 
 }  // namespace tiprub

@@ -5,18 +5,13 @@
 #include <numbers>
 #include <numeric>
 
+#include "simulate/scene/scene_scope.h"
+
 namespace tiprub {
 
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-
-Eigen::VectorXcd complex_of(const Eigen::VectorXd& parts, Eigen::Index modes, Eigen::Index count) {
-  Eigen::VectorXcd values(count);
-  values.real() = parts.head(count);
-  values.imag() = parts.segment(modes, count);
-  return values;
-}
 
 /// (1 - phase S^steps)^-1, S the free step of (q_q, q_{q-1}).
 Eigen::Matrix2cd lift_of(double a, double b, int steps, std::complex<double> phase) {
@@ -31,18 +26,12 @@ Eigen::Matrix2cd lift_of(double a, double b, int steps, std::complex<double> pha
 
 }  // namespace
 
-int sector_shift(int sector_count, int lobes) {
-  const int common = std::gcd(sector_count, lobes), sectors = sector_count / common;
-  int shift = 0;
-  while ((shift * static_cast<std::int64_t>(lobes / common) - 1) % sectors != 0) ++shift;
-  return shift;
-}
-
 SymmetricMap::SymmetricMap(TimeMarch& march, int lobes)
     : march_(march), maps_(std::lcm(march.sector_count(), lobes)) {
   const double lowest = two_pi / march.steps_per_revolution() / march.time_step();
   const int shift = sector_shift(march.sector_count(), lobes);
-  for (const TimeMarch::Wave& wave : march.waves()) {
+  for (std::size_t i = 0; i < march.wave_count(); ++i) {
+    const MarchedWave& wave = march.wave(i);
     const auto turn = static_cast<std::int64_t>(wave.nodal_diameter) * shift % march.sector_count();
     frames_.push_back({wave.moving,
                        wave.omega.head(wave.moving).max(lowest),
@@ -59,19 +48,18 @@ Eigen::VectorXd SymmetricMap::state_shifted(Shift shift) const {
   Eigen::Index size = 0;
   for (const WaveFrame& frame : frames_) size += 4 * frame.moving;
   Eigen::VectorXd state(size);
-  Eigen::Index at = 0;
+  Eigen::Index offset = 0;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
-    const TimeMarch::Wave& wave = march_.waves()[i];
     const Eigen::Index count = frames_[i].moving;
     const std::complex<double> phase = shift == Shift::sectors ? frames_[i].phase : 1.0;
-    const Eigen::VectorXcd now = complex_of(wave.q, wave.modes(), count) * phase;
-    const Eigen::VectorXcd before = complex_of(wave.before, wave.modes(), count) * phase;
+    const Eigen::VectorXcd now = march_.coordinates(i).head(count) * phase;
+    const Eigen::VectorXcd before = march_.coordinates(i, Instant::before).head(count) * phase;
     const Eigen::VectorXcd velocity = (now - before) / march_.time_step();
     const Eigen::VectorXcd position = (now.array() * frames_[i].scale).matrix();
     for (const Eigen::VectorXcd* part : {&position, &velocity}) {
-      state.segment(at, count) = part->real();
-      state.segment(at + count, count) = part->imag();
-      at += 2 * count;
+      state.segment(offset, count) = part->real();
+      state.segment(offset + count, count) = part->imag();
+      offset += 2 * count;
     }
   }
   return state;
@@ -82,16 +70,16 @@ Eigen::VectorXd SymmetricMap::state() const {
 }
 
 void SymmetricMap::put(const Eigen::VectorXd& state) {
-  Eigen::Index at = 0;
+  Eigen::Index offset = 0;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     const Eigen::Index count = frames_[i].moving;
     Eigen::VectorXcd now(count), velocity(count);
-    now.real() = (state.segment(at, count).array() / frames_[i].scale).matrix();
-    now.imag() = (state.segment(at + count, count).array() / frames_[i].scale).matrix();
-    velocity.real() = state.segment(at + 2 * count, count);
-    velocity.imag() = state.segment(at + 3 * count, count);
+    now.real() = (state.segment(offset, count).array() / frames_[i].scale).matrix();
+    now.imag() = (state.segment(offset + count, count).array() / frames_[i].scale).matrix();
+    velocity.real() = state.segment(offset + 2 * count, count);
+    velocity.imag() = state.segment(offset + 3 * count, count);
     march_.set_state(i, now, now - velocity * march_.time_step());
-    at += 4 * count;
+    offset += 4 * count;
   }
 }
 
@@ -107,28 +95,29 @@ Eigen::VectorXd SymmetricMap::operator()(const Eigen::VectorXd& state) {
 Eigen::VectorXd SymmetricMap::lifted(const Eigen::VectorXd& change) const {
   Eigen::VectorXd result(change.size());
   const double h = march_.time_step();
-  Eigen::Index at = 0;
+  Eigen::Index offset = 0;
   for (const WaveFrame& frame : frames_) {
     const Eigen::Index count = frame.moving;
-    for (Eigen::Index m = 0; m < count; ++m, ++at) {
-      const std::complex<double> now = std::complex(change[at], change[at + count]) / frame.scale[m];
-      const std::complex<double> velocity(change[at + 2 * count], change[at + 3 * count]);
+    for (Eigen::Index m = 0; m < count; ++m, ++offset) {
+      const std::complex<double> now = std::complex(change[offset], change[offset + count]) / frame.scale[m];
+      const std::complex<double> velocity(change[offset + 2 * count], change[offset + 3 * count]);
       const Eigen::Vector2cd up = frame.lift[m] * Eigen::Vector2cd(now, now - h * velocity);
-      result[at] = frame.scale[m] * up[0].real();
-      result[at + count] = frame.scale[m] * up[0].imag();
+      result[offset] = frame.scale[m] * up[0].real();
+      result[offset + count] = frame.scale[m] * up[0].imag();
       const std::complex<double> speed = (up[0] - up[1]) / h;
-      result[at + 2 * count] = speed.real();
-      result[at + 3 * count] = speed.imag();
+      result[offset + 2 * count] = speed.real();
+      result[offset + 3 * count] = speed.imag();
     }
-    at += 3 * count;
+    offset += 3 * count;
   }
   return result;
 }
 
 MarchState::MarchState(const TimeMarch& march) : step_(march.step_count()) {
-  for (const TimeMarch::Wave& wave : march.waves())
-    waves_.emplace_back(complex_of(wave.q, wave.modes(), wave.modes()),
-                        complex_of(wave.before, wave.modes(), wave.modes()));
+  for (std::size_t i = 0; i < march.wave_count(); ++i) {
+    const Eigen::Index modes = march.wave(i).modes();
+    waves_.emplace_back(march.coordinates(i).head(modes), march.coordinates(i, Instant::before).head(modes));
+  }
 }
 
 void MarchState::restore(TimeMarch& march) const {

@@ -2,13 +2,13 @@
 #include "simulate/scene/scene_scope.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <sstream>
 
 #include "cases/program/errors.h"
-#include "simulate/orbits/symmetric_map.h"
 
 namespace tiprub {
 
@@ -63,10 +63,18 @@ void explain(SceneScope& scope, int sector_count, int lobes, int grid, const Sim
 
 }  // namespace
 
+int sector_shift(int sector_count, int lobes) {
+  const int common = std::gcd(sector_count, lobes), sectors = sector_count / common;
+  int shift = 0;
+  while ((shift * static_cast<std::int64_t>(lobes / common) - 1) % sectors != 0) ++shift;
+  return shift;
+}
+
 SceneScope find_scope(int sector_count, int lobes, const SimulateParameters& parameters) {
   SceneScope scope;
   if (parameters.nodal_diameters == DiameterChoice::symmetric) scope.symmetry = std::gcd(sector_count, lobes);
   scope.independent_sectors = sector_count / scope.symmetry;
+  // eq. 17: alpha N +- n = k N_l for some alpha, k
   for (int n = 0; n <= sector_count / 2; n += scope.symmetry) scope.nodal_diameters.push_back(n);
   const int grid = std::lcm(sector_count, lobes);
   scope.samples_per_revolution = static_cast<int>(rounded_up(parameters.samples_per_revolution, grid));

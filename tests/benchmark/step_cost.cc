@@ -7,9 +7,9 @@
 #include "simulate/march/time_march.h"
 #include "simulate/scene/scene_scope.h"
 #include "tests/benchmark/benchmarks.h"
-#include "tests/simulate/dense_ring.h"
+#include "tests/simulate/march/dense_ring.h"
 
-namespace tiprub::bench {
+namespace tiprub::testing {
 
 namespace {
 
@@ -44,6 +44,7 @@ Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, bool fine)
   Cost cost;
   cost.steps = fine ? central_steps(wheel, rotor) : default_steps(wheel, rotor);
   TimeMarch march(rotor, wheel.casing, wheel.model.contact,
+                  wheel.casing.running_clearance(wheel.model.contact, wheel.speed),
                   {scheme, ContactRule::complementarity, cost.steps, symmetry});
   const int settling = static_cast<int>(wheel.casing.ramp_revolutions + 8) * cost.steps;
   for (int i = 0; i < settling; ++i) march.step();
@@ -98,10 +99,10 @@ void print_step_costs(const std::string& model) {
               static_cast<int>(three.model.sector_count * three.model.nodal_diameters[0].M.rows()), three.speed);
   const Cost central = march_cost(three, Scheme::central_differences, 1, true);
   const Cost dense = dense_cost(three, central.steps);
-  print("dense eqs. 13-15 (reference)", dense, dense);
+  print("dense eq. 13, eq. 14, eq. 15 (reference)", dense, dense);
   print("modal central differences, three lobes", central, dense);
   print("trigonometric, three lobes (no symmetry)", march_cost(three, Scheme::trigonometric, 1, false), dense);
   print("trigonometric, two lobes (symmetry)", march_cost(two, Scheme::trigonometric, 2, false), dense);
 }
 
-}  // namespace tiprub::bench
+}  // namespace tiprub::testing

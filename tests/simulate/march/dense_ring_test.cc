@@ -9,7 +9,7 @@
 
 #include "reduce/model/condensation.h"
 #include "reduce/model/reduced_model_file.h"
-#include "tests/simulate/dense_ring.h"
+#include "tests/simulate/march/dense_ring.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {
@@ -36,6 +36,7 @@ ReducedModel at_one_speed(ReducedModel model, double speed) {
   return model;
 }
 
+/// eq. 13, eq. 14, eq. 15 on the whole wheel (eq. 11, eq. 12) against the march.
 /// The wheel rubs two lobes at a speed at which its first family meets engine order 4. The casing is scaled to what
 /// the wheel is: its crest reaches over the clearance by half.
 Comparison compare(const ReducedModel& given, ContactRule rule, int contact_steps) {
@@ -50,7 +51,8 @@ Comparison compare(const ReducedModel& given, ContactRule rule, int contact_step
   const int unit = model.sector_count * lobes;
   const double limit = std::numbers::pi / speed * rotor.omega_max;  // steps a revolution at h = 2/omega_max
   const int steps = unit * static_cast<int>(std::ceil(1.1 * limit / unit));
-  TimeMarch march(rotor, casing, model.contact, {Scheme::central_differences, rule, steps, 1});
+  TimeMarch march(rotor, casing, model.contact, casing.running_clearance(model.contact, speed),
+                  {Scheme::central_differences, rule, steps, 1});
   DenseRing dense(model, casing, speed, damping_ratio, steps, rule);
   Comparison comparison;
   double largest = 0;

@@ -10,7 +10,7 @@ namespace tiprub {
 namespace {
 
 /// Engine order, nodal diameter, both directions of that wave [mm].
-std::vector<Cell> bar(const TravellingSpectrum& spectrum, int engine_order, int nodal_diameter) {
+std::vector<Cell> bar_row(const TravellingSpectrum& spectrum, int engine_order, int nodal_diameter) {
   const double forward =
       is_standing(nodal_diameter, spectrum.sector_count) ? 0 : spectrum.at(engine_order, -nodal_diameter);
   return {engine_order, nodal_diameter, spectrum.at(engine_order, nodal_diameter) * mm_per_m, forward * mm_per_m};
@@ -39,8 +39,8 @@ Figure harmonic_bars_figure(const Study& study) {
                            ", and the engine orders on nodal diameter " + std::to_string(diameter) +
                            ", both directions one on the other. The trackings follow these bars over speed.",
                 .data = {{"engine order", "nodal diameter", "backward or standing [mm]", "forward [mm]"}, {}}};
-  for (int n = 0; n <= half; ++n) figure.data.rows.push_back(bar(spectrum, order, n));
-  for (int k = 1; k <= last; ++k) figure.data.rows.push_back(bar(spectrum, k, diameter));
+  for (int n = 0; n <= half; ++n) figure.data.rows.push_back(bar_row(spectrum, order, n));
+  for (int k = 1; k <= last; ++k) figure.data.rows.push_back(bar_row(spectrum, k, diameter));
   return figure;
 }
 

@@ -19,5 +19,5 @@ load 'scripts/engine_orders.gp'
 plot for [k=engine_order_step:engine_order_last:engine_order_step] k*x/60 with lines linestyle engine_order_line, \
   for [n=0:nodal_diameters-1] for [k=1:families] $modes using 1:mode_column(n,k) with lines linewidth mode_width \
     linecolor rgb series_colour(n) title (k == 1 ? sprintf('ND %d', n) : ''), \
-  for [i=1:any(aliased_rows)] $aliased using 1:2 with points linestyle crossing_aliased title 'rule with aliasing', \
-  for [i=1:any(equation_2_rows)] $equation_2 using 1:2 with points linestyle crossing_linear title 'eq. 2'
+  $aliased using 1:2 with points linestyle crossing_aliased title titled(aliased_rows, 'rule with aliasing'), \
+  $equation_2 using 1:2 with points linestyle crossing_linear title titled(equation_2_rows, 'eq. 2')

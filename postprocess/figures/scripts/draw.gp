@@ -5,7 +5,7 @@ set encoding utf8
 set datafile separator ','
 set datafile missing 'NaN'
 figure_table = name.'.csv'
-any(count) = count > 0 ? 1 : 0  # for [i=1:any(count)]: an optional part of a plot
+titled(rows, words) = rows > 0 ? words : ''  # a table without rows is not in the key
 
 load 'scripts/style.gp'
 set terminal svg enhanced size width,height font svg_font background rgb paper_colour

@@ -17,10 +17,10 @@ load 'scripts/engine_orders.gp'
 plot name.'.pixels' @map_image, \
   for [k=engine_order_step:engine_order_last:engine_order_step] k*x/60 with lines linestyle map_engine_order, \
   for [n=0:nodal_diameters-1] for [k=1:families] $modes using 1:mode_column(n,k) with lines linestyle map_mode, \
-  for [i=1:any(irregular_rows)] $irregular using 1:(foot(0)) with points linestyle map_irregular title 'irregular', \
-  for [i=1:any(subharmonic_rows)] $subharmonic using 1:(foot(1)) with points linestyle map_subharmonic \
-    title 'subharmonic', \
-  for [i=1:any(breaking_rows)] $breaking using 1:(foot(2)) with points linestyle map_breaking \
-    title 'breaks the symmetry', \
-  for [i=1:any(family_labels_rows)] $family_labels using (speed_low):1:(sprintf('family %d', $0 + 1)) with labels \
+  $irregular using 1:(foot(0)) with points linestyle map_irregular title titled(irregular_rows, 'irregular'), \
+  $subharmonic using 1:(foot(1)) with points linestyle map_subharmonic \
+    title titled(subharmonic_rows, 'subharmonic'), \
+  $breaking using 1:(foot(2)) with points linestyle map_breaking \
+    title titled(breaking_rows, 'breaks the symmetry'), \
+  $family_labels using (speed_low):1:(sprintf('family %d', $0 + 1)) with labels \
     left offset 0.6,0.5 font tiny_font textcolor rgb map_family_text

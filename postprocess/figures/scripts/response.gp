@@ -14,13 +14,13 @@ set bmargin at screen 0.13
 set xlabel 'speed [rpm]'
 set ylabel 'amplitude [mm]'
 set key at screen 0.53,0.985 center top horizontal maxrows 2
-plot for [i=1:any(peaks_rows)] $peaks using 1:2:(peak_name[int($0) + 1]) with labels rotate by 90 left offset 0,0.7 \
+plot $peaks using 1:2:(peak_name[int($0) + 1]) with labels rotate by 90 left offset 0,0.7 \
     font small_font, \
   figure_table skip 1 using 1:2 with linespoints linestyle largest_on_tip title 'largest on the tip line', \
   '' skip 1 using 1:3 with lines linestyle leading_edge title 'leading edge', \
   '' skip 1 using 1:4 with lines linestyle trailing_edge title 'trailing edge', \
-  for [i=1:any(not_periodic_rows)] $not_periodic using 1:2 with points linestyle not_periodic title 'not periodic', \
-  for [i=1:any(aliased_rows)] $aliased using 1:(foot) with points linestyle predicted_aliased \
-    title 'rule with aliasing', \
-  for [i=1:any(equation_2_rows)] $equation_2 using 1:(foot) with points linestyle predicted_linear title 'eq. 2', \
-  for [i=1:any(failed_rows)] $failed using 1:(2*foot) with points linestyle failed_speed title 'failed'
+  $not_periodic using 1:2 with points linestyle not_periodic title titled(not_periodic_rows, 'not periodic'), \
+  $aliased using 1:(foot) with points linestyle predicted_aliased \
+    title titled(aliased_rows, 'rule with aliasing'), \
+  $equation_2 using 1:(foot) with points linestyle predicted_linear title titled(equation_2_rows, 'eq. 2'), \
+  $failed using 1:(2*foot) with points linestyle failed_speed title titled(failed_rows, 'failed')

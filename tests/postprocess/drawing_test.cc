@@ -26,6 +26,8 @@ TEST(DrawingPrologue, QuotesTexts) {
   EXPECT_EQ(gnuplot_text("it's \"so\" `date`"), "'it''s \"so\" `date`'");
   EXPECT_EQ(gnuplot_text("a_{1}^2 @&~\\n"), "'a\\_\\{1\\}\\^2 \\@\\&\\~\\\\n'");
   EXPECT_EQ(gnuplot_text("two\nlines'\nquit"), "'two lines'' quit'");
+  EXPECT_EQ(gnuplot_text("''; x"), "\"''\".'; x'");
+  EXPECT_EQ(gnuplot_text(""), "''");
   EXPECT_EQ(gnuplot_text("\xE2\x88\x92 4"), "'\xE2\x88\x92 4'");
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <sstream>
 
 #include "postprocess/tables/table.h"
@@ -66,8 +65,10 @@ std::string data_block(const ScriptTable& table) {
 }  // namespace
 
 std::string gnuplot_text(const std::string& text) {
-  std::string quoted = "'";
-  for (const char letter : text) {
+  // gnuplot 5.4 takes a doubled quote for an end where it comes first: those stand between double quotes.
+  const std::size_t first = std::min(text.find_first_not_of('\''), text.size());
+  std::string quoted = first > 0 ? '"' + text.substr(0, first) + "\".'" : "'";
+  for (const char letter : text.substr(first)) {
     if (std::strchr("_^{}@&~\\", letter) != nullptr && letter != '\0') quoted += '\\';
     if (letter == '\'') quoted += '\'';
     quoted += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;

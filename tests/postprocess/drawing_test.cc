@@ -23,10 +23,10 @@ bool contains(const std::string& text, const std::string& part) {
 
 TEST(DrawingPrologue, QuotesTexts) {
   EXPECT_EQ(gnuplot_text("rotor 37"), "'rotor 37'");
-  EXPECT_EQ(gnuplot_text("it's \"so\" `date`"), "'it''s \"so\" `date`'");
+  EXPECT_EQ(gnuplot_text("it's \"so\" `date`"), R"('it'."\047".'s "so" `date`')");
   EXPECT_EQ(gnuplot_text("a_{1}^2 @&~\\n"), "'a\\_\\{1\\}\\^2 \\@\\&\\~\\\\n'");
-  EXPECT_EQ(gnuplot_text("two\nlines'\nquit"), "'two lines'' quit'");
-  EXPECT_EQ(gnuplot_text("''; x"), "\"''\".'; x'");
+  EXPECT_EQ(gnuplot_text("two\nlines'\nquit"), R"('two lines'."\047".' quit')");
+  EXPECT_EQ(gnuplot_text("''"), R"(''."\047".''."\047".'')");
   EXPECT_EQ(gnuplot_text(""), "''");
   EXPECT_EQ(gnuplot_text("\xE2\x88\x92 4"), "'\xE2\x88\x92 4'");
 }
@@ -45,10 +45,10 @@ TEST(DrawingPrologue, WritesEachKindOfValue) {
                                    {"nothing", std::vector<double>{}}},
                         .tables = {{"rows", {Eigen::MatrixXd::Ones(2, 2), Eigen::MatrixXd::Zero(1, 2)}}}};
   const std::string text = prologue(drawing);
-  for (const char* line :
-       {"name = 'shown'\n", "script = 'wheel'\n", "count = 3\n", "speed = 12000.0\n", "gap = 1.25e-07\n",
-        "unknown = NaN\n", "title = 'a ''b'''\n", "array names[2] = ['x', 'y']\n", "array middles[2] = [1.0, 0.5]\n",
-        "array nothing[1]\n", "$rows << EOD\n1,1\n1,1\n\n\n0,0\nEOD\nrows_rows = 3\n"})
+  for (const char* line : {"name = 'shown'\n", "script = 'wheel'\n", "count = 3\n", "speed = 12000.0\n",
+                           "gap = 1.25e-07\n", "unknown = NaN\n", "title = 'a '.\"\\047\".'b'.\"\\047\".''\n",
+                           "array names[2] = ['x', 'y']\n", "array middles[2] = [1.0, 0.5]\n", "array nothing[1]\n",
+                           "$rows << EOD\n1,1\n1,1\n\n\n0,0\nEOD\nrows_rows = 3\n"})
     EXPECT_TRUE(contains(text, line)) << line << "\n" << text;
 }
 
@@ -71,12 +71,12 @@ TEST(Drawing, ShowsATextAsItStands) {
                                    {"panels", 1},
                                    {"panel_title", std::vector<std::string>{name}},
                                    {"curves", 1},
-                                   {"curve_name", std::vector<std::string>{"'; system('touch ran'); '"}}},
+                                   {"curve_name", std::vector<std::string>{"'; system('touch ran'); '' #"}}},
                         .tables = {{"curves", {rows}}}};
   draw({drawing}, folder, 1, [] {});
   const std::string svg = text_of(folder / "hostile.svg");
   EXPECT_TRUE(contains(svg, "it's \"hot\" `touch ran` _{low}^2 @x ~a")) << svg;
-  EXPECT_TRUE(contains(svg, "'; system('touch ran'); '"));
+  EXPECT_TRUE(contains(svg, "'; system('touch ran'); '' #"));
   EXPECT_FALSE(fs::exists(folder / "ran"));
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     EXPECT_TRUE(entry.path().extension() == ".svg" || entry.path().extension() == ".png") << entry.path();

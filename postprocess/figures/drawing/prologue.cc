@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/figures/drawing/prologue.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <sstream>
@@ -65,13 +64,13 @@ std::string data_block(const ScriptTable& table) {
 }  // namespace
 
 std::string gnuplot_text(const std::string& text) {
-  // gnuplot 5.4 takes a doubled quote for an end where it comes first: those stand between double quotes.
-  const std::size_t first = std::min(text.find_first_not_of('\''), text.size());
-  std::string quoted = first > 0 ? '"' + text.substr(0, first) + "\".'" : "'";
-  for (const char letter : text.substr(first)) {
+  std::string quoted = "'";
+  for (const char letter : text) {
     if (std::strchr("_^{}@&~\\", letter) != nullptr && letter != '\0') quoted += '\\';
-    if (letter == '\'') quoted += '\'';
-    quoted += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+    if (letter == '\'')
+      quoted += R"('."\047".')";  // neither doubled nor as it is: gnuplot 5.4 loses count of either
+    else
+      quoted += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
   }
   return quoted + "'";
 }

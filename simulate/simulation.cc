@@ -15,6 +15,7 @@
 #include "cases/program/output_file.h"
 #include "cases/program/progress.h"
 #include "reduce/model/reduced_model_file.h"
+#include "simulate/march/frequency_table.h"
 #include "simulate/response/response_file.h"
 #include "simulate/sweep/run_key.h"
 #include "simulate/sweep/speed_sweep.h"
@@ -69,12 +70,13 @@ SimulatedScene describe(const Inputs& inputs, const SceneScope& scope) {
   return scene;
 }
 
-SweepTally assemble(const Inputs& inputs, const SimulatedScene& scene, const std::string& key,
+SweepTally assemble(const Inputs& inputs, const SimulatedScene& scene, const std::string& key, int threads,
                     FinishedSpeeds& finished, const std::filesystem::path& output) {
   SweepTally tally;
   OutputFile file(output);
   {
     ResponseWriter writer(file.scratch(), scene, key, program_version(program));
+    writer.add(frequency_table(inputs.model, inputs.parameters.speeds.back(), threads));
     for (const SpeedTask& task : sweep_tasks(inputs.parameters)) {
       SpeedResponse response = finished.read(task.speed);
       if (task.check == StepCheck::none) {  // a former, other list of speeds may have asked for it
@@ -163,11 +165,12 @@ std::vector<double> run_sweep(const StageArguments& arguments, const Inputs& inp
   const bool failed_anywhere = group.any(failure != nullptr);
   if (failure) std::rethrow_exception(failure);
   if (failed_anywhere) throw RunError("another process of the sweep failed; see its message");
-  const std::size_t computed = compute_missing(arguments, {inputs.model, inputs.casing, inputs.parameters, scope},
-                                               thread_count(threads, inputs.parameters, group), group, *finished);
+  threads = thread_count(threads, inputs.parameters, group);
+  const std::size_t computed =
+      compute_missing(arguments, {inputs.model, inputs.casing, inputs.parameters, scope}, threads, group, *finished);
   std::vector<double> breaking;
   if (group.leads()) {
-    const SweepTally tally = assemble(inputs, scene, key, *finished, arguments.output);
+    const SweepTally tally = assemble(inputs, scene, key, threads, *finished, arguments.output);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     say_result(arguments, inputs.parameters, tally, computed, spent.count());
     breaking = tally.breaking;

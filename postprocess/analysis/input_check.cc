@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/analysis/input_check.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "cases/program/errors.h"
 #include "postprocess/tables/units.h"
+#include "postprocess/waves/frequency_curves.h"
 
 namespace tiprub {
 
@@ -14,6 +18,19 @@ void check_speed(const SpeedResponse& response, const std::string& name) {
   if (response.recorded_revolutions < 1 || response.samples_per_revolution < 1 || response.steps_per_revolution < 1)
     throw RunError(where + "holds no whole revolution");
   if (response.contact_count.cols() < 1) throw RunError(where + "has no contact areas");
+}
+
+void check_frequencies(const ReducedModel& model, const FrequencyTable& table, const std::string& name) {
+  const Eigen::VectorXd& speeds = table.speed;
+  const bool ascending = std::adjacent_find(speeds.begin(), speeds.end(), std::greater_equal<>()) == speeds.end();
+  if (speeds.size() < FrequencyCurves::stencil || !ascending)
+    throw RunError(name + ": /frequencies/speed must hold at least " + std::to_string(FrequencyCurves::stencil) +
+                   " speeds, ascending; run tiprub-simulate");
+  const auto diameters = static_cast<std::size_t>(model.nodal_diameter_max()) + 1;
+  if (table.by_nodal_diameter.size() != diameters)
+    throw RunError(name + ": /frequencies holds " + std::to_string(table.by_nodal_diameter.size()) +
+                   " nodal diameters, the model has " + std::to_string(diameters) +
+                   "; give the model that the response was made with");
 }
 
 }  // namespace
@@ -36,6 +53,7 @@ void check_together(const ReducedModel& model, const Response& response, const s
   if (!usable)
     throw RunError(name + ": all " + std::to_string(response.speeds.size()) + " speeds failed; the first, " +
                    rpm_text(response.speeds.front().speed) + ", because: " + response.speeds.front().failure);
+  check_frequencies(model, response.frequencies, name);
 }
 
 }  // namespace tiprub

@@ -9,7 +9,7 @@
 namespace tiprub {
 
 /// Raises InputError if the model and the response are of different rotors, RunError if no speed has a usable
-/// response. `name` is the response's, for messages.
+/// response, or the table of frequencies is not the model's. `name` is the response's, for messages.
 void check_together(const ReducedModel& model, const Response& response, const std::string& name);
 
 }  // namespace tiprub

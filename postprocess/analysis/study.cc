@@ -84,7 +84,7 @@ Study make_study(const PostprocessParameters& parameters, ReducedModel model, Re
                  const SweepFiles& sweeps) {
   std::vector<SpeedResponse> failed = take_failed(response);
   const SpeedRange range{response.speeds.front().speed, response.speeds.back().speed};
-  FrequencyCurves curves(model, range.high);
+  FrequencyCurves curves(response.frequencies);
   Study study{.parameters = parameters,
               .model = std::move(model),
               .response = std::move(response),

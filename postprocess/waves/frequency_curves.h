@@ -4,22 +4,20 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "reduce/model/reduced_model.h"
+#include "simulate/response/response.h"
 
 namespace tiprub {
 
-/// Natural frequencies of the model over speed, by nodal diameter and family (0 is the lowest).
+/// Natural frequencies of the model over speed, by nodal diameter and family (0 is the lowest), between those of the
+/// response's table.
 ///
-/// The squares of the frequencies are nearly polynomials of Omega^2 (eq. 11), so they are solved at `speed_samples`
-/// speeds and read in between through the cubic (in Omega^2) of the four nearest: exact where K2 = 0 and shapes don't
-/// change with speed. Costs speed_samples eigenvalue problems a nodal diameter, each nodal diameter in its own
-/// thread.
+/// The squares of the frequencies are nearly polynomials of Omega^2 (eq. 11), so they are read through the cubic (in
+/// Omega^2) of the four nearest speeds: exact where K2 = 0 and shapes don't change with speed.
 class FrequencyCurves {
  public:
-  static constexpr int speed_samples = 33;
+  static constexpr int stencil = 4;  ///< speeds that the table must have at least, ascending
 
-  /// Curves over 0 .. speed_max [rad/s].
-  FrequencyCurves(const ReducedModel& model, double speed_max);
+  explicit FrequencyCurves(const FrequencyTable& table);
 
   int nodal_diameters() const { return static_cast<int>(squares_.size()); }
   int families(int nodal_diameter) const { return static_cast<int>(squares_[nodal_diameter].cols()); }
@@ -29,7 +27,7 @@ class FrequencyCurves {
   int nearest_family(int nodal_diameter, double frequency, double speed) const;
 
  private:
-  Eigen::VectorXd speeds_;                ///< [rad/s], uniform
+  Eigen::VectorXd speeds_;                ///< [rad/s], ascending
   std::vector<Eigen::MatrixXd> squares_;  ///< [Hz^2], sign kept; one a nodal diameter, speeds x families
 };
 

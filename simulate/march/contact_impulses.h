@@ -7,13 +7,9 @@
 
 #include "simulate/march/cache_lines.h"
 #include "simulate/march/contact_kernels.h"
+#include "simulate/scene/scheme.h"
 
 namespace tiprub {
-
-enum class ContactRule {
-  complementarity,  ///< 0 <= lambda perpendicular to g >= 0, in every step
-  paper,            ///< eqs. 14-15: every node that the free step pushes through is closed once, as an equality
-};
 
 /// The contact forces of one step. With g the gaps of the free step (positive open) and W the compliance of the
 /// contact nodes over one step (block circulant, built once a speed), finds lambda >= 0 with

@@ -35,17 +35,9 @@ Eigen::ArrayXd frequencies(const Eigen::VectorXd& squares, int nodal_diameter, d
   return squares.array().max(0.0).sqrt();
 }
 
-/// A standing wave's matrices are real, and so are its modes.
-Spectrum solve(const ReducedModel& model, int nodal_diameter, WaveKind kind, double speed) {
-  const CondensedModel at =
-      condense(model.nodal_diameters[nodal_diameter], speed, model.contact_dofs(), model.modes_at_speed);
-  if (kind == WaveKind::standing) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(at.K.real(), at.M.real());
-    return {frequencies(solver.eigenvalues(), nodal_diameter, speed),
-            at.basis * solver.eigenvectors().cast<std::complex<double>>()};
-  }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(at.K, at.M);
-  return {frequencies(solver.eigenvalues(), nodal_diameter, speed), at.basis * solver.eigenvectors()};
+Spectrum solve(const ReducedModel& model, int nodal_diameter, double speed) {
+  const ModesAtSpeed at = modes_at_speed(model, nodal_diameter, speed);
+  return {frequencies(at.omega_squared, nodal_diameter, speed), at.shapes};
 }
 
 Eigen::MatrixXcd normal_rows(const ReducedModel& model, const Spectrum& spectrum) {
@@ -84,6 +76,25 @@ WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kin
 
 }  // namespace
 
+ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, double speed, ModeParts parts) {
+  const int options =
+      Eigen::Ax_lBx | (parts == ModeParts::frequencies ? Eigen::EigenvaluesOnly : Eigen::ComputeEigenvectors);
+  // eq. 11: K(Omega); eq. 10: its projection, and that of M
+  const CondensedModel at =
+      condense(model.nodal_diameters[nodal_diameter], speed, model.contact_dofs(), model.modes_at_speed);
+  ModesAtSpeed modes;
+  if (is_standing(nodal_diameter, model.sector_count)) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(at.K.real(), at.M.real(), options);
+    modes.omega_squared = solver.eigenvalues();
+    if (parts == ModeParts::all) modes.shapes = at.basis * solver.eigenvectors().cast<std::complex<double>>();
+  } else {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(at.K, at.M, options);
+    modes.omega_squared = solver.eigenvalues();
+    if (parts == ModeParts::all) modes.shapes = at.basis * solver.eigenvectors();
+  }
+  return modes;
+}
+
 RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
                             const std::vector<double>& damping_ratios, const ModeChoice& modes) {
   RotorAtSpeed rotor;
@@ -93,7 +104,7 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
   Eigen::VectorXd tip_compliance = Eigen::VectorXd::Zero(model.contact.size());
   for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
     const WaveKind kind = wave_kind(n, model.sector_count);
-    const Spectrum spectrum = solve(model, n, kind, speed);
+    const Spectrum spectrum = solve(model, n, speed);
     omega_min = std::min(omega_min, spectrum.omega.minCoeff());
     const double share = (kind == WaveKind::standing ? 1.0 : 2.0) / model.sector_count;
     tip_compliance +=

@@ -47,6 +47,17 @@ struct RotorAtSpeed {
   double tip_stiffness = 0;       ///< [N/m] static, of the stiffest contact node, pushed alone
 };
 
+/// The modes of one nodal diameter of the model as it is marched: condensed at the speed.
+struct ModesAtSpeed {
+  Eigen::VectorXd omega_squared;  ///< [rad^2/s^2], ascending; below zero where the rotor is statically unstable
+  Eigen::MatrixXcd shapes;        ///< Phi, Phi^H M Phi = 1, in the model's coordinates; a standing wave's are real
+};
+enum class ModeParts { all, frequencies };  ///< frequencies: without shapes
+
+/// (K(Omega) - omega^2 M) Phi = 0, K of eq. 11; dense. An unstable speed is no failure here.
+ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, double speed,
+                            ModeParts parts = ModeParts::all);
+
 /// Solves one Hermitian eigenproblem a nodal diameter (n^3 once a speed, against millions of steps). Damping is by
 /// family: mode m of each nodal diameter takes damping_ratios[m], the last one holds for the rest.
 /// Raises RunError if K(Omega) has a negative eigenvalue: the rotor at this speed has no stable shape.

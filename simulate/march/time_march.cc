@@ -80,7 +80,7 @@ TimeMarch::Wave lay_out(const WaveModes& from, const SchemeOptions& scheme, doub
 }  // namespace
 
 TimeMarch::TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
-                     const MarchSetup& setup)
+                     const Eigen::VectorXd& clearance, const MarchSetup& setup)
     : setup_(setup),
       sector_count_(rotor.sector_count),
       sectors_(rotor.sector_count / setup.symmetry),
@@ -99,7 +99,7 @@ TimeMarch::TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const Cont
   gap_ = gap_before_ = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
   for (Eigen::VectorXd& displacement : displacement_) displacement = Eigen::VectorXd::Zero(size);
   clearance_ = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(width_), std::numeric_limits<double>::infinity());
-  clearance_.head(node_count_) = casing.running_clearance(contact, rotor.speed);
+  clearance_.head(node_count_) = clearance;
   build_distortion(casing, contact);
   build_compliance(rotor);
   contact_ = contact_law(setup, compliance_);

@@ -37,7 +37,9 @@ struct MarchSetup {
 class TimeMarch {
  public:
   /// Everything raises RunError if the contact compliance is no such thing.
-  TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact, const MarchSetup& setup);
+  /// `clearance` [m]: at the contact nodes at this speed (Casing::running_clearance).
+  TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
+            const Eigen::VectorXd& clearance, const MarchSetup& setup);
 
   /// predict(), then the scheme's contact law, and what its forces do.
   void step();
@@ -56,6 +58,8 @@ class TimeMarch {
   int width() const { return static_cast<int>(width_); }
   int steps_per_revolution() const { return setup_.steps_per_revolution; }
 
+  /// [m] at the contact nodes of a sector.
+  Eigen::VectorXd clearance() const { return clearance_.head(node_count_); }
   /// [m] after the last step; infinite for padding.
   const Eigen::VectorXd& gap() const { return gap_; }
   /// [m] along the normals, at the last three instants: t_q, t_{q-1}, t_{q-2}.

@@ -44,10 +44,6 @@ bool steady(const SteadyState& state) {
 
 }  // namespace
 
-double length_scale(const Scene& scene) {
-  return scene.casing.amplitude + scene.casing.given_clearance(scene.model.contact).maxCoeff();
-}
-
 Settling::Settling(const Scene& scene, TimeMarch& march)
     : scene_(scene),
       march_(march),

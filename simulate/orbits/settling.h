@@ -7,13 +7,9 @@
 #include "simulate/orbits/steady_state.h"
 #include "simulate/orbits/symmetric_map.h"
 #include "simulate/response/response.h"
-#include "simulate/scene/simulate_parameters.h"
-#include "simulate/sweep/speed_run.h"
+#include "simulate/scene/scene.h"
 
 namespace tiprub {
-
-/// [m] amplitude and clearance of a scene: what its motions are measured by.
-double length_scale(const Scene& scene);
 
 /// The march of one speed on its way to the settled motion: revolutions, their bound, and the judgement.
 class Settling {

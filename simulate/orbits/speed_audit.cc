@@ -129,7 +129,7 @@ double excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, cons
   whole_rotor.waves.insert(whole_rotor.waves.end(), rotor.others.begin(), rotor.others.end());
   MarchSetup setup = settled.setup();
   setup.symmetry = 1;
-  TimeMarch whole(whole_rotor, casing, contact, setup);
+  TimeMarch whole(whole_rotor, casing, contact, settled.clearance(), setup);
   const std::vector<std::size_t> others = seed_whole_wheel(settled, rotor.waves.size(), whole);
   whole.set_step(settled.step_count());
   std::vector<double> logarithms;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "simulate/scene/scene_scope.h"
+
 namespace tiprub {
 
 namespace {
@@ -30,13 +32,6 @@ Eigen::Matrix2cd lift_of(double a, double b, int steps, std::complex<double> pha
 }
 
 }  // namespace
-
-int sector_shift(int sector_count, int lobes) {
-  const int common = std::gcd(sector_count, lobes), sectors = sector_count / common;
-  int shift = 0;
-  while ((shift * static_cast<std::int64_t>(lobes / common) - 1) % sectors != 0) ++shift;
-  return shift;
-}
 
 SymmetricMap::SymmetricMap(TimeMarch& march, int lobes)
     : march_(march), maps_(std::lcm(march.sector_count(), lobes)) {

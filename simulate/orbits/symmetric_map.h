@@ -11,10 +11,6 @@
 
 namespace tiprub {
 
-/// Sectors by which the wheel is relabelled after 1/lcm(N, lobes) of a revolution to meet the same casing again:
-/// the s in 0 .. N/g - 1 with s (lobes/g) = 1 mod N/g, g = gcd(N, lobes).
-int sector_shift(int sector_count, int lobes);
-
 /// The march over 1/lcm(N, lobes) of a revolution, then a shift of sectors: an orbit that travels with the casing,
 ///   u_j(t + T/lcm(N, lobes)) = u_{j+s}(t),
 /// is a fixed point, found lcm(N, lobes) times as often a revolution as by the whole one. The shift is a phase,

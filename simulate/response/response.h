@@ -88,6 +88,7 @@ struct SpeedResponse {
   double change = 0;           ///< [1] relative change of the motion over the last period
   double change_rate = 0;      ///< [1] factor of that change per revolution; below 1 it decays
 
+  Eigen::VectorXd clearance;  ///< [m] at the contact nodes at this speed, spin included; n_c
   /// [m] r, theta, z in the rotor frame, without the static shift; samples x (sector, node, component), the last
   /// index fastest.
   Eigen::MatrixXd displacement;
@@ -124,11 +125,20 @@ struct SimulatedScene {
   std::string provenance;             ///< the case and the chain that made it, as text
 };
 
+/// The natural frequencies of the model that was marched, condensed at each speed (reduce/model/condensation.h).
+struct FrequencyTable {
+  Eigen::VectorXd speed;  ///< [rad/s] even, from 0 to the highest speed of the sweep
+  /// [Hz] one a nodal diameter 0 .. N/2, moving or not; speeds x modes, ascending in a row; negative,
+  /// -sqrt(-omega^2), where the rotor is statically unstable.
+  std::vector<Eigen::MatrixXd> by_nodal_diameter;
+};
+
 /// response.h5 in memory. Schema "tiprub-response".
 struct Response {
   SimulatedScene scene;
   std::string key;  ///< names all that decides a speed's result (model, casing, scheme): equal keys, equal results
   std::vector<SpeedResponse> speeds;  ///< ascending in speed
+  FrequencyTable frequencies = {};    ///< empty in the parts of an unfinished sweep
 };
 
 }  // namespace tiprub

@@ -1,234 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/response/response_file.h"
 
-#include <array>
-#include <numbers>
-#include <optional>
-#include <type_traits>
 #include <utility>
 
 #include "reduce/model/hdf5_file.h"
+#include "simulate/response/speed_group.h"
 
 namespace tiprub {
 
 namespace {
 
 constexpr const char* schema = "tiprub-response";
-constexpr int schema_version = 1;
+constexpr int schema_version = 2;
+constexpr int version_without_frequencies = 1;
+const std::string frequency_group = "/frequencies";
 const std::string end_group = "/end";
-
-constexpr std::array<std::pair<MotionClass, const char*>, 3> motion_names = {{
-    {MotionClass::periodic, "periodic"},
-    {MotionClass::subharmonic, "subharmonic"},
-    {MotionClass::irregular, "irregular"},
-}};
 
 std::string group_of(std::size_t index) {
   const std::string digits = std::to_string(index);
   return "/speed/" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
-}
-
-/// The columns of a matrix seen as further axes of an array; rows first.
-Array<double> unfold(const Eigen::MatrixXd& matrix, const std::vector<std::size_t>& column_axes) {
-  Array<double> array;
-  array.shape = {static_cast<std::size_t>(matrix.rows())};
-  array.shape.insert(array.shape.end(), column_axes.begin(), column_axes.end());
-  array.values.resize(matrix.size());
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Eigen::Map<RowMajor>(array.values.data(), matrix.rows(), matrix.cols()) = matrix;
-  return array;
-}
-
-Eigen::MatrixXd fold(const Array<double>& array) {
-  const Eigen::Index rows = array.shape.empty() ? 0 : static_cast<Eigen::Index>(array.shape.front());
-  const Eigen::Index columns = rows == 0 ? 0 : static_cast<Eigen::Index>(array.values.size()) / rows;
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<const RowMajor>(array.values.data(), rows, columns);
-}
-
-constexpr std::array<std::pair<SymmetryVerdict, const char*>, 4> symmetry_names = {{
-    {SymmetryVerdict::all_held, "all held"},
-    {SymmetryVerdict::unchecked, "unchecked"},
-    {SymmetryVerdict::holds, "holds"},
-    {SymmetryVerdict::breaking, "breaking"},
-}};
-
-constexpr std::array<std::pair<AccelerationReport::Outcome, const char*>, 3> outcome_names = {{
-    {AccelerationReport::Outcome::none, "none"},
-    {AccelerationReport::Outcome::settled, "settled"},
-    {AccelerationReport::Outcome::fell_back, "fell back"},
-}};
-
-template <class Names, class Value>
-const char* name_of(const Names& names, Value value) {
-  for (const auto& [known, name] : names)
-    if (known == value) return name;
-  return "";
-}
-
-template <class Names>
-auto value_named(const Names& names, const std::string& name, const std::string& where) {
-  for (const auto& [value, known] : names)
-    if (name == known) return value;
-  throw RunError(where + " \"" + name + "\" is not known");
-}
-
-/// Every number of a speed with its name in the file: one list for the writer and the reader.
-template <class Speed, class Visit>
-void visit_numbers(Speed& at, Visit visit) {
-  visit("steps_per_revolution", at.steps_per_revolution);
-  visit("samples_per_revolution", at.samples_per_revolution);
-  visit("recorded_revolutions", at.recorded_revolutions);
-  visit("revolutions", at.revolutions);
-  visit("period_revolutions", at.period_revolutions);
-  visit("change", at.change);
-  visit("change_rate", at.change_rate);
-  visit("contact_work", at.energy.contact_work);
-  visit("dissipated", at.energy.dissipated);
-  visit("energy_change", at.energy.energy_change);
-  visit("energy_closing_error", at.energy.closing_error);
-  visit("step_ratio", at.step_ratio);
-  visit("largest_penetration", at.largest_penetration);
-  visit("smallest_multiplier", at.smallest_multiplier);
-  visit("contact_steps", at.contact_steps);
-  visit("tension_steps", at.tension_steps);
-  visit("solver_fallbacks", at.solver_fallbacks);
-  visit("halving_difference", at.audit.halving_difference);
-  visit("excluded_growth", at.audit.excluded_growth);
-  visit("rest_difference", at.audit.rest_difference);
-  visit("left_out_energy", at.audit.left_out_energy);
-  visit("compliance_condition", at.audit.compliance_condition);
-  visit("leftover_steps", at.audit.leftover_steps);
-  visit("tension_share", at.audit.tension_share);
-}
-
-void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse& at) {
-  visit_numbers(at, [&](const char* name, const auto& value) {
-    using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::is_same_v<Value, std::optional<double>>) {
-      if (value) file.set_attribute(group, name, *value);  // absent where it wasn't looked at
-    } else if constexpr (std::is_same_v<Value, std::int64_t>) {
-      file.set_attribute(group, name, static_cast<double>(value));
-    } else {
-      file.set_attribute(group, name, value);
-    }
-  });
-}
-
-void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse& at) {
-  visit_numbers(at, [&](const char* name, auto& value) {
-    using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::is_same_v<Value, std::optional<double>>) {
-      if (file.has_attribute(group, name)) value = file.number_attribute(group, name);
-    } else if constexpr (std::is_same_v<Value, int>) {
-      value = file.integer_attribute(group, name);
-    } else {
-      value = static_cast<Value>(file.number_attribute(group, name));
-    }
-  });
-}
-
-std::string snapshot_of(const std::string& group, int nodal_diameter) {
-  return group + "/snapshot/" + std::to_string(nodal_diameter);
-}
-
-void write_snapshot(Hdf5File& file, const std::string& group, const RotorSnapshot& snapshot, const SpeedResponse& at,
-                    const SimulatedScene& scene) {
-  for (std::size_t i = 0; i < snapshot.displacement.size(); ++i)
-    file.write(snapshot_of(group, scene.nodal_diameters[i]), Eigen::MatrixXcd(snapshot.displacement[i]),
-               "m in contact dofs");
-  file.set_attribute(group + "/snapshot", "sample", snapshot.sample);
-  file.set_attribute(group + "/snapshot", "angle",
-                     2 * std::numbers::pi * snapshot.sample / at.samples_per_revolution);
-  file.set_attribute(group + "/snapshot", "contact_force", snapshot.force);
-}
-
-std::optional<RotorSnapshot> read_snapshot(const Hdf5File& file, const std::string& group,
-                                           const SimulatedScene& scene, Eigen::Index samples) {
-  if (!file.exists(group + "/snapshot")) return std::nullopt;
-  RotorSnapshot snapshot;
-  snapshot.sample = file.integer_attribute(group + "/snapshot", "sample");
-  snapshot.force = file.number_attribute(group + "/snapshot", "contact_force");
-  if (snapshot.sample < 0 || snapshot.sample >= samples)
-    throw RunError(file.path() + ": " + group + "/snapshot: sample " + std::to_string(snapshot.sample) +
-                   " is not one of the " + std::to_string(samples) + " recorded ones");
-  for (const int n : scene.nodal_diameters) {
-    const Eigen::MatrixXcd state = file.read_complex_matrix(snapshot_of(group, n));
-    if (state.cols() != 1) throw RunError(file.path() + ": " + snapshot_of(group, n) + " must have one column");
-    snapshot.displacement.emplace_back(state.col(0));
-  }
-  return snapshot;
-}
-
-/// Only where it was asked for; older files have none.
-void write_acceleration(Hdf5File& file, const std::string& group, const AccelerationReport& acceleration) {
-  if (acceleration.outcome == AccelerationReport::Outcome::none) return;
-  file.set_attribute(group, "acceleration", std::string(name_of(outcome_names, acceleration.outcome)));
-  file.set_attribute(group, "acceleration_revolutions", acceleration.revolutions);
-  file.set_attribute(group, "acceleration_residual", acceleration.residual);
-}
-
-AccelerationReport read_acceleration(const Hdf5File& file, const std::string& group) {
-  if (!file.has_attribute(group, "acceleration")) return {};
-  return {value_named(outcome_names, file.text_attribute(group, "acceleration"),
-                      file.path() + ": " + group + ": acceleration"),
-          file.number_attribute(group, "acceleration_revolutions"),
-          file.number_attribute(group, "acceleration_residual")};
-}
-
-void write_speed(Hdf5File& file, const std::string& group, const SpeedResponse& at, const SimulatedScene& scene) {
-  file.set_attribute(group, "speed", at.speed);
-  file.set_attribute(group, "failure", at.failure);
-  file.set_attribute(group, "motion", std::string(name_of(motion_names, at.motion)));
-  file.set_attribute(group, "symmetry", std::string(name_of(symmetry_names, at.audit.symmetry)));
-  file.set_attribute(group, "halving_measure", at.audit.halving_measure);
-  write_numbers(file, group, at);
-  write_acceleration(file, group, at.audit.acceleration);
-  if (!at.failure.empty()) return;
-  const auto sectors = static_cast<std::size_t>(scene.independent_sectors);
-  const auto nodes = static_cast<std::size_t>(scene.clearance.size());
-  file.write(group + "/displacement", unfold(at.displacement, {sectors, nodes, 3}), "m");
-  file.write(group + "/contact_force", unfold(at.contact_force, {sectors, nodes}), "N");
-  const Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> counts = at.contact_count;
-  file.write(group + "/contact_count",
-             Array<std::int32_t>{{sectors, nodes, static_cast<std::size_t>(counts.cols())},
-                                 {counts.data(), counts.data() + counts.size()}},
-             "steps");
-  if (at.snapshot) write_snapshot(file, group, *at.snapshot, at, scene);
-}
-
-void require_columns(const Eigen::MatrixXd& table, const std::string& where, Eigen::Index rows,
-                     Eigen::Index columns) {
-  if (table.rows() != rows || table.cols() != columns)
-    throw RunError(where + ": has " + std::to_string(table.rows()) + " samples of " + std::to_string(table.cols()) +
-                   " values, must have " + std::to_string(rows) + " of " + std::to_string(columns));
-}
-
-SpeedResponse read_speed(const Hdf5File& file, const std::string& group, const SimulatedScene& scene) {
-  SpeedResponse at;
-  at.speed = file.number_attribute(group, "speed");
-  at.failure = file.text_attribute(group, "failure");
-  const std::string where = file.path() + ": " + group;
-  at.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
-  at.audit.symmetry = value_named(symmetry_names, file.text_attribute(group, "symmetry"), where + ": symmetry");
-  at.audit.halving_measure = file.text_attribute(group, "halving_measure");
-  read_numbers(file, group, at);
-  at.audit.acceleration = read_acceleration(file, group);
-  if (!at.failure.empty()) return at;
-  const Eigen::Index samples = static_cast<Eigen::Index>(at.samples_per_revolution) * at.recorded_revolutions;
-  const Eigen::Index points = scene.independent_sectors * scene.clearance.size();
-  at.displacement = fold(file.read_array(group + "/displacement"));
-  at.contact_force = fold(file.read_array(group + "/contact_force"));
-  require_columns(at.displacement, file.path() + ": " + group + "/displacement", samples, 3 * points);
-  require_columns(at.contact_force, file.path() + ": " + group + "/contact_force", samples, points);
-  const Array<std::int32_t> counts = file.read_integers(group + "/contact_count");
-  if (counts.shape.size() != 3 || static_cast<Eigen::Index>(counts.shape[0] * counts.shape[1]) != points)
-    throw RunError(file.path() + ": " + group + "/contact_count must have the axes sector, node, area");
-  using RowMajor = Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  at.contact_count =
-      Eigen::Map<const RowMajor>(counts.values.data(), points, static_cast<Eigen::Index>(counts.shape[2]));
-  at.snapshot = read_snapshot(file, group, scene, samples);
-  return at;
 }
 
 void write_scene(Hdf5File& file, const SimulatedScene& scene) {
@@ -265,6 +55,34 @@ SimulatedScene read_scene(const Hdf5File& file) {
   return scene;
 }
 
+std::string frequencies_at(std::size_t nodal_diameter) {
+  return frequency_group + "/nodal_diameter/" + std::to_string(nodal_diameter);
+}
+
+FrequencyTable read_frequencies(const Hdf5File& file) {
+  FrequencyTable table;
+  if (!file.exists(frequency_group)) return table;
+  table.speed = file.read_vector(frequency_group + "/speed");
+  for (std::size_t n = 0; file.exists(frequencies_at(n)); ++n) {
+    table.by_nodal_diameter.push_back(file.read_matrix(frequencies_at(n)));
+    if (table.by_nodal_diameter.back().rows() != table.speed.size())
+      throw RunError(file.path() + ": " + frequencies_at(n) + " must have a row for each of the " +
+                     std::to_string(table.speed.size()) + " speeds");
+  }
+  return table;
+}
+
+Hdf5File open_response(const std::filesystem::path& path) {
+  Hdf5File file = Hdf5File::open(path);
+  if (file.has_attribute("/", "schema") && file.text_attribute("/", "schema") == schema &&
+      file.has_attribute("/", "schema_version") &&
+      file.integer_attribute("/", "schema_version") == version_without_frequencies)
+    throw RunError(file.path() + ": is " + schema + " version " + std::to_string(version_without_frequencies) +
+                   ", made by an older tiprub-simulate; run it again");
+  file.require_schema(schema, schema_version);
+  return file;
+}
+
 }  // namespace
 
 struct ResponseWriter::State {
@@ -284,7 +102,13 @@ ResponseWriter::ResponseWriter(const std::filesystem::path& path, const Simulate
 ResponseWriter::~ResponseWriter() = default;
 
 void ResponseWriter::add(const SpeedResponse& speed) {
-  write_speed(state_->file, group_of(state_->count++), speed, state_->scene);
+  write_speed_group(state_->file, group_of(state_->count++), speed, state_->scene);
+}
+
+void ResponseWriter::add(const FrequencyTable& frequencies) {
+  state_->file.write(frequency_group + "/speed", frequencies.speed, "rad/s");
+  for (std::size_t n = 0; n < frequencies.by_nodal_diameter.size(); ++n)
+    state_->file.write(frequencies_at(n), frequencies.by_nodal_diameter[n], "Hz");
 }
 
 void ResponseWriter::add_end(const RotorState& state) {
@@ -314,24 +138,24 @@ RotorState read_end_state(const std::filesystem::path& path) {
 
 void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator) {
   ResponseWriter writer(path, response.scene, response.key, generator);
+  if (response.frequencies.speed.size() > 0) writer.add(response.frequencies);
   for (const SpeedResponse& speed : response.speeds) writer.add(speed);
 }
 
 std::string read_response_key(const std::filesystem::path& path) {
-  const Hdf5File file = Hdf5File::open(path);
-  file.require_schema(schema, schema_version);
+  const Hdf5File file = open_response(path);
   return file.text_attribute("/", "key");
 }
 
 Response read_response(const std::filesystem::path& path) {
-  const Hdf5File file = Hdf5File::open(path);
-  file.require_schema(schema, schema_version);
+  const Hdf5File file = open_response(path);
   Response response;
   response.key = file.text_attribute("/", "key");
   response.scene = read_scene(file);
+  response.frequencies = read_frequencies(file);
   if (!file.exists("/speed")) return response;
   for (const std::string& name : file.members("/speed"))
-    response.speeds.push_back(read_speed(file, "/speed/" + name, response.scene));
+    response.speeds.push_back(read_speed_group(file, "/speed/" + name, response.scene));
   return response;
 }
 

@@ -5,12 +5,12 @@
 #include <memory>
 #include <string>
 
-#include "simulate/march/rotor_state.h"
 #include "simulate/response/response.h"
+#include "simulate/response/rotor_state.h"
 
 namespace tiprub {
 
-/// response.h5, schema "tiprub-response" version 1; the format is described in simulate/README.md.
+/// response.h5, schema "tiprub-response" version 2; the format is described in simulate/README.md.
 void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator);
 
 /// The same file speed by speed, for sweeps that don't fit into memory. Speeds must come in ascending order.
@@ -21,6 +21,8 @@ class ResponseWriter {
   ~ResponseWriter();
 
   void add(const SpeedResponse& speed);
+  /// Once, before or after the speeds.
+  void add(const FrequencyTable& frequencies);
   /// The state at the end of the last one; for the parts of a sweep that carries it on.
   void add_end(const RotorState& state);
 

@@ -2,13 +2,13 @@
 #include "simulate/scene/scene_scope.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <sstream>
 
 #include "cases/program/errors.h"
-#include "simulate/orbits/symmetric_map.h"
 
 namespace tiprub {
 
@@ -62,6 +62,13 @@ void explain(SceneScope& scope, int sector_count, int lobes, int grid, const Sim
 }
 
 }  // namespace
+
+int sector_shift(int sector_count, int lobes) {
+  const int common = std::gcd(sector_count, lobes), sectors = sector_count / common;
+  int shift = 0;
+  while ((shift * static_cast<std::int64_t>(lobes / common) - 1) % sectors != 0) ++shift;
+  return shift;
+}
 
 SceneScope find_scope(int sector_count, int lobes, const SimulateParameters& parameters) {
   SceneScope scope;

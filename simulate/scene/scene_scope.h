@@ -20,6 +20,10 @@ struct SceneScope {
   std::vector<std::string> reasons;  ///< one line a choice
 };
 
+/// Sectors by which the wheel is relabelled after 1/lcm(N, lobes) of a revolution to meet the same casing again:
+/// the s in 0 .. N/g - 1 with s (lobes/g) = 1 mod N/g, g = gcd(N, lobes).
+int sector_shift(int sector_count, int lobes);
+
 SceneScope find_scope(int sector_count, int lobes, const SimulateParameters& parameters);
 
 /// The smallest multiple of the samples that resolves the first frequency [Hz] at a speed [rad/s]: the casing's phase

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "cases/program/case_file.h"
-#include "simulate/march/contact_impulses.h"
-#include "simulate/march/integrators/step_coefficients.h"
+#include "simulate/scene/scheme.h"
 
 namespace tiprub {
 

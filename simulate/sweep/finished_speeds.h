@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-#include "simulate/march/rotor_state.h"
 #include "simulate/response/response.h"
+#include "simulate/response/rotor_state.h"
 #include "simulate/sweep/speed_run.h"
 
 namespace tiprub {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "cases/program/errors.h"
+#include "simulate/march/carried_state.h"
 #include "simulate/march/integrators/penalty.h"
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
@@ -24,10 +25,11 @@ constexpr double leftover_gap = 1e-9;  // of amplitude and clearance: a penetrat
 constexpr double seed_motion = 1e-3;   // of the casing's amplitude: wakes nodal diameters that symmetry keeps still
 constexpr double worst_condition = 1e12;  // of W, if modes are dropped: beyond it, it has lost its rank
 
-void require_open_at_rest(const Scene& scene, double speed) {
-  const Eigen::VectorXd clearance = scene.casing.running_clearance(scene.model.contact, speed);
+/// [m] of a speed in rad/s. Raises RunError if spin closes it.
+Eigen::VectorXd open_clearance(const Scene& scene, double speed) {
+  Eigen::VectorXd clearance = scene.casing.running_clearance(scene.model.contact, speed);
   Eigen::Index node = 0;
-  if (clearance.minCoeff(&node) >= 0) return;
+  if (clearance.minCoeff(&node) >= 0) return clearance;
   std::ostringstream text;
   text << "spin closes the cold clearance: contact node " << node << " (from 0, leading edge first) is left with "
        << clearance[node] << " m at " << speed << " rad/s; widen [casing] clearance, or give the running one";
@@ -142,12 +144,12 @@ Marched settle(const Scene& scene, const RotorState& start, int step_factor, Spe
   Marched at;
   at.rotor = std::make_unique<RotorAtSpeed>(rotor_at_speed(scene.model, response.speed, scene.scope.nodal_diameters,
                                                            parameters.damping_ratios, mode_choice(parameters)));
-  require_open_at_rest(scene, response.speed);
+  response.clearance = open_clearance(scene, response.speed);
   response.steps_per_revolution =
       step_factor * steps_per_revolution(scene.scope, parameters, at.rotor->first_frequency, response.speed);
   const double stiffness = parameters.penalty_stiffness * at.rotor->tip_stiffness;
   at.march =
-      std::make_unique<TimeMarch>(*at.rotor, scene.casing, scene.model.contact,
+      std::make_unique<TimeMarch>(*at.rotor, scene.casing, scene.model.contact, response.clearance,
                                   MarchSetup{parameters.scheme, parameters.contact, response.steps_per_revolution,
                                              scene.scope.symmetry, parameters.theta, stiffness});
   const double omega_max =

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "reduce/model/reduced_model.h"
-#include "simulate/march/rotor_state.h"
 #include "simulate/response/response.h"
-#include "simulate/scene/casing.h"
-#include "simulate/scene/scene_scope.h"
-#include "simulate/scene/simulate_parameters.h"
+#include "simulate/response/rotor_state.h"
+#include "simulate/scene/scene.h"
 
 namespace tiprub {
-
-/// All that a sweep's speeds have in common.
-struct Scene {
-  const ReducedModel& model;
-  const Casing& casing;
-  const SimulateParameters& parameters;
-  const SceneScope& scope;
-};
 
 /// What is looked at beside the march itself.
 enum class StepCheck { none, halved };

@@ -44,6 +44,7 @@ Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, bool fine)
   Cost cost;
   cost.steps = fine ? central_steps(wheel, rotor) : default_steps(wheel, rotor);
   TimeMarch march(rotor, wheel.casing, wheel.model.contact,
+                  wheel.casing.running_clearance(wheel.model.contact, wheel.speed),
                   {scheme, ContactRule::complementarity, cost.steps, symmetry});
   const int settling = static_cast<int>(wheel.casing.ramp_revolutions + 8) * cost.steps;
   for (int i = 0; i < settling; ++i) march.step();

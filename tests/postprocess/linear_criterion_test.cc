@@ -18,7 +18,7 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 /// eq. 2 at f_c = 0.
 TEST(LinearCriterion, Equation2MatchesTheClosedForm) {
-  const FrequencyCurves curves(synthetic::model(), 2500);
+  const FrequencyCurves curves(synthetic::frequencies(synthetic::model()));
   const SpeedRange range{1000, 2500};
   const std::vector<Crossing> crossings = equation_2_crossings(curves, 10, 2, range);
   std::size_t expected = 0;
@@ -40,7 +40,7 @@ TEST(LinearCriterion, Equation2MatchesTheClosedForm) {
 
 /// eq. 16: every engine order is a multiple of N_l = 2.
 TEST(LinearCriterion, AliasedCrossingsMatchTheClosedForm) {
-  const FrequencyCurves curves(synthetic::model(), 2500);
+  const FrequencyCurves curves(synthetic::frequencies(synthetic::model()));
   for (const Crossing& crossing : aliased_crossings(curves, 10, 2, 2, 12, {1000, 2500})) {
     EXPECT_EQ(crossing.engine_order % 2, 0);
     EXPECT_EQ(crossing.signed_nodal_diameter, signed_nodal_diameter(crossing.engine_order, 10));
@@ -62,7 +62,7 @@ TEST(LinearCriterion, AFlexibleCasingGivesBothRoots) {
 }
 
 TEST(FrequencyCurves, FollowTheClosedFormBetweenTheirSamples) {
-  const FrequencyCurves curves(synthetic::model(9), 2500);
+  const FrequencyCurves curves(synthetic::frequencies(synthetic::model(9)));
   EXPECT_EQ(curves.nodal_diameters(), 5);
   for (const double speed : {0.0, 37.0, 911.0, 1777.7, 2500.0})
     for (int n = 0; n < 5; ++n)

@@ -24,6 +24,8 @@ expect_message(not_finite INPUTS ${made}/case.toml ${made}/model.h5 ${made}/nan_
                ERRORS "response.h5")
 expect_message(only_failures INPUTS ${made}/case.toml ${made}/model.h5 ${made}/failed_response.h5=response.h5 EXIT_CODE 1
                ERRORS "it blew up")
+expect_message(no_frequencies INPUTS ${made}/case.toml ${made}/model.h5 ${made}/bare_response.h5=response.h5 EXIT_CODE 1
+               ERRORS "response.h5: /frequencies/speed must hold at least 4 speeds")
 expect_message(no_gnuplot PROGRAM /usr/bin/env PATH=/nowhere $<TARGET_FILE:tiprub-postprocess> EXIT_CODE 1
                ERRORS "install it (Debian: gnuplot-nox)")
 

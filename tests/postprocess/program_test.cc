@@ -89,7 +89,7 @@ TEST_F(Program, DrawsASingleSpeedAndASingleBlade) {
   SimulatedScene scene = synthetic::two_lobes();
   scene.sector_count = scene.independent_sectors = 1;
   scene.nodal_diameters = {0};
-  Response response{scene, "made", {}};
+  Response response{scene, "made", {}, synthetic::frequencies(rotor)};
   response.speeds.push_back(synthetic::speed(scene, rotor.contact, 1500, {{2, 0, 1e-5, 0}}, 1));
   write_model(rotor, folder_ / "one_blade.h5", "test");
   write_response(response, folder_ / "one_speed.h5", "test");
@@ -99,7 +99,7 @@ TEST_F(Program, DrawsASingleSpeedAndASingleBlade) {
 
 TEST_F(Program, DrawsAWheelThatNeverTouchesNorMoves) {
   ReducedModel rotor = synthetic::model();
-  Response response{synthetic::two_lobes(), "made", {}};
+  Response response{synthetic::two_lobes(), "made", {}, synthetic::frequencies(rotor)};
   response.scene.clearance.setConstant(1.0);
   for (const double speed : {1200.0, 1300.0, 1400.0})
     response.speeds.push_back(synthetic::speed(response.scene, rotor.contact, speed, {}, 2));

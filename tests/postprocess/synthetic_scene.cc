@@ -70,6 +70,7 @@ SpeedResponse motionless(const SimulatedScene& scene, const ContactLine& contact
   const int points = scene.independent_sectors * contact.size();
   SpeedResponse response;
   response.speed = omega;
+  response.clearance = scene.clearance;
   response.samples_per_revolution = samples_per_revolution;
   response.steps_per_revolution = samples_per_revolution * steps_per_sample;
   response.recorded_revolutions = recorded_revolutions;
@@ -147,6 +148,17 @@ ReducedModel model(int sector_count) {
   return model;
 }
 
+FrequencyTable frequencies(const ReducedModel& model) {
+  constexpr int speeds = 33;
+  FrequencyTable table;
+  table.speed = Eigen::VectorXd::LinSpaced(speeds, 0.0, model.speed_max);
+  for (const NodalDiameterModel& matrices : model.nodal_diameters) {
+    Eigen::MatrixXd& curves = table.by_nodal_diameter.emplace_back(speeds, matrices.M.rows());
+    for (int i = 0; i < speeds; ++i) curves.row(i) = matrices.natural_frequencies(table.speed[i]);
+  }
+  return table;
+}
+
 SimulatedScene two_lobes() {
   constexpr int points = 721;
   SimulatedScene scene;
@@ -189,6 +201,7 @@ Response resonant_sweep(const ReducedModel& rotor) {
   Response response;
   response.scene = two_lobes();
   response.key = "made";
+  response.frequencies = frequencies(rotor);
   for (int i = 0; i < count; ++i) {
     const double omega = (10500.0 + 8000.0 * i / (count - 1)) * rad_s_per_rpm;
     std::vector<Wave> waves;

@@ -26,6 +26,9 @@ double crossing_speed(int nodal_diameter, int family, int engine_order);
 /// N = 10 (or another number of sectors), four contact nodes on a tip line that turns from radial to axial.
 ReducedModel model(int sector_count = 10);
 
+/// Its natural frequencies over 0 .. 2500 rad/s.
+FrequencyTable frequencies(const ReducedModel& model);
+
 /// One travelling wave: sector j moves as amplitude cos(k (Omega t) + n j alpha + phase) along the normal.
 struct Wave {
   double engine_order = 0;

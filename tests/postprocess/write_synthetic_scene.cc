@@ -37,10 +37,17 @@ void write_response_of_failures(const std::filesystem::path& path) {
   write_response(response, path, "test");
 }
 
+void write_response_without_frequencies(const std::filesystem::path& path) {
+  Response response{two_lobes(), "made", {}};
+  response.speeds.push_back(speed(response.scene, model().contact, 1500, {}, 1));
+  write_response(response, path, "test");
+}
+
 void write_wrong_files(const std::filesystem::path& folder) {
   write_model(model(9), folder / "nine_sectors_model.h5", "test");
   write_fields_of_one_sector(folder / "one_sector_fields.h5");
   write_response_with_a_nan(folder / "nan_response.h5");
+  write_response_without_frequencies(folder / "bare_response.h5");
   write_response_of_failures(folder / "failed_response.h5");
 }
 

@@ -106,7 +106,7 @@ Bench make_bench(const ReducedModel& model, const Casing& casing, double speed, 
   for (int n : all_nodal_diameters(model))
     if (n % setup.symmetry == 0) moving.push_back(n);
   RotorAtSpeed rotor = rotor_at_speed(model, speed, moving, {damping_ratio});
-  TimeMarch march(rotor, casing, model.contact, setup);
+  TimeMarch march(rotor, casing, model.contact, casing.running_clearance(model.contact, speed), setup);
   return {std::move(rotor), std::move(march)};
 }
 

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "simulate/scene/scheme.h"
+
 #include <Eigen/Dense>
 
 namespace tiprub {
-
-/// The schemes; one file each in this folder. All are two-step recurrences of modal coordinates and share one loop
-/// (TimeMarch): they differ in the coefficients of the step and in the law that gives the contact force.
-enum class Scheme {
-  trigonometric,        ///< exact in statics and, up to 2.4 rad a step, in free flight (Gautschi 1961); no step limit
-  central_differences,  ///< the paper's eq. 13; holds for h omega_max < 2
-  residual_flexibility,  ///< trigonometric for the lower modes; the others follow their forces at once, without mass
-  moreau_jean,           ///< theta method, impulses on the velocities of closed nodes (Moreau 1988, Jean 1999)
-  penalty,               ///< central differences; a penetrating node is pushed by a spring
-};
 
 /// One step of a modal coordinate, q+ = a q - b q- + c f, f the modal force at the middle instant. Arrays over modes.
 /// For any member of this family a step is, with the modified mass mu = h^2 (1 + b) / (2 c) and the damping

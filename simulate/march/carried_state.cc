@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/march/rotor_state.h"
+#include "simulate/march/carried_state.h"
 
 #include <numbers>
 

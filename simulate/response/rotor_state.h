@@ -4,10 +4,6 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "reduce/model/reduced_model.h"
-#include "simulate/march/rotor_at_speed.h"
-#include "simulate/march/time_march.h"
-
 namespace tiprub {
 
 /// The motion of a wheel at an instant on whole revolutions, in the model's coordinates, so that a march at another
@@ -19,11 +15,5 @@ struct RotorState {
 
   bool at_rest() const { return displacement.empty(); }
 };
-
-/// What a march is at. Backward difference over the last step: a start for the next settling, no restart.
-RotorState state_of(const TimeMarch& march, const RotorAtSpeed& rotor, const ReducedModel& model);
-
-/// Puts a state into a march; the modes that it doesn't keep lose their part.
-void put_state(const RotorState& state, const RotorAtSpeed& rotor, const ReducedModel& model, TimeMarch& march);
 
 }  // namespace tiprub

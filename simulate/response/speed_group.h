@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "reduce/model/hdf5_file.h"
+#include "simulate/response/response.h"
+
+namespace tiprub {
+
+/// One speed's group of response.h5, "/speed/00000", ...: attributes, arrays and snapshot, as simulate/README.md
+/// lists them. A speed that failed has no datasets.
+void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& response,
+                       const SimulatedScene& scene);
+
+/// Raises RunError if an attribute is missing or unknown, or the arrays don't fit together and to the scene.
+SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene);
+
+}  // namespace tiprub

@@ -53,7 +53,10 @@ struct CaseTable::Node {
   /// Never a copy: toml++ drops the positions of what it copies. A table inside another one keeps the whole alive.
   std::shared_ptr<const toml::table> values = std::make_shared<toml::table>();
   std::vector<std::string> asked;
-  std::vector<std::string> lines;
+  struct Setting {
+    std::string key, value, unit;
+  };
+  std::vector<Setting> settings;  ///< what was read, in the order of reading
   std::vector<std::pair<std::string, std::shared_ptr<Node>>> children;
 
   std::string where(const toml::node* node) const {
@@ -71,7 +74,7 @@ struct CaseTable::Node {
     return node;
   }
   void note(std::string_view key, const std::string& value, std::string_view unit) {
-    lines.push_back(std::string(key) + " = " + value + (unit.empty() ? "" : "  # " + std::string(unit)));
+    settings.push_back({std::string(key), value, std::string(unit)});
   }
   double number_at(const toml::node& node, std::string_view key, const Range& range, std::string_view unit) const {
     const auto value = node.value<double>();
@@ -229,9 +232,16 @@ void CaseTable::close() const {
   for (const auto& [key, child] : node_->children) CaseTable(child).close();
 }
 
+CaseSettings CaseTable::settings() const {
+  CaseSettings settings;
+  for (const auto& [key, value, unit] : node_->settings) settings.emplace_back(key, value);
+  return settings;
+}
+
 std::string CaseTable::resolved() const {
   std::string text;
-  for (const std::string& line : node_->lines) text += line + "\n";
+  for (const auto& [key, value, unit] : node_->settings)
+    text += key + " = " + value + (unit.empty() ? "" : "  # " + unit) + "\n";
   for (const auto& [key, child] : node_->children) text += "[" + child->path + "]\n" + CaseTable(child).resolved();
   return text;
 }

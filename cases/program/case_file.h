@@ -32,6 +32,9 @@ struct Range {
   std::string describe() const;
 };
 
+/// Keys and values, these as TOML writes them.
+using CaseSettings = std::vector<std::pair<std::string, std::string>>;
+
 /// One table of a case file, read as a closed world: every key is asked for by name, with its default, range and
 /// unit, and close() refuses whatever was never asked for. All readers raise InputError with file:line:column, or
 /// with the setting that gave the value.
@@ -64,6 +67,8 @@ class CaseTable {
   void close() const;
   /// What was read, defaults included: one "key = value  # unit" a line, in the order of reading.
   std::string resolved() const;
+  /// The same as keys and values, without the tables inside this one.
+  CaseSettings settings() const;
 
  private:
   std::string choose(std::string_view key, std::optional<std::string> fallback,

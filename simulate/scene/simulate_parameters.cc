@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/scene/simulate_parameters.h"
-#include "cases/program/units.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
+
+#include "cases/program/units.h"
 
 namespace tiprub {
 

@@ -8,7 +8,6 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
-#include "simulate/response/response_file.h"
 
 namespace fs = std::filesystem;
 
@@ -75,12 +74,16 @@ bool FinishedSpeeds::has(double speed, StepCheck check) const {
   return place != speeds_.end() && (check == StepCheck::none || place->second == check);
 }
 
+ResponseWriter FinishedSpeeds::writer(const fs::path& path) const {
+  return {path, scene_, key_, generator_};
+}
+
 void FinishedSpeeds::keep(const SpeedResponse& response, const RotorState& end) {
   OutputFile file(part(response.speed));
   {
-    ResponseWriter writer(file.scratch(), scene_, key_, generator_);
-    writer.add(response);
-    writer.add_end(end);
+    ResponseWriter part = writer(file.scratch());
+    part.add(response);
+    part.add_end(end);
   }
   file.commit();
   speeds_[response.speed] = check_of(response);

@@ -5,8 +5,7 @@
 #include <map>
 #include <string>
 
-#include "simulate/response/response.h"
-#include "simulate/response/rotor_state.h"
+#include "simulate/response/response_file.h"
 #include "simulate/sweep/speed_run.h"
 
 namespace tiprub {
@@ -29,6 +28,8 @@ class FinishedSpeeds {
 
   /// Whether the speed is there, with the check that it is wanted with.
   bool has(double speed, StepCheck check) const;
+  /// Of a file with this sweep's scene and key.
+  ResponseWriter writer(const std::filesystem::path& path) const;
   /// Written beside, then renamed. Raises RunError if it can't be written.
   void keep(const SpeedResponse& response, const RotorState& end = {});
   SpeedResponse read(double speed) const;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/sweep/run_key.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <numbers>
 
 namespace tiprub {
 
@@ -42,67 +42,56 @@ constexpr int content = 4;  // of a speed's result: counts up when it holds more
 
 void add_model(Hash& hash, const ReducedModel& model) {
   hash.add(model.sector_count);
+  hash.add(model.modes_at_speed);
   for (const auto* table :
        {&model.contact.position, &model.contact.normal, &model.contact.static_shift_1, &model.contact.static_shift_2})
     hash.add_matrix(*table);
   hash.add_matrix(model.contact.arc_length);
-  for (const NodalDiameterModel& at : model.nodal_diameters) {
-    for (const auto* matrix : {&at.K0, &at.K1, &at.K2, &at.M}) hash.add_matrix(*matrix);
-    for (const Eigen::MatrixXcd& matrix : at.higher) hash.add_matrix(matrix);
+  for (const NodalDiameterModel& matrices : model.nodal_diameters) {
+    for (const auto* matrix : {&matrices.K0, &matrices.K1, &matrices.K2, &matrices.M}) hash.add_matrix(*matrix);
+    for (const Eigen::MatrixXcd& matrix : matrices.higher) hash.add_matrix(matrix);
   }
 }
 
-constexpr int distortion_samples = 3600;  // a table is known by its values
-
-void add_casing(Hash& hash, const Casing& casing) {
-  hash.add(casing.shape);
-  hash.add(casing.lobes);
-  hash.add(casing.amplitude);
-  hash.add(casing.crest_angle);
-  hash.add(casing.bump_width);
-  for (int i = 0; i < distortion_samples; ++i)
-    hash.add(casing.distortion(2 * std::numbers::pi * i / distortion_samples));
-  hash.add(casing.ramp_revolutions);
-  hash.add(casing.clearance_state);
-  for (const auto& [fraction, clearance] : casing.clearance) {
-    hash.add(fraction);
-    hash.add(clearance);
-  }
+bool is_exempt(const std::string& key) {
+  return std::any_of(exempt_keys().begin(), exempt_keys().end(),
+                     [&](const ExemptKey& exempt) { return key == exempt.key; });
 }
 
-void add_parameters(Hash& hash, const SimulateParameters& parameters) {
-  hash.add(parameters.scheme);
-  hash.add(parameters.contact);
-  hash.add(parameters.theta);
-  hash.add(parameters.penalty_stiffness);
-  hash.add(parameters.modes);
-  hash.add(parameters.symmetry_check_revolutions);
-  hash.add(parameters.sweep);
-  if (parameters.sweep != SweepDirection::rest)  // a speed's result depends on those before it
-    for (double speed : parameters.speeds) hash.add(speed);
-  for (double ratio : parameters.damping_ratios) hash.add(ratio);
-  hash.add(parameters.nodal_diameters);
-  hash.add(parameters.steps_per_period);
-  hash.add(parameters.steps_per_revolution);
-  hash.add(parameters.samples_per_revolution);
-  hash.add(parameters.recorded_revolutions);
-  hash.add(parameters.min_revolutions);
-  hash.add(parameters.max_revolutions);
-  hash.add(parameters.settle_tolerance);
-  hash.add(parameters.acceleration);
-  hash.add(parameters.casing_areas);
+void add_settings(Hash& hash, const CaseSettings& settings) {
+  for (const auto& [key, value] : settings) {
+    if (is_exempt(key)) continue;
+    const std::string line = key + " = " + value + "\n";
+    hash.add_bytes(line.data(), line.size());
+  }
 }
 
 }  // namespace
 
-std::string run_key(const ReducedModel& model, const Casing& casing, const SimulateParameters& parameters,
+const std::vector<ExemptKey>& exempt_keys() {
+  static const std::vector<ExemptKey> keys = {
+      {"speed_min_rpm", "speeds are independent; a sweep that carries its state counts the speeds themselves"},
+      {"speed_max_rpm", "as speed_min_rpm"},
+      {"speed_count", "as speed_min_rpm"},
+      {"speeds_rpm", "as speed_min_rpm"},
+      {"step_tolerance", "acts through steps_per_period only, which stands resolved"},
+      {"halved_step_checks", "a finished speed tells whether it has the check, and is computed again if it lacks it"},
+      {"when_symmetry_breaks", "what is done afterwards, into another file"},
+      {"threads", "results don't depend on them"},
+  };
+  return keys;
+}
+
+std::string run_key(const ReducedModel& model, const SweepSettings& settings, const SimulateParameters& parameters,
                     const std::string& generator) {
   Hash hash;
   hash.add(content);
   hash.add_bytes(generator.data(), generator.size());
   add_model(hash, model);
-  add_casing(hash, casing);
-  add_parameters(hash, parameters);
+  add_settings(hash, settings.casing);
+  add_settings(hash, settings.simulate);
+  if (parameters.sweep != SweepDirection::rest)  // a speed's result depends on those before it
+    for (double speed : parameters.speeds) hash.add(speed);
   return hash.digits();
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/sweep/sweep_tally.h"
-#include "cases/program/units.h"
 
 #include <algorithm>
 #include <iomanip>
-#include <numbers>
 #include <sstream>
+
+#include "cases/program/units.h"
 
 namespace tiprub {
 
@@ -45,20 +45,16 @@ std::string breaking_text(const std::vector<double>& speeds, BrokenSymmetry brok
          "speeds_rpm "
          "= [";
   out << std::setprecision(10);
-  for (std::size_t i = 0; i < speeds.size(); ++i) out << (i > 0 ? ", " : "") << rpm(speeds[i]);
+  for (std::size_t i = 0; i < speeds.size(); ++i) out << (i > 0 ? ", " : "") << speeds[i] * rpm_per_rad_s;
   out << "]";
   return out.str();
 }
 
 }  // namespace
 
-double rpm(double speed) {
-  return speed * rpm_per_rad_s;
-}
-
 std::string speed_line(const SpeedResponse& at) {
   std::ostringstream text;
-  text << rpm(at.speed) << " rev/min: ";
+  text << at.speed * rpm_per_rad_s << " rev/min: ";
   if (!at.failure.empty()) {
     text << "failed: " << at.failure;
     return text.str();

@@ -10,9 +10,6 @@
 
 namespace tiprub {
 
-/// [rev/min] of a speed in rad/s.
-double rpm(double speed);
-
 /// What happened at a speed, for people: one line.
 std::string speed_line(const SpeedResponse& at);
 

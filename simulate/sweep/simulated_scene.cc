@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep/simulated_scene.h"
+
+#include <numbers>
+
+namespace tiprub {
+
+namespace {
+
+constexpr int casing_points = 721;  // of the casing's shape in the response: every half degree
+
+}  // namespace
+
+SimulatedScene simulated_scene(const Scene& scene, const std::string& provenance) {
+  SimulatedScene described;
+  described.sector_count = scene.model.sector_count;
+  described.independent_sectors = scene.scope.independent_sectors;
+  described.nodal_diameters = scene.scope.nodal_diameters;
+  described.casing_angle = Eigen::VectorXd::LinSpaced(casing_points, 0.0, 2 * std::numbers::pi);
+  described.casing_distortion =
+      described.casing_angle.unaryExpr([&](double angle) { return scene.casing.distortion(angle); });
+  described.lobes = scene.casing.lobes;
+  described.clearance = scene.casing.given_clearance(scene.model.contact);
+  described.clearance_state = scene.casing.clearance_state == ClearanceState::cold ? "cold" : "running";
+  for (const std::string& reason : scene.scope.reasons) described.scope += reason + "\n";
+  described.provenance = provenance;
+  return described;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep/whole_sweep.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <thread>
+
+#include "cases/program/errors.h"
+#include "simulate/sweep/finished_speeds.h"
+#include "simulate/sweep/missing_speeds.h"
+#include "simulate/sweep/response_assembly.h"
+#include "simulate/sweep/simulated_scene.h"
+
+namespace tiprub {
+
+namespace {
+
+int thread_count(int asked_here, const SimulateParameters& parameters, const ProcessGroup& group) {
+  if (asked_here > 0) return asked_here;
+  if (parameters.threads > 0) return parameters.threads;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / group.local_size());
+}
+
+/// Raises RunError in all processes if any of them can't open the folder.
+std::unique_ptr<FinishedSpeeds> open_finished(const StageArguments& arguments, const Scene& scene,
+                                              const SweepSettings& settings, const std::string& provenance,
+                                              ProcessGroup& group) {
+  const std::string generator = program_version("tiprub-simulate");
+  std::unique_ptr<FinishedSpeeds> finished;
+  std::exception_ptr failure;
+  try {
+    finished = std::make_unique<FinishedSpeeds>(
+        arguments.output, simulated_scene(scene, provenance),
+        run_key(scene.model, settings, scene.parameters, generator), generator,
+        group.leads() ? FinishedSpeeds::Role::keeper : FinishedSpeeds::Role::contributor);
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  const bool failed_anywhere = group.any(failure != nullptr);
+  if (failure) std::rethrow_exception(failure);
+  if (failed_anywhere) throw RunError("another process of the sweep failed; see its message");
+  return finished;
+}
+
+}  // namespace
+
+SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, const SweepSettings& settings,
+                       const std::string& provenance, int threads, ProcessGroup& group) {
+  threads = thread_count(threads, scene.parameters, group);
+  const std::unique_ptr<FinishedSpeeds> finished = open_finished(arguments, scene, settings, provenance, group);
+  SweepOutcome outcome;
+  outcome.computed = compute_missing(arguments, scene, threads, group, *finished);
+  if (group.leads()) {
+    outcome.tally = assemble_response(scene, threads, *finished, arguments.output);
+    outcome.breaking = outcome.tally.breaking;
+  }
+  if (scene.parameters.when_symmetry_breaks == BrokenSymmetry::full_run) group.share(outcome.breaking);
+  return outcome;
+}
+
+}  // namespace tiprub

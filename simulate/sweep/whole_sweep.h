@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cases/program/command_line.h"
+#include "simulate/scene/scene.h"
+#include "simulate/sweep/process_group.h"
+#include "simulate/sweep/run_key.h"
+#include "simulate/sweep/sweep_tally.h"
+
+namespace tiprub {
+
+/// What a sweep came to.
+struct SweepOutcome {
+  SweepTally tally;              ///< the leader's
+  std::size_t computed = 0;      ///< speeds that weren't there from before
+  std::vector<double> breaking;  ///< [rad/s] speeds that break the symmetry; all processes know them
+};
+
+/// All that a sweep is, into arguments.output: takes over what a former run finished, computes the rest with
+/// `threads` (0: as [simulate] or the machine says), and writes the response. All processes of the group must call.
+/// Raises RunError if a file can't be written or no speed could be computed.
+SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, const SweepSettings& settings,
+                       const std::string& provenance, int threads, ProcessGroup& group);
+
+}  // namespace tiprub

@@ -7,13 +7,6 @@ namespace tiprub {
 
 namespace {
 
-Eigen::VectorXcd complex(const Eigen::VectorXd& parts, Eigen::Index offset, Eigen::Index count) {
-  Eigen::VectorXcd values(count);
-  values.real() = parts.head(count);
-  values.imag() = parts.segment(offset, count);
-  return values;
-}
-
 double angle_of_step(const TimeMarch& march) {
   return 2 * std::numbers::pi / march.steps_per_revolution();
 }
@@ -25,11 +18,10 @@ RotorState state_of(const TimeMarch& march, const RotorAtSpeed& rotor, const Red
   state.displacement.resize(model.nodal_diameters.size());
   state.velocity.resize(model.nodal_diameters.size());
   for (std::size_t i = 0; i < rotor.waves.size(); ++i) {
-    const TimeMarch::Wave& wave = march.waves()[i];
     const Eigen::MatrixXcd& shapes = rotor.waves[i].shapes;
-    const Eigen::VectorXcd now = complex(wave.q, wave.modes(), shapes.cols());
-    const Eigen::VectorXcd before = complex(wave.before, wave.modes(), shapes.cols());
-    const auto n = static_cast<std::size_t>(wave.nodal_diameter);
+    const Eigen::VectorXcd now = march.coordinates(i).head(shapes.cols());
+    const Eigen::VectorXcd before = march.coordinates(i, Instant::before).head(shapes.cols());
+    const auto n = static_cast<std::size_t>(march.wave(i).nodal_diameter);
     state.displacement[n] = shapes * now;
     state.velocity[n] = shapes * (now - before) / angle_of_step(march);
   }

@@ -70,7 +70,7 @@ WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kin
   wave.contact_rows = wave.shapes.topRows(model.contact_dofs());
   const Eigen::MatrixXcd rows = normal_rows(model, spectrum);
   wave.normal_rows = rows.leftCols(held);
-  if (moving < all) wave.rest_compliance = static_compliance(rows, spectrum.omega, all - moving);
+  if (moving < all) wave.residual_compliance = static_compliance(rows, spectrum.omega, all - moving);
   return wave;
 }
 

@@ -31,7 +31,7 @@ struct WaveModes {
   Eigen::MatrixXcd shapes;        ///< Phi, in the model's coordinates; n x m
   /// [m/N] Y omega^-2 Y^H over the modes without mass and those dropped: the compliance that moves without inertia,
   /// or not at all; n_c x n_c, empty if all modes move.
-  Eigen::MatrixXcd rest_compliance;
+  Eigen::MatrixXcd residual_compliance;
 
   double weight() const { return kind == WaveKind::standing ? 1.0 : 2.0; }
 };

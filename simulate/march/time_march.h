@@ -6,10 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "simulate/march/cache_lines.h"
 #include "simulate/march/contact_impulses.h"
 #include "simulate/march/integrators/contact_law.h"
-#include "simulate/march/integrators/step_coefficients.h"
+#include "simulate/march/modal_waves.h"
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/scene/casing.h"
 
@@ -29,9 +28,10 @@ struct MarchSetup {
 ///   q+ = a q - b q- - c Y^H Lambda_n,   Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha}, j < N/g,
 /// with lambda from the scheme's contact law, as a rule 0 <= lambda perpendicular to g+ >= 0.
 /// Only normal displacements of contact nodes pass between the nodal diameters. lambda found in the step from t_q to
-/// t_{q+1} is the force at t_q. Starts from rest. With the coefficients of central differences this is the paper's
-/// eqs. 13-15. Modes without mass (residual flexibility) take no part in the free step. Costs 2 m n_c complex
-/// multiplications a nodal diameter, twice that in contact.
+/// t_{q+1} is the force at t_q. Starts from rest. With the coefficients of central differences predict() is the
+/// paper's eq. 13, and the contact forces and what they do are its eq. 14 and eq. 15. Modes without mass (residual
+/// flexibility) take no part in the free step. Costs 2 m n_c complex multiplications a nodal diameter, twice that in
+/// contact.
 ///
 /// Values by contact node stand in one vector, sector after sector, each padded to width() nodes.
 class TimeMarch {
@@ -71,44 +71,23 @@ class TimeMarch {
   /// [m/N] W of the whole problem, padded rows zero.
   const Eigen::MatrixXd& compliance() const { return compliance_; }
 
-  /// One nodal diameter inside the march. Arrays over modes padded with modes that don't move.
-  struct Wave {
-    int nodal_diameter;
-    WaveKind kind;
-    double weight;         ///< w_n
-    Eigen::ArrayXd omega;  ///< [rad/s]
-    Eigen::Index moving;   ///< modes with mass, padded; they come first
-    StepCoefficients coefficients;
-    Eigen::VectorXd q, before, two_before;  ///< real parts, then imaginary parts, at t_q, t_{q-1}, t_{q-2}
-    kernels::Lines shapes;                  ///< Y in the order of wave_kernels.h
-    Eigen::VectorXd forces;                 ///< Lambda_n, real parts, then imaginary parts
-    Eigen::VectorXd cosine, sine;           ///< of n j alpha, by sector
-
-    Eigen::Index modes() const { return omega.size(); }
-  };
-  /// At the last instant, with what its forces do.
-  const std::vector<Wave>& waves() const {
-    settle_modes();
-    return waves_;
+  std::size_t wave_count() const { return waves_.size(); }
+  /// By place in RotorAtSpeed::waves.
+  const MarchedWave& wave(std::size_t wave) const { return waves_[wave]; }
+  /// With what the last step's forces do.
+  ModalCoordinates coordinates(std::size_t wave, Instant instant = Instant::now) const {
+    return waves_.coordinates(wave, instant);
   }
+  /// [N] Lambda_n of the last step that had contact; n_c.
+  Eigen::VectorXcd modal_forces(std::size_t wave) const { return waves_.forces(wave); }
   /// Puts the modal coordinates of a nodal diameter [m sqrt(kg)] at t_q and t_{q-1}.
   void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before);
   /// Sets the clock: steps since the start (the casing's distortion grows over the first revolutions).
   void set_step(std::int64_t step);
 
  private:
-  /// The free step of one wave's modes.
-  static void advance(Wave& wave);
-  /// p_ from a wave's modes; displacement_[0] from p_; gap_ from it, and whether a gap is negative.
-  void map_to_nodes(std::size_t wave);
-  void map_to_sectors();
+  /// gap_ from displacement_[0], and whether a gap is negative.
   bool measure_gaps();
-  /// Lambda_n of the forces; what it does to the modes waits until they are needed, most often for the next step,
-  /// which needs the same rows of Y.
-  void correct_modes(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
-  void settle_modes() const;
-  void add_forces(Wave& wave) const;
-  void build_compliance(const RotorAtSpeed& rotor);
   void build_distortion(const Casing& casing, const ContactLine& contact);
 
   MarchSetup setup_;
@@ -117,19 +96,14 @@ class TimeMarch {
   double time_step_;
   std::int64_t step_ = 0;
   Casing casing_;
-  mutable std::vector<Wave> waves_;
-  mutable bool forces_wait_ = false;       ///< the waves' forces are not in their modes yet
-  Eigen::VectorXd p_;                      ///< Y q, for each wave real parts, then imaginary parts
-  std::vector<double> phases_of_sectors_;  ///< for each sector, of each wave the cosine, then the sine of n j alpha
-  Eigen::VectorXd clearance_;              ///< [m] one sector, padded with infinity
-  std::vector<double> distortion_;         ///< [m] by phase (one lobe of steps), then node
+  ModalWaves waves_;
+  Eigen::VectorXd clearance_;       ///< [m] one sector, padded with infinity
+  std::vector<double> distortion_;  ///< [m] by phase (one lobe of steps), then node
   std::int64_t phases_ = 1;
   Eigen::VectorXd gap_, gap_before_;
   Eigen::VectorXd displacement_[3];
   Eigen::MatrixXd compliance_;
   std::unique_ptr<ContactLaw> contact_;
-  std::vector<int> forced_nodes_, forced_sectors_;  ///< that have a force in any sector, at any node
-  std::vector<char> node_has_force_;
 };
 
 }  // namespace tiprub

@@ -7,14 +7,14 @@
 namespace tiprub {
 
 EnergyAudit::EnergyAudit(const TimeMarch& march, const RotorAtSpeed& rotor) {
-  for (std::size_t i = 0; i < march.waves().size(); ++i) {
-    const TimeMarch::Wave& wave = march.waves()[i];
+  for (std::size_t i = 0; i < march.wave_count(); ++i) {
+    const MarchedWave& wave = march.wave(i);
     const auto& [a, b, c] = wave.coefficients;
     const auto moves = c > 0;
     const Eigen::ArrayXd divisor = moves.select(c, 1.0);
     terms_.push_back({march.sector_count() / wave.weight, moves.select((1 + b) / (4 * divisor), 0.0),
                       0.5 * wave.omega.square(), moves.select((1 - b) / (4 * divisor), 0.0),
-                      rotor.waves[i].rest_compliance});
+                      rotor.waves[i].residual_compliance});
   }
   start_ = energy(march);
 }
@@ -22,26 +22,26 @@ EnergyAudit::EnergyAudit(const TimeMarch& march, const RotorAtSpeed& rotor) {
 double EnergyAudit::energy(const TimeMarch& march) const {
   double sum = 0;
   for (std::size_t i = 0; i < terms_.size(); ++i) {
-    const TimeMarch::Wave& wave = march.waves()[i];
-    const Eigen::Index modes = wave.modes();
-    for (Eigen::Index part : {Eigen::Index{0}, modes}) {
-      const auto q = wave.q.segment(part, modes).array();
-      const auto before = wave.before.segment(part, modes).array();
-      sum += terms_[i].ring * (terms_[i].inertia * (q - before).square() + terms_[i].stiffness * q * before).sum();
-    }
+    const Terms& terms = terms_[i];
+    const auto of_part = [&](const auto& q, const auto& before) {
+      return terms.ring * (terms.inertia * (q - before).square() + terms.stiffness * q * before).sum();
+    };
+    const ModalCoordinates now = march.coordinates(i), before = march.coordinates(i, Instant::before);
+    sum += of_part(now.real, before.real);
+    sum += of_part(now.imaginary, before.imaginary);
   }
   return sum;
 }
 
 void EnergyAudit::observe(const TimeMarch& march) {
   for (std::size_t i = 0; i < terms_.size(); ++i) {
-    const TimeMarch::Wave& wave = march.waves()[i];
-    const Eigen::Index modes = wave.modes();
-    for (Eigen::Index part : {Eigen::Index{0}, modes})
-      dissipated_ +=
-          terms_[i].ring *
-          (terms_[i].damping * (wave.q.segment(part, modes) - wave.two_before.segment(part, modes)).array().square())
-              .sum();
+    const Terms& terms = terms_[i];
+    const auto of_part = [&](const auto& q, const auto& two_before) {
+      return terms.ring * (terms.damping * (q - two_before).square()).sum();
+    };
+    const ModalCoordinates now = march.coordinates(i), two_before = march.coordinates(i, Instant::two_before);
+    dissipated_ += of_part(now.real, two_before.real);
+    dissipated_ += of_part(now.imaginary, two_before.imaginary);
   }
   double work = 0;
   for (int index : march.contact().closed())
@@ -54,18 +54,17 @@ void EnergyAudit::observe(const TimeMarch& march) {
 /// 1/2 Lambda^H (Y omega^-2 Y^H) Lambda of the left-out modes, under the forces of the step.
 void EnergyAudit::observe_left_out(const TimeMarch& march) {
   for (std::size_t i = 0; i < terms_.size(); ++i) {
-    const Eigen::MatrixXcd& rest = terms_[i].rest;
-    if (rest.size() == 0) continue;
-    const TimeMarch::Wave& wave = march.waves()[i];
-    for (Eigen::Index part : {Eigen::Index{0}, wave.modes()})
-      elastic_ += terms_[i].ring *
-                  (terms_[i].stiffness * wave.q.segment(part, wave.modes()).array().square()).head(wave.moving).sum();
+    const Terms& terms = terms_[i];
+    if (terms.residual.size() == 0) continue;
+    const auto of_part = [&](const auto& q) {
+      return terms.ring * (terms.stiffness * q.square()).head(march.wave(i).moving).sum();
+    };
+    const ModalCoordinates now = march.coordinates(i);
+    elastic_ += of_part(now.real);
+    elastic_ += of_part(now.imaginary);
     if (march.contact().closed().empty()) continue;
-    const Eigen::Index nodes = rest.rows();
-    Eigen::VectorXcd forces(nodes);
-    forces.real() = wave.forces.head(nodes);
-    forces.imag() = wave.forces.segment(march.width(), nodes);
-    left_out_ += terms_[i].ring * 0.5 * forces.dot(rest * forces).real();
+    const Eigen::VectorXcd forces = march.modal_forces(i);
+    left_out_ += terms.ring * 0.5 * forces.dot(terms.residual * forces).real();
   }
 }
 

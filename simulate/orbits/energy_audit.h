@@ -30,11 +30,11 @@ class EnergyAudit {
 
  private:
   struct Terms {
-    double ring;               ///< N / w_n: modal energy to that of the wheel
-    Eigen::ArrayXd inertia;    ///< mu / (2 h^2) [1/s^2]; zero for padding
-    Eigen::ArrayXd stiffness;  ///< omega^2 / 2 [1/s^2]
-    Eigen::ArrayXd damping;    ///< d / (4 h) [1/s^2]
-    Eigen::MatrixXcd rest;     ///< [m/N] compliance of the modes without mass, or dropped; empty if there are none
+    double ring;                ///< N / w_n: modal energy to that of the wheel
+    Eigen::ArrayXd inertia;     ///< mu / (2 h^2) [1/s^2]; zero for padding
+    Eigen::ArrayXd stiffness;   ///< omega^2 / 2 [1/s^2]
+    Eigen::ArrayXd damping;     ///< d / (4 h) [1/s^2]
+    Eigen::MatrixXcd residual;  ///< [m/N] compliance of the modes without mass, or dropped; empty if there are none
   };
   void observe_left_out(const TimeMarch& march);
 

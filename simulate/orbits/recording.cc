@@ -49,11 +49,8 @@ Recording::Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const Co
 }
 
 void Recording::take_states(const TimeMarch& march, int sample) {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    const TimeMarch::Wave& wave = march.waves()[i];
-    states_[i].col(sample).real() = wave.q.head(states_[i].rows());
-    states_[i].col(sample).imag() = wave.q.segment(wave.modes(), states_[i].rows());
-  }
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    states_[i].col(sample) = march.coordinates(i).head(states_[i].rows());
 }
 
 /// The step just made went from t_q to t_{q+1}; its forces act at t_q, and are counted there.

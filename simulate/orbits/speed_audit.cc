@@ -21,12 +21,13 @@ double modal_energy(const TimeMarch& march, const std::vector<std::size_t>& wave
   double sum = 0;
   const double h = march.time_step();
   for (std::size_t i : waves) {
-    const TimeMarch::Wave& wave = march.waves()[i];
-    for (Eigen::Index part : {Eigen::Index{0}, wave.modes()}) {
-      const auto q = wave.q.segment(part, wave.modes()).array();
-      const auto before = wave.before.segment(part, wave.modes()).array();
-      sum += ((q - before) / h).square().sum() + (wave.omega * q).square().sum();
-    }
+    const Eigen::ArrayXd& omega = march.wave(i).omega;
+    const auto of_part = [&](const auto& q, const auto& before) {
+      return ((q - before) / h).square().sum() + (omega * q).square().sum();
+    };
+    const ModalCoordinates now = march.coordinates(i), before = march.coordinates(i, Instant::before);
+    sum += of_part(now.real, before.real);
+    sum += of_part(now.imaginary, before.imaginary);
   }
   return sum;
 }
@@ -58,19 +59,15 @@ double slope(const std::vector<double>& values) {
 std::vector<std::size_t> seed_whole_wheel(const TimeMarch& settled, std::size_t held, TimeMarch& whole) {
   double norm = 0;
   for (std::size_t i = 0; i < held; ++i) {
-    const TimeMarch::Wave& wave = settled.waves()[i];
-    Eigen::VectorXcd now(wave.modes()), before(wave.modes());
-    now.real() = wave.q.head(wave.modes());
-    now.imag() = wave.q.tail(wave.modes());
-    before.real() = wave.before.head(wave.modes());
-    before.imag() = wave.before.tail(wave.modes());
-    whole.set_state(i, now, before);
+    const Eigen::Index modes = settled.wave(i).modes();
+    const Eigen::VectorXcd now = settled.coordinates(i).head(modes);
+    whole.set_state(i, now, settled.coordinates(i, Instant::before).head(modes));
     norm += now.squaredNorm();
   }
   std::mt19937 source(1);
   std::vector<std::size_t> others;
-  for (std::size_t i = held; i < whole.waves().size(); ++i) {
-    const TimeMarch::Wave& wave = whole.waves()[i];
+  for (std::size_t i = held; i < whole.wave_count(); ++i) {
+    const MarchedWave& wave = whole.wave(i);
     const Eigen::VectorXcd q = disturbance(wave.moving, seed_share * std::sqrt(norm), wave.kind, source);
     whole.set_state(i, q, q);
     others.push_back(i);

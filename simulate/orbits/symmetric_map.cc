@@ -13,13 +13,6 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-Eigen::VectorXcd complex_of(const Eigen::VectorXd& parts, Eigen::Index modes, Eigen::Index count) {
-  Eigen::VectorXcd values(count);
-  values.real() = parts.head(count);
-  values.imag() = parts.segment(modes, count);
-  return values;
-}
-
 /// (1 - phase S^steps)^-1, S the free step of (q_q, q_{q-1}).
 Eigen::Matrix2cd lift_of(double a, double b, int steps, std::complex<double> phase) {
   Eigen::Matrix2cd step, power = Eigen::Matrix2cd::Identity();
@@ -37,7 +30,8 @@ SymmetricMap::SymmetricMap(TimeMarch& march, int lobes)
     : march_(march), maps_(std::lcm(march.sector_count(), lobes)) {
   const double lowest = two_pi / march.steps_per_revolution() / march.time_step();
   const int shift = sector_shift(march.sector_count(), lobes);
-  for (const TimeMarch::Wave& wave : march.waves()) {
+  for (std::size_t i = 0; i < march.wave_count(); ++i) {
+    const MarchedWave& wave = march.wave(i);
     const auto turn = static_cast<std::int64_t>(wave.nodal_diameter) * shift % march.sector_count();
     frames_.push_back({wave.moving,
                        wave.omega.head(wave.moving).max(lowest),
@@ -56,11 +50,10 @@ Eigen::VectorXd SymmetricMap::state_shifted(Shift shift) const {
   Eigen::VectorXd state(size);
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
-    const TimeMarch::Wave& wave = march_.waves()[i];
     const Eigen::Index count = frames_[i].moving;
     const std::complex<double> phase = shift == Shift::sectors ? frames_[i].phase : 1.0;
-    const Eigen::VectorXcd now = complex_of(wave.q, wave.modes(), count) * phase;
-    const Eigen::VectorXcd before = complex_of(wave.before, wave.modes(), count) * phase;
+    const Eigen::VectorXcd now = march_.coordinates(i).head(count) * phase;
+    const Eigen::VectorXcd before = march_.coordinates(i, Instant::before).head(count) * phase;
     const Eigen::VectorXcd velocity = (now - before) / march_.time_step();
     const Eigen::VectorXcd position = (now.array() * frames_[i].scale).matrix();
     for (const Eigen::VectorXcd* part : {&position, &velocity}) {
@@ -121,9 +114,10 @@ Eigen::VectorXd SymmetricMap::lifted(const Eigen::VectorXd& change) const {
 }
 
 MarchState::MarchState(const TimeMarch& march) : step_(march.step_count()) {
-  for (const TimeMarch::Wave& wave : march.waves())
-    waves_.emplace_back(complex_of(wave.q, wave.modes(), wave.modes()),
-                        complex_of(wave.before, wave.modes(), wave.modes()));
+  for (std::size_t i = 0; i < march.wave_count(); ++i) {
+    const Eigen::Index modes = march.wave(i).modes();
+    waves_.emplace_back(march.coordinates(i).head(modes), march.coordinates(i, Instant::before).head(modes));
+  }
 }
 
 void MarchState::restore(TimeMarch& march) const {

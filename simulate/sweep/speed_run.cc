@@ -53,7 +53,7 @@ void require_stable_step(const SimulateParameters& parameters, double omega_max,
 /// With fewer modes than closed nodes, no force can close them all, and small errors meet huge ones.
 void require_full_rank(const Scene& scene, const RotorAtSpeed& rotor, double condition) {
   const bool dropped =
-      scene.parameters.scheme != Scheme::residual_flexibility && rotor.waves[0].rest_compliance.size();
+      scene.parameters.scheme != Scheme::residual_flexibility && rotor.waves[0].residual_compliance.size();
   if (!dropped || scene.parameters.scheme == Scheme::penalty || condition < worst_condition) return;
   std::ostringstream text;
   text << "the contact compliance has condition " << condition << ", at most " << worst_condition

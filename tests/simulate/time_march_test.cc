@@ -25,7 +25,7 @@ TEST(TimeMarch, DecaysFreelyAsTheClosedFormsSay) {
     Bench bench = make_bench(testing::one_mass(mass, stiffness), testing::lobed_casing(1, 0.0, 1.0), speed, ratio,
                              {scheme, ContactRule::complementarity, 1600, 1});
     const double h = bench.march.time_step();
-    const TimeMarch::Wave& wave = bench.march.waves()[0];
+    const MarchedWave& wave = bench.march.wave(0);
     const double a = wave.coefficients.a[0], b = wave.coefficients.b[0];
     const std::complex<double> root =
         (a + std::sqrt(std::complex<double>(a * a - 4 * b))) / 2.0;  // r^2 - a r + b = 0
@@ -71,7 +71,7 @@ TEST(TimeMarch, ReproducesTheAliasingTableOfThePaper) {
           seen[n] += at_order * march.displacement()[tips[j]] *
                      std::polar(1.0 / sectors, -2 * pi * (order % sectors <= sectors / 2 ? n : -n) * j / sectors);
     }
-    const TimeMarch::Wave& wave = march.waves()[0];
+    const MarchedWave& wave = march.wave(0);
     const double phi = order * speed * march.time_step();
     const std::complex<double> discrete =
         force / mass * wave.coefficients.c[0] /

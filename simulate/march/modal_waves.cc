@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/march/modal_waves.h"
+
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <numbers>
+
+#include "simulate/march/wave_kernels.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+Eigen::Index padded(Eigen::Index count, std::size_t block) {
+  const auto unit = static_cast<Eigen::Index>(block);
+  return (count + unit - 1) / unit * unit;
+}
+
+Eigen::ArrayXd padded(const Eigen::ArrayXd& values, Eigen::Index size) {
+  Eigen::ArrayXd longer = Eigen::ArrayXd::Zero(size);
+  longer.head(values.size()) = values;
+  return longer;
+}
+
+/// e^{i n j alpha} with the angle reduced in whole numbers, so that it is exactly periodic in j.
+std::complex<double> sector_phase(int nodal_diameter, int sector, int sector_count) {
+  const auto turn = static_cast<double>(static_cast<std::int64_t>(nodal_diameter) * sector % sector_count);
+  return std::polar(1.0, two_pi * turn / sector_count);
+}
+
+/// Y in the order of the kernels; a standing wave has no imaginary part.
+kernels::Lines lay_out_shapes(const Eigen::MatrixXcd& normal_rows, Eigen::Index modes, WaveKind kind) {
+  const std::size_t parts = kind == WaveKind::travelling ? 2 : 1, block = kernels::mode_block;
+  const auto nodes = static_cast<std::size_t>(normal_rows.rows());
+  kernels::Lines shapes(parts * nodes * modes);
+  for (std::size_t m = 0; m < static_cast<std::size_t>(normal_rows.cols()); ++m)
+    for (std::size_t k = 0; k < nodes; ++k) {
+      const std::complex<double> value = normal_rows(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
+      const std::size_t at = ((m / block * nodes + k) * parts) * block + m % block;
+      shapes[at] = value.real();
+      if (parts == 2) shapes[at + block] = value.imag();
+    }
+  return shapes;
+}
+
+MarchedWave marched(const WaveModes& from, const SchemeOptions& scheme, double step) {
+  const Eigen::Index modes = padded(from.omega.size(), kernels::mode_block);
+  MarchedWave wave;
+  wave.nodal_diameter = from.nodal_diameter;
+  wave.kind = from.kind;
+  wave.weight = from.weight();
+  wave.omega = padded(from.omega, modes);
+  wave.moving = padded(from.moving, kernels::mode_block);
+  const StepCoefficients unpadded = step_coefficients(scheme, from.omega, from.damping_ratio, step, from.moving);
+  wave.coefficients = {padded(unpadded.a, modes), padded(unpadded.b, modes), padded(unpadded.c, modes)};
+  return wave;
+}
+
+}  // namespace
+
+Eigen::VectorXcd ModalCoordinates::head(Eigen::Index count) const {
+  Eigen::VectorXcd values(count);
+  values.real() = real.head(count).matrix();
+  values.imag() = imaginary.head(count).matrix();
+  return values;
+}
+
+ModalWaves::ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, double time_step, const Nodes& nodes)
+    : nodes_(nodes) {
+  for (const WaveModes& wave : rotor.waves) {
+    waves_.push_back(marched(wave, scheme, time_step));
+    memory_.push_back(lay_out(wave, waves_.back()));
+  }
+  for (int j = 0; j < nodes_.sectors; ++j)
+    for (const Memory& memory : memory_)
+      phases_of_sectors_.insert(phases_of_sectors_.end(), {memory.cosine[j], memory.sine[j]});
+  p_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * waves_.size() * nodes_.width));
+}
+
+ModalWaves::Memory ModalWaves::lay_out(const WaveModes& from, const MarchedWave& wave) const {
+  Memory memory;
+  memory.q = memory.before = memory.two_before = Eigen::VectorXd::Zero(2 * wave.modes());
+  memory.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes_.width));
+  memory.cosine.resize(nodes_.sectors);
+  memory.sine.resize(nodes_.sectors);
+  for (int j = 0; j < nodes_.sectors; ++j) {
+    const std::complex<double> phase = sector_phase(wave.nodal_diameter, j, nodes_.sector_count);
+    memory.cosine[j] = phase.real();
+    memory.sine[j] = phase.imag();
+  }
+  memory.shapes = lay_out_shapes(from.normal_rows, wave.modes(), wave.kind);
+  return memory;
+}
+
+ModalCoordinates ModalWaves::coordinates(std::size_t wave, Instant instant) const {
+  settle_forces();
+  const Memory& memory = memory_[wave];
+  const Eigen::VectorXd& parts = instant == Instant::now      ? memory.q
+                                 : instant == Instant::before ? memory.before
+                                                              : memory.two_before;
+  const Eigen::Index modes = waves_[wave].modes();
+  return {{parts.data(), modes}, {parts.data() + modes, modes}};
+}
+
+Eigen::VectorXcd ModalWaves::forces(std::size_t wave) const {
+  Eigen::VectorXcd forces(nodes_.nodes);
+  forces.real() = memory_[wave].forces.head(nodes_.nodes);
+  forces.imag() = memory_[wave].forces.segment(static_cast<Eigen::Index>(nodes_.width), nodes_.nodes);
+  return forces;
+}
+
+Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor) const {
+  const auto width = static_cast<Eigen::Index>(nodes_.width);
+  Eigen::MatrixXd compliance = Eigen::MatrixXd::Zero(nodes_.sectors * width, nodes_.sectors * width);
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    const Eigen::MatrixXcd& Y = rotor.waves[i].normal_rows;
+    // eq. 15: C_N^T [M_r/h^2 + D_r/(2h)]^-1 C_N in modes, for the scheme's own c
+    const Eigen::MatrixXcd own = Y * waves_[i].coefficients.c.head(Y.cols()).matrix().asDiagonal() * Y.adjoint() *
+                                 (waves_[i].weight * nodes_.symmetry / nodes_.sector_count);
+    for (int row = 0; row < nodes_.sectors; ++row)
+      for (int column = 0; column < nodes_.sectors; ++column) {
+        const int apart = (row - column + nodes_.sector_count) % nodes_.sector_count;
+        compliance.block(row * width, column * width, nodes_.nodes, nodes_.nodes) +=
+            (own * sector_phase(waves_[i].nodal_diameter, apart, nodes_.sector_count)).real();
+      }
+  }
+  const Eigen::MatrixXd transposed = compliance.transpose();
+  return 0.5 * (compliance + transposed);
+}
+
+void ModalWaves::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before) {
+  settle_forces();
+  Memory& memory = memory_[wave];
+  const Eigen::Index modes = waves_[wave].modes();
+  memory.q.head(q.size()) = q.real();
+  memory.q.segment(modes, q.size()) = q.imag();
+  memory.before.head(q.size()) = before.real();
+  memory.before.segment(modes, q.size()) = before.imag();
+}
+
+void ModalWaves::map_to_sectors(Eigen::VectorXd& displacement) {
+  settle_forces();
+  for (std::size_t i = 0; i < waves_.size(); ++i) map_to_nodes(i);
+  add_sectors(displacement);
+}
+
+void ModalWaves::map_to_nodes(std::size_t index) {
+  const MarchedWave& wave = waves_[index];
+  const Memory& memory = memory_[index];
+  const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
+  const auto nodes = static_cast<std::size_t>(nodes_.nodes);
+  double* p = p_.data() + 2 * index * nodes_.width;
+  if (wave.kind == WaveKind::travelling)
+    kernels::to_nodes_travelling(memory.shapes.data(), memory.q.data(), memory.q.data() + modes, moving, nodes, p,
+                                 p + nodes_.width);
+  else
+    kernels::to_nodes_standing(memory.shapes.data(), memory.q.data(), moving, nodes, p);
+}
+
+void ModalWaves::add_sectors(Eigen::VectorXd& displacement) const {
+  for (int j = 0; j < nodes_.sectors; ++j)
+    kernels::add_waves(p_.data(), phases_of_sectors_.data() + 2 * waves_.size() * j, waves_.size(), nodes_.width,
+                       displacement.data() + j * nodes_.width);
+}
+
+void ModalWaves::advance_modes(std::size_t index) {
+  const MarchedWave& wave = waves_[index];
+  Memory& memory = memory_[index];
+  const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
+  const double* a = wave.coefficients.a.data();
+  const double* b = wave.coefficients.b.data();
+  memory.two_before.swap(memory.before);
+  memory.before.swap(memory.q);  // memory.q now holds what is overwritten: the oldest instant
+  kernels::advance(a, b, memory.before.data(), memory.two_before.data(), memory.q.data(), moving);  // eq. 13
+  if (wave.kind == WaveKind::travelling)
+    kernels::advance(a, b, memory.before.data() + modes, memory.two_before.data() + modes, memory.q.data() + modes,
+                     moving);
+  if (moving == modes) return;
+  memory.q.segment(wave.moving, wave.modes() - wave.moving).setZero();
+  memory.q.tail(wave.modes() - wave.moving).setZero();
+}
+
+void ModalWaves::advance(Eigen::VectorXd& displacement) {
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    if (forces_wait_) add_waiting_forces(i);
+    advance_modes(i);
+    map_to_nodes(i);
+  }
+  forces_wait_ = false;
+  add_sectors(displacement);
+}
+
+/// eq. 15: what lambda does to the displacements, u+ = u+,p + [M_r/h^2 + D_r/(2h)]^-1 C_N lambda, in modes.
+void ModalWaves::add_waiting_forces(std::size_t index) const {
+  const MarchedWave& wave = waves_[index];
+  Memory& memory = memory_[index];
+  const auto modes = static_cast<std::size_t>(wave.modes());
+  const kernels::ForcedNodes forced{forced_nodes_.data(), forced_nodes_.size(),
+                                    static_cast<std::size_t>(nodes_.nodes)};
+  if (wave.kind == WaveKind::travelling)
+    kernels::add_force_travelling(memory.shapes.data(), wave.coefficients.c.data(), memory.forces.data(),
+                                  memory.forces.data() + nodes_.width, forced, modes, memory.q.data(),
+                                  memory.q.data() + modes);
+  else
+    kernels::add_force_standing(memory.shapes.data(), wave.coefficients.c.data(), memory.forces.data(), forced, modes,
+                                memory.q.data());
+}
+
+void ModalWaves::settle_forces() const {
+  if (!forces_wait_) return;
+  for (std::size_t i = 0; i < waves_.size(); ++i) add_waiting_forces(i);
+  forces_wait_ = false;
+}
+
+void ModalWaves::add_forces(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+  settle_forces();
+  const auto width = static_cast<int>(nodes_.width);
+  forced_sectors_.clear();
+  forced_nodes_.clear();
+  node_has_force_.assign(nodes_.width, 0);
+  for (int index : nodes) {
+    const int sector = index / width;
+    if (forced_sectors_.empty() || forced_sectors_.back() != sector) forced_sectors_.push_back(sector);
+    node_has_force_[index - sector * width] = 1;
+  }
+  for (int k = 0; k < nodes_.nodes; ++k)
+    if (node_has_force_[k]) forced_nodes_.push_back(k);
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    Memory& memory = memory_[i];
+    kernels::gather_sectors(forces.data(), memory.cosine.data(), memory.sine.data(), forced_sectors_.data(),
+                            forced_sectors_.size(), nodes_.width, memory.forces.data(),
+                            memory.forces.data() + nodes_.width);
+    memory.forces *= waves_[i].weight * nodes_.symmetry / nodes_.sector_count;
+  }
+  forces_wait_ = true;
+}
+
+}  // namespace tiprub

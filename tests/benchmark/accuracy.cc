@@ -7,7 +7,7 @@
 #include "simulate/scene/scene_scope.h"
 #include "tests/benchmark/benchmarks.h"
 
-namespace tiprub::bench {
+namespace tiprub::testing {
 
 namespace {
 
@@ -104,4 +104,4 @@ void print_accuracy(const std::string& model) {
     }
 }
 
-}  // namespace tiprub::bench
+}  // namespace tiprub::testing

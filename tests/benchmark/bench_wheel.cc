@@ -9,7 +9,7 @@
 #include "simulate/sweep/speed_run.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::bench {
+namespace tiprub::testing {
 
 namespace {
 
@@ -73,4 +73,4 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-}  // namespace tiprub::bench
+}  // namespace tiprub::testing

@@ -5,7 +5,7 @@
 
 #include "tests/benchmark/bench_wheel.h"
 
-namespace tiprub::bench {
+namespace tiprub::testing {
 
 /// Microseconds a step and milliseconds a revolution: the dense reference (the paper's eqs. 13-15), modal central
 /// differences and the default, whole and with two lobes' symmetry, with the share of contact steps; to stdout.
@@ -26,4 +26,4 @@ bool print_scheme_agreement(const std::string& model, int speeds);
 /// Scheme over step, and penalty over stiffness: stable, inaccurate, refused or blown up; a table to stdout.
 void print_stability(const std::string& model);
 
-}  // namespace tiprub::bench
+}  // namespace tiprub::testing

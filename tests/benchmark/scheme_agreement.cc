@@ -10,7 +10,7 @@
 #include "simulate/march/rotor_at_speed.h"
 #include "tests/benchmark/benchmarks.h"
 
-namespace tiprub::bench {
+namespace tiprub::testing {
 
 namespace {
 
@@ -99,4 +99,4 @@ bool print_scheme_agreement(const std::string& model, int speeds) {
   return static_cast<double>(agreeing) >= agreeing_share * speeds;
 }
 
-}  // namespace tiprub::bench
+}  // namespace tiprub::testing

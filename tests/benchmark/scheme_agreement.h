@@ -6,7 +6,7 @@
 #include "simulate/response/response.h"
 #include "tests/benchmark/bench_wheel.h"
 
-namespace tiprub::bench {
+namespace tiprub::testing {
 
 /// What two schemes say of one speed: the default and central differences, each with the step that it needs.
 struct SchemePair {
@@ -25,4 +25,4 @@ std::vector<SchemePair> compare_schemes(const BenchWheel& wheel, double slowest,
 /// "periodic", "subharmonic of order 2", "irregular", or "failed".
 std::string class_of(const SpeedResponse& at);
 
-}  // namespace tiprub::bench
+}  // namespace tiprub::testing

@@ -7,9 +7,9 @@
 #include "simulate/march/time_march.h"
 #include "simulate/scene/scene_scope.h"
 #include "tests/benchmark/benchmarks.h"
-#include "tests/simulate/dense_ring.h"
+#include "tests/simulate/march/dense_ring.h"
 
-namespace tiprub::bench {
+namespace tiprub::testing {
 
 namespace {
 
@@ -105,4 +105,4 @@ void print_step_costs(const std::string& model) {
   print("trigonometric, two lobes (symmetry)", march_cost(two, Scheme::trigonometric, 2, false), dense);
 }
 
-}  // namespace tiprub::bench
+}  // namespace tiprub::testing

@@ -7,10 +7,10 @@
 namespace tiprub {
 namespace {
 
-SpeedResponse settled(const bench::BenchWheel& wheel, double speed, int steps) {
-  SimulateParameters parameters = bench::bench_parameters(wheel, {30, 120, 1, 1e-5});
+SpeedResponse settled(const testing::BenchWheel& wheel, double speed, int steps) {
+  SimulateParameters parameters = testing::bench_parameters(wheel, {30, 120, 1, 1e-5});
   parameters.steps_per_revolution = steps;
-  return bench::run_speed(wheel, parameters, speed);
+  return testing::run_speed(wheel, parameters, speed);
 }
 
 /// Symptom: on a wheel with light tips the default step was off by 6e-2 at a periodic speed, and twice as many steps
@@ -18,7 +18,7 @@ SpeedResponse settled(const bench::BenchWheel& wheel, double speed, int steps) {
 /// there. Right: the default within 5e-3 of a 16 times finer run, and an error that falls with the square of the
 /// step.
 TEST(AccuracyOfTheDefault, HoldsWhereTipModesTurnAboutOnceAStep) {
-  const bench::BenchWheel wheel = bench::made_wheel(2);
+  const testing::BenchWheel wheel = testing::made_wheel(2);
   for (const double speed : {850.0, 1000.0, 1300.0}) {
     const SpeedResponse at = settled(wheel, speed, 0);
     const SpeedResponse reference = settled(wheel, speed, 16 * at.steps_per_revolution);

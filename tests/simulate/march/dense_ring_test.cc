@@ -9,7 +9,7 @@
 
 #include "reduce/model/condensation.h"
 #include "reduce/model/reduced_model_file.h"
-#include "tests/simulate/dense_ring.h"
+#include "tests/simulate/march/dense_ring.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {

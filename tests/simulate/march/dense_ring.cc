@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/simulate/dense_ring.h"
+#include "tests/simulate/march/dense_ring.h"
 
 #include <Eigen/Eigenvalues>
 #include <complex>

@@ -63,7 +63,7 @@ void ContactImpulses::factorize() {
   ++factorizations_;
 }
 
-/// lambda on the closed set, W_cc lambda_c = -g_c, and what it does to all gaps.
+/// eq. 15: lambda on the closed set, W_cc lambda_c = -g_c, so that eq. 14 holds there, and what it does to all gaps.
 void ContactImpulses::solve_closed() {
   factorize();
   multipliers_.setZero();
@@ -99,10 +99,10 @@ bool ContactImpulses::settle_active_set(double tolerance) {
     solve_closed();
     if (set_stands(tolerance)) return true;
     next_.clear();
-    std::size_t at = 0;
+    std::size_t place = 0;
     for (int i = 0; i < static_cast<int>(free_gap_.size()); ++i) {
-      const bool is_closed = at < closed_.size() && closed_[at] == i;
-      if (is_closed) ++at;
+      const bool is_closed = place < closed_.size() && closed_[place] == i;
+      if (is_closed) ++place;
       if (is_closed ? multipliers_[i] > 0 : free_gap_[i] + correction_[i] < -tolerance) next_.push_back(i);
     }
     if (next_ == closed_) return true;  // only if there are gaps that are no numbers
@@ -133,7 +133,7 @@ void ContactImpulses::settle_least_index(double tolerance) {
 
 void ContactImpulses::solve(Eigen::Ref<Eigen::VectorXd> gap) {
   free_gap_ = gap;
-  if (rule_ == ContactRule::paper) {
+  if (rule_ == ContactRule::paper) {  // eq. 14: every penetration is cancelled, once
     close_penetrating();
     solve_closed();
   } else {

@@ -20,8 +20,8 @@ namespace tiprub {
 /// or doubled nodes (a singular W) keep a solution; it leaves a closed node off the wall by 1e-12 W_ii lambda_i.
 ///
 /// The paper's rule holds a negative multiplier (the casing pulls) in some steps and leaves other nodes penetrating
-/// in many; it is kept for reproduction, and its violations are counted. Its eq. 15 has the opposite sign of eq. 14:
-/// here g+ = g + W lambda.
+/// in many; it is kept for reproduction, and its violations are counted. Its eq. 15 has the opposite sign of its eq.
+/// 14: here g+ = g + W lambda.
 class ContactImpulses {
  public:
   /// W [m/N]; n x n, symmetric positive semidefinite. Rows of zeros are nodes that are never closed.

@@ -37,10 +37,11 @@ std::size_t whole_vectors(std::size_t index) {
 TIPRUB_CLONES
 void combine_columns(const double* matrix, std::size_t stride, const int* columns, const double* weights,
                      std::size_t count, double* sum) {
-  std::size_t at = 0;
-  for (; at + 5 * eight <= stride; at += 5 * eight)
-    combine_rows<5>(matrix + at, stride, columns, weights, count, sum + at);
-  for (; at < stride; at += eight) combine_rows<1>(matrix + at, stride, columns, weights, count, sum + at);
+  std::size_t offset = 0;
+  for (; offset + 5 * eight <= stride; offset += 5 * eight)
+    combine_rows<5>(matrix + offset, stride, columns, weights, count, sum + offset);
+  for (; offset < stride; offset += eight)
+    combine_rows<1>(matrix + offset, stride, columns, weights, count, sum + offset);
 }
 
 TIPRUB_CLONES

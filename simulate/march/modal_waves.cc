@@ -39,9 +39,9 @@ kernels::Lines lay_out_shapes(const Eigen::MatrixXcd& normal_rows, Eigen::Index 
   for (std::size_t m = 0; m < static_cast<std::size_t>(normal_rows.cols()); ++m)
     for (std::size_t k = 0; k < nodes; ++k) {
       const std::complex<double> value = normal_rows(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
-      const std::size_t at = ((m / block * nodes + k) * parts) * block + m % block;
-      shapes[at] = value.real();
-      if (parts == 2) shapes[at + block] = value.imag();
+      const std::size_t offset = ((m / block * nodes + k) * parts) * block + m % block;
+      shapes[offset] = value.real();
+      if (parts == 2) shapes[offset + block] = value.imag();
     }
   return shapes;
 }

@@ -36,8 +36,8 @@ Eigen::ArrayXd frequencies(const Eigen::VectorXd& squares, int nodal_diameter, d
 }
 
 Spectrum solve(const ReducedModel& model, int nodal_diameter, double speed) {
-  const ModesAtSpeed at = modes_at_speed(model, nodal_diameter, speed);
-  return {frequencies(at.omega_squared, nodal_diameter, speed), at.shapes};
+  const ModesAtSpeed modes = modes_at_speed(model, nodal_diameter, speed);
+  return {frequencies(modes.omega_squared, nodal_diameter, speed), modes.shapes};
 }
 
 Eigen::MatrixXcd normal_rows(const ReducedModel& model, const Spectrum& spectrum) {
@@ -79,18 +79,19 @@ WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kin
 ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, double speed, ModeParts parts) {
   const int options =
       Eigen::Ax_lBx | (parts == ModeParts::frequencies ? Eigen::EigenvaluesOnly : Eigen::ComputeEigenvectors);
-  // eq. 11: K(Omega); eq. 10: its projection, and that of M
-  const CondensedModel at =
+  // eq. 11: K(Omega) of this nodal diameter
+  const CondensedModel condensed =
       condense(model.nodal_diameters[nodal_diameter], speed, model.contact_dofs(), model.modes_at_speed);
   ModesAtSpeed modes;
   if (is_standing(nodal_diameter, model.sector_count)) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(at.K.real(), at.M.real(), options);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(condensed.K.real(), condensed.M.real(),
+                                                                           options);
     modes.omega_squared = solver.eigenvalues();
-    if (parts == ModeParts::all) modes.shapes = at.basis * solver.eigenvectors().cast<std::complex<double>>();
+    if (parts == ModeParts::all) modes.shapes = condensed.basis * solver.eigenvectors().cast<std::complex<double>>();
   } else {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(at.K, at.M, options);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(condensed.K, condensed.M, options);
     modes.omega_squared = solver.eigenvalues();
-    if (parts == ModeParts::all) modes.shapes = at.basis * solver.eigenvectors();
+    if (parts == ModeParts::all) modes.shapes = condensed.basis * solver.eigenvectors();
   }
   return modes;
 }
@@ -102,7 +103,7 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
   rotor.sector_count = model.sector_count;
   double omega_min = std::numeric_limits<double>::infinity();
   Eigen::VectorXd tip_compliance = Eigen::VectorXd::Zero(model.contact.size());
-  for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
+  for (int n = 0; n <= model.nodal_diameter_max(); ++n) {  // eq. 12: block by block
     const WaveKind kind = wave_kind(n, model.sector_count);
     const Spectrum spectrum = solve(model, n, speed);
     omega_min = std::min(omega_min, spectrum.omega.minCoeff());

@@ -17,8 +17,8 @@ struct ModeChoice {
   Others others = Others::dropped;
 };
 
-/// One nodal diameter at one speed in its own modes: u_j = Re(Phi q e^{i n j alpha}), Phi^H M Phi = 1,
-/// Phi^H K Phi = omega^2. A real force f_j on the sectors acts on q as
+/// One nodal diameter at one speed, a block of the paper's eq. 12, in its own modes: u_j = Re(Phi q e^{i n j alpha}),
+/// Phi^H M Phi = 1, Phi^H K Phi = omega^2. A real force f_j on the sectors acts on q as
 ///   Phi^H (w/N) sum_j f_j e^{-i n j alpha},  w = 1 for a standing wave, 2 for a travelling one.
 struct WaveModes {
   int nodal_diameter = 0;
@@ -36,7 +36,7 @@ struct WaveModes {
   double weight() const { return kind == WaveKind::standing ? 1.0 : 2.0; }
 };
 
-/// The model at one speed, diagonalised.
+/// The model at one speed, diagonalised: the blocks of eq. 12, each by itself, so that F of eq. 11 is never built.
 struct RotorAtSpeed {
   double speed = 0;               ///< [rad/s]
   int sector_count = 0;           ///< N

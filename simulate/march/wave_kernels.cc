@@ -34,8 +34,8 @@ TIPRUB_INLINE void travelling_group(const double* shapes, const double* q_re, co
     for (std::size_t half = 0; half < mode_block; half += eight) {
       const Lanes8 re = lanes8(q_re + m + half), im = lanes8(q_im + m + half);
       for (std::size_t k = 0; k < count; ++k) {
-        const double* at = shapes + 2 * mode_block * k + half;
-        const Lanes8 y_re = lanes8(at), y_im = lanes8(at + mode_block);
+        const double* own = shapes + 2 * mode_block * k + half;
+        const Lanes8 y_re = lanes8(own), y_im = lanes8(own + mode_block);
         sums[k] += y_re * re;
         sums[4 + k] += y_re * im;
         sums[k] -= y_im * im;
@@ -74,40 +74,40 @@ void advance(const double* a, const double* b, const double* q, const double* pr
 TIPRUB_CLONES
 void to_nodes_travelling(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
                          std::size_t nodes, double* p_re, double* p_im) {
-  for (std::size_t at = 0; at < nodes; at += node_group) {
-    const double* from = shapes + 2 * mode_block * at;
-    switch (nodes - at) {
+  for (std::size_t offset = 0; offset < nodes; offset += node_group) {
+    const double* from = shapes + 2 * mode_block * offset;
+    switch (nodes - offset) {
       case 1:
-        travelling_group<1>(from, q_re, q_im, modes, nodes, p_re + at, p_im + at);
+        travelling_group<1>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
         break;
       case 2:
-        travelling_group<2>(from, q_re, q_im, modes, nodes, p_re + at, p_im + at);
+        travelling_group<2>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
         break;
       case 3:
-        travelling_group<3>(from, q_re, q_im, modes, nodes, p_re + at, p_im + at);
+        travelling_group<3>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
         break;
       default:
-        travelling_group<4>(from, q_re, q_im, modes, nodes, p_re + at, p_im + at);
+        travelling_group<4>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
     }
   }
 }
 
 TIPRUB_CLONES
 void to_nodes_standing(const double* shapes, const double* q, std::size_t modes, std::size_t nodes, double* p) {
-  for (std::size_t at = 0; at < nodes; at += node_group) {
-    const double* from = shapes + mode_block * at;
-    switch (nodes - at) {
+  for (std::size_t offset = 0; offset < nodes; offset += node_group) {
+    const double* from = shapes + mode_block * offset;
+    switch (nodes - offset) {
       case 1:
-        standing_group<1>(from, q, modes, nodes, p + at);
+        standing_group<1>(from, q, modes, nodes, p + offset);
         break;
       case 2:
-        standing_group<2>(from, q, modes, nodes, p + at);
+        standing_group<2>(from, q, modes, nodes, p + offset);
         break;
       case 3:
-        standing_group<3>(from, q, modes, nodes, p + at);
+        standing_group<3>(from, q, modes, nodes, p + offset);
         break;
       default:
-        standing_group<4>(from, q, modes, nodes, p + at);
+        standing_group<4>(from, q, modes, nodes, p + offset);
     }
   }
 }
@@ -120,10 +120,10 @@ void add_force_travelling(const double* shapes, const double* c, const double* f
     Lanes8 rr[2] = {}, ii[2] = {}, ri[2] = {}, ir[2] = {};
     for (std::size_t i = 0; i < forced.count; ++i) {
       const int k = forced.index[i];
-      const double* at = shapes + 2 * mode_block * k;
+      const double* own = shapes + 2 * mode_block * k;
       const double force_re = f_re[k], force_im = f_im[k];
       for (std::size_t half = 0; half < 2; ++half) {
-        const Lanes8 y_re = lanes8(at + eight * half), y_im = lanes8(at + mode_block + eight * half);
+        const Lanes8 y_re = lanes8(own + eight * half), y_im = lanes8(own + mode_block + eight * half);
         rr[half] += y_re * force_re;
         ii[half] += y_im * force_im;
         ri[half] += y_re * force_im;
@@ -131,9 +131,9 @@ void add_force_travelling(const double* shapes, const double* c, const double* f
       }
     }
     for (std::size_t half = 0; half < 2; ++half) {
-      const std::size_t at = m + eight * half;
-      lanes8(q_re + at) -= lanes8(c + at) * (rr[half] + ii[half]);
-      lanes8(q_im + at) -= lanes8(c + at) * (ri[half] - ir[half]);
+      const std::size_t offset = m + eight * half;
+      lanes8(q_re + offset) -= lanes8(c + offset) * (rr[half] + ii[half]);
+      lanes8(q_im + offset) -= lanes8(c + offset) * (ri[half] - ir[half]);
     }
   }
 }
@@ -147,8 +147,8 @@ void add_force_standing(const double* shapes, const double* c, const double* f, 
       for (std::size_t half = 0; half < 2; ++half)
         sum[half] += lanes8(shapes + mode_block * forced.index[i] + eight * half) * f[forced.index[i]];
     for (std::size_t half = 0; half < 2; ++half) {
-      const std::size_t at = m + eight * half;
-      lanes8(q + at) -= lanes8(c + at) * sum[half];
+      const std::size_t offset = m + eight * half;
+      lanes8(q + offset) -= lanes8(c + offset) * sum[half];
     }
   }
 }

@@ -27,7 +27,7 @@ struct FixedPoint {
 /// x = G(x) by Anderson's acceleration (1965; type II of Fang, Saad 2009): with f = G(x) - x,
 ///   x+ = G(x) - dG gamma,   gamma = argmin |f - dF gamma|,
 /// over the last `depth` differences of G and f, by a pivoted QR. For a linear G this is GMRES, and it needs no
-/// derivatives. It converges to fixed points that repel as well: who asks must look at their stability. Contact makes
+/// derivatives. It converges to unstable fixed points as well: who asks must look at their stability. Contact makes
 /// G rough, so the residual may leap: then the memory is dropped and the iteration goes on from the best image so
 /// far. Costs one evaluation and 2 n depth^2 multiplications a step; plain iteration needs ln(eps)/ln(rho) of them.
 /// A residual that is no number counts as a leap; nothing is raised but by G.

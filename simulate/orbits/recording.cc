@@ -92,7 +92,7 @@ void Recording::recover_displacements(int first_sample) {
 }
 
 void Recording::compare_force(int column, int sample) {
-  const auto force = [&](int at) { return kept_.contact_force.row(at).cwiseAbs().sum(); };
+  const auto force = [&](int row) { return kept_.contact_force.row(row).cwiseAbs().sum(); };
   if (hardest_sample_ >= 0 && force(sample) <= force(hardest_sample_)) return;
   hardest_sample_ = sample;
   hardest_.clear();

@@ -39,7 +39,7 @@ SteadyState make_judge(const Scene& scene, const TimeMarch& march) {
 }
 
 bool steady(const SteadyState& state) {
-  return state.judge().settled == SteadyVerdict::Settled::yes;
+  return state.judge().settled == SettlingState::Settled::yes;
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ bool Settling::should_jump() const {
   return march_.step_count() >= start * march_.steps_per_revolution();
 }
 
-/// A little off the orbit towards where the march came from: if the orbit repels, it does so in the directions in
+/// A little off the orbit towards where the march came from: an unstable orbit is left in the directions in
 /// which a march from rest goes elsewhere.
 void Settling::put_beside(const Eigen::VectorXd& orbit, const Eigen::VectorXd& start, SymmetricMap& map) const {
   const Eigen::VectorXd away = start - orbit;

@@ -20,12 +20,12 @@ class Settling {
   void add(Eigen::VectorXd motion);
   /// Whether the motion has settled after min_revolutions.
   bool settled() const;
-  SteadyVerdict verdict() const { return state_.judge(); }
+  SettlingState state() const { return state_.judge(); }
   int revolutions() const { return revolutions_; }
 
   /// Marches one revolution, or, once and after the casing has grown, jumps to the settled motion: Anderson's
   /// acceleration of the symmetric map (acceleration = "anderson"). The jump counts only if the motion is then judged
-  /// steady by marching on from beside it (14 .. 20 revolutions), so that one that repels is not taken; if not, the
+  /// steady by marching on from beside it (14 .. 20 revolutions), so that an unstable one is not taken; if not, the
   /// march goes on from where it was, to the bit, and all that is lost is time. Raises what add() raises.
   void advance();
   /// What became of the jump; `revolutions` counts those of the map, and of a confirmation that failed.

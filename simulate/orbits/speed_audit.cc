@@ -48,9 +48,9 @@ double slope(const std::vector<double>& values) {
   const double middle = (static_cast<double>(values.size()) - 1) / 2;
   double moment = 0, spread = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double at = static_cast<double>(i) - middle;
-    moment += at * values[i];
-    spread += at * at;
+    const double offset = static_cast<double>(i) - middle;
+    moment += offset * values[i];
+    spread += offset * offset;
   }
   return spread > 0 ? moment / spread : 0.0;
 }
@@ -76,26 +76,26 @@ std::vector<std::size_t> seed_whole_wheel(const TimeMarch& settled, std::size_t 
 }
 
 /// rms over the revolutions of the amplitudes of engine orders 0 .. highest; orders x columns.
-Eigen::MatrixXd averaged_spectrum(const SpeedResponse& at) {
-  const Eigen::Index samples = at.samples_per_revolution;
+Eigen::MatrixXd averaged_spectrum(const SpeedResponse& response) {
+  const Eigen::Index samples = response.samples_per_revolution;
   const Eigen::Index orders = std::min<Eigen::Index>(highest_order, (samples - 1) / 2) + 1;
   Eigen::MatrixXcd waves(orders, samples);
   for (Eigen::Index m = 0; m < orders; ++m)
     for (Eigen::Index s = 0; s < samples; ++s)
       waves(m, s) = std::polar((m == 0 ? 1.0 : 2.0) / static_cast<double>(samples),
                                -2 * std::numbers::pi * static_cast<double>(m * s % samples) / samples);
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(orders, at.displacement.cols());
-  for (int r = 0; r < at.recorded_revolutions; ++r)
-    sum += (waves * at.displacement.middleRows(r * samples, samples)).cwiseAbs2();
-  return (sum / at.recorded_revolutions).cwiseSqrt();
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(orders, response.displacement.cols());
+  for (int r = 0; r < response.recorded_revolutions; ++r)
+    sum += (waves * response.displacement.middleRows(r * samples, samples)).cwiseAbs2();
+  return (sum / response.recorded_revolutions).cwiseSqrt();
 }
 
 /// The last period of a settled response, begun `shift` revolutions later.
-Eigen::MatrixXd last_period(const SpeedResponse& at, int shift) {
-  const Eigen::Index rows = static_cast<Eigen::Index>(at.period_revolutions) * at.samples_per_revolution;
-  const Eigen::Index first = static_cast<Eigen::Index>(shift) * at.samples_per_revolution;
-  const auto period = at.displacement.bottomRows(rows);
-  Eigen::MatrixXd moved(rows, at.displacement.cols());
+Eigen::MatrixXd last_period(const SpeedResponse& response, int shift) {
+  const Eigen::Index rows = static_cast<Eigen::Index>(response.period_revolutions) * response.samples_per_revolution;
+  const Eigen::Index first = static_cast<Eigen::Index>(shift) * response.samples_per_revolution;
+  const auto period = response.displacement.bottomRows(rows);
+  Eigen::MatrixXd moved(rows, response.displacement.cols());
   moved << period.bottomRows(rows - first), period.topRows(first);
   return moved;
 }

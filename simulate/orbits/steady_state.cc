@@ -37,27 +37,27 @@ double SteadyState::decay_rate(const std::vector<double>& changes) const {
   return spread > 0 ? std::exp(moment / spread) : 1.0;
 }
 
-SteadyVerdict SteadyState::judge() const {
-  SteadyVerdict verdict;
+SettlingState SteadyState::judge() const {
+  SettlingState state;
   for (int period = 1; period <= longest_period; ++period) {
     const std::vector<double>& changes = changes_[period - 1];
     if (changes.empty()) break;
     const double change = changes.back();
     const double rate = decay_rate(changes);
     if (period == 1) {
-      verdict.change = change;
-      verdict.rate = rate;
+      state.change = change;
+      state.rate = rate;
     }
     if (static_cast<int>(changes.size()) < window || change > tolerance_) continue;
     if (*std::max_element(changes.end() - longest_period, changes.end()) > recent_margin * tolerance_) continue;
-    if (period > 1 && verdict.rate < standing_rate) continue;
+    if (period > 1 && state.rate < standing_rate) continue;
     const double over_period = std::pow(rate, period);
     const double still_to_come = rate < 1 ? change * over_period / (1 - over_period) : HUGE_VAL;
     if (change > rounding_floor && still_to_come > tolerance_) continue;
-    return {SteadyVerdict::Settled::yes, period == 1 ? MotionClass::periodic : MotionClass::subharmonic, period,
+    return {SettlingState::Settled::yes, period == 1 ? MotionClass::periodic : MotionClass::subharmonic, period,
             change, rate};
   }
-  return verdict;
+  return state;
 }
 
 }  // namespace tiprub

@@ -11,7 +11,7 @@
 namespace tiprub {
 
 /// What the motion looks like after some revolutions.
-struct SteadyVerdict {
+struct SettlingState {
   enum class Settled { yes, no };
 
   Settled settled = Settled::no;
@@ -36,7 +36,7 @@ class SteadyState {
 
   /// The samples of one whole revolution, always of the same length.
   void add(Eigen::VectorXd revolution);
-  SteadyVerdict judge() const;
+  SettlingState judge() const;
 
  private:
   double decay_rate(const std::vector<double>& changes) const;

@@ -48,7 +48,7 @@ Eigen::VectorXd SymmetricMap::state_shifted(Shift shift) const {
   Eigen::Index size = 0;
   for (const WaveFrame& frame : frames_) size += 4 * frame.moving;
   Eigen::VectorXd state(size);
-  Eigen::Index at = 0;
+  Eigen::Index offset = 0;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     const Eigen::Index count = frames_[i].moving;
     const std::complex<double> phase = shift == Shift::sectors ? frames_[i].phase : 1.0;
@@ -57,9 +57,9 @@ Eigen::VectorXd SymmetricMap::state_shifted(Shift shift) const {
     const Eigen::VectorXcd velocity = (now - before) / march_.time_step();
     const Eigen::VectorXcd position = (now.array() * frames_[i].scale).matrix();
     for (const Eigen::VectorXcd* part : {&position, &velocity}) {
-      state.segment(at, count) = part->real();
-      state.segment(at + count, count) = part->imag();
-      at += 2 * count;
+      state.segment(offset, count) = part->real();
+      state.segment(offset + count, count) = part->imag();
+      offset += 2 * count;
     }
   }
   return state;
@@ -70,16 +70,16 @@ Eigen::VectorXd SymmetricMap::state() const {
 }
 
 void SymmetricMap::put(const Eigen::VectorXd& state) {
-  Eigen::Index at = 0;
+  Eigen::Index offset = 0;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     const Eigen::Index count = frames_[i].moving;
     Eigen::VectorXcd now(count), velocity(count);
-    now.real() = (state.segment(at, count).array() / frames_[i].scale).matrix();
-    now.imag() = (state.segment(at + count, count).array() / frames_[i].scale).matrix();
-    velocity.real() = state.segment(at + 2 * count, count);
-    velocity.imag() = state.segment(at + 3 * count, count);
+    now.real() = (state.segment(offset, count).array() / frames_[i].scale).matrix();
+    now.imag() = (state.segment(offset + count, count).array() / frames_[i].scale).matrix();
+    velocity.real() = state.segment(offset + 2 * count, count);
+    velocity.imag() = state.segment(offset + 3 * count, count);
     march_.set_state(i, now, now - velocity * march_.time_step());
-    at += 4 * count;
+    offset += 4 * count;
   }
 }
 
@@ -95,20 +95,20 @@ Eigen::VectorXd SymmetricMap::operator()(const Eigen::VectorXd& state) {
 Eigen::VectorXd SymmetricMap::lifted(const Eigen::VectorXd& change) const {
   Eigen::VectorXd result(change.size());
   const double h = march_.time_step();
-  Eigen::Index at = 0;
+  Eigen::Index offset = 0;
   for (const WaveFrame& frame : frames_) {
     const Eigen::Index count = frame.moving;
-    for (Eigen::Index m = 0; m < count; ++m, ++at) {
-      const std::complex<double> now = std::complex(change[at], change[at + count]) / frame.scale[m];
-      const std::complex<double> velocity(change[at + 2 * count], change[at + 3 * count]);
+    for (Eigen::Index m = 0; m < count; ++m, ++offset) {
+      const std::complex<double> now = std::complex(change[offset], change[offset + count]) / frame.scale[m];
+      const std::complex<double> velocity(change[offset + 2 * count], change[offset + 3 * count]);
       const Eigen::Vector2cd up = frame.lift[m] * Eigen::Vector2cd(now, now - h * velocity);
-      result[at] = frame.scale[m] * up[0].real();
-      result[at + count] = frame.scale[m] * up[0].imag();
+      result[offset] = frame.scale[m] * up[0].real();
+      result[offset + count] = frame.scale[m] * up[0].imag();
       const std::complex<double> speed = (up[0] - up[1]) / h;
-      result[at + 2 * count] = speed.real();
-      result[at + 3 * count] = speed.imag();
+      result[offset + 2 * count] = speed.real();
+      result[offset + 3 * count] = speed.imag();
     }
-    at += 3 * count;
+    offset += 3 * count;
   }
   return result;
 }

@@ -60,7 +60,7 @@ struct SpeedAudit {
   double left_out_energy = 0;       ///< [1] elastic energy of the modes without mass or dropped, of all of it
   double compliance_condition = 0;  ///< [1] condition number of W
   std::int64_t leftover_steps = 0;  ///< recorded steps that leave a node clearly in the casing
-  double tension_share = 0;         ///< [1] of the contact forces' sum of magnitudes: what pulls
+  double tension_share = 0;         ///< [1] share of tensile contact force: of the sum of the forces' magnitudes
 };
 
 /// The whole rotor at one instant, in the dofs of the reduced model: what full fields are recovered from.

@@ -64,35 +64,35 @@ auto value_named(const Names& names, const std::string& name, const std::string&
 
 /// Every number of a speed with its name in the file: one list for the writer and the reader.
 template <class Speed, class Visit>
-void visit_numbers(Speed& at, Visit visit) {
-  visit("steps_per_revolution", at.steps_per_revolution);
-  visit("samples_per_revolution", at.samples_per_revolution);
-  visit("recorded_revolutions", at.recorded_revolutions);
-  visit("revolutions", at.revolutions);
-  visit("period_revolutions", at.period_revolutions);
-  visit("change", at.change);
-  visit("change_rate", at.change_rate);
-  visit("contact_work", at.energy.contact_work);
-  visit("dissipated", at.energy.dissipated);
-  visit("energy_change", at.energy.energy_change);
-  visit("energy_closing_error", at.energy.closing_error);
-  visit("step_ratio", at.step_ratio);
-  visit("largest_penetration", at.largest_penetration);
-  visit("smallest_multiplier", at.smallest_multiplier);
-  visit("contact_steps", at.contact_steps);
-  visit("tension_steps", at.tension_steps);
-  visit("solver_fallbacks", at.solver_fallbacks);
-  visit("halving_difference", at.audit.halving_difference);
-  visit("excluded_growth", at.audit.excluded_growth);
-  visit("rest_difference", at.audit.rest_difference);
-  visit("left_out_energy", at.audit.left_out_energy);
-  visit("compliance_condition", at.audit.compliance_condition);
-  visit("leftover_steps", at.audit.leftover_steps);
-  visit("tension_share", at.audit.tension_share);
+void visit_numbers(Speed& speed, Visit visit) {
+  visit("steps_per_revolution", speed.steps_per_revolution);
+  visit("samples_per_revolution", speed.samples_per_revolution);
+  visit("recorded_revolutions", speed.recorded_revolutions);
+  visit("revolutions", speed.revolutions);
+  visit("period_revolutions", speed.period_revolutions);
+  visit("change", speed.change);
+  visit("change_rate", speed.change_rate);
+  visit("contact_work", speed.energy.contact_work);
+  visit("dissipated", speed.energy.dissipated);
+  visit("energy_change", speed.energy.energy_change);
+  visit("energy_closing_error", speed.energy.closing_error);
+  visit("step_ratio", speed.step_ratio);
+  visit("largest_penetration", speed.largest_penetration);
+  visit("smallest_multiplier", speed.smallest_multiplier);
+  visit("contact_steps", speed.contact_steps);
+  visit("tension_steps", speed.tension_steps);
+  visit("solver_fallbacks", speed.solver_fallbacks);
+  visit("halving_difference", speed.audit.halving_difference);
+  visit("excluded_growth", speed.audit.excluded_growth);
+  visit("rest_difference", speed.audit.rest_difference);
+  visit("left_out_energy", speed.audit.left_out_energy);
+  visit("compliance_condition", speed.audit.compliance_condition);
+  visit("leftover_steps", speed.audit.leftover_steps);
+  visit("tension_share", speed.audit.tension_share);
 }
 
-void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse& at) {
-  visit_numbers(at, [&](const char* name, const auto& value) {
+void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse& speed) {
+  visit_numbers(speed, [&](const char* name, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, std::optional<double>>) {
       if (value) file.set_attribute(group, name, *value);  // absent where it wasn't looked at
@@ -104,8 +104,8 @@ void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse
   });
 }
 
-void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse& at) {
-  visit_numbers(at, [&](const char* name, auto& value) {
+void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse& speed) {
+  visit_numbers(speed, [&](const char* name, auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, std::optional<double>>) {
       if (file.has_attribute(group, name)) value = file.number_attribute(group, name);
@@ -121,14 +121,14 @@ std::string snapshot_of(const std::string& group, int nodal_diameter) {
   return group + "/snapshot/" + std::to_string(nodal_diameter);
 }
 
-void write_snapshot(Hdf5File& file, const std::string& group, const RotorSnapshot& snapshot, const SpeedResponse& at,
-                    const SimulatedScene& scene) {
+void write_snapshot(Hdf5File& file, const std::string& group, const RotorSnapshot& snapshot,
+                    const SpeedResponse& speed, const SimulatedScene& scene) {
   for (std::size_t i = 0; i < snapshot.displacement.size(); ++i)
     file.write(snapshot_of(group, scene.nodal_diameters[i]), Eigen::MatrixXcd(snapshot.displacement[i]),
                "m in contact dofs");
   file.set_attribute(group + "/snapshot", "sample", snapshot.sample);
   file.set_attribute(group + "/snapshot", "angle",
-                     2 * std::numbers::pi * snapshot.sample / at.samples_per_revolution);
+                     2 * std::numbers::pi * snapshot.sample / speed.samples_per_revolution);
   file.set_attribute(group + "/snapshot", "contact_force", snapshot.force);
 }
 
@@ -174,58 +174,58 @@ void require_columns(const Eigen::MatrixXd& table, const std::string& where, Eig
 
 }  // namespace
 
-void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& at,
+void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& speed,
                        const SimulatedScene& scene) {
-  file.set_attribute(group, "speed", at.speed);
-  file.set_attribute(group, "failure", at.failure);
-  file.set_attribute(group, "motion", std::string(name_of(motion_names, at.motion)));
-  file.set_attribute(group, "symmetry", std::string(name_of(symmetry_names, at.audit.symmetry)));
-  file.set_attribute(group, "halving_measure", at.audit.halving_measure);
-  write_numbers(file, group, at);
-  write_acceleration(file, group, at.audit.acceleration);
-  if (!at.failure.empty()) return;
+  file.set_attribute(group, "speed", speed.speed);
+  file.set_attribute(group, "failure", speed.failure);
+  file.set_attribute(group, "motion", std::string(name_of(motion_names, speed.motion)));
+  file.set_attribute(group, "symmetry", std::string(name_of(symmetry_names, speed.audit.symmetry)));
+  file.set_attribute(group, "halving_measure", speed.audit.halving_measure);
+  write_numbers(file, group, speed);
+  write_acceleration(file, group, speed.audit.acceleration);
+  if (!speed.failure.empty()) return;
   const auto sectors = static_cast<std::size_t>(scene.independent_sectors);
   const auto nodes = static_cast<std::size_t>(scene.clearance.size());
-  file.write(group + "/clearance", at.clearance, "m");
-  file.write(group + "/displacement", unfold(at.displacement, {sectors, nodes, 3}), "m");
-  file.write(group + "/contact_force", unfold(at.contact_force, {sectors, nodes}), "N");
-  const Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> counts = at.contact_count;
+  file.write(group + "/clearance", speed.clearance, "m");
+  file.write(group + "/displacement", unfold(speed.displacement, {sectors, nodes, 3}), "m");
+  file.write(group + "/contact_force", unfold(speed.contact_force, {sectors, nodes}), "N");
+  const Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> counts = speed.contact_count;
   file.write(group + "/contact_count",
              Array<std::int32_t>{{sectors, nodes, static_cast<std::size_t>(counts.cols())},
                                  {counts.data(), counts.data() + counts.size()}},
              "steps");
-  if (at.snapshot) write_snapshot(file, group, *at.snapshot, at, scene);
+  if (speed.snapshot) write_snapshot(file, group, *speed.snapshot, speed, scene);
 }
 
 SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene) {
-  SpeedResponse at;
-  at.speed = file.number_attribute(group, "speed");
-  at.failure = file.text_attribute(group, "failure");
+  SpeedResponse speed;
+  speed.speed = file.number_attribute(group, "speed");
+  speed.failure = file.text_attribute(group, "failure");
   const std::string where = file.path() + ": " + group;
-  at.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
-  at.audit.symmetry = value_named(symmetry_names, file.text_attribute(group, "symmetry"), where + ": symmetry");
-  at.audit.halving_measure = file.text_attribute(group, "halving_measure");
-  read_numbers(file, group, at);
-  at.audit.acceleration = read_acceleration(file, group);
-  if (!at.failure.empty()) return at;
-  const Eigen::Index samples = static_cast<Eigen::Index>(at.samples_per_revolution) * at.recorded_revolutions;
+  speed.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
+  speed.audit.symmetry = value_named(symmetry_names, file.text_attribute(group, "symmetry"), where + ": symmetry");
+  speed.audit.halving_measure = file.text_attribute(group, "halving_measure");
+  read_numbers(file, group, speed);
+  speed.audit.acceleration = read_acceleration(file, group);
+  if (!speed.failure.empty()) return speed;
+  const Eigen::Index samples = static_cast<Eigen::Index>(speed.samples_per_revolution) * speed.recorded_revolutions;
   const Eigen::Index points = scene.independent_sectors * scene.clearance.size();
-  at.clearance = file.read_vector(group + "/clearance");
-  if (at.clearance.size() != scene.clearance.size())
-    throw RunError(where + "/clearance: has " + std::to_string(at.clearance.size()) + " contact nodes, must have " +
-                   std::to_string(scene.clearance.size()));
-  at.displacement = fold(file.read_array(group + "/displacement"));
-  at.contact_force = fold(file.read_array(group + "/contact_force"));
-  require_columns(at.displacement, file.path() + ": " + group + "/displacement", samples, 3 * points);
-  require_columns(at.contact_force, file.path() + ": " + group + "/contact_force", samples, points);
+  speed.clearance = file.read_vector(group + "/clearance");
+  if (speed.clearance.size() != scene.clearance.size())
+    throw RunError(where + "/clearance: has " + std::to_string(speed.clearance.size()) +
+                   " contact nodes, must have " + std::to_string(scene.clearance.size()));
+  speed.displacement = fold(file.read_array(group + "/displacement"));
+  speed.contact_force = fold(file.read_array(group + "/contact_force"));
+  require_columns(speed.displacement, file.path() + ": " + group + "/displacement", samples, 3 * points);
+  require_columns(speed.contact_force, file.path() + ": " + group + "/contact_force", samples, points);
   const Array<std::int32_t> counts = file.read_integers(group + "/contact_count");
   if (counts.shape.size() != 3 || static_cast<Eigen::Index>(counts.shape[0] * counts.shape[1]) != points)
     throw RunError(file.path() + ": " + group + "/contact_count must have the axes sector, node, area");
   using RowMajor = Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  at.contact_count =
+  speed.contact_count =
       Eigen::Map<const RowMajor>(counts.values.data(), points, static_cast<Eigen::Index>(counts.shape[2]));
-  at.snapshot = read_snapshot(file, group, scene, samples);
-  return at;
+  speed.snapshot = read_snapshot(file, group, scene, samples);
+  return speed;
 }
 
 }  // namespace tiprub

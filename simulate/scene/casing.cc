@@ -38,7 +38,7 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
 }  // namespace
 
 double Casing::distortion(double angle) const {
-  const double period = two_pi / lobes;
+  const double period = two_pi / lobes;  // eq. 16: f = N_l Omega for an angle that grows with Omega t
   const double turned = angle - crest_angle;
   const double from_crest = turned - period * std::round(turned / period);
   switch (shape) {

@@ -23,7 +23,8 @@ enum class ClearanceState {
 };
 
 /// A rigid casing that stands still around the wheel. Its distortion is the same along the chord, counts inward, and
-/// repeats every 2 pi / lobes. The gap of node k of sector j is, positive when open,
+/// repeats every 2 pi / lobes: in the rotor's frame its fundamental frequency is N_l Omega (eq. 16). The gap of node
+/// k of sector j is, positive when open,
 ///   g = clearance_k - ramp(t) distortion(theta_k + j alpha + Omega t) - n_k . u_jk,
 /// and the casing pushes along -n_k.
 struct Casing {

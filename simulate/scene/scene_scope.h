@@ -11,7 +11,8 @@ namespace tiprub {
 
 /// What this scene needs, and no more. Turning by 2 pi / g, g = gcd(N, orders of the casing), maps the scene onto
 /// itself at every instant: from rest only nodal diameters that are multiples of g move, and N/g sectors are
-/// independent (the paper's eq. 17). That is exact, the transient included.
+/// independent: N alpha +- n = k N_l has solutions for these only (the paper's eq. 17). That is exact, the transient
+/// included.
 struct SceneScope {
   int symmetry = 1;                  ///< g; 1 if all nodal diameters are asked for
   int independent_sectors = 1;       ///< N / g

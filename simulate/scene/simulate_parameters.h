@@ -26,7 +26,7 @@ enum class Acceleration {
   anderson,  ///< by a jump to the fixed point of the symmetric map, confirmed by marching; by marching if that fails
 };
 
-/// What is done about speeds whose symmetric motion repels.
+/// What is done about speeds whose symmetric motion is unstable.
 enum class BrokenSymmetry {
   mark,      ///< they are named
   full_run,  ///< and run again with all nodal diameters, into a response of their own

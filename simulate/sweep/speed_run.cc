@@ -22,7 +22,7 @@ namespace tiprub {
 namespace {
 
 constexpr double leftover_gap = 1e-9;  // of amplitude and clearance: a penetration above is no rounding
-constexpr double seed_motion = 1e-3;   // of the casing's amplitude: wakes nodal diameters that symmetry keeps still
+constexpr double seed_motion = 1e-3;   // of the casing's amplitude: seeds nodal diameters that symmetry keeps still
 constexpr double worst_condition = 1e12;  // of W, if modes are dropped: beyond it, it has lost its rank
 
 /// [m] of a speed in rad/s. Raises RunError if spin closes it.
@@ -70,7 +70,7 @@ ModeChoice mode_choice(const SimulateParameters& parameters) {
 
 /// All nodal diameters from exact symmetry stay in it for hundreds of revolutions, stable or not: those that the
 /// casing's orders can't move get a small start.
-void wake_all(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march) {
+void seed_excluded_diameters(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march) {
   const int symmetry = std::gcd(scene.model.sector_count, scene.casing.lobes);
   for (std::size_t i = 0; i < rotor.waves.size(); ++i) {
     const WaveModes& wave = rotor.waves[i];
@@ -84,9 +84,9 @@ void wake_all(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march) {
 }
 
 /// As many revolutions as are worth keeping: one period of a settled motion, else what was asked for.
-int revolutions_to_record(const SimulateParameters& parameters, const SteadyVerdict& verdict) {
-  const bool settled = verdict.settled == SteadyVerdict::Settled::yes;
-  return settled ? std::min(verdict.period_revolutions, parameters.recorded_revolutions)
+int revolutions_to_record(const SimulateParameters& parameters, const SettlingState& state) {
+  const bool settled = state.settled == SettlingState::Settled::yes;
+  return settled ? std::min(state.period_revolutions, parameters.recorded_revolutions)
                  : parameters.recorded_revolutions;
 }
 
@@ -101,22 +101,22 @@ void march_and_record(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& 
   while (true) {
     while (settling.revolutions() < last_start && !settling.settled()) settling.advance();
     grid.revolutions =
-        settling.settled() ? revolutions_to_record(parameters, settling.verdict()) : parameters.recorded_revolutions;
+        settling.settled() ? revolutions_to_record(parameters, settling.state()) : parameters.recorded_revolutions;
     Recording recording(march, rotor, scene.model.contact, grid);
     for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution(march));
-    const bool same = settling.settled() && revolutions_to_record(parameters, settling.verdict()) <= grid.revolutions;
+    const bool same = settling.settled() && revolutions_to_record(parameters, settling.state()) <= grid.revolutions;
     if (!same && settling.revolutions() <= last_start) continue;
     recording.finish(march, response);
     break;
   }
-  const SteadyVerdict verdict = settling.verdict();
+  const SettlingState state = settling.state();
   response.recorded_revolutions = grid.revolutions;
   response.audit.acceleration = settling.acceleration();
   response.revolutions = settling.revolutions() + static_cast<int>(settling.acceleration().revolutions);
-  response.motion = verdict.motion;
-  response.period_revolutions = verdict.period_revolutions;
-  response.change = verdict.change;
-  response.change_rate = verdict.rate;
+  response.motion = state.motion;
+  response.period_revolutions = state.period_revolutions;
+  response.change = state.change;
+  response.change_rate = state.rate;
   response.solver_fallbacks = march.contact().fallbacks();
 }
 
@@ -132,7 +132,7 @@ void start_march(const Scene& scene, const RotorState& start, const RotorAtSpeed
     march.set_step(march.steps_per_revolution() *
                    static_cast<std::int64_t>(std::ceil(scene.casing.ramp_revolutions)));
   } else if (scene.parameters.nodal_diameters == DiameterChoice::all) {
-    wake_all(scene, rotor, march);
+    seed_excluded_diameters(scene, rotor, march);
   }
 }
 
@@ -141,26 +141,26 @@ Marched settle(const Scene& scene, const RotorState& start, int step_factor, Spe
   const SimulateParameters& parameters = scene.parameters;
   response.samples_per_revolution = scene.scope.samples_per_revolution;
   response.recorded_revolutions = parameters.recorded_revolutions;
-  Marched at;
-  at.rotor = std::make_unique<RotorAtSpeed>(rotor_at_speed(scene.model, response.speed, scene.scope.nodal_diameters,
-                                                           parameters.damping_ratios, mode_choice(parameters)));
+  Marched marched;
+  marched.rotor = std::make_unique<RotorAtSpeed>(rotor_at_speed(
+      scene.model, response.speed, scene.scope.nodal_diameters, parameters.damping_ratios, mode_choice(parameters)));
   response.clearance = open_clearance(scene, response.speed);
   response.steps_per_revolution =
-      step_factor * steps_per_revolution(scene.scope, parameters, at.rotor->first_frequency, response.speed);
-  const double stiffness = parameters.penalty_stiffness * at.rotor->tip_stiffness;
-  at.march =
-      std::make_unique<TimeMarch>(*at.rotor, scene.casing, scene.model.contact, response.clearance,
+      step_factor * steps_per_revolution(scene.scope, parameters, marched.rotor->first_frequency, response.speed);
+  const double stiffness = parameters.penalty_stiffness * marched.rotor->tip_stiffness;
+  marched.march =
+      std::make_unique<TimeMarch>(*marched.rotor, scene.casing, scene.model.contact, response.clearance,
                                   MarchSetup{parameters.scheme, parameters.contact, response.steps_per_revolution,
                                              scene.scope.symmetry, parameters.theta, stiffness});
-  const double omega_max =
-      parameters.scheme == Scheme::penalty ? penalised_omega_max(*at.rotor, stiffness) : at.rotor->omega_max;
-  response.step_ratio = at.march->time_step() * omega_max / 2;
+  const double omega_max = parameters.scheme == Scheme::penalty ? penalised_omega_max(*marched.rotor, stiffness)
+                                                                : marched.rotor->omega_max;
+  response.step_ratio = marched.march->time_step() * omega_max / 2;
   require_stable_step(parameters, omega_max, response);
-  response.audit.compliance_condition = compliance_condition(*at.march);
-  require_full_rank(scene, *at.rotor, response.audit.compliance_condition);
-  start_march(scene, start, *at.rotor, *at.march);
-  march_and_record(scene, *at.rotor, *at.march, response);
-  return at;
+  response.audit.compliance_condition = compliance_condition(*marched.march);
+  require_full_rank(scene, *marched.rotor, response.audit.compliance_condition);
+  start_march(scene, start, *marched.rotor, *marched.march);
+  march_and_record(scene, *marched.rotor, *marched.march, response);
+  return marched;
 }
 
 void check_halved_step(const Scene& scene, const RotorState& start, SpeedResponse& response) {
@@ -176,20 +176,20 @@ void check_halved_step(const Scene& scene, const RotorState& start, SpeedRespons
   }
 }
 
-void check_symmetry(const Scene& scene, const Marched& at, SpeedResponse& response) {
+void check_symmetry(const Scene& scene, const Marched& marched, SpeedResponse& response) {
   SpeedAudit& audit = response.audit;
-  if (at.rotor->others.empty()) return;
+  if (marched.rotor->others.empty()) return;
   audit.symmetry = SymmetryVerdict::unchecked;
   if (scene.parameters.symmetry_check_revolutions == 0 || response.displacement.isZero(0)) return;
   try {
-    audit.excluded_growth = excluded_growth(*at.march, *at.rotor, scene.casing, scene.model.contact,
+    audit.excluded_growth = excluded_growth(*marched.march, *marched.rotor, scene.casing, scene.model.contact,
                                             scene.parameters.symmetry_check_revolutions);
     audit.symmetry = *audit.excluded_growth > growth_limit ? SymmetryVerdict::breaking : SymmetryVerdict::holds;
   } catch (const RunError&) {  // the whole wheel's contact problem failed: unchecked
   }
 }
 
-void compare_with_rest(const Scene& scene, SpeedResponse& response) {
+void compare_with_start_at_rest(const Scene& scene, SpeedResponse& response) {
   SpeedResponse from_rest;
   from_rest.speed = response.speed;
   try {
@@ -206,11 +206,11 @@ SpeedResult simulate_speed(const Scene& scene, double speed, StepCheck check, co
   SpeedResponse& response = result.response;
   response.speed = speed;
   try {
-    const Marched at = settle(scene, start, 1, response);
-    result.end = state_of(*at.march, *at.rotor, scene.model);
+    const Marched marched = settle(scene, start, 1, response);
+    result.end = state_of(*marched.march, *marched.rotor, scene.model);
     if (check == StepCheck::halved) check_halved_step(scene, start, response);
-    check_symmetry(scene, at, response);
-    if (!start.at_rest()) compare_with_rest(scene, response);
+    check_symmetry(scene, marched, response);
+    if (!start.at_rest()) compare_with_start_at_rest(scene, response);
   } catch (const RunError& error) {
     response.failure = error.what();
   }

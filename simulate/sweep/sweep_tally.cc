@@ -52,42 +52,47 @@ std::string breaking_text(const std::vector<double>& speeds, BrokenSymmetry brok
 
 }  // namespace
 
-std::string speed_line(const SpeedResponse& at) {
+std::string speed_line(const SpeedResponse& response) {
   std::ostringstream text;
-  text << at.speed * rpm_per_rad_s << " rev/min: ";
-  if (!at.failure.empty()) {
-    text << "failed: " << at.failure;
+  text << response.speed * rpm_per_rad_s << " rev/min: ";
+  if (!response.failure.empty()) {
+    text << "failed: " << response.failure;
     return text.str();
   }
-  text << (at.motion == MotionClass::periodic      ? "periodic"
-           : at.motion == MotionClass::subharmonic ? "subharmonic of order " + std::to_string(at.period_revolutions)
-                                                   : "irregular");
-  text << " after " << at.revolutions << " revolutions of " << at.steps_per_revolution << " steps, change "
-       << at.change << " (x " << at.change_rate << " a revolution), " << at.contact_steps
-       << " steps in contact, energy closes to " << at.energy.closing_error;
-  if (at.tension_steps > 0)
-    text << ", " << at.tension_steps << " steps pull (" << at.audit.tension_share << " of the force)";
-  if (at.audit.leftover_steps > 0)
-    text << ", " << at.audit.leftover_steps << " steps leave up to " << at.largest_penetration << " m of penetration";
-  if (at.solver_fallbacks > 0) text << ", " << at.solver_fallbacks << " solver fallbacks";
-  text << audit_text(at.audit) << ", cond W " << at.audit.compliance_condition;
+  text << (response.motion == MotionClass::periodic ? "periodic"
+           : response.motion == MotionClass::subharmonic
+               ? "subharmonic of order " + std::to_string(response.period_revolutions)
+               : "irregular");
+  text << " after " << response.revolutions << " revolutions of " << response.steps_per_revolution
+       << " steps, change " << response.change << " (x " << response.change_rate << " a revolution), "
+       << response.contact_steps << " steps in contact, energy closing error " << response.energy.closing_error;
+  if (response.tension_steps > 0)
+    text << ", " << response.tension_steps << " steps with tensile contact forces (share "
+         << response.audit.tension_share << ")";
+  if (response.audit.leftover_steps > 0)
+    text << ", " << response.audit.leftover_steps << " steps leave up to " << response.largest_penetration
+         << " m of penetration";
+  if (response.solver_fallbacks > 0) text << ", " << response.solver_fallbacks << " solver fallbacks";
+  text << audit_text(response.audit) << ", cond W " << response.audit.compliance_condition;
   return text.str();
 }
 
-void SweepTally::add(const SpeedResponse& at) {
-  if (!at.failure.empty()) {
-    if (failed++ == 0) first_failure = speed_line(at);
+void SweepTally::add(const SpeedResponse& response) {
+  if (!response.failure.empty()) {
+    if (failed++ == 0) first_failure = speed_line(response);
     return;
   }
-  ++(at.motion == MotionClass::periodic ? periodic : at.motion == MotionClass::subharmonic ? subharmonic : irregular);
-  if (at.tension_steps > 0) ++pulling;
-  if (at.audit.leftover_steps > 0) ++penetrating;
-  if (at.audit.symmetry == SymmetryVerdict::breaking) breaking.push_back(at.speed);
-  if (at.audit.acceleration.outcome == AccelerationReport::Outcome::fell_back) ++fallen_back;
-  if (at.audit.rest_difference.value_or(0) > same_motion) ++apart_from_rest;
-  if (at.audit.halving_difference) ++halved;
-  largest_halving = std::max(largest_halving, at.audit.halving_difference.value_or(0));
-  tension_share = std::max(tension_share, at.audit.tension_share);
+  ++(response.motion == MotionClass::periodic      ? periodic
+     : response.motion == MotionClass::subharmonic ? subharmonic
+                                                   : irregular);
+  if (response.tension_steps > 0) ++pulling;
+  if (response.audit.leftover_steps > 0) ++penetrating;
+  if (response.audit.symmetry == SymmetryVerdict::breaking) breaking.push_back(response.speed);
+  if (response.audit.acceleration.outcome == AccelerationReport::Outcome::fell_back) ++fallen_back;
+  if (response.audit.rest_difference.value_or(0) > same_motion) ++apart_from_rest;
+  if (response.audit.halving_difference) ++halved;
+  largest_halving = std::max(largest_halving, response.audit.halving_difference.value_or(0));
+  tension_share = std::max(tension_share, response.audit.tension_share);
 }
 
 std::string SweepTally::text() const {
@@ -102,7 +107,8 @@ std::string SweepTally::text() const {
 std::string SweepTally::warnings(BrokenSymmetry broken) const {
   std::ostringstream out;
   if (pulling > 0)
-    out << "\nat " << pulling << " speeds the casing pulls, with up to " << tension_share << " of the force";
+    out << "\nat " << pulling << " speeds contact forces are tensile in some steps, with a share of up to "
+        << tension_share;
   if (tension_share > tolerated_tension) out << ": more than " << tolerated_tension << ", don't trust these";
   if (penetrating > 0) out << "\nat " << penetrating << " speeds steps leave a node in the casing";
   if (!breaking.empty()) out << breaking_text(breaking, broken);

@@ -11,7 +11,7 @@
 namespace tiprub {
 
 /// What happened at a speed, for people: one line.
-std::string speed_line(const SpeedResponse& at);
+std::string speed_line(const SpeedResponse& response);
 
 /// What a sweep came to.
 struct SweepTally {
@@ -23,10 +23,10 @@ struct SweepTally {
   std::size_t fallen_back = 0;      ///< speeds that no jump brought to their settled motion
   std::size_t halved = 0;           ///< speeds computed with half the step as well
   double largest_halving = 0;       ///< [1] the largest difference there
-  double tension_share = 0;         ///< [1] the largest share of the force that pulls
+  double tension_share = 0;         ///< [1] the largest share of tensile contact force
   std::string first_failure;
 
-  void add(const SpeedResponse& at);
+  void add(const SpeedResponse& response);
   std::string text() const;
   /// A line for each thing that asks for a decision, each with a line break before it.
   std::string warnings(BrokenSymmetry broken = BrokenSymmetry::mark) const;

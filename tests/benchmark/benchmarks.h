@@ -7,8 +7,9 @@
 
 namespace tiprub::testing {
 
-/// Microseconds a step and milliseconds a revolution: the dense reference (the paper's eqs. 13-15), modal central
-/// differences and the default, whole and with two lobes' symmetry, with the share of contact steps; to stdout.
+/// Microseconds a step and milliseconds a revolution: the dense reference (the paper's eq. 13, eq. 14, eq. 15), modal
+/// central differences and the default, whole and with two lobes' symmetry, with the share of contact steps; to
+/// stdout.
 void print_step_costs(const std::string& model);
 
 /// What 400 speeds by 60 revolutions cost against three lobes, all of it (set-up, march, recording, audit): marches

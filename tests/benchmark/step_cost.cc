@@ -99,7 +99,7 @@ void print_step_costs(const std::string& model) {
               static_cast<int>(three.model.sector_count * three.model.nodal_diameters[0].M.rows()), three.speed);
   const Cost central = march_cost(three, Scheme::central_differences, 1, true);
   const Cost dense = dense_cost(three, central.steps);
-  print("dense eqs. 13-15 (reference)", dense, dense);
+  print("dense eq. 13, eq. 14, eq. 15 (reference)", dense, dense);
   print("modal central differences, three lobes", central, dense);
   print("trigonometric, three lobes (no symmetry)", march_cost(three, Scheme::trigonometric, 1, false), dense);
   print("trigonometric, two lobes (symmetry)", march_cost(two, Scheme::trigonometric, 2, false), dense);

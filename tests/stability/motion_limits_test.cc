@@ -12,22 +12,22 @@ namespace tiprub {
 namespace {
 
 /// A change far below the tolerance, which decays just fast enough, or grows.
-SteadyVerdict::Settled judge(double rate) {
+SettlingState::Settled judge(double rate) {
   SteadyState state(1e-3, 0.0);
-  SteadyVerdict verdict;
+  SettlingState found;
   for (int r = 0; r < 60; ++r) {
     Eigen::VectorXd motion = Eigen::VectorXd::LinSpaced(50, -1, 1);
     motion[3] += 1e-4 * std::pow(rate, r);
     state.add(motion);
-    verdict = state.judge();
+    found = state.judge();
   }
-  EXPECT_LT(verdict.change, 1e-3);  // one threshold alone would call both settled
-  return verdict.settled;
+  EXPECT_LT(found.change, 1e-3);  // one threshold alone would call both settled
+  return found.settled;
 }
 
 TEST(SettlingLimit, IsTheDecayNotTheChange) {
-  EXPECT_EQ(judge(0.97), SteadyVerdict::Settled::yes);
-  EXPECT_EQ(judge(1.03), SteadyVerdict::Settled::no);
+  EXPECT_EQ(judge(0.97), SettlingState::Settled::yes);
+  EXPECT_EQ(judge(1.03), SettlingState::Settled::no);
 }
 
 /// A mass that the casing's crest comes near, but doesn't reach: at rest it stays at rest. Above its frequency (1000

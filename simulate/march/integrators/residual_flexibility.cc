@@ -7,13 +7,13 @@ namespace tiprub {
 StepCoefficients residual_flexibility(const Eigen::ArrayXd& omega, const Eigen::ArrayXd& damping_ratio, double step,
                                       Eigen::Index moving) {
   StepCoefficients all = trigonometric(omega, damping_ratio, step);
-  const Eigen::Index rest = omega.size() - moving;
-  if (rest <= 0) return all;
-  if (!(omega.tail(rest).minCoeff() > 0))
+  const Eigen::Index massless = omega.size() - moving;
+  if (massless <= 0) return all;
+  if (!(omega.tail(massless).minCoeff() > 0))
     throw RunError("a mode without stiffness can't be quasi-static; raise [simulate] modes");
-  all.a.tail(rest).setZero();
-  all.b.tail(rest).setZero();
-  all.c.tail(rest) = omega.tail(rest).square().inverse();
+  all.a.tail(massless).setZero();
+  all.b.tail(massless).setZero();
+  all.c.tail(massless) = omega.tail(massless).square().inverse();
   return all;
 }
 

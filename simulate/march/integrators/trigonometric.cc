@@ -25,8 +25,8 @@ OneMode one_mode(double omega, double ratio, double step) {
   const double decay = std::exp(-x);
   const double half = ratio <= 1 ? std::sin(y / 2) : std::sinh(y / 2);
   const double sign = ratio <= 1 ? 1.0 : -1.0;
-  const double rest = std::expm1(-x) * std::expm1(-x) + sign * 4 * decay * half * half;
-  return {2 * decay * (ratio <= 1 ? std::cos(y) : std::cosh(y)), decay * decay, rest / (omega * omega)};
+  const double static_share = std::expm1(-x) * std::expm1(-x) + sign * 4 * decay * half * half;
+  return {2 * decay * (ratio <= 1 ? std::cos(y) : std::cosh(y)), decay * decay, static_share / (omega * omega)};
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ TEST(Complementarity, RefusesAComplianceThatIsNone) {
   EXPECT_THROW(contact.solve(gap), RunError);
 }
 
-/// Two stiffly tied nodes, one of them deep: the equality pulls the other one back to the wall.
+/// eq. 14, eq. 15. Two stiffly tied nodes, one of them deep: the equality pulls the other one back to the wall.
 TEST(PapersRule, ClosesEveryPenetratingNodeAndMayPull) {
   Eigen::Matrix2d W;
   W << 1.0, 0.9, 0.9, 1.0;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// The ring's matrix from those of its nodal diameters: block (j, k) = 1/N sum over n = 0 .. N-1 of
+/// eq. 11, eq. 12: the ring's matrix from those of its nodal diameters: block (j, k) = 1/N sum over n = 0 .. N-1 of
 /// A_n e^{i n (j - k) alpha}, with A_{N-n} = conj A_n.
 Eigen::MatrixXd ring(const std::vector<Eigen::MatrixXcd>& by_diameter, int sectors) {
   const Eigen::Index size = by_diameter.front().rows();
@@ -62,7 +62,7 @@ DenseRing::DenseRing(const ReducedModel& model, const Casing& casing, double spe
   lambda_ = gap_ = Eigen::VectorXd::Zero(N * nodes);
 }
 
-/// Eq. 15, with the sign that eq. 14 asks for.
+/// eq. 15, with the sign that eq. 14 asks for.
 void DenseRing::close_penetrating() {
   std::vector<Eigen::Index> closed;
   for (Eigen::Index i = 0; i < gap_.size(); ++i)
@@ -101,14 +101,14 @@ void DenseRing::step() {
       gap_[j * nodes + k] = clearance_[j * nodes + k] - ramp * casing_.distortion(angle) - normal[j * nodes + k];
     }
   lambda_.setZero();
-  if (gap_.minCoeff() < 0) {
+  if (gap_.minCoeff() < 0) {  // eq. 14: penetrations are to be cancelled
     if (rule_ == ContactRule::paper)
       close_penetrating();
     else
       complement();
   }
   before_ = u_;
-  u_ = free - push_ * lambda_;
+  u_ = free - push_ * lambda_;  // eq. 15: the corrected displacements
   gap_ += W_ * lambda_;
 }
 

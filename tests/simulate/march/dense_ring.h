@@ -10,8 +10,9 @@
 
 namespace tiprub::testing {
 
-/// The paper's eqs. 13-15 as they stand: physical coordinates of the whole wheel, dense matrices. Slow, and written
-/// without a line of the march; what it is measured against.
+/// The paper's eq. 13, eq. 14 and eq. 15 as they stand, on the matrices of its eq. 11 and eq. 12: physical
+/// coordinates of the whole wheel, dense matrices. Slow, and written without a line of the march; what it is measured
+/// against.
 class DenseRing {
  public:
   DenseRing(const ReducedModel& model, const Casing& casing, double speed, double damping_ratio,

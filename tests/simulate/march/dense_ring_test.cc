@@ -36,6 +36,7 @@ ReducedModel at_one_speed(ReducedModel model, double speed) {
   return model;
 }
 
+/// eq. 13, eq. 14, eq. 15 on the whole wheel (eq. 11, eq. 12) against the march.
 /// The wheel rubs two lobes at a speed at which its first family meets engine order 4. The casing is scaled to what
 /// the wheel is: its crest reaches over the clearance by half.
 Comparison compare(const ReducedModel& given, ContactRule rule, int contact_steps) {

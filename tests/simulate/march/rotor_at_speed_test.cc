@@ -12,6 +12,7 @@
 namespace tiprub {
 namespace {
 
+/// eq. 12: each nodal diameter is a block of its own.
 TEST(RotorAtSpeed, HasTheModelsFrequenciesAndNormalRows) {
   const ReducedModel model = testing::synthetic_wheel({});
   const double speed = 1200;

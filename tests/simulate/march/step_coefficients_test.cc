@@ -68,7 +68,7 @@ TEST(Trigonometric, KeepsItsDigitsAtTinySteps) {
   EXPECT_NEAR(at.c[0] / (angle * angle), 1.0, 1e-14);  // 1 - a + b itself has none left
 }
 
-/// Eq. 13 for one degree of freedom, m = 1.
+/// eq. 13 for one degree of freedom, m = 1.
 TEST(CentralDifferences, AreThePapersEquation13) {
   const double h = 1e-3, w = 300, z = 0.02, D = 2 * z * w, K = w * w;
   const StepCoefficients at = Mode{w, z, h}.of(Scheme::central_differences);

@@ -20,57 +20,57 @@ Eigen::VectorXd revolution(double amount) {
 }
 
 /// The first revolution at which the motion counts as settled, or -1.
-int settles_at(const std::function<double(int)>& amount, int revolutions, SteadyVerdict& verdict) {
+int settles_at(const std::function<double(int)>& amount, int revolutions, SettlingState& found) {
   SteadyState state(tolerance, 0.0);
   for (int r = 0; r < revolutions; ++r) {
     state.add(revolution(amount(r)));
-    verdict = state.judge();
-    if (verdict.settled == SteadyVerdict::Settled::yes) return r;
+    found = state.judge();
+    if (found.settled == SettlingState::Settled::yes) return r;
   }
   return -1;
 }
 
 TEST(SteadyState, SettlesWhenWhatIsStillToComeIsSmall) {
   for (double rate : {0.3, 0.8, 0.95}) {
-    SteadyVerdict verdict;
-    const int at = settles_at([&](int r) { return std::pow(rate, r); }, 500, verdict);
+    SettlingState found;
+    const int at = settles_at([&](int r) { return std::pow(rate, r); }, 500, found);
     ASSERT_GT(at, 0);
-    EXPECT_EQ(verdict.motion, MotionClass::periodic);
-    EXPECT_EQ(verdict.period_revolutions, 1);
-    EXPECT_NEAR(verdict.rate, rate, 0.01);
+    EXPECT_EQ(found.motion, MotionClass::periodic);
+    EXPECT_EQ(found.period_revolutions, 1);
+    EXPECT_NEAR(found.rate, rate, 0.01);
     EXPECT_LT(std::pow(rate, at), 1.2 * tolerance);  // its distance from the end
   }
 }
 
 TEST(SteadyState, IsNotTakenInByAChangeThatIsSmallAndSlow) {
-  SteadyVerdict verdict;  // the change is below the tolerance from the start, the way to go is not
-  const int at = settles_at([](int r) { return 0.2 * std::pow(0.998, r); }, 200, verdict);
+  SettlingState found;  // the change is below the tolerance from the start, the way to go is not
+  const int at = settles_at([](int r) { return 0.2 * std::pow(0.998, r); }, 200, found);
   EXPECT_EQ(at, -1);
-  EXPECT_LT(verdict.change, tolerance);
+  EXPECT_LT(found.change, tolerance);
 }
 
 TEST(SteadyState, IsNotTakenInByAChangeThatFellAndGrowsAgain) {
-  SteadyVerdict verdict;
+  SettlingState found;
   const auto valley = [](int r) { return 1e-2 * std::cosh((r - 15) / 4.0) / std::cosh(15 / 4.0); };
   SteadyState state(tolerance, 0.0);
   int small = 0;
   for (int r = 0; r < 40; ++r) {
     state.add(revolution(valley(r)));
-    verdict = state.judge();
+    found = state.judge();
     if (r < 22) continue;  // on its way up
-    small += verdict.change < tolerance ? 1 : 0;
-    EXPECT_EQ(verdict.settled, SteadyVerdict::Settled::no) << r;
+    small += found.change < tolerance ? 1 : 0;
+    EXPECT_EQ(found.settled, SettlingState::Settled::no) << r;
   }
   EXPECT_GT(small, 0);
 }
 
 TEST(SteadyState, FindsTheOrderOfASubharmonic) {
   for (int order = 2; order <= SteadyState::longest_period; ++order) {
-    SteadyVerdict verdict;
-    const int at = settles_at([&](int r) { return r % order == 0 ? 0.3 : 0.1; }, 60, verdict);
+    SettlingState found;
+    const int at = settles_at([&](int r) { return r % order == 0 ? 0.3 : 0.1; }, 60, found);
     EXPECT_GT(at, 0) << order;
-    EXPECT_EQ(verdict.motion, MotionClass::subharmonic);
-    EXPECT_EQ(verdict.period_revolutions, order);
+    EXPECT_EQ(found.motion, MotionClass::subharmonic);
+    EXPECT_EQ(found.period_revolutions, order);
   }
 }
 
@@ -78,23 +78,23 @@ TEST(SteadyState, FindsTheOrderOfASubharmonic) {
 /// taken for a subharmonic of order 2.
 TEST(SteadyState, TakesAnAlternatingDecayForWhatItBecomes) {
   for (double rate : {0.5, 0.8, 0.9}) {
-    SteadyVerdict verdict;
-    EXPECT_GT(settles_at([&](int r) { return std::pow(-rate, r); }, 500, verdict), 0);
-    EXPECT_EQ(verdict.motion, MotionClass::periodic) << rate;
+    SettlingState found;
+    EXPECT_GT(settles_at([&](int r) { return std::pow(-rate, r); }, 500, found), 0);
+    EXPECT_EQ(found.motion, MotionClass::periodic) << rate;
   }
 }
 
 TEST(SteadyState, CallsTheRestIrregular) {
-  SteadyVerdict verdict;
-  EXPECT_EQ(settles_at([](int r) { return 0.2 * std::sin(2.39996 * r); }, 100, verdict), -1);
-  EXPECT_EQ(verdict.motion, MotionClass::irregular);
-  EXPECT_EQ(verdict.period_revolutions, 0);
+  SettlingState found;
+  EXPECT_EQ(settles_at([](int r) { return 0.2 * std::sin(2.39996 * r); }, 100, found), -1);
+  EXPECT_EQ(found.motion, MotionClass::irregular);
+  EXPECT_EQ(found.period_revolutions, 0);
 }
 
 TEST(SteadyState, TakesAMotionBelowTheQuietNormForNone) {
   SteadyState state(tolerance, 1.0);
   for (int r = 0; r < 12; ++r) state.add(1e-6 * revolution(std::sin(r)));
-  EXPECT_EQ(state.judge().settled, SteadyVerdict::Settled::yes);
+  EXPECT_EQ(state.judge().settled, SettlingState::Settled::yes);
 }
 
 }  // namespace

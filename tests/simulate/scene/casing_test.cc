@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "tests/simulate/synthetic_wheel.h"
@@ -19,6 +20,18 @@ TEST(Casing, HasItsCrestsInward) {
   for (int lobe = -3; lobe < 4; ++lobe) {
     EXPECT_NEAR(casing.distortion(0.2 + lobe * 2 * pi / 3), 2e-4, 1e-18);
     EXPECT_NEAR(casing.distortion(0.2 + pi / 3 + lobe * 2 * pi / 3), -2e-4, 1e-18);
+  }
+}
+
+/// eq. 16: what a blade meets as it turns is periodic with f = N_l Omega, and with no lower frequency.
+TEST(Casing, MeetsABladeWithTheFrequencyOfItsLobes) {
+  const int lobes = 3, samples = 360;
+  const Casing casing = testing::lobed_casing(lobes, 2e-4, 1e-3);
+  for (int order = 0; order <= 2 * lobes; ++order) {
+    std::complex<double> amplitude = 0;
+    for (int s = 0; s < samples; ++s)
+      amplitude += casing.distortion(2 * pi * s / samples) * std::polar(2.0 / samples, -2 * pi * order * s / samples);
+    EXPECT_NEAR(std::abs(amplitude), order == lobes ? 2e-4 : 0.0, 1e-17) << "engine order " << order;
   }
 }
 

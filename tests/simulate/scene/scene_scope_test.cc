@@ -17,6 +17,20 @@ SimulateParameters asked() {
   return parameters;
 }
 
+/// eq. 17: by trying all alpha and k.
+TEST(SceneScope, HoldsTheNodalDiametersThatTheCasingsOrdersReach) {
+  for (int sectors : {1, 7, 10, 13})
+    for (int lobes : {1, 2, 3, 4, 5, 10}) {
+      std::vector<int> reached;
+      for (int n = 0; n <= sectors / 2; ++n) {
+        bool found = false;
+        for (int k = 0; k <= sectors; ++k) found |= (k * lobes - n) % sectors == 0 || (k * lobes + n) % sectors == 0;
+        if (found) reached.push_back(n);
+      }
+      EXPECT_EQ(find_scope(sectors, lobes, asked()).nodal_diameters, reached) << sectors << " and " << lobes;
+    }
+}
+
 TEST(SceneScope, HoldsMultiplesOfTheCommonDivisor) {
   const auto diameters = [](int lobes) { return find_scope(10, lobes, asked()).nodal_diameters; };
   EXPECT_EQ(diameters(1), (std::vector<int>{0, 1, 2, 3, 4, 5}));

@@ -31,6 +31,10 @@ struct FixedPoint {
 /// G rough, so the residual may leap: then the memory is dropped and the iteration goes on from the best image so
 /// far. Costs one evaluation and 2 n depth^2 multiplications a step; plain iteration needs ln(eps)/ln(rho) of them.
 /// A residual that is no number counts as a leap; nothing is raised but by G.
+///
+/// NOX has Anderson's acceleration too, on vectors of its own, with neither restart from the best image nor patience,
+/// both of which contact needs. Loading libtrilinos_nox and the 27 libraries behind it takes 30 ms of processor time,
+/// where all of `tiprub-simulate --version` takes 21 ms (best of 30 starts of each).
 FixedPoint find_fixed_point(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& map,
                             const Eigen::VectorXd& start, const AndersonLimits& limits);
 

@@ -10,6 +10,8 @@
 #include <random>
 #include <vector>
 
+#include "simulate/orbits/even_line_fit.h"
+
 namespace tiprub {
 
 namespace {
@@ -42,17 +44,6 @@ Eigen::VectorXcd disturbance(Eigen::Index modes, double size, WaveKind kind, std
            std::complex<double>(re, kind == WaveKind::travelling ? im : 0.0);
   }
   return q;
-}
-
-double slope(const std::vector<double>& values) {
-  const double middle = (static_cast<double>(values.size()) - 1) / 2;
-  double moment = 0, spread = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double offset = static_cast<double>(i) - middle;
-    moment += offset * values[i];
-    spread += offset * offset;
-  }
-  return spread > 0 ? moment / spread : 0.0;
 }
 
 /// The settled waves into the whole wheel's march, and the seed into the others; the indices of these.
@@ -135,7 +126,7 @@ double excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, cons
     if (2 * (r + 1) < revolutions) continue;
     logarithms.push_back(0.5 * std::log(std::max(modal_energy(whole, others), std::numeric_limits<double>::min())));
   }
-  return std::exp(slope(logarithms));
+  return std::exp(slope_per_place(logarithms));
 }
 
 ResponseDifference difference(const SpeedResponse& here, const SpeedResponse& there) {

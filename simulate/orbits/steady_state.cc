@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "simulate/orbits/even_line_fit.h"
+
 namespace tiprub {
 
 namespace {
@@ -26,15 +28,11 @@ void SteadyState::add(Eigen::VectorXd revolution) {
 
 /// exp of the slope of a line through the logarithms of the last changes (least squares).
 double SteadyState::decay_rate(const std::vector<double>& changes) const {
-  const int count = static_cast<int>(std::min<std::size_t>(changes.size(), window));
-  const double middle = (count - 1) / 2.0;
-  double moment = 0, spread = 0;
-  for (int i = 0; i < count; ++i) {
-    const double value = std::max(changes[changes.size() - count + i], rounding_floor);
-    moment += (i - middle) * std::log(value);
-    spread += (i - middle) * (i - middle);
-  }
-  return spread > 0 ? std::exp(moment / spread) : 1.0;
+  const std::size_t count = std::min<std::size_t>(changes.size(), window);
+  std::vector<double> logarithms;
+  for (std::size_t i = changes.size() - count; i < changes.size(); ++i)
+    logarithms.push_back(std::log(std::max(changes[i], rounding_floor)));
+  return std::exp(slope_per_place(logarithms));
 }
 
 SettlingState SteadyState::judge() const {

@@ -2,25 +2,24 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace tiprub {
 
-/// A smooth periodic function through given points: monotone cubic pieces (Fritsch and Butland 1984), so that it
-/// never leaves the range of its neighbours. Once continuously differentiable; one point is a constant.
+/// A smooth periodic function through given points: monotone cubic pieces (Fritsch and Butland 1984, Boost's pchip),
+/// so that it never leaves the range of its neighbours. Once continuously differentiable; one point is a constant.
 class PeriodicTable {
  public:
   PeriodicTable() = default;
   /// Points [x, y] with x increasing inside [x_0, x_0 + period).
-  PeriodicTable(std::vector<std::array<double, 2>> points, double period);
+  PeriodicTable(const std::vector<std::array<double, 2>>& points, double period);
 
   double operator()(double x) const;
 
  private:
-  double width(std::size_t piece) const;
-
-  std::vector<std::array<double, 2>> points_;
-  std::vector<double> slopes_;
+  std::function<double(double)> cubic_;  ///< over start_ .. start_ + period_
+  double start_ = 0.0;
   double period_ = 1.0;
 };
 

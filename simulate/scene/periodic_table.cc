@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/scene/periodic_table.h"
 
+#include <math.h>  // isnan, which Boost 1.74's pchip takes from the global scope
+
 #include <boost/math/interpolators/pchip.hpp>
 #include <cmath>
 #include <utility>

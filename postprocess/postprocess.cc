@@ -8,7 +8,9 @@
 #include "cases/program/output_file.h"
 #include "cases/program/progress.h"
 #include "postprocess/analysis/input_check.h"
+#include "postprocess/figures/drawing/gnuplot.h"
 #include "postprocess/figures/field_figures.h"
+#include "postprocess/figures/study_figures.h"
 #include "postprocess/records/critical_speed_record.h"
 #include "postprocess/report/report_folder.h"
 #include "postprocess/report/summary.h"
@@ -58,7 +60,7 @@ ReportContents run(Inputs inputs) {
   ReportContents contents{
       .study = make_study(inputs.parameters, std::move(inputs.model), std::move(inputs.response), inputs.sweeps),
       .source = std::move(inputs.source)};
-  contents.figures = all_figures(contents.study);
+  contents.figures = study_figures(contents.study);
   if (!inputs.fields_file.empty()) {
     contents.fields = recover_fields(inputs.fields_file, contents.study);
     for (Figure& figure : field_figures(*contents.fields)) contents.figures.push_back(std::move(figure));

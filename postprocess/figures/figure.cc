@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "cases/program/errors.h"
+#include "postprocess/figures/drawing/gnuplot.h"
 #include "postprocess/tables/interruption.h"
 
 namespace fs = std::filesystem;
@@ -26,26 +27,11 @@ void write_pixels(const Pixels& pixels, const fs::path& folder) {
 
 }  // namespace
 
-std::vector<Figure> all_figures(const Study& study) {
-  std::vector<Figure> figures = {interaction_map_figure(study),
-                                 response_figure(study),
-                                 interaction_map_parts_figure(study),
-                                 contact_map_figure(study, TipEdge::leading),
-                                 contact_map_figure(study, TipEdge::trailing),
-                                 campbell_figure(study),
-                                 interference_figure(study),
-                                 tip_motion_figure(study),
-                                 tip_spectrum_figure(study),
-                                 contact_force_figure(study),
-                                 force_of_sectors_figure(study),
-                                 force_spectrum_figure(study),
-                                 harmonic_bars_figure(study),
-                                 nodal_diameter_tracking_figure(study),
-                                 engine_order_tracking_figure(study),
-                                 waterfall_figure(study),
-                                 casing_figure(study)};
-  if (!study.sweeps.empty()) figures.insert(figures.begin() + 2, sweeps_figure(study));
-  return figures;
+void set_pixels(Figure& figure, Eigen::MatrixXf values, int components) {
+  figure.drawing.values.insert(figure.drawing.values.end(),
+                               {{"pixel_columns", static_cast<int>(values.cols()) / components},
+                                {"pixel_rows", static_cast<int>(values.rows())}});
+  figure.pixels.push_back({figure.drawing.name + ".pixels", std::move(values)});
 }
 
 void draw_figures(const std::vector<Figure>& figures, const fs::path& folder, const std::function<void()>& drawn) {

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/figures/axes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr int many_engine_orders = 16;  // beyond that, their labels run into each other
+constexpr int modal_line_points = 60;
+
+/// The usual distance between neighbouring speeds [rpm]; a lone speed gets a hundredth of itself.
+double speed_step(const Eigen::VectorXd& rpm) {
+  if (rpm.size() < 2) return 0.01 * rpm[0];
+  std::vector<double> steps;
+  for (Eigen::Index i = 1; i < rpm.size(); ++i) steps.push_back(rpm[i] - rpm[i - 1]);
+  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+  return steps[steps.size() / 2];
+}
+
+}  // namespace
+
+Eigen::VectorXd rpm_of(const std::vector<SpeedResponse>& speeds) {
+  Eigen::VectorXd rpm(static_cast<Eigen::Index>(speeds.size()));
+  for (Eigen::Index i = 0; i < rpm.size(); ++i) rpm[i] = speeds[static_cast<std::size_t>(i)].speed * rpm_per_rad_s;
+  return rpm;
+}
+
+Eigen::VectorXd speeds_rpm(const Study& study) {
+  return rpm_of(study.response.speeds);
+}
+
+SpeedAxis speed_axis(const Study& study) {
+  const Eigen::VectorXd rpm = speeds_rpm(study);
+  const double half = 0.5 * speed_step(rpm);
+  return {rpm[0] - half, rpm[rpm.size() - 1] + half};
+}
+
+Eigen::VectorXi nearest_speeds(const Study& study, int columns) {
+  constexpr double reach = 0.75;  // of the usual step: neighbours meet, a missing speed leaves a gap
+  const Eigen::VectorXd rpm = speeds_rpm(study);
+  const SpeedAxis axis = speed_axis(study);
+  const double step = speed_step(rpm);
+  Eigen::VectorXi nearest(columns);
+  for (int column = 0; column < columns; ++column) {
+    const double here = axis.low + (axis.high - axis.low) * (column + 0.5) / columns;
+    Eigen::Index index = 0;
+    const double distance = (rpm.array() - here).abs().minCoeff(&index);
+    nearest[column] = distance <= reach * step ? static_cast<int>(index) : -1;
+  }
+  return nearest;
+}
+
+int drawn_families(const Study& study, int nodal_diameter) {
+  return std::min(study.parameters.families, study.curves.families(nodal_diameter));
+}
+
+void set_speed_axis(Drawing& drawing, const SpeedAxis& axis) {
+  drawing.values.insert(drawing.values.end(), {{"speed_low", axis.low}, {"speed_high", axis.high}});
+}
+
+void set_engine_orders(Drawing& drawing, const Study& study) {
+  const int last = study.parameters.engine_order_max;
+  const int step = last <= many_engine_orders ? 1 : std::max(study.response.scene.lobes, last / many_engine_orders);
+  drawing.values.insert(drawing.values.end(), {{"engine_order_step", step}, {"engine_order_last", last}});
+}
+
+void set_modes(Drawing& drawing, const Study& study, const SpeedAxis& axis) {
+  const int nodal_diameters = study.model.nodal_diameter_max() + 1, families = study.parameters.families;
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Constant(modal_line_points, 1 + nodal_diameters * families, std::nan(""));
+  rows.col(0) = Eigen::VectorXd::LinSpaced(modal_line_points, axis.low, axis.high);
+  for (int n = 0; n < nodal_diameters; ++n)
+    for (int family = 0; family < drawn_families(study, n); ++family)
+      for (int i = 0; i < modal_line_points; ++i)
+        rows(i, 1 + n * families + family) = study.curves.frequency(n, family, rows(i, 0) / rpm_per_rad_s);
+  drawing.values.insert(drawing.values.end(), {{"nodal_diameters", nodal_diameters}, {"families", families}});
+  drawing.tables.push_back({"modes", {rows}});
+}
+
+}  // namespace tiprub

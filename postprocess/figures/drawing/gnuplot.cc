@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/figures/drawing/gnuplot.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "cases/program/errors.h"
+#include "embedded/figure_scripts.h"
+#include "postprocess/figures/drawing/prologue.h"
+#include "postprocess/tables/interruption.h"
+#include "postprocess/tables/table.h"
+
+namespace fs = std::filesystem;
+
+namespace tiprub {
+
+namespace {
+
+constexpr const char* program = "gnuplot";
+constexpr const char* scripts_folder = "scripts";
+
+/// Starts gnuplot in the folder, its messages in `log`, with the signals as they are for a fresh program.
+pid_t start(const fs::path& folder, const std::string& script, const std::string& log) {
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  std::string name = program, argument = script;
+  char* const arguments[] = {name.data(), argument.data(), nullptr};
+  pid_t child = -1;
+  const int error = posix_spawnp(&child, program, &files, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error != 0)
+    throw RunError(std::string("gnuplot can't be started: ") + std::strerror(error) +
+                   "; install it (Debian: gnuplot-nox)");
+  return child;
+}
+
+/// Waits for one child; -1 as its status if a signal ended the wait.
+int wait_for(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return -1;
+    if (interruption() != 0) return -1;
+  }
+  return status;
+}
+
+struct Job {
+  const Drawing* drawing;
+  pid_t child;
+};
+
+class Jobs {
+ public:
+  explicit Jobs(fs::path folder) : folder_(std::move(folder)) {
+    fs::create_directories(folder_ / scripts_folder);
+    for (const auto& [name, text] : embedded::figure_scripts::files)
+      write_text(std::string(text), folder_ / scripts_folder / name);
+  }
+  Jobs(const Jobs&) = delete;
+  Jobs& operator=(const Jobs&) = delete;
+  ~Jobs() {
+    for (const Job& job : running_) {
+      kill(job.child, SIGKILL);
+      while (waitpid(job.child, nullptr, 0) < 0 && errno == EINTR) continue;
+    }
+    std::error_code ignored;
+    fs::remove_all(folder_ / scripts_folder, ignored);
+  }
+
+  std::size_t running() const { return running_.size(); }
+
+  void begin(const Drawing& drawing) {
+    const std::string script = drawing.name + ".gp";
+    write_text(prologue(drawing), folder_ / script);
+    running_.push_back({&drawing, start(folder_, script, drawing.name + ".log")});
+  }
+
+  /// Waits for the oldest one and looks at what it left.
+  void finish_oldest() {
+    const Job job = running_.front();
+    const int status = wait_for(job.child);
+    stop_if_interrupted();
+    running_.erase(running_.begin());
+    const std::string& name = job.drawing->name;
+    for (const char* ending : {".svg", ".png"}) {
+      std::error_code error;
+      const fs::path picture = folder_ / (name + ending);
+      if (status != 0 || fs::file_size(picture, error) == 0 || error)
+        throw RunError("gnuplot could not draw " + name + ending + ": " + complaint(name));
+    }
+    for (const char* ending : {".gp", ".log"}) fs::remove(folder_ / (name + ending));
+  }
+
+ private:
+  /// gnuplot's last words, on one line.
+  std::string complaint(const std::string& name) const {
+    std::string text = read_text(folder_ / (name + ".log"));
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text.empty() ? "it gave no reason" : text;
+  }
+
+  fs::path folder_;
+  std::vector<Job> running_;
+};
+
+}  // namespace
+
+void require_gnuplot() {
+  const pid_t child = start(fs::path("/"), "--version", "/dev/null");
+  if (wait_for(child) != 0) throw RunError("gnuplot --version failed; reinstall it (Debian: gnuplot-nox)");
+}
+
+void draw(const std::vector<Drawing>& drawings, const fs::path& folder, int jobs,
+          const std::function<void()>& drawn) {
+  Jobs queue(folder);
+  const auto finish = [&] {
+    queue.finish_oldest();
+    drawn();
+  };
+  for (const Drawing& drawing : drawings) {
+    stop_if_interrupted();
+    if (queue.running() >= static_cast<std::size_t>(std::max(jobs, 1))) finish();
+    queue.begin(drawing);
+  }
+  while (queue.running() > 0) finish();
+}
+
+}  // namespace tiprub

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "postprocess/figures/axes.h"
+#include "postprocess/figures/study_figures.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double degrees = 360.0;
+constexpr double microseconds = 1e6;
+
+Table contact_table(const Study& study, const ContactMap& map) {
+  Table table{{"speed [rpm]", "contrast [1]", "clusters"}, {}};
+  for (Eigen::Index area = 0; area < map.share.rows(); ++area)
+    table.header.push_back(
+        "share at " + fixed(degrees * (static_cast<double>(area) + 0.5) / static_cast<double>(map.share.rows()), 1) +
+        " deg [1]");
+  const Eigen::VectorXd rpm = speeds_rpm(study);
+  for (Eigen::Index i = 0; i < rpm.size(); ++i) {
+    std::vector<Cell> row = {rpm[i], map.contrast[i], map.clusters[i]};
+    for (Eigen::Index area = 0; area < map.share.rows(); ++area) row.emplace_back(map.share(area, i));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// Each area is several pixels high, so that a viewer that smooths the picture keeps the areas' edges.
+Eigen::MatrixXf contact_pixels(const Study& study, const ContactMap& map) {
+  constexpr int columns = 700, pixels_per_area = 4;
+  const Eigen::VectorXi nearest = nearest_speeds(study, columns);
+  Eigen::MatrixXf pixels = Eigen::MatrixXf::Constant(pixels_per_area * map.share.rows(), columns, std::nanf(""));
+  for (int x = 0; x < columns; ++x)
+    if (nearest[x] >= 0)
+      for (Eigen::Index y = 0; y < pixels.rows(); ++y)
+        pixels(y, x) = static_cast<float>(map.share(y / pixels_per_area, nearest[x]));
+  return pixels;
+}
+
+std::string drift_sentence(const ContactDrift& drift) {
+  return " Red: the line through the middle of the contact, folded onto one lobe: " +
+         fixed(microseconds * drift.slope, 1) + " \xC2\xB5s (R\xC2\xB2 = " + fixed(drift.determination, 3) +
+         "); a wave that takes so long along the tip would run at " + fixed(drift.implied_wave_speed, 0) + " m/s.";
+}
+
+/// The drift's line, one on each lobe, if there is a line.
+void set_drift(Drawing& drawing, const Study& study, const ContactDrift& drift) {
+  constexpr double degrees_per_radian = degrees / (2 * std::numbers::pi);
+  const int lobes = drift.determination > 0 ? std::max(study.response.scene.lobes, 1) : 0;
+  drawing.values.insert(drawing.values.end(), {{"drift_lobes", lobes},
+                                               {"drift_start", drift.intercept * degrees_per_radian},
+                                               {"drift_slope", drift.slope * degrees_per_radian / rpm_per_rad_s}});
+}
+
+}  // namespace
+
+Figure contact_map_figure(const Study& study, TipEdge edge) {
+  const ContactMap& map = edge == TipEdge::leading ? study.leading_edge : study.trailing_edge;
+  const ContactDrift drift = edge == TipEdge::leading ? study.leading_drift : ContactDrift{};  // as in the paper
+  const std::string where = edge == TipEdge::leading ? "leading" : "trailing";
+  const int places = map.clusters.maxCoeff();
+  Figure figure{.drawing = {.name = "contact_map_" + where + "_edge",
+                            .width = 1000,
+                            .height = 560,
+                            .script = "contact_map",
+                            .values = {{"places_high", std::max(1.0, 1.1 * places)},
+                                       {"places_tics", std::max(1, (places + 3) / 4)}}},
+                .title = "Contact map, " + where + " edge",
+                .caption = "Where the " + where + " edge of sector 0 rubs: the casing in " +
+                           std::to_string(map.share.rows()) +
+                           " areas, each coloured by the share of the steps over it that are in contact, from white "
+                           "(never) to dark blue (always). Below: contrast, near 1 where the contact keeps to few "
+                           "places, and the number of separate places. Grey: speeds without a response.",
+                .data = contact_table(study, map)};
+  if (drift.determination > 0) figure.caption += drift_sentence(drift);
+  set_speed_axis(figure.drawing, speed_axis(study));
+  set_drift(figure.drawing, study, drift);
+  set_pixels(figure, contact_pixels(study, map));
+  return figure;
+}
+
+}  // namespace tiprub

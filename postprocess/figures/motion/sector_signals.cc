@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/figures/motion/sector_signals.h"
+
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+SectorSignal motion_of_sectors(const Study& study) {
+  return {std::string("The ") + name_of(study.parameters.component) + ", " + name_of(study.parameters.edge), "mm",
+          tip_motion(study.shown_response(), study.response.scene, study.model.contact, study.map_node,
+                     study.parameters.component) *
+              mm_per_m};
+}
+
+SectorSignal force_of_sectors(const Study& study) {
+  return {std::string("The contact force at the ") + name_of(study.parameters.edge), "N",
+          tip_force(study.shown_response(), study.response.scene, study.map_node)};
+}
+
+std::string shown_speed_text(const Study& study) {
+  return rpm_text(study.shown_response().speed);
+}
+
+}  // namespace tiprub

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What reaches gnuplot: a text from a case is shown as it stands, and nothing of it is run or read as markup.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "postprocess/figures/drawing/gnuplot.h"
+#include "postprocess/figures/drawing/prologue.h"
+
+namespace fs = std::filesystem;
+
+namespace tiprub {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(DrawingPrologue, QuotesTexts) {
+  EXPECT_EQ(gnuplot_text("rotor 37"), "'rotor 37'");
+  EXPECT_EQ(gnuplot_text("it's \"so\" `date`"), R"('it'."\047".'s "so" `date`')");
+  EXPECT_EQ(gnuplot_text("a_{1}^2 @&~\\n"), "'a\\_\\{1\\}\\^2 \\@\\&\\~\\\\n'");
+  EXPECT_EQ(gnuplot_text("two\nlines'\nquit"), R"('two lines'."\047".' quit')");
+  EXPECT_EQ(gnuplot_text("''"), R"(''."\047".''."\047".'')");
+  EXPECT_EQ(gnuplot_text(""), "''");
+  EXPECT_EQ(gnuplot_text("\xE2\x88\x92 4"), "'\xE2\x88\x92 4'");
+}
+
+/// gnuplot divides whole numbers as such, and knows no empty array.
+TEST(DrawingPrologue, WritesEachKindOfValue) {
+  const Drawing drawing{.name = "shown",
+                        .script = "wheel",
+                        .values = {{"count", 3},
+                                   {"speed", 12000.0},
+                                   {"gap", 1.25e-7},
+                                   {"unknown", std::nan("")},
+                                   {"title", std::string("a 'b'")},
+                                   {"names", std::vector<std::string>{"x", "y"}},
+                                   {"middles", std::vector<double>{1, 0.5}},
+                                   {"nothing", std::vector<double>{}}},
+                        .tables = {{"rows", {Eigen::MatrixXd::Ones(2, 2), Eigen::MatrixXd::Zero(1, 2)}}}};
+  const std::string text = prologue(drawing);
+  for (const char* line : {"name = 'shown'\n", "script = 'wheel'\n", "count = 3\n", "speed = 12000.0\n",
+                           "gap = 1.25e-07\n", "unknown = NaN\n", "title = 'a '.\"\\047\".'b'.\"\\047\".''\n",
+                           "array names[2] = ['x', 'y']\n", "array middles[2] = [1.0, 0.5]\n", "array nothing[1]\n",
+                           "$rows << EOD\n1,1\n1,1\n\n\n0,0\nEOD\nrows_rows = 3\n"})
+    EXPECT_TRUE(contains(text, line)) << line << "\n" << text;
+}
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The whole way through gnuplot: quotes, a command between backticks, markup and a macro in the name of a curve.
+TEST(Drawing, ShowsATextAsItStands) {
+  const fs::path folder = fs::temp_directory_path() / ("tiprub-drawing-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const std::string name = "it's \"hot\" `touch ran` _{low}^2 @x ~a";
+  Eigen::MatrixXd rows(2, 3);
+  rows << 1000, 1, 2, 2000, 3, 4;
+  const Drawing drawing{.name = "hostile",
+                        .script = "tracking",
+                        .values = {{"speed_low", 900.0},
+                                   {"speed_high", 2100.0},
+                                   {"panels", 1},
+                                   {"panel_title", std::vector<std::string>{name}},
+                                   {"curves", 1},
+                                   {"curve_name", std::vector<std::string>{"'; system('touch ran'); '' #"}}},
+                        .tables = {{"curves", {rows}}}};
+  draw({drawing}, folder, 1, [] {});
+  const std::string svg = text_of(folder / "hostile.svg");
+  EXPECT_TRUE(contains(svg, "it's \"hot\" `touch ran` _{low}^2 @x ~a")) << svg;
+  EXPECT_TRUE(contains(svg, "'; system('touch ran'); '' #"));
+  EXPECT_FALSE(fs::exists(folder / "ran"));
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    EXPECT_TRUE(entry.path().extension() == ".svg" || entry.path().extension() == ".png") << entry.path();
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace tiprub

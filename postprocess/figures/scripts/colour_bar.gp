@@ -7,7 +7,7 @@ do for [i=1:|palette_colours|] {
 }
 eval 'set palette defined ('.stops.')'
 set cbrange [0:colour_high]
-set cbtics nomirror out scale 0.5
+set cbtics nomirror out scale 0.5 textcolor rgb black
 set colorbox user origin screen 0.905,0.14 size screen 0.02,0.7
 set label colour_title at screen 0.925,0.9 center font key_font front
 shows_colour_bar = "using (-1):(-1):(0) with points palette"

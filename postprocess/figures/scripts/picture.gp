@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The frame of a painted picture of the wheel: it fills the figure, and the axes count its pixels.
 # Reads pixel_columns, pixel_rows.
-unset border
+set border 0 linewidth 1 linecolor rgb black  # of the colour bar
 unset tics
 unset key
 set lmargin at screen 0

@@ -39,6 +39,8 @@ SpeedColumns motion_columns() {
       {"speed [rpm]", [](const SpeedRow& speed) { return speed.response.speed * rpm_per_rad_s; }},
       {"amplitude [mm]",
        [](const SpeedRow& speed) { return speed.study.amplitudes.largest[speed.index] * mm_per_m; }},
+      {"smallest running clearance [mm]",
+       [](const SpeedRow& speed) { return speed.response.clearance.minCoeff() * mm_per_m; }},
       {"motion",
        [](const SpeedRow& speed) { return motion_text(speed.response.motion, speed.response.period_revolutions); }},
       {"revolutions", [](const SpeedRow& speed) { return speed.response.revolutions; }},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/report/page.h"
 
+#include <algorithm>
 #include <sstream>
 #include <string_view>
 
@@ -63,6 +64,17 @@ std::string stress_note(const FieldResults& fields) {
          "mesh is refined.";
 }
 
+/// "running clearances 0.120 .. 0.130 mm", over the tip line and the speeds.
+std::string running_clearances(const Response& response) {
+  double low = response.speeds.front().clearance.minCoeff(), high = response.speeds.front().clearance.maxCoeff();
+  for (const SpeedResponse& speed : response.speeds) {
+    low = std::min(low, speed.clearance.minCoeff());
+    high = std::max(high, speed.clearance.maxCoeff());
+  }
+  return "running clearances " + fixed(low * mm_per_m, 3) + " .. " + fixed(high * mm_per_m, 3) + " mm, given " +
+         (response.scene.clearance_state == "cold" ? "cold" : "at speed");
+}
+
 std::string scene_items(const Study& study, const FieldResults& fields) {
   const SimulatedScene& scene = study.response.scene;
   std::istringstream lines(scene.scope + "\n" + fields.scope);
@@ -71,7 +83,7 @@ std::string scene_items(const Study& study, const FieldResults& fields) {
     if (!line.empty()) text += item(line);
   text += item(counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
                counted(static_cast<std::size_t>(study.model.contact.size()), "contact node") + " a blade, " +
-               counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", clearances " + scene.clearance_state +
+               counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + running_clearances(study.response) +
                "; stiffness under spin: " + study.model.prestress + ".");
   return text + item(std::string(left_out_always) + ".");
 }

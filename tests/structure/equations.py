@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""EQUATIONS.md leads from each of the paper's equations 1 to 21 to the function that computes it, and to its test.
+"""cases/equations.md leads from each of the paper's equations 1 to 21 to the function that computes it, and to its test.
 
 usage: equations.py ROOT
 
@@ -14,7 +14,7 @@ import sys
 import source_tree
 
 EQUATIONS = range(1, 22)
-INDEX = "EQUATIONS.md"
+INDEX = "cases/equations.md"
 ROW = re.compile(r"^\| *(\d+) *\|[^|]*\| *`([^`]+)` in `([^`]+)`[^|]*\| *`([^`]+)` in `([^`]+)`[^|]*\|$", re.M)
 
 

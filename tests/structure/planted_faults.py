@@ -28,12 +28,12 @@ def include(copy, path, header):
 
 
 def without_row(copy):
-    put(copy, "EQUATIONS.md", re.sub(r"^\| *7 *\|.*\n", "", source_tree.read(copy, "EQUATIONS.md"), flags=re.M), "w")
+    put(copy, "cases/equations.md", re.sub(r"^\| *7 *\|.*\n", "", source_tree.read(copy, "cases/equations.md"), flags=re.M), "w")
 
 
 def row_of_a_ghost(copy):
     without_row(copy)
-    put(copy, "EQUATIONS.md", "| 7 | a ghost | `no_such_symbol` in `reduce/main` | `A.B` in `tests/reduce/wheel_test.cc` |\n")
+    put(copy, "cases/equations.md", "| 7 | a ghost | `no_such_symbol` in `reduce/main` | `A.B` in `tests/reduce/wheel_test.cc` |\n")
 
 
 def long_body(line, count):
@@ -70,7 +70,7 @@ FAULTS = [
 
 def copy_of(root, copy):
     shutil.rmtree(copy, ignore_errors=True)
-    documents = [f"{room}/README.md" for room in source_tree.ROOMS] + ["EQUATIONS.md"]
+    documents = [f"{room}/README.md" for room in source_tree.ROOMS] + ["cases/equations.md"]
     cases = [f"cases/{name}/{file}" for name in os.listdir(os.path.join(root, "cases")) for file in ("README.md", "case.toml")]
     for path in source_tree.files(root) + documents + cases:
         if os.path.isfile(os.path.join(root, path)):

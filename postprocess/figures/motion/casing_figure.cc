@@ -9,9 +9,10 @@ namespace tiprub {
 
 namespace {
 
-/// How far the casing is from a node of the undeformed rotor, around the casing [mm].
-Eigen::VectorXd gap(const SimulatedScene& scene, Eigen::Index node) {
-  return ((scene.clearance[node] - scene.casing_distortion.array()) * mm_per_m).matrix();
+/// How far the casing is from a node of the rotor that spins and doesn't vibrate, around the casing [mm].
+Eigen::VectorXd gap(const Study& study, Eigen::Index node) {
+  const double clearance = study.shown_response().clearance[node];
+  return ((clearance - study.response.scene.casing_distortion.array()) * mm_per_m).matrix();
 }
 
 }  // namespace
@@ -29,10 +30,10 @@ Figure casing_figure(const Study& study) {
       .title = "Casing",
       .caption = "Left: the shape, its largest distortion of " + fixed(largest * mm_per_m, 3) +
                  " mm drawn as a fifth of the radius; dashed: the round casing. Right: the gap between the casing "
-                 "and the undeformed tip, " +
-                 scene.clearance_state + "; below zero the blade has to bend.",
+                 "and the tip that spins at " +
+                 rpm_text(study.shown_response().speed) + " without vibrating; below zero the blade has to bend.",
       .data = {{"angle [deg]", "gap at leading edge [mm]", "gap at trailing edge [mm]", "distortion [mm]"}, {}}};
-  const Eigen::VectorXd leading = gap(scene, 0), trailing = gap(scene, scene.clearance.size() - 1);
+  const Eigen::VectorXd leading = gap(study, 0), trailing = gap(study, scene.clearance.size() - 1);
   for (Eigen::Index i = 0; i < scene.casing_angle.size(); ++i)
     figure.data.rows.push_back({scene.casing_angle[i] * 360.0 / (2 * std::numbers::pi), leading[i], trailing[i],
                                 scene.casing_distortion[i] * mm_per_m});

@@ -18,7 +18,7 @@ import time
 
 import h5py
 
-from calculix import SKIPPED, TOLERANCE, calculix_frequencies, with_keys
+from calculix import SKIPPED, TOLERANCE, calculix_frequencies
 
 MODES = 10
 RUNS = 4  # of ours, half of them before CalculiX's, half after
@@ -55,16 +55,18 @@ def largest_difference(ours, theirs):
     return max(abs(mine / peer - 1) for n, row in table.items() for mine, peer in zip(row, theirs[n], strict=True))
 
 
+def settings(table, keys):
+    return [word for key, value in keys.items() for word in ("--set", f"{table}.{key}={value}")]
+
+
 def compare(mesh, reduce, case, folder, elements):
     """Dofs, the largest difference of a frequency, the median cost of ours and CalculiX's."""
     os.makedirs(folder)
-    text = with_keys(case, "mesh", dict(zip(MESH_KEYS, elements)))
-    text = with_keys(text, "reduce", {"verification_speeds": "[0.0]", "verification_modes": MODES, "threads": 1})
-    with open(os.path.join(folder, "case.toml"), "w", encoding="utf-8") as file:
-        file.write(text)
-    subprocess.run([mesh, "-q", "case.toml", "-o", "sector.msh"], cwd=folder, check=True)
-    subprocess.run([reduce, "-q", "case.toml", "sector.msh", "--export-ccx", "."], cwd=folder, check=True)
-    ours = [reduce, "-q", "case.toml", "sector.msh", "--modes", "modes.h5"]
+    shape = settings("mesh", dict(zip(MESH_KEYS, elements)))
+    linear = settings("reduce", {"verification_speeds": "[0.0]", "verification_modes": MODES, "threads": 1})
+    subprocess.run([mesh, "-q", case, "-o", "sector.msh", *shape], cwd=folder, check=True)
+    subprocess.run([reduce, "-q", case, "sector.msh", "--export-ccx", ".", *linear], cwd=folder, check=True)
+    ours = [reduce, "-q", case, "sector.msh", "--modes", "modes.h5", *linear]
     runs = [Cost(ours, folder) for _ in range(RUNS // 2)]
     peer = Cost(["ccx", "speed_0"], folder)
     runs += [Cost(ours, folder) for _ in range(RUNS // 2)]
@@ -76,16 +78,14 @@ def main(mesh, reduce, case, work, *sizes):
     if shutil.which("ccx") is None:
         print("SKIPPED: CalculiX (ccx) is not installed; it is Debian's package calculix-ccx")
         return SKIPPED
-    mesh, reduce = os.path.abspath(mesh), os.path.abspath(reduce)
+    mesh, reduce, case = map(os.path.abspath, (mesh, reduce, case))
     os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
     shutil.rmtree(work, ignore_errors=True)
-    with open(case, encoding="utf-8") as file:
-        text = file.read()
     good = True
     print("size_thousand_dofs\tprogram\twall_s\tprocessor_s\tmemory_GiB\twall_ratio\tprocessor_ratio\tlargest_difference")
     for size in sizes or SIZES:
         elements, faster, larger = SIZES[size]
-        difference, runs, peer = compare(mesh, reduce, text, os.path.join(work, size), elements)
+        difference, runs, peer = compare(mesh, reduce, case, os.path.join(work, size), elements)
         wall, processor, memory = (statistics.median(getattr(run, what) for run in runs)
                                    for what in ("wall", "processor", "memory"))
         ratios = peer.wall / wall, peer.processor / processor

@@ -15,7 +15,7 @@ import sys
 import h5py
 import numpy
 
-from calculix import SKIPPED, copy_with_keys
+from calculix import SKIPPED
 
 DISPLACEMENT_TOLERANCE = 5e-6  # of the largest; CalculiX prints six digits
 STRESS_TOLERANCE = 1e-5        # of the largest
@@ -65,12 +65,11 @@ def main(mesh, reduce, case, work):
         return SKIPPED
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
-    changed, sector, model, fields, decks = (os.path.join(work, name) for name in
-                                             ("case.toml", "sector.msh", "model.h5", "fields.h5", "ccx"))
-    copy_with_keys(case, {"verification_speeds": "[0.0, 1.0]"}, changed)
-    subprocess.run([mesh, "-q", changed, "-o", sector], check=True)
-    subprocess.run([reduce, "-q", changed, sector, "-o", model, "--fields", fields], check=True)
-    subprocess.run([reduce, "-q", changed, sector, "--export-ccx", decks], check=True)
+    sector, model, fields, decks = (os.path.join(work, name) for name in ("sector.msh", "model.h5", "fields.h5", "ccx"))
+    speeds = ["--set", "reduce.verification_speeds=[0.0, 1.0]"]
+    subprocess.run([mesh, "-q", case, "-o", sector], check=True)
+    subprocess.run([reduce, "-q", case, sector, "-o", model, "--fields", fields, *speeds], check=True)
+    subprocess.run([reduce, "-q", case, sector, "--export-ccx", decks, *speeds], check=True)
     with h5py.File(model) as file:
         speed = file.attrs["speed_max"]
     with open(os.path.join(decks, "static.inp"), "w", encoding="ascii") as file:

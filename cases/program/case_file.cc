@@ -97,7 +97,7 @@ bool Range::holds(double value) const {
 std::string Range::describe() const {
   const bool has_low = low > -std::numeric_limits<double>::infinity();
   const bool has_high = high < std::numeric_limits<double>::infinity();
-  const std::string above = (low_end == LowEnd::included ? "at least " : "more than ") + shortest(low);
+  std::string above = (low_end == LowEnd::included ? "at least " : "more than ") + shortest(low);
   if (has_low && has_high) return above + " and at most " + shortest(high);
   if (has_low) return above;
   return has_high ? "at most " + shortest(high) : "a finite number";
@@ -145,7 +145,7 @@ std::string CaseTable::text(std::string_view key, std::optional<std::string> fal
   const toml::node* node = node_->ask(key, !fallback);
   if (node != nullptr && !node->is_string())
     throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) + " must be a text in quotes");
-  const std::string value = node != nullptr ? node->value<std::string>().value() : *fallback;
+  std::string value = node != nullptr ? node->value<std::string>().value() : std::move(*fallback);
   node_->note(key, '"' + value + '"', "");
   return value;
 }
@@ -153,7 +153,7 @@ std::string CaseTable::text(std::string_view key, std::optional<std::string> fal
 std::vector<double> CaseTable::numbers(std::string_view key, std::optional<std::vector<double>> fallback,
                                        const Range& range, std::string_view unit) {
   const toml::node* node = node_->ask(key, !fallback);
-  std::vector<double> values = fallback.value_or(std::vector<double>{});
+  std::vector<double> values = std::move(fallback).value_or(std::vector<double>{});
   if (node != nullptr) {
     if (!node->is_array() || node->as_array()->empty())
       throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) +
@@ -162,6 +162,7 @@ std::vector<double> CaseTable::numbers(std::string_view key, std::optional<std::
     for (const toml::node& item : *node->as_array()) values.push_back(node_->number_at(item, key, range, unit));
   }
   std::vector<std::string> words;
+  words.reserve(values.size());
   for (double value : values) words.push_back(shortest(value));
   node_->note(key, "[" + joined(words) + "]", unit);
   return values;
@@ -171,7 +172,7 @@ std::vector<std::array<double, 2>> CaseTable::points(std::string_view key,
                                                      std::optional<std::vector<std::array<double, 2>>> fallback,
                                                      const Range& range, std::string_view unit) {
   const toml::node* node = node_->ask(key, !fallback);
-  std::vector<std::array<double, 2>> values = fallback.value_or(std::vector<std::array<double, 2>>{});
+  std::vector<std::array<double, 2>> values = std::move(fallback).value_or(std::vector<std::array<double, 2>>{});
   if (node != nullptr) {
     values.clear();
     const toml::array* list = node->as_array();
@@ -188,6 +189,7 @@ std::vector<std::array<double, 2>> CaseTable::points(std::string_view key,
     }
   }
   std::vector<std::string> words;
+  words.reserve(values.size());
   for (const auto& [x, y] : values) words.push_back("[" + shortest(x) + ", " + shortest(y) + "]");
   node_->note(key, "[" + joined(words) + "]", unit);
   return values;
@@ -196,7 +198,7 @@ std::vector<std::array<double, 2>> CaseTable::points(std::string_view key,
 std::string CaseTable::choose(std::string_view key, std::optional<std::string> fallback,
                               const std::vector<std::string>& names) {
   const toml::node* node = node_->ask(key, !fallback);
-  std::string value = fallback.value_or("");
+  std::string value = std::move(fallback).value_or("");
   if (node != nullptr) {
     value = node->value<std::string>().value_or("");
     if (!node->is_string() || std::find(names.begin(), names.end(), value) == names.end())

@@ -22,7 +22,7 @@ constexpr double clear_irregular_difference = 0.7;
 /// Amplitudes of the whole engine orders, as far as both spectra reach.
 Eigen::MatrixXd whole_orders(const TravellingSpectrum& spectrum, int last) {
   Eigen::MatrixXd orders(last + 1, spectrum.amplitude.cols());
-  for (int order = 0; order <= last; ++order)
+  for (Eigen::Index order = 0; order <= last; ++order)
     orders.row(order) = spectrum.amplitude.row(order * spectrum.revolutions);
   return orders;
 }

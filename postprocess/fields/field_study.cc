@@ -90,7 +90,7 @@ void normalise(Eigen::Matrix3Xcd& shape) {
 
 Eigen::MatrixXd forces_at(const SpeedResponse& response, const SimulatedScene& scene, int nodes, int sample) {
   Eigen::MatrixXd forces(scene.sector_count, nodes);
-  for (int j = 0; j < scene.sector_count; ++j)
+  for (Eigen::Index j = 0; j < scene.sector_count; ++j)
     forces.row(j) = response.contact_force.row(sample).segment((j % scene.independent_sectors) * nodes, nodes);
   return forces;
 }
@@ -116,7 +116,7 @@ class Recovery {
       stop_if_interrupted();
       const auto place = std::find(moving.begin(), moving.end(), n);
       const bool moves = place != moving.end() && !instants_.empty();
-      if (!moves && !modes_.count(n)) continue;
+      if (!moves && !modes_.contains(n)) continue;
       recover(n, moves ? static_cast<std::size_t>(place - moving.begin()) : moving.size(), bricks, fields);
     }
   }
@@ -125,7 +125,7 @@ class Recovery {
 
  private:
   void recover(int n, std::size_t moving, const BrickStress& bricks, FieldStudy& fields) {
-    const Eigen::MatrixXcd shapes = modes_.count(n) ? modes_[n].shapes : Eigen::MatrixXcd();
+    const Eigen::MatrixXcd shapes = modes_.contains(n) ? modes_[n].shapes : Eigen::MatrixXcd();
     const Eigen::Index modes = shapes.cols();
     const bool moves = moving < study_.response.scene.nodal_diameters.size();
     Eigen::MatrixXcd asked(reader_.dofs(n), modes + (moves ? static_cast<Eigen::Index>(instants_.size()) : 0));

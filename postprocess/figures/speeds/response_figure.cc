@@ -60,6 +60,7 @@ std::vector<std::string> peak_names(const Study& study) {
 /// [rpm]
 Eigen::MatrixXd speeds_of(const std::vector<Crossing>& crossings) {
   std::vector<double> speeds;
+  speeds.reserve(crossings.size());
   for (const Crossing& crossing : crossings) speeds.push_back(crossing.speed * rpm_per_rad_s);
   return as_column(speeds);
 }

@@ -97,6 +97,7 @@ SurfacePicture instant_picture(const FieldStudy& fields, const std::vector<Surfa
 std::vector<PanelName> panel_names(const std::vector<Panel>& panels) {
   constexpr double name_height = 0.955;  // of the figure's
   std::vector<PanelName> names;
+  names.reserve(panels.size());
   for (const Panel& panel : panels)
     names.push_back(
         {panel.title, (static_cast<double>(names.size()) + 0.5) * cell / instant_width(panels), name_height});

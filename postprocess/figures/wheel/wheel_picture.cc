@@ -59,10 +59,10 @@ void draw_faces(SurfacePicture& picture, const std::vector<SurfaceFace>& faces, 
       corners[i] = {place * shape.value, along.cross(across),
                     (colour * shape.value.cast<float>()).cwiseMax(0.0f).cwiseMin(1.0f)};
     }
-    for (int i = 0; i < pieces; ++i)
-      for (int k = 0; k < pieces; ++k) {
-        const auto corner = [&](int a, int b) -> const SurfacePicture::Corner& {
-          return corners[static_cast<std::size_t>((i + a) * (pieces + 1) + k + b)];
+    for (std::size_t i = 0; i < pieces; ++i)
+      for (std::size_t k = 0; k < pieces; ++k) {
+        const auto corner = [&](std::size_t a, std::size_t b) -> const SurfacePicture::Corner& {
+          return corners[(i + a) * (pieces + 1) + k + b];
         };
         picture.triangle(corner(0, 0), corner(1, 0), corner(1, 1));
         picture.triangle(corner(0, 0), corner(1, 1), corner(0, 1));

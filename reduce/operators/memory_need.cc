@@ -116,7 +116,8 @@ std::string gib(double bytes) {
 
 MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Holdings& held) {
   Graph graph = node_graph(mesh, dofs);
-  const double diameters = mesh.sector_count / 2 + 1, at_once = std::min<double>(held.threads, diameters);
+  const int highest_diameter = mesh.sector_count / 2;
+  const double diameters = highest_diameter + 1, at_once = std::min<double>(held.threads, diameters);
   const double interface = dofs.interface(), kept = dofs.face + dofs.boundary(), independent = dofs.independent();
   MemoryNeed need;
   // Besides those that are held, each thread makes one of its own.

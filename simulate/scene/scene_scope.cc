@@ -88,7 +88,7 @@ int steps_per_revolution(const SceneScope& scope, const SimulateParameters& para
   const double wanted =
       parameters.steps_per_revolution > 0 ? parameters.steps_per_revolution : parameters.steps_per_period * periods;
   const double steps = rounded_up(wanted, scope.samples_per_revolution);
-  if (steps > std::numeric_limits<int>::max() / 2)
+  if (2 * steps > std::numeric_limits<int>::max())
     throw RunError("needs " + std::to_string(steps) +
                    " steps a revolution, more than can be counted; raise the speed");
   return static_cast<int>(steps);

@@ -105,7 +105,7 @@ TEST(Acceleration, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
   EXPECT_LT(difference(fast, plain).value, 2e-5);  // each is within settle_tolerance of the motion
 }
 
-/// At 2500 rad/s the motion repeats every two revolutions, beside an orbit of one that repels; with one lobe at 2000
+/// At 2500 rad/s the motion repeats every two revolutions, beside an unstable orbit of one; with one lobe at 2000
 /// rad/s it is irregular. There is nothing to jump to, and the answer is that of marching, bit by bit.
 TEST(Acceleration, FallsBackOnMarchingWhereNoSteadyOrbitIs) {
   const ReducedModel model = testing::synthetic_wheel({6, 3, 6});

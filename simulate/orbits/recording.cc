@@ -45,7 +45,12 @@ Recording::Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const Co
   kept_.displacement = Eigen::MatrixXd::Zero(samples, 3 * points);
   kept_.contact_force = Eigen::MatrixXd::Zero(samples, points);
   kept_.contact_count.setZero(points, grid.casing_areas);
-  for (const WaveModes& wave : rotor.waves) states_.emplace_back(wave.omega.size(), grid.samples_per_revolution);
+  grid_.cycle_revolutions = std::min(grid.cycle_revolutions, grid.revolutions);
+  const Eigen::Index kept = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid_.cycle_revolutions;
+  for (const WaveModes& wave : rotor.waves) {
+    states_.emplace_back(wave.omega.size(), grid.samples_per_revolution);
+    cycle_.emplace_back(wave.omega.size(), kept);
+  }
 }
 
 void Recording::take_states(const TimeMarch& march, int sample) {
@@ -99,6 +104,13 @@ void Recording::compare_force(int column, int sample) {
   for (const Eigen::MatrixXcd& states : states_) hardest_.emplace_back(states.col(column));
 }
 
+void Recording::keep_cycle() {
+  const int place = done_ - (grid_.revolutions - grid_.cycle_revolutions);
+  if (place < 0) return;
+  const Eigen::Index samples = grid_.samples_per_revolution;
+  for (std::size_t i = 0; i < states_.size(); ++i) cycle_[i].middleCols(place * samples, samples) = states_[i];
+}
+
 Eigen::VectorXd Recording::revolution(TimeMarch& march) {
   const int steps = march.steps_per_revolution() / grid_.samples_per_revolution;
   const int first_sample = done_ * grid_.samples_per_revolution;
@@ -114,6 +126,7 @@ Eigen::VectorXd Recording::revolution(TimeMarch& march) {
     compare_force(sample, first_sample + sample);
   }
   recover_displacements(first_sample);
+  keep_cycle();
   ++done_;
   return motion;
 }
@@ -127,6 +140,12 @@ void Recording::finish(const TimeMarch& march, SpeedResponse& response) const {
   snapshot.force = march.symmetry() * kept_.contact_force.row(hardest_sample_).cwiseAbs().sum();
   for (std::size_t i = 0; i < hardest_.size(); ++i)
     snapshot.displacement.emplace_back(rotor_.waves[i].shapes * hardest_[i]);
+  if (grid_.cycle_revolutions > 0) {
+    RotorCycle& cycle = response.cycle.emplace();
+    cycle.first_sample = (grid_.revolutions - grid_.cycle_revolutions) * grid_.samples_per_revolution;
+    for (std::size_t i = 0; i < cycle_.size(); ++i)
+      cycle.displacement.emplace_back(rotor_.waves[i].shapes * cycle_[i]);
+  }
   response.largest_penetration = kept_.largest_penetration;
   response.smallest_multiplier = kept_.smallest_multiplier;
   response.contact_steps = kept_.contact_steps;

@@ -18,7 +18,8 @@ class Recording {
     int samples_per_revolution;
     int revolutions;
     int casing_areas;
-    double leftover;  ///< [m] penetrations above count as left over by the contact law
+    double leftover;            ///< [m] penetrations above count as left over by the contact law
+    int cycle_revolutions = 0;  ///< so many of the last ones keep the whole rotor's state at every sample
   };
   Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const ContactLine& contact, const Grid& grid);
 
@@ -33,6 +34,8 @@ class Recording {
   void recover_displacements(int first_sample);
   /// Keeps the state of a sample if no one before it met a larger contact force.
   void compare_force(int column, int sample);
+  /// Adds the states of the revolution just done to the cycle, if it is one of the last.
+  void keep_cycle();
 
   const RotorAtSpeed& rotor_;
   const ContactLine& contact_;
@@ -43,6 +46,7 @@ class Recording {
   std::vector<Eigen::MatrixXcd> states_;   ///< modal coordinates of the samples of a revolution; m x samples
   std::vector<Eigen::VectorXcd> hardest_;  ///< those of the sample with the largest contact force so far
   int hardest_sample_ = -1;
+  std::vector<Eigen::MatrixXcd> cycle_;  ///< those of all samples of the last revolutions; m x samples
   SpeedResponse kept_;
   double pushing_ = 0, pulling_ = 0;  ///< [N] sums of the forces' magnitudes
 };

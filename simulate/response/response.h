@@ -73,6 +73,14 @@ struct RotorSnapshot {
   std::vector<Eigen::VectorXcd> displacement;
 };
 
+/// The whole rotor over the last recorded revolutions, sample by sample: what stress over a cycle is found from. Kept
+/// for speeds that are looked at in detail only.
+struct RotorCycle {
+  int first_sample = 0;  ///< of the recorded ones; the last column is the last of them
+  /// [m in contact rows] by nodal diameter, dofs x samples; each column as RotorSnapshot::displacement.
+  std::vector<Eigen::MatrixXcd> displacement;
+};
+
 /// The settled response at one speed. A sample is an instant on whole revolutions: sample s of the recorded ones lies
 /// at the rotor angle 2 pi s / samples_per_revolution. Only the `independent_sectors` = N / g first sectors are held,
 /// g = gcd(N, orders of the casing): sector j moves as sector j mod (N / g) at every instant.
@@ -100,6 +108,7 @@ struct SpeedResponse {
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic> contact_count;
   /// At the recorded sample with the largest contact force, the first of equals; files may come without.
   std::optional<RotorSnapshot> snapshot;
+  std::optional<RotorCycle> cycle;  ///< where it was asked for
 
   EnergyLedger energy;
   double step_ratio = 0;              ///< h omega_max / 2; central differences hold below 1

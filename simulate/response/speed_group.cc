@@ -2,10 +2,11 @@
 #include "simulate/response/speed_group.h"
 
 #include <array>
-#include <numbers>
 #include <optional>
 #include <type_traits>
 #include <utility>
+
+#include "simulate/response/kept_states.h"
 
 namespace tiprub {
 
@@ -117,38 +118,6 @@ void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse&
   });
 }
 
-std::string snapshot_of(const std::string& group, int nodal_diameter) {
-  return group + "/snapshot/" + std::to_string(nodal_diameter);
-}
-
-void write_snapshot(Hdf5File& file, const std::string& group, const RotorSnapshot& snapshot,
-                    const SpeedResponse& speed, const SimulatedScene& scene) {
-  for (std::size_t i = 0; i < snapshot.displacement.size(); ++i)
-    file.write(snapshot_of(group, scene.nodal_diameters[i]), Eigen::MatrixXcd(snapshot.displacement[i]),
-               "m in contact dofs");
-  file.set_attribute(group + "/snapshot", "sample", snapshot.sample);
-  file.set_attribute(group + "/snapshot", "angle",
-                     2 * std::numbers::pi * snapshot.sample / speed.samples_per_revolution);
-  file.set_attribute(group + "/snapshot", "contact_force", snapshot.force);
-}
-
-std::optional<RotorSnapshot> read_snapshot(const Hdf5File& file, const std::string& group,
-                                           const SimulatedScene& scene, Eigen::Index samples) {
-  if (!file.exists(group + "/snapshot")) return std::nullopt;
-  RotorSnapshot snapshot;
-  snapshot.sample = file.integer_attribute(group + "/snapshot", "sample");
-  snapshot.force = file.number_attribute(group + "/snapshot", "contact_force");
-  if (snapshot.sample < 0 || snapshot.sample >= samples)
-    throw RunError(file.path() + ": " + group + "/snapshot: sample " + std::to_string(snapshot.sample) +
-                   " is not one of the " + std::to_string(samples) + " recorded ones");
-  for (const int n : scene.nodal_diameters) {
-    const Eigen::MatrixXcd state = file.read_complex_matrix(snapshot_of(group, n));
-    if (state.cols() != 1) throw RunError(file.path() + ": " + snapshot_of(group, n) + " must have one column");
-    snapshot.displacement.emplace_back(state.col(0));
-  }
-  return snapshot;
-}
-
 /// Only where it was asked for; older files have none.
 void write_acceleration(Hdf5File& file, const std::string& group, const AccelerationReport& acceleration) {
   if (acceleration.outcome == AccelerationReport::Outcome::none) return;
@@ -194,7 +163,7 @@ void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResp
              Array<std::int32_t>{{sectors, nodes, static_cast<std::size_t>(counts.cols())},
                                  {counts.data(), counts.data() + counts.size()}},
              "steps");
-  if (speed.snapshot) write_snapshot(file, group, *speed.snapshot, speed, scene);
+  write_kept_states(file, group, speed, scene);
 }
 
 SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene) {
@@ -224,7 +193,7 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   using RowMajor = Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   speed.contact_count =
       Eigen::Map<const RowMajor>(counts.values.data(), points, static_cast<Eigen::Index>(counts.shape[2]));
-  speed.snapshot = read_snapshot(file, group, scene, samples);
+  read_kept_states(file, group, scene, samples, speed);
   return speed;
 }
 

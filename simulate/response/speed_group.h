@@ -8,8 +8,8 @@
 
 namespace tiprub {
 
-/// One speed's group of response.h5, "/speed/00000", ...: attributes, arrays and snapshot, as simulate/README.md
-/// lists them. A speed that failed has no datasets.
+/// One speed's group of response.h5, "/speed/00000", ...: attributes, arrays and states of the rotor, as
+/// simulate/README.md lists them. A speed that failed has no datasets.
 void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& response,
                        const SimulatedScene& scene);
 

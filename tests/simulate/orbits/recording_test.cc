@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "tests/simulate/synthetic_wheel.h"
@@ -10,40 +11,86 @@
 namespace tiprub {
 namespace {
 
+constexpr int samples = 60;
+
+struct Recorded {
+  testing::Bench bench;
+  SpeedResponse response;
+};
+
+/// Some revolutions of a wheel that hits two lobes.
+Recorded recorded_motion(const ReducedModel& model, int symmetry, int revolutions, int cycle_revolutions) {
+  constexpr int steps = 1200, warm_up = 3;
+  Recorded made{testing::make_bench(model, testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.01,
+                                    {Scheme::trigonometric, ContactRule::complementarity, steps, symmetry}),
+                {}};
+  for (int i = 0; i < warm_up; ++i) march_revolution(made.bench.march, samples);
+  Recording recording(made.bench.march, made.bench.rotor, model.contact,
+                      {samples, revolutions, 20, 1e-12, cycle_revolutions});
+  for (int i = 0; i < revolutions; ++i) recording.revolution(made.bench.march);
+  recording.finish(made.bench.march, made.response);
+  return made;
+}
+
+/// r, theta, z of the contact nodes of all modelled sectors, from the states of the nodal diameters.
+Eigen::VectorXd contact_motion(const std::vector<Eigen::VectorXcd>& states, const Recorded& made,
+                               const ReducedModel& model) {
+  const Eigen::Index dofs = model.contact_dofs();
+  Eigen::VectorXd wheel = Eigen::VectorXd::Zero(made.bench.march.sectors() * dofs);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const int n = made.bench.rotor.waves[i].nodal_diameter;
+    EXPECT_EQ(states[i].size(), model.nodal_diameters[n].M.rows());
+    for (int j = 0; j < made.bench.march.sectors(); ++j)
+      wheel.segment(j * dofs, dofs) +=
+          (states[i].head(dofs) * std::polar(1.0, 2 * std::numbers::pi * n * j / model.sector_count)).real();
+  }
+  return wheel;
+}
+
 /// The snapshot is the recorded motion at the sample with the largest contact force, for the whole wheel as for the
 /// part that symmetry leaves.
 TEST(Recording, SnapshotIsTheSampleOfTheLargestForce) {
-  constexpr int samples = 60, steps = 1200, warm_up = 3, recorded = 2;
   const ReducedModel model = testing::synthetic_wheel({});
   for (const int symmetry : {1, 2}) {
-    testing::Bench bench =
-        testing::make_bench(model, testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.01,
-                            {Scheme::trigonometric, ContactRule::complementarity, steps, symmetry});
-    for (int i = 0; i < warm_up; ++i) march_revolution(bench.march, samples);
-    Recording recording(bench.march, bench.rotor, model.contact, {samples, recorded, 20, 1e-12});
-    for (int i = 0; i < recorded; ++i) recording.revolution(bench.march);
-    SpeedResponse response;
-    recording.finish(bench.march, response);
+    const Recorded made = recorded_motion(model, symmetry, 2, 0);
+    const SpeedResponse& response = made.response;
+    EXPECT_FALSE(response.cycle.has_value());
     ASSERT_TRUE(response.snapshot.has_value());
     const RotorSnapshot& snapshot = *response.snapshot;
     const Eigen::VectorXd forces = response.contact_force.rowwise().sum();
     EXPECT_GT(forces.maxCoeff(), 0);
     EXPECT_DOUBLE_EQ(forces[snapshot.sample], forces.maxCoeff());
     EXPECT_NEAR(snapshot.force, symmetry * forces.maxCoeff(), 1e-12 * snapshot.force);
-    ASSERT_EQ(snapshot.displacement.size(), bench.rotor.waves.size());
-    const Eigen::Index dofs = model.contact_dofs();
-    Eigen::VectorXd wheel = Eigen::VectorXd::Zero(bench.march.sectors() * dofs);
-    for (std::size_t i = 0; i < snapshot.displacement.size(); ++i) {
-      const int n = bench.rotor.waves[i].nodal_diameter;
-      ASSERT_EQ(snapshot.displacement[i].size(), model.nodal_diameters[n].M.rows());
-      for (int j = 0; j < bench.march.sectors(); ++j)
-        wheel.segment(j * dofs, dofs) +=
-            (snapshot.displacement[i].head(dofs) * std::polar(1.0, 2 * std::numbers::pi * n * j / model.sector_count))
-                .real();
-    }
+    ASSERT_EQ(snapshot.displacement.size(), made.bench.rotor.waves.size());
     const Eigen::VectorXd there = response.displacement.row(snapshot.sample).transpose();
     EXPECT_GT(there.norm(), 0);
-    EXPECT_LT((wheel - there).norm(), 1e-12 * there.norm());
+    EXPECT_LT((contact_motion(snapshot.displacement, made, model) - there).norm(), 1e-12 * there.norm());
+  }
+}
+
+/// The cycle's columns are the recorded motion at the samples of the last revolutions, and the snapshot is one of
+/// them.
+TEST(Recording, CycleHoldsEverySampleOfTheLastRevolutions) {
+  const ReducedModel model = testing::synthetic_wheel({});
+  for (const int kept : {1, 3, 5}) {
+    const Recorded made = recorded_motion(model, 2, 3, kept);
+    const SpeedResponse& response = made.response;
+    ASSERT_TRUE(response.cycle.has_value());
+    const RotorCycle& cycle = *response.cycle;
+    EXPECT_EQ(cycle.first_sample, (3 - std::min(kept, 3)) * samples);
+    ASSERT_EQ(cycle.displacement.size(), made.bench.rotor.waves.size());
+    ASSERT_EQ(cycle.displacement[0].cols(), 3 * samples - cycle.first_sample);
+    const double size = response.displacement.norm();
+    for (Eigen::Index column = 0; column < cycle.displacement[0].cols(); ++column) {
+      std::vector<Eigen::VectorXcd> states;
+      for (const Eigen::MatrixXcd& wave : cycle.displacement) states.emplace_back(wave.col(column));
+      const Eigen::Index sample = cycle.first_sample + column;
+      const Eigen::VectorXd there = response.displacement.row(sample).transpose();
+      EXPECT_LT((contact_motion(states, made, model) - there).norm(), 1e-12 * size) << "sample " << sample;
+      if (sample != response.snapshot->sample) continue;
+      for (std::size_t i = 0; i < states.size(); ++i)
+        EXPECT_LT((states[i] - response.snapshot->displacement[i]).norm(), 1e-12 * size);
+    }
   }
 }
 

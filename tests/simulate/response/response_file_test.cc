@@ -23,6 +23,7 @@ SpeedResponse settled_speed() {
   speed.contact_count.setConstant(6, 20, 7);
   speed.contact_steps = 123456789012;
   speed.snapshot = RotorSnapshot{5, 12.5, {Eigen::VectorXcd::Random(4), Eigen::VectorXcd::Random(7)}};
+  speed.cycle = RotorCycle{4, {Eigen::MatrixXcd::Random(4, 4), Eigen::MatrixXcd::Random(7, 4)}};
   speed.audit.acceleration = {AccelerationReport::Outcome::fell_back, 25, 1e-3};
   return speed;
 }
@@ -83,6 +84,9 @@ TEST_F(ResponseFile, GivesBackASpeed) {
   EXPECT_EQ(speed.snapshot->sample, 5);
   EXPECT_EQ(speed.snapshot->force, 12.5);
   EXPECT_EQ(speed.snapshot->displacement, given.snapshot->displacement);
+  ASSERT_TRUE(speed.cycle.has_value());
+  EXPECT_EQ(speed.cycle->first_sample, 4);
+  EXPECT_EQ(speed.cycle->displacement, given.cycle->displacement);
   EXPECT_EQ(speed.audit.acceleration.outcome, AccelerationReport::Outcome::fell_back);
   EXPECT_EQ(speed.audit.acceleration.revolutions, 25);
   EXPECT_EQ(speed.audit.acceleration.residual, 1e-3);
@@ -93,6 +97,7 @@ TEST_F(ResponseFile, GivesBackWhyASpeedFailed) {
   ASSERT_EQ(back.speeds.size(), 2u);
   EXPECT_EQ(back.speeds[1].failure, "why");
   EXPECT_FALSE(back.speeds[1].snapshot.has_value());
+  EXPECT_FALSE(back.speeds[1].cycle.has_value());
   EXPECT_EQ(back.speeds[1].audit.acceleration.outcome, AccelerationReport::Outcome::none);
 }
 
@@ -113,6 +118,12 @@ TEST_F(ResponseFile, SaysWhatToDoWithAnOlderOne) {
 TEST_F(ResponseFile, RefusesFrequenciesAtOtherSpeeds) {
   Response response = two_speeds();
   response.frequencies.speed.conservativeResize(4);
+  EXPECT_THROW(written_and_read(response), RunError);
+}
+
+TEST_F(ResponseFile, RefusesACycleThatEndsElsewhereThanTheRecording) {
+  Response response = two_speeds();
+  response.speeds[0].cycle->first_sample = 3;
   EXPECT_THROW(written_and_read(response), RunError);
 }
 

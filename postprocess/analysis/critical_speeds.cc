@@ -13,50 +13,64 @@ namespace tiprub {
 namespace {
 
 constexpr double same_order = 1e-9;
+constexpr double large_wave = 0.2;  // of the largest one's amplitude
+constexpr std::size_t most_others = 4;
 
 int clusters_at(const SpeedResponse& response, Eigen::Index node) {
   return contact_clusters(response.contact_count.row(node).transpose().cast<double>());
 }
 
-/// Calls visit(engine order, signed nodal diameter, amplitude) for all waves of a spectrum above frequency zero.
-template <class Visit>
-void for_each_wave(const TravellingSpectrum& spectrum, Visit visit) {
-  for (int line = 1; line < spectrum.lines(); ++line)
-    for (int column = 0; column < spectrum.sector_count; ++column)
-      visit(spectrum.engine_order(line), signed_nodal_diameter(column, spectrum.sector_count),
-            spectrum.amplitude(line, column));
+struct PeakWave {
+  double engine_order;
+  int signed_nodal_diameter;
+  double amplitude;  // [m] at the peak
+  double rise;       // [m] above the higher of its values at the two valleys
+};
+
+/// All waves above frequency zero, those with the largest amplitude first.
+std::vector<PeakWave> waves_of(const TravellingSpectrum& here, const TravellingSpectrum& left,
+                               const TravellingSpectrum& right) {
+  std::vector<PeakWave> waves;
+  for (int line = 1; line < here.lines(); ++line)
+    for (int column = 0; column < here.sector_count; ++column) {
+      const double order = here.engine_order(line), amplitude = here.amplitude(line, column);
+      const int n = signed_nodal_diameter(column, here.sector_count);
+      waves.push_back({order, n, amplitude, amplitude - std::max(left.at(order, n), right.at(order, n))});
+    }
+  std::stable_sort(waves.begin(), waves.end(),
+                   [](const PeakWave& a, const PeakWave& b) { return a.amplitude > b.amplitude; });
+  return waves;
 }
 
+/// Reads the waves of a peak at the node that moves most.
 class PeakReader {
  public:
   PeakReader(const Response& response, const ContactLine& contact, const FrequencyCurves& curves, Component component)
       : response_(response), contact_(contact), curves_(curves), component_(component) {}
 
   void name_waves(CriticalSpeed& critical, const Peak& peak) const {
-    const TravellingSpectrum here = tip_line_spectrum(peak.index);
-    const TravellingSpectrum left = tip_line_spectrum(peak.left_valley);
-    const TravellingSpectrum right = tip_line_spectrum(peak.right_valley);
-    double largest = -1, steepest = -1;
-    for_each_wave(here, [&](double order, int n, double amplitude) {
-      const double rise = amplitude - std::max(left.at(order, n), right.at(order, n));
-      const auto label = [&] { return label_wave(curves_, here.sector_count, critical.speed, order, n, amplitude); };
-      if (amplitude > largest) critical.largest = label();
-      if (rise > steepest) critical.rising = label();
-      largest = std::max(largest, amplitude);
-      steepest = std::max(steepest, rise);
-    });
+    const auto spectrum = [&](Eigen::Index speed) {
+      const SpeedResponse& response = response_.speeds[static_cast<std::size_t>(speed)];
+      return travelling_spectrum(tip_motion(response, response_.scene, contact_, critical.node, component_),
+                                 response.recorded_revolutions);
+    };
+    const std::vector<PeakWave> waves =
+        waves_of(spectrum(peak.index), spectrum(peak.left_valley), spectrum(peak.right_valley));
+    if (waves.empty()) return;
+    const auto label = [&](const PeakWave& wave) {
+      return label_wave(curves_, response_.scene.sector_count, critical.speed, wave.engine_order,
+                        wave.signed_nodal_diameter, wave.amplitude);
+    };
+    const auto rising = std::max_element(waves.begin(), waves.end(),
+                                         [](const PeakWave& a, const PeakWave& b) { return a.rise < b.rise; });
+    critical.rising = label(*rising);
+    for (auto wave = waves.begin(); wave != waves.end() && critical.others.size() < most_others; ++wave) {
+      if (wave->amplitude < large_wave * waves.front().amplitude) break;
+      if (wave != rising) critical.others.push_back(label(*wave));
+    }
   }
 
  private:
-  TravellingSpectrum tip_line_spectrum(Eigen::Index speed) const {
-    const SpeedResponse& response = response_.speeds[static_cast<std::size_t>(speed)];
-    std::vector<TravellingSpectrum> points;
-    for (int node = 0; node < contact_.size(); ++node)
-      points.push_back(travelling_spectrum(tip_motion(response, response_.scene, contact_, node, component_),
-                                           response.recorded_revolutions));
-    return mean_spectrum(points);
-  }
-
   const Response& response_;
   const ContactLine& contact_;
   const FrequencyCurves& curves_;

@@ -28,17 +28,22 @@ struct CriticalSpeed {
   double amplitude = 0;    ///< [m]
   double prominence = 0;   ///< [m]
   int node = 0;            ///< contact node that moves most
-  /// The wave that makes the peak: of all lines above frequency zero, root mean square over the contact nodes, the
-  /// one that rises most above the higher of its values at the two valleys. The largest line need not be it: the
-  /// casing pushes every wheel through N_l Omega at every speed.
+  /// The wave that makes the peak: of all lines above frequency zero, at that node and of the component of the
+  /// amplitude, the one that rises most above the higher of its values at the two valleys. The largest line need not
+  /// be it: the casing pushes every wheel through N_l Omega at every speed.
   WaveLabel rising;
-  WaveLabel largest;  ///< the wave with the largest amplitude, root mean square over the contact nodes
+  /// The other waves there with at least a fifth of the largest one's amplitude, the largest first, four at most.
+  std::vector<WaveLabel> others;
   MotionClass motion = MotionClass::irregular;
   int period_revolutions = 0;
   int leading_edge_areas = 0;   ///< contact clusters of node 0, sector 0
   int trailing_edge_areas = 0;  ///< contact clusters of the last node, sector 0
   bool by_equation_2 = false;   ///< predicted by the linear rule
   bool by_aliasing = false;     ///< predicted by the rule with aliasing
+
+  /// [1] of the amplitude that the rising wave has. Several waves add up to more than 1 where their crests don't
+  /// meet.
+  double wave_share() const { return amplitude > 0 ? rising.amplitude / amplitude : 0.0; }
 };
 
 /// All peaks, ascending in speed, without the predictions. Needs a response at every speed.

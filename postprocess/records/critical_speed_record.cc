@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/records/critical_speed_record.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "postprocess/records/columns.h"
@@ -33,6 +34,16 @@ Cell stress_cell(const PeakRow& peak, double FieldPeak::*stress) {
   return peak.stress ? Cell((*peak.stress).*stress * mpa_per_pa) : Cell(std::string());
 }
 
+/// "EO 8 ND -2 0.053 mm; EO 16 ND -4 0.052 mm", the first `count` of them.
+std::string other_waves(const CriticalSpeed& critical, std::size_t count) {
+  constexpr int digits = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(count, critical.others.size()); ++i)
+    text += (i > 0 ? "; " : "") + wave_name(critical.others[i]) + " " +
+            significant(critical.others[i].amplitude * mm_per_m, digits) + " mm";
+  return text;
+}
+
 PeakColumns amplitude_columns() {
   return {{"speed [rpm]", [](const PeakRow& peak) { return peak.critical.speed * rpm_per_rad_s; }},
           {"speed [rad/s]", [](const PeakRow& peak) { return peak.critical.speed; }},
@@ -51,10 +62,8 @@ PeakColumns wave_columns() {
       {"wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.rising.amplitude * mm_per_m; }},
       {"natural frequency [Hz]", [](const PeakRow& peak) { return peak.critical.rising.natural_frequency; }},
       {"detuning [%]", [](const PeakRow& peak) { return percent * peak.critical.rising.detuning; }},
-      {"largest engine order", [](const PeakRow& peak) { return peak.critical.largest.engine_order; }},
-      {"largest signed nodal diameter",
-       [](const PeakRow& peak) { return peak.critical.largest.signed_nodal_diameter; }},
-      {"largest wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.largest.amplitude * mm_per_m; }},
+      {"wave share [1]", [](const PeakRow& peak) { return peak.critical.wave_share(); }},
+      {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, peak.critical.others.size()); }},
   };
 }
 
@@ -83,19 +92,16 @@ PeakColumns prediction_columns() {
 }
 
 PeakColumns rounded_columns() {
+  constexpr std::size_t shown_others = 2;
   return {{"speed [rpm]", [](const PeakRow& peak) { return fixed(peak.critical.speed * rpm_per_rad_s, 0); }},
           {"amplitude [mm]", [](const PeakRow& peak) { return fixed(peak.critical.amplitude * mm_per_m, 4); }},
+          {"node", [](const PeakRow& peak) { return std::to_string(peak.critical.node); }},
           {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.rising.family + 1); }},
-          {"nodal diameter",
-           [](const PeakRow& peak) { return std::to_string(std::abs(peak.critical.rising.signed_nodal_diameter)); }},
-          {"engine order", [](const PeakRow& peak) { return engine_order_text(peak.critical.rising.engine_order); }},
-          {"wave", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
+          {"wave", [](const PeakRow& peak) { return wave_name(peak.critical.rising); }},
+          {"runs", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
+          {"share [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.wave_share(), 0); }},
           {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.rising.detuning); }},
-          {"largest wave",
-           [](const PeakRow& peak) {
-             return engine_order_name(peak.critical.largest.engine_order) + ", ND " +
-                    std::to_string(peak.critical.largest.signed_nodal_diameter);
-           }},
+          {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, shown_others); }},
           {"areas LE/TE",
            [](const PeakRow& peak) {
              return std::to_string(peak.critical.leading_edge_areas) + "/" +

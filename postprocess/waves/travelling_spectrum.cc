@@ -44,15 +44,6 @@ TravellingSpectrum travelling_spectrum(const Eigen::MatrixXd& motion, int revolu
   return spectrum;
 }
 
-TravellingSpectrum mean_spectrum(const std::vector<TravellingSpectrum>& points) {
-  assert(!points.empty());
-  TravellingSpectrum mean = points.front();
-  mean.amplitude.setZero();
-  for (const TravellingSpectrum& point : points) mean.amplitude += point.amplitude.cwiseAbs2();
-  mean.amplitude = (mean.amplitude / static_cast<double>(points.size())).cwiseSqrt();
-  return mean;
-}
-
 Eigen::VectorXd line_spectrum(const Eigen::VectorXd& signal) {
   return travelling_spectrum(signal, 1).amplitude.col(0);
 }

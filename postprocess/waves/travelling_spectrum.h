@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <vector>
 
 namespace tiprub {
 
@@ -33,10 +32,6 @@ struct TravellingSpectrum {
 /// @param motion samples x sectors, any unit; rows on whole revolutions.
 /// Costs O(N S R log(N S R)). FFTW_ESTIMATE: the plan, and so the rounding, is the same every time.
 TravellingSpectrum travelling_spectrum(const Eigen::MatrixXd& motion, int revolutions);
-
-/// Root mean square of the amplitudes of several points' spectra, line by line: how much a wave moves the whole tip
-/// line. Needs at least one spectrum, all of one shape.
-TravellingSpectrum mean_spectrum(const std::vector<TravellingSpectrum>& points);
 
 /// Amplitude of one signal over time alone, by line (the classical spectrum); floor(samples/2) + 1.
 Eigen::VectorXd line_spectrum(const Eigen::VectorXd& signal);

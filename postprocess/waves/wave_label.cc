@@ -32,4 +32,9 @@ std::string engine_order_name(double engine_order) {
   return "EO " + engine_order_text(engine_order);
 }
 
+std::string wave_name(const WaveLabel& wave) {
+  const int n = wave.signed_nodal_diameter;
+  return engine_order_name(wave.engine_order) + " ND " + (n > 0 ? "+" : "") + std::to_string(n);
+}
+
 }  // namespace tiprub

@@ -27,5 +27,7 @@ WaveLabel label_wave(const FrequencyCurves& curves, int sector_count, double spe
 std::string engine_order_text(double engine_order);
 /// "EO 6", "EO 5.5".
 std::string engine_order_name(double engine_order);
+/// "EO 6 ND -4", "EO 4 ND +4".
+std::string wave_name(const WaveLabel& wave);
 
 }  // namespace tiprub

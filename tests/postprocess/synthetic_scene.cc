@@ -86,21 +86,19 @@ SpeedResponse motionless(const SimulatedScene& scene, const ContactLine& contact
   return response;
 }
 
-/// Moves the contact nodes of a sector along their normals, less towards the trailing edge, and lets the casing push;
-/// whether it does.
+/// Moves the contact nodes of a sector along their normals and lets the casing push; whether it does.
 bool move_sector(SpeedResponse& response, const SimulatedScene& scene, const ContactLine& contact, int sample,
-                 int sector, double motion) {
+                 int sector, const Eigen::Vector4d& motion) {
   const double turned = two_pi * sample / response.samples_per_revolution;
   const double alpha = two_pi * sector / scene.sector_count;
   const auto areas = static_cast<int>(response.contact_count.cols());
   bool touching = false;
   for (int node = 0; node < contact.size(); ++node) {
     const int point = sector * contact.size() + node;
-    const double moved = motion * (1.0 - 0.2 * node);
     response.displacement.block<1, 3>(sample, 3 * point) =
-        moved * (contact.normal.row(node) + 0.8 * Eigen::RowVector3d::UnitY());
+        motion[node] * (contact.normal.row(node) + 0.8 * Eigen::RowVector3d::UnitY());
     const double angle = std::fmod(alpha + contact.position(node, 1) + turned, two_pi);
-    const double gap = scene.clearance[node] - 3e-4 * std::cos(2 * angle) - moved;
+    const double gap = scene.clearance[node] - 3e-4 * std::cos(2 * angle) - motion[node];
     if (gap >= 0) continue;
     touching = true;
     response.contact_force(sample, point) = -gap * 1e6;
@@ -185,10 +183,10 @@ SpeedResponse speed(const SimulatedScene& scene, const ContactLine& contact, dou
     bool touching = false;
     for (int sector = 0; sector < scene.independent_sectors; ++sector) {
       const double alpha = two_pi * sector / scene.sector_count;
-      double motion = 0;
+      Eigen::Vector4d motion = Eigen::Vector4d::Zero();
       for (const Wave& wave : waves)
-        motion +=
-            wave.amplitude * std::cos(wave.engine_order * turned + wave.signed_nodal_diameter * alpha + wave.phase);
+        motion += wave.amplitude *
+                  std::cos(wave.engine_order * turned + wave.signed_nodal_diameter * alpha + wave.phase) * wave.shape;
       touching = move_sector(response, scene, contact, sample, sector, motion) || touching;
     }
     response.contact_steps += touching ? steps_per_sample : 0;

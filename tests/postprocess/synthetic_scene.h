@@ -33,8 +33,10 @@ FrequencyTable frequencies(const ReducedModel& model);
 struct Wave {
   double engine_order = 0;
   int signed_nodal_diameter = 0;
-  double amplitude = 0;  ///< [m] along the normal at every node
+  double amplitude = 0;  ///< [m] along the normal
   double phase = 0;      ///< [rad]
+  /// [1] of the amplitude at the four contact nodes, from the leading edge on
+  Eigen::Vector4d shape = {1.0, 0.8, 0.6, 0.4};
 };
 
 /// A speed whose motion is a sum of waves; all sectors must repeat after `independent` ones. The counts and forces

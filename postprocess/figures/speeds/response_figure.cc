@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cstdlib>
 
 #include "postprocess/figures/axes.h"
 #include "postprocess/figures/study_figures.h"
@@ -42,18 +41,10 @@ Eigen::MatrixXd peaks(const Study& study) {
   return rows;
 }
 
-/// "+4", "-4", "0", with a true minus sign.
-std::string signed_name(int nodal_diameter) {
-  if (nodal_diameter == 0) return "0";
-  return (nodal_diameter > 0 ? "+" : "\xE2\x88\x92") + std::to_string(std::abs(nodal_diameter));
-}
-
-/// The waves that make the peaks: "EO 6, ND -4".
+/// The waves that make the peaks: "EO 6 ND -4".
 std::vector<std::string> peak_names(const Study& study) {
   std::vector<std::string> names;
-  for (const CriticalSpeed& critical : study.critical)
-    names.push_back(engine_order_name(critical.rising.engine_order) + ", ND " +
-                    signed_name(critical.rising.signed_nodal_diameter));
+  for (const CriticalSpeed& critical : study.critical) names.push_back(wave_name(critical.rising));
   return names;
 }
 
@@ -85,7 +76,7 @@ Figure response_figure(const Study& study) {
       .title = "Response",
       .caption = std::string("Half of the peak-to-peak ") + name_of(study.parameters.component) +
                  ", the largest over sectors. Each critical speed carries the engine order and signed nodal diameter "
-                 "(+ backward, \xE2\x88\x92 forward) of the wave that makes it. Triangles at the foot: speeds "
+                 "(+ backward, - forward) of the wave that makes it. Triangles at the foot: speeds "
                  "predicted by the linear rules. Rings: motion that is not the same every revolution.",
       .data = amplitude_table(study)};
   set_speed_axis(figure.drawing, speed_axis(study));

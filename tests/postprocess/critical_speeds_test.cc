@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/analysis/critical_speeds.h"
+
+#include <gtest/gtest.h>
+
+#include "synthetic_scene.h"
+
+namespace tiprub {
+namespace {
+
+constexpr double rounding = 1e-13;
+
+/// Three speeds, a peak at the second. Over the tip line EO 2 is the largest wave and rises most; at the trailing
+/// edge, which moves most, EO 6 does.
+Response peak_at_the_trailing_edge(const ReducedModel& rotor) {
+  const Eigen::Vector4d all_but_last = {1, 1, 1, 0.2}, last = {0, 0, 0, 1};
+  Response response{synthetic::two_lobes(), "made", {}, synthetic::frequencies(rotor)};
+  for (const double speed : {1200.0, 1250.0, 1300.0}) {
+    const bool peak = speed == 1250.0;
+    std::vector<synthetic::Wave> waves = {{2, 2, peak ? 1e-4 : 1e-5, 0.3, all_but_last},
+                                          {6, -4, peak ? 1.5e-4 : 2e-5, 0.1, last}};
+    double beside = 4.5e-5;
+    for (const int order : {8, 10, 12, 14, 16}) {
+      waves.push_back({static_cast<double>(order), signed_nodal_diameter(order, 10), beside, 0.2, last});
+      beside -= 3e-6;
+    }
+    response.speeds.push_back(synthetic::speed(response.scene, rotor.contact, speed, waves, 1));
+  }
+  return response;
+}
+
+/// Symptom: the table gave the trailing edge's 0.315 mm to EO 2, which has 0.029 mm there; EO 6 has 0.186 mm. Cause:
+/// the amplitude was the worst node's, its wave that of a mean over the nodes. The label belongs to the amplitude.
+TEST(CriticalSpeeds, AreNamedAtTheNodeThatMovesMost) {
+  const ReducedModel rotor = synthetic::model();
+  const Response response = peak_at_the_trailing_edge(rotor);
+  const TipAmplitudes amplitudes = tip_amplitudes(response, rotor.contact, Component::normal);
+  const std::vector<CriticalSpeed> found =
+      critical_speeds(response, rotor.contact, amplitudes, FrequencyCurves(response.frequencies), {});
+  ASSERT_EQ(found.size(), 1U);
+  const CriticalSpeed& critical = found.front();
+  EXPECT_EQ(critical.node, 3);
+  EXPECT_EQ(critical.rising.engine_order, 6);
+  EXPECT_EQ(critical.rising.signed_nodal_diameter, -4);
+  EXPECT_NEAR(critical.rising.amplitude, 1.5e-4, rounding);
+  EXPECT_NEAR(critical.wave_share(), 1.5e-4 / critical.amplitude, rounding);
+}
+
+/// Beside it the other large ones, in their order; EO 2 has an eighth of it at that node, and is none.
+TEST(CriticalSpeeds, TellTheOtherLargeWaves) {
+  const ReducedModel rotor = synthetic::model();
+  const Response response = peak_at_the_trailing_edge(rotor);
+  const TipAmplitudes amplitudes = tip_amplitudes(response, rotor.contact, Component::normal);
+  const std::vector<CriticalSpeed> found =
+      critical_speeds(response, rotor.contact, amplitudes, FrequencyCurves(response.frequencies), {});
+  ASSERT_EQ(found.size(), 1U);
+  const std::vector<WaveLabel>& others = found.front().others;
+  ASSERT_EQ(others.size(), 4U);  // the fifth, EO 16, is one too many
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    EXPECT_EQ(others[i].engine_order, 8 + 2 * static_cast<int>(i));
+    EXPECT_NEAR(others[i].amplitude, 4.5e-5 - 3e-6 * static_cast<double>(i), rounding);
+  }
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "simulate/response/casing_areas.h"
+
 namespace tiprub {
 
 double contact_contrast(const Eigen::VectorXd& column) {
@@ -22,17 +24,27 @@ int contact_clusters(const Eigen::VectorXd& column) {
   return std::max(starts, 1);
 }
 
-ContactMap contact_map(const Response& response, int node) {
-  Eigen::Index areas = 0;
-  for (const SpeedResponse& speed : response.speeds)
-    areas = std::max<Eigen::Index>(areas, speed.contact_count.cols());
+Eigen::VectorXd contact_shares(const SpeedResponse& speed, int sector_count, const ContactLine& contact, int node) {
+  const auto areas = static_cast<int>(speed.contact_count.cols());
+  const CasingSteps way{contact.position(node, 1), 0, sector_count, speed.steps_per_revolution};
+  const Eigen::VectorXi steps = steps_over_areas(way, areas);
+  Eigen::VectorXd share(areas);
+  int last = areas - 1;  // area over which a step began
+  while (last > 0 && steps[last] == 0) --last;
+  for (int area = 0; area < areas; ++area) {
+    if (steps[area] > 0) last = area;
+    share[area] = static_cast<double>(speed.contact_count(node, last)) / (steps[last] * speed.recorded_revolutions);
+  }
+  return share;
+}
+
+ContactMap contact_map(const Response& response, const ContactLine& contact, int node) {
   const auto speeds = static_cast<Eigen::Index>(response.speeds.size());
-  ContactMap map{Eigen::MatrixXd::Zero(areas, speeds), Eigen::VectorXd::Zero(speeds), Eigen::VectorXi::Zero(speeds)};
+  const Eigen::Index areas = speeds == 0 ? 0 : response.speeds.front().contact_count.cols();
+  ContactMap map{Eigen::MatrixXd(areas, speeds), Eigen::VectorXd(speeds), Eigen::VectorXi(speeds)};
   for (Eigen::Index i = 0; i < speeds; ++i) {
-    const SpeedResponse& speed = response.speeds[static_cast<std::size_t>(i)];
-    if (!speed.failure.empty()) continue;
-    const double steps = static_cast<double>(speed.steps_per_revolution) * speed.recorded_revolutions;
-    map.share.col(i) = speed.contact_count.row(node).transpose().cast<double>() * static_cast<double>(areas) / steps;
+    map.share.col(i) =
+        contact_shares(response.speeds[static_cast<std::size_t>(i)], response.scene.sector_count, contact, node);
     map.contrast[i] = contact_contrast(map.share.col(i));
     map.clusters[i] = contact_clusters(map.share.col(i));
   }

@@ -3,14 +3,16 @@
 
 #include <Eigen/Dense>
 
+#include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 
 namespace tiprub {
 
 /// Where around the casing one contact node of sector 0 rubs, over speed (paper, sec. 5.2.2).
 struct ContactMap {
-  /// [1] share of the steps spent over an area that are in contact: 0 never, 1 always; areas x speeds. A count of the
-  /// file over the steps that a node spends over an area: (steps a revolution) (revolutions) / areas.
+  /// [1] share of the steps that the node begins over an area that are in contact: 0 never, 1 always; areas x speeds.
+  /// A count of the file over the node's own steps there (steps_over_areas()) in all recorded revolutions: their
+  /// mean, steps / areas, would give shares above 1, and stripes, wherever the areas don't divide the steps.
   Eigen::MatrixXd share;
   Eigen::VectorXd contrast;  ///< [1] by speed, see contact_contrast()
   Eigen::VectorXi clusters;  ///< by speed, see contact_clusters()
@@ -25,7 +27,11 @@ double contact_contrast(const Eigen::VectorXd& column);
 /// runs that only one area parts count as one.
 int contact_clusters(const Eigen::VectorXd& column);
 
-/// The map of a contact node; speeds that failed have an empty column.
-ContactMap contact_map(const Response& response, int node);
+/// One speed's column of a contact node's map, for sector 0. An area narrower than a step, over which none begins, is
+/// passed in the step before: it has the share of the area in which that began.
+Eigen::VectorXd contact_shares(const SpeedResponse& speed, int sector_count, const ContactLine& contact, int node);
+
+/// The map of a contact node. Needs a response at every speed, and areas at all of them alike.
+ContactMap contact_map(const Response& response, const ContactLine& contact, int node);
 
 }  // namespace tiprub

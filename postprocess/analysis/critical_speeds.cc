@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "postprocess/analysis/contact_map.h"
 #include "postprocess/waves/travelling_spectrum.h"
 
 namespace tiprub {
@@ -15,10 +14,6 @@ namespace {
 constexpr double same_order = 1e-9;
 constexpr double large_wave = 0.2;  // of the largest one's amplitude
 constexpr std::size_t most_others = 4;
-
-int clusters_at(const SpeedResponse& response, Eigen::Index node) {
-  return contact_clusters(response.contact_count.row(node).transpose().cast<double>());
-}
 
 struct PeakWave {
   double engine_order;
@@ -108,8 +103,6 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
     critical.node = amplitudes.node[peak.index];
     critical.motion = peak_response.motion;
     critical.period_revolutions = peak_response.period_revolutions;
-    critical.leading_edge_areas = clusters_at(peak_response, 0);
-    critical.trailing_edge_areas = clusters_at(peak_response, contact.size() - 1);
     reader.name_waves(critical, peak);
     all.push_back(critical);
   }

@@ -36,10 +36,8 @@ struct CriticalSpeed {
   std::vector<WaveLabel> others;
   MotionClass motion = MotionClass::irregular;
   int period_revolutions = 0;
-  int leading_edge_areas = 0;   ///< contact clusters of node 0, sector 0
-  int trailing_edge_areas = 0;  ///< contact clusters of the last node, sector 0
-  bool by_equation_2 = false;   ///< predicted by the linear rule
-  bool by_aliasing = false;     ///< predicted by the rule with aliasing
+  bool by_equation_2 = false;  ///< predicted by the linear rule
+  bool by_aliasing = false;    ///< predicted by the rule with aliasing
 
   /// [1] of the amplitude that the rising wave has. Several waves add up to more than 1 where their crests don't
   /// meet.

@@ -12,12 +12,15 @@ namespace tiprub {
 
 namespace {
 
-void check_speed(const SpeedResponse& response, const std::string& name) {
+void check_speed(const SpeedResponse& response, Eigen::Index areas, const std::string& name) {
   const std::string where = name + ": the speed " + rpm_text(response.speed) + " ";
   if (!(response.speed > 0)) throw RunError(where + "must be above 0");
   if (response.recorded_revolutions < 1 || response.samples_per_revolution < 1 || response.steps_per_revolution < 1)
     throw RunError(where + "holds no whole revolution");
   if (response.contact_count.cols() < 1) throw RunError(where + "has no contact areas");
+  if (response.contact_count.cols() != areas)
+    throw RunError(where + "has " + std::to_string(response.contact_count.cols()) + " contact areas, others have " +
+                   std::to_string(areas));
 }
 
 void check_frequencies(const ReducedModel& model, const FrequencyTable& table, const std::string& name) {
@@ -44,13 +47,13 @@ void check_together(const ReducedModel& model, const Response& response, const s
     throw InputError(name + ": has " + std::to_string(scene.clearance.size()) + " contact nodes, the model has " +
                      std::to_string(model.contact.size()) + "; give the model that the response was made with");
   if (response.speeds.empty()) throw RunError(name + ": holds no speed; run tiprub-simulate");
-  bool usable = false;
+  Eigen::Index areas = 0;  // of the first speed that has a response
   for (const SpeedResponse& speed : response.speeds) {
     if (!speed.failure.empty()) continue;
-    check_speed(speed, name);
-    usable = true;
+    if (areas == 0) areas = speed.contact_count.cols();
+    check_speed(speed, areas, name);
   }
-  if (!usable)
+  if (areas == 0)
     throw RunError(name + ": all " + std::to_string(response.speeds.size()) + " speeds failed; the first, " +
                    rpm_text(response.speeds.front().speed) + ", because: " + response.speeds.front().failure);
   check_frequencies(model, response.frequencies, name);

@@ -59,8 +59,8 @@ void map_contact(Study& study) {
   const ContactLine& contact = study.model.contact;
   const int lobes = std::max(study.response.scene.lobes, 1);
   const Eigen::VectorXd speeds = speeds_of(study.response);
-  study.leading_edge = contact_map(study.response, 0);
-  study.trailing_edge = contact_map(study.response, contact.size() - 1);
+  study.leading_edge = contact_map(study.response, contact, 0);
+  study.trailing_edge = contact_map(study.response, contact, contact.size() - 1);
   study.leading_drift = contact_drift(study.leading_edge, speeds, lobes, contact);
   study.trailing_drift = contact_drift(study.trailing_edge, speeds, lobes, contact);
 }

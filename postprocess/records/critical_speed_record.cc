@@ -12,6 +12,7 @@ namespace tiprub {
 namespace {
 
 struct PeakRow {
+  const Study& study;
   const CriticalSpeed& critical;
   const std::optional<FieldPeak>& stress;
 };
@@ -21,8 +22,13 @@ using PeakColumns = std::vector<Column<PeakRow>>;
 
 PeakRows peaks_of(const Study& study, const FieldResults& fields) {
   PeakRows peaks;
-  for (std::size_t i = 0; i < study.critical.size(); ++i) peaks.push_back({study.critical[i], fields.peaks[i]});
+  for (std::size_t i = 0; i < study.critical.size(); ++i)
+    peaks.push_back({study, study.critical[i], fields.peaks[i]});
   return peaks;
+}
+
+int places(const PeakRow& peak, const ContactMap& edge) {
+  return edge.clusters[peak.critical.index];
 }
 
 std::string signed_percent(double value) {
@@ -68,8 +74,9 @@ PeakColumns wave_columns() {
 }
 
 PeakColumns contact_columns() {
-  return {{"contact areas leading edge", [](const PeakRow& peak) { return peak.critical.leading_edge_areas; }},
-          {"contact areas trailing edge", [](const PeakRow& peak) { return peak.critical.trailing_edge_areas; }}};
+  return {
+      {"contact areas leading edge", [](const PeakRow& peak) { return places(peak, peak.study.leading_edge); }},
+      {"contact areas trailing edge", [](const PeakRow& peak) { return places(peak, peak.study.trailing_edge); }}};
 }
 
 PeakColumns stress_columns() {
@@ -104,8 +111,8 @@ PeakColumns rounded_columns() {
           {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, shown_others); }},
           {"areas LE/TE",
            [](const PeakRow& peak) {
-             return std::to_string(peak.critical.leading_edge_areas) + "/" +
-                    std::to_string(peak.critical.trailing_edge_areas);
+             return std::to_string(places(peak, peak.study.leading_edge)) + "/" +
+                    std::to_string(places(peak, peak.study.trailing_edge));
            }},
           {"motion",
            [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_revolutions); }},

@@ -6,18 +6,13 @@
 #include <complex>
 #include <numbers>
 
+#include "simulate/response/casing_areas.h"
+
 namespace tiprub {
 
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-
-/// The area of the casing over which a node stands at step q of a revolution.
-int area_at(double node_angle, int sector, std::int64_t step, const TimeMarch& march, int areas) {
-  const double turns = node_angle / two_pi + static_cast<double>(sector) / march.sector_count() +
-                       static_cast<double>(step % march.steps_per_revolution()) / march.steps_per_revolution();
-  return std::min(static_cast<int>((turns - std::floor(turns)) * areas), areas - 1);
-}
 
 }  // namespace
 
@@ -71,9 +66,9 @@ void Recording::observe(const TimeMarch& march, int sample) {
   for (int index : closed) {
     const int sector = index / width_, node = index % width_;
     const double force = march.contact().multipliers()[index];
+    const CasingSteps way{contact_.position(node, 1), sector, march.sector_count(), march.steps_per_revolution()};
     kept_.contact_force(sample, sector * nodes_ + node) += share * force;
-    ++kept_.contact_count(sector * nodes_ + node, area_at(contact_.position(node, 1), sector, march.step_count() - 1,
-                                                          march, grid_.casing_areas));
+    ++kept_.contact_count(sector * nodes_ + node, casing_area(way, march.step_count() - 1, grid_.casing_areas));
     smallest = std::min(smallest, force);
     (force < 0 ? pulling_ : pushing_) += std::abs(force);
   }

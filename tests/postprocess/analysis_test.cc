@@ -9,6 +9,7 @@
 #include "postprocess/analysis/study.h"
 #include "postprocess/records/linear_criterion_record.h"
 #include "postprocess/waves/harmonic_tracking.h"
+#include "simulate/response/casing_areas.h"
 #include "synthetic_scene.h"
 
 namespace tiprub {
@@ -27,14 +28,27 @@ const Study& made_study() {
 
 // --- contact maps: checks 57-59 ---
 
-TEST(ContactMap, KeepsEveryCount) {
+/// Symptom: shares up to 1.11 and stripes all over the maps. Cause: counts were divided by the mean number of steps
+/// over an area; where the areas don't divide the steps, some have one more. A node that is closed all the time has 1
+/// everywhere, and one that is closed in some steps no more than that.
+TEST(ContactMap, DividesByTheStepsOverEachArea) {
+  const ReducedModel rotor = synthetic::model();
+  Response closed{synthetic::two_lobes(), "made", {}, {}};
+  closed.scene.clearance.setConstant(-1e-2);
+  closed.speeds.push_back(synthetic::speed(closed.scene, rotor.contact, 1500, {}, 2));
+  SpeedResponse& speed = closed.speeds.front();
+  for (const int areas : {200, 70, 5000}) {  // 3600 steps: they divide them, don't, are narrower than one
+    speed.contact_count.setZero(speed.contact_count.rows(), areas);
+    for (int node = 0; node < rotor.contact.size(); ++node)
+      speed.contact_count.row(node) =
+          2 * steps_over_areas({rotor.contact.position(node, 1), 0, 10, speed.steps_per_revolution}, areas);
+    for (int node = 0; node < rotor.contact.size(); ++node)
+      EXPECT_EQ(contact_map(closed, rotor.contact, node).share, Eigen::MatrixXd::Ones(areas, 1)) << areas;
+  }
   const Study& study = made_study();
-  for (std::size_t i = 0; i < study.response.speeds.size(); ++i) {
-    const SpeedResponse& at = study.response.speeds[i];
-    const double steps_over_an_area = static_cast<double>(at.steps_per_revolution) * at.recorded_revolutions /
-                                      static_cast<double>(at.contact_count.cols());
-    EXPECT_NEAR(study.leading_edge.share.col(static_cast<Eigen::Index>(i)).sum() * steps_over_an_area,
-                static_cast<double>(at.contact_count.row(0).sum()), 1e-9);
+  for (const ContactMap* edge : {&study.leading_edge, &study.trailing_edge}) {
+    EXPECT_LE(edge->share.maxCoeff(), 1.0);
+    EXPECT_GT(edge->share.maxCoeff(), 0.5);
   }
 }
 

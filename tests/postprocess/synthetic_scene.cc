@@ -9,6 +9,7 @@
 #include "cases/program/units.h"
 #include "postprocess/waves/aliasing.h"
 #include "reduce/model/reduced_model_file.h"
+#include "simulate/response/casing_areas.h"
 #include "simulate/response/response_file.h"
 #include "synthetic_fields.h"
 
@@ -102,7 +103,9 @@ bool move_sector(SpeedResponse& response, const SimulatedScene& scene, const Con
     if (gap >= 0) continue;
     touching = true;
     response.contact_force(sample, point) = -gap * 1e6;
-    response.contact_count(point, static_cast<int>(areas * angle / two_pi) % areas) += steps_per_sample;
+    const CasingSteps way{contact.position(node, 1), sector, scene.sector_count, response.steps_per_revolution};
+    for (int step = 0; step < steps_per_sample; ++step)
+      ++response.contact_count(point, casing_area(way, sample * steps_per_sample + step, areas));
   }
   return touching;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "simulate/response/casing_areas.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {
@@ -91,6 +92,28 @@ TEST(Recording, CycleHoldsEverySampleOfTheLastRevolutions) {
       for (std::size_t i = 0; i < states.size(); ++i)
         EXPECT_LT((states[i] - response.snapshot->displacement[i]).norm(), 1e-12 * size);
     }
+  }
+}
+
+/// A casing that holds every tip: a node is closed in all of its steps, so its counts are its steps over each area,
+/// of areas that divide them or don't, or that are narrower than a step.
+TEST(Recording, CountsTheStepsThatAnAreaHas) {
+  constexpr int steps = 600, warm_up = 20, revolutions = 2;
+  const ReducedModel model = testing::synthetic_wheel({});
+  for (const int areas : {20, 70, 700}) {
+    testing::Bench bench = testing::make_bench(model, testing::lobed_casing(2, 1e-5, -1e-3), 900, 0.05,
+                                               {Scheme::trigonometric, ContactRule::complementarity, steps, 2});
+    for (int i = 0; i < warm_up; ++i) march_revolution(bench.march, samples);
+    Recording recording(bench.march, bench.rotor, model.contact, {samples, revolutions, areas, 1e-12, 0});
+    for (int i = 0; i < revolutions; ++i) recording.revolution(bench.march);
+    SpeedResponse response;
+    recording.finish(bench.march, response);
+    for (int sector = 0; sector < bench.march.sectors(); ++sector)
+      for (int node = 0; node < model.contact.size(); ++node) {
+        const CasingSteps way{model.contact.position(node, 1), sector, model.sector_count, steps};
+        const Eigen::VectorXi counts = response.contact_count.row(sector * model.contact.size() + node);
+        EXPECT_EQ(counts, revolutions * steps_over_areas(way, areas)) << sector << " " << node << " " << areas;
+      }
   }
 }
 

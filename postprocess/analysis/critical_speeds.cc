@@ -2,8 +2,6 @@
 #include "postprocess/analysis/critical_speeds.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 
 #include "postprocess/waves/travelling_spectrum.h"
 
@@ -11,7 +9,6 @@ namespace tiprub {
 
 namespace {
 
-constexpr double same_order = 1e-9;
 constexpr double large_wave = 0.2;  // of the largest one's amplitude
 constexpr std::size_t most_others = 4;
 
@@ -107,30 +104,6 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
     all.push_back(critical);
   }
   return all;
-}
-
-bool predicts(const Crossing& crossing, const CriticalSpeed& critical, double tolerance) {
-  return std::abs(crossing.engine_order - critical.rising.engine_order) < same_order &&
-         crossing.signed_nodal_diameter == critical.rising.signed_nodal_diameter &&
-         std::abs(crossing.speed - critical.speed) <= tolerance * critical.speed;
-}
-
-RuleScore score(LinearRule rule, const std::vector<Crossing>& crossings, const std::vector<int>& moving,
-                double tolerance, std::vector<CriticalSpeed>& critical) {
-  RuleScore result;
-  for (CriticalSpeed& speed : critical) {
-    const bool hit = std::any_of(crossings.begin(), crossings.end(),
-                                 [&](const Crossing& crossing) { return predicts(crossing, speed, tolerance); });
-    (rule == LinearRule::equation_2 ? speed.by_equation_2 : speed.by_aliasing) = hit;
-    ++(hit ? result.hits : result.misses);
-  }
-  for (const Crossing& crossing : crossings) {
-    if (std::find(moving.begin(), moving.end(), std::abs(crossing.signed_nodal_diameter)) == moving.end()) continue;
-    const bool met = std::any_of(critical.begin(), critical.end(),
-                                 [&](const CriticalSpeed& speed) { return predicts(crossing, speed, tolerance); });
-    if (!met) ++result.false_alarms;
-  }
-  return result;
 }
 
 }  // namespace tiprub

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "postprocess/analysis/linear_criterion.h"
 #include "postprocess/analysis/peaks.h"
 #include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/waves/wave_label.h"
@@ -48,20 +47,5 @@ struct CriticalSpeed {
 std::vector<CriticalSpeed> critical_speeds(const Response& response, const ContactLine& contact,
                                            const TipAmplitudes& amplitudes, const FrequencyCurves& curves,
                                            const PostprocessParameters& parameters);
-
-/// What a linear rule was worth.
-struct RuleScore {
-  int hits = 0;          ///< critical speeds that it predicted
-  int misses = 0;        ///< critical speeds that it did not
-  int false_alarms = 0;  ///< its speeds, on nodal diameters that can move, at which there is no such critical speed
-};
-
-/// A crossing predicts a critical speed if engine order, signed nodal diameter and, within `tolerance` of the
-/// critical speed, the speed agree with those of the wave that makes the peak.
-bool predicts(const Crossing& crossing, const CriticalSpeed& critical, double tolerance);
-
-/// Marks the critical speeds that one of the crossings predicts, and counts.
-RuleScore score(LinearRule rule, const std::vector<Crossing>& crossings, const std::vector<int>& moving,
-                double tolerance, std::vector<CriticalSpeed>& critical);
 
 }  // namespace tiprub

@@ -23,13 +23,15 @@ double bisect(const std::function<double(double)>& function, double low, double 
   return 0.5 * (low + high);
 }
 
-void append_crossings(std::vector<Crossing>& crossings, const FrequencyCurves& curves, int families, int engine_order,
-                      int signed_nodal_diameter, const SpeedRange& range) {
+void append_crossings(std::vector<Crossing>& crossings, const FrequencyCurves& curves,
+                      const std::vector<int>& families, int engine_order, int signed_nodal_diameter,
+                      const SpeedRange& range) {
   const int nodal_diameter = std::abs(signed_nodal_diameter);
-  for (int family = 0; family < std::min(families, curves.families(nodal_diameter)); ++family) {
+  for (const int family : families) {
+    if (family >= curves.families(nodal_diameter)) continue;
     const auto frequency = [&](double speed) { return curves.frequency(nodal_diameter, family, speed); };
     for (const double speed : criterion_speeds(frequency, engine_order, 0.0, range))
-      crossings.push_back({speed, frequency(speed), engine_order, signed_nodal_diameter, family});
+      crossings.push_back({speed, frequency(speed), engine_order, signed_nodal_diameter, family, 0.0});
   }
 }
 
@@ -61,8 +63,8 @@ std::vector<double> criterion_speeds(const std::function<double(double)>& freque
   return roots;
 }
 
-std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int sector_count, int families,
-                                           const SpeedRange& range) {
+std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int sector_count,
+                                           const std::vector<int>& families, const SpeedRange& range) {
   std::vector<Crossing> crossings;
   for (int n = 1; n <= sector_count / 2; ++n)  // eq. 2 with f_c = 0
     append_crossings(crossings, curves, families, n, n, range);
@@ -70,12 +72,13 @@ std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int se
   return crossings;
 }
 
-std::vector<Crossing> aliased_crossings(const FrequencyCurves& curves, int sector_count, int families, int lobes,
-                                        int engine_order_max, const SpeedRange& range) {
+std::vector<Crossing> aliased_crossings(const FrequencyCurves& curves, int sector_count,
+                                        const std::vector<int>& families, int lobes,
+                                        const std::vector<int>& engine_orders, const SpeedRange& range) {
   std::vector<Crossing> crossings;
-  for (int order = lobes; lobes > 0 && order <= engine_order_max;
-       order += lobes)  // eq. 16: k N_l Omega; on n: eq. 17
-    append_crossings(crossings, curves, families, order, signed_nodal_diameter(order, sector_count), range);
+  for (const int order : engine_orders)
+    if (lobes > 0 && order % lobes == 0)  // eq. 16: k N_l Omega; on n: eq. 17
+      append_crossings(crossings, curves, families, order, signed_nodal_diameter(order, sector_count), range);
   sort_by_speed(crossings);
   return crossings;
 }

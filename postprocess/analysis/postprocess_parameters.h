@@ -15,7 +15,7 @@ enum class TipEdge { leading, trailing };
 struct PostprocessParameters {
   Component component = Component::normal;  ///< of the tip motion, in every amplitude
   TipEdge edge = TipEdge::leading;          ///< contact node of the map, the spectra and the trackings
-  int families = 2;                         ///< modal families drawn, and known to the linear rules
+  int families = 2;                         ///< modal families drawn
   int engine_order_max = 12;                ///< highest engine order drawn and listed
   double prominence = 0.25;                 ///< [1] of a peak's own amplitude, that it must stand above its valleys
   double prediction_tolerance = 0.1;        ///< [1] of a speed, within which a rule's speed counts as a hit

@@ -66,16 +66,28 @@ void map_contact(Study& study) {
 }
 
 void find_critical_speeds(Study& study) {
-  const PostprocessParameters& parameters = study.parameters;
+  study.critical =
+      critical_speeds(study.response, study.model.contact, study.amplitudes, study.curves, study.parameters);
+}
+
+/// Over all that moves, not what is drawn: a score must not depend on the drawing.
+void score_linear_rules(Study& study) {
   const SimulatedScene& scene = study.response.scene;
-  study.critical = critical_speeds(study.response, study.model.contact, study.amplitudes, study.curves, parameters);
-  study.equation_2 = equation_2_crossings(study.curves, study.model.sector_count, parameters.families, study.range);
-  study.aliased = aliased_crossings(study.curves, study.model.sector_count, parameters.families, scene.lobes,
-                                    parameters.engine_order_max, study.range);
-  study.equation_2_score = score(LinearRule::equation_2, study.equation_2, scene.nodal_diameters,
-                                 parameters.prediction_tolerance, study.critical);
-  study.aliasing_score = score(LinearRule::with_aliasing, study.aliased, scene.nodal_diameters,
-                               parameters.prediction_tolerance, study.critical);
+  const int sectors = study.model.sector_count;
+  const double tolerance = study.parameters.prediction_tolerance;
+  const std::vector<TravellingSpectrum> waves =
+      largest_waves(study.response, study.model.contact, study.parameters.component);
+  study.moving =
+      moving_waves(study.response, waves, study.curves, study.critical, study.amplitudes.largest[study.worst]);
+  study.equation_2 = equation_2_crossings(study.curves, sectors, study.moving.families, study.range);
+  study.aliased = aliased_crossings(study.curves, sectors, study.moving.families, scene.lobes,
+                                    study.moving.engine_orders, study.range);
+  read_amplitudes(study.equation_2, study.response, waves);
+  read_amplitudes(study.aliased, study.response, waves);
+  study.equation_2_score =
+      score(LinearRule::equation_2, study.equation_2, scene.nodal_diameters, tolerance, study.critical);
+  study.aliasing_score =
+      score(LinearRule::with_aliasing, study.aliased, scene.nodal_diameters, tolerance, study.critical);
 }
 
 }  // namespace
@@ -95,6 +107,7 @@ Study make_study(const PostprocessParameters& parameters, ReducedModel model, Re
   map_waves(study);
   map_contact(study);
   find_critical_speeds(study);
+  score_linear_rules(study);
   study.sweeps = compare_sweeps(study.response, study.model.contact, study.map_node, parameters.component, sweeps);
   return study;
 }

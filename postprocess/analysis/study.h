@@ -7,6 +7,7 @@
 #include "postprocess/analysis/contact_map.h"
 #include "postprocess/analysis/critical_speeds.h"
 #include "postprocess/analysis/ridges.h"
+#include "postprocess/analysis/rule_score.h"
 #include "postprocess/analysis/sweep_comparison.h"
 
 namespace tiprub {
@@ -27,6 +28,7 @@ struct Study {
   ContactMap leading_edge{}, trailing_edge{};
   ContactDrift leading_drift{}, trailing_drift{};
   std::vector<CriticalSpeed> critical{};
+  MovingWaves moving{};  ///< the linear rules are asked for these
   std::vector<Crossing> equation_2{}, aliased{};
   RuleScore equation_2_score{}, aliasing_score{};
   std::vector<SweepComparison> sweeps{};  ///< one a speed, or none

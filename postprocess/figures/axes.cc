@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "postprocess/tables/units.h"
 
@@ -57,6 +58,14 @@ Eigen::VectorXi nearest_speeds(const Study& study, int columns) {
 
 int drawn_families(const Study& study, int nodal_diameter) {
   return std::min(study.parameters.families, study.curves.families(nodal_diameter));
+}
+
+std::vector<Crossing> drawn_crossings(const Study& study, const std::vector<Crossing>& crossings) {
+  std::vector<Crossing> drawn;
+  std::copy_if(crossings.begin(), crossings.end(), std::back_inserter(drawn), [&](const Crossing& crossing) {
+    return crossing.family < study.parameters.families && crossing.engine_order <= study.parameters.engine_order_max;
+  });
+  return drawn;
 }
 
 void set_speed_axis(Drawing& drawing, const SpeedAxis& axis) {

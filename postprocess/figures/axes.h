@@ -29,6 +29,9 @@ Eigen::VectorXi nearest_speeds(const Study& study, int columns);
 /// Families that are drawn at a nodal diameter.
 int drawn_families(const Study& study, int nodal_diameter);
 
+/// Those of the linear rules' crossings that are on drawn families and engine orders.
+std::vector<Crossing> drawn_crossings(const Study& study, const std::vector<Crossing>& crossings);
+
 /// speed_low, speed_high.
 void set_speed_axis(Drawing& drawing, const SpeedAxis& axis);
 

@@ -27,32 +27,46 @@ bool moves(const Study& study, int signed_nodal_diameter) {
 /// Whether the rule with aliasing (eq. 17) lists a crossing of eq. 2 as well.
 bool listed_with_aliasing(const Study& study, const Crossing& crossing) {
   const int lobes = study.response.scene.lobes;
-  return lobes >= 1 && crossing.engine_order % lobes == 0 &&
-         crossing.engine_order <= study.parameters.engine_order_max;
+  return lobes >= 1 && crossing.engine_order % lobes == 0;
 }
 
 void append_crossing(Table& table, const Study& study, const Crossing& crossing, const std::string& aliasing) {
   const bool met = std::any_of(study.critical.begin(), study.critical.end(), [&](const CriticalSpeed& critical) {
     return predicts(crossing, critical, study.parameters.prediction_tolerance);
   });
-  table.rows.push_back({crossing.speed * rpm_per_rad_s, crossing.frequency, crossing.engine_order,
-                        crossing.signed_nodal_diameter,
-                        name_of(wave_direction(crossing.signed_nodal_diameter, study.model.sector_count)),
-                        crossing.family + 1, equation_2_text(crossing, study.model.sector_count), aliasing,
-                        yes_or_no(moves(study, crossing.signed_nodal_diameter)), yes_or_no(met)});
+  table.rows.push_back(
+      {crossing.speed * rpm_per_rad_s, crossing.frequency, crossing.engine_order, crossing.signed_nodal_diameter,
+       name_of(wave_direction(crossing.signed_nodal_diameter, study.model.sector_count)), crossing.family + 1,
+       equation_2_text(crossing, study.model.sector_count), aliasing,
+       yes_or_no(moves(study, crossing.signed_nodal_diameter)), crossing.amplitude * mm_per_m, yes_or_no(met)});
 }
 
 }  // namespace
 
 Table linear_criterion_record(const Study& study) {
   Table table{{"speed [rpm]", "frequency [Hz]", "engine order", "signed nodal diameter", "wave", "family", "eq. 2",
-               "with aliasing", "nodal diameter can move", "critical speed found"},
+               "with aliasing", "nodal diameter can move", "wave amplitude [mm]", "critical speed found"},
               {}};
   for (const Crossing& crossing : study.aliased) append_crossing(table, study, crossing, "listed");
   for (const Crossing& crossing : study.equation_2)
     if (!listed_with_aliasing(study, crossing))
       append_crossing(table, study, crossing, "excluded: not driven by this casing");
   sort_by_speed(table);
+  return table;
+}
+
+Table rule_score_record(const Study& study) {
+  Table table{{"rule", "critical speeds predicted", "missed", "false alarms", "share of amplitude predicted [1]",
+               "amplitude of all critical speeds [mm]", "wave amplitude at all false alarms [mm]",
+               "largest wave at a false alarm [mm]"},
+              {}};
+  const auto add = [&](const char* rule, const RuleScore& score) {
+    table.rows.push_back({std::string(rule), score.hits, score.misses, score.false_alarms, score.predicted_share,
+                          score.summed_amplitudes * mm_per_m, score.summed_alarms * mm_per_m,
+                          score.alarm_amplitude * mm_per_m});
+  };
+  add("eq. 2", study.equation_2_score);
+  add("with aliasing", study.aliasing_score);
   return table;
 }
 

@@ -116,6 +116,7 @@ std::string record(const Study& study, const ReportSource& source) {
   };
   const auto listing = [](const std::string& text) { return "<pre>" + html::escaped(text) + "</pre>"; };
   return folded("Every speed: how steady, how exact", html::table(speed_record(study)), "speeds.csv") +
+         folded("What the linear rules are worth", html::table(rule_score_record(study)), "linear_rules.csv") +
          folded("What the linear rules list", html::table(linear_criterion_record(study)), "linear_criterion.csv") +
          (study.sweeps.empty()
               ? std::string()

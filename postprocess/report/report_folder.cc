@@ -22,6 +22,7 @@ void write_tables(const Study& study, const FieldResults& fields, const std::fil
   write_csv(critical_speed_record(study, fields), folder / "critical_speeds.csv");
   write_text(aligned_text(critical_speed_overview(study, fields)), folder / "critical_speeds.txt");
   write_csv(linear_criterion_record(study), folder / "linear_criterion.csv");
+  write_csv(rule_score_record(study), folder / "linear_rules.csv");
   write_csv(speed_record(study), folder / "speeds.csv");
   write_csv(exactness_record(study), folder / "exactness.csv");
   write_csv(drift_record(study), folder / "contact_drift.csv");

@@ -46,12 +46,18 @@ std::string edge_sentence(const Study& study) {
 std::string rule_sentence(const Study& study) {
   if (study.critical.empty()) return "";
   const auto part = [](const RuleScore& score) {
-    return "misses " + std::to_string(score.misses) + " of " + std::to_string(score.hits + score.misses) +
-           " and raises " + counted(static_cast<std::size_t>(score.false_alarms), "false alarm");
+    return "predicts " + std::to_string(score.hits) + " of " + std::to_string(score.hits + score.misses) + " (" +
+           fixed(percent * score.predicted_share, 0) + " % of their summed amplitude) and raises " +
+           counted(static_cast<std::size_t>(score.false_alarms), "false alarm") +
+           (score.false_alarms > 0
+                ? ", where its wave makes " + fixed(score.alarm_amplitude * mm_per_m, 3) + " mm at most"
+                : std::string());
   };
   return "The linear rule (eq. 2) " + part(study.equation_2_score) + "; with aliasing it " +
-         part(study.aliasing_score) + " (same wave, within " +
-         fixed(percent * study.parameters.prediction_tolerance, 1) + " % of the speed).";
+         part(study.aliasing_score) + " (the same wave and family within " +
+         fixed(percent * study.parameters.prediction_tolerance, 1) + " % of the speed; asked for the families, " +
+         std::to_string(study.moving.families.size()) + ", and engine orders, " +
+         std::to_string(study.moving.engine_orders.size()) + ", that move).";
 }
 
 std::string steadiness_sentence(const Study& study) {

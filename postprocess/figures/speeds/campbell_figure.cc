@@ -50,7 +50,8 @@ Figure campbell_figure(const Study& study) {
                   .values = {{"frequency_high", headroom * highest_frequency(study)},
                              {"range_low", study.range.low * rpm_per_rad_s},
                              {"range_high", study.range.high * rpm_per_rad_s}},
-                  .tables = {{"aliased", {places(study.aliased)}}, {"equation_2", {places(study.equation_2)}}}},
+                  .tables = {{"aliased", {places(drawn_crossings(study, study.aliased))}},
+                             {"equation_2", {places(drawn_crossings(study, study.equation_2))}}}},
       .title = "Campbell diagram",
       .caption =
           "Natural frequencies in the rotor frame over speed, the first families by nodal diameter, and "

@@ -70,14 +70,15 @@ Figure response_figure(const Study& study) {
                              {"peak_name", peak_names(study)}},
                   .tables = {{"peaks", {peaks(study)}},
                              {"not_periodic", {not_periodic(study)}},
-                             {"aliased", {speeds_of(study.aliased)}},
-                             {"equation_2", {speeds_of(study.equation_2)}},
+                             {"aliased", {speeds_of(drawn_crossings(study, study.aliased))}},
+                             {"equation_2", {speeds_of(drawn_crossings(study, study.equation_2))}},
                              {"failed", {rpm_of(study.failed)}}}},
       .title = "Response",
       .caption = std::string("Half of the peak-to-peak ") + name_of(study.parameters.component) +
                  ", the largest over sectors. Each critical speed carries the engine order and signed nodal diameter "
                  "(+ backward, - forward) of the wave that makes it. Triangles at the foot: speeds "
-                 "predicted by the linear rules. Rings: motion that is not the same every revolution.",
+                 "predicted by the linear rules for the drawn families. Rings: motion that is not the same every "
+                 "revolution.",
       .data = amplitude_table(study)};
   set_speed_axis(figure.drawing, speed_axis(study));
   return figure;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/analysis/rule_score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double same_order = 1e-9;
+constexpr double moving_wave = 0.1;  // of the largest amplitude of all
+
+}  // namespace
+
+std::vector<TravellingSpectrum> largest_waves(const Response& response, const ContactLine& contact,
+                                              Component component) {
+  std::vector<TravellingSpectrum> waves;
+  for (const SpeedResponse& speed : response.speeds) {
+    const auto spectrum = [&](int node) {
+      return travelling_spectrum(tip_motion(speed, response.scene, contact, node, component),
+                                 speed.recorded_revolutions);
+    };
+    TravellingSpectrum largest = spectrum(0);
+    for (int node = 1; node < contact.size(); ++node)
+      largest.amplitude = largest.amplitude.cwiseMax(spectrum(node).amplitude);
+    waves.push_back(std::move(largest));
+  }
+  return waves;
+}
+
+MovingWaves moving_waves(const Response& response, const std::vector<TravellingSpectrum>& waves,
+                         const FrequencyCurves& curves, const std::vector<CriticalSpeed>& critical,
+                         double largest_amplitude) {
+  std::set<int> families, engine_orders;
+  const auto enter = [&](int engine_order, int family) {
+    engine_orders.insert(engine_order);
+    families.insert(family);
+  };
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    const TravellingSpectrum& here = waves[i];
+    const double speed = response.speeds[i].speed;
+    for (int order = 1; order * here.revolutions < here.lines(); ++order)
+      for (int column = 0; column < here.sector_count; ++column)
+        if (here.amplitude(order * here.revolutions, column) > moving_wave * largest_amplitude)
+          enter(order, curves.nearest_family(aliased_nodal_diameter(column, here.sector_count),
+                                             order * speed * hz_per_rad_s, speed));
+  }
+  for (const CriticalSpeed& peak : critical)
+    if (const double order = std::round(peak.rising.engine_order);
+        std::abs(order - peak.rising.engine_order) < same_order)
+      enter(static_cast<int>(order), peak.rising.family);
+  return {{families.begin(), families.end()}, {engine_orders.begin(), engine_orders.end()}};
+}
+
+void read_amplitudes(std::vector<Crossing>& crossings, const Response& response,
+                     const std::vector<TravellingSpectrum>& waves) {
+  const auto& speeds = response.speeds;
+  for (Crossing& crossing : crossings) {
+    const auto above = std::lower_bound(speeds.begin(), speeds.end(), crossing.speed,
+                                        [](const SpeedResponse& a, double speed) { return a.speed < speed; });
+    const auto high = std::min(static_cast<std::size_t>(above - speeds.begin()), speeds.size() - 1);
+    const std::size_t low = high > 0 ? high - 1 : 0;
+    const double span = speeds[high].speed - speeds[low].speed;
+    const double part = span > 0 ? std::clamp((crossing.speed - speeds[low].speed) / span, 0.0, 1.0) : 0.0;
+    const auto amplitude = [&](std::size_t i) {
+      return waves[i].at(crossing.engine_order, crossing.signed_nodal_diameter);
+    };
+    crossing.amplitude = (1 - part) * amplitude(low) + part * amplitude(high);
+  }
+}
+
+bool predicts(const Crossing& crossing, const CriticalSpeed& critical, double tolerance) {
+  return std::abs(crossing.engine_order - critical.rising.engine_order) < same_order &&
+         crossing.signed_nodal_diameter == critical.rising.signed_nodal_diameter &&
+         crossing.family == critical.rising.family &&
+         std::abs(crossing.speed - critical.speed) <= tolerance * critical.speed;
+}
+
+RuleScore score(LinearRule rule, const std::vector<Crossing>& crossings, const std::vector<int>& moving,
+                double tolerance, std::vector<CriticalSpeed>& critical) {
+  RuleScore result;
+  double predicted = 0;
+  for (CriticalSpeed& speed : critical) {
+    const bool hit = std::any_of(crossings.begin(), crossings.end(),
+                                 [&](const Crossing& crossing) { return predicts(crossing, speed, tolerance); });
+    (rule == LinearRule::equation_2 ? speed.by_equation_2 : speed.by_aliasing) = hit;
+    ++(hit ? result.hits : result.misses);
+    result.summed_amplitudes += speed.amplitude;
+    if (hit) predicted += speed.amplitude;
+  }
+  if (result.summed_amplitudes > 0) result.predicted_share = predicted / result.summed_amplitudes;
+  for (const Crossing& crossing : crossings) {
+    if (std::find(moving.begin(), moving.end(), std::abs(crossing.signed_nodal_diameter)) == moving.end()) continue;
+    const bool met = std::any_of(critical.begin(), critical.end(),
+                                 [&](const CriticalSpeed& speed) { return predicts(crossing, speed, tolerance); });
+    if (met) continue;
+    ++result.false_alarms;
+    result.summed_alarms += crossing.amplitude;
+    result.alarm_amplitude = std::max(result.alarm_amplitude, crossing.amplitude);
+  }
+  return result;
+}
+
+}  // namespace tiprub

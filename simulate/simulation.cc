@@ -45,6 +45,7 @@ Inputs read_inputs(const StageArguments& arguments) {
   SimulateParameters parameters = read_simulate_parameters(simulate_table);
   ReducedModel model = read_model(arguments.inputs[1]);
   require_speeds_of_model(simulate_table, parameters, model, arguments.inputs[1]);
+  fit_to_model(parameters, model);
   const std::string resolved = "[casing]\n" + casing_table.resolved() + "[simulate]\n" + simulate_table.resolved();
   const std::string provenance = "# case\n" + case_file.source() + "\n# model\n" + model.provenance;
   return {std::move(casing), std::move(parameters),

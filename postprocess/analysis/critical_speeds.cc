@@ -99,7 +99,7 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
     critical.prominence = peak.prominence;
     critical.node = amplitudes.node[peak.index];
     critical.motion = peak_response.motion;
-    critical.period_revolutions = peak_response.period_revolutions;
+    critical.period_beats = peak_response.period_beats;
     reader.name_waves(critical, peak);
     all.push_back(critical);
   }

@@ -33,8 +33,8 @@ struct CriticalSpeed {
   WaveLabel rising;
   /// The other waves there with at least a fifth of the largest one's amplitude, the largest first, four at most.
   std::vector<WaveLabel> others;
-  MotionClass motion = MotionClass::irregular;
-  int period_revolutions = 0;
+  MotionClass motion = MotionClass::not_settled;
+  int period_beats = 0;
   bool by_equation_2 = false;  ///< predicted by the linear rule
   bool by_aliasing = false;    ///< predicted by the rule with aliasing
 

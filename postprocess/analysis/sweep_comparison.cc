@@ -61,9 +61,9 @@ void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> Sw
       };
       SweptSpeed found{.amplitude = amplitudes.largest[static_cast<Eigen::Index>(i)],
                        .motion = there.motion,
-                       .period_revolutions = there.period_revolutions,
+                       .period_beats = there.period_beats,
                        .difference = relative_difference(spectrum(here), spectrum(there))};
-      const bool settle = here.motion != MotionClass::irregular && there.motion != MotionClass::irregular;
+      const bool settle = here.settled() && there.settled();
       found.differs = found.difference > (settle ? clear_difference : clear_irregular_difference);
       comparison.*direction = found;
     }

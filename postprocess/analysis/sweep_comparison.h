@@ -19,8 +19,8 @@ struct SweepFiles {
 /// One speed reached in another way: by a sweep that carried its motion along from the speed before.
 struct SweptSpeed {
   double amplitude = 0;  ///< [m] half of the peak-to-peak, the largest over sectors and nodes
-  MotionClass motion = MotionClass::irregular;
-  int period_revolutions = 0;
+  MotionClass motion = MotionClass::not_settled;
+  int period_beats = 0;
   /// [1] of the two-way spectra at whole engine orders, at the maps' contact node: norm of the difference to the
   /// response from rest over the larger of the two norms. Spectra, because irregular motions never repeat sample by
   /// sample.

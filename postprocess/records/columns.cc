@@ -9,16 +9,8 @@ std::string yes_or_no(bool value) {
   return value ? "yes" : "no";
 }
 
-std::string motion_text(MotionClass motion, int period_revolutions) {
-  switch (motion) {
-    case MotionClass::periodic:
-      return "periodic";
-    case MotionClass::subharmonic:
-      return "subharmonic 1/" + std::to_string(period_revolutions);
-    case MotionClass::irregular:
-      return "irregular";
-  }
-  return "";
+std::string motion_text(MotionClass motion, int period_beats) {
+  return name_of(motion) + (motion == MotionClass::subharmonic ? " 1/" + std::to_string(period_beats) : "");
 }
 
 Cell optional_cell(const std::optional<double>& value) {

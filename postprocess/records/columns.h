@@ -41,8 +41,8 @@ inline constexpr double percent = 100.0;
 
 /// "yes" or "no".
 std::string yes_or_no(bool value);
-/// "periodic", "subharmonic 1/3", "irregular".
-std::string motion_text(MotionClass motion, int period_revolutions);
+/// "periodic", "subharmonic 1/3", "broadband", ...
+std::string motion_text(MotionClass motion, int period_beats);
 /// Empty where nobody looked.
 Cell optional_cell(const std::optional<double>& value);
 

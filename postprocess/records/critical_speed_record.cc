@@ -93,7 +93,7 @@ PeakColumns stress_columns() {
 
 PeakColumns prediction_columns() {
   return {{"motion",
-           [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_revolutions); }},
+           [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
           {"predicted by eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
           {"predicted with aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
 }
@@ -115,7 +115,7 @@ PeakColumns rounded_columns() {
                     std::to_string(places(peak, peak.study.trailing_edge));
            }},
           {"motion",
-           [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_revolutions); }},
+           [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
           {"eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
           {"aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
 }

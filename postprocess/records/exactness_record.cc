@@ -59,11 +59,11 @@ Table exactness_record(const Study& study) {
   const auto add = [&](const char* check, const Number& number) {
     table.rows.push_back(row_of(study, check, number));
   };
-  add("time step: relative change with half the step [1]",
+  add("time step: relative change by the last halving [1]",
       [](const SpeedResponse& speed) { return speed.audit.halving_difference; });
-  add("settling: relative change over the last period, of periodic and subharmonic motions [1]",
+  add("settling: relative change over the last period, of settled motions [1]",
       [](const SpeedResponse& speed) -> std::optional<double> {
-        if (speed.motion == MotionClass::irregular) return {};
+        if (!speed.settled()) return {};
         return speed.change;
       });
   add("energy: closing error of the balance [1]",

@@ -42,7 +42,7 @@ SpeedColumns motion_columns() {
       {"smallest running clearance [mm]",
        [](const SpeedRow& speed) { return speed.response.clearance.minCoeff() * mm_per_m; }},
       {"motion",
-       [](const SpeedRow& speed) { return motion_text(speed.response.motion, speed.response.period_revolutions); }},
+       [](const SpeedRow& speed) { return motion_text(speed.response.motion, speed.response.period_beats); }},
       {"revolutions", [](const SpeedRow& speed) { return speed.response.revolutions; }},
       {"recorded revolutions", [](const SpeedRow& speed) { return speed.response.recorded_revolutions; }},
       {"change over the last period", [](const SpeedRow& speed) { return speed.response.change; }},
@@ -65,7 +65,7 @@ SpeedColumns audit_columns() {
   return {
       {"steps left in penetration", [](const SpeedRow& speed) { return count(speed.response.audit.leftover_steps); }},
       {"tensile share of contact force", [](const SpeedRow& speed) { return speed.response.audit.tension_share; }},
-      {"change with half the step",
+      {"change by the last halving of the step",
        [](const SpeedRow& speed) { return optional_cell(speed.response.audit.halving_difference); }},
       {"symmetry", [](const SpeedRow& speed) { return symmetry_text(speed.response.audit.symmetry); }},
       {"growth per revolution of nodal diameters left out",

@@ -13,7 +13,7 @@ Cell amplitude_cell(const std::optional<SweptSpeed>& swept) {
 }
 
 std::string swept_motion(const std::optional<SweptSpeed>& swept) {
-  return swept ? motion_text(swept->motion, swept->period_revolutions) : std::string();
+  return swept ? motion_text(swept->motion, swept->period_beats) : std::string();
 }
 
 Cell difference_cell(const std::optional<SweptSpeed>& swept) {
@@ -30,7 +30,7 @@ Table sweep_record(const Study& study) {
     const SpeedResponse& from_rest = study.response.speeds[static_cast<std::size_t>(compared.index)];
     table.rows.push_back({from_rest.speed * rpm_per_rad_s, study.amplitudes.largest[compared.index] * mm_per_m,
                           amplitude_cell(compared.up), amplitude_cell(compared.down),
-                          motion_text(from_rest.motion, from_rest.period_revolutions), swept_motion(compared.up),
+                          motion_text(from_rest.motion, from_rest.period_beats), swept_motion(compared.up),
                           swept_motion(compared.down), difference_cell(compared.up), difference_cell(compared.down),
                           yes_or_no(compared.differs())});
   }

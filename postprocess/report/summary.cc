@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <cstdlib>
 
 #include "postprocess/tables/table.h"
@@ -60,25 +61,32 @@ std::string rule_sentence(const Study& study) {
          std::to_string(study.moving.engine_orders.size()) + ", that move).";
 }
 
+/// "85 periodic, 6 subharmonic, 2 modulated"
+std::string motion_counts(const Study& study) {
+  std::map<MotionClass, std::size_t> counts;
+  for (const SpeedResponse& speed : study.response.speeds) ++counts[speed.motion];
+  std::string text;
+  for (const auto& [motion, count] : counts)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name_of(motion);
+  return text;
+}
+
 std::string steadiness_sentence(const Study& study) {
-  std::size_t periodic = 0, subharmonic = 0, halved = 0;
+  std::size_t settled = 0, halved = 0;
   double change = 0, closing = 0, halving = 0;
   for (const SpeedResponse& speed : study.response.speeds) {
-    periodic += speed.motion == MotionClass::periodic;
-    subharmonic += speed.motion == MotionClass::subharmonic;
-    if (speed.motion != MotionClass::irregular) change = std::max(change, speed.change);
+    settled += speed.settled();
+    if (speed.settled()) change = std::max(change, speed.change);
     closing = std::max(closing, std::abs(speed.energy.closing_error));
     halved += speed.audit.halving_difference.has_value();
     halving = std::max(halving, speed.audit.halving_difference.value_or(0));
   }
-  const std::size_t all = study.response.speeds.size();
-  return counted(all, "speed") + " computed: " + std::to_string(periodic) + " periodic, " +
-         std::to_string(subharmonic) + " subharmonic, " + std::to_string(all - periodic - subharmonic) +
-         " irregular, " + std::to_string(study.failed.size()) +
-         " failed. Periodic and subharmonic motions have settled to " + scientific(change, 1) +
-         " a period; the energy balance closes to " + scientific(closing, 1) +
-         (halved > 0 ? "; half the time step changes the motion by " + scientific(halving, 1) + " at most, at " +
-                           counted(halved, "speed")
+  return counted(study.response.speeds.size(), "speed") + " computed: " + motion_counts(study) + ", " +
+         std::to_string(study.failed.size()) + " failed. At " + counted(settled, "speed") +
+         " the motion has settled to " + scientific(change, 1) + " a period; the energy balance closes to " +
+         scientific(closing, 1) +
+         (halved > 0 ? "; the last halving of the time step changed the motion by " + scientific(halving, 1) +
+                           " at most, at " + counted(halved, "speed")
                      : "; half the time step was not tried") +
          ".";
 }
@@ -103,8 +111,9 @@ std::string unusual_sentence(const Study& study) {
   const auto add = [&](const std::string& what, const std::string& where) {
     if (!where.empty()) text += (text.empty() ? "" : " ") + what + ": " + where + ".";
   };
-  add("Irregular motion",
-      runs_of_speeds(study, [](const SpeedResponse& speed) { return speed.motion == MotionClass::irregular; }));
+  for (const MotionClass motion : {MotionClass::modulated, MotionClass::broadband, MotionClass::not_settled})
+    add("Motion " + std::string(name_of(motion)),
+        runs_of_speeds(study, [&](const SpeedResponse& speed) { return speed.motion == motion; }));
   add("Subharmonic motion",
       runs_of_speeds(study, [](const SpeedResponse& speed) { return speed.motion == MotionClass::subharmonic; }));
   add("A nodal diameter that was left out is unstable (run these with nodal_diameters = \"all\")",

@@ -54,7 +54,7 @@ Eigen::MatrixXcd static_compliance(const Eigen::MatrixXcd& rows, const Eigen::Ar
 }
 
 WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kind, const Spectrum& spectrum,
-                     const std::vector<double>& damping_ratios, const ModeChoice& choice) {
+                     const Damping& damping, const ModeChoice& choice) {
   const Eigen::Index all = spectrum.omega.size();
   const Eigen::Index moving = choice.count > 0 ? std::min<Eigen::Index>(choice.count, all) : all;
   const Eigen::Index held = choice.others == ModeChoice::Others::quasi_static ? all : moving;
@@ -65,7 +65,8 @@ WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kin
   wave.omega = spectrum.omega.head(held);
   wave.damping_ratio.resize(held);
   for (Eigen::Index mode = 0; mode < held; ++mode)
-    wave.damping_ratio[mode] = damping_ratios[std::min<std::size_t>(mode, damping_ratios.size() - 1)];
+    wave.damping_ratio[mode] =
+        damping.ratio(static_cast<std::size_t>(mode), wave.omega[mode] / (2 * std::numbers::pi));
   wave.shapes = spectrum.modes.leftCols(held);
   wave.contact_rows = wave.shapes.topRows(model.contact_dofs());
   const Eigen::MatrixXcd rows = normal_rows(model, spectrum);
@@ -97,7 +98,7 @@ ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, doubl
 }
 
 RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
-                            const std::vector<double>& damping_ratios, const ModeChoice& modes) {
+                            const Damping& damping, const ModeChoice& modes) {
   RotorAtSpeed rotor;
   rotor.speed = speed;
   rotor.sector_count = model.sector_count;
@@ -111,7 +112,7 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
     tip_compliance +=
         share *
         static_compliance(normal_rows(model, spectrum), spectrum.omega, spectrum.omega.size()).diagonal().real();
-    WaveModes wave = wave_modes(model, n, kind, spectrum, damping_ratios, modes);
+    WaveModes wave = wave_modes(model, n, kind, spectrum, damping, modes);
     if (std::find(nodal_diameters.begin(), nodal_diameters.end(), n) == nodal_diameters.end()) {
       rotor.others.push_back(std::move(wave));
       continue;

@@ -6,6 +6,7 @@
 
 #include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model.h"
+#include "simulate/scene/damping.h"
 
 namespace tiprub {
 
@@ -58,10 +59,10 @@ enum class ModeParts { all, frequencies };  ///< frequencies: without shapes
 ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, double speed,
                             ModeParts parts = ModeParts::all);
 
-/// Solves one Hermitian eigenproblem a nodal diameter (n^3 once a speed, against millions of steps). Damping is by
-/// family: mode m of each nodal diameter takes damping_ratios[m], the last one holds for the rest.
+/// Solves one Hermitian eigenproblem a nodal diameter (n^3 once a speed, against millions of steps). Mode m of each nodal
+/// diameter takes the damping of family m at its frequency.
 /// Raises RunError if K(Omega) has a negative eigenvalue: the rotor at this speed has no stable shape.
 RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
-                            const std::vector<double>& damping_ratios, const ModeChoice& modes = {});
+                            const Damping& damping, const ModeChoice& modes = {});
 
 }  // namespace tiprub

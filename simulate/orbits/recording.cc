@@ -19,12 +19,13 @@ constexpr double two_pi = 2 * std::numbers::pi;
 Eigen::VectorXd march_revolution(TimeMarch& march, int samples_per_revolution) {
   const int steps = march.steps_per_revolution() / samples_per_revolution;
   const Eigen::Index size = march.displacement().size();
-  Eigen::VectorXd motion(samples_per_revolution * size);
-  for (int sample = 0; sample < samples_per_revolution; ++sample) {
-    motion.segment(sample * size, size) = march.displacement();
-    for (int i = 0; i < steps; ++i) march.step();
-  }
-  return motion;
+  Eigen::VectorXd motion = Eigen::VectorXd::Zero(samples_per_revolution * size);
+  for (int sample = 0; sample < samples_per_revolution; ++sample)
+    for (int i = 0; i < steps; ++i) {
+      motion.segment(sample * size, size) += march.displacement();
+      march.step();
+    }
+  return motion / steps;
 }
 
 Recording::Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const ContactLine& contact, const Grid& grid)
@@ -34,7 +35,8 @@ Recording::Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const Co
       sectors_(march.sectors()),
       nodes_(march.node_count()),
       width_(march.width()),
-      audit_(march, rotor) {
+      audit_(march, rotor),
+      chatter_(march, EngineOrderBand(grid.samples_per_revolution, grid.orders)) {
   const Eigen::Index samples = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid.revolutions;
   const Eigen::Index points = static_cast<Eigen::Index>(sectors_) * nodes_;
   kept_.displacement = Eigen::MatrixXd::Zero(samples, 3 * points);
@@ -110,11 +112,12 @@ Eigen::VectorXd Recording::revolution(TimeMarch& march) {
   const int steps = march.steps_per_revolution() / grid_.samples_per_revolution;
   const int first_sample = done_ * grid_.samples_per_revolution;
   const Eigen::Index size = march.displacement().size();
-  Eigen::VectorXd motion(grid_.samples_per_revolution * size);
+  Eigen::VectorXd motion = Eigen::VectorXd::Zero(grid_.samples_per_revolution * size);
   for (int sample = 0; sample < grid_.samples_per_revolution; ++sample) {
-    motion.segment(sample * size, size) = march.displacement();
     take_states(march, sample);
     for (int i = 0; i < steps; ++i) {
+      motion.segment(sample * size, size) += march.displacement();
+      chatter_.observe(march.displacement());
       march.step();
       observe(march, first_sample + sample);
     }
@@ -123,6 +126,8 @@ Eigen::VectorXd Recording::revolution(TimeMarch& march) {
   recover_displacements(first_sample);
   keep_cycle();
   ++done_;
+  motion /= steps;
+  chatter_.add_revolution(motion);
   return motion;
 }
 
@@ -146,6 +151,9 @@ void Recording::finish(const TimeMarch& march, SpeedResponse& response) const {
   response.contact_steps = kept_.contact_steps;
   response.tension_steps = kept_.tension_steps;
   response.energy = audit_.ledger(march);
+  const ChatterAudit::Share chatter = chatter_.share();
+  response.chatter = chatter.share;
+  response.chatter_node = chatter.node;
   response.audit.leftover_steps = kept_.audit.leftover_steps;
   response.audit.left_out_energy = audit_.left_out_share();
   if (pulling_ > 0) response.audit.tension_share = pulling_ / (pulling_ + pushing_);

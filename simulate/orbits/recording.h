@@ -6,6 +6,7 @@
 
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
+#include "simulate/orbits/chatter_audit.h"
 #include "simulate/orbits/energy_audit.h"
 #include "simulate/response/response.h"
 
@@ -19,11 +20,13 @@ class Recording {
     int revolutions;
     int casing_areas;
     double leftover;            ///< [m] penetrations above count as left over by the contact law
+    double orders;              ///< engine orders up to it are the band of resolved frequencies
     int cycle_revolutions = 0;  ///< so many of the last ones keep the whole rotor's state at every sample
   };
   Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const ContactLine& contact, const Grid& grid);
 
-  /// One revolution; the normal displacements at its samples, for judging whether it is steady.
+  /// One revolution; the normal displacements, each the mean over a sample's interval, for judging whether it is
+  /// steady.
   Eigen::VectorXd revolution(TimeMarch& march);
   /// Fills in the arrays, the ledger and the counters.
   void finish(const TimeMarch& march, SpeedResponse& response) const;
@@ -43,6 +46,7 @@ class Recording {
   int sectors_, nodes_, width_;
   int done_ = 0;
   EnergyAudit audit_;
+  ChatterAudit chatter_;
   std::vector<Eigen::MatrixXcd> states_;   ///< modal coordinates of the samples of a revolution; m x samples
   std::vector<Eigen::VectorXcd> hardest_;  ///< those of the sample with the largest contact force so far
   int hardest_sample_ = -1;
@@ -51,8 +55,8 @@ class Recording {
   double pushing_ = 0, pulling_ = 0;  ///< [N] sums of the forces' magnitudes
 };
 
-/// One revolution without keeping anything but the normal displacements at its samples; samples x width, sector by
-/// sector.
+/// One revolution without keeping anything but the normal displacements, each the mean over a sample's interval, so
+/// that what swings faster than the samples isn't taken for something slow; width values a sector, sectors, samples.
 Eigen::VectorXd march_revolution(TimeMarch& march, int samples_per_revolution);
 
 }  // namespace tiprub

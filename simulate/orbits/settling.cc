@@ -16,6 +16,7 @@ namespace {
 
 constexpr double quiet_motion = 1e-3;     // of the casing's amplitude: less is no motion
 constexpr double boundless_motion = 1e6;  // times amplitude and clearance: more has blown up
+constexpr std::size_t remembered = 24;    // revolutions, for the class of a motion that doesn't settle
 constexpr int approach = 4;               // revolutions after the casing has grown: contact has found its place
 constexpr int shortest_confirmation = 14, longest_confirmation = 20;  // revolutions
 constexpr double disturbance = 3;  // settle_tolerances: what the confirmation must see die out
@@ -38,17 +39,24 @@ SteadyState make_judge(const Scene& scene, const TimeMarch& march) {
   return {scene.parameters.settle_tolerance, quiet_motion * scene.casing.amplitude * size};
 }
 
+double highest_resolved_order(const Scene& scene, const TimeMarch& march) {
+  const double turns_per_second = 1 / (march.time_step() * march.steps_per_revolution());
+  return scene.parameters.resolved_frequency / turns_per_second;
+}
+
 bool steady(const SteadyState& state) {
   return state.judge().settled == SettlingState::Settled::yes;
 }
 
 }  // namespace
 
-Settling::Settling(const Scene& scene, TimeMarch& march)
+Settling::Settling(const Scene& scene, TimeMarch& march, const SettlingPlan& plan)
     : scene_(scene),
       march_(march),
+      band_(scene.scope.samples_per_revolution, highest_resolved_order(scene, march)),
       state_(make_judge(scene, march)),
-      bound_(boundless_motion * length_scale(scene)) {}
+      bound_(boundless_motion * length_scale(scene)),
+      plan_(plan) {}
 
 void Settling::add(Eigen::VectorXd motion) {
   ++revolutions_;
@@ -58,11 +66,25 @@ void Settling::add(Eigen::VectorXd motion) {
          << "; take smaller steps, or look at the model";
     throw RunError(text.str());
   }
-  state_.add(std::move(motion));
+  const Eigen::MatrixXd coefficients = band_.coefficients(motion);
+  state_.add(coefficients.reshaped());
+  last_.push_back(std::move(motion));
+  if (last_.size() > remembered) last_.pop_front();
+}
+
+MotionReading Settling::reading() const {
+  const SettlingState state = state_.judge();
+  std::deque<Eigen::VectorXd> revolutions = last_;
+  Change change = state_.decays() ? Change::decays : Change::stands;
+  if (state.settled == SettlingState::Settled::yes) {
+    change = Change::settled;
+    while (static_cast<int>(revolutions.size()) > state.period_revolutions) revolutions.pop_front();
+  }
+  return read_motion(revolutions, march_.displacement().size(), band_.orders(), scene_.casing.lobes, change);
 }
 
 bool Settling::settled() const {
-  return revolutions_ >= scene_.parameters.min_revolutions && steady(state_);
+  return revolutions_ >= plan_.min_revolutions && steady(state_);
 }
 
 void Settling::advance() {
@@ -75,7 +97,7 @@ void Settling::advance() {
 /// All nodal diameters of a scene that needs only some: what breaks the symmetry is looked for, and the map would
 /// keep to it.
 bool Settling::should_jump() const {
-  if (scene_.parameters.acceleration == Acceleration::none) return false;
+  if (plan_.acceleration == Acceleration::none) return false;
   if (acceleration_.outcome != AccelerationReport::Outcome::none) return false;
   if (march_.symmetry() != std::gcd(march_.sector_count(), scene_.casing.lobes)) return false;
   const auto start = static_cast<std::int64_t>(std::ceil(scene_.casing.ramp_revolutions)) + approach;
@@ -123,7 +145,7 @@ void Settling::jump() {
 }
 
 bool Settling::confirm() {
-  Settling judged(scene_, march_);
+  Settling judged(scene_, march_, {shortest_confirmation});
   while (judged.revolutions_ < shortest_confirmation ||
          (judged.revolutions_ < longest_confirmation && !steady(judged.state_)))
     judged.add(march_revolution(march_, scene_.scope.samples_per_revolution));
@@ -132,6 +154,7 @@ bool Settling::confirm() {
     return false;
   }
   state_ = std::move(judged.state_);
+  last_ = std::move(judged.last_);
   revolutions_ += judged.revolutions_;
   return true;
 }

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <deque>
 
 #include "simulate/march/time_march.h"
+#include "simulate/orbits/engine_order_band.h"
+#include "simulate/orbits/motion_class.h"
 #include "simulate/orbits/steady_state.h"
 #include "simulate/orbits/symmetric_map.h"
 #include "simulate/response/response.h"
@@ -11,17 +14,27 @@
 
 namespace tiprub {
 
-/// The march of one speed on its way to the settled motion: revolutions, their bound, and the judgement.
+struct SettlingPlan {
+  int min_revolutions = 0;  ///< before settling is judged
+  Acceleration acceleration = Acceleration::none;
+};
+
+/// The march of one speed on its way to the settled motion: revolutions, their bound, and the judgement, which looks
+/// at the band of resolved frequencies only.
 class Settling {
  public:
-  Settling(const Scene& scene, TimeMarch& march);
+  Settling(const Scene& scene, TimeMarch& march, const SettlingPlan& plan);
 
   /// One revolution that was marched. Raises RunError if the motion has grown without bound.
   void add(Eigen::VectorXd motion);
-  /// Whether the motion has settled after min_revolutions.
+  /// Whether the motion has settled after the fewest revolutions allowed.
   bool settled() const;
   SettlingState state() const { return state_.judge(); }
+  /// What moves, of the last revolutions: of a settled motion one period, else up to 24.
+  MotionReading reading() const;
   int revolutions() const { return revolutions_; }
+  /// The highest engine order of the band.
+  int highest_order() const { return band_.orders(); }
 
   /// Marches one revolution, or, once and after the casing has grown, jumps to the settled motion: Anderson's
   /// acceleration of the symmetric map (acceleration = "anderson"). The jump counts only if the motion is then judged
@@ -42,8 +55,11 @@ class Settling {
 
   const Scene& scene_;
   TimeMarch& march_;
+  EngineOrderBand band_;
   SteadyState state_;
-  double bound_;  ///< [m]
+  std::deque<Eigen::VectorXd> last_;  ///< revolutions as they were marched, the newest last
+  double bound_;                      ///< [m]
+  SettlingPlan plan_;
   int revolutions_ = 0;
   AccelerationReport acceleration_;
 };

@@ -12,6 +12,7 @@ namespace tiprub {
 namespace {
 
 constexpr int window = 8;               // changes that the rate is fitted to
+constexpr int decay_window = 24;        // changes that must have fallen, of a motion that will settle
 constexpr double recent_margin = 10;    // tolerances: no change of the last `longest_period` revolutions may be above
 constexpr double standing_rate = 0.98;  // change over one revolution that falls faster goes to zero: not subharmonic
 constexpr double rounding_floor = 1e-10;  // of the norm: below, changes are rounding and have no rate
@@ -32,7 +33,7 @@ double SteadyState::decay_rate(const std::vector<double>& changes) const {
   std::vector<double> logarithms;
   for (std::size_t i = changes.size() - count; i < changes.size(); ++i)
     logarithms.push_back(std::log(std::max(changes[i], rounding_floor)));
-  return std::exp(slope_per_place(logarithms));
+  return std::exp(fit_even_line(logarithms).slope);
 }
 
 SettlingState SteadyState::judge() const {
@@ -52,10 +53,20 @@ SettlingState SteadyState::judge() const {
     const double over_period = std::pow(rate, period);
     const double still_to_come = rate < 1 ? change * over_period / (1 - over_period) : HUGE_VAL;
     if (change > rounding_floor && still_to_come > tolerance_) continue;
-    return {SettlingState::Settled::yes, period == 1 ? MotionClass::periodic : MotionClass::subharmonic, period,
-            change, rate};
+    return {SettlingState::Settled::yes, period, change, rate};
   }
   return state;
+}
+
+bool SteadyState::decays() const {
+  const std::vector<double>& changes = changes_.front();
+  if (changes.size() < window) return false;
+  const std::size_t count = std::min<std::size_t>(changes.size(), decay_window);
+  std::vector<double> logarithms;
+  for (std::size_t i = changes.size() - count; i < changes.size(); ++i)
+    logarithms.push_back(std::log(std::max(changes[i], rounding_floor)));
+  const EvenLine line = fit_even_line(logarithms);
+  return line.slope + 2 * line.uncertainty < 0;
 }
 
 }  // namespace tiprub

@@ -6,8 +6,6 @@
 #include <deque>
 #include <vector>
 
-#include "simulate/response/response.h"
-
 namespace tiprub {
 
 /// What the motion looks like after some revolutions.
@@ -15,9 +13,8 @@ struct SettlingState {
   enum class Settled { yes, no };
 
   Settled settled = Settled::no;
-  MotionClass motion = MotionClass::irregular;
-  int period_revolutions = 0;  ///< 1 for periodic, the order for subharmonic, 0 for irregular
-  double change = 0;           ///< [1] norm of the change over the period (one revolution if irregular)
+  int period_revolutions = 0;  ///< after which it repeats itself; 0 if it has not settled
+  double change = 0;           ///< [1] norm of the change over the period (one revolution if not settled)
   double rate = 0;             ///< [1] factor of that change per revolution
 };
 
@@ -37,6 +34,9 @@ class SteadyState {
   /// The samples of one whole revolution, always of the same length.
   void add(Eigen::VectorXd revolution);
   SettlingState judge() const;
+  /// Whether the change from revolution to revolution has clearly fallen over the last ones: by a line through its
+  /// logarithms, with twice the line's uncertainty.
+  bool decays() const;
 
  private:
   double decay_rate(const std::vector<double>& changes) const;

@@ -3,18 +3,30 @@
 
 #include <Eigen/Dense>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace tiprub {
 
-/// What the motion had become when a speed was left.
+/// What moves, in the band of resolved frequencies, when a speed is left. A beat is 1/lobes of a revolution: the time
+/// after which a blade meets the same casing again.
 enum class MotionClass {
-  periodic,     ///< the same every revolution
-  subharmonic,  ///< the same every `period_revolutions` revolutions
-  irregular,    ///< neither, within the revolutions allowed
+  periodic,     ///< the same every beat
+  subharmonic,  ///< the same every `period_beats` beats
+  modulated,    ///< a few lines beside the multiples of the beat's frequency
+  broadband,    ///< energy spread between them
+  not_settled,  ///< still on its way: what will be can't be told yet
 };
+
+/// "periodic", "not settled", ...: as response.h5 has it.
+const char* name_of(MotionClass motion);
+
+/// Whether a class names a motion that repeats itself.
+constexpr bool repeats(MotionClass motion) {
+  return motion == MotionClass::periodic || motion == MotionClass::subharmonic;
+}
 
 /// Where the energy of a speed went, over the recorded revolutions.
 struct EnergyLedger {
@@ -43,6 +55,7 @@ enum class SymmetryVerdict {
   unchecked,  ///< not looked at
   holds,      ///< a small disturbance of them dies out
   breaking,   ///< it grows: the motion found is not the one that nature would show
+  undecided,  ///< it neither clearly grows nor clearly dies out
 };
 
 /// How far a speed's result can be trusted: what was checked, beyond the ledger and the settling.
@@ -53,6 +66,7 @@ struct SpeedAudit {
   std::string halving_measure;  ///< "motion", "spectrum", or why there is no difference; empty: not done
   /// [1] factor per revolution of a small disturbance of the nodal diameters left out for symmetry
   std::optional<double> excluded_growth;
+  std::optional<double> excluded_growth_uncertainty;  ///< [1] of that factor
   SymmetryVerdict symmetry = SymmetryVerdict::all_held;
   /// [1] relative difference to the same speed from rest, for a sweep that carries its state along
   std::optional<double> rest_difference;
@@ -91,10 +105,16 @@ struct SpeedResponse {
   int samples_per_revolution = 0;
   int recorded_revolutions = 0;  ///< as many as asked for; of a settled motion one period, if that is less
   int revolutions = 0;           ///< marched in all, the recorded ones included
-  MotionClass motion = MotionClass::irregular;
-  int period_revolutions = 0;  ///< 1 for periodic, the order for subharmonic, 0 for irregular
-  double change = 0;           ///< [1] relative change of the motion over the last period
-  double change_rate = 0;      ///< [1] factor of that change per revolution; below 1 it decays
+  MotionClass motion = MotionClass::not_settled;
+  int period_beats = 0;         ///< of a periodic (1) or subharmonic motion, else 0
+  int period_revolutions = 0;   ///< whole ones after which a settled motion repeats itself; 0 if it has not settled
+  double off_beat_energy = 0;   ///< [1] share of the band's mean square at no multiple of lobes x Omega
+  double chatter = 0;           ///< [1] share of the mean square that is above the band
+  int chatter_node = 0;         ///< contact node with most of it
+  double change = 0;            ///< [1] relative change of the motion over the last period, or revolution
+  double change_rate = 0;       ///< [1] factor of that change per revolution; below 1 it decays
+
+  bool settled() const { return period_revolutions > 0; }
 
   Eigen::VectorXd clearance;  ///< [m] at the contact nodes at this speed, spin included; n_c
   /// [m] r, theta, z in the rotor frame, without the static shift; samples x (sector, node, component), the last
@@ -128,6 +148,8 @@ struct SimulatedScene {
   Eigen::VectorXd casing_angle;       ///< [rad] 0 .. 2 pi
   Eigen::VectorXd casing_distortion;  ///< [m] inward, at these angles, after the ramp
   int lobes = 0;                      ///< N_l: the casing repeats every 2 pi / lobes
+  /// [Hz] the upper end of the band that motions are classified in; infinite: all that the samples resolve
+  double resolved_frequency = std::numeric_limits<double>::infinity();
   Eigen::VectorXd clearance;          ///< [m] cold or running as the case says, at the contact nodes
   std::string clearance_state;        ///< "cold" or "running"
   std::string scope;                  ///< what was modelled, what was left out, and why; one reason a line

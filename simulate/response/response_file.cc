@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/response/response_file.h"
 
+#include <cmath>
 #include <utility>
 
 #include "reduce/model/hdf5_file.h"
@@ -11,8 +12,7 @@ namespace tiprub {
 namespace {
 
 constexpr const char* schema = "tiprub-response";
-constexpr int schema_version = 2;
-constexpr int version_without_frequencies = 1;
+constexpr int schema_version = 3;
 const std::string frequency_group = "/frequencies";
 const std::string end_group = "/end";
 
@@ -34,6 +34,7 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.write("/casing/distortion", scene.casing_distortion, "m");
   file.write("/casing/clearance", scene.clearance, "m");
   file.set_attribute("/casing", "lobes", scene.lobes);
+  if (std::isfinite(scene.resolved_frequency)) file.set_attribute("/", "resolved_frequency", scene.resolved_frequency);
   file.set_attribute("/casing", "clearance_state", scene.clearance_state);
 }
 
@@ -49,6 +50,8 @@ SimulatedScene read_scene(const Hdf5File& file) {
   scene.casing_distortion = file.read_vector("/casing/distortion");
   scene.clearance = file.read_vector("/casing/clearance");
   scene.lobes = file.integer_attribute("/casing", "lobes");
+  if (file.has_attribute("/", "resolved_frequency"))
+    scene.resolved_frequency = file.number_attribute("/", "resolved_frequency");
   scene.clearance_state = file.text_attribute("/casing", "clearance_state");
   if (scene.independent_sectors < 1 || scene.sector_count % scene.independent_sectors != 0)
     throw RunError(file.path() + ": independent_sectors must divide sector_count");
@@ -75,9 +78,9 @@ FrequencyTable read_frequencies(const Hdf5File& file) {
 Hdf5File open_response(const std::filesystem::path& path) {
   Hdf5File file = Hdf5File::open(path);
   if (file.has_attribute("/", "schema") && file.text_attribute("/", "schema") == schema &&
-      file.has_attribute("/", "schema_version") &&
-      file.integer_attribute("/", "schema_version") == version_without_frequencies)
-    throw RunError(file.path() + ": is " + schema + " version " + std::to_string(version_without_frequencies) +
+      file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") < schema_version)
+    throw RunError(file.path() + ": is " + schema + " version " +
+                   std::to_string(file.integer_attribute("/", "schema_version")) +
                    ", made by an older tiprub-simulate; run it again");
   file.require_schema(schema, schema_version);
   return file;

@@ -12,10 +12,12 @@ namespace tiprub {
 
 namespace {
 
-constexpr std::array<std::pair<MotionClass, const char*>, 3> motion_names = {{
+constexpr std::array<std::pair<MotionClass, const char*>, 5> motion_names = {{
     {MotionClass::periodic, "periodic"},
     {MotionClass::subharmonic, "subharmonic"},
-    {MotionClass::irregular, "irregular"},
+    {MotionClass::modulated, "modulated"},
+    {MotionClass::broadband, "broadband"},
+    {MotionClass::not_settled, "not settled"},
 }};
 
 /// The columns of a matrix seen as further axes of an array; rows first.
@@ -36,11 +38,12 @@ Eigen::MatrixXd fold(const Array<double>& array) {
   return Eigen::Map<const RowMajor>(array.values.data(), rows, columns);
 }
 
-constexpr std::array<std::pair<SymmetryVerdict, const char*>, 4> symmetry_names = {{
+constexpr std::array<std::pair<SymmetryVerdict, const char*>, 5> symmetry_names = {{
     {SymmetryVerdict::all_held, "all held"},
     {SymmetryVerdict::unchecked, "unchecked"},
     {SymmetryVerdict::holds, "holds"},
     {SymmetryVerdict::breaking, "breaking"},
+    {SymmetryVerdict::undecided, "undecided"},
 }};
 
 constexpr std::array<std::pair<AccelerationReport::Outcome, const char*>, 3> outcome_names = {{
@@ -71,6 +74,10 @@ void visit_numbers(Speed& speed, Visit visit) {
   visit("recorded_revolutions", speed.recorded_revolutions);
   visit("revolutions", speed.revolutions);
   visit("period_revolutions", speed.period_revolutions);
+  visit("period_beats", speed.period_beats);
+  visit("off_beat_energy", speed.off_beat_energy);
+  visit("chatter", speed.chatter);
+  visit("chatter_node", speed.chatter_node);
   visit("change", speed.change);
   visit("change_rate", speed.change_rate);
   visit("contact_work", speed.energy.contact_work);
@@ -85,6 +92,7 @@ void visit_numbers(Speed& speed, Visit visit) {
   visit("solver_fallbacks", speed.solver_fallbacks);
   visit("halving_difference", speed.audit.halving_difference);
   visit("excluded_growth", speed.audit.excluded_growth);
+  visit("excluded_growth_uncertainty", speed.audit.excluded_growth_uncertainty);
   visit("rest_difference", speed.audit.rest_difference);
   visit("left_out_energy", speed.audit.left_out_energy);
   visit("compliance_condition", speed.audit.compliance_condition);
@@ -143,11 +151,15 @@ void require_columns(const Eigen::MatrixXd& table, const std::string& where, Eig
 
 }  // namespace
 
+const char* name_of(MotionClass motion) {
+  return name_of(motion_names, motion);
+}
+
 void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& speed,
                        const SimulatedScene& scene) {
   file.set_attribute(group, "speed", speed.speed);
   file.set_attribute(group, "failure", speed.failure);
-  file.set_attribute(group, "motion", std::string(name_of(motion_names, speed.motion)));
+  file.set_attribute(group, "motion", std::string(name_of(speed.motion)));
   file.set_attribute(group, "symmetry", std::string(name_of(symmetry_names, speed.audit.symmetry)));
   file.set_attribute(group, "halving_measure", speed.audit.halving_measure);
   write_numbers(file, group, speed);

@@ -5,22 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "simulate/scene/linear_between.h"
+
 namespace tiprub {
 
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double radians = std::numbers::pi / 180;
-
-double linear_between(const std::vector<std::array<double, 2>>& points, double x) {
-  if (x <= points.front()[0]) return points.front()[1];
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const auto& [x0, y0] = points[i - 1];
-    const auto& [x1, y1] = points[i];
-    if (x <= x1) return y0 + (y1 - y0) * (x - x0) / (x1 - x0);
-  }
-  return points.back()[1];
-}
 
 void read_distortion_table(CaseTable& table, Casing& casing) {
   auto points = table.points("distortion_table", std::nullopt, Range::any(), "deg, m inward");

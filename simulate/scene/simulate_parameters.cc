@@ -38,10 +38,15 @@ std::vector<double> read_speeds(CaseTable& table) {
   return speeds;
 }
 
-std::vector<double> read_damping(CaseTable& table) {
-  if (table.has("damping_ratio_by_family"))
-    return table.numbers("damping_ratio_by_family", std::nullopt, Range::at_least(0), "of critical, first family on");
-  return {table.number("damping_ratio", 0.005, Range::at_least(0), "of critical, every mode")};
+constexpr double unresolved_damping = 0.02;  // of critical: rings down within a few of a mode's own periods
+
+void read_damping_and_band(CaseTable& table, SimulateParameters& parameters) {
+  parameters.damping = read_damping(table);
+  parameters.resolved_frequency = table.number("resolved_frequency_hz", 0, Range::at_least(0),
+                                               "Hz; 0: twice the highest at which the model was verified");
+  parameters.damping_ratio_beyond =
+      table.number("damping_ratio_beyond", std::max(unresolved_damping, parameters.damping.largest()),
+                   Range::at_least(0), "of critical, every mode above the resolved frequency");
 }
 
 void read_revolutions(CaseTable& table, SimulateParameters& parameters) {
@@ -100,7 +105,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   SimulateParameters parameters;
   parameters.speeds = read_speeds(table);
   read_scheme(table, parameters);
-  parameters.damping_ratios = read_damping(table);
+  read_damping_and_band(table, parameters);
   parameters.nodal_diameters =
       table.choice<DiameterChoice>("nodal_diameters", DiameterChoice::symmetric,
                                    {{"symmetric", DiameterChoice::symmetric}, {"all", DiameterChoice::all}});
@@ -128,6 +133,11 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
                                    {{"mark", BrokenSymmetry::mark}, {"full_run", BrokenSymmetry::full_run}});
   table.close();
   return parameters;
+}
+
+void fit_to_model(SimulateParameters& parameters, const ReducedModel& model) {
+  if (parameters.resolved_frequency == 0) parameters.resolved_frequency = resolved_frequency(model);
+  parameters.damping.set_beyond(parameters.resolved_frequency, parameters.damping_ratio_beyond);
 }
 
 }  // namespace tiprub

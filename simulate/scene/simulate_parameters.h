@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "cases/program/case_file.h"
+#include "reduce/model/reduced_model.h"
+#include "simulate/scene/damping.h"
 #include "simulate/scene/scheme.h"
 
 namespace tiprub {
@@ -41,8 +44,11 @@ struct SimulateParameters {
   double penalty_stiffness = 100;  ///< [1] of penalty, in tip stiffnesses
   int modes = 0;                   ///< with mass, a nodal diameter; 0: all
   SweepDirection sweep = SweepDirection::rest;
-  std::vector<double> damping_ratios;  ///< of critical, by family; the last one holds for all further families
+  Damping damping;
+  /// [Hz] modes and motions above it are the mesh's, not the wheel's; 0 in a case: what the model says
+  double resolved_frequency = std::numeric_limits<double>::infinity();
   DiameterChoice nodal_diameters = DiameterChoice::symmetric;
+  double damping_ratio_beyond = 0;  ///< [1] of critical, of modes above the resolved frequency
   double step_tolerance = 5e-3;    ///< [1] aimed at: error of the settled motion; sets steps_per_period
   double steps_per_period = 400;   ///< at least, of the lowest natural frequency
   int steps_per_revolution = 0;    ///< at least; 0: from steps_per_period
@@ -61,5 +67,8 @@ struct SimulateParameters {
 
 /// Reads [simulate]. Raises InputError.
 SimulateParameters read_simulate_parameters(CaseTable& table);
+
+/// The resolved frequency as the model has it, if the case doesn't say, and the damping beyond it.
+void fit_to_model(SimulateParameters& parameters, const ReducedModel& model);
 
 }  // namespace tiprub

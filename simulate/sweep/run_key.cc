@@ -43,6 +43,7 @@ constexpr int content = 4;  // of a speed's result: counts up when it holds more
 void add_model(Hash& hash, const ReducedModel& model) {
   hash.add(model.sector_count);
   hash.add(model.modes_at_speed);
+  hash.add(resolved_frequency(model));
   for (const auto* table :
        {&model.contact.position, &model.contact.normal, &model.contact.static_shift_1, &model.contact.static_shift_2})
     hash.add_matrix(*table);

@@ -20,6 +20,7 @@ SimulatedScene simulated_scene(const Scene& scene, const std::string& provenance
   described.casing_distortion =
       described.casing_angle.unaryExpr([&](double angle) { return scene.casing.distortion(angle); });
   described.lobes = scene.casing.lobes;
+  described.resolved_frequency = scene.parameters.resolved_frequency;
   described.clearance = scene.casing.given_clearance(scene.model.contact);
   described.clearance_state = scene.casing.clearance_state == ClearanceState::cold ? "cold" : "running";
   for (const std::string& reason : scene.scope.reasons) described.scope += reason + "\n";

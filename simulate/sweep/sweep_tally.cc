@@ -21,11 +21,12 @@ std::string audit_text(const SpeedAudit& audit) {
     text << ", acceleration " << (jump.outcome == AccelerationReport::Outcome::settled ? "settled it" : "fell back")
          << " after " << jump.revolutions << " revolutions (residual " << jump.residual << ")";
   if (audit.halving_difference)
-    text << ", half the step changes the " << audit.halving_measure << " by " << *audit.halving_difference;
+    text << ", the last halving of the step changed the " << audit.halving_measure << " by " << *audit.halving_difference;
   else if (!audit.halving_measure.empty())
     text << ", half the step failed: " << audit.halving_measure;
   if (audit.excluded_growth) text << ", excluded nodal diameters x " << *audit.excluded_growth << " a revolution";
   if (audit.symmetry == SymmetryVerdict::breaking) text << ": symmetry-breaking";
+  if (audit.symmetry == SymmetryVerdict::undecided) text << ": undecided";
   if (audit.rest_difference) text << ", " << *audit.rest_difference << " from the motion from rest";
   if (audit.left_out_energy > 0) text << ", modes left out hold " << audit.left_out_energy << " of the energy";
   return text.str();
@@ -52,6 +53,11 @@ std::string breaking_text(const std::vector<double>& speeds, BrokenSymmetry brok
 
 }  // namespace
 
+std::string motion_name(const SpeedResponse& response) {
+  return response.motion == MotionClass::subharmonic ? "subharmonic 1/" + std::to_string(response.period_beats)
+                                                     : name_of(response.motion);
+}
+
 std::string speed_line(const SpeedResponse& response) {
   std::ostringstream text;
   text << response.speed * rpm_per_rad_s << " rev/min: ";
@@ -59,10 +65,7 @@ std::string speed_line(const SpeedResponse& response) {
     text << "failed: " << response.failure;
     return text.str();
   }
-  text << (response.motion == MotionClass::periodic ? "periodic"
-           : response.motion == MotionClass::subharmonic
-               ? "subharmonic of order " + std::to_string(response.period_revolutions)
-               : "irregular");
+  text << motion_name(response);
   text << " after " << response.revolutions << " revolutions of " << response.steps_per_revolution
        << " steps, change " << response.change << " (x " << response.change_rate << " a revolution), "
        << response.contact_steps << " steps in contact, energy closing error " << response.energy.closing_error;
@@ -82,9 +85,7 @@ void SweepTally::add(const SpeedResponse& response) {
     if (failed++ == 0) first_failure = speed_line(response);
     return;
   }
-  ++(response.motion == MotionClass::periodic      ? periodic
-     : response.motion == MotionClass::subharmonic ? subharmonic
-                                                   : irregular);
+  ++motions[response.motion];
   if (response.tension_steps > 0) ++pulling;
   if (response.audit.leftover_steps > 0) ++penetrating;
   if (response.audit.symmetry == SymmetryVerdict::breaking) breaking.push_back(response.speed);
@@ -97,10 +98,10 @@ void SweepTally::add(const SpeedResponse& response) {
 
 std::string SweepTally::text() const {
   std::ostringstream out;
-  out << periodic << " periodic, " << subharmonic << " subharmonic, " << irregular << " irregular, " << failed
-      << " failed";
+  for (const auto& [motion, count] : motions) out << count << " " << name_of(motion) << ", ";
+  out << failed << " failed";
   if (fallen_back > 0) out << "; the acceleration fell back at " << fallen_back;
-  if (halved > 0) out << "; half the step, at " << halved << " of them, changes at most " << largest_halving;
+  if (halved > 0) out << "; the last halving of the step, at " << halved << " of them, changed at most " << largest_halving;
   return out.str();
 }
 

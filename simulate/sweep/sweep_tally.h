@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ std::string speed_line(const SpeedResponse& response);
 
 /// What a sweep came to.
 struct SweepTally {
-  std::size_t periodic = 0, subharmonic = 0, irregular = 0, failed = 0;
+  std::map<MotionClass, std::size_t> motions;  ///< how many speeds of each class
+  std::size_t failed = 0;
   std::size_t pulling = 0;          ///< speeds with a casing that pulls
   std::size_t penetrating = 0;      ///< speeds with steps that leave a node in the casing
   std::vector<double> breaking;     ///< [rad/s] speeds at which a nodal diameter left out grows

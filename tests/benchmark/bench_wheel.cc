@@ -46,7 +46,7 @@ BenchWheel given_wheel(const std::string& path, int lobes) {
 
 SimulateParameters bench_parameters(const BenchWheel& wheel, const Patience& patience) {
   SimulateParameters parameters;
-  parameters.damping_ratios = {wheel.damping};
+  parameters.damping = {wheel.damping};
   parameters.samples_per_revolution = 240;
   parameters.min_revolutions = patience.min_revolutions;
   parameters.max_revolutions = patience.max_revolutions;

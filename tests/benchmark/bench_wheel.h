@@ -27,7 +27,7 @@ BenchWheel given_wheel(const std::string& path, int lobes);
 /// How long a speed may take to settle.
 struct Patience {
   int min_revolutions, max_revolutions;
-  int recorded_revolutions;  ///< of an irregular motion; of a settled one, one period
+  int recorded_revolutions;  ///< of a motion that doesn't settle; of a settled one, one period
   double settle_tolerance;
 };
 /// The default scheme and step, with what all benchmarks have in common.

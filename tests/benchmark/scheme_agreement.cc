@@ -18,7 +18,7 @@ constexpr double margin = 1.15;  // of the step at the limit of central differen
 constexpr int areas = 60;
 constexpr double agreeing_share = 0.95;
 
-/// 24 revolutions of an irregular motion, for its averages.
+/// 24 revolutions of a motion that doesn't repeat, for its averages.
 SpeedResponse run(const BenchWheel& wheel, double speed, Scheme scheme, int steps) {
   SimulateParameters parameters = bench_parameters(wheel, {20, 120, 24, 1e-4});
   parameters.scheme = scheme;
@@ -59,9 +59,8 @@ bool SchemePair::agree() const {
 
 std::string class_of(const SpeedResponse& at) {
   if (!at.failure.empty()) return "failed";
-  if (at.motion == MotionClass::irregular) return "irregular";
-  if (at.motion == MotionClass::periodic) return "periodic";
-  return "subharmonic of order " + std::to_string(at.period_revolutions);
+  if (at.motion != MotionClass::subharmonic) return name_of(at.motion);
+  return "subharmonic 1/" + std::to_string(at.period_beats);
 }
 
 std::vector<SchemePair> compare_schemes(const BenchWheel& wheel, double slowest, double fastest, int count) {

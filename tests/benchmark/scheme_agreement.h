@@ -22,7 +22,7 @@ constexpr double same_pattern = 0.9;     // contact by node and 6 degrees of the
 /// `count` speeds evenly from `slowest` to `fastest` [rad/s].
 std::vector<SchemePair> compare_schemes(const BenchWheel& wheel, double slowest, double fastest, int count);
 
-/// "periodic", "subharmonic of order 2", "irregular", or "failed".
+/// "periodic", "subharmonic 1/2", "broadband", ..., or "failed".
 std::string class_of(const SpeedResponse& at);
 
 }  // namespace tiprub::testing

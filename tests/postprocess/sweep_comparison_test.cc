@@ -70,7 +70,8 @@ TEST_F(Sweeps, DifferOnlyWhereTheMotionDoes) {
 TEST_F(Sweeps, IrregularMotionIsNotCalledAnotherSolution) {
   Response up = rest_;
   up.speeds[1] = at(1100, 3e-5);
-  up.speeds[1].motion = MotionClass::irregular;
+  up.speeds[1].motion = MotionClass::broadband;
+  up.speeds[1].period_revolutions = 0;
   EXPECT_FALSE(compared(up)[1].differs());
 }
 
@@ -79,7 +80,8 @@ TEST_F(Sweeps, IrregularMotionOfAnotherSizeIs) {
   // makes.
   Response up = rest_;
   up.speeds[1] = at(1100, 5e-5);
-  up.speeds[1].motion = MotionClass::irregular;
+  up.speeds[1].motion = MotionClass::broadband;
+  up.speeds[1].period_revolutions = 0;
   EXPECT_TRUE(compared(up)[1].differs());
 }
 

@@ -77,7 +77,7 @@ SpeedResponse motionless(const SimulatedScene& scene, const ContactLine& contact
   response.recorded_revolutions = recorded_revolutions;
   response.revolutions = 10 * recorded_revolutions;
   response.motion = MotionClass::periodic;
-  response.period_revolutions = 1;
+  response.period_revolutions = response.period_beats = 1;
   response.change = 3e-5;
   response.change_rate = 0.8;
   response.energy.closing_error = 2e-4;
@@ -213,10 +213,11 @@ Response resonant_sweep(const ReducedModel& rotor) {
     if (i == 30) {
       made.motion = MotionClass::subharmonic;
       made.period_revolutions = 2;
+      made.period_beats = 4;
     }
     if (i == 31) {
-      made.motion = MotionClass::irregular;
-      made.period_revolutions = 0;
+      made.motion = MotionClass::broadband;
+      made.period_revolutions = made.period_beats = 0;
     }
     if (i == 40) {
       made = SpeedResponse{};

@@ -19,7 +19,7 @@ struct OwnedScene {
 /// Few revolutions, no extra checks; steps a revolution as given.
 inline OwnedScene owned_scene(ReducedModel model, Casing casing, int steps_per_revolution,
                               SimulateParameters parameters = {}) {
-  parameters.damping_ratios = {0.01};
+  parameters.damping = {0.01};
   parameters.steps_per_revolution = steps_per_revolution;
   parameters.samples_per_revolution = 60;
   parameters.recorded_revolutions = 2;

@@ -132,7 +132,7 @@ TEST(TrigonometricLimit, ShowsItsErrorWhenTheStepIsHalved) {
   for (int resolution : {60, 240, 960}) {
     testing::OwnedScene scene =
         testing::owned_scene(testing::one_mass(mass, stiffness), testing::lobed_casing(1, 1e-3, 4e-4), resolution);
-    scene.parameters.damping_ratios = {0.05};
+    scene.parameters.damping = {0.05};
     const SpeedResponse at = simulate_speed(scene.view(), 700, StepCheck::halved).response;
     ASSERT_EQ(at.failure, "");
     ASSERT_TRUE(at.audit.halving_difference.has_value());

@@ -53,7 +53,7 @@ ScriptTable speeds_where(const Study& study, const char* name,
 
 std::vector<ScriptTable> unusual_motion(const Study& study) {
   return {speeds_where(study, "irregular",
-                       [](const SpeedResponse& response) { return response.motion == MotionClass::irregular; }),
+                       [](const SpeedResponse& response) { return !repeats(response.motion); }),
           speeds_where(study, "subharmonic",
                        [](const SpeedResponse& response) { return response.motion == MotionClass::subharmonic; }),
           speeds_where(study, "breaking", [](const SpeedResponse& response) {

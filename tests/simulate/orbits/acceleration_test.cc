@@ -79,7 +79,7 @@ TEST(SymmetricMap, ReturnsTheSettledMotion) {
 
 SpeedResponse run(const ReducedModel& model, const Casing& casing, double speed, Acceleration acceleration) {
   SimulateParameters parameters;
-  parameters.damping_ratios = {0.005};
+  parameters.damping = {0.005};
   parameters.samples_per_revolution = 120;
   parameters.recorded_revolutions = 2;
   parameters.min_revolutions = 10;
@@ -106,11 +106,11 @@ TEST(Acceleration, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
 }
 
 /// At 2500 rad/s the motion repeats every two revolutions, beside an unstable orbit of one; with one lobe at 2000
-/// rad/s it is irregular. There is nothing to jump to, and the answer is that of marching, bit by bit.
+/// rad/s it is modulated. There is nothing to jump to, and the answer is that of marching, bit by bit.
 TEST(Acceleration, FallsBackOnMarchingWhereNoSteadyOrbitIs) {
   const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
   for (const auto& [lobes, speed, motion] :
-       {std::tuple(2, 2500.0, MotionClass::subharmonic), std::tuple(1, 2000.0, MotionClass::irregular)}) {
+       {std::tuple(2, 2500.0, MotionClass::subharmonic), std::tuple(1, 2000.0, MotionClass::modulated)}) {
     const Casing casing = testing::lobed_casing(lobes, 2e-4, 1e-4);
     const SpeedResponse plain = run(model, casing, speed, Acceleration::none);
     const SpeedResponse tried = run(model, casing, speed, Acceleration::anderson);

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/orbits/excluded_growth.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace tiprub {
+
+namespace {
+
+constexpr double seed_share = 1e-8;        // of the settled motion
+constexpr double smallest_margin = 1e-3;   // of the factor from 1
+constexpr double small_residual = 1e-4;    // of the factor: more revolutions tell nothing new
+constexpr int fewest_states = 6;           // before a residual is believed
+
+/// The whole wheel's march, and the nodal diameters that the settled one left out as a vector whose square is twice
+/// their energy: frequencies (not below the speed of rotation) times positions, then velocities; real and imaginary.
+class WholeWheel {
+ public:
+  WholeWheel(const TimeMarch& settled, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact)
+      : rotor_(whole(rotor)),
+        march_(rotor_, casing, contact, settled.clearance(), setup(settled)),
+        first_(rotor.waves.size()),
+        speed_(rotor.speed) {
+    for (std::size_t i = 0; i < first_; ++i) {
+      const Eigen::Index modes = settled.wave(i).modes();
+      const Eigen::VectorXcd now = settled.coordinates(i).head(modes);
+      march_.set_state(i, now, settled.coordinates(i, Instant::before).head(modes));
+      size_ += (settled.wave(i).omega.cwiseMax(speed_) * now.array().abs()).square().sum();
+    }
+    size_ = seed_share * std::sqrt(size_);
+    march_.set_step(settled.step_count());
+  }
+
+  /// Lower modes more than higher ones; always the same.
+  Eigen::VectorXd seed() const {
+    std::mt19937 source(1);
+    Eigen::VectorXd state = excluded();
+    Eigen::Index place = 0;
+    for (std::size_t i = first_; i < march_.wave_count(); ++i) {
+      const Eigen::Index modes = march_.wave(i).moving;
+      for (Eigen::Index k = 0; k < 4 * modes; ++k, ++place) {
+        const double mode = 1 + static_cast<double>(k % modes);
+        const bool exists = march_.wave(i).omega[k % modes] > 0 &&
+                            (march_.wave(i).kind == WaveKind::travelling || k / modes % 2 == 0);
+        const double random = 2.0 * source() / std::mt19937::max() - 1.0;
+        state[place] = exists ? random / (mode * mode) : 0.0;
+      }
+    }
+    return state.normalized();
+  }
+
+  /// What becomes of a state, of any size, in some revolutions.
+  Eigen::VectorXd advanced(const Eigen::VectorXd& state, int revolutions) {
+    put(size_ * state);
+    const std::int64_t steps = static_cast<std::int64_t>(revolutions) * march_.steps_per_revolution();
+    for (std::int64_t i = 0; i < steps; ++i) march_.step();
+    return excluded() / size_;
+  }
+
+ private:
+  static RotorAtSpeed whole(RotorAtSpeed rotor) {
+    rotor.waves.insert(rotor.waves.end(), rotor.others.begin(), rotor.others.end());
+    return rotor;
+  }
+  static MarchSetup setup(const TimeMarch& settled) {
+    MarchSetup setup = settled.setup();
+    setup.symmetry = 1;
+    return setup;
+  }
+  Eigen::ArrayXd scale(std::size_t wave) const {
+    return march_.wave(wave).omega.head(march_.wave(wave).moving).cwiseMax(speed_);
+  }
+  Eigen::VectorXd excluded() const {
+    std::vector<double> values;
+    for (std::size_t i = first_; i < march_.wave_count(); ++i) {
+      const Eigen::Index modes = march_.wave(i).moving;
+      const Eigen::ArrayXcd now = march_.coordinates(i).head(modes).array();
+      const Eigen::ArrayXcd before = march_.coordinates(i, Instant::before).head(modes).array();
+      const Eigen::ArrayXcd position = scale(i) * now, velocity = (now - before) / march_.time_step();
+      for (const Eigen::ArrayXd& part : {Eigen::ArrayXd(position.real()), Eigen::ArrayXd(position.imag()),
+                                         Eigen::ArrayXd(velocity.real()), Eigen::ArrayXd(velocity.imag())})
+        values.insert(values.end(), part.begin(), part.end());
+    }
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  }
+  void put(const Eigen::VectorXd& state) {
+    Eigen::Index place = 0;
+    for (std::size_t i = first_; i < march_.wave_count(); ++i) {
+      const Eigen::Index modes = march_.wave(i).moving;
+      const auto part = [&](int which) { return state.segment(place + which * modes, modes).array(); };
+      Eigen::VectorXcd now(modes), before(modes);
+      now.real() = (part(0) / scale(i)).matrix();
+      now.imag() = (part(1) / scale(i)).matrix();
+      before.real() = now.real() - march_.time_step() * part(2).matrix();
+      before.imag() = now.imag() - march_.time_step() * part(3).matrix();
+      march_.set_state(i, now, before);
+      place += 4 * modes;
+    }
+  }
+
+  RotorAtSpeed rotor_;
+  TimeMarch march_;
+  std::size_t first_;  ///< of the waves left out
+  double speed_;       ///< [rad/s]
+  double size_ = 0;    ///< [m/s sqrt(kg)] of the disturbance
+};
+
+/// The largest eigenvalue of the Hessenberg matrix, and how far it is from an eigenvalue of the map.
+Growth largest_ritz_value(const Eigen::MatrixXd& hessenberg, double next) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(hessenberg);
+  Eigen::Index largest = 0;
+  const double factor = solver.eigenvalues().cwiseAbs().maxCoeff(&largest);
+  const Eigen::VectorXcd vector = solver.eigenvectors().col(largest).normalized();
+  return {factor, next * std::abs(vector[vector.size() - 1])};
+}
+
+Growth by_arnoldi(WholeWheel& wheel, int period, int revolutions) {
+  const int most = std::max(revolutions / period, 1);
+  std::vector<Eigen::VectorXd> basis{wheel.seed()};
+  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most + 1, most);
+  Growth growth;
+  for (int m = 0; m < most; ++m) {
+    Eigen::VectorXd next = wheel.advanced(basis.back(), period);
+    for (int twice = 0; twice < 2; ++twice)
+      for (int i = 0; i <= m; ++i) {
+        const double share = basis[static_cast<std::size_t>(i)].dot(next);
+        hessenberg(i, m) += share;
+        next -= share * basis[static_cast<std::size_t>(i)];
+      }
+    hessenberg(m + 1, m) = next.norm();
+    growth = largest_ritz_value(hessenberg.topLeftCorner(m + 1, m + 1), hessenberg(m + 1, m));
+    if (hessenberg(m + 1, m) == 0 || (m + 1 >= fewest_states && growth.uncertainty < small_residual * growth.factor))
+      break;
+    basis.push_back(next / hessenberg(m + 1, m));
+  }
+  const double root = std::pow(growth.factor, 1.0 / period);
+  return {root, growth.factor > 0 ? root / period * growth.uncertainty / growth.factor : growth.uncertainty};
+}
+
+Growth by_mean(WholeWheel& wheel, int revolutions) {
+  Eigen::VectorXd state = wheel.seed();
+  std::vector<double> logarithms;
+  for (int r = 0; r < revolutions; ++r) {
+    state = wheel.advanced(state, 1);
+    const double norm = state.norm();
+    if (!(norm > 0)) return {};
+    if (2 * r >= revolutions) logarithms.push_back(std::log(norm));
+    state /= norm;
+  }
+  const auto count = static_cast<double>(logarithms.size());
+  const Eigen::Map<const Eigen::ArrayXd> values(logarithms.data(), static_cast<Eigen::Index>(logarithms.size()));
+  const double factor = std::exp(values.mean());
+  return {factor, 2 * factor * std::sqrt((values - values.mean()).square().sum() / std::max(count - 1, 1.0) / count)};
+}
+
+}  // namespace
+
+Growth excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, const Casing& casing,
+                       const ContactLine& contact, int period, int revolutions) {
+  WholeWheel wheel(settled, rotor, casing, contact);
+  return period > 0 ? by_arnoldi(wheel, period, revolutions) : by_mean(wheel, revolutions);
+}
+
+SymmetryVerdict judge(const Growth& growth) {
+  const double margin = std::max(growth.uncertainty, smallest_margin);
+  if (growth.factor > 1 + margin) return SymmetryVerdict::breaking;
+  return growth.factor < 1 - margin ? SymmetryVerdict::holds : SymmetryVerdict::undecided;
+}
+
+}  // namespace tiprub

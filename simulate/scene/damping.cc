@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/scene/damping.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "simulate/scene/linear_between.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double beyond_verified = 2;  // times the highest verified frequency
+
+}  // namespace
+
+double resolved_frequency(const ReducedModel& model) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Eigen::MatrixXd& frequencies : model.verification.unreduced)
+    if (frequencies.size() > 0) lowest = std::min(lowest, frequencies.rightCols(1).minCoeff());
+  return beyond_verified * lowest;
+}
+
+void Damping::set_beyond(double frequency, double ratio) {
+  resolved_ = frequency;
+  beyond_ = ratio;
+}
+
+double Damping::ratio(std::size_t family, double frequency) const {
+  if (frequency > resolved_) return beyond_;
+  if (by_frequency_.empty()) return by_family_[std::min(family, by_family_.size() - 1)];
+  return linear_between(by_frequency_, frequency);
+}
+
+double Damping::largest() const {
+  if (by_frequency_.empty()) return *std::max_element(by_family_.begin(), by_family_.end());
+  return std::max_element(by_frequency_.begin(), by_frequency_.end(),
+                          [](const auto& a, const auto& b) { return a[1] < b[1]; })
+      ->back();
+}
+
+Damping read_damping(CaseTable& table) {
+  const bool by_frequency = table.has("damping_table"), by_family = table.has("damping_ratio_by_family");
+  if (by_frequency && by_family)
+    table.reject("damping_table", "and damping_ratio_by_family say the same thing twice; drop one");
+  if (by_frequency)
+    return Damping(table.points("damping_table", std::nullopt, Range::at_least(0), "Hz, of critical"));
+  if (by_family)
+    return Damping(
+        table.numbers("damping_ratio_by_family", std::nullopt, Range::at_least(0), "of critical, first family on"));
+  return {table.number("damping_ratio", 0.005, Range::at_least(0), "of critical, every resolved mode")};
+}
+
+}  // namespace tiprub

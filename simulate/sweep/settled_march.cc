@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep/settled_march.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <sstream>
+
+#include "cases/program/errors.h"
+#include "simulate/march/carried_state.h"
+#include "simulate/march/integrators/penalty.h"
+#include "simulate/orbits/recording.h"
+#include "simulate/orbits/speed_audit.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double leftover_gap = 1e-9;  // of amplitude and clearance: a penetration above is no rounding
+constexpr double seed_motion = 1e-3;   // of the casing's amplitude: seeds nodal diameters that symmetry keeps still
+constexpr double worst_condition = 1e12;  // of W, if modes are dropped: beyond it, it has lost its rank
+constexpr int most_halvings = 8;
+constexpr double useless_halving = 0.9;  // of the difference before it: the error doesn't fall
+constexpr int min_revolutions_again = 10;  // from a motion that has settled with twice the step
+
+/// [m] of a speed in rad/s. Raises RunError if spin closes it.
+Eigen::VectorXd open_clearance(const Scene& scene, double speed) {
+  Eigen::VectorXd clearance = scene.casing.running_clearance(scene.model.contact, speed);
+  Eigen::Index node = 0;
+  if (clearance.minCoeff(&node) >= 0) return clearance;
+  std::ostringstream text;
+  text << "spin closes the cold clearance: contact node " << node << " (from 0, leading edge first) is left with "
+       << clearance[node] << " m at " << speed << " rad/s; widen [casing] clearance, or give the running one";
+  throw RunError(text.str());
+}
+
+/// h < 2/omega_max, damping or not: the paper's eq. 13 damps at the middle instant. `omega_max` includes the springs
+/// of a penalty.
+void require_stable_step(const SimulateParameters& parameters, double omega_max, const SpeedResponse& response) {
+  const bool penalty = parameters.scheme == Scheme::penalty;
+  if ((!penalty && parameters.scheme != Scheme::central_differences) || response.step_ratio <= 1) return;
+  std::ostringstream text;
+  text << "central differences need h omega_max / 2 <= 1, and have " << response.step_ratio << " with "
+       << response.steps_per_revolution << " steps a revolution (omega_max " << omega_max << " rad/s"
+       << (penalty ? ", the penalty's springs included" : "") << "); set [simulate] steps_per_revolution to at least "
+       << std::ceil(response.steps_per_revolution * response.step_ratio)
+       << (penalty ? ", a lower penalty_stiffness" : "") << ", or scheme = \"trigonometric\"";
+  throw RunError(text.str());
+}
+
+/// With fewer modes than closed nodes, no force can close them all, and small errors meet huge ones.
+void require_full_rank(const Scene& scene, const RotorAtSpeed& rotor, double condition) {
+  const bool dropped =
+      scene.parameters.scheme != Scheme::residual_flexibility && rotor.waves[0].residual_compliance.size();
+  if (!dropped || scene.parameters.scheme == Scheme::penalty || condition < worst_condition) return;
+  std::ostringstream text;
+  text << "the contact compliance has condition " << condition << ", at most " << worst_condition
+       << " is allowed: " << scene.parameters.modes << " modes a nodal diameter can't move "
+       << scene.model.contact.size()
+       << " contact nodes independently; raise [simulate] modes, or set scheme = \"residual_flexibility\"";
+  throw RunError(text.str());
+}
+
+ModeChoice mode_choice(const SimulateParameters& parameters) {
+  return {parameters.modes, parameters.scheme == Scheme::residual_flexibility ? ModeChoice::Others::quasi_static
+                                                                              : ModeChoice::Others::dropped};
+}
+
+/// All nodal diameters from exact symmetry stay in it for hundreds of revolutions, stable or not: those that the
+/// casing's orders can't move get a small start.
+void seed_excluded_diameters(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march) {
+  const int symmetry = std::gcd(scene.model.sector_count, scene.casing.lobes);
+  for (std::size_t i = 0; i < rotor.waves.size(); ++i) {
+    const WaveModes& wave = rotor.waves[i];
+    if (wave.nodal_diameter % symmetry == 0) continue;
+    const double unit = wave.normal_rows.col(0).cwiseAbs().maxCoeff();
+    if (!(unit > 0)) continue;
+    Eigen::VectorXcd q = Eigen::VectorXcd::Zero(wave.omega.size());
+    q[0] = seed_motion * scene.casing.amplitude / unit;
+    march.set_state(i, q, q);
+  }
+}
+
+void report(const Settling& settling, SpeedResponse& response) {
+  const SettlingState state = settling.state();
+  const MotionReading reading = settling.reading();
+  response.audit.acceleration = settling.acceleration();
+  response.revolutions += settling.revolutions() + static_cast<int>(settling.acceleration().revolutions);
+  response.motion = reading.motion;
+  response.period_beats = reading.period_beats;
+  response.off_beat_energy = reading.off_beat_energy;
+  response.period_revolutions = state.period_revolutions;
+  response.change = state.change;
+  response.change_rate = state.rate;
+}
+
+/// As many revolutions as are worth keeping: one period of a settled motion, else what was asked for.
+int revolutions_to_record(const SimulateParameters& parameters, const SettlingState& state) {
+  const bool settled = state.settled == SettlingState::Settled::yes;
+  return settled ? std::min(state.period_revolutions, parameters.recorded_revolutions)
+                 : parameters.recorded_revolutions;
+}
+
+/// Marches until the motion has settled or the allowed revolutions are spent, then records. A motion that is no
+/// longer settled, or of another period, at the end of its recording is given more time.
+void march_and_record(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march, const SettlingPlan& plan,
+                      SpeedResponse& response) {
+  const SimulateParameters& parameters = scene.parameters;
+  const int last_start = parameters.max_revolutions - parameters.recorded_revolutions;
+  Settling settling(scene, march, plan);
+  Recording::Grid grid{scene.scope.samples_per_revolution, 0, parameters.casing_areas,
+                       leftover_gap * length_scale(scene), static_cast<double>(settling.highest_order())};
+  while (true) {
+    while (settling.revolutions() < last_start && !settling.settled()) settling.advance();
+    grid.revolutions =
+        settling.settled() ? revolutions_to_record(parameters, settling.state()) : parameters.recorded_revolutions;
+    Recording recording(march, rotor, scene.model.contact, grid);
+    for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution(march));
+    const bool same = settling.settled() && revolutions_to_record(parameters, settling.state()) <= grid.revolutions;
+    if (!same && settling.revolutions() <= last_start) continue;
+    recording.finish(march, response);
+    break;
+  }
+  response.recorded_revolutions = grid.revolutions;
+  report(settling, response);
+  response.solver_fallbacks = march.contact().fallbacks();
+}
+
+void start_march(const Scene& scene, const RotorState& start, const RotorAtSpeed& rotor, TimeMarch& march) {
+  if (!start.at_rest()) {
+    put_state(start, rotor, scene.model, march);
+    march.set_step(march.steps_per_revolution() *
+                   static_cast<std::int64_t>(std::ceil(scene.casing.ramp_revolutions)));
+  } else if (scene.parameters.nodal_diameters == DiameterChoice::all) {
+    seed_excluded_diameters(scene, rotor, march);
+  }
+}
+
+MarchSetup setup_of(const Scene& scene, const RotorAtSpeed& rotor, const MarchPlan& plan) {
+  const SimulateParameters& parameters = scene.parameters;
+  return {parameters.scheme,    parameters.contact, plan.steps_per_revolution,
+          scene.scope.symmetry, parameters.theta,   parameters.penalty_stiffness * rotor.tip_stiffness};
+}
+
+/// The motion of a state with half the step, and how far the two are apart.
+std::unique_ptr<TimeMarch> halve(const Scene& scene, const RotorAtSpeed& rotor, const TimeMarch& march,
+                                 SpeedResponse& response) {
+  SpeedResponse finer;
+  finer.speed = response.speed;
+  finer.revolutions = response.revolutions;
+  const MarchPlan plan{2 * response.steps_per_revolution,
+                       {std::min(min_revolutions_again, scene.parameters.min_revolutions)}};
+  std::unique_ptr<TimeMarch> finer_march =
+      settle(scene, rotor, state_of(march, rotor, scene.model), plan, finer);
+  const ResponseDifference found = difference(finer, response);
+  finer.audit.acceleration = response.audit.acceleration;
+  finer.audit.halving_difference = found.value;
+  finer.audit.halving_measure = found.measure;
+  response = std::move(finer);
+  return finer_march;
+}
+
+}  // namespace
+
+RotorAtSpeed rotor_of(const Scene& scene, double speed) {
+  return rotor_at_speed(scene.model, speed, scene.scope.nodal_diameters, scene.parameters.damping,
+                        mode_choice(scene.parameters));
+}
+
+std::unique_ptr<TimeMarch> settle(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start,
+                                  const MarchPlan& plan, SpeedResponse& response) {
+  const SimulateParameters& parameters = scene.parameters;
+  response.samples_per_revolution = scene.scope.samples_per_revolution;
+  response.recorded_revolutions = parameters.recorded_revolutions;
+  response.steps_per_revolution = plan.steps_per_revolution;
+  response.clearance = open_clearance(scene, response.speed);
+  const MarchSetup setup = setup_of(scene, rotor, plan);
+  auto march = std::make_unique<TimeMarch>(rotor, scene.casing, scene.model.contact, response.clearance, setup);
+  const double omega_max = parameters.scheme == Scheme::penalty
+                               ? penalised_omega_max(rotor, setup.penalty_stiffness)
+                               : rotor.omega_max;
+  response.step_ratio = march->time_step() * omega_max / 2;
+  require_stable_step(parameters, omega_max, response);
+  response.audit.compliance_condition = compliance_condition(*march);
+  require_full_rank(scene, rotor, response.audit.compliance_condition);
+  start_march(scene, start, rotor, *march);
+  march_and_record(scene, rotor, *march, plan.settling, response);
+  return march;
+}
+
+std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const RotorAtSpeed& rotor,
+                                                   const RotorState& start, SpeedResponse& response) {
+  const SimulateParameters& parameters = scene.parameters;
+  const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
+                       {parameters.min_revolutions, parameters.acceleration}};
+  std::unique_ptr<TimeMarch> march = settle(scene, rotor, start, plan, response);
+  if (parameters.steps_per_revolution > 0) return march;
+  double last = std::numeric_limits<double>::infinity();
+  for (int halvings = 0; halvings < most_halvings; ++halvings) {
+    march = halve(scene, rotor, *march, response);
+    const double found = *response.audit.halving_difference;
+    if (found <= parameters.step_tolerance || found > useless_halving * last || !response.settled()) break;
+    last = found;
+  }
+  return march;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "simulate/march/rotor_at_speed.h"
+#include "simulate/march/time_march.h"
+#include "simulate/orbits/settling.h"
+#include "simulate/response/response.h"
+#include "simulate/response/rotor_state.h"
+#include "simulate/scene/scene.h"
+
+namespace tiprub {
+
+/// How one march of a speed is to be done.
+struct MarchPlan {
+  int steps_per_revolution = 0;
+  SettlingPlan settling;
+};
+
+/// The rotor of a scene at a speed [rad/s]. Raises RunError if it is unstable there.
+RotorAtSpeed rotor_of(const Scene& scene, double speed);
+
+/// From a state to the settled motion with one step: the march at its end; its recording and all that is known of it
+/// in `response`, whose speed is given. `response.revolutions` counts on.
+/// Raises RunError with the reason of a failure: a clearance that spin closes, a step too long for its scheme, too few
+/// modes for the contact nodes, a motion that grows without bound.
+std::unique_ptr<TimeMarch> settle(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start,
+                                  const MarchPlan& plan, SpeedResponse& response);
+
+/// The same with a step that is halved, each time going on from where the last march ended, until a halving changes
+/// the settled motion by no more than step_tolerance; the last halving's difference stands in `response.audit`. A
+/// halving that makes nothing better, or a motion that doesn't settle, ends it too: the difference says what was
+/// reached. With [simulate] steps_per_revolution: that step, whatever its error.
+std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const RotorAtSpeed& rotor,
+                                                   const RotorState& start, SpeedResponse& response);
+
+}  // namespace tiprub

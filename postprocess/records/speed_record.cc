@@ -24,6 +24,8 @@ std::string symmetry_text(SymmetryVerdict symmetry) {
       return "unchecked";
     case SymmetryVerdict::holds:
       return "holds";
+    case SymmetryVerdict::undecided:
+      return "undecided";
     case SymmetryVerdict::breaking:
       return "breaking";
   }

@@ -8,6 +8,7 @@
 #include "simulate/orbits/anderson.h"
 #include "simulate/orbits/speed_audit.h"
 #include "simulate/orbits/symmetric_map.h"
+#include "simulate/sweep/settled_march.h"
 #include "simulate/sweep/speed_run.h"
 #include "tests/simulate/synthetic_wheel.h"
 
@@ -88,7 +89,10 @@ SpeedResponse run(const ReducedModel& model, const Casing& casing, double speed,
   parameters.casing_areas = 1;
   parameters.acceleration = acceleration;
   const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
-  return simulate_speed({model, casing, parameters, scope}, speed).response;
+  const Scene scene{model, casing, parameters, scope};
+  parameters.steps_per_revolution =  // one step for all: two motions are compared
+      steps_per_revolution(scope, parameters, rotor_of(scene, speed).first_frequency, speed);
+  return simulate_speed(scene, speed).response;
 }
 
 TEST(Acceleration, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
@@ -106,16 +110,16 @@ TEST(Acceleration, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
 }
 
 /// At 2500 rad/s the motion repeats every two revolutions, beside an unstable orbit of one; with one lobe at 2000
-/// rad/s it is modulated. There is nothing to jump to, and the answer is that of marching, bit by bit.
+/// rad/s it never does, by a little. There is nothing to jump to, and the answer is that of marching, bit by bit.
 TEST(Acceleration, FallsBackOnMarchingWhereNoSteadyOrbitIs) {
   const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
-  for (const auto& [lobes, speed, motion] :
-       {std::tuple(2, 2500.0, MotionClass::subharmonic), std::tuple(1, 2000.0, MotionClass::modulated)}) {
+  for (const auto& [lobes, speed, period] : {std::tuple(2, 2500.0, 2), std::tuple(1, 2000.0, 0)}) {
     const Casing casing = testing::lobed_casing(lobes, 2e-4, 1e-4);
     const SpeedResponse plain = run(model, casing, speed, Acceleration::none);
     const SpeedResponse tried = run(model, casing, speed, Acceleration::anderson);
-    EXPECT_EQ(plain.motion, motion);
-    EXPECT_EQ(tried.motion, motion);
+    EXPECT_EQ(plain.period_revolutions, period);
+    EXPECT_EQ(tried.period_revolutions, period);
+    EXPECT_LT(plain.off_beat_energy, 1e-3);
     EXPECT_EQ(tried.audit.acceleration.outcome, Outcome::fell_back);
     EXPECT_EQ(tried.displacement, plain.displacement);
     EXPECT_EQ(tried.contact_force, plain.contact_force);

@@ -27,7 +27,7 @@ Recorded recorded_motion(const ReducedModel& model, int symmetry, int revolution
                 {}};
   for (int i = 0; i < warm_up; ++i) march_revolution(made.bench.march, samples);
   Recording recording(made.bench.march, made.bench.rotor, model.contact,
-                      {samples, revolutions, 20, 1e-12, cycle_revolutions});
+                      {samples, revolutions, 20, 1e-12, 60, cycle_revolutions});
   for (int i = 0; i < revolutions; ++i) recording.revolution(made.bench.march);
   recording.finish(made.bench.march, made.response);
   return made;

@@ -78,7 +78,7 @@ TEST(SteadyState, TakesAnAlternatingDecayForWhatItBecomes) {
   for (double rate : {0.5, 0.8, 0.9}) {
     SettlingState found;
     EXPECT_GT(settles_at([&](int r) { return std::pow(-rate, r); }, 500, found), 0);
-    EXPECT_EQ(found.motion, MotionClass::periodic) << rate;
+    EXPECT_EQ(found.period_revolutions, 1) << rate;
   }
 }
 

@@ -109,11 +109,11 @@ TEST(Acceleration, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
   EXPECT_LT(difference(fast, plain).value, 2e-5);  // each is within settle_tolerance of the motion
 }
 
-/// At 2500 rad/s the motion repeats every two revolutions, beside an unstable orbit of one; with one lobe at 2000
+/// At 2500 rad/s the motion repeats every five revolutions, beside an unstable orbit of one; with one lobe at 2000
 /// rad/s it never does, by a little. There is nothing to jump to, and the answer is that of marching, bit by bit.
 TEST(Acceleration, FallsBackOnMarchingWhereNoSteadyOrbitIs) {
   const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
-  for (const auto& [lobes, speed, period] : {std::tuple(2, 2500.0, 2), std::tuple(1, 2000.0, 0)}) {
+  for (const auto& [lobes, speed, period] : {std::tuple(2, 2500.0, 5), std::tuple(1, 2000.0, 0)}) {
     const Casing casing = testing::lobed_casing(lobes, 2e-4, 1e-4);
     const SpeedResponse plain = run(model, casing, speed, Acceleration::none);
     const SpeedResponse tried = run(model, casing, speed, Acceleration::anderson);

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/analysis/contact_drift.h"
 
+#include <algorithm>
 #include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
 #include <tuple>
+#include <utility>
 #include <vector>
+
+#include "postprocess/waves/tip_motion.h"
 
 namespace tiprub {
 
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
+constexpr std::size_t fewest = 3;  // speeds that make a line
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// N_l times the middle of the contact; NaN if the column is empty or has no middle.
 double folded_phase(const Eigen::VectorXd& column, int lobes) {
@@ -22,12 +28,12 @@ double folded_phase(const Eigen::VectorXd& column, int lobes) {
   const auto areas = static_cast<double>(column.size());
   for (Eigen::Index area = 0; area < column.size(); ++area)
     sum += column[area] * std::polar(1.0, lobes * turn * (static_cast<double>(area) + 0.5) / areas);
-  return std::abs(sum) > no_middle * column.sum() ? std::arg(sum) : std::numeric_limits<double>::quiet_NaN();
+  return std::abs(sum) > no_middle * column.sum() ? std::arg(sum) : unknown;
 }
 
 /// The middle of each column's contact [rad], NaN without one; each the nearest to the one before, modulo a lobe.
 Eigen::VectorXd followed_angles(const ContactMap& map, int lobes) {
-  Eigen::VectorXd angles = Eigen::VectorXd::Constant(map.share.cols(), std::numeric_limits<double>::quiet_NaN());
+  Eigen::VectorXd angles = Eigen::VectorXd::Constant(map.share.cols(), unknown);
   double previous = 0;
   for (Eigen::Index i = 0; i < angles.size(); ++i) {
     const double phase = folded_phase(map.share.col(i), lobes);
@@ -38,11 +44,62 @@ Eigen::VectorXd followed_angles(const ContactMap& map, int lobes) {
   return angles;
 }
 
+/// Sum over the sectors of sum_t late(t + shift) early(t), the samples of whole revolutions.
+double correlation(const Eigen::MatrixXd& late, const Eigen::MatrixXd& early, Eigen::Index shift) {
+  const Eigen::Index samples = early.rows(), start = ((shift % samples) + samples) % samples;
+  const Eigen::Index rest = samples - start;
+  return late.bottomRows(rest).cwiseProduct(early.topRows(rest)).sum() +
+         late.topRows(start).cwiseProduct(early.bottomRows(start)).sum();
+}
+
+/// Where the parabola through three values at -1, 0, 1, of which the middle one is the largest, has its top.
+double top_of_parabola(double before, double here, double after) {
+  const double bend = before - 2 * here + after;
+  return bend < 0 ? 0.5 * (before - after) / bend : 0.0;
+}
+
+/// Shift [samples] of `late` that is most like `early` within `reach` of `expected`, and how like it is.
+std::pair<double, double> most_alike(const Eigen::MatrixXd& late, const Eigen::MatrixXd& early, double expected,
+                                     double reach) {
+  const auto first = static_cast<Eigen::Index>(std::ceil(expected - reach));
+  const auto last = static_cast<Eigen::Index>(std::floor(expected + reach));
+  Eigen::Index best = first;
+  double largest = -1;
+  for (Eigen::Index shift = first; shift <= last; ++shift)
+    if (const double here = correlation(late, early, shift); here > largest) {
+      largest = here;
+      best = shift;
+    }
+  const double top = top_of_parabola(correlation(late, early, best - 1), largest, correlation(late, early, best + 1));
+  return {static_cast<double>(best) + top, largest / (late.norm() * early.norm())};
+}
+
+/// [s], and the likeness; NaN, 0 unless both edges touch.
+std::pair<double, double> lag_at(const SpeedResponse& speed, const SimulatedScene& scene,
+                                 const ContactLine& contact) {
+  const int last = contact.size() - 1;
+  const Eigen::MatrixXd leading = tip_force(speed, scene, 0), trailing = tip_force(speed, scene, last);
+  if (leading.norm() == 0 || trailing.norm() == 0) return {unknown, 0.0};
+  const double samples_per_radian = speed.samples_per_revolution / turn;
+  // A place of the casing meets the node that is ahead first.
+  const double expected = samples_per_radian * (contact.position(last, 1) - contact.position(0, 1));
+  const double half_a_beat = 0.5 * speed.samples_per_revolution / std::max(scene.lobes, 1);
+  const auto [shift, likeness] = most_alike(leading, trailing, expected, half_a_beat);
+  return {(shift - expected) / (samples_per_radian * speed.speed), likeness};
+}
+
+/// The value below which a share of them lie, linear between neighbours; needs one, ascending.
+double quantile(const std::vector<double>& values, double share) {
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
 }  // namespace
 
 ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds, int lobes,
                            const ContactLine& contact) {
-  constexpr std::size_t fewest = 3;
   ContactDrift drift;
   drift.angle = followed_angles(map, lobes);
   std::vector<double> x, y;
@@ -58,6 +115,28 @@ ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds,
   const Eigen::VectorXd& arc = contact.arc_length;
   drift.implied_wave_speed = (arc[arc.size() - 1] - arc[0]) / std::abs(drift.slope);
   return drift;
+}
+
+EdgeLag edge_lag(const Response& response, const ContactLine& contact) {
+  const auto speeds = static_cast<Eigen::Index>(response.speeds.size());
+  EdgeLag lag{.time = Eigen::VectorXd(speeds), .likeness = Eigen::VectorXd(speeds)};
+  std::vector<double> times, x, y;
+  for (Eigen::Index i = 0; i < speeds; ++i) {
+    const SpeedResponse& speed = response.speeds[static_cast<std::size_t>(i)];
+    std::tie(lag.time[i], lag.likeness[i]) = lag_at(speed, response.scene, contact);
+    if (std::isnan(lag.time[i])) continue;
+    times.push_back(lag.time[i]);
+    x.push_back(speed.speed);
+    y.push_back(speed.speed * lag.time[i]);
+  }
+  if (times.size() < fewest) return lag;
+  std::sort(times.begin(), times.end());
+  lag.median = quantile(times, 0.5);
+  lag.lower_quartile = quantile(times, 0.25);
+  lag.upper_quartile = quantile(times, 0.75);
+  std::tie(lag.intercept, lag.slope, lag.determination) =
+      boost::math::statistics::simple_ordinary_least_squares_with_R_squared(x, y);
+  return lag;
 }
 
 }  // namespace tiprub

@@ -23,4 +23,23 @@ struct ContactDrift {
 ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds, int lobes,
                            const ContactLine& contact);
 
+/// How much later the leading edge meets a place of the casing than the trailing edge: the lag of its contact force,
+/// in which resonances that turn the contact of both edges around the casing do not show. The circular
+/// cross-correlation of the two forces over the recorded revolutions, summed over the sectors, is largest at it;
+/// within half a beat of the casing (1/N_l of a revolution) of the lag that the nodes' angles give, which is taken
+/// off. Its maximum lies between samples on a parabola.
+struct EdgeLag {
+  Eigen::VectorXd time;      ///< [s] by speed, positive: the leading edge is late; NaN unless both edges touch
+  Eigen::VectorXd likeness;  ///< [1] by speed, the correlation there over the forces' norms: 1 of like forces
+  double median = 0, lower_quartile = 0, upper_quartile = 0;  ///< [s] over the speeds
+  /// Of the line Omega time = intercept + slope Omega by least squares: a contact passed on at the wave speed v along
+  /// the tip l has slope l/v and R^2 near 1.
+  double slope = 0;          ///< [s]
+  double intercept = 0;      ///< [rad]
+  double determination = 0;  ///< [1] R^2; 0 if there is no line
+};
+
+/// Needs a response at every speed; no line and no quartiles with fewer than three speeds at which both edges touch.
+EdgeLag edge_lag(const Response& response, const ContactLine& contact);
+
 }  // namespace tiprub

@@ -63,6 +63,7 @@ void map_contact(Study& study) {
   study.trailing_edge = contact_map(study.response, contact, contact.size() - 1);
   study.leading_drift = contact_drift(study.leading_edge, speeds, lobes, contact);
   study.trailing_drift = contact_drift(study.trailing_edge, speeds, lobes, contact);
+  study.edge_lag = edge_lag(study.response, contact);
 }
 
 void find_critical_speeds(Study& study) {

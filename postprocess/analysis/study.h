@@ -27,6 +27,7 @@ struct Study {
   std::vector<Ridge> ridges{};
   ContactMap leading_edge{}, trailing_edge{};
   ContactDrift leading_drift{}, trailing_drift{};
+  EdgeLag edge_lag{};
   std::vector<CriticalSpeed> critical{};
   MovingWaves moving{};  ///< the linear rules are asked for these
   std::vector<Crossing> equation_2{}, aliased{};

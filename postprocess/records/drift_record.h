@@ -6,7 +6,8 @@
 
 namespace tiprub {
 
-/// The line through the places that both edges rub: contact_drift.csv.
+/// How the contact moves with speed: the lines through the middles of both edges' contact, and how late the leading
+/// edge's force comes; contact_drift.csv.
 Table drift_record(const Study& study);
 
 }  // namespace tiprub

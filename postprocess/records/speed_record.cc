@@ -86,6 +86,10 @@ SpeedColumns map_columns() {
       {"contact areas TE", [](const SpeedRow& speed) { return speed.study.trailing_edge.clusters[speed.index]; }},
       {"contact contrast LE", [](const SpeedRow& speed) { return speed.study.leading_edge.contrast[speed.index]; }},
       {"contact contrast TE", [](const SpeedRow& speed) { return speed.study.trailing_edge.contrast[speed.index]; }},
+      {"leading after trailing edge [s]",
+       [](const SpeedRow& speed) { return speed.study.edge_lag.time[speed.index]; }},
+      {"likeness of the edges' forces [1]",
+       [](const SpeedRow& speed) { return speed.study.edge_lag.likeness[speed.index]; }},
       {"failure", [](const SpeedRow&) { return std::string(); }}};
 }
 

@@ -47,6 +47,13 @@ std::string drift_sentence(const ContactDrift& drift) {
          "); a wave that takes so long along the tip would run at " + fixed(drift.implied_wave_speed, 0) + " m/s.";
 }
 
+std::string lag_sentence(const EdgeLag& lag) {
+  const auto time = [](double seconds) { return fixed(microseconds * seconds, 1); };
+  return " Where the response resonates the middle jumps. The leading edge's force comes " + time(lag.median) +
+         " \xC2\xB5s after the trailing edge's, as the casing passes (median; half of the speeds between " +
+         time(lag.lower_quartile) + " and " + time(lag.upper_quartile) + " \xC2\xB5s).";
+}
+
 /// The drift's line, one on each lobe, if there is a line.
 void set_drift(Drawing& drawing, const Study& study, const ContactDrift& drift) {
   constexpr double degrees_per_radian = degrees / (2 * std::numbers::pi);
@@ -76,7 +83,7 @@ Figure contact_map_figure(const Study& study, TipEdge edge) {
                            "(never) to dark blue (always). Below: contrast, near 1 where the contact keeps to few "
                            "places, and the number of separate places. Grey: speeds without a response.",
                 .data = contact_table(study, map)};
-  if (drift.determination > 0) figure.caption += drift_sentence(drift);
+  if (drift.determination > 0) figure.caption += drift_sentence(drift) + lag_sentence(study.edge_lag);
   set_speed_axis(figure.drawing, speed_axis(study));
   set_drift(figure.drawing, study, drift);
   set_pixels(figure, contact_pixels(study, map));

@@ -41,7 +41,7 @@ response_%.h5: .tables/casing .tables/simulate model.h5
 
 SWEEPS := $(shell sed -n 's/^response_\(up\|down\) = "\(.*\)".*/\2/p' case.toml)
 
-report/report.html: .tables/postprocess model.h5 fields.h5 response.h5 $(SWEEPS)
+report/report.html: .tables/postprocess .tables/material model.h5 fields.h5 response.h5 $(SWEEPS)
 	tiprub-postprocess case.toml model.h5 response.h5 --fields fields.h5 -o report > /dev/null
 
 # One table of the case, with its sub-tables; its time changes only when its text does.

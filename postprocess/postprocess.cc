@@ -27,6 +27,7 @@ namespace {
 struct Inputs {
   ReportSource source;
   PostprocessParameters parameters;
+  std::optional<MaterialStrength> strength;
   ReducedModel model;
   Response response;
   SweepFiles sweeps;
@@ -38,6 +39,7 @@ Inputs read_inputs(const StageArguments& arguments, const fs::path& fields_file)
   CaseTable table = file.table("postprocess");
   Inputs inputs;
   inputs.parameters = read_postprocess_parameters(table);
+  inputs.strength = read_material_strength(file);
   if (arguments.verbosity == Verbosity::verbose) say(arguments, "[postprocess]\n" + table.resolved());
   inputs.source = {file.title(), file.source()};
   inputs.model = read_model(arguments.inputs[1]);
@@ -62,7 +64,7 @@ ReportContents run(Inputs inputs) {
       .source = std::move(inputs.source)};
   contents.figures = study_figures(contents.study);
   if (!inputs.fields_file.empty()) {
-    contents.fields = recover_fields(inputs.fields_file, contents.study);
+    contents.fields = recover_fields(inputs.fields_file, contents.study, inputs.strength);
     for (Figure& figure : field_figures(*contents.fields)) contents.figures.push_back(std::move(figure));
   }
   contents.field_results = field_results(contents.fields, contents.study.critical);

@@ -12,7 +12,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> program_tables = {"mesh", "reduce", "casing", "simulate", "postprocess"};
+constexpr std::array<std::string_view, 6> program_tables = {"mesh",     "reduce",      "casing",
+                                                            "simulate", "postprocess", "material"};
 
 std::string shortest(double value) {
   std::ostringstream out;
@@ -266,6 +267,10 @@ CaseFile::CaseFile(const std::filesystem::path& path, const std::vector<std::str
                      joined({program_tables.begin(), program_tables.end()}));
   }
   title_ = (*root_->values)["title"].value_or(std::string());
+}
+
+bool CaseFile::has(std::string_view name) const {
+  return root_->values->contains(name);
 }
 
 CaseTable CaseFile::table(std::string_view name) const {

@@ -83,12 +83,14 @@ class CaseFile {
  public:
   /// Each setting is "TABLE.KEY=VALUE" with a value as TOML writes it; it takes the place of the file's key, or joins
   /// it. Raises RunError if the file can't be read, InputError if it or a setting is not TOML or has a top-level
-  /// table that no program knows (the known ones: mesh, reduce, casing, simulate, postprocess, and the text `title`).
+  /// table that no program knows (the known ones: mesh, reduce, casing, simulate, postprocess, material, and the text
+  /// `title`).
   explicit CaseFile(const std::filesystem::path& path, const std::vector<std::string>& settings = {});
 
   const std::string& title() const { return title_; }
   /// The whole file as it was read, and a comment for each setting after it: for provenance.
   const std::string& source() const { return source_; }
+  bool has(std::string_view name) const;
   /// Raises InputError if the table is absent.
   CaseTable table(std::string_view name) const;
 

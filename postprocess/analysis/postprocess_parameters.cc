@@ -24,6 +24,8 @@ PostprocessParameters read_postprocess_parameters(CaseTable& table) {
                                    "rpm, 0: the largest amplitude that repeats every revolution");
   p.response_up = table.text("response_up", p.response_up);
   p.response_down = table.text("response_down", p.response_down);
+  p.tip_patch_mm =
+      table.number("tip_patch_mm", p.tip_patch_mm, Range::at_least(0), "mm, 0: 5 % of the tip line's length");
   table.close();
   return p;
 }

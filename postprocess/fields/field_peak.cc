@@ -8,40 +8,59 @@ namespace tiprub {
 
 namespace {
 
-/// The part that most of a node's cells belong to.
-std::string part_of(const SectorFields& sector, int node) {
-  std::string best;
-  std::size_t most = 0;
-  for (const auto& [name, cells] : sector.parts) {
-    std::size_t count = 0;
-    for (const int cell : cells) count += (sector.cells.col(cell).array() == node).any() ? 1 : 0;
-    if (count > most) best = name;
-    most = std::max(most, count);
+/// The first node of a zone with the largest value; -1 if the zone is empty.
+Eigen::Index largest_in(StressZone zone, const StressZones& zones, const Eigen::VectorXd& values) {
+  Eigen::Index largest = -1;
+  for (Eigen::Index node = 0; node < values.size(); ++node)
+    if (zones.at_node[static_cast<std::size_t>(node)] == zone && (largest < 0 || values[node] > values[largest]))
+      largest = node;
+  return largest;
+}
+
+StressMaxima maxima_of(StressZone zone, const StressZones& zones, const CycleStress& stress) {
+  const auto largest = [&](const Eigen::VectorXd& values) {
+    const Eigen::Index node = largest_in(zone, zones, values);
+    return node < 0 ? 0.0 : values[node];
+  };
+  return {largest(stress.vibration), largest(stress.spin), largest(stress.both)};
+}
+
+StressCycle worst_cycle(const CycleStress& stress, const StressZones& zones, const BladePlaces& places,
+                        const std::optional<MaterialStrength>& strength) {
+  StressCycle worst;
+  double most = -1;
+  for (Eigen::Index h = 0; h < stress.mean.cols(); ++h) {
+    Eigen::VectorXd severity = stress.alternating.col(h);
+    if (strength)
+      for (Eigen::Index node = 0; node < severity.size(); ++node)
+        severity[node] = goodman_utilisation(*strength, severity[node], stress.mean(node, h));
+    const Eigen::Index node = largest_in(StressZone::body, zones, severity);
+    if (severity[node] <= most) continue;
+    most = severity[node];
+    worst = {stress.mean(node, h), stress.alternating(node, h), places.words(static_cast<int>(node)), std::nullopt};
   }
-  return best;
+  if (strength) worst.goodman = most;
+  return worst;
 }
 
 }  // namespace
 
-FieldPeak field_peak(const SectorFields& sector, double speed, const WheelField& vibration, const WheelField& spin) {
+FieldPeak field_peak(const SectorFields& sector, const CycleStress& stress, const StressZones& zones,
+                     const BladePlaces& places, const std::optional<MaterialStrength>& strength) {
   FieldPeak peak;
-  peak.speed = speed;
-  peak.displacement = largest_displacement(vibration);
-  Eigen::Index worst_node = 0;
-  for (std::size_t j = 0; j < vibration.displacement.size(); ++j) {
-    Eigen::Index node = 0;
-    const double here = von_mises(vibration.stress[j]).maxCoeff(&node);
-    if (here > peak.vibration) {
-      peak.vibration = here;
-      peak.sector = static_cast<int>(j);
-      worst_node = node;
-    }
-    peak.spin = std::max(peak.spin, von_mises(spin.stress[j]).maxCoeff());
-    peak.both = std::max(peak.both, von_mises(vibration.stress[j] + spin.stress[j]).maxCoeff());
-  }
-  peak.place << sector.nodes.col(worst_node).head<2>().norm(),
-      std::atan2(sector.nodes(1, worst_node), sector.nodes(0, worst_node)), sector.nodes(2, worst_node);
-  peak.part = part_of(sector, static_cast<int>(worst_node));
+  peak.displacement = stress.displacement;
+  peak.body = maxima_of(StressZone::body, zones, stress);
+  peak.tip_patch = maxima_of(StressZone::tip_patch, zones, stress);
+  peak.clamp_rim = maxima_of(StressZone::clamp_rim, zones, stress);
+  const Eigen::Index worst = largest_in(StressZone::body, zones, stress.vibration);
+  peak.sector = stress.sector[worst];
+  peak.sample = stress.sample[worst];
+  const Eigen::Vector3d place = sector.nodes.col(worst);
+  peak.place << std::hypot(place[0], place[1]), std::atan2(place[1], place[0]), place[2];
+  peak.part = places.part(static_cast<int>(worst));
+  peak.where = places.words(static_cast<int>(worst));
+  if (stress.mean.cols() > 0) peak.cycle = worst_cycle(stress, zones, places, strength);
+  if (strength && strength->yield) peak.yield_share = peak.body.both / *strength->yield;
   return peak;
 }
 

@@ -67,19 +67,24 @@ WaveField spin_field(const SectorFields& sector, const BrickStress& bricks, doub
   return wave;
 }
 
+SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count) {
+  SectorField sector{Eigen::Matrix3Xd::Zero(3, waves.front().displacement.cols()),
+                     Tensors::Zero(6, waves.front().stress.cols())};
+  for (const WaveField& wave : waves) {
+    const std::complex<double> here = phase(wave.nodal_diameter, j, sector_count);
+    sector.displacement += here.real() * wave.displacement.real() - here.imag() * wave.displacement.imag();
+    sector.stress += here.real() * wave.stress.real() - here.imag() * wave.stress.imag();
+  }
+  return sector;
+}
+
 WheelField on_wheel(const std::vector<WaveField>& waves, int sector_count) {
   WheelField wheel;
   for (int j = 0; j < sector_count; ++j) {
     const double angle = sector_angle(j, sector_count);
-    Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, waves.front().displacement.cols());
-    Tensors stress = Tensors::Zero(6, waves.front().stress.cols());
-    for (const WaveField& wave : waves) {
-      const std::complex<double> here = phase(wave.nodal_diameter, j, sector_count);
-      displacement += (wave.displacement * here).real();
-      if (stress.cols() > 0) stress += (wave.stress * here).real();
-    }
-    wheel.displacement.emplace_back(rotation(angle) * displacement);
-    wheel.stress.push_back(turned(stress, angle));
+    const SectorField sector = on_sector(waves, j, sector_count);
+    wheel.displacement.emplace_back(rotation(angle) * sector.displacement);
+    wheel.stress.push_back(turned(sector.stress, angle));
   }
   return wheel;
 }

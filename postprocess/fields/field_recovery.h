@@ -17,6 +17,12 @@ struct WaveField {
   ComplexTensors stress;           ///< [Pa]; 6 x nodes; empty if it wasn't asked for
 };
 
+/// Displacement and stress of one sector at one instant, in the x, y, z of sector 0.
+struct SectorField {
+  Eigen::Matrix3Xd displacement;  ///< [m]
+  Tensors stress;                 ///< [Pa]; zero where the waves came without
+};
+
 /// Displacement and stress of all sectors at one instant, in the wheel's x, y, z.
 struct WheelField {
   std::vector<Eigen::Matrix3Xd> displacement;  ///< [m] by sector
@@ -34,6 +40,9 @@ void add_stress(const SectorFields& sector, const BrickStress& bricks, WaveField
 
 /// The static shape under spin [rad/s], the same in every sector: a wave of nodal diameter 0.
 WaveField spin_field(const SectorFields& sector, const BrickStress& bricks, double speed);
+
+/// Sector j of a sum of waves.
+SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count);
 
 /// All N sectors of a sum of waves.
 WheelField on_wheel(const std::vector<WaveField>& waves, int sector_count);

@@ -16,9 +16,11 @@ namespace tiprub {
 
 namespace {
 
-constexpr double same_place = 1e-6;      // of the largest radius
-constexpr int mode_nodal_diameters = 3;  // drawn
-constexpr int mode_families = 2;         // drawn
+constexpr double same_place = 1e-6;                            // of the largest radius
+constexpr int mode_nodal_diameters = 3;                        // drawn
+constexpr int mode_families = 2;                               // drawn
+constexpr std::size_t recovery_memory = std::size_t{1} << 28;  // [bytes]
+constexpr double m_per_mm = 1e-3;
 
 void check_together(const FieldsReader& reader, const ReducedModel& model, const std::string& name) {
   const SectorFields& sector = reader.sector();
@@ -95,69 +97,59 @@ Eigen::MatrixXd forces_at(const SpeedResponse& response, const SimulatedScene& s
   return forces;
 }
 
-/// Waves of several states at once: fields.h5 is large, and is read once a nodal diameter.
-class Recovery {
- public:
-  Recovery(const FieldsReader& reader, const Study& study) : reader_(reader), study_(study) {}
-
-  void ask_modes(const std::vector<int>& nodal_diameters, double speed) {
-    const int families = std::min(mode_families, study_.parameters.families);
-    for (const int n : nodal_diameters)
-      modes_[n] = modes_of(study_.model.nodal_diameters[static_cast<std::size_t>(n)], speed, families);
-  }
-  void ask_instants(const std::vector<std::size_t>& speeds) {
-    for (const std::size_t speed : speeds)
-      if (study_.response.speeds[speed].snapshot) instants_.push_back(speed);
-    waves_.resize(instants_.size());
-  }
-  void run(const BrickStress& bricks, FieldStudy& fields) {
-    const std::vector<int>& moving = study_.response.scene.nodal_diameters;
-    for (int n = 0; n <= study_.model.nodal_diameter_max(); ++n) {
-      stop_if_interrupted();
-      const auto place = std::find(moving.begin(), moving.end(), n);
-      const bool moves = place != moving.end() && !instants_.empty();
-      if (!moves && !modes_.contains(n)) continue;
-      recover(n, moves ? static_cast<std::size_t>(place - moving.begin()) : moving.size(), bricks, fields);
+void recover_modes(const FieldsReader& reader, const Study& study, FieldStudy& fields) {
+  const int families = std::min(mode_families, study.parameters.families);
+  for (const int n : drawn_nodal_diameters(study)) {
+    const Modes modes = modes_of(study.model.nodal_diameters[static_cast<std::size_t>(n)], fields.speed, families);
+    const Eigen::MatrixXcd found = reader.expand(n, modes.shapes);
+    for (int i = 0; i < found.cols(); ++i) {
+      WaveField wave{n, cartesian(fields.sector, found.col(i)), {}};
+      normalise(wave.displacement);
+      fields.modes.push_back({i, modes.frequency[i], std::move(wave)});
     }
   }
-  const std::vector<std::size_t>& instants() const { return instants_; }
-  const std::vector<WaveField>& waves(std::size_t instant) const { return waves_[instant]; }
+}
 
- private:
-  void recover(int n, std::size_t moving, const BrickStress& bricks, FieldStudy& fields) {
-    const Eigen::MatrixXcd shapes = modes_.contains(n) ? modes_[n].shapes : Eigen::MatrixXcd();
-    const Eigen::Index modes = shapes.cols();
-    const bool moves = moving < study_.response.scene.nodal_diameters.size();
-    Eigen::MatrixXcd asked(reader_.dofs(n), modes + (moves ? static_cast<Eigen::Index>(instants_.size()) : 0));
-    if (modes > 0) asked.leftCols(modes) = shapes;
-    for (Eigen::Index i = modes; i < asked.cols(); ++i)
-      asked.col(i) = state(instants_[static_cast<std::size_t>(i - modes)], moving, asked.rows());
-    const Eigen::MatrixXcd found = reader_.expand(n, asked);
+/// So many samples of recovered waves fit into `recovery_memory`.
+int block_of_samples(const Study& study, const SectorFields& sector) {
+  const std::size_t numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
+  const std::size_t sample = sizeof(std::complex<double>) * numbers_at_node *
+                             static_cast<std::size_t>(sector.nodes.cols()) *
+                             study.response.scene.nodal_diameters.size();
+  return static_cast<int>(std::max<std::size_t>(1, recovery_memory / sample));
+}
+
+WaveRecovery wave_recovery(const FieldsReader& reader, const BrickStress& bricks, const Study& study) {
+  return [&](std::size_t diameter, const Eigen::MatrixXcd& states) {
+    stop_if_interrupted();
+    const int n = study.response.scene.nodal_diameters[diameter];
+    const Eigen::MatrixXcd found = reader.expand(n, states);
+    std::vector<WaveField> waves;
     for (Eigen::Index i = 0; i < found.cols(); ++i) {
-      WaveField wave{n, cartesian(reader_.sector(), found.col(i)), {}};
-      if (i < modes) {
-        normalise(wave.displacement);
-        fields.modes.push_back({static_cast<int>(i), modes_[n].frequency[i], std::move(wave)});
-      } else {
-        add_stress(reader_.sector(), bricks, wave);
-        waves_[static_cast<std::size_t>(i - modes)].push_back(std::move(wave));
-      }
+      waves.push_back({n, cartesian(reader.sector(), found.col(i)), {}});
+      add_stress(reader.sector(), bricks, waves.back());
     }
-  }
-  Eigen::VectorXcd state(std::size_t speed, std::size_t moving, Eigen::Index dofs) const {
-    const Eigen::VectorXcd& x = study_.response.speeds[speed].snapshot->displacement[moving];
-    if (x.size() != dofs)
-      throw InputError("the response's snapshot has " + std::to_string(x.size()) + " dofs, the model has " +
-                       std::to_string(dofs) + "; give the model that the response was made with");
-    return x;
-  }
+    return waves;
+  };
+}
 
-  const FieldsReader& reader_;
-  const Study& study_;
-  std::map<int, Modes> modes_;
-  std::vector<std::size_t> instants_;
-  std::vector<std::vector<WaveField>> waves_;  // by instant
-};
+/// All that is drawn at the snapshot of a speed.
+void recover_instant(const Study& study, const SpeedResponse& response, const WaveRecovery& recover,
+                     const WaveField& spin, FieldStudy& fields) {
+  const RotorSnapshot& snapshot = *response.snapshot;
+  const int count = fields.sector.sector_count;
+  std::vector<WaveField> waves;
+  for (std::size_t i = 0; i < snapshot.displacement.size(); ++i)
+    waves.push_back(std::move(recover(i, snapshot.displacement[i]).front()));
+  fields.vibration = on_wheel(waves, count);
+  fields.spin = on_wheel({spin}, count);
+  fields.has_instant = true;
+  fields.angle = 2 * std::numbers::pi * snapshot.sample / response.samples_per_revolution;
+  fields.force = snapshot.force;
+  fields.contact_force = forces_at(response, study.response.scene, study.model.contact.size(), snapshot.sample);
+  fields.invariant_sectors = count / std::gcd(count, study.response.scene.lobes);
+  fields.invariance = turn_difference(fields.vibration, fields.invariant_sectors);
+}
 
 }  // namespace
 
@@ -165,35 +157,31 @@ void check_fields(const std::filesystem::path& fields_file, const ReducedModel& 
   check_together(FieldsReader(fields_file), model, fields_file.string());
 }
 
-FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study) {
+FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study,
+                          const std::optional<MaterialStrength>& strength) {
   const FieldsReader reader(fields_file);
   check_together(reader, study.model, fields_file.string());
   FieldStudy fields;
   fields.sector = reader.sector();
   const BrickStress bricks(fields.sector);
+  const BladePlaces places(fields.sector);
+  const WaveRecovery recover = wave_recovery(reader, bricks, study);
+  const int block = block_of_samples(study, fields.sector);
   const std::vector<std::size_t> speeds = recovered_speeds(study);
   const std::size_t worst = worst_of(speeds, study);
+  fields.zones = stress_zones(fields.sector, m_per_mm * study.parameters.tip_patch_mm);
   fields.speed = study.response.speeds[worst].speed;
-  Recovery recovery(reader, study);
-  recovery.ask_modes(drawn_nodal_diameters(study), fields.speed);
-  recovery.ask_instants(speeds);
-  recovery.run(bricks, fields);
-  for (std::size_t i = 0; i < recovery.instants().size(); ++i) {
-    const SpeedResponse& response = study.response.speeds[recovery.instants()[i]];
-    const int count = fields.sector.sector_count;
-    WheelField vibration = on_wheel(recovery.waves(i), count);
-    WheelField spin = on_wheel({spin_field(fields.sector, bricks, response.speed)}, count);
-    fields.peaks.push_back(field_peak(fields.sector, response.speed, vibration, spin));
-    if (recovery.instants()[i] != worst) continue;
-    fields.has_instant = true;
-    fields.angle = 2 * std::numbers::pi * response.snapshot->sample / response.samples_per_revolution;
-    fields.force = response.snapshot->force;
-    fields.contact_force =
-        forces_at(response, study.response.scene, study.model.contact.size(), response.snapshot->sample);
-    fields.invariant_sectors = count / std::gcd(count, study.response.scene.lobes);
-    fields.invariance = turn_difference(vibration, fields.invariant_sectors);
-    fields.vibration = std::move(vibration);
-    fields.spin = std::move(spin);
+  recover_modes(reader, study, fields);
+  for (const std::size_t index : speeds) {
+    const SpeedResponse& response = study.response.speeds[index];
+    if (!response.cycle && !response.snapshot) continue;
+    const WheelCycle cycle = wheel_cycle(response, study.response.scene, study.model);
+    const WaveField spin = spin_field(fields.sector, bricks, response.speed);
+    const CycleStress stress = cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, block);
+    fields.peaks.push_back(field_peak(fields.sector, stress, fields.zones, places, strength));
+    fields.peaks.back().speed = response.speed;
+    fields.peaks.back().samples = cycle.whole ? cycle.recorded_samples : 0;
+    if (index == worst && response.snapshot) recover_instant(study, response, recover, spin, fields);
   }
   return fields;
 }

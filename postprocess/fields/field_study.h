@@ -28,13 +28,15 @@ struct FieldStudy {
   double force = 0;               ///< [N] all contact forces then
   WheelField vibration, spin;     ///< at the contact instant
   Eigen::MatrixXd contact_force;  ///< [N] sectors x contact nodes, then
+  StressZones zones;              ///< where stress is read
   std::vector<FieldPeak> peaks;   ///< at every critical speed, and at the speed of the instant
   TurnDifference invariance;      ///< of the vibration under the turn that the casing and the wheel share
   int invariant_sectors = 0;      ///< that turn, in sectors; N if they share none
 };
 
-/// Reads fields.h5 once and recovers everything. Raises InputError if the fields are of another model.
-FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study);
+/// Recovers everything. Raises InputError if the fields are of another model.
+FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study,
+                          const std::optional<MaterialStrength>& strength);
 
 /// Only looks whether the fields are those of the model; raises as recover_fields() does.
 void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 
 #include "postprocess/fields/field_study.h"
@@ -84,8 +85,12 @@ void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& fold
             instant_arrays(vibration.displacement, spin.displacement, vibration.stress, spin.stress),
             folder / "contact_wheel.vtu");
   int worst = 0;
-  for (const FieldPeak& peak : fields.peaks)
-    if (peak.speed == fields.speed) worst = peak.sector;
+  double largest = 0;
+  for (int k = 0; k < fields.sector.sector_count; ++k) {
+    const double here = von_mises(vibration.stress[static_cast<std::size_t>(k)]).maxCoeff();
+    if (here > largest) worst = k;
+    largest = std::max(largest, here);
+  }
   const auto j = static_cast<std::size_t>(worst);
   std::vector<VtuArray> arrays =
       instant_arrays({vibration.displacement[j]}, {spin.displacement[j]}, {vibration.stress[j]}, {spin.stress[j]});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 
 #include "postprocess/records/columns.h"
 #include "postprocess/tables/units.h"
@@ -35,9 +36,15 @@ std::string signed_percent(double value) {
   return (value >= 0 ? "+" : "") + fixed(percent * value, 1);
 }
 
-/// [MPa]; empty without full fields.
-Cell stress_cell(const PeakRow& peak, double FieldPeak::*stress) {
-  return peak.stress ? Cell((*peak.stress).*stress * mpa_per_pa) : Cell(std::string());
+/// What full fields give; empty without them.
+Column<PeakRow> stress_column(const char* name, const std::function<Cell(const FieldPeak&)>& cell) {
+  return {name, [cell](const PeakRow& peak) { return peak.stress ? cell(*peak.stress) : Cell(std::string()); }};
+}
+
+/// What a whole cycle gives; empty without one.
+Column<PeakRow> cycle_column(const char* name, const std::function<Cell(const StressCycle&)>& cell) {
+  return stress_column(
+      name, [cell](const FieldPeak& peak) { return peak.cycle ? cell(*peak.cycle) : Cell(std::string()); });
 }
 
 /// "EO 8 ND -2 0.053 mm; EO 16 ND -4 0.052 mm", the first `count` of them.
@@ -80,67 +87,92 @@ PeakColumns contact_columns() {
 }
 
 PeakColumns stress_columns() {
+  return {stress_column("von Mises, vibration [MPa]",
+                        [](const FieldPeak& peak) { return peak.body.vibration * mpa_per_pa; }),
+          stress_column("von Mises, spin [MPa]", [](const FieldPeak& peak) { return peak.body.spin * mpa_per_pa; }),
+          stress_column("von Mises, both [MPa]", [](const FieldPeak& peak) { return peak.body.both * mpa_per_pa; }),
+          stress_column("where the vibration's is largest", [](const FieldPeak& peak) { return peak.where; }),
+          stress_column("part with the largest vibration stress", [](const FieldPeak& peak) { return peak.part; }),
+          stress_column("radius of the largest vibration stress [mm]",
+                        [](const FieldPeak& peak) { return peak.place[0] * mm_per_m; }),
+          stress_column("samples of the cycle", [](const FieldPeak& peak) { return peak.samples; }),
+          stress_column("in the tip patch, vibration [MPa]",
+                        [](const FieldPeak& peak) { return peak.tip_patch.vibration * mpa_per_pa; }),
+          stress_column("at the clamp's rim, vibration [MPa]",
+                        [](const FieldPeak& peak) { return peak.clamp_rim.vibration * mpa_per_pa; }),
+          stress_column("at the clamp's rim, both [MPa]",
+                        [](const FieldPeak& peak) { return peak.clamp_rim.both * mpa_per_pa; })};
+}
+
+PeakColumns cycle_columns() {
   return {
-      {"von Mises, vibration [MPa]", [](const PeakRow& peak) { return stress_cell(peak, &FieldPeak::vibration); }},
-      {"von Mises, spin [MPa]", [](const PeakRow& peak) { return stress_cell(peak, &FieldPeak::spin); }},
-      {"von Mises, both [MPa]", [](const PeakRow& peak) { return stress_cell(peak, &FieldPeak::both); }},
-      {"part with the largest vibration stress",
-       [](const PeakRow& peak) { return peak.stress ? peak.stress->part : std::string(); }},
-      {"radius of the largest vibration stress [mm]", [](const PeakRow& peak) {
-         return peak.stress ? Cell(peak.stress->place[0] * mm_per_m) : Cell(std::string());
-       }}};
+      cycle_column("alternating [MPa]", [](const StressCycle& cycle) { return cycle.alternating * mpa_per_pa; }),
+      cycle_column("mean [MPa]", [](const StressCycle& cycle) { return cycle.mean * mpa_per_pa; }),
+      cycle_column("where these are", [](const StressCycle& cycle) { return cycle.where; }),
+      cycle_column("Goodman utilisation [1]", [](const StressCycle& cycle) { return optional_cell(cycle.goodman); }),
+      stress_column("both over yield [1]", [](const FieldPeak& peak) { return optional_cell(peak.yield_share); })};
 }
 
 PeakColumns prediction_columns() {
-  return {{"motion",
-           [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
-          {"predicted by eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
-          {"predicted with aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
+  return {
+      {"motion", [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
+      {"predicted by eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
+      {"predicted with aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
 }
 
 PeakColumns rounded_columns() {
   constexpr std::size_t shown_others = 2;
-  return {{"speed [rpm]", [](const PeakRow& peak) { return fixed(peak.critical.speed * rpm_per_rad_s, 0); }},
-          {"amplitude [mm]", [](const PeakRow& peak) { return fixed(peak.critical.amplitude * mm_per_m, 4); }},
-          {"node", [](const PeakRow& peak) { return std::to_string(peak.critical.node); }},
-          {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.rising.family + 1); }},
-          {"wave", [](const PeakRow& peak) { return wave_name(peak.critical.rising); }},
-          {"runs", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
-          {"share [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.wave_share(), 0); }},
-          {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.rising.detuning); }},
-          {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, shown_others); }},
-          {"areas LE/TE",
-           [](const PeakRow& peak) {
-             return std::to_string(places(peak, peak.study.leading_edge)) + "/" +
-                    std::to_string(places(peak, peak.study.trailing_edge));
-           }},
-          {"motion",
-           [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
-          {"eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
-          {"aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
+  return {
+      {"speed [rpm]", [](const PeakRow& peak) { return fixed(peak.critical.speed * rpm_per_rad_s, 0); }},
+      {"amplitude [mm]", [](const PeakRow& peak) { return fixed(peak.critical.amplitude * mm_per_m, 4); }},
+      {"node", [](const PeakRow& peak) { return std::to_string(peak.critical.node); }},
+      {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.rising.family + 1); }},
+      {"wave", [](const PeakRow& peak) { return wave_name(peak.critical.rising); }},
+      {"runs", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
+      {"share [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.wave_share(), 0); }},
+      {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.rising.detuning); }},
+      {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, shown_others); }},
+      {"areas LE/TE",
+       [](const PeakRow& peak) {
+         return std::to_string(places(peak, peak.study.leading_edge)) + "/" +
+                std::to_string(places(peak, peak.study.trailing_edge));
+       }},
+      {"motion", [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
+      {"eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
+      {"aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
+}
+
+std::string rounded_mpa(double stress) {
+  return fixed(stress * mpa_per_pa, 1);
 }
 
 PeakColumns rounded_stress_columns() {
-  const auto column = [](const char* name, double FieldPeak::*stress) {
-    return Column<PeakRow>{name, [stress](const PeakRow& peak) {
-                             return peak.stress ? fixed((*peak.stress).*stress * mpa_per_pa, 1) : std::string();
-                           }};
-  };
-  return {column("vibration [MPa]", &FieldPeak::vibration), column("spin [MPa]", &FieldPeak::spin),
-          column("both [MPa]", &FieldPeak::both)};
+  return {stress_column("vibration [MPa]", [](const FieldPeak& peak) { return rounded_mpa(peak.body.vibration); }),
+          stress_column("spin [MPa]", [](const FieldPeak& peak) { return rounded_mpa(peak.body.spin); }),
+          stress_column("both [MPa]", [](const FieldPeak& peak) { return rounded_mpa(peak.body.both); }),
+          stress_column("stressed most", [](const FieldPeak& peak) { return peak.where; })};
+}
+
+PeakColumns rounded_cycle_columns() {
+  return {cycle_column("alternating [MPa]", [](const StressCycle& cycle) { return rounded_mpa(cycle.alternating); }),
+          cycle_column("mean [MPa]", [](const StressCycle& cycle) { return rounded_mpa(cycle.mean); }),
+          cycle_column("Goodman", [](const StressCycle& cycle) {
+            return cycle.goodman ? fixed(*cycle.goodman, 2) : std::string();
+          })};
 }
 
 }  // namespace
 
 Table critical_speed_record(const Study& study, const FieldResults& fields) {
   return table_of(joined<PeakRow>({amplitude_columns(), wave_columns(), contact_columns(), stress_columns(),
-                                   prediction_columns()}),
+                                   cycle_columns(), prediction_columns()}),
                   peaks_of(study, fields));
 }
 
 Table critical_speed_overview(const Study& study, const FieldResults& fields) {
   PeakColumns columns = rounded_columns();
   if (fields.has_stress()) columns = joined<PeakRow>({columns, rounded_stress_columns()});
+  if (fields.has_cycles()) columns = joined<PeakRow>({columns, rounded_cycle_columns()});
   return table_of(columns, peaks_of(study, fields));
 }
 

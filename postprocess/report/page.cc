@@ -58,10 +58,21 @@ std::string stress_note(const FieldResults& fields) {
   if (!fields.has_stress())
     return "Stress at the peaks is left out: it takes full fields (--fields) and a response that holds the rotor's "
            "state.";
-  return "Vibration, spin, both: the largest von Mises stress on the wheel at the recorded sample with the largest "
-         "contact force, of the vibration alone, of the static shape under spin, of both together. At the contact "
-         "nodes, where the casing pushes at points, at re-entrant corners and at the clamp's rim it grows as the "
-         "mesh is refined.";
+  const std::string patch = fixed(fields.tip_patch * mm_per_m, 1), rim = fixed(fields.clamp_rim * mm_per_m, 1);
+  return "Vibration, spin, both: the largest von Mises stress on the wheel " +
+         std::string(fields.has_cycles() ? "over all recorded samples of the cycle"
+                                         : "at the recorded sample with the largest contact force (the response "
+                                           "holds no whole cycle)") +
+         ", of the vibration alone, of the static shape under spin, of both together. Left out, and reported apart "
+         "in the full table, are the tip patch, " +
+         patch + " mm from the tip line, where the casing pushes at points, and the clamp's rim, " + rim +
+         " mm from its edge: there the exact stress is unbounded, and grows as the mesh is refined. So it is along a "
+         "root without a fillet, which is not left out." +
+         (fields.has_cycles()
+              ? " Mean: von Mises stress of the mean tensor over the cycle, spin included; "
+                "alternating: the largest of the tensor minus that mean; Goodman: alternating over the "
+                "endurance limit plus mean over the ultimate strength, 1 is the limit."
+              : "");
 }
 
 /// "running clearances 0.120 .. 0.130 mm", over the tip line and the speeds.

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <cstdlib>
+#include <map>
 
 #include "postprocess/tables/table.h"
 #include "postprocess/tables/units.h"
@@ -155,14 +155,34 @@ std::string share_sentence(const Study& study) {
   return "Share of the motion by nodal diameter, over all speeds [%]: " + text + ".";
 }
 
+std::string mpa(double stress) {
+  return fixed(stress * mpa_per_pa, 0) + " MPa";
+}
+
+/// Goodman's share where the case gives strengths; else the alternating part.
+std::string fatigue_sentence(const FieldResults& fields) {
+  const auto severity = [](const FieldPeak& peak) { return peak.cycle->goodman.value_or(peak.cycle->alternating); };
+  const FieldPeak* worst = nullptr;
+  for (const std::optional<FieldPeak>& peak : fields.peaks)
+    if (peak && peak->cycle && (worst == nullptr || severity(*peak) > severity(*worst))) worst = &*peak;
+  if (worst == nullptr) return "";
+  const StressCycle& cycle = *worst->cycle;
+  return " A cycle wears the material most at " + rpm_text(worst->speed) + ": " + mpa(cycle.alternating) +
+         " alternating about a mean of " + mpa(cycle.mean) + (cycle.where.empty() ? "" : ", " + cycle.where) +
+         (cycle.goodman ? ", " + fixed(*cycle.goodman, 2) + " of what Goodman's rule allows" : "") + ".";
+}
+
 std::string stress_sentence(const FieldResults& fields) {
   const FieldPeak* worst = nullptr;
   for (const std::optional<FieldPeak>& peak : fields.peaks)
-    if (peak && (worst == nullptr || peak->vibration > worst->vibration)) worst = &*peak;
+    if (peak && (worst == nullptr || peak->body.vibration > worst->body.vibration)) worst = &*peak;
   if (worst == nullptr) return "";
-  const auto mpa = [](double stress) { return fixed(stress * mpa_per_pa, 0) + " MPa"; };
   return "The vibration stresses the wheel most at " + rpm_text(worst->speed) + ": von Mises " +
-         mpa(worst->vibration) + ", with spin " + mpa(worst->both) + " (spin alone " + mpa(worst->spin) + ").";
+         mpa(worst->body.vibration) + (worst->where.empty() ? "" : ", " + worst->where) + "; with spin " +
+         mpa(worst->body.both) + " (spin alone " + mpa(worst->body.spin) + ")" +
+         (worst->cycle ? ", the largest of the cycle" : ", at one instant") + ". Inside the tip patch it is " +
+         mpa(worst->tip_patch.vibration) + ", at point forces: that grows as the mesh is refined." +
+         fatigue_sentence(fields);
 }
 
 std::string model_sentence(const Study& study) {

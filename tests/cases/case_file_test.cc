@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{
             "unknown_table", "[mash]\nlength = 1\n",
             ":1:1: \"mash\" is not known here; known: title (a text), and the tables mesh, reduce, casing, simulate, "
-            "postprocess"},
+            "postprocess, material"},
         Wrong{"stray_key", "length = 1\n", ":1:10: \"length\" is not known here; known: title (a text)"},
         Wrong{"title_as_number", "title = 1\n[mesh]\n", ":1:9: \"title\" is not known here"},
         Wrong{"no_table", "title = \"nothing\"\n", ": has no [mesh] table; add it"},

@@ -14,6 +14,7 @@
 
 #include "program_fixture.h"
 #include "reduce/model/reduced_model_file.h"
+#include "simulate/response/response_file.h"
 #include "synthetic_fields.h"
 
 namespace fs = std::filesystem;
@@ -185,6 +186,43 @@ TEST_F(Page, TellsTheStressAtEveryPeak) {
     EXPECT_NE(with_.out.find(column), std::string::npos);
     EXPECT_NE(text_of(folder_ / "with" / "report.html").find(std::string("<th>") + column), std::string::npos);
   }
+}
+
+/// Stress was that of the sample with the largest contact force, where this motion's is not the largest. Now it is
+/// that of the whole cycle, with its mean, its alternating part and Goodman's rule.
+TEST_F(Page, TellsTheStressOfTheWholeCycle) {
+  constexpr double single_precision = 2e-6, ultimate = 950e6, endurance = 500e6, yield = 880e6;
+  const ReducedModel rotor = synthetic::model();
+  Response response = synthetic::resonant_sweep(rotor);
+  synthetic::add_snapshots(rotor, response);
+  synthetic::add_cycles(rotor, response);
+  write_response(response, folder_ / "cycles.h5", "test");
+  std::ofstream(folder_ / "strong.toml")
+      << text_of(folder_ / "case.toml") << "\n[material]\nultimate_strength = " << ultimate
+      << "\nendurance_limit = " << endurance << "\nyield_strength = " << yield << "\n";
+  const Outcome outcome = run("strong.toml model.h5 cycles.h5 --fields fields.h5 -o cycles");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("Goodman"), std::string::npos);
+  const auto peaks = rows_of(folder_ / "cycles" / "critical_speeds.csv");
+  ASSERT_GT(peaks.size(), 1U);
+  for (const auto& peak : peaks) {
+    const double speed = std::stod(peak.at("speed [rad/s]")), unit = 2 * synthetic::shear_modulus;
+    const double m = synthetic::mean_strain(speed), a = synthetic::alternating_strain(speed),
+                 spin = synthetic::spin_strain(speed);
+    const double mean = unit * std::sqrt(3 * m * m + spin * spin), alternating = unit * std::sqrt(3.0) * a,
+                 both = unit * std::sqrt(3 * (m + a) * (m + a) + spin * spin);
+    const std::pair<const char*, double> expected[] = {
+        {"von Mises, vibration [MPa]", 1e-6 * unit * std::sqrt(3.0) * (m + a)},
+        {"von Mises, both [MPa]", 1e-6 * both},
+        {"mean [MPa]", 1e-6 * mean},
+        {"alternating [MPa]", 1e-6 * alternating},
+        {"Goodman utilisation [1]", alternating / endurance + mean / ultimate},
+        {"both over yield [1]", both / yield}};
+    for (const auto& [column, value] : expected)
+      EXPECT_NEAR(std::stod(peak.at(column)), value, single_precision * value) << column;
+    EXPECT_GT(std::stoi(peak.at("samples of the cycle")), 1);
+  }
+  EXPECT_NE(text_of(folder_ / "cycles" / "report.html").find("of what Goodman's rule allows"), std::string::npos);
 }
 
 TEST_F(Page, LeavesTheStressOutWithoutFields) {

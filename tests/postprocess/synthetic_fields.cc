@@ -77,6 +77,14 @@ double vibration_strain(double speed) {
   return 1.2e-7 * speed;
 }
 
+double mean_strain(double speed) {
+  return 0.4e-7 * speed;
+}
+
+double alternating_strain(double speed) {
+  return 1.6e-7 * speed;
+}
+
 SectorFields sector_fields(const ReducedModel& model) {
   const Ring made = ring();
   const auto nodes = static_cast<Eigen::Index>(made.places.size());
@@ -136,6 +144,28 @@ void add_snapshots(const ReducedModel& model, Response& response) {
       if (n == 2) snapshot.displacement.back()[model.contact_dofs()] = vibration_strain(at.speed);
     }
     at.snapshot = std::move(snapshot);
+  }
+}
+
+void add_cycles(const ReducedModel& model, Response& response) {
+  for (SpeedResponse& at : response.speeds) {
+    if (!at.failure.empty()) continue;
+    RotorCycle cycle;
+    const Eigen::Index samples = at.samples_per_revolution;
+    cycle.first_sample = static_cast<int>(at.displacement.rows() - samples);
+    Eigen::Index hardest = 0;
+    at.contact_force.bottomRows(samples).rowwise().sum().maxCoeff(&hardest);
+    for (const int n : response.scene.nodal_diameters) {
+      const Eigen::Index dofs = model.nodal_diameters[static_cast<std::size_t>(n)].M.rows();
+      cycle.displacement.emplace_back(Eigen::MatrixXcd::Zero(dofs, samples));
+      for (Eigen::Index s = 0; n == 2 && s < samples; ++s)
+        cycle.displacement.back()(model.contact_dofs(), s) =
+            mean_strain(at.speed) +
+            std::polar(
+                alternating_strain(at.speed),
+                2 * std::numbers::pi * (static_cast<double>(s - hardest) / static_cast<double>(samples) + 0.5));
+    }
+    at.cycle = std::move(cycle);
   }
 }
 

@@ -28,4 +28,11 @@ void write_fields(const ReducedModel& model, const std::filesystem::path& path);
 /// Gives every speed that has a motion its snapshot, at the sample with the largest contact force.
 void add_snapshots(const ReducedModel& model, Response& response);
 
+/// [1] of a cycle's q at a speed in rad/s: its mean, and the radius of the circle that q runs on around it.
+double mean_strain(double speed);
+double alternating_strain(double speed);
+/// Gives every speed that has a motion a cycle of one revolution, q = mean_strain + alternating_strain e^{i phase}.
+/// Its largest values are not at the sample with the largest contact force.
+void add_cycles(const ReducedModel& model, Response& response);
+
 }  // namespace tiprub::synthetic

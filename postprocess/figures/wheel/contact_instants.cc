@@ -16,12 +16,6 @@ namespace {
 constexpr double drawn_motion = 0.05;      // of the outer radius: how far the largest displacement is drawn
 constexpr double colour_quantile = 0.999;  // of the nodes: single ones, at corners of the clamp, may stand far above
 
-/// "main blade" for "main_blade".
-std::string spoken(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
 /// What one panel of a contact instant shows.
 struct Panel {
   std::string title;
@@ -105,14 +99,15 @@ std::vector<PanelName> panel_names(const std::vector<Panel>& panels) {
 }
 
 Table peak_table(const FieldStudy& fields) {
-  Table table{
-      {"speed [rpm]", "largest displacement of the vibration [mm]", "von Mises, vibration [MPa]",
-       "von Mises, spin [MPa]", "von Mises, both [MPa]", "at sector", "r [mm]", "theta [deg]", "z [mm]", "part"},
-      {}};
+  Table table{{"speed [rpm]", "largest displacement of the vibration [mm]", "von Mises, vibration [MPa]",
+               "von Mises, spin [MPa]", "von Mises, both [MPa]", "at sector", "at sample", "r [mm]", "theta [deg]",
+               "z [mm]", "part"},
+              {}};
   for (const FieldPeak& peak : fields.peaks)
-    table.rows.push_back({peak.speed * rpm_per_rad_s, peak.displacement * mm_per_m, peak.vibration * mpa_per_pa,
-                          peak.spin * mpa_per_pa, peak.both * mpa_per_pa, peak.sector, peak.place[0] * mm_per_m,
-                          peak.place[1] * 180 / std::numbers::pi, peak.place[2] * mm_per_m, peak.part});
+    table.rows.push_back({peak.speed * rpm_per_rad_s, peak.displacement * mm_per_m, peak.body.vibration * mpa_per_pa,
+                          peak.body.spin * mpa_per_pa, peak.body.both * mpa_per_pa, peak.sector, peak.sample,
+                          peak.place[0] * mm_per_m, peak.place[1] * 180 / std::numbers::pi, peak.place[2] * mm_per_m,
+                          peak.part});
   return table;
 }
 
@@ -175,11 +170,10 @@ Figure contact_stress_figure(const FieldStudy& fields, const std::vector<Surface
   figure.caption = instant_sentence(fields) + " Stress of the vibration alone";
   for (const FieldPeak& peak : fields.peaks)
     if (peak.speed == fields.speed)
-      figure.caption += ", up to " + fixed(peak.vibration * mpa_per_pa, 0) + " MPa" +
-                        (peak.part.empty() ? "" : " on the " + spoken(peak.part)) + " at radius " +
-                        fixed(peak.place[0] * mm_per_m, 1) + " mm" + "; of the spin alone up to " +
-                        fixed(peak.spin * mpa_per_pa, 0) + " MPa" + ", of both together " +
-                        fixed(peak.both * mpa_per_pa, 0) + " MPa";
+      figure.caption += "; outside tip patch and clamp rim it reaches " + fixed(peak.body.vibration * mpa_per_pa, 0) +
+                        " MPa" + (peak.cycle ? " in the cycle" : "") + (peak.where.empty() ? "" : ", " + peak.where) +
+                        ", the spin alone " + fixed(peak.body.spin * mpa_per_pa, 0) + " MPa, both together " +
+                        fixed(peak.body.both * mpa_per_pa, 0) + " MPa";
   figure.caption += ". Colours end where 0.1 % of the nodes lie above. The table beside it has all critical speeds.";
   return figure;
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/analysis/material_strength.h"
+
+namespace tiprub {
+
+std::optional<MaterialStrength> read_material_strength(const CaseFile& file) {
+  if (!file.has("material")) return std::nullopt;
+  CaseTable table = file.table("material");
+  MaterialStrength strength;
+  strength.ultimate = table.number("ultimate_strength", std::nullopt, Range::positive(), "Pa");
+  strength.endurance = table.number("endurance_limit", std::nullopt, Range::positive(), "Pa, fully reversed");
+  if (table.has("yield_strength"))
+    strength.yield = table.number("yield_strength", std::nullopt, Range::positive(), "Pa");
+  table.close();
+  return strength;
+}
+
+double goodman_utilisation(const MaterialStrength& strength, double alternating, double mean) {
+  return alternating / strength.endurance + mean / strength.ultimate;
+}
+
+}  // namespace tiprub

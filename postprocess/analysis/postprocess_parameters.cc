@@ -48,4 +48,8 @@ const char* name_of(TipEdge edge) {
   return edge == TipEdge::leading ? "leading edge" : "trailing edge";
 }
 
+TipEdge other_than(TipEdge edge) {
+  return edge == TipEdge::leading ? TipEdge::trailing : TipEdge::leading;
+}
+
 }  // namespace tiprub

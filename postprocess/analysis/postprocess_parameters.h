@@ -8,13 +8,13 @@
 
 namespace tiprub {
 
-/// Which end of the tip line the interaction map looks at.
+/// An end of the tip line.
 enum class TipEdge { leading, trailing };
 
 /// The [postprocess] table of a case.
 struct PostprocessParameters {
   Component component = Component::normal;  ///< of the tip motion, in every amplitude
-  TipEdge edge = TipEdge::leading;          ///< contact node of the map, the spectra and the trackings
+  TipEdge edge = TipEdge::leading;          ///< whose map comes first; of the spectra and the trackings
   int families = 2;                         ///< modal families drawn
   int engine_order_max = 12;                ///< highest engine order drawn and listed
   double prominence = 0.25;                 ///< [1] of a peak's own amplitude, that it must stand above its valleys
@@ -33,5 +33,6 @@ PostprocessParameters read_postprocess_parameters(CaseTable& table);
 const char* name_of(Component component);
 /// "leading edge" or "trailing edge".
 const char* name_of(TipEdge edge);
+TipEdge other_than(TipEdge edge);
 
 }  // namespace tiprub

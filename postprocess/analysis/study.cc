@@ -50,8 +50,12 @@ void measure_amplitudes(Study& study) {
 }
 
 void map_waves(Study& study) {
-  study.map_node = study.parameters.edge == TipEdge::leading ? 0 : study.model.contact.size() - 1;
-  study.map = interaction_map(study.response, study.model.contact, study.map_node, study.parameters.component);
+  const auto map_of = [&](TipEdge edge) {
+    const int node = edge == TipEdge::leading ? 0 : study.model.contact.size() - 1;
+    return interaction_map(study.response, study.model.contact, node, study.parameters.component);
+  };
+  study.map = map_of(study.parameters.edge);
+  study.other_map = map_of(other_than(study.parameters.edge));
   study.ridges = find_ridges(study.map, study.curves, study.model.sector_count, study.parameters);
 }
 
@@ -109,7 +113,7 @@ Study make_study(const PostprocessParameters& parameters, ReducedModel model, Re
   map_contact(study);
   find_critical_speeds(study);
   score_linear_rules(study);
-  study.sweeps = compare_sweeps(study.response, study.model.contact, study.map_node, parameters.component, sweeps);
+  study.sweeps = compare_sweeps(study.response, study.model.contact, study.map.node, parameters.component, sweeps);
   return study;
 }
 

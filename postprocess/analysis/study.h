@@ -22,8 +22,8 @@ struct Study {
   SpeedRange range;
   FrequencyCurves curves;
   TipAmplitudes amplitudes{};
-  int map_node = 0;
-  InteractionMap map{};
+  InteractionMap map{};        ///< of the edge asked for: its spectra and trackings are drawn as well
+  InteractionMap other_map{};  ///< of the other edge
   std::vector<Ridge> ridges{};
   ContactMap leading_edge{}, trailing_edge{};
   ContactDrift leading_drift{}, trailing_drift{};

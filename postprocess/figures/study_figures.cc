@@ -4,8 +4,9 @@
 namespace tiprub {
 
 std::vector<Figure> study_figures(const Study& study) {
-  std::vector<Figure> figures = {interaction_map_figure(study),
-                                 response_figure(study),
+  std::vector<Figure> figures = {response_figure(study),
+                                 interaction_map_figure(study, study.parameters.edge),
+                                 interaction_map_figure(study, other_than(study.parameters.edge)),
                                  interaction_map_parts_figure(study),
                                  contact_map_figure(study, TipEdge::leading),
                                  contact_map_figure(study, TipEdge::trailing),
@@ -21,7 +22,7 @@ std::vector<Figure> study_figures(const Study& study) {
                                  engine_order_tracking_figure(study),
                                  waterfall_figure(study),
                                  casing_figure(study)};
-  if (!study.sweeps.empty()) figures.insert(figures.begin() + 2, sweeps_figure(study));
+  if (!study.sweeps.empty()) figures.insert(figures.begin() + 1, sweeps_figure(study));
   return figures;
 }
 

@@ -11,10 +11,10 @@ namespace tiprub {
 // One builder a figure; each says in its caption what is drawn and how.
 
 // maps/
-Figure interaction_map_figure(const Study& study);            ///< paper, fig. 22a
-Figure interaction_map_parts_figure(const Study& study);      ///< paper, fig. 22b-g
-Figure waterfall_figure(const Study& study);                  ///< paper, fig. 18a
-Figure contact_map_figure(const Study& study, TipEdge edge);  ///< paper, fig. 24
+Figure interaction_map_figure(const Study& study, TipEdge edge);  ///< paper, fig. 22a
+Figure interaction_map_parts_figure(const Study& study);          ///< paper, fig. 22b-g
+Figure waterfall_figure(const Study& study);                      ///< paper, fig. 18a
+Figure contact_map_figure(const Study& study, TipEdge edge);      ///< paper, fig. 24
 
 // speeds/
 Figure response_figure(const Study& study);                 ///< tip amplitude over speed, peaks labelled

@@ -200,7 +200,7 @@ def _(c):
 @check(56, "waterfall and interaction map of the same data, engine orders and modal lines on them; crossings listed")
 def _(c):
     case = c.any_case
-    waterfall, total = case.figure("waterfall"), case.figure("interaction_map")
+    waterfall, total = case.figure("waterfall"), case.figure("interaction_map_leading_edge")
     here = {(row["speed [rpm]"], row["frequency [Hz]"]): row["total [mm]"] for row in total}
     shared = [(row["total [mm]"], here[key]) for row in waterfall if (key := (row["speed [rpm]"], row["frequency [Hz]"])) in here]
     same = all(a == b for a, b in shared)

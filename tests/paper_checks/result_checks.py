@@ -28,7 +28,7 @@ def _(c):
 def _(c):
     good, text = c.tests.run(("postprocess-test", "InteractionMap.TotalIsTheSumOfItsParts"))
     worst = top = 0.0
-    for row in c.any_case.figure("interaction_map"):
+    for row in c.any_case.figure("interaction_map_leading_edge"):
         total = float(row["total [mm]"])
         parts = sum(float(value) for key, value in row.items() if key.startswith("nodal diameter"))
         worst, top = max(worst, abs(total - parts)), max(top, total)

@@ -21,8 +21,9 @@ namespace fs = std::filesystem;
 namespace tiprub {
 namespace {
 
-constexpr const char* figures[] = {"interaction_map",
-                                   "response",
+constexpr const char* figures[] = {"response",
+                                   "interaction_map_leading_edge",
+                                   "interaction_map_trailing_edge",
                                    "interaction_map_parts",
                                    "contact_map_leading_edge",
                                    "contact_map_trailing_edge",
@@ -71,8 +72,8 @@ TEST_F(Program, SameInputSameBytes) {
   ASSERT_EQ(run("case.toml model.h5 response.h5 -o one").exit_code, 0);
   ASSERT_EQ(run("case.toml model.h5 response.h5 -o two").exit_code, 0);
   EXPECT_EQ(text_of(folder_ / "one" / "report.html"), text_of(folder_ / "two" / "report.html"));
-  EXPECT_EQ(text_of(folder_ / "one/figures/interaction_map.png"),
-            text_of(folder_ / "two/figures/interaction_map.png"));
+  EXPECT_EQ(text_of(folder_ / "one/figures/interaction_map_leading_edge.png"),
+            text_of(folder_ / "two/figures/interaction_map_leading_edge.png"));
 }
 
 TEST_F(Program, ReplacesAnOldReport) {

@@ -10,11 +10,11 @@ namespace tiprub {
 
 namespace {
 
-Table map_table(const Study& study) {
+Table map_table(const Study& study, const InteractionMap& map) {
   Table table{{"speed [rpm]", "frequency [Hz]", "engine order", "total [mm]"}, {}};
   for (int n = 0; n <= study.model.nodal_diameter_max(); ++n)
     table.header.push_back("nodal diameter " + std::to_string(n) + " [mm]");
-  for (const MapColumn& column : study.map.columns)
+  for (const MapColumn& column : map.columns)
     for (int line = 0; line < column.spectrum.lines(); ++line) {
       const double order = column.spectrum.engine_order(line);
       if (order > study.parameters.engine_order_max) break;
@@ -26,10 +26,19 @@ Table map_table(const Study& study) {
   return table;
 }
 
-std::string what_is_drawn(const Study& study) {
-  return std::string("Amplitude of the ") + name_of(study.parameters.component) + " at the " +
-         name_of(study.parameters.edge) + " (contact node " + std::to_string(study.map_node) +
-         "), the sum over the nodal diameters, rotor frame, logarithmic colours.";
+/// "node 9, the trailing edge", "node 4 of 0 .. 9".
+std::string node_name(const Study& study, int node) {
+  const int last = study.model.contact.size() - 1;
+  const std::string text = "contact node " + std::to_string(node);
+  if (node == 0) return text + ", the leading edge";
+  return node == last ? text + ", the trailing edge" : text + " of 0 .. " + std::to_string(last);
+}
+
+std::string what_is_drawn(const Study& study, TipEdge edge) {
+  return std::string("Amplitude of the ") + name_of(study.parameters.component) + " at the " + name_of(edge) +
+         ", the sum over the nodal diameters, rotor frame, logarithmic colours, the same for both edges. The largest "
+         "amplitude of all speeds is at " +
+         node_name(study, study.amplitudes.node[study.worst]) + ".";
 }
 
 /// Where the families of nodal diameter 0 enter the map [Hz], those that do.
@@ -52,8 +61,7 @@ ScriptTable speeds_where(const Study& study, const char* name,
 }
 
 std::vector<ScriptTable> unusual_motion(const Study& study) {
-  return {speeds_where(study, "irregular",
-                       [](const SpeedResponse& response) { return !repeats(response.motion); }),
+  return {speeds_where(study, "irregular", [](const SpeedResponse& response) { return !repeats(response.motion); }),
           speeds_where(study, "subharmonic",
                        [](const SpeedResponse& response) { return response.motion == MotionClass::subharmonic; }),
           speeds_where(study, "breaking", [](const SpeedResponse& response) {
@@ -63,21 +71,26 @@ std::vector<ScriptTable> unusual_motion(const Study& study) {
 
 }  // namespace
 
-Figure interaction_map_figure(const Study& study) {
+Figure interaction_map_figure(const Study& study, TipEdge edge) {
+  const InteractionMap& map = edge == study.parameters.edge ? study.map : study.other_map;
+  const std::string where = edge == TipEdge::leading ? "leading" : "trailing";
   constexpr int columns = 700, rows = 480;
   Figure figure{
-      .drawing = {.name = "interaction_map", .width = 1000, .height = 640, .script = "interaction_map"},
-      .title = "Interaction map",
-      .caption = what_is_drawn(study) +
+      .drawing = {.name = "interaction_map_" + where + "_edge",
+                  .width = 1000,
+                  .height = 640,
+                  .script = "interaction_map"},
+      .title = "Interaction map, " + where + " edge",
+      .caption = what_is_drawn(study, edge) +
                  " White lines: engine orders f = k\xCE\xA9. Orange lines: natural frequencies of the first "
                  "families, all nodal diameters. A ridge glows where an engine order meets a mode that its nodal "
                  "diameter can drive. Marks at the foot: speeds whose motion is not the same every revolution, or at "
                  "which a nodal diameter that was left out would grow. Grey: speeds without a response.",
-      .data = map_table(study)};
+      .data = map_table(study, map)};
   set_map_axes(figure.drawing, study);
   figure.drawing.tables.push_back(family_labels(study));
   for (ScriptTable& marks : unusual_motion(study)) figure.drawing.tables.push_back(std::move(marks));
-  set_pixels(figure, map_pixels(study, columns, rows));
+  set_pixels(figure, map_pixels(study, map, columns, rows));
   return figure;
 }
 

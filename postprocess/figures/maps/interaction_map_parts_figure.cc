@@ -47,10 +47,10 @@ Figure interaction_map_parts_figure(const Study& study) {
                   .height = 70 + 330 * rows,
                   .script = "interaction_map_parts"},
       .title = "Interaction map by nodal diameter",
-      .caption =
-          "The parts whose sum is the interaction map, on the same colours; forward and backward waves of a "
-          "nodal diameter are added. Orange lines: the natural frequencies of that nodal diameter. The table "
-          "beside it lists the ridges: every wave's peaks over speed.",
+      .caption = std::string("The parts whose sum is the interaction map of the ") + name_of(study.parameters.edge) +
+                 ", on the same colours; forward and backward waves of a "
+                 "nodal diameter are added. Orange lines: the natural frequencies of that nodal diameter. The table "
+                 "beside it lists the ridges: every wave's peaks over speed.",
       .data = ridge_table(study)};
   set_map_axes(figure.drawing, study);
   std::vector<std::string> titles;

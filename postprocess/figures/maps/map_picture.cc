@@ -36,7 +36,7 @@ int line_at(const TravellingSpectrum& spectrum, double engine_order) {
 }
 
 /// `amplitude` [m] of a column's line on a grid [mm]; log scales don't know zero: the lowest colour stands for it.
-Eigen::MatrixXf gridded(const Study& study, int columns, int rows,
+Eigen::MatrixXf gridded(const Study& study, const InteractionMap& map, int columns, int rows,
                         const std::function<double(const MapColumn&, int line)>& amplitude) {
   const Eigen::VectorXi nearest = nearest_speeds(study, columns);
   const SpeedAxis axis = speed_axis(study);
@@ -47,7 +47,7 @@ Eigen::MatrixXf gridded(const Study& study, int columns, int rows,
       pixels.col(x).setConstant(std::nanf(""));
       continue;
     }
-    const MapColumn& column = study.map.columns[static_cast<std::size_t>(nearest[x])];
+    const MapColumn& column = map.columns[static_cast<std::size_t>(nearest[x])];
     const double revolutions_per_second =
         (axis.low + (axis.high - axis.low) * (x + 0.5) / columns) / seconds_per_minute;
     for (int y = 0; y < rows; ++y) {
@@ -70,7 +70,7 @@ double map_frequency_high(const Study& study) {
 }
 
 double map_amplitude_high(const Study& study) {
-  return std::max(study.map.largest() * mm_per_m, smallest_amplitude);
+  return std::max({study.map.largest() * mm_per_m, study.other_map.largest() * mm_per_m, smallest_amplitude});
 }
 
 double line_half_width(const TravellingSpectrum& spectrum) {
@@ -87,12 +87,12 @@ void set_map_axes(Drawing& drawing, const Study& study) {
       {{"frequency_high", map_frequency_high(study)}, {"amplitude_low", scale.low}, {"amplitude_high", scale.high}});
 }
 
-Eigen::MatrixXf map_pixels(const Study& study, int columns, int rows) {
-  return gridded(study, columns, rows, [](const MapColumn& column, int line) { return column.total[line]; });
+Eigen::MatrixXf map_pixels(const Study& study, const InteractionMap& map, int columns, int rows) {
+  return gridded(study, map, columns, rows, [](const MapColumn& column, int line) { return column.total[line]; });
 }
 
 Eigen::MatrixXf part_pixels(const Study& study, int nodal_diameter, int columns, int rows) {
-  return gridded(study, columns, rows,
+  return gridded(study, study.map, columns, rows,
                  [&](const MapColumn& column, int line) { return column.parts(line, nodal_diameter); });
 }
 

@@ -10,6 +10,8 @@ namespace tiprub {
 
 namespace {
 
+constexpr double smallest_amplitude = 1e-6;  // [mm] of a scale, where nothing moves
+
 int drawn_lines(const Study& study, const MapColumn& column) {
   return std::min(column.spectrum.lines() - 1, study.parameters.engine_order_max * column.spectrum.revolutions);
 }
@@ -48,10 +50,11 @@ Figure waterfall_figure(const Study& study) {
                                   column->total[line] * mm_per_m});
   }
   set_speed_axis(figure.drawing, speed_axis(study));
-  figure.drawing.values.insert(figure.drawing.values.end(), {{"frequency_high", map_frequency_high(study)},
-                                                             {"amplitude_high", map_amplitude_high(study)},
-                                                             {"speeds", static_cast<int>(speeds.size())},
-                                                             {"speed", speeds}});
+  figure.drawing.values.insert(figure.drawing.values.end(),
+                               {{"frequency_high", map_frequency_high(study)},
+                                {"amplitude_high", std::max(study.map.largest() * mm_per_m, smallest_amplitude)},
+                                {"speeds", static_cast<int>(speeds.size())},
+                                {"speed", speeds}});
   figure.drawing.tables.push_back(std::move(spectra));
   return figure;
 }

@@ -7,14 +7,14 @@ namespace tiprub {
 
 SectorSignal motion_of_sectors(const Study& study) {
   return {std::string("The ") + name_of(study.parameters.component) + ", " + name_of(study.parameters.edge), "mm",
-          tip_motion(study.shown_response(), study.response.scene, study.model.contact, study.map_node,
+          tip_motion(study.shown_response(), study.response.scene, study.model.contact, study.map.node,
                      study.parameters.component) *
               mm_per_m};
 }
 
 SectorSignal force_of_sectors(const Study& study) {
   return {std::string("The contact force at the ") + name_of(study.parameters.edge), "N",
-          tip_force(study.shown_response(), study.response.scene, study.map_node)};
+          tip_force(study.shown_response(), study.response.scene, study.map.node)};
 }
 
 std::string shown_speed_text(const Study& study) {

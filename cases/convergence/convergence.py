@@ -34,10 +34,10 @@ MESHES = {
 
 
 class Bench:
-    def __init__(self, programs, cases):
-        self.programs, self.case = programs, os.path.join("runs", "case.toml")
-        shutil.rmtree("runs", ignore_errors=True)
-        os.makedirs("runs")
+    def __init__(self, programs, cases, folder="runs"):
+        self.programs, self.folder, self.case = programs, folder, os.path.join(folder, "case.toml")
+        shutil.rmtree(folder, ignore_errors=True)
+        os.makedirs(folder)
         # Speeds come as a list: those that the case spaces evenly go.
         with open(os.path.join(cases, "impeller_quick", "case.toml"), encoding="utf-8") as file:
             simulate = file.read().partition("[simulate]")
@@ -46,22 +46,24 @@ class Bench:
             file.write("".join([*simulate[:2], *kept]))
 
     def run(self, program, inputs, output, table, keys):
+        """`inputs` may end with further options."""
         settings = [word for key, value in keys.items() for word in ("--set", f"{table}.{key}={value}")]
-        subprocess.run([os.path.join(self.programs, program), "-q", self.case, *inputs, "-o", output, *settings], check=True)
+        subprocess.run([os.path.join(self.programs, program), "-q", self.case, *inputs, "-o", output, *settings], check=True,
+                       stdout=subprocess.DEVNULL)
 
     def mesh(self, name, keys):
-        sector = os.path.join("runs", name + ".msh")
+        sector = os.path.join(self.folder, name + ".msh")
         self.run("tiprub-mesh", [], sector, "mesh", keys)
         return sector
 
     def model(self, name, sector, keys):
-        model = os.path.join("runs", name + ".h5")
+        model = os.path.join(self.folder, name + ".h5")
         self.run("tiprub-reduce", [sector], model, "reduce", keys)
         return model
 
     def motion(self, name, model, keys):
         """By speed: radial displacement of the leading edge of sector 0 over one period, and the motion's class."""
-        response = os.path.join("runs", name + "_response.h5")
+        response = os.path.join(self.folder, name + "_response.h5")
         self.run("tiprub-simulate", [model], response, "simulate",
                  {"speeds_rpm": SPEEDS_RPM, "samples_per_revolution": SAMPLES, **keys})
         with h5py.File(response) as file:

@@ -9,8 +9,8 @@ std::optional<MaterialStrength> read_material_strength(const CaseFile& file) {
   MaterialStrength strength;
   strength.ultimate = table.number("ultimate_strength", std::nullopt, Range::positive(), "Pa");
   strength.endurance = table.number("endurance_limit", std::nullopt, Range::positive(), "Pa, fully reversed");
-  if (table.has("yield_strength"))
-    strength.yield = table.number("yield_strength", std::nullopt, Range::positive(), "Pa");
+  const double yield = table.number("yield_strength", 0.0, Range::at_least(0), "Pa, 0: not given");
+  if (yield > 0) strength.yield = yield;
   table.close();
   return strength;
 }

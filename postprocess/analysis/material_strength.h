@@ -7,8 +7,8 @@
 
 namespace tiprub {
 
-/// The [material] table of a case: what the wheel's material bears. There are no defaults: strength depends on the
-/// heat treatment, the surface and the size of a part, so that no number would be right without being asked for.
+/// The [material] table of a case: what the wheel's material bears. There are no default strengths: they depend on
+/// heat treatment, surface and size of a part, so that no number would be right without being asked for.
 struct MaterialStrength {
   double ultimate = 0;          ///< [Pa] in tension
   double endurance = 0;         ///< [Pa] amplitude that it bears fully reversed, for as many cycles as are asked for

@@ -66,8 +66,8 @@ StressZones stress_zones(const SectorFields& sector, double tip_patch) {
     if (distance_to_line(place, line) <= length) zone = StressZone::tip_patch;
   }
   if (std::find(zones.at_node.begin(), zones.at_node.end(), StressZone::body) == zones.at_node.end())
-    throw InputError("no node is farther than " + std::to_string(1e3 * length) +
-                     " mm from the tip line or the clamp's edge; lower [postprocess] tip_patch_mm");
+    throw InputError("no node is farther than " + std::to_string(length) +
+                     " m from the tip line or the clamp's edge; lower [postprocess] tip_patch_mm");
   return zones;
 }
 

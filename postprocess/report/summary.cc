@@ -167,7 +167,7 @@ std::string fatigue_sentence(const FieldResults& fields) {
     if (peak && peak->cycle && (worst == nullptr || severity(*peak) > severity(*worst))) worst = &*peak;
   if (worst == nullptr) return "";
   const StressCycle& cycle = *worst->cycle;
-  return " A cycle wears the material most at " + rpm_text(worst->speed) + ": " + mpa(cycle.alternating) +
+  return " For fatigue the worst is " + rpm_text(worst->speed) + ": " + mpa(cycle.alternating) +
          " alternating about a mean of " + mpa(cycle.mean) + (cycle.where.empty() ? "" : ", " + cycle.where) +
          (cycle.goodman ? ", " + fixed(*cycle.goodman, 2) + " of what Goodman's rule allows" : "") + ".";
 }

@@ -12,6 +12,7 @@ namespace {
 constexpr const char* schema = "tiprub-fields";
 constexpr int schema_version = 1;
 constexpr int serendipity_nodes = 20, lagrange_nodes = 27;
+constexpr Eigen::Index slices_at_once = 16;  // columns of a product
 constexpr const char* required_sets[] = {"clamped", "contact", "cyclic_low", "cyclic_high"};
 
 std::string basis_of(int nodal_diameter) {
@@ -153,12 +154,17 @@ Eigen::MatrixXcd FieldsReader::expand(int nodal_diameter, const Eigen::MatrixXcd
     refuse(state_->file, name,
            "has " + std::to_string(dofs(nodal_diameter)) + " dofs, the model has " +
                std::to_string(amplitudes.rows()) + "; give the fields that were written with the model");
-  Eigen::MatrixXcd fields = Eigen::MatrixXcd::Zero(3 * state_->sector.nodes.cols(), amplitudes.cols());
-  for (Eigen::Index k = 0; k < amplitudes.rows(); ++k) {
-    const std::vector<std::complex<float>> slice = state_->file.read_slice(name, static_cast<std::size_t>(k));
-    const Eigen::Map<const Eigen::VectorXcf> shape(slice.data(), static_cast<Eigen::Index>(slice.size()));
-    for (Eigen::Index state = 0; state < amplitudes.cols(); ++state)
-      if (amplitudes(k, state) != 0.0) fields.col(state) += amplitudes(k, state) * shape.cast<std::complex<double>>();
+  const Eigen::Index size = 3 * state_->sector.nodes.cols();
+  Eigen::MatrixXcd fields = Eigen::MatrixXcd::Zero(size, amplitudes.cols());
+  Eigen::MatrixXcd shapes(size, slices_at_once);
+  for (Eigen::Index first = 0; first < amplitudes.rows(); first += slices_at_once) {
+    const Eigen::Index count = std::min(slices_at_once, amplitudes.rows() - first);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const std::vector<std::complex<float>> slice =
+          state_->file.read_slice(name, static_cast<std::size_t>(first + k));
+      shapes.col(k) = Eigen::Map<const Eigen::VectorXcf>(slice.data(), size).cast<std::complex<double>>();
+    }
+    fields += shapes.leftCols(count) * amplitudes.middleRows(first, count);
   }
   return fields;
 }

@@ -36,3 +36,12 @@ expect_message(check_of_fields_of_another_rotor ${other_fields} EXIT_CODE 2
                ERRORS "give the fields that were written with the model"
                ARGUMENTS case.toml model.h5 response.h5 --fields fields.h5 --check -o report)
 expect_message(check_writes_nothing ARGUMENTS case.toml model.h5 response.h5 -o report --check)
+
+expect_message(material_without_a_limit EXIT_CODE 2 ERRORS "[material] has no endurance_limit"
+               ARGUMENTS case.toml model.h5 response.h5 -o report --set material.ultimate_strength=9e8)
+expect_message(unknown_strength EXIT_CODE 2 ERRORS "known: ultimate_strength, endurance_limit, yield_strength"
+               ARGUMENTS case.toml model.h5 response.h5 -o report --set material.ultimate_strength=9e8
+                         --set material.endurance_limit=5e8 --set material.hardness=3)
+expect_message(tip_patch_as_large_as_the_wheel EXIT_CODE 2 ERRORS "lower [postprocess] tip_patch_mm"
+               INPUTS ${made}/case.toml ${made}/model.h5 ${made}/response.h5 ${made}/fields.h5
+               ARGUMENTS case.toml model.h5 response.h5 --fields fields.h5 -o report --set postprocess.tip_patch_mm=1000)

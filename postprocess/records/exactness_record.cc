@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
+#include <iterator>
+#include <utility>
 
 #include "postprocess/tables/units.h"
 #include "reduce/model/verification.h"
@@ -13,75 +14,164 @@ namespace tiprub {
 
 namespace {
 
-/// One row from a number of every speed; none where simulate didn't look.
+constexpr double frequency_limit = 1e-3;    // what a model is reduced for
+constexpr double step_limit = 5e-3;         // the default of [simulate] step_tolerance
+constexpr double settling_limit = 1e-4;     // the default of [simulate] settle_tolerance
+constexpr double energy_limit = 1e-6;       // the ledger closes to rounding
+constexpr double penetration_limit = 0.01;  // of the smallest running clearance
+constexpr double left_out_limit = 0.01;     // of the elastic energy
+constexpr double stable_growth = 1.0;       // a revolution
+constexpr double sweep_limit = 0.01;        // above it a sweep came to another motion (sweep_comparison.h)
+
+/// A number of a speed; none where simulate didn't look.
 using Number = std::function<std::optional<double>(const SpeedResponse&)>;
 
-std::vector<Cell> row_of(const Study& study, const std::string& check, const Number& number) {
-  std::optional<double> worst;
-  double worst_speed = 0;
-  int looked_at = 0;
+CheckVerdict verdict_of(const Check& check) {
+  if (check.looked_at == 0) return CheckVerdict::not_looked_at;
+  return check.beyond > 0 ? CheckVerdict::failed : CheckVerdict::passed;
+}
+
+Check check_speeds(const Study& study, const std::string& subject, const std::string& what, double limit,
+                   const Number& number) {
+  Check check{
+      .subject = subject, .what = what, .limit = limit, .speeds = static_cast<int>(study.response.speeds.size())};
   for (const SpeedResponse& speed : study.response.speeds) {
     const std::optional<double> here = number(speed);
     if (!here) continue;
-    ++looked_at;
-    if (worst && std::abs(*here) <= *worst) continue;
-    worst = std::abs(*here);
-    worst_speed = speed.speed * rpm_per_rad_s;
+    ++check.looked_at;
+    if (!(std::abs(*here) <= limit)) ++check.beyond;
+    if (check.worst && std::abs(*here) <= *check.worst) continue;
+    check.worst = std::abs(*here);
+    check.speed = speed.speed;
   }
-  if (!worst) return {check, std::string(), std::string(), 0};
-  return {check, *worst, *worst > 0 ? Cell(worst_speed) : Cell(std::string()), looked_at};
+  check.verdict = verdict_of(check);
+  return check;
 }
 
-void append_model(Table& table, const ReducedModel& model) {
+/// The model's own speeds are few; which of them are beyond the limit isn't told, only whether the worst is.
+Check check_model(const std::string& what, const Eigen::VectorXd& speeds, double worst, double speed) {
+  const auto count = static_cast<int>(speeds.size());
+  return {.subject = "model",
+          .what = what,
+          .limit = frequency_limit,
+          .worst = worst,
+          .speed = speed,
+          .looked_at = count,
+          .speeds = count,
+          .beyond = worst <= frequency_limit ? 0 : 1,
+          .verdict = worst <= frequency_limit ? CheckVerdict::passed : CheckVerdict::failed};
+}
+
+std::vector<Check> model_checks(const ReducedModel& model) {
   const ModelError error = model_error(model);
-  const auto speeds = static_cast<int>(model.verification.speeds.size());
+  const Verification& verification = model.verification;
   if (error.frequencies == 0)
-    table.rows.push_back(
-        {std::string("model: frequencies against the unreduced sector [1]"), std::string(), std::string(), speeds});
-  else
-    table.rows.push_back({"model: the wheel's first " + std::to_string(error.frequencies) +
-                              " frequencies against the unreduced sector [1]",
-                          error.error, error.speed * rpm_per_rad_s, speeds});
-  const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
-  if (misfit.size() == 0) return;
+    return {{.subject = "model", .what = "frequencies against the unreduced sector [1]", .limit = frequency_limit}};
+  std::vector<Check> checks = {check_model(
+      "the wheel's first " + std::to_string(error.frequencies) + " frequencies against the unreduced sector [1]",
+      verification.speeds, error.error, error.speed)};
+  const Eigen::MatrixXd& misfit = verification.polynomial_misfit;
+  if (misfit.size() == 0) return checks;
   Eigen::Index row = 0, column = 0;
   const double largest = misfit.maxCoeff(&row, &column);
-  table.rows.push_back(
-      {std::string("model: frequencies by the polynomial stiffness (eq. 7) alone, between its speeds [1]"), largest,
-       model.verification.speeds[row] * rpm_per_rad_s, speeds});
+  checks.push_back(check_model("frequencies by the polynomial stiffness (eq. 7) alone, between its speeds [1]",
+                               verification.speeds, largest, verification.speeds[row]));
+  return checks;
+}
+
+std::vector<Check> march_checks(const Study& study) {
+  return {
+      check_speeds(study, "time step", "relative change by the last halving [1]", step_limit,
+                   [](const SpeedResponse& speed) { return speed.audit.halving_difference; }),
+      check_speeds(study, "settling", "relative change over the last period, of settled motions [1]", settling_limit,
+                   [](const SpeedResponse& speed) -> std::optional<double> {
+                     if (!speed.settled()) return {};
+                     return speed.change;
+                   }),
+      check_speeds(study, "unsettled motion", "1 where the motion repeats itself within no whole revolutions", 0,
+                   [](const SpeedResponse& speed) { return speed.settled() ? 0.0 : 1.0; }),
+      check_speeds(study, "energy", "closing error of the balance [1]", energy_limit,
+                   [](const SpeedResponse& speed) { return speed.energy.closing_error; }),
+      check_speeds(study, "massless and truncated modes", "share of the elastic energy [1]", left_out_limit,
+                   [](const SpeedResponse& speed) { return speed.audit.left_out_energy; })};
+}
+
+double smallest_clearance(const Study& study) {
+  double smallest = study.response.speeds.front().clearance.minCoeff();
+  for (const SpeedResponse& speed : study.response.speeds) smallest = std::min(smallest, speed.clearance.minCoeff());
+  return std::abs(smallest);
+}
+
+std::vector<Check> contact_checks(const Study& study) {
+  return {check_speeds(study, "penetration", "of a node into the casing [mm]",
+                       penetration_limit * smallest_clearance(study) * mm_per_m,
+                       [](const SpeedResponse& speed) { return speed.largest_penetration * mm_per_m; }),
+          check_speeds(study, "steps left in penetration", "recorded steps that end with a node in the casing", 0,
+                       [](const SpeedResponse& speed) { return static_cast<double>(speed.audit.leftover_steps); }),
+          check_speeds(study, "tension", "tensile share of the contact force [1]", 0,
+                       [](const SpeedResponse& speed) { return speed.audit.tension_share; })};
+}
+
+/// The verdicts are simulate's own: it knows how sure its growth is.
+Check symmetry_check(const Study& study) {
+  Check check = check_speeds(study, "symmetry", "growth per revolution of the nodal diameters left out [1]",
+                             stable_growth, [](const SpeedResponse& speed) { return speed.audit.excluded_growth; });
+  if (check.looked_at == 0) return check;
+  const auto count = [&](SymmetryVerdict verdict) {
+    const auto& speeds = study.response.speeds;
+    return static_cast<int>(std::count_if(
+        speeds.begin(), speeds.end(), [&](const SpeedResponse& speed) { return speed.audit.symmetry == verdict; }));
+  };
+  check.beyond = count(SymmetryVerdict::breaking);
+  check.verdict = check.beyond > 0                        ? CheckVerdict::failed
+                  : count(SymmetryVerdict::undecided) > 0 ? CheckVerdict::undecided
+                                                          : CheckVerdict::passed;
+  return check;
 }
 
 }  // namespace
 
-Table exactness_record(const Study& study) {
-  Table table{{"check", "worst", "at [rpm]", "speeds looked at"}, {}};
-  append_model(table, study.model);
-  const auto add = [&](const char* check, const Number& number) {
-    table.rows.push_back(row_of(study, check, number));
+std::string name_of(CheckVerdict verdict) {
+  switch (verdict) {
+    case CheckVerdict::passed:
+      return "yes";
+    case CheckVerdict::failed:
+      return "no";
+    case CheckVerdict::undecided:
+      return "undecided";
+    case CheckVerdict::not_looked_at:
+      return "not looked at";
+  }
+  return "";
+}
+
+std::vector<Check> exactness_checks(const Study& study) {
+  std::vector<Check> checks = model_checks(study.model);
+  const auto append = [&](std::vector<Check> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(checks));
   };
-  add("time step: relative change by the last halving [1]",
-      [](const SpeedResponse& speed) { return speed.audit.halving_difference; });
-  add("settling: relative change over the last period, of settled motions [1]",
-      [](const SpeedResponse& speed) -> std::optional<double> {
-        if (!speed.settled()) return {};
-        return speed.change;
-      });
-  add("energy: closing error of the balance [1]",
-      [](const SpeedResponse& speed) { return speed.energy.closing_error; });
-  add("contact: penetration into the casing [mm]",
-      [](const SpeedResponse& speed) { return speed.largest_penetration * mm_per_m; });
-  add("contact: recorded steps that end with a node in penetration",
-      [](const SpeedResponse& speed) { return static_cast<double>(speed.audit.leftover_steps); });
-  add("contact: tensile share of the contact force [1]",
-      [](const SpeedResponse& speed) { return speed.audit.tension_share; });
-  add("massless and truncated modes: share of the elastic energy [1]",
-      [](const SpeedResponse& speed) { return speed.audit.left_out_energy; });
-  add("symmetry: growth per revolution of the nodal diameters left out, stable below 1 [1]",
-      [](const SpeedResponse& speed) { return speed.audit.excluded_growth; });
-  if (std::any_of(study.response.speeds.begin(), study.response.speeds.end(),
-                  [](const SpeedResponse& speed) { return speed.audit.rest_difference.has_value(); }))
-    add("sweep: relative difference from the response from rest [1]",
-        [](const SpeedResponse& speed) { return speed.audit.rest_difference; });
+  append(march_checks(study));
+  append(contact_checks(study));
+  const bool all_held =
+      std::all_of(study.response.speeds.begin(), study.response.speeds.end(),
+                  [](const SpeedResponse& speed) { return speed.audit.symmetry == SymmetryVerdict::all_held; });
+  if (!all_held) checks.push_back(symmetry_check(study));
+  Check sweep = check_speeds(study, "sweep", "relative difference from the response from rest [1]", sweep_limit,
+                             [](const SpeedResponse& speed) { return speed.audit.rest_difference; });
+  if (sweep.looked_at > 0) checks.push_back(std::move(sweep));  // of a response that is a sweep
+  return checks;
+}
+
+Table exactness_record(const Study& study) {
+  Table table{{"check", "limit", "worst of those looked at", "at [rpm]", "passed", "speeds looked at", "speeds",
+               "speeds beyond the limit"},
+              {}};
+  for (const Check& check : exactness_checks(study)) {
+    const Cell none = std::string();
+    table.rows.push_back({check.subject + ": " + check.what, check.limit, check.worst ? Cell(*check.worst) : none,
+                          check.worst && *check.worst > 0 ? Cell(check.speed * rpm_per_rad_s) : none,
+                          name_of(check.verdict), check.looked_at, check.speeds, check.beyond});
+  }
   return table;
 }
 

@@ -226,7 +226,7 @@ TEST(FieldsFile, ExpandsWhatItTook) {
   SectorFields sector = sector_of_bricks(20);
   sector.parts = {{"disc", {0}}, {"main_blade", {1}}};
   sector.static_displacement_1.setRandom();
-  const Eigen::Index dofs = 5, size = 3 * sector.nodes.cols();
+  const Eigen::Index dofs = 37, size = 3 * sector.nodes.cols();
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "tiprub_fields_test.h5";
   std::vector<Eigen::MatrixXcd> bases;
   {

@@ -14,6 +14,7 @@
 #include "postprocess/records/critical_speed_record.h"
 #include "postprocess/report/report_folder.h"
 #include "postprocess/report/summary.h"
+#include "postprocess/report/verdict.h"
 #include "postprocess/tables/interruption.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
@@ -75,8 +76,11 @@ void report(const StageArguments& arguments, const ReportContents& contents) {
   const Study& study = contents.study;
   std::printf("%s", aligned_text(critical_speed_overview(study, contents.field_results)).c_str());
   std::fflush(stdout);
-  if (arguments.verbosity == Verbosity::verbose)
+  if (arguments.verbosity == Verbosity::verbose) {
+    for (const Answer& answer : verdict(study, contents.field_results))
+      say(arguments, answer.question + ": " + answer.text);
     for (const std::string& line : summary(study, contents.field_results)) say(arguments, line);
+  }
   say(arguments, (arguments.output / "report.html").lexically_normal().string() + ": " +
                      std::to_string(study.critical.size()) + " critical speeds, " +
                      std::to_string(study.response.speeds.size()) + " speeds, " +

@@ -106,4 +106,19 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
   return all;
 }
 
+OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, const SpeedRange& operating,
+                                 double smallest_amplitude) {
+  OperatingMargin margin;
+  for (const CriticalSpeed& peak : critical) {  // ascending in speed
+    if (peak.amplitude < smallest_amplitude) continue;
+    if (peak.speed < operating.low)
+      margin.below = {peak.speed, (operating.low - peak.speed) / operating.low};
+    else if (peak.speed <= operating.high)
+      margin.inside.push_back(peak.speed);
+    else if (!margin.above)
+      margin.above = {peak.speed, (peak.speed - operating.high) / operating.high};
+  }
+  return margin;
+}
+
 }  // namespace tiprub

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "postprocess/analysis/linear_criterion.h"
 #include "postprocess/analysis/peaks.h"
 #include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/waves/wave_label.h"
@@ -47,5 +49,21 @@ struct CriticalSpeed {
 std::vector<CriticalSpeed> critical_speeds(const Response& response, const ContactLine& contact,
                                            const TipAmplitudes& amplitudes, const FrequencyCurves& curves,
                                            const PostprocessParameters& parameters);
+
+/// How far an end of the operating range is from the nearest critical speed outside it.
+struct SpeedMargin {
+  double speed = 0;   ///< [rad/s] the critical one
+  double margin = 0;  ///< [1] of the speed at that end of the range
+};
+
+/// Critical speeds and the speeds at which a wheel is to run.
+struct OperatingMargin {
+  std::vector<double> inside;               ///< [rad/s] critical speeds in the range, its ends included
+  std::optional<SpeedMargin> below, above;  ///< the nearest outside; nothing if there is none
+};
+
+/// Critical speeds with less than `smallest_amplitude` [m] don't count.
+OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, const SpeedRange& operating,
+                                 double smallest_amplitude);
 
 }  // namespace tiprub

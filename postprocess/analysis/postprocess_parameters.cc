@@ -22,6 +22,14 @@ PostprocessParameters read_postprocess_parameters(CaseTable& table) {
       table.number("amplitude_max_mm", p.amplitude_max_mm, Range::at_least(0), "mm, 0: the largest amplitude");
   p.shown_speed_rpm = table.number("shown_speed_rpm", p.shown_speed_rpm, Range::at_least(0),
                                    "rpm, 0: the largest amplitude that repeats every revolution");
+  p.operating_min_rpm = table.number("operating_min_rpm", p.operating_min_rpm, Range::at_least(0), "rpm");
+  p.operating_max_rpm = table.number("operating_max_rpm", p.operating_max_rpm, Range::at_least(0),
+                                     "rpm, 0: no operating range is given");
+  if (p.operating_min_rpm > p.operating_max_rpm)
+    table.reject(table.has("operating_max_rpm") ? "operating_max_rpm" : "operating_min_rpm",
+                 "operating_max_rpm must be at least operating_min_rpm");
+  p.operating_amplitude_mm =
+      table.number("operating_amplitude_mm", p.operating_amplitude_mm, Range::at_least(0), "mm, that count");
   p.response_up = table.text("response_up", p.response_up);
   p.response_down = table.text("response_down", p.response_down);
   p.tip_patch_mm =

@@ -23,7 +23,10 @@ struct PostprocessParameters {
   double shown_speed_rpm = 0;  ///< [rpm] motion, force and bars are drawn at the nearest speed; 0: see Study::shown
   std::string response_up, response_down;  ///< this case swept up and down, relative to the case; empty: not compared
   double amplitude_max_mm = 0;             ///< [mm] upper colour limit of the maps; 0: the largest amplitude
-  double tip_patch_mm = 0;                 ///< [mm] from the tip line, where stress isn't read; 0: see StressZones
+  /// [rpm] the speeds at which the wheel is to run, for the margin; 0: not given
+  double operating_min_rpm = 0, operating_max_rpm = 0;
+  double operating_amplitude_mm = 0;  ///< [mm] critical speeds with less don't count for the margin
+  double tip_patch_mm = 0;            ///< [mm] from the tip line, where stress isn't read; 0: see StressZones
 };
 
 /// Raises InputError at a key that is unknown or out of its range.

@@ -161,6 +161,13 @@ PeakColumns rounded_cycle_columns() {
           })};
 }
 
+PeakColumns shown_stress_columns(const FieldResults& fields) {
+  PeakColumns columns;
+  if (fields.has_stress()) columns = rounded_stress_columns();
+  if (fields.has_cycles()) columns = joined<PeakRow>({columns, rounded_cycle_columns()});
+  return columns;
+}
+
 }  // namespace
 
 Table critical_speed_record(const Study& study, const FieldResults& fields) {
@@ -170,10 +177,16 @@ Table critical_speed_record(const Study& study, const FieldResults& fields) {
 }
 
 Table critical_speed_overview(const Study& study, const FieldResults& fields) {
-  PeakColumns columns = rounded_columns();
-  if (fields.has_stress()) columns = joined<PeakRow>({columns, rounded_stress_columns()});
-  if (fields.has_cycles()) columns = joined<PeakRow>({columns, rounded_cycle_columns()});
-  return table_of(columns, peaks_of(study, fields));
+  return table_of(joined<PeakRow>({rounded_columns(), shown_stress_columns(fields)}), peaks_of(study, fields));
+}
+
+Table critical_speed_motions(const Study& study) {
+  return table_of(rounded_columns(), peaks_of(study, field_results(std::nullopt, study.critical)));
+}
+
+Table critical_speed_stresses(const Study& study, const FieldResults& fields) {
+  return table_of(joined<PeakRow>({{rounded_columns().front()}, shown_stress_columns(fields)}),
+                  peaks_of(study, fields));
 }
 
 }  // namespace tiprub

@@ -53,6 +53,13 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
+std::string definitions(const std::vector<std::pair<std::string, std::string>>& entries) {
+  std::string text = "<dl>";
+  for (const auto& [name, meaning] : entries)
+    text += "<dt>" + escaped(name) + "</dt><dd>" + escaped(meaning) + "</dd>\n";
+  return text + "</dl>\n";
+}
+
 std::string table(const Table& table) {
   std::string text = "<div class=\"scroll\"><table><thead><tr>";
   for (const std::string& name : table.header) text += "<th>" + escaped(name) + "</th>";

@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "postprocess/tables/table.h"
 
@@ -11,6 +13,9 @@ namespace tiprub::html {
 
 /// Text with the letters that HTML would read as its own replaced.
 std::string escaped(const std::string& text);
+
+/// Names and what they mean, a list.
+std::string definitions(const std::vector<std::pair<std::string, std::string>>& entries);
 
 /// A table with a head; numbers to the right, texts to the left.
 std::string table(const Table& table);

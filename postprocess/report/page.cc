@@ -15,6 +15,7 @@
 #include "postprocess/records/sweep_record.h"
 #include "postprocess/report/html.h"
 #include "postprocess/report/summary.h"
+#include "postprocess/report/verdict.h"
 #include "postprocess/tables/base64.h"
 #include "postprocess/tables/units.h"
 
@@ -26,6 +27,7 @@ namespace {
 constexpr const char* left_out_always =
     "left out: friction at the tips, a casing that yields or wears, Coriolis terms, differences between the blades, "
     "heat and gas";
+constexpr const char* response_figure_name = "response";
 constexpr const char* dot = " \xC2\xB7 ";
 
 /// The licence stays with the source.
@@ -75,15 +77,10 @@ std::string stress_note(const FieldResults& fields) {
               : "");
 }
 
-/// "running clearances 0.120 .. 0.130 mm", over the tip line and the speeds.
-std::string running_clearances(const Response& response) {
-  double low = response.speeds.front().clearance.minCoeff(), high = response.speeds.front().clearance.maxCoeff();
-  for (const SpeedResponse& speed : response.speeds) {
-    low = std::min(low, speed.clearance.minCoeff());
-    high = std::max(high, speed.clearance.maxCoeff());
-  }
-  return "running clearances " + fixed(low * mm_per_m, 3) + " .. " + fixed(high * mm_per_m, 3) + " mm, given " +
-         (response.scene.clearance_state == "cold" ? "cold" : "at speed");
+std::string answers(const std::vector<Answer>& list) {
+  std::vector<std::pair<std::string, std::string>> entries;
+  for (const Answer& answer : list) entries.emplace_back(answer.question, answer.text);
+  return html::definitions(entries);
 }
 
 std::string scene_items(const Study& study, const FieldResults& fields) {
@@ -99,18 +96,31 @@ std::string scene_items(const Study& study, const FieldResults& fields) {
   return text + item(std::string(left_out_always) + ".");
 }
 
+/// With its heading, so that neither stands alone on a printed page.
+std::string figure_section(const Figure& figure, const std::filesystem::path& folder) {
+  const std::string &name = figure.drawing.name, file = "figures/" + name;
+  std::string text = "<section><h2 id=\"" + name + "\">" + html::escaped(figure.title) +
+                     "</h2>\n<figure><img alt=\"" + html::escaped(figure.title) +
+                     "\" src=\"data:image/svg+xml;base64," + base64(read_text(folder / (file + ".svg"))) +
+                     "\"><figcaption>" + html::escaped(figure.caption) + " " + link(file + ".csv", "data") + dot +
+                     link(file + ".svg", "SVG") + dot + link(file + ".png", "PNG");
+  for (const std::string& field : figure.fields) text += dot + link(field);
+  return text + "</figcaption></figure></section>\n";
+}
+
+/// All but the response, which stands at the top of the page.
 std::string figure_sections(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
   std::string text;
-  for (const Figure& figure : figures) {
-    const std::string &name = figure.drawing.name, file = "figures/" + name;
-    text += "<h2 id=\"" + name + "\">" + html::escaped(figure.title) + "</h2>\n<figure><img alt=\"" +
-            html::escaped(figure.title) + "\" src=\"data:image/svg+xml;base64," +
-            base64(read_text(folder / (file + ".svg"))) + "\"><figcaption>" + html::escaped(figure.caption) + " " +
-            link(file + ".csv", "data") + dot + link(file + ".svg", "SVG") + dot + link(file + ".png", "PNG");
-    for (const std::string& field : figure.fields) text += dot + link(field);
-    text += "</figcaption></figure>\n";
-  }
+  for (const Figure& figure : figures)
+    if (figure.drawing.name != response_figure_name) text += figure_section(figure, folder);
   return text;
+}
+
+std::string response_section(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+  const auto response = std::find_if(figures.begin(), figures.end(), [](const Figure& figure) {
+    return figure.drawing.name == response_figure_name;
+  });
+  return response == figures.end() ? "" : figure_section(*response, folder);
 }
 
 std::string figure_links(const std::vector<Figure>& figures) {
@@ -151,8 +161,12 @@ std::string report_page(const Study& study, const FieldResults& fields, const Re
        {"script", without_first_line(files::page_js)},
        {"speed_low", rpm_text(study.range.low)},
        {"speed_high", rpm_text(study.range.high)},
+       {"verdict", answers(verdict(study, fields))},
+       {"brief_scene", answers(scene_in_brief(study, source.case_text))},
+       {"response", response_section(figures, folder)},
        {"summary", paragraphs(summary(study, fields))},
-       {"critical_speeds", none ? "<p>None.</p>" : html::table(critical_speed_overview(study, fields))},
+       {"critical_speeds", none ? "<p>None.</p>" : html::table(critical_speed_motions(study))},
+       {"critical_stresses", none || !fields.has_stress() ? "" : html::table(critical_speed_stresses(study, fields))},
        {"stress_note", stress_note(fields)},
        {"figure_links", figure_links(figures)},
        {"scene", scene_items(study, fields)},

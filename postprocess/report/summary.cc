@@ -16,34 +16,6 @@ namespace {
 
 constexpr double percent = 100.0;
 
-std::string wave_sentence(const CriticalSpeed& critical) {
-  const WaveLabel& wave = critical.rising;
-  return "family " + std::to_string(wave.family + 1) + " on nodal diameter " +
-         std::to_string(std::abs(wave.signed_nodal_diameter)) + ", driven by " +
-         engine_order_name(wave.engine_order) + " as a " + name_of(wave.direction) + " wave";
-}
-
-std::string critical_sentence(const Study& study) {
-  const std::string range = rpm_text(study.range.low) + " and " + rpm_text(study.range.high);
-  if (study.critical.empty())
-    return "No critical speed between " + range + ": the amplitude has no peak that stands out.";
-  const auto worst =
-      std::max_element(study.critical.begin(), study.critical.end(),
-                       [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.amplitude < b.amplitude; });
-  return counted(study.critical.size(), "critical speed") + " between " + range + ". The worst is " +
-         rpm_text(worst->speed) + " with " + fixed(worst->amplitude * mm_per_m, 3) + " mm: " + wave_sentence(*worst) +
-         ".";
-}
-
-std::string edge_sentence(const Study& study) {
-  std::string text;
-  for (const Eigen::Index end : rising_ends(study.amplitudes.largest, study.parameters.prominence))
-    text += (text.empty() ? "The amplitude still rises towards " : " and ") +
-            rpm_text(study.response.speeds[static_cast<std::size_t>(end)].speed) + " (" +
-            fixed(study.amplitudes.largest[end] * mm_per_m, 3) + " mm)";
-  return text.empty() ? "" : text + ": a peak may lie outside the simulated speeds.";
-}
-
 std::string rule_sentence(const Study& study) {
   if (study.critical.empty()) return "";
   const auto part = [](const RuleScore& score) {
@@ -201,9 +173,9 @@ std::string counted(std::size_t count, const std::string& what) {
 
 std::vector<std::string> summary(const Study& study, const FieldResults& fields) {
   std::vector<std::string> lines;
-  for (const std::string& line : {critical_sentence(study), stress_sentence(fields), edge_sentence(study),
-                                  rule_sentence(study), model_sentence(study), steadiness_sentence(study),
-                                  unusual_sentence(study), sweep_sentence(study), share_sentence(study)})
+  for (const std::string& line :
+       {stress_sentence(fields), rule_sentence(study), model_sentence(study), steadiness_sentence(study),
+        unusual_sentence(study), sweep_sentence(study), share_sentence(study)})
     if (!line.empty()) lines.push_back(line);
   return lines;
 }

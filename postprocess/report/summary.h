@@ -8,8 +8,8 @@
 
 namespace tiprub {
 
-/// The findings in words: how many critical speeds, which is the worst and why, what the linear rules missed, how far
-/// the numbers may be trusted. One sentence a line.
+/// What else was found, beside the verdict, in words: stress, what the linear rules missed, how far the numbers may
+/// be trusted, what is unusual. One paragraph a line.
 std::vector<std::string> summary(const Study& study, const FieldResults& fields);
 
 /// "1 speed", "3 speeds".

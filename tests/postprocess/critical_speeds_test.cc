@@ -62,5 +62,35 @@ TEST(CriticalSpeeds, TellTheOtherLargeWaves) {
   }
 }
 
+std::vector<CriticalSpeed> peaks_at(const std::vector<std::pair<double, double>>& speeds_and_amplitudes) {
+  std::vector<CriticalSpeed> critical;
+  for (const auto& [speed, amplitude] : speeds_and_amplitudes) {
+    critical.emplace_back();
+    critical.back().speed = speed;
+    critical.back().amplitude = amplitude;
+  }
+  return critical;
+}
+
+TEST(OperatingMargin, IsToTheNearestCriticalSpeedOutside) {
+  const auto critical = peaks_at({{800, 2e-4}, {900, 1e-4}, {1000, 3e-4}, {1500, 1e-4}, {2200, 2e-4}, {2500, 2e-4}});
+  const OperatingMargin margin = operating_margin(critical, {1000, 2000}, 0);
+  EXPECT_EQ(margin.inside, (std::vector<double>{1000, 1500}));  // the ends count
+  ASSERT_TRUE(margin.below && margin.above);
+  EXPECT_EQ(margin.below->speed, 900);
+  EXPECT_NEAR(margin.below->margin, 0.1, rounding);
+  EXPECT_EQ(margin.above->speed, 2200);
+  EXPECT_NEAR(margin.above->margin, 0.1, rounding);
+}
+
+TEST(OperatingMargin, LeavesSmallOnesOut) {
+  const auto critical = peaks_at({{800, 2e-4}, {900, 1e-4}, {1500, 1e-4}});
+  const OperatingMargin margin = operating_margin(critical, {1000, 2000}, 1.5e-4);
+  EXPECT_TRUE(margin.inside.empty());
+  ASSERT_TRUE(margin.below);
+  EXPECT_EQ(margin.below->speed, 800);
+  EXPECT_FALSE(margin.above);
+}
+
 }  // namespace
 }  // namespace tiprub

@@ -10,6 +10,8 @@ set(message_defaults PROGRAM $<TARGET_FILE:tiprub-postprocess> ARGUMENTS case.to
 
 expect_message(unknown_key KEY families LINE "colour = 3" EXIT_CODE 2 ERRORS "case.toml:4:1: unknown key \"colour\"")
 expect_message(value_out_of_range KEY families LINE "families = 0" EXIT_CODE 2 ERRORS "families = 0 must be")
+expect_message(operating_range_upside_down KEY families LINE "operating_min_rpm = 9000" EXIT_CODE 2
+               ERRORS "operating_max_rpm must be at least operating_min_rpm")
 expect_message(no_case ARGUMENTS nowhere.toml model.h5 response.h5 -o report EXIT_CODE 1
                ERRORS "nowhere.toml: can't be read")
 expect_message(no_response ARGUMENTS case.toml model.h5 nowhere.h5 -o report EXIT_CODE 1 ERRORS "nowhere.h5")

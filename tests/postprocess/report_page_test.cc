@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "postprocess/tables/table.h"
 #include "program_fixture.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
@@ -183,6 +184,34 @@ TEST_F(Page, MarksWhatFails) {
   EXPECT_EQ(rows["model"]["passed"], "not looked at");
   EXPECT_EQ(rows["energy"]["passed"], "no");  // the made ledgers close to 2e-4
   EXPECT_EQ(rows["penetration"]["passed"], "yes");
+}
+
+/// The page begins with what a designer asks first: how bad, where, why, how far from where the wheel runs, and how
+/// far to trust it.
+TEST_F(Page, BeginsWithTheVerdict) {
+  ASSERT_EQ(run("case.toml model.h5 response.h5 -o operated --set postprocess.operating_min_rpm=12000 --set "
+                "postprocess.operating_max_rpm=14000")
+                .exit_code,
+            0);
+  const std::string page = text_of(folder_ / "operated" / "report.html");
+  const std::string first = page.substr(0, page.find("<figure>"));
+  const auto peaks = rows_of(folder_ / "operated" / "critical_speeds.csv");
+  const auto worst = *std::max_element(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) {
+    return std::stod(a.at("amplitude [mm]")) < std::stod(b.at("amplitude [mm]"));
+  });
+  const auto rounded = [&](const char* column, int digits) { return fixed(std::stod(worst.at(column)), digits); };
+  const std::string above = fixed(100 * (std::stod(worst.at("speed [rpm]")) / 14000 - 1), 1);
+  for (const std::string& phrase :
+       {"at " + rounded("speed [rpm]", 0) + " rpm, moves the tip by " + rounded("amplitude [mm]", 3) + " mm",
+        std::string("contact node 0 of 0 .. 3 (leading edge)"),
+        std::string("EO 6 drives family 1 on nodal diameter 4 as a forward wave"),
+        fixed(100 * std::stod(worst.at("wave share [1]")), 0) + " % of the amplitude",
+        "the next above, " + rounded("speed [rpm]", 0) + " rpm, is " + above + " % away",
+        std::string("Failed: unsettled motion (1 speed of 47), energy (0.0002 at "),
+        std::string("2 lobes, 0.300 mm inward at the crest"), std::string("-0.020 .. 0.040 mm")})
+    EXPECT_NE(first.find(phrase), std::string::npos) << phrase << "\n" << first.substr(first.find("class=\"lead\""));
+  EXPECT_NE(text_of(folder_ / "without" / "report.html").find("the case gives no operating range"),
+            std::string::npos);
 }
 
 TEST_F(Page, SaysThatThereAreNoFields) {

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/report/verdict.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "postprocess/records/exactness_record.h"
+#include "postprocess/report/summary.h"
+#include "postprocess/tables/table.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double percent = 100.0;
+
+std::string mm(double length) {
+  return fixed(length * mm_per_m, 3) + " mm";
+}
+
+std::string mpa(double stress) {
+  return fixed(stress * mpa_per_pa, 0) + " MPa";
+}
+
+/// The critical speed with the largest amplitude; its index, or none.
+std::optional<std::size_t> worst_critical(const Study& study) {
+  const auto worst =
+      std::max_element(study.critical.begin(), study.critical.end(),
+                       [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.amplitude < b.amplitude; });
+  if (worst == study.critical.end()) return std::nullopt;
+  return static_cast<std::size_t>(worst - study.critical.begin());
+}
+
+/// "0.265 mm, 2.2 times the running clearance there": half of the peak-to-peak at a speed.
+std::string amplitude_text(const Study& study, Eigen::Index speed) {
+  const double amplitude = study.amplitudes.largest[speed];
+  const double clearance =
+      study.response.speeds[static_cast<std::size_t>(speed)].clearance[study.amplitudes.node[speed]];
+  return mm(amplitude) + (clearance > 0 ? ", " + fixed(amplitude / clearance, 1) +
+                                              " times the running clearance there (" + mm(clearance) + ")"
+                                        : "");
+}
+
+std::string stress_text(const std::optional<FieldPeak>& peak) {
+  if (!peak) return "";
+  std::string text =
+      " Its vibration stresses the wheel with " + mpa(peak->body.vibration) + ", with spin " + mpa(peak->body.both);
+  if (peak->cycle && peak->cycle->goodman)
+    text += "; by Goodman's rule that is " + fixed(*peak->cycle->goodman, 2) + " of what the material bears";
+  return text + ".";
+}
+
+std::string still_rising(const Study& study) {
+  std::string text;
+  for (const Eigen::Index end : rising_ends(study.amplitudes.largest, study.parameters.prominence))
+    text += (text.empty() ? " The amplitude still rises towards " : " and ") +
+            rpm_text(study.response.speeds[static_cast<std::size_t>(end)].speed) + " (" +
+            mm(study.amplitudes.largest[end]) + ")";
+  return text.empty() ? "" : text + ": a peak may lie outside the simulated speeds.";
+}
+
+std::string how_bad(const Study& study, const FieldResults& fields) {
+  const std::optional<std::size_t> worst = worst_critical(study);
+  if (!worst)
+    return "No critical speed: the amplitude has no peak that stands out. It is largest at " +
+           rpm_text(study.worst_response().speed) + ", " + amplitude_text(study, study.worst) + "." +
+           still_rising(study);
+  const CriticalSpeed& peak = study.critical[*worst];
+  return counted(study.critical.size(), "critical speed") + ". The worst, at " + rpm_text(peak.speed) +
+         ", moves the tip by " + amplitude_text(study, peak.index) + "." + stress_text(fields.peaks[*worst]) +
+         still_rising(study);
+}
+
+/// "contact node 9 of 0 .. 9 (trailing edge)".
+std::string node_text(const Study& study, int node) {
+  const int last = study.model.contact.size() - 1;
+  return "contact node " + std::to_string(node) + " of 0 .. " + std::to_string(last) +
+         (node == 0      ? " (leading edge)"
+          : node == last ? " (trailing edge)"
+                         : "");
+}
+
+std::string where(const Study& study, const FieldResults& fields) {
+  const std::optional<std::size_t> worst = worst_critical(study);
+  std::string text =
+      "The tip at " + node_text(study, study.amplitudes.node[worst ? study.critical[*worst].index : study.worst]);
+  if (worst && fields.peaks[*worst] && !fields.peaks[*worst]->where.empty())
+    text += "; stressed most: " + fields.peaks[*worst]->where;
+  return text + ".";
+}
+
+std::string why(const Study& study) {
+  const std::optional<std::size_t> worst = worst_critical(study);
+  if (!worst) return "";
+  const CriticalSpeed& peak = study.critical[*worst];
+  const WaveLabel& wave = peak.rising;
+  std::string text = engine_order_name(wave.engine_order) + " drives family " + std::to_string(wave.family + 1) +
+                     " on nodal diameter " + std::to_string(std::abs(wave.signed_nodal_diameter)) + " as a " +
+                     name_of(wave.direction) + " wave (" + wave_name(wave) + "): " + mm(wave.amplitude) + ", " +
+                     fixed(percent * peak.wave_share(), 0) + " % of the amplitude, " +
+                     fixed(percent * std::abs(wave.detuning), 1) + (wave.detuning < 0 ? " % below" : " % above") +
+                     " that mode's frequency.";
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, peak.others.size()); ++i)
+    text += (i == 0 ? " Beside it: " : ", ") + wave_name(peak.others[i]) + " with " + mm(peak.others[i].amplitude);
+  return text + (peak.others.empty() ? "" : ".");
+}
+
+std::string margin_text(const Study& study) {
+  const PostprocessParameters& keys = study.parameters;
+  if (!(keys.operating_max_rpm > 0))
+    return "Not known: the case gives no operating range ([postprocess] operating_min_rpm, operating_max_rpm).";
+  const SpeedRange operating{keys.operating_min_rpm * rad_s_per_rpm, keys.operating_max_rpm * rad_s_per_rpm};
+  const OperatingMargin margin = operating_margin(study.critical, operating, keys.operating_amplitude_mm / mm_per_m);
+  std::string text = "Operating range " + fixed(keys.operating_min_rpm, 0) + " to " + rpm_text(operating.high) + ": ";
+  text += margin.inside.empty() ? "no critical speed inside"
+                                : counted(margin.inside.size(), "critical speed") + " inside (";
+  for (std::size_t i = 0; i < margin.inside.size(); ++i)
+    text += fixed(margin.inside[i] * rpm_per_rad_s, 0) + (i + 1 < margin.inside.size() ? ", " : " rpm)");
+  const auto outside = [](const std::optional<SpeedMargin>& there, const std::string& which) {
+    return there ? "; the next " + which + ", " + rpm_text(there->speed) + ", is " +
+                       fixed(percent * there->margin, 1) + " % away"
+                 : std::string();
+  };
+  text += outside(margin.below, "below") + outside(margin.above, "above") + ".";
+  if (operating.low < study.range.low || operating.high > study.range.high)
+    text += " Not all of the range was simulated.";
+  return text;
+}
+
+/// "symmetry (1.52 at 22000 rpm, limit 1; 1 speed of 93)"; of a count that must be none, the speeds only.
+std::string failed_text(const Check& check) {
+  constexpr int digits = 3;
+  const std::string worst = check.limit > 0
+                                ? significant(check.worst.value_or(0), digits) + " at " + rpm_text(check.speed) +
+                                      ", limit " + significant(check.limit, digits) + "; "
+                                : "";
+  return check.subject + " (" + worst + counted(static_cast<std::size_t>(check.beyond), "speed") + " of " +
+         std::to_string(check.looked_at) + ")";
+}
+
+std::string trust(const Study& study) {
+  const std::vector<Check> checks = exactness_checks(study);
+  const auto listed = [&](CheckVerdict verdict, const std::string& words, const auto& text_of) {
+    std::string text;
+    for (const Check& check : checks)
+      if (check.verdict == verdict) text += (text.empty() ? " " + words + ": " : ", ") + text_of(check);
+    return text.empty() ? text : text + ".";
+  };
+  const auto subject = [](const Check& check) { return check.subject; };
+  const auto passed = std::count_if(checks.begin(), checks.end(),
+                                    [](const Check& check) { return check.verdict == CheckVerdict::passed; });
+  std::string text = std::to_string(passed) + " of " + std::to_string(checks.size()) + " checks pass.";
+  text += listed(CheckVerdict::failed, "Failed", failed_text);
+  text += listed(CheckVerdict::undecided, "Undecided", subject);
+  text += listed(CheckVerdict::not_looked_at, "Not looked at", subject);
+  if (!study.failed.empty()) text += " " + counted(study.failed.size(), "speed") + " failed.";
+  return text;
+}
+
+/// The case's lines that begin with "damping", as words: "damping ratio 0.01".
+std::string damping_text(const std::string& case_text) {
+  std::istringstream lines(case_text);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("damping", 0) != 0) continue;
+    line = line.substr(0, line.find('#'));
+    line.erase(line.find_last_not_of(' ') + 1);
+    std::replace(line.begin(), line.end(), '_', ' ');
+    text += (text.empty() ? "" : "; ") + line;
+  }
+  return text.empty() ? "as simulate has it by default" : text;
+}
+
+std::string interference_text(const Study& study) {
+  const double crest = study.response.scene.casing_distortion.maxCoeff();
+  double low = crest - study.response.speeds.front().clearance.maxCoeff(), high = low;
+  for (const SpeedResponse& speed : study.response.speeds) {
+    low = std::min(low, crest - speed.clearance.maxCoeff());
+    high = std::max(high, crest - speed.clearance.minCoeff());
+  }
+  return fixed(low * mm_per_m, 3) + " .. " + mm(high) + " (crest minus clearance, along the tip" +
+         (low <= 0 && high <= 0 ? "; a tip that doesn't vibrate never touches)" : ")");
+}
+
+}  // namespace
+
+std::string running_clearances(const Response& response) {
+  double low = response.speeds.front().clearance.minCoeff(), high = response.speeds.front().clearance.maxCoeff();
+  for (const SpeedResponse& speed : response.speeds) {
+    low = std::min(low, speed.clearance.minCoeff());
+    high = std::max(high, speed.clearance.maxCoeff());
+  }
+  return "running clearances " + fixed(low * mm_per_m, 3) + " .. " + fixed(high * mm_per_m, 3) + " mm, given " +
+         (response.scene.clearance_state == "cold" ? "cold" : "at speed");
+}
+
+std::vector<Answer> verdict(const Study& study, const FieldResults& fields) {
+  std::vector<Answer> answers = {{"How bad", how_bad(study, fields)},
+                                 {"Where", where(study, fields)},
+                                 {"Why", why(study)},
+                                 {"Margin", margin_text(study)},
+                                 {"Trust", trust(study)}};
+  std::erase_if(answers, [](const Answer& answer) { return answer.text.empty(); });
+  return answers;
+}
+
+std::vector<Answer> scene_in_brief(const Study& study, const std::string& case_text) {
+  const SimulatedScene& scene = study.response.scene;
+  const double crest = scene.casing_distortion.maxCoeff();
+  return {
+      {"Wheel", counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
+                    counted(static_cast<std::size_t>(study.model.contact.size()), "contact node") + " a tip"},
+      {"Casing", counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + mm(crest) + " inward at the crest"},
+      {"Clearance", running_clearances(study.response)},
+      {"Interference", interference_text(study)},
+      {"Damping", damping_text(case_text)},
+      {"Speeds", std::to_string(study.response.speeds.size()) + " from " + fixed(study.range.low * rpm_per_rad_s, 0) +
+                     " to " + rpm_text(study.range.high)}};
+}
+
+}  // namespace tiprub

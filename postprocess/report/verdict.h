@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "postprocess/analysis/study.h"
+#include "postprocess/fields/field_results.h"
+
+namespace tiprub {
+
+/// A question that a designer asks first, and its answer in a sentence or two.
+struct Answer {
+  std::string question;
+  std::string text;
+};
+
+/// How bad the worst speed is, where, why, how far from the operating range, and which checks passed.
+std::vector<Answer> verdict(const Study& study, const FieldResults& fields);
+
+/// The scene in a few words: lobes, clearance, interference, damping, speeds. Damping as the case's lines on it say.
+std::vector<Answer> scene_in_brief(const Study& study, const std::string& case_text);
+
+/// "running clearances 0.120 .. 0.130 mm", over the tip line and the speeds.
+std::string running_clearances(const Response& response);
+
+}  // namespace tiprub

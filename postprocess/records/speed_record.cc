@@ -37,19 +37,18 @@ Cell count(std::int64_t value) {
 }
 
 SpeedColumns motion_columns() {
-  return {
-      {"speed [rpm]", [](const SpeedRow& speed) { return speed.response.speed * rpm_per_rad_s; }},
-      {"amplitude [mm]",
-       [](const SpeedRow& speed) { return speed.study.amplitudes.largest[speed.index] * mm_per_m; }},
-      {"smallest running clearance [mm]",
-       [](const SpeedRow& speed) { return speed.response.clearance.minCoeff() * mm_per_m; }},
-      {"motion",
-       [](const SpeedRow& speed) { return motion_text(speed.response.motion, speed.response.period_beats); }},
-      {"revolutions", [](const SpeedRow& speed) { return speed.response.revolutions; }},
-      {"recorded revolutions", [](const SpeedRow& speed) { return speed.response.recorded_revolutions; }},
-      {"change over the last period", [](const SpeedRow& speed) { return speed.response.change; }},
-      {"change factor per revolution", [](const SpeedRow& speed) { return speed.response.change_rate; }},
-      {"energy closing error", [](const SpeedRow& speed) { return speed.response.energy.closing_error; }}};
+  return {{"speed [rpm]", [](const SpeedRow& speed) { return speed.response.speed * rpm_per_rad_s; }},
+          {"amplitude [mm]",
+           [](const SpeedRow& speed) { return speed.study.amplitudes.largest[speed.index] * mm_per_m; }},
+          {"smallest running clearance [mm]",
+           [](const SpeedRow& speed) { return speed.response.clearance.minCoeff() * mm_per_m; }},
+          {"motion",
+           [](const SpeedRow& speed) { return motion_text(speed.response.motion, speed.response.period_beats); }},
+          {"revolutions", [](const SpeedRow& speed) { return speed.response.revolutions; }},
+          {"recorded revolutions", [](const SpeedRow& speed) { return speed.response.recorded_revolutions; }},
+          {"change over the last period", [](const SpeedRow& speed) { return speed.response.change; }},
+          {"change factor per revolution", [](const SpeedRow& speed) { return speed.response.change_rate; }},
+          {"energy closing error", [](const SpeedRow& speed) { return speed.response.energy.closing_error; }}};
 }
 
 SpeedColumns step_columns() {

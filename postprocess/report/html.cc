@@ -28,6 +28,13 @@ bool looks_numeric(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789.+-/ e") == std::string::npos;
 }
 
+/// Of a cell: numbers stand to the right, and short words on one line.
+std::string class_of(const std::string& value) {
+  constexpr std::size_t short_text = 16;
+  if (looks_numeric(value)) return " class=\"n\"";
+  return value.size() <= short_text ? " class=\"s\"" : "";
+}
+
 }  // namespace
 
 std::string escaped(const std::string& text) {
@@ -68,7 +75,7 @@ std::string table(const Table& table) {
     text += "<tr>";
     for (const Cell& cell : row) {
       const std::string value = shown(cell);
-      text += (looks_numeric(value) ? "<td class=\"n\">" : "<td>") + value + "</td>";
+      text += "<td" + class_of(value) + ">" + value + "</td>";
     }
     text += "</tr>\n";
   }

@@ -63,10 +63,10 @@ void report_scope(const StageArguments& arguments, const Inputs& inputs, const S
 
 void report_outcome(const StageArguments& arguments, const SimulateParameters& parameters,
                     const SweepOutcome& outcome, std::chrono::duration<double> spent) {
-  const std::size_t speeds = parameters.speeds.size();
   std::ostringstream line;
-  line << arguments.output.string() << ": " << speeds << " speeds: " << outcome.tally.text() << "; "
-       << speeds - outcome.computed << " of them from before; " << std::fixed << std::setprecision(1) << spent.count()
+  line << arguments.output.string() << ": " << outcome.speeds << " speeds: " << outcome.tally.text() << "; ";
+  if (outcome.scanned > 0) line << outcome.scanned << " more scanned; ";
+  line << outcome.computed << " computed now; " << std::fixed << std::setprecision(1) << spent.count()
        << " s" << outcome.tally.warnings(parameters.when_symmetry_breaks);
   say(arguments, line.str());
 }
@@ -97,7 +97,8 @@ void run_whole_wheel(StageArguments arguments, Inputs inputs, const std::vector<
   set(inputs.settings.simulate, "nodal_diameters", "\"all\"");
   inputs.parameters.sweep = SweepDirection::rest;
   set(inputs.settings.simulate, "sweep", "\"rest\"");
-  inputs.parameters.halved_step_checks = 0;
+  inputs.parameters.speed_choice = SpeedChoice::given;
+  inputs.parameters.examination = Examination::none;
   SceneScope scope = inputs.scope();
   scope.reasons.push_back("only the speeds at which the symmetric motion of " + arguments.inputs[0].string() +
                           " is unstable (when_symmetry_breaks = \"full_run\")");

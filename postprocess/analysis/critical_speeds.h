@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "postprocess/analysis/linear_criterion.h"
-#include "postprocess/analysis/peaks.h"
+#include "simulate/response/peaks.h"
 #include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/waves/wave_label.h"
 #include "reduce/model/reduced_model.h"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "postprocess/analysis/peaks.h"
+#include "simulate/response/peaks.h"
 
 namespace tiprub {
 

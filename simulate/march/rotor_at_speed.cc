@@ -98,13 +98,16 @@ ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, doubl
 }
 
 RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
-                            const Damping& damping, const ModeChoice& modes) {
+                            const Damping& damping, const ModeChoice& modes,
+                            OtherDiameters others) {
   RotorAtSpeed rotor;
   rotor.speed = speed;
   rotor.sector_count = model.sector_count;
   double omega_min = std::numeric_limits<double>::infinity();
   Eigen::VectorXd tip_compliance = Eigen::VectorXd::Zero(model.contact.size());
   for (int n = 0; n <= model.nodal_diameter_max(); ++n) {  // eq. 12: block by block
+    const bool asked = std::find(nodal_diameters.begin(), nodal_diameters.end(), n) != nodal_diameters.end();
+    if (!asked && others == OtherDiameters::unknown) continue;
     const WaveKind kind = wave_kind(n, model.sector_count);
     const Spectrum spectrum = solve(model, n, speed);
     omega_min = std::min(omega_min, spectrum.omega.minCoeff());
@@ -113,7 +116,7 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
         share *
         static_compliance(normal_rows(model, spectrum), spectrum.omega, spectrum.omega.size()).diagonal().real();
     WaveModes wave = wave_modes(model, n, kind, spectrum, damping, modes);
-    if (std::find(nodal_diameters.begin(), nodal_diameters.end(), n) == nodal_diameters.end()) {
+    if (!asked) {
       rotor.others.push_back(std::move(wave));
       continue;
     }

@@ -18,6 +18,9 @@ struct ModeChoice {
   Others others = Others::dropped;
 };
 
+/// Whether the nodal diameters that aren't asked for are looked at as well.
+enum class OtherDiameters { known, unknown };
+
 /// One nodal diameter at one speed, a block of the paper's eq. 12, in its own modes: u_j = Re(Phi q e^{i n j alpha}),
 /// Phi^H M Phi = 1, Phi^H K Phi = omega^2. A real force f_j on the sectors acts on q as
 ///   Phi^H (w/N) sum_j f_j e^{-i n j alpha},  w = 1 for a standing wave, 2 for a travelling one.
@@ -42,8 +45,8 @@ struct RotorAtSpeed {
   double speed = 0;               ///< [rad/s]
   int sector_count = 0;           ///< N
   std::vector<WaveModes> waves;   ///< the nodal diameters asked for
-  std::vector<WaveModes> others;  ///< those not asked for
-  double first_frequency = 0;     ///< [Hz] the lowest of all nodal diameters, asked for or not
+  std::vector<WaveModes> others;  ///< those not asked for, if known
+  double first_frequency = 0;     ///< [Hz] the lowest of all nodal diameters that are known
   double omega_max = 0;           ///< [rad/s] the highest with mass of those asked for
   double tip_stiffness = 0;       ///< [N/m] static, of the stiffest contact node, pushed alone
 };
@@ -63,6 +66,7 @@ ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, doubl
 /// diameter takes the damping of family m at its frequency.
 /// Raises RunError if K(Omega) has a negative eigenvalue: the rotor at this speed has no stable shape.
 RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
-                            const Damping& damping, const ModeChoice& modes = {});
+                            const Damping& damping, const ModeChoice& modes = {},
+                            OtherDiameters others = OtherDiameters::known);
 
 }  // namespace tiprub

@@ -131,6 +131,16 @@ Eigen::VectorXd Recording::revolution(TimeMarch& march) {
   return motion;
 }
 
+double Recording::normal_amplitude() const {
+  double largest = 0;
+  for (Eigen::Index point = 0; point < kept_.contact_force.cols(); ++point) {
+    const Eigen::VectorXd motion = kept_.displacement.middleCols<3>(3 * point) *
+                                   contact_.normal.row(point % nodes_).transpose();
+    largest = std::max(largest, 0.5 * (motion.maxCoeff() - motion.minCoeff()));
+  }
+  return largest;
+}
+
 void Recording::finish(const TimeMarch& march, SpeedResponse& response) const {
   response.displacement = kept_.displacement;
   response.contact_force = kept_.contact_force;
@@ -146,6 +156,7 @@ void Recording::finish(const TimeMarch& march, SpeedResponse& response) const {
     for (std::size_t i = 0; i < cycle_.size(); ++i)
       cycle.displacement.emplace_back(rotor_.waves[i].shapes * cycle_[i]);
   }
+  response.amplitude = normal_amplitude();
   response.largest_penetration = kept_.largest_penetration;
   response.smallest_multiplier = kept_.smallest_multiplier;
   response.contact_steps = kept_.contact_steps;

@@ -35,6 +35,7 @@ class Recording {
   void take_states(const TimeMarch& march, int sample);
   void observe(const TimeMarch& march, int sample);
   void recover_displacements(int first_sample);
+  double normal_amplitude() const;
   /// Keeps the state of a sample if no one before it met a larger contact force.
   void compare_force(int column, int sample);
   /// Adds the states of the revolution just done to the cycle, if it is one of the last.

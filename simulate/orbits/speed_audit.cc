@@ -29,10 +29,9 @@ Eigen::MatrixXd averaged_spectrum(const SpeedResponse& response) {
   return (sum / response.recorded_revolutions).cwiseSqrt();
 }
 
-/// The last period of a settled response, begun `shift` revolutions later.
-Eigen::MatrixXd last_period(const SpeedResponse& response, int shift) {
+/// The last period of a settled response, begun `first` samples later.
+Eigen::MatrixXd last_period(const SpeedResponse& response, Eigen::Index first) {
   const Eigen::Index rows = static_cast<Eigen::Index>(response.period_revolutions) * response.samples_per_revolution;
-  const Eigen::Index first = static_cast<Eigen::Index>(shift) * response.samples_per_revolution;
   const auto period = response.displacement.bottomRows(rows);
   Eigen::MatrixXd moved(rows, response.displacement.cols());
   moved << period.bottomRows(rows - first), period.topRows(first);
@@ -59,7 +58,7 @@ double compliance_condition(const TimeMarch& march) {
   return values.maxCoeff() / std::max(values.minCoeff(), floor);
 }
 
-ResponseDifference difference(const SpeedResponse& here, const SpeedResponse& there) {
+ResponseDifference difference(const SpeedResponse& here, const SpeedResponse& there, int lobes) {
   const bool alike = here.settled() && here.period_revolutions == there.period_revolutions &&
                      std::min(here.recorded_revolutions, there.recorded_revolutions) >= here.period_revolutions;
   if (!alike) {
@@ -68,8 +67,9 @@ ResponseDifference difference(const SpeedResponse& here, const SpeedResponse& th
   }
   const Eigen::MatrixXd motion = last_period(there, 0);
   double smallest = std::numeric_limits<double>::infinity();
-  for (int shift = 0; shift < here.period_revolutions; ++shift)
-    smallest = std::min(smallest, (last_period(here, shift) - motion).norm());
+  for (int beat = 0; beat < here.period_revolutions * lobes; ++beat)
+    smallest = std::min(smallest,
+                        (last_period(here, beat * here.samples_per_revolution / lobes) - motion).norm());
   return {relative(smallest, last_period(here, 0).norm(), motion.norm()), "motion"};
 }
 

@@ -77,6 +77,23 @@ struct SpeedAudit {
   double tension_share = 0;         ///< [1] share of tensile contact force: of the sum of the forces' magnitudes
 };
 
+/// What a critical speed comes to from another start.
+struct OtherStart {
+  std::string start;    ///< "up", "down", "disturbed", "whole wheel": see simulate/README.md
+  std::string failure;  ///< empty, or why there is no motion; then the rest is
+  double amplitude = 0;  ///< [m] as SpeedResponse has it
+  MotionClass motion = MotionClass::not_settled;
+  int period_beats = 0;
+  double difference = 0;  ///< [1] relative, to the motion of the speed's own start
+};
+
+/// How closely a speed was looked at.
+enum class Depth {
+  scanned,   ///< with a coarse step, for its amplitude alone; not in a finished response
+  full,      ///< within the tolerances
+  examined,  ///< from other starts as well, with the whole cycle kept
+};
+
 /// The whole rotor at one instant, in the dofs of the reduced model: what full fields are recovered from.
 struct RotorSnapshot {
   int sample = 0;  ///< of the recorded ones; the rotor angle is 2 pi sample / samples_per_revolution
@@ -105,6 +122,8 @@ struct SpeedResponse {
   int samples_per_revolution = 0;
   int recorded_revolutions = 0;  ///< as many as asked for; of a settled motion one period, if that is less
   int revolutions = 0;           ///< marched in all, the recorded ones included
+  Depth depth = Depth::full;
+  double amplitude = 0;  ///< [m] half of the peak-to-peak normal displacement, the largest of nodes and sectors
   MotionClass motion = MotionClass::not_settled;
   int period_beats = 0;         ///< of a periodic (1) or subharmonic motion, else 0
   int period_revolutions = 0;   ///< whole ones after which a settled motion repeats itself; 0 if it has not settled
@@ -138,6 +157,7 @@ struct SpeedResponse {
   std::int64_t tension_steps = 0;     ///< recorded steps with a negative multiplier (only the paper's rule has them)
   std::int64_t solver_fallbacks = 0;  ///< steps in which the active set needed its finite fallback
   SpeedAudit audit;
+  std::vector<OtherStart> other_starts;  ///< of an examined speed
 };
 
 /// The casing and the scene as they were simulated, for drawing and for the record.

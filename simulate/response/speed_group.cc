@@ -52,6 +52,12 @@ constexpr std::array<std::pair<AccelerationReport::Outcome, const char*>, 3> out
     {AccelerationReport::Outcome::fell_back, "fell back"},
 }};
 
+constexpr std::array<std::pair<Depth, const char*>, 3> depth_names = {{
+    {Depth::scanned, "scanned"},
+    {Depth::full, "full"},
+    {Depth::examined, "examined"},
+}};
+
 template <class Names, class Value>
 const char* name_of(const Names& names, Value value) {
   for (const auto& [known, name] : names)
@@ -73,6 +79,7 @@ void visit_numbers(Speed& speed, Visit visit) {
   visit("samples_per_revolution", speed.samples_per_revolution);
   visit("recorded_revolutions", speed.recorded_revolutions);
   visit("revolutions", speed.revolutions);
+  visit("amplitude", speed.amplitude);
   visit("period_revolutions", speed.period_revolutions);
   visit("period_beats", speed.period_beats);
   visit("off_beat_energy", speed.off_beat_energy);
@@ -142,6 +149,31 @@ AccelerationReport read_acceleration(const Hdf5File& file, const std::string& gr
           file.number_attribute(group, "acceleration_residual")};
 }
 
+std::string start_at(const std::string& group, std::size_t place) {
+  return group + "/starts/" + std::to_string(place);
+}
+
+void write_other_start(Hdf5File& file, const std::string& group, const OtherStart& start) {
+  file.set_attribute(group, "start", start.start);
+  file.set_attribute(group, "failure", start.failure);
+  file.set_attribute(group, "motion", std::string(name_of(start.motion)));
+  file.set_attribute(group, "amplitude", start.amplitude);
+  file.set_attribute(group, "period_beats", start.period_beats);
+  file.set_attribute(group, "difference", start.difference);
+}
+
+OtherStart read_other_start(const Hdf5File& file, const std::string& group) {
+  OtherStart start;
+  start.start = file.text_attribute(group, "start");
+  start.failure = file.text_attribute(group, "failure");
+  start.motion =
+      value_named(motion_names, file.text_attribute(group, "motion"), file.path() + ": " + group + ": motion");
+  start.amplitude = file.number_attribute(group, "amplitude");
+  start.period_beats = file.integer_attribute(group, "period_beats");
+  start.difference = file.number_attribute(group, "difference");
+  return start;
+}
+
 void require_columns(const Eigen::MatrixXd& table, const std::string& where, Eigen::Index rows,
                      Eigen::Index columns) {
   if (table.rows() != rows || table.cols() != columns)
@@ -162,7 +194,10 @@ void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResp
   file.set_attribute(group, "motion", std::string(name_of(speed.motion)));
   file.set_attribute(group, "symmetry", std::string(name_of(symmetry_names, speed.audit.symmetry)));
   file.set_attribute(group, "halving_measure", speed.audit.halving_measure);
+  file.set_attribute(group, "depth", std::string(name_of(depth_names, speed.depth)));
   write_numbers(file, group, speed);
+  for (std::size_t i = 0; i < speed.other_starts.size(); ++i)
+    write_other_start(file, start_at(group, i), speed.other_starts[i]);
   write_acceleration(file, group, speed.audit.acceleration);
   if (!speed.failure.empty()) return;
   const auto sectors = static_cast<std::size_t>(scene.independent_sectors);
@@ -186,7 +221,10 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   speed.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
   speed.audit.symmetry = value_named(symmetry_names, file.text_attribute(group, "symmetry"), where + ": symmetry");
   speed.audit.halving_measure = file.text_attribute(group, "halving_measure");
+  speed.depth = value_named(depth_names, file.text_attribute(group, "depth"), where + ": depth");
   read_numbers(file, group, speed);
+  while (file.exists(start_at(group, speed.other_starts.size())))
+    speed.other_starts.push_back(read_other_start(file, start_at(group, speed.other_starts.size())));
   speed.audit.acceleration = read_acceleration(file, group);
   if (!speed.failure.empty()) return speed;
   const Eigen::Index samples = static_cast<Eigen::Index>(speed.samples_per_revolution) * speed.recorded_revolutions;

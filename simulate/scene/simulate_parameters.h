@@ -23,6 +23,18 @@ enum class SweepDirection {
   down,  ///< from the motion at the next higher speed
 };
 
+/// Which speeds a sweep has.
+enum class SpeedChoice {
+  given,     ///< those of the case
+  adaptive,  ///< those, and what it takes to locate the peaks and the jumps of the response
+};
+
+/// What is done about the speeds at the response's peaks.
+enum class Examination {
+  none,
+  critical_speeds,  ///< other starts, the step, the whole wheel where symmetry doesn't clearly hold; the cycle is kept
+};
+
 /// How a speed comes to its settled motion.
 enum class Acceleration {
   none,      ///< by marching
@@ -37,7 +49,12 @@ enum class BrokenSymmetry {
 
 /// What [simulate] asks for.
 struct SimulateParameters {
-  std::vector<double> speeds;  ///< [rad/s], ascending, all different
+  std::vector<double> speeds;  ///< [rad/s], ascending, all different: all, or those that an adaptive sweep begins with
+  SpeedChoice speed_choice = SpeedChoice::given;
+  int scan_per_interval = 0;     ///< scanned speeds between two of an adaptive sweep's first ones
+  int speed_count_max = 0;       ///< of an adaptive sweep
+  double peak_prominence = 0.1;  ///< [1] of a peak's height: lower ones are neither located nor examined
+  Examination examination = Examination::none;
   Scheme scheme = Scheme::trigonometric;
   ContactRule contact = ContactRule::complementarity;
   double theta = 0.5;              ///< [1] of Moreau-Jean
@@ -49,9 +66,9 @@ struct SimulateParameters {
   double resolved_frequency = std::numeric_limits<double>::infinity();
   DiameterChoice nodal_diameters = DiameterChoice::symmetric;
   double damping_ratio_beyond = 0;  ///< [1] of critical, of modes above the resolved frequency
-  double step_tolerance = 5e-3;    ///< [1] aimed at: error of the settled motion; sets steps_per_period
-  double steps_per_period = 400;   ///< at least, of the lowest natural frequency
-  int steps_per_revolution = 0;    ///< at least; 0: from steps_per_period
+  double step_tolerance = 5e-3;    ///< [1] of the settled motion: the step is halved until that changes it by less
+  double steps_per_period = 200;   ///< at least, of the lowest natural frequency, of the first march
+  int steps_per_revolution = 0;    ///< at least, and never halved; 0: from steps_per_period
   int samples_per_revolution = 0;  ///< at least
   int recorded_revolutions = 0;
   int min_revolutions = 0;
@@ -59,7 +76,6 @@ struct SimulateParameters {
   Acceleration acceleration = Acceleration::none;
   double settle_tolerance = 0;  ///< [1] estimated distance from the settled motion, of its norm
   int casing_areas = 0;
-  int halved_step_checks = 0;          ///< speeds of a sweep that are computed with half the step as well
   int symmetry_check_revolutions = 0;  ///< after settling, with a small disturbance of what symmetry left out
   BrokenSymmetry when_symmetry_breaks = BrokenSymmetry::mark;
   int threads = 0;  ///< 0: as many as the machine has

@@ -13,14 +13,6 @@ namespace fs = std::filesystem;
 
 namespace tiprub {
 
-namespace {
-
-StepCheck check_of(const SpeedResponse& response) {
-  return response.audit.halving_measure.empty() ? StepCheck::none : StepCheck::halved;
-}
-
-}  // namespace
-
 FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std::string key, std::string generator,
                                Role role)
     : folder_(output.string() + ".speeds"),
@@ -50,7 +42,7 @@ void FinishedSpeeds::take_over_parts() {
       const Response response = read_response(entry.path());
       useful =
           response.key == key_ && response.speeds.size() == 1 && part(response.speeds.front().speed) == entry.path();
-      if (useful) speeds_[response.speeds.front().speed] = check_of(response.speeds.front());
+      if (useful) speeds_[response.speeds.front().speed] = response.speeds.front().depth;
     } catch (const RunError&) {  // damaged: computed again
     }
     std::error_code ignored;
@@ -64,14 +56,14 @@ void FinishedSpeeds::take_over_output(const fs::path& output) {
     if (read_response_key(output) != key_) return;
     const Response response = read_response(output);
     for (const SpeedResponse& speed : response.speeds)
-      if (!has(speed.speed, check_of(speed))) keep(speed);
+      if (!has(speed.speed, speed.depth)) keep(speed);
   } catch (const RunError&) {  // of another schema or damaged: it is replaced
   }
 }
 
-bool FinishedSpeeds::has(double speed, StepCheck check) const {
+bool FinishedSpeeds::has(double speed, Depth depth) const {
   const auto place = speeds_.find(speed);
-  return place != speeds_.end() && (check == StepCheck::none || place->second == check);
+  return place != speeds_.end() && place->second >= depth;
 }
 
 ResponseWriter FinishedSpeeds::writer(const fs::path& path) const {
@@ -86,7 +78,7 @@ void FinishedSpeeds::keep(const SpeedResponse& response, const RotorState& end) 
     part.add_end(end);
   }
   file.commit();
-  speeds_[response.speed] = check_of(response);
+  speeds_[response.speed] = response.depth;
 }
 
 RotorState FinishedSpeeds::read_end(double speed) const {

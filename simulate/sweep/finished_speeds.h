@@ -6,7 +6,6 @@
 #include <string>
 
 #include "simulate/response/response_file.h"
-#include "simulate/sweep/speed_run.h"
 
 namespace tiprub {
 
@@ -26,8 +25,8 @@ class FinishedSpeeds {
   FinishedSpeeds(const std::filesystem::path& output, SimulatedScene scene, std::string key, std::string generator,
                  Role role = Role::keeper);
 
-  /// Whether the speed is there, with the check that it is wanted with.
-  bool has(double speed, StepCheck check) const;
+  /// Whether the speed is there, looked at as deeply as it is wanted or deeper.
+  bool has(double speed, Depth depth) const;
   /// Of a file with this sweep's scene and key.
   ResponseWriter writer(const std::filesystem::path& path) const;
   /// Written beside, then renamed. Raises RunError if it can't be written.
@@ -47,7 +46,7 @@ class FinishedSpeeds {
   SimulatedScene scene_;
   std::string key_;
   std::string generator_;
-  std::map<double, StepCheck> speeds_;
+  std::map<double, Depth> speeds_;
 };
 
 }  // namespace tiprub

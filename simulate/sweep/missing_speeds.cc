@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "cases/program/progress.h"
-#include "simulate/sweep/speed_sweep.h"
 #include "simulate/sweep/sweep_tally.h"
 
 namespace tiprub {
@@ -17,7 +16,7 @@ std::vector<SpeedTask> find_missing(const std::vector<SpeedTask>& tasks, const F
                                     ProcessGroup& group) {
   std::vector<double> places;  // in the list; doubles, because processes share such
   for (std::size_t i = 0; i < tasks.size(); ++i)
-    if (group.leads() && !finished.has(tasks[i].speed, tasks[i].check)) places.push_back(static_cast<double>(i));
+    if (group.leads() && !finished.has(tasks[i].speed, tasks[i].depth)) places.push_back(static_cast<double>(i));
   group.share(places);
   std::vector<SpeedTask> missing;
   missing.reserve(places.size());
@@ -27,12 +26,12 @@ std::vector<SpeedTask> find_missing(const std::vector<SpeedTask>& tasks, const F
 
 }  // namespace
 
-std::size_t compute_missing(const StageArguments& arguments, const Scene& scene, int threads, ProcessGroup& group,
-                            FinishedSpeeds& finished) {
-  const std::vector<SpeedTask> tasks = sweep_tasks(scene.parameters);
-  const std::vector<SpeedTask> missing = find_missing(tasks, finished, group);
+std::size_t compute_missing(const StageArguments& arguments, const Scene& scene, const SpeedList& list, int threads,
+                            ProcessGroup& group, FinishedSpeeds& finished) {
+  const std::vector<SpeedTask> missing = find_missing(list.tasks, finished, group);
+  group.restart();
   const bool shown = arguments.verbosity == Verbosity::normal && group.leads();
-  Progress progress("speeds", missing.size(), shown ? Progress::Shown::on_a_terminal : Progress::Shown::never);
+  Progress progress(list.what, missing.size(), shown ? Progress::Shown::on_a_terminal : Progress::Shown::never);
   std::size_t seen = 0;  // other processes' speeds count when this one gets a later one
   const SpeedDone done = [&](const SpeedResponse& response, std::size_t place) {
     for (const std::size_t end = std::max(seen, place) + 1; seen < std::min(end, missing.size()); ++seen)
@@ -43,7 +42,7 @@ std::size_t compute_missing(const StageArguments& arguments, const Scene& scene,
     sweep_speeds(scene, missing, threads, group, finished, done);
   } else {
     if (group.leads())
-      carry_speeds(scene, tasks, finished, [&](const SpeedResponse& response, std::size_t) { done(response, seen); });
+      carry_speeds(scene, list.tasks, finished, [&](const SpeedResponse& response, std::size_t) { done(response, seen); });
     group.any(false);
   }
   return missing.size();

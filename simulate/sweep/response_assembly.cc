@@ -5,31 +5,25 @@
 #include "cases/program/output_file.h"
 #include "simulate/march/frequency_table.h"
 #include "simulate/response/response_file.h"
-#include "simulate/sweep/speed_sweep.h"
 
 namespace tiprub {
 
-SweepTally assemble_response(const Scene& scene, int threads, FinishedSpeeds& finished,
-                             const std::filesystem::path& output) {
+SweepTally assemble_response(const Scene& scene, const std::vector<double>& speeds, int threads,
+                             FinishedSpeeds& finished, const std::filesystem::path& output) {
   SweepTally tally;
   OutputFile file(output);
   {
     ResponseWriter writer = finished.writer(file.scratch());
-    writer.add(frequency_table(scene.model, scene.parameters.speeds.back(), threads));
-    for (const SpeedTask& task : sweep_tasks(scene.parameters)) {
-      SpeedResponse response = finished.read(task.speed);
-      if (task.check == StepCheck::none) {  // a former, other list of speeds may have asked for it
-        response.audit.halving_difference.reset();
-        response.audit.halving_measure.clear();
-      }
+    writer.add(frequency_table(scene.model, speeds.back(), threads));
+    for (const double speed : speeds) {
+      const SpeedResponse response = finished.read(speed);
       tally.add(response);
       writer.add(response);
     }
   }
-  const std::size_t speeds = scene.parameters.speeds.size();
-  if (tally.failed < speeds) file.commit();
+  if (tally.failed < speeds.size()) file.commit();
   finished.remove();
-  if (tally.failed == speeds) throw RunError("no speed could be computed; " + tally.first_failure);
+  if (tally.failed == speeds.size()) throw RunError("no speed could be computed; " + tally.first_failure);
   return tally;
 }
 

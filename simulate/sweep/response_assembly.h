@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "simulate/scene/scene.h"
 #include "simulate/sweep/finished_speeds.h"
@@ -9,9 +10,9 @@
 
 namespace tiprub {
 
-/// response.h5 from a sweep's finished speeds, with the natural frequencies of the model that was marched; then the
+/// response.h5 from finished speeds [rad/s], ascending, with the natural frequencies of the model that was marched; then the
 /// finished speeds go. Raises RunError, and writes nothing, if all speeds failed.
-SweepTally assemble_response(const Scene& scene, int threads, FinishedSpeeds& finished,
-                             const std::filesystem::path& output);
+SweepTally assemble_response(const Scene& scene, const std::vector<double>& speeds, int threads,
+                             FinishedSpeeds& finished, const std::filesystem::path& output);
 
 }  // namespace tiprub

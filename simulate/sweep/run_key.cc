@@ -76,7 +76,11 @@ const std::vector<ExemptKey>& exempt_keys() {
       {"speed_count", "as speed_min_rpm"},
       {"speeds_rpm", "as speed_min_rpm"},
       {"step_tolerance", "acts through steps_per_period only, which stands resolved"},
-      {"halved_step_checks", "a finished speed tells whether it has the check, and is computed again if it lacks it"},
+      {"speeds", "as speed_min_rpm"},
+      {"scan_per_interval", "as speed_min_rpm"},
+      {"speed_count_max", "as speed_min_rpm"},
+      {"peak_prominence", "as speed_min_rpm"},
+      {"examine", "a finished speed tells how deep it was looked at, and is computed again if that is not enough"},
       {"when_symmetry_breaks", "what is done afterwards, into another file"},
       {"threads", "results don't depend on them"},
   };

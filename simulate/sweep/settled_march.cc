@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <sstream>
+#include <vector>
 
 #include "cases/program/errors.h"
 #include "simulate/march/carried_state.h"
@@ -21,7 +21,10 @@ namespace {
 constexpr double leftover_gap = 1e-9;  // of amplitude and clearance: a penetration above is no rounding
 constexpr double seed_motion = 1e-3;   // of the casing's amplitude: seeds nodal diameters that symmetry keeps still
 constexpr double worst_condition = 1e12;  // of W, if modes are dropped: beyond it, it has lost its rank
-constexpr int most_halvings = 8;
+constexpr std::size_t most_halvings = 10;
+constexpr int longest_cycle = 2;        // revolutions whose states are kept
+constexpr double coarse_steps = 100;    // a period of the lowest frequency
+constexpr double coarse_settling = 1e-3;
 constexpr double useless_halving = 0.9;  // of the difference before it: the error doesn't fall
 constexpr int min_revolutions_again = 10;  // from a motion that has settled with twice the step
 
@@ -105,13 +108,14 @@ int revolutions_to_record(const SimulateParameters& parameters, const SettlingSt
 
 /// Marches until the motion has settled or the allowed revolutions are spent, then records. A motion that is no
 /// longer settled, or of another period, at the end of its recording is given more time.
-void march_and_record(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march, const SettlingPlan& plan,
+void march_and_record(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march, const MarchPlan& plan,
                       SpeedResponse& response) {
   const SimulateParameters& parameters = scene.parameters;
   const int last_start = parameters.max_revolutions - parameters.recorded_revolutions;
-  Settling settling(scene, march, plan);
+  Settling settling(scene, march, plan.settling);
   Recording::Grid grid{scene.scope.samples_per_revolution, 0, parameters.casing_areas,
-                       leftover_gap * length_scale(scene), static_cast<double>(settling.highest_order())};
+                       leftover_gap * length_scale(scene), static_cast<double>(settling.highest_order()),
+                       plan.cycle_revolutions};
   while (true) {
     while (settling.revolutions() < last_start && !settling.settled()) settling.advance();
     grid.revolutions =
@@ -146,15 +150,16 @@ MarchSetup setup_of(const Scene& scene, const RotorAtSpeed& rotor, const MarchPl
 
 /// The motion of a state with half the step, and how far the two are apart.
 std::unique_ptr<TimeMarch> halve(const Scene& scene, const RotorAtSpeed& rotor, const TimeMarch& march,
-                                 SpeedResponse& response) {
+                                 int cycle_revolutions, SpeedResponse& response) {
   SpeedResponse finer;
   finer.speed = response.speed;
   finer.revolutions = response.revolutions;
   const MarchPlan plan{2 * response.steps_per_revolution,
-                       {std::min(min_revolutions_again, scene.parameters.min_revolutions)}};
+                       {std::min(min_revolutions_again, scene.parameters.min_revolutions)},
+                       cycle_revolutions};
   std::unique_ptr<TimeMarch> finer_march =
       settle(scene, rotor, state_of(march, rotor, scene.model), plan, finer);
-  const ResponseDifference found = difference(finer, response);
+  const ResponseDifference found = difference(finer, response, scene.casing.lobes);
   finer.audit.acceleration = response.audit.acceleration;
   finer.audit.halving_difference = found.value;
   finer.audit.halving_measure = found.measure;
@@ -162,11 +167,25 @@ std::unique_ptr<TimeMarch> halve(const Scene& scene, const RotorAtSpeed& rotor, 
   return finer_march;
 }
 
+/// Through impacts the error is of first order, and its differences scatter: a small one counts only after one that
+/// was at most twice the tolerance.
+bool is_small(const std::vector<double>& differences, double tolerance) {
+  const std::size_t count = differences.size();
+  return differences.back() <= tolerance && (count == 1 || differences[count - 2] <= 2 * tolerance);
+}
+
+/// Two halvings after which the differences stand where they were.
+bool is_useless(const std::vector<double>& differences) {
+  const std::size_t count = differences.size();
+  return count > 2 && differences[count - 1] > useless_halving * differences[count - 2] &&
+         differences[count - 2] > useless_halving * differences[count - 3];
+}
+
 }  // namespace
 
-RotorAtSpeed rotor_of(const Scene& scene, double speed) {
+RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others) {
   return rotor_at_speed(scene.model, speed, scene.scope.nodal_diameters, scene.parameters.damping,
-                        mode_choice(scene.parameters));
+                        mode_choice(scene.parameters), others);
 }
 
 std::unique_ptr<TimeMarch> settle(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start,
@@ -186,25 +205,37 @@ std::unique_ptr<TimeMarch> settle(const Scene& scene, const RotorAtSpeed& rotor,
   response.audit.compliance_condition = compliance_condition(*march);
   require_full_rank(scene, rotor, response.audit.compliance_condition);
   start_march(scene, start, rotor, *march);
-  march_and_record(scene, rotor, *march, plan.settling, response);
+  march_and_record(scene, rotor, *march, plan, response);
   return march;
 }
 
 std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const RotorAtSpeed& rotor,
-                                                   const RotorState& start, SpeedResponse& response) {
+                                                   const RotorState& start, CycleChoice cycle,
+                                                   SpeedResponse& response) {
   const SimulateParameters& parameters = scene.parameters;
+  const int cycle_revolutions = cycle == CycleChoice::kept ? longest_cycle : 0;
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
-                       {parameters.min_revolutions, parameters.acceleration}};
+                       {parameters.min_revolutions, parameters.acceleration},
+                       cycle_revolutions};
   std::unique_ptr<TimeMarch> march = settle(scene, rotor, start, plan, response);
   if (parameters.steps_per_revolution > 0) return march;
-  double last = std::numeric_limits<double>::infinity();
-  for (int halvings = 0; halvings < most_halvings; ++halvings) {
-    march = halve(scene, rotor, *march, response);
-    const double found = *response.audit.halving_difference;
-    if (found <= parameters.step_tolerance || found > useless_halving * last || !response.settled()) break;
-    last = found;
+  std::vector<double> found;
+  while (found.size() < most_halvings) {
+    march = halve(scene, rotor, *march, cycle_revolutions, response);
+    found.push_back(*response.audit.halving_difference);
+    if (!response.settled() || is_small(found, parameters.step_tolerance) || is_useless(found)) break;
   }
   return march;
+}
+
+std::unique_ptr<TimeMarch> settle_roughly(const Scene& scene, const RotorAtSpeed& rotor, SpeedResponse& response) {
+  SimulateParameters parameters = scene.parameters;
+  parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
+  parameters.settle_tolerance = std::max(parameters.settle_tolerance, coarse_settling);
+  const Scene coarse{scene.model, scene.casing, parameters, scene.scope};
+  const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
+                       {std::min(min_revolutions_again, parameters.min_revolutions)}};
+  return settle(coarse, rotor, {}, plan, response);
 }
 
 }  // namespace tiprub

@@ -16,10 +16,12 @@ namespace tiprub {
 struct MarchPlan {
   int steps_per_revolution = 0;
   SettlingPlan settling;
+  int cycle_revolutions = 0;  ///< whose states are kept at every sample
 };
+enum class CycleChoice { left, kept };
 
 /// The rotor of a scene at a speed [rad/s]. Raises RunError if it is unstable there.
-RotorAtSpeed rotor_of(const Scene& scene, double speed);
+RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others = OtherDiameters::known);
 
 /// From a state to the settled motion with one step: the march at its end; its recording and all that is known of it
 /// in `response`, whose speed is given. `response.revolutions` counts on.
@@ -33,6 +35,11 @@ std::unique_ptr<TimeMarch> settle(const Scene& scene, const RotorAtSpeed& rotor,
 /// halving that makes nothing better, or a motion that doesn't settle, ends it too: the difference says what was
 /// reached. With [simulate] steps_per_revolution: that step, whatever its error.
 std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const RotorAtSpeed& rotor,
-                                                   const RotorState& start, SpeedResponse& response);
+                                                   const RotorState& start, CycleChoice cycle,
+                                                   SpeedResponse& response);
+
+/// From rest with a coarse step to an amplitude within a few percent, at a quarter of the cost or less: for where to
+/// look, and for a state to start from.
+std::unique_ptr<TimeMarch> settle_roughly(const Scene& scene, const RotorAtSpeed& rotor, SpeedResponse& response);
 
 }  // namespace tiprub

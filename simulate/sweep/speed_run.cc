@@ -5,26 +5,12 @@
 #include "simulate/march/carried_state.h"
 #include "simulate/orbits/excluded_growth.h"
 #include "simulate/orbits/speed_audit.h"
+#include "simulate/sweep/examination.h"
 #include "simulate/sweep/settled_march.h"
 
 namespace tiprub {
 
 namespace {
-
-/// With a step that was given: how far half of it is from it.
-void check_halved_step(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start,
-                       SpeedResponse& response) {
-  SpeedResponse halved;
-  halved.speed = response.speed;
-  try {
-    settle(scene, rotor, start, {2 * response.steps_per_revolution, {scene.parameters.min_revolutions}}, halved);
-    const ResponseDifference found = difference(response, halved);
-    response.audit.halving_difference = found.value;
-    response.audit.halving_measure = found.measure;
-  } catch (const RunError& error) {
-    response.audit.halving_measure = error.what();
-  }
-}
 
 void check_symmetry(const Scene& scene, const TimeMarch& march, const RotorAtSpeed& rotor, SpeedResponse& response) {
   SpeedAudit& audit = response.audit;
@@ -46,27 +32,37 @@ void compare_with_start_at_rest(const Scene& scene, const RotorAtSpeed& rotor, S
   from_rest.speed = response.speed;
   try {
     settle(scene, rotor, {}, {response.steps_per_revolution, {scene.parameters.min_revolutions}}, from_rest);
-    response.audit.rest_difference = difference(response, from_rest).value;
+    response.audit.rest_difference = difference(response, from_rest, scene.casing.lobes).value;
   } catch (const RunError&) {  // nothing to compare with
   }
 }
 
+void run(const Scene& scene, Depth depth, const RotorState& start, SpeedResult& result) {
+  SpeedResponse& response = result.response;
+  if (depth == Depth::scanned) {
+    settle_roughly(scene, rotor_of(scene, response.speed, OtherDiameters::unknown), response);
+    return;
+  }
+  const RotorAtSpeed rotor = rotor_of(scene, response.speed);
+  const CycleChoice cycle = depth == Depth::examined ? CycleChoice::kept : CycleChoice::left;
+  const std::unique_ptr<TimeMarch> march = settle_within_tolerance(scene, rotor, start, cycle, response);
+  result.end = state_of(*march, rotor, scene.model);
+  check_symmetry(scene, *march, rotor, response);
+  if (!start.at_rest()) compare_with_start_at_rest(scene, rotor, response);
+  if (depth == Depth::examined) examine(scene, rotor, result.end, response);
+}
+
 }  // namespace
 
-SpeedResult simulate_speed(const Scene& scene, double speed, StepCheck check, const RotorState& start) {
+SpeedResult simulate_speed(const Scene& scene, double speed, Depth depth, const RotorState& start) {
   SpeedResult result;
-  SpeedResponse& response = result.response;
-  response.speed = speed;
+  result.response.speed = speed;
   try {
-    const RotorAtSpeed rotor = rotor_of(scene, speed);
-    const std::unique_ptr<TimeMarch> march = settle_within_tolerance(scene, rotor, start, response);
-    result.end = state_of(*march, rotor, scene.model);
-    if (check == StepCheck::halved) check_halved_step(scene, rotor, start, response);
-    check_symmetry(scene, *march, rotor, response);
-    if (!start.at_rest()) compare_with_start_at_rest(scene, rotor, response);
+    run(scene, depth, start, result);
   } catch (const RunError& error) {
-    response.failure = error.what();
+    result.response.failure = error.what();
   }
+  result.response.depth = depth;
   return result;
 }
 

@@ -2,7 +2,6 @@
 #include "simulate/sweep/speed_sweep.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -11,18 +10,6 @@
 
 namespace tiprub {
 
-std::vector<SpeedTask> sweep_tasks(const SimulateParameters& parameters) {
-  std::vector<SpeedTask> tasks;
-  for (double speed : parameters.speeds) tasks.push_back({speed});
-  const auto last = static_cast<int>(tasks.size()) - 1;
-  const int checks = std::min(parameters.halved_step_checks, last + 1);
-  for (int i = 0; i < checks; ++i) {
-    const double share = checks == 1 ? 0.5 : static_cast<double>(i) / (checks - 1);
-    tasks[static_cast<std::size_t>(std::lround(share * last))].check = StepCheck::halved;
-  }
-  return tasks;
-}
-
 void sweep_speeds(const Scene& scene, const std::vector<SpeedTask>& missing, int threads, ProcessGroup& group,
                   FinishedSpeeds& finished, const SpeedDone& done) {
   std::mutex one_at_a_time;  // HDF5 and OutputFile know one caller only
@@ -30,7 +17,7 @@ void sweep_speeds(const Scene& scene, const std::vector<SpeedTask>& missing, int
   const auto work = [&] {
     for (std::size_t i = group.next(); i < missing.size(); i = group.next()) {
       try {
-        const SpeedResponse response = simulate_speed(scene, missing[i].speed, missing[i].check).response;
+        const SpeedResponse response = simulate_speed(scene, missing[i].speed, missing[i].depth).response;
         const std::lock_guard lock(one_at_a_time);
         if (failure) return;
         finished.keep(response);
@@ -61,12 +48,12 @@ void carry_speeds(const Scene& scene, const std::vector<SpeedTask>& tasks, Finis
   RotorState state;
   for (std::size_t i = 0; i < count; ++i) {
     const SpeedTask& task = tasks[place(i)];
-    if (finished.has(task.speed, task.check)) {
-      if (i + 1 < count && !finished.has(tasks[place(i + 1)].speed, tasks[place(i + 1)].check))
+    if (finished.has(task.speed, task.depth)) {
+      if (i + 1 < count && !finished.has(tasks[place(i + 1)].speed, tasks[place(i + 1)].depth))
         state = finished.read_end(task.speed);
       continue;
     }
-    SpeedResult result = simulate_speed(scene, task.speed, task.check, state);
+    SpeedResult result = simulate_speed(scene, task.speed, task.depth, state);
     finished.keep(result.response, result.end);
     done(result.response, place(i));
     state = std::move(result.end);

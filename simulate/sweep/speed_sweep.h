@@ -11,14 +11,11 @@
 
 namespace tiprub {
 
-/// One speed of a sweep and what is to be checked at it.
+/// One speed of a sweep and how closely it is to be looked at.
 struct SpeedTask {
   double speed;  ///< [rad/s]
-  StepCheck check = StepCheck::none;
+  Depth depth = Depth::full;
 };
-
-/// The speeds of a sweep in ascending order; a few of them, evenly spread and the ends first, with half the step too.
-std::vector<SpeedTask> sweep_tasks(const SimulateParameters& parameters);
 
 /// Who is told that a speed is done; called by one thread at a time. `place`: in the list of tasks.
 using SpeedDone = std::function<void(const SpeedResponse&, std::size_t place)>;

@@ -8,9 +8,9 @@
 
 #include "cases/program/errors.h"
 #include "simulate/sweep/finished_speeds.h"
-#include "simulate/sweep/missing_speeds.h"
 #include "simulate/sweep/response_assembly.h"
 #include "simulate/sweep/simulated_scene.h"
+#include "simulate/sweep/sweep_rounds.h"
 
 namespace tiprub {
 
@@ -50,9 +50,12 @@ SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, cons
   threads = thread_count(threads, scene.parameters, group);
   const std::unique_ptr<FinishedSpeeds> finished = open_finished(arguments, scene, settings, provenance, group);
   SweepOutcome outcome;
-  outcome.computed = compute_missing(arguments, scene, threads, group, *finished);
+  const SweepSpeeds found = run_rounds(arguments, scene, threads, group, *finished);
+  outcome.computed = found.computed;
+  outcome.speeds = found.speeds.size();
+  outcome.scanned = found.scanned;
   if (group.leads()) {
-    outcome.tally = assemble_response(scene, threads, *finished, arguments.output);
+    outcome.tally = assemble_response(scene, found.speeds, threads, *finished, arguments.output);
     outcome.breaking = outcome.tally.breaking;
   }
   if (scene.parameters.when_symmetry_breaks == BrokenSymmetry::full_run) group.share(outcome.breaking);

@@ -58,7 +58,7 @@ void print(const char* group, const char* name, const BenchWheel& wheel, const S
                 parameters.modes);
     return;
   }
-  const ResponseDifference error = difference(at.response, reference);
+  const ResponseDifference error = difference(at.response, reference, wheel.casing.lobes);
   std::printf("%s\t%s\t%d\t%d\t%.3e\t%.4f\t%.4e\t%s\n", group, name, at.response.steps_per_revolution,
               parameters.modes, error.value, at.milliseconds, operations(wheel, parameters, at.response),
               error.measure);

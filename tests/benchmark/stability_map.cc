@@ -13,10 +13,10 @@ constexpr double inaccurate = 5e-2;  // relative error from which on a stable ru
 constexpr int reference_steps = 9600;
 constexpr Patience patience = {20, 60, 6, 1e-4};
 
-const char* verdict(const SpeedResponse& at, const SpeedResponse& reference) {
+const char* outcome(const SpeedResponse& at, const SpeedResponse& reference, int lobes) {
   if (at.failure.find("grew beyond") != std::string::npos) return "blown_up";
   if (!at.failure.empty()) return "refused";
-  return difference(at, reference).value > inaccurate ? "inaccurate" : "stable";
+  return difference(at, reference, lobes).value > inaccurate ? "inaccurate" : "stable";
 }
 
 struct Row {
@@ -61,7 +61,7 @@ void print_stability(const std::string& model) {
   int number = 0;
   for (const Row& row : rows) {
     for (int steps : {240, 480, 960, 1920, 3840, 7680, 15360}) {
-      std::printf("%d\t%s\t%d\t%s\n", number, row.name, steps, verdict(run_row(wheel, row, steps), reference));
+      std::printf("%d\t%s\t%d\t%s\n", number, row.name, steps, outcome(run_row(wheel, row, steps), reference, wheel.casing.lobes));
       std::fflush(stdout);
     }
     ++number;

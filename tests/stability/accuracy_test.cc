@@ -24,10 +24,10 @@ TEST(AccuracyOfTheDefault, HoldsWhereTipModesTurnAboutOnceAStep) {
     const SpeedResponse reference = settled(wheel, speed, 16 * at.steps_per_revolution);
     ASSERT_EQ(reference.failure, "");
     ASSERT_EQ(reference.motion, MotionClass::periodic) << speed;
-    const ResponseDifference error = difference(at, reference);
+    const ResponseDifference error = difference(at, reference, wheel.casing.lobes);
     EXPECT_STREQ(error.measure, "motion");
     EXPECT_LT(error.value, 5e-3) << speed;
-    const double halved = difference(settled(wheel, speed, 2 * at.steps_per_revolution), reference).value;
+    const double halved = difference(settled(wheel, speed, 2 * at.steps_per_revolution), reference, wheel.casing.lobes).value;
     EXPECT_LT(halved, 0.45 * error.value) << speed;
     EXPECT_GE(static_cast<double>(at.contact_steps), 0.7 * at.steps_per_revolution) << "a run with little contact";
   }

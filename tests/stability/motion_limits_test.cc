@@ -36,7 +36,7 @@ TEST(SettlingLimit, IsTheDecayNotTheChange) {
 class CoexistingMotions : public ::testing::Test {
  protected:
   SpeedResult settle(double speed, const RotorState& start) const {
-    return simulate_speed(scene_.view(), speed, StepCheck::none, start);
+    return simulate_speed(scene_.view(), speed, Depth::full, start);
   }
   static testing::OwnedScene make_scene() {
     testing::OwnedScene scene =

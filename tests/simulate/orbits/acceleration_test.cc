@@ -106,25 +106,22 @@ TEST(Acceleration, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
   EXPECT_EQ(fast.audit.acceleration.outcome, Outcome::settled);
   EXPECT_GT(fast.audit.acceleration.revolutions, 0);
   EXPECT_LT(fast.revolutions, 0.75 * plain.revolutions);
-  EXPECT_LT(difference(fast, plain).value, 2e-5);  // each is within settle_tolerance of the motion
+  EXPECT_LT(difference(fast, plain, casing.lobes).value, 2e-5);  // each is within settle_tolerance of the motion
 }
 
-/// At 2500 rad/s the motion repeats every five revolutions, beside an unstable orbit of one; with one lobe at 2000
-/// rad/s it never does, by a little. There is nothing to jump to, and the answer is that of marching, bit by bit.
+/// With one lobe at 2000 rad/s the motion never repeats itself, by a little. There is nothing to jump to, and the
+/// answer is that of marching, bit by bit.
 TEST(Acceleration, FallsBackOnMarchingWhereNoSteadyOrbitIs) {
   const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
-  for (const auto& [lobes, speed, period] : {std::tuple(2, 2500.0, 5), std::tuple(1, 2000.0, 0)}) {
-    const Casing casing = testing::lobed_casing(lobes, 2e-4, 1e-4);
-    const SpeedResponse plain = run(model, casing, speed, Acceleration::none);
-    const SpeedResponse tried = run(model, casing, speed, Acceleration::anderson);
-    EXPECT_EQ(plain.period_revolutions, period);
-    EXPECT_EQ(tried.period_revolutions, period);
-    EXPECT_LT(plain.off_beat_energy, 1e-3);
-    EXPECT_EQ(tried.audit.acceleration.outcome, Outcome::fell_back);
-    EXPECT_EQ(tried.displacement, plain.displacement);
-    EXPECT_EQ(tried.contact_force, plain.contact_force);
-    EXPECT_EQ(tried.revolutions, plain.revolutions + tried.audit.acceleration.revolutions);
-  }
+  const Casing casing = testing::lobed_casing(1, 2e-4, 1e-4);
+  const SpeedResponse plain = run(model, casing, 2000, Acceleration::none);
+  const SpeedResponse tried = run(model, casing, 2000, Acceleration::anderson);
+  EXPECT_FALSE(plain.settled());
+  EXPECT_FALSE(tried.settled());
+  EXPECT_EQ(tried.audit.acceleration.outcome, Outcome::fell_back);
+  EXPECT_EQ(tried.displacement, plain.displacement);
+  EXPECT_EQ(tried.contact_force, plain.contact_force);
+  EXPECT_EQ(tried.revolutions, plain.revolutions + tried.audit.acceleration.revolutions);
 }
 
 }  // namespace

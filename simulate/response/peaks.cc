@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/analysis/peaks.h"
+#include "simulate/response/peaks.h"
 
 #include <algorithm>
 

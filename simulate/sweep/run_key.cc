@@ -75,7 +75,6 @@ const std::vector<ExemptKey>& exempt_keys() {
       {"speed_max_rpm", "as speed_min_rpm"},
       {"speed_count", "as speed_min_rpm"},
       {"speeds_rpm", "as speed_min_rpm"},
-      {"step_tolerance", "acts through steps_per_period only, which stands resolved"},
       {"speeds", "as speed_min_rpm"},
       {"scan_per_interval", "as speed_min_rpm"},
       {"speed_count_max", "as speed_min_rpm"},

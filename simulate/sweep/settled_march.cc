@@ -25,6 +25,7 @@ constexpr std::size_t most_halvings = 10;
 constexpr int longest_cycle = 2;        // revolutions whose states are kept
 constexpr double coarse_steps = 100;    // a period of the lowest frequency
 constexpr double coarse_settling = 1e-3;
+constexpr double scatter = 1.6;  // the true error over the differences, against a closed-form impact orbit
 constexpr double useless_halving = 0.9;  // of the difference before it: the error doesn't fall
 constexpr int min_revolutions_again = 10;  // from a motion that has settled with twice the step
 
@@ -167,11 +168,12 @@ std::unique_ptr<TimeMarch> halve(const Scene& scene, const RotorAtSpeed& rotor, 
   return finer_march;
 }
 
-/// Through impacts the error is of first order, and its differences scatter: a small one counts only after one that
-/// was at most twice the tolerance.
+/// Through impacts the error is of first order, and its differences scatter: a small one counts only as far as half
+/// of the one before, a quarter of the one before that, ... are small as well.
 bool is_small(const std::vector<double>& differences, double tolerance) {
-  const std::size_t count = differences.size();
-  return differences.back() <= tolerance && (count == 1 || differences[count - 2] <= 2 * tolerance);
+  double error = 0;
+  for (const double difference : differences) error = std::max(difference, error / 2);
+  return scatter * error <= tolerance;
 }
 
 /// Two halvings after which the differences stand where they were.

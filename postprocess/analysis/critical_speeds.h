@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "postprocess/analysis/linear_criterion.h"
-#include "simulate/response/peaks.h"
 #include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/waves/wave_label.h"
 #include "reduce/model/reduced_model.h"
+#include "simulate/response/peaks.h"
 #include "simulate/response/response.h"
 
 namespace tiprub {

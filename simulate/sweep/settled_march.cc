@@ -22,7 +22,7 @@ constexpr double leftover_gap = 1e-9;  // of amplitude and clearance: a penetrat
 constexpr double seed_motion = 1e-3;   // of the casing's amplitude: seeds nodal diameters that symmetry keeps still
 constexpr double worst_condition = 1e12;  // of W, if modes are dropped: beyond it, it has lost its rank
 constexpr std::size_t most_halvings = 10;
-constexpr int longest_cycle = 2;        // revolutions whose states are kept
+constexpr int longest_cycle = 2;        // revolutions of a motion that doesn't settle, whose states are kept
 constexpr double coarse_steps = 100;    // a period of the lowest frequency
 constexpr double coarse_settling = 1e-3;
 constexpr double scatter = 1.6;  // the true error over the differences, against a closed-form impact orbit
@@ -115,12 +115,13 @@ void march_and_record(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& 
   const int last_start = parameters.max_revolutions - parameters.recorded_revolutions;
   Settling settling(scene, march, plan.settling);
   Recording::Grid grid{scene.scope.samples_per_revolution, 0, parameters.casing_areas,
-                       leftover_gap * length_scale(scene), static_cast<double>(settling.highest_order()),
-                       plan.cycle_revolutions};
+                       leftover_gap * length_scale(scene), static_cast<double>(settling.highest_order())};
   while (true) {
     while (settling.revolutions() < last_start && !settling.settled()) settling.advance();
     grid.revolutions =
         settling.settled() ? revolutions_to_record(parameters, settling.state()) : parameters.recorded_revolutions;
+    if (plan.cycle == CycleChoice::kept)
+      grid.cycle_revolutions = settling.settled() ? grid.revolutions : longest_cycle;
     Recording recording(march, rotor, scene.model.contact, grid);
     for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution(march));
     const bool same = settling.settled() && revolutions_to_record(parameters, settling.state()) <= grid.revolutions;
@@ -151,13 +152,13 @@ MarchSetup setup_of(const Scene& scene, const RotorAtSpeed& rotor, const MarchPl
 
 /// The motion of a state with half the step, and how far the two are apart.
 std::unique_ptr<TimeMarch> halve(const Scene& scene, const RotorAtSpeed& rotor, const TimeMarch& march,
-                                 int cycle_revolutions, SpeedResponse& response) {
+                                 CycleChoice cycle, SpeedResponse& response) {
   SpeedResponse finer;
   finer.speed = response.speed;
   finer.revolutions = response.revolutions;
   const MarchPlan plan{2 * response.steps_per_revolution,
                        {std::min(min_revolutions_again, scene.parameters.min_revolutions)},
-                       cycle_revolutions};
+                       cycle};
   std::unique_ptr<TimeMarch> finer_march =
       settle(scene, rotor, state_of(march, rotor, scene.model), plan, finer);
   const ResponseDifference found = difference(finer, response, scene.casing.lobes);
@@ -215,15 +216,14 @@ std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const Rot
                                                    const RotorState& start, CycleChoice cycle,
                                                    SpeedResponse& response) {
   const SimulateParameters& parameters = scene.parameters;
-  const int cycle_revolutions = cycle == CycleChoice::kept ? longest_cycle : 0;
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
                        {parameters.min_revolutions, parameters.acceleration},
-                       cycle_revolutions};
+                       cycle};
   std::unique_ptr<TimeMarch> march = settle(scene, rotor, start, plan, response);
   if (parameters.steps_per_revolution > 0) return march;
   std::vector<double> found;
   while (found.size() < most_halvings) {
-    march = halve(scene, rotor, *march, cycle_revolutions, response);
+    march = halve(scene, rotor, *march, cycle, response);
     found.push_back(*response.audit.halving_difference);
     if (!response.settled() || is_small(found, parameters.step_tolerance) || is_useless(found)) break;
   }

@@ -12,13 +12,16 @@
 
 namespace tiprub {
 
+/// Whether the whole rotor's states are kept at every recorded sample: of a settled motion's period, or of two
+/// revolutions.
+enum class CycleChoice { left, kept };
+
 /// How one march of a speed is to be done.
 struct MarchPlan {
   int steps_per_revolution = 0;
   SettlingPlan settling;
-  int cycle_revolutions = 0;  ///< whose states are kept at every sample
+  CycleChoice cycle = CycleChoice::left;
 };
-enum class CycleChoice { left, kept };
 
 /// The rotor of a scene at a speed [rad/s]. Raises RunError if it is unstable there.
 RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others = OtherDiameters::known);

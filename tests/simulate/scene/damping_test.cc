@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/scene/damping.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/simulate/synthetic_wheel.h"
+
+namespace tiprub {
+namespace {
+
+TEST(Damping, IsByFamilyAndTheLastOneHolds) {
+  const Damping damping{0.01, 0.002};
+  EXPECT_EQ(damping.ratio(0, 100), 0.01);
+  EXPECT_EQ(damping.ratio(1, 100), 0.002);
+  EXPECT_EQ(damping.ratio(7, 1e6), 0.002);
+  EXPECT_EQ(damping.largest(), 0.01);
+}
+
+TEST(Damping, IsByFrequencyLinearBetweenPoints) {
+  const Damping damping(Damping::Table{{1000, 0.002}, {3000, 0.006}});
+  EXPECT_EQ(damping.ratio(0, 10), 0.002);
+  EXPECT_DOUBLE_EQ(damping.ratio(3, 2000), 0.004);
+  EXPECT_EQ(damping.ratio(0, 9000), 0.006);
+  EXPECT_EQ(damping.largest(), 0.006);
+}
+
+TEST(Damping, IsAnotherOneBeyondTheResolvedFrequency) {
+  Damping damping{0.002};
+  damping.set_beyond(8000, 0.02);
+  EXPECT_EQ(damping.ratio(0, 8000), 0.002);
+  EXPECT_EQ(damping.ratio(40, 8001), 0.02);
+}
+
+TEST(ResolvedFrequency, IsTwiceTheLowestOfTheLastVerifiedOnes) {
+  ReducedModel model = testing::synthetic_wheel({});
+  EXPECT_TRUE(std::isinf(resolved_frequency(model)));
+  Eigen::MatrixXd low(2, 3), high(2, 3);
+  low << 1000, 2000, 3000, 1100, 2100, 3200;
+  high << 1000, 2000, 3500, 1100, 2100, 2900;
+  model.verification.unreduced = {low, high};
+  EXPECT_EQ(resolved_frequency(model), 5800);
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep/adaptive_speeds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace tiprub {
+namespace {
+
+using Curve = std::function<double(double)>;
+
+/// A resonance at `speed` with the half-power width 2 `damping`.
+double resonance(double x, double speed, double damping) {
+  const double ratio = x / speed;
+  return 1 / std::hypot(1 - ratio * ratio, 2 * damping * ratio);
+}
+
+/// What an adaptive sweep comes to: full speeds with their amplitudes.
+std::vector<SampledSpeed> sweep(const Curve& curve, const LocationGoal& goal, double scan_error = 0) {
+  std::map<double, SampledSpeed> samples;
+  for (double x = 1000; x <= 2001; x += 10) {
+    const bool full = static_cast<int>(std::lround(x)) % 50 == 0;
+    samples[x] = {x, curve(x) * (full ? 1 : 1 + scan_error * std::sin(x)),
+                  full ? SampledSpeed::Kind::full : SampledSpeed::Kind::scanned};
+  }
+  for (int round = 0; round < 100; ++round) {
+    std::vector<SampledSpeed> list;
+    for (const auto& [speed, sample] : samples) list.push_back(sample);
+    const std::vector<double> next = speeds_to_refine(list, goal);
+    if (next.empty()) break;
+    for (const double x : next) samples[x] = {x, curve(x), SampledSpeed::Kind::full};
+  }
+  std::vector<SampledSpeed> full;
+  for (const auto& [speed, sample] : samples)
+    if (sample.kind == SampledSpeed::Kind::full) full.push_back(sample);
+  return full;
+}
+
+void expect_located(const std::vector<SampledSpeed>& found, double speed, double height) {
+  const LocationGoal goal;
+  for (const std::size_t i : located_peaks(found, goal))
+    if (std::abs(found[i].speed - speed) <= goal.speed * speed) {
+      EXPECT_NEAR(found[i].amplitude, height, goal.amplitude * height);
+      EXPECT_LE(found[i + 1].speed - found[i].speed, 1.01 * goal.speed * speed);
+      EXPECT_LE(found[i].speed - found[i - 1].speed, 1.01 * goal.speed * speed);
+      return;
+    }
+  ADD_FAILURE() << "no peak at " << speed;
+}
+
+TEST(AdaptiveSpeeds, LocatesPeaksBetweenSamples) {
+  const Curve curve = [](double x) { return resonance(x, 1237.3, 0.004) + 0.6 * resonance(x, 1713.9, 0.002); };
+  const std::vector<SampledSpeed> found = sweep(curve, {});
+  expect_located(found, 1237.3, curve(1237.3));
+  expect_located(found, 1713.9, curve(1713.9));
+  EXPECT_EQ(located_peaks(found, {}).size(), 2u);
+  EXPECT_LT(found.size(), 60u);
+}
+
+TEST(AdaptiveSpeeds, AreNotMisledByAScanThatIsOffByPercents) {
+  const Curve curve = [](double x) { return resonance(x, 1237.3, 0.01); };
+  expect_located(sweep(curve, {}, 0.03), 1237.3, curve(1237.3));
+}
+
+TEST(AdaptiveSpeeds, EnclosesAJump) {
+  const double fold = 1503.7;
+  const Curve curve = [&](double x) { return x < fold ? 1 + (x - 1000) / 500 : 0.4; };
+  const std::vector<SampledSpeed> found = sweep(curve, {});
+  const auto after = std::find_if(found.begin(), found.end(), [&](const auto& at) { return at.speed >= fold; });
+  EXPECT_LE(after->speed - (after - 1)->speed, 1e-3 * fold);
+}
+
+TEST(AdaptiveSpeeds, AskForNothingOnASmoothCurve) {
+  EXPECT_EQ(sweep([](double x) { return x / 1000; }, {}).size(), 21u);
+}
+
+}  // namespace
+}  // namespace tiprub

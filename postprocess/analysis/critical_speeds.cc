@@ -69,6 +69,20 @@ class PeakReader {
   Component component_;
 };
 
+void locate(CriticalSpeed& critical, const Response& response, const Eigen::VectorXd& amplitudes) {
+  const auto place = static_cast<std::size_t>(critical.index);
+  const SpeedResponse &before = response.speeds[place - 1], &after = response.speeds[place + 1];
+  critical.speed_low = before.speed;
+  critical.speed_high = after.speed;
+  const double step_error = response.speeds[place].audit.halving_difference.value_or(0) * critical.amplitude;
+  const double added =
+      parabola_top({before.speed, critical.speed, after.speed},
+                   {amplitudes[critical.index - 1], critical.amplitude, amplitudes[critical.index + 1]})
+          .height;
+  critical.amplitude_low = critical.amplitude - step_error;
+  critical.amplitude_high = critical.amplitude + std::max(step_error, added);
+}
+
 }  // namespace
 
 TipAmplitudes tip_amplitudes(const Response& response, const ContactLine& contact, Component component) {
@@ -100,6 +114,7 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
     critical.node = amplitudes.node[peak.index];
     critical.motion = peak_response.motion;
     critical.period_beats = peak_response.period_beats;
+    locate(critical, response, amplitudes.largest);
     reader.name_waves(critical, peak);
     all.push_back(critical);
   }

@@ -28,7 +28,12 @@ struct CriticalSpeed {
   double speed = 0;        ///< [rad/s]
   double amplitude = 0;    ///< [m]
   double prominence = 0;   ///< [m]
-  int node = 0;            ///< contact node that moves most
+  /// [rad/s] the samples beside the peak: its top lies between them.
+  double speed_low = 0, speed_high = 0;
+  /// [m] the amplitude less and more what the last halving of the step changed; more, also what the parabola through
+  /// the peak's three samples adds.
+  double amplitude_low = 0, amplitude_high = 0;
+  int node = 0;  ///< contact node that moves most
   /// The wave that makes the peak: of all lines above frequency zero, at that node and of the component of the
   /// amplitude, the one that rises most above the higher of its values at the two valleys. The largest line need not
   /// be it: the casing pushes every wheel through N_l Omega at every speed.

@@ -2,6 +2,7 @@
 #include "postprocess/records/critical_speed_record.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 
@@ -57,10 +58,43 @@ std::string other_waves(const CriticalSpeed& critical, std::size_t count) {
   return text;
 }
 
+/// "-9 +12": to the samples beside the peak.
+std::string located(const CriticalSpeed& critical) {
+  return "-" + fixed((critical.speed - critical.speed_low) * rpm_per_rad_s, 0) + " +" +
+         fixed((critical.speed_high - critical.speed) * rpm_per_rad_s, 0);
+}
+
+/// [1] of the amplitude.
+double amplitude_slack(const CriticalSpeed& critical) {
+  if (!(critical.amplitude > 0)) return 0;
+  return std::max(critical.amplitude_high - critical.amplitude, critical.amplitude - critical.amplitude_low) /
+         critical.amplitude;
+}
+
+/// "up: modulated 0.045 mm; ...": motions from other starts that differ from the speed's own by more than what the
+/// settling and the step leave open; "none found", or empty where nobody looked.
+std::string other_motions(const SpeedResponse& response) {
+  constexpr double another = 0.02;  // of the motion's norm
+  std::string text;
+  for (const OtherStart& start : response.other_starts) {
+    const bool differs =
+        start.failure.empty() &&
+        (start.difference > another || std::abs(start.amplitude - response.amplitude) > another * response.amplitude);
+    if (differs)
+      text += (text.empty() ? "" : "; ") + start.start + ": " + motion_text(start.motion, start.period_beats) + " " +
+              significant(start.amplitude * mm_per_m, 3) + " mm";
+  }
+  return text.empty() && !response.other_starts.empty() ? "none found" : text;
+}
+
 PeakColumns amplitude_columns() {
   return {{"speed [rpm]", [](const PeakRow& peak) { return peak.critical.speed * rpm_per_rad_s; }},
           {"speed [rad/s]", [](const PeakRow& peak) { return peak.critical.speed; }},
           {"amplitude [mm]", [](const PeakRow& peak) { return peak.critical.amplitude * mm_per_m; }},
+          {"speed low [rpm]", [](const PeakRow& peak) { return peak.critical.speed_low * rpm_per_rad_s; }},
+          {"speed high [rpm]", [](const PeakRow& peak) { return peak.critical.speed_high * rpm_per_rad_s; }},
+          {"amplitude low [mm]", [](const PeakRow& peak) { return peak.critical.amplitude_low * mm_per_m; }},
+          {"amplitude high [mm]", [](const PeakRow& peak) { return peak.critical.amplitude_high * mm_per_m; }},
           {"prominence [mm]", [](const PeakRow& peak) { return peak.critical.prominence * mm_per_m; }},
           {"contact node", [](const PeakRow& peak) { return peak.critical.node; }}};
 }
@@ -116,6 +150,10 @@ PeakColumns cycle_columns() {
 PeakColumns prediction_columns() {
   return {
       {"motion", [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
+      {"motions from other starts",
+       [](const PeakRow& peak) {
+         return other_motions(peak.study.response.speeds[static_cast<std::size_t>(peak.critical.index)]);
+       }},
       {"predicted by eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
       {"predicted with aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
 }
@@ -124,7 +162,9 @@ PeakColumns rounded_columns() {
   constexpr std::size_t shown_others = 2;
   return {
       {"speed [rpm]", [](const PeakRow& peak) { return fixed(peak.critical.speed * rpm_per_rad_s, 0); }},
+      {"located [rpm]", [](const PeakRow& peak) { return located(peak.critical); }},
       {"amplitude [mm]", [](const PeakRow& peak) { return fixed(peak.critical.amplitude * mm_per_m, 4); }},
+      {"within [%]", [](const PeakRow& peak) { return fixed(percent * amplitude_slack(peak.critical), 1); }},
       {"node", [](const PeakRow& peak) { return std::to_string(peak.critical.node); }},
       {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.rising.family + 1); }},
       {"wave", [](const PeakRow& peak) { return wave_name(peak.critical.rising); }},

@@ -35,6 +35,13 @@ std::vector<Peak> find_peaks(const Eigen::VectorXd& curve, double share) {
   return peaks;
 }
 
+ParabolaTop parabola_top(const std::array<double, 3>& places, const std::array<double, 3>& values) {
+  const double left = places[1] - places[0], right = places[2] - places[1];
+  const double rise = (values[1] - values[0]) / left, fall = (values[2] - values[1]) / right;
+  const double offset = 0.5 * (rise * right + fall * left) / (rise - fall);
+  return {offset, (rise - fall) / (left + right) * offset * offset};
+}
+
 std::vector<Eigen::Index> rising_ends(const Eigen::VectorXd& curve, double share) {
   std::vector<Eigen::Index> ends;
   const Eigen::Index last = curve.size() - 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <vector>
 
 namespace tiprub {
@@ -13,6 +14,15 @@ struct Peak {
   Eigen::Index right_valley = 0;  ///< the same on its right
   double prominence = 0;          ///< height above the higher of the two valleys
 };
+
+/// Of the parabola through a sample and its two neighbours: where it is highest.
+struct ParabolaTop {
+  double offset = 0;  ///< of the place, from the middle sample
+  double height = 0;  ///< above the middle sample
+};
+
+/// Needs a middle sample that is higher than one neighbour and not lower than the other; places ascending.
+ParabolaTop parabola_top(const std::array<double, 3>& places, const std::array<double, 3>& values);
 
 /// Samples higher than both neighbours (of equal ones the first), whose prominence is at least `share` of their own
 /// height. The two ends are no peaks: nobody knows what follows. Ascending in index.

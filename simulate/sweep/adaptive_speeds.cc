@@ -28,16 +28,9 @@ struct Triple {
 
   double left_side() const { return top.speed - left.speed; }
   double right_side() const { return right.speed - top.speed; }
-  /// Where the parabola through the three has its vertex, from the top; and how far above it.
-  double vertex() const { return 0.5 * (rise() * right_side() + fall() * left_side()) / (rise() - fall()); }
-  double height() const {
-    const double curvature = (rise() - fall()) / (left_side() + right_side());
-    return curvature * vertex() * vertex();
+  ParabolaTop parabola() const {
+    return parabola_top({left.speed, top.speed, right.speed}, {left.amplitude, top.amplitude, right.amplitude});
   }
-
- private:
-  double rise() const { return (top.amplitude - left.amplitude) / left_side(); }
-  double fall() const { return (right.amplitude - top.amplitude) / right_side(); }
 };
 
 void close_in(const Triple& peak, const LocationGoal& goal, std::set<double>& next) {
@@ -55,12 +48,13 @@ void refine_peak(const Triple& peak, const LocationGoal& goal, std::set<double>&
   if (std::max(left, right) <= wide) {
     for (const SampledSpeed* side : {&peak.left, &peak.right})
       if (side->kind == SampledSpeed::Kind::scanned) next.insert(side->speed);
-    const bool apart = std::abs(peak.vertex()) > goal.narrowest * peak.top.speed;
-    if (next.empty() && apart && peak.height() > goal.amplitude * peak.top.amplitude)
-      next.insert(peak.top.speed + peak.vertex());
+    const ParabolaTop parabola = peak.parabola();
+    const bool apart = std::abs(parabola.offset) > goal.narrowest * peak.top.speed;
+    if (next.empty() && apart && parabola.height > goal.amplitude * peak.top.amplitude)
+      next.insert(peak.top.speed + parabola.offset);
     return;
   }
-  const double vertex = peak.vertex();
+  const double vertex = peak.parabola().offset;
   if (std::max(left, right) > lopsided * std::min(left, right))
     next.insert(peak.top.speed + (left > right ? -left / 2 : right / 2));
   else if (std::abs(vertex) > wide / 2)

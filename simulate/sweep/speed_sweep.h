@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
+#include "simulate/speed/speed_run.h"
 #include "simulate/sweep/finished_speeds.h"
 #include "simulate/sweep/process_group.h"
-#include "simulate/sweep/speed_run.h"
 
 namespace tiprub {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "reduce/model/reduced_model_file.h"
-#include "simulate/sweep/speed_run.h"
+#include "simulate/speed/speed_run.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::testing {

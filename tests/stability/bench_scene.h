@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulate/sweep/speed_run.h"
+#include "simulate/speed/speed_run.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::testing {

@@ -8,8 +8,8 @@
 #include "simulate/orbits/anderson.h"
 #include "simulate/orbits/speed_audit.h"
 #include "simulate/orbits/symmetric_map.h"
-#include "simulate/sweep/settled_march.h"
-#include "simulate/sweep/speed_run.h"
+#include "simulate/speed/settled_march.h"
+#include "simulate/speed/speed_run.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {

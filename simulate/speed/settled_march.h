@@ -28,8 +28,8 @@ RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others = 
 
 /// From a state to the settled motion with one step: the march at its end; its recording and all that is known of it
 /// in `response`, whose speed is given. `response.revolutions` counts on.
-/// Raises RunError with the reason of a failure: a clearance that spin closes, a step too long for its scheme, too few
-/// modes for the contact nodes, a motion that grows without bound.
+/// Raises RunError with the reason of a failure: a clearance that spin closes, a step too long for its scheme, too
+/// few modes for the contact nodes, a motion that grows without bound.
 std::unique_ptr<TimeMarch> settle(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start,
                                   const MarchPlan& plan, SpeedResponse& response);
 

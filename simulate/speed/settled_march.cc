@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/sweep/settled_march.h"
+#include "simulate/speed/settled_march.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <numbers>
 #include <numeric>
 #include <sstream>
 #include <vector>
@@ -22,11 +24,11 @@ constexpr double leftover_gap = 1e-9;  // of amplitude and clearance: a penetrat
 constexpr double seed_motion = 1e-3;   // of the casing's amplitude: seeds nodal diameters that symmetry keeps still
 constexpr double worst_condition = 1e12;  // of W, if modes are dropped: beyond it, it has lost its rank
 constexpr std::size_t most_halvings = 10;
-constexpr int longest_cycle = 2;        // revolutions of a motion that doesn't settle, whose states are kept
-constexpr double coarse_steps = 100;    // a period of the lowest frequency
+constexpr int longest_cycle = 2;      // revolutions of a motion that doesn't settle, whose states are kept
+constexpr double coarse_steps = 100;  // a period of the lowest frequency
 constexpr double coarse_settling = 1e-3;
-constexpr double scatter = 1.6;  // the true error over the differences, against a closed-form impact orbit
-constexpr double useless_halving = 0.9;  // of the difference before it: the error doesn't fall
+constexpr double scatter = 1.6;            // the true error over the differences, against a closed-form impact orbit
+constexpr double useless_halving = 0.9;    // of the difference before it: the error doesn't fall
 constexpr int min_revolutions_again = 10;  // from a motion that has settled with twice the step
 
 /// [m] of a speed in rad/s. Raises RunError if spin closes it.
@@ -156,11 +158,9 @@ std::unique_ptr<TimeMarch> halve(const Scene& scene, const RotorAtSpeed& rotor, 
   SpeedResponse finer;
   finer.speed = response.speed;
   finer.revolutions = response.revolutions;
-  const MarchPlan plan{2 * response.steps_per_revolution,
-                       {std::min(min_revolutions_again, scene.parameters.min_revolutions)},
-                       cycle};
-  std::unique_ptr<TimeMarch> finer_march =
-      settle(scene, rotor, state_of(march, rotor, scene.model), plan, finer);
+  const MarchPlan plan{
+      2 * response.steps_per_revolution, {std::min(min_revolutions_again, scene.parameters.min_revolutions)}, cycle};
+  std::unique_ptr<TimeMarch> finer_march = settle(scene, rotor, state_of(march, rotor, scene.model), plan, finer);
   const ResponseDifference found = difference(finer, response, scene.casing.lobes);
   finer.audit.acceleration = response.audit.acceleration;
   finer.audit.halving_difference = found.value;
@@ -175,6 +175,13 @@ bool is_small(const std::vector<double>& differences, double tolerance) {
   double error = 0;
   for (const double difference : differences) error = std::max(difference, error / 2);
   return scatter * error <= tolerance;
+}
+
+/// Whether half the step is lost in rounding: velocities are differences of positions, which are good to their last
+/// digit.
+bool rounds_off(const TimeMarch& march, const RotorAtSpeed& rotor, double tolerance) {
+  const double angle = std::numbers::pi * rotor.first_frequency * march.time_step();  // of half a step
+  return std::numeric_limits<double>::epsilon() > tolerance * angle * angle;
 }
 
 /// Two halvings after which the differences stand where they were.
@@ -200,9 +207,8 @@ std::unique_ptr<TimeMarch> settle(const Scene& scene, const RotorAtSpeed& rotor,
   response.clearance = open_clearance(scene, response.speed);
   const MarchSetup setup = setup_of(scene, rotor, plan);
   auto march = std::make_unique<TimeMarch>(rotor, scene.casing, scene.model.contact, response.clearance, setup);
-  const double omega_max = parameters.scheme == Scheme::penalty
-                               ? penalised_omega_max(rotor, setup.penalty_stiffness)
-                               : rotor.omega_max;
+  const double omega_max =
+      parameters.scheme == Scheme::penalty ? penalised_omega_max(rotor, setup.penalty_stiffness) : rotor.omega_max;
   response.step_ratio = march->time_step() * omega_max / 2;
   require_stable_step(parameters, omega_max, response);
   response.audit.compliance_condition = compliance_condition(*march);
@@ -222,7 +228,7 @@ std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const Rot
   std::unique_ptr<TimeMarch> march = settle(scene, rotor, start, plan, response);
   if (parameters.steps_per_revolution > 0) return march;
   std::vector<double> found;
-  while (found.size() < most_halvings) {
+  while (found.size() < most_halvings && !rounds_off(*march, rotor, parameters.step_tolerance)) {
     march = halve(scene, rotor, *march, cycle, response);
     found.push_back(*response.audit.halving_difference);
     if (!response.settled() || is_small(found, parameters.step_tolerance) || is_useless(found)) break;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/sweep/examination.h"
+#include "simulate/speed/examination.h"
 
 #include <utility>
 
 #include "cases/program/errors.h"
 #include "simulate/march/carried_state.h"
 #include "simulate/orbits/speed_audit.h"
-#include "simulate/sweep/settled_march.h"
+#include "simulate/speed/settled_march.h"
 
 namespace tiprub {
 
@@ -16,7 +16,11 @@ constexpr double neighbour = 0.01;  // of the speed, to each side
 constexpr double disturbance = 2;   // times the displacement
 
 OtherStart compared(const char* start, const SpeedResponse& found, const SpeedResponse& response, int lobes) {
-  return {start,        "", found.amplitude, found.motion, found.period_beats,
+  return {start,
+          "",
+          found.amplitude,
+          found.motion,
+          found.period_beats,
           found.samples_per_revolution == response.samples_per_revolution &&
                   found.displacement.cols() == response.displacement.cols()
               ? difference(found, response, lobes).value
@@ -65,7 +69,8 @@ SpeedResponse of_whole_wheel(const Scene& scene, const SpeedResponse& response) 
   return settled_from(whole, rotor_of(whole, response.speed), {}, response);
 }
 
-void check_halved_step(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& end, SpeedResponse& response) {
+void check_halved_step(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& end,
+                       SpeedResponse& response) {
   SpeedResponse halved;
   halved.speed = response.speed;
   try {

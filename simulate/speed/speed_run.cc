@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/sweep/speed_run.h"
+#include "simulate/speed/speed_run.h"
 
 #include "cases/program/errors.h"
 #include "simulate/march/carried_state.h"
 #include "simulate/orbits/excluded_growth.h"
 #include "simulate/orbits/speed_audit.h"
-#include "simulate/sweep/examination.h"
-#include "simulate/sweep/settled_march.h"
+#include "simulate/speed/examination.h"
+#include "simulate/speed/settled_march.h"
 
 namespace tiprub {
 
@@ -18,8 +18,8 @@ void check_symmetry(const Scene& scene, const TimeMarch& march, const RotorAtSpe
   audit.symmetry = SymmetryVerdict::unchecked;
   if (scene.parameters.symmetry_check_revolutions == 0 || response.displacement.isZero(0)) return;
   try {
-    const Growth growth = excluded_growth(march, rotor, scene.casing, scene.model.contact, response.period_revolutions,
-                                          scene.parameters.symmetry_check_revolutions);
+    const Growth growth = excluded_growth(march, rotor, scene.casing, scene.model.contact,
+                                          response.period_revolutions, scene.parameters.symmetry_check_revolutions);
     audit.excluded_growth = growth.factor;
     audit.excluded_growth_uncertainty = growth.uncertainty;
     audit.symmetry = judge(growth);

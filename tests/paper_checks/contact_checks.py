@@ -57,7 +57,7 @@ def _(c):
     words, good = [], True
     for case in c.cases:
         shares = []
-        for at in (case.speeds[i] for i in numpy.flatnonzero(case.periodic)):
+        for at in (case.speeds[i] for i in numpy.flatnonzero(case.steady)):
             power = sum(waves[1:].__pow__(2).sum(axis=1) for waves in at.force_waves)
             orders = numpy.arange(1, len(power) + 1)
             if power.sum() > 0:
@@ -137,7 +137,7 @@ def _(c):
     two.figure("tip_motion")
     words = []
     for case in c.cases:
-        residuals = numpy.array([at.shift_residual for at in case.speeds])[case.periodic]
+        residuals = numpy.array([at.shift_residual for at in case.speeds])[case.steady]
         words.append(f"{case.name}: median {numpy.median(residuals):.1e}, below 1 % at {(residuals < 0.01).sum()} of {len(residuals)} periodic speeds")
     here = two.speeds[two.example].shift_residual
     return here < 0.01, f"{here:.1e} of the motion at {two.rpm[two.example]:.0f} rpm; " + "; ".join(words)
@@ -181,7 +181,7 @@ def _(c):
     index = [signed(p, 10) for p in (3, 6, 9, 12)]
     good = good and index == [3, -4, -1, 2]
     two = c.lobed(2)
-    waves = two.waves[two.periodic]
+    waves = two.waves[two.steady]
     four, six = waves[:, 4, 4].sum() / waves[:, 4, [4, 6]].sum(), waves[:, 6, 6].sum() / waves[:, 6, [4, 6]].sum()
     return good and four > 0.99 and six > 0.99, (f"p = 3, 6, 9, 12 on {index}; periodic speeds of {two.name}: EO 4 {percent(four)} backward, "
                                                f"EO 6 {percent(six)} forward; {text}")
@@ -189,11 +189,12 @@ def _(c):
 
 # --- 3.7 post-processing -----------------------------------------------------------------------------------------------------
 
-@check(55, "evenly spaced speeds, each marched until steady by a criterion, transformed over whole revolutions")
+@check(55, "evenly spaced speeds (and more between them), each marched until steady by a criterion, transformed over whole revolutions")
 def _(c):
-    even = max(abs(numpy.diff(case.rpm, 2)).max() / numpy.diff(case.rpm).mean() for case in c.cases)
+    even = max(abs(numpy.diff(case.first_speeds, 2)).max() / numpy.diff(case.first_speeds).mean() for case in c.cases)
     whole = all(at.whole for case in c.cases for at in case.speeds)
-    steady = {case.name: f"{int(case.periodic.sum())} periodic of {len(case.speeds)}, {case.failed} failed" for case in c.cases}
+    steady = {case.name: f"{len(case.first_speeds)} even ones and {len(case.speeds) + case.failed - len(case.first_speeds)} between, "
+                         f"{int(case.periodic.sum())} periodic, {case.failed} failed" for case in c.cases}
     return even < 1e-6 and whole, f"steps equal to {even:.0e}; {steady}"
 
 
@@ -215,7 +216,7 @@ def _(c):
 
 @check(58, "the counters sum to the contact steps of their node")
 def _(c):
-    good, text = c.tests.run(("postprocess-test", "ContactMap.KeepsEveryCount"))
+    good, text = c.tests.run(("postprocess-test", "ContactMap.DividesByTheStepsOverEachArea"))
     nodes = kept = 0
     for case in c.cases:
         for at in case.speeds:
@@ -226,18 +227,18 @@ def _(c):
     return good and kept == nodes, f"{kept} of {nodes} nodes lie between their samples under force and all of those samples' steps; {text}"
 
 
-@check(59, "contrast tells repeating from irregular speeds; contrast and places printed for each")
+@check(59, "contrast tells speeds whose motion repeats from others; contrast and places printed for each")
 def _(c):
     words, good = [], True
     for case in c.cases:
         contrast, places, _ = case.contact_map("trailing")
-        irregular = numpy.array([at.motion == "irregular" for at in case.speeds])
-        if not irregular.any():
-            words.append(f"{case.name}: no irregular speed")
+        repeats = numpy.array([at.repeats for at in case.speeds])
+        if repeats[case.even].all():
+            words.append(f"{case.name}: every motion repeats")
             continue
-        one, other = numpy.median(contrast[case.periodic]), numpy.median(contrast[irregular])
+        one, other = (numpy.median(contrast[case.even & which]) for which in (repeats, ~repeats))
         good = good and one > other
-        words.append(f"{case.name}, trailing edge: median contrast {one:.3f} periodic, {other:.3f} irregular")
+        words.append(f"{case.name}, trailing edge: median contrast {one:.3f} at speeds whose motion repeats, {other:.3f} at the {(case.even & ~repeats).sum()} others")
     return good, "; ".join(words)
 
 
@@ -248,9 +249,8 @@ def _(c):
         diameters, orders = case.by_diameter(), case.figure("engine_order_tracking")
         for rows, pick in ((case.figure("nodal_diameter_tracking"), lambda f, k: (int(f.split()[1]), int(k.split()[1]))),
                            (orders, lambda f, k: (int(k.split()[1]), int(f.split()[2])))):
-            index = {f"{rpm:.0f}": i for i, rpm in enumerate(case.rpm)}
             for row in rows:
-                i = index[f"{float(row['speed [rpm]']):.0f}"]
+                i = abs(case.rpm - float(row["speed [rpm]"])).argmin()
                 if row["curve"] == "mean":
                     continue
                 order, n = pick(row["followed"], row["curve"])

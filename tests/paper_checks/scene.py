@@ -176,6 +176,16 @@ class Model:
         return full
 
 
+def first_speeds(rpm):
+    """Of ascending speeds those that are evenly spaced, by the widest gap: an adaptive sweep's first ones. All, if some of those are missing."""
+    if len(rpm) < 2:
+        return rpm
+    gap = numpy.diff(rpm).max()
+    grid = numpy.linspace(rpm[0], rpm[-1], 1 + round((rpm[-1] - rpm[0]) / gap))
+    nearest = rpm[abs(rpm - grid[:, None]).argmin(axis=1)]
+    return nearest if abs(nearest - grid).max() < 1e-6 * gap else rpm
+
+
 class Speed:
     """One settled speed of a response: its numbers, and spectra of motion and force at both edges."""
 
@@ -184,6 +194,7 @@ class Speed:
         self.attributes = {name: a[name] for name in a}
         self.rpm, self.omega = a["speed"] * RPM, float(a["speed"])
         self.motion = a["motion"].decode()
+        self.repeats = self.motion in ("periodic", "subharmonic")
         held = group["contact_force"].shape[1]
         everyone = numpy.arange(sectors) % held
         motion = numpy.einsum("sjkc,kc->sjk", group["displacement"][:], normal)
@@ -196,7 +207,7 @@ class Speed:
         self.smallest_force = force.min()
         self.edge_motion = [motion[:, everyone, node] for node in (0, -1)]
         self.edge_force = [force[:, everyone, node] for node in (0, -1)]
-        self.waves, self.off_orders = zip(*(self._spectrum(signal) for signal in self.edge_motion))
+        self.waves = [self._spectrum(signal)[0] for signal in self.edge_motion]
         self.force_waves, self.force_off_orders = zip(*(self._spectrum(signal) for signal in self.edge_force))
         self.shift_residual = self._shift_residual(self.edge_motion[0])
         self.edge_motion = self.edge_force = None  # only needed at few speeds: see Case.signals()
@@ -238,6 +249,7 @@ class Case:
             self.angle, self.distortion = file["casing/angle"][:], file["casing/distortion"][:]
             self.clearance = file["casing/clearance"][:]
             self.clearance_state = file["casing"].attrs["clearance_state"].decode()
+            self.first_speeds = first_speeds(numpy.array([group.attrs["speed"] for group in file["speed"].values()]) * RPM)
             self.names = [name for name, group in file["speed"].items() if not group.attrs["failure"]]
             self.failed = len(file["speed"]) - len(self.names)
             self.speeds = [Speed(file["speed"][name], self.model.normal, self.sectors) for name in self.names]
@@ -245,6 +257,9 @@ class Case:
         self.amplitude = numpy.array([at.amplitude for at in self.speeds])
         self.waves = numpy.array([at.waves[0] for at in self.speeds])  # [m] speeds x engine orders x (n mod N)
         self.periodic = numpy.array([at.motion == "periodic" for at in self.speeds])
+        # What is counted or summed over speeds is over these: an adaptive sweep has many more where the response peaks.
+        self.even = numpy.isin(self.rpm, self.first_speeds)
+        self.steady = self.even & self.periodic
 
     def path(self, *names):
         return os.path.join(self.folder, *names)
@@ -278,9 +293,9 @@ class Case:
 
     def strongest_diameters(self, orders):
         """Engine order -> the nodal diameter that holds most of its power over the periodic speeds, and its share."""
-        if not self.periodic.any():
+        if not self.steady.any():
             raise CannotBeMade(f"no speed of {self.name} is periodic")
-        power = (self.by_diameter()[self.periodic] ** 2).sum(axis=0)
+        power = (self.by_diameter()[self.steady] ** 2).sum(axis=0)
         return {k: (int(power[k].argmax()), power[k].max() / power[k].sum()) for k in orders}
 
     def by_diameter(self):

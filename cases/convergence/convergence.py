@@ -41,7 +41,7 @@ class Bench:
         # Speeds come as a list: those that the case spaces evenly go.
         with open(os.path.join(cases, "impeller_quick", "case.toml"), encoding="utf-8") as file:
             simulate = file.read().partition("[simulate]")
-        kept = [line for line in simulate[2].splitlines(True) if not line.startswith(("speed_min_rpm", "speed_max_rpm", "speed_count"))]
+        kept = [line for line in simulate[2].splitlines(True) if not line.startswith(("speed_min_rpm", "speed_max_rpm", "speed_count", "speeds"))]
         with open(self.case, "w", encoding="utf-8") as file:
             file.write("".join([*simulate[:2], *kept]))
 

@@ -33,6 +33,20 @@ require(ranks.stderr.count("12 speeds") == 1, "only one of them reports")
 require(bench.read("ranks.h5") == whole, "two processes: the same bytes")
 require(not glob.glob(bench.path("*.speeds")), "and leave nothing beside it")
 
+bench.write("adaptive.toml", small.replace("speed_max_rpm = 12000", "speed_max_rpm = 10000") + 'speeds = "adaptive"\n')
+run = bench.run("--threads", "1", case="adaptive.toml", output="adaptive.h5")
+require(run.returncode == 0 and " more scanned" in run.stderr, "adaptive: " + run.stderr.strip())
+bench.run("-q", "--threads", "2", case="adaptive.toml", output="two.h5")
+subprocess.run(mpirun + bench.command("-q", "--threads", "1", case="adaptive.toml", output="shared.h5"))
+process = subprocess.Popen(bench.command("-q", "--threads", "1", case="adaptive.toml", output="killed.h5"))
+time.sleep(1)
+process.send_signal(signal.SIGKILL)
+require(process.wait() != 0, "  killed")
+bench.run("-q", "--threads", "1", case="adaptive.toml", output="killed.h5")
+for name in ("two", "shared", "killed"):
+    require(bench.read(name + ".h5") == bench.read("adaptive.h5"), f"  {name}: the same bytes")
+os.remove(bench.path("killed.h5"))
+
 for direction in ("up", "down"):
     bench.write("carry.toml", small + f'sweep = "{direction}"\n')
     start = time.monotonic()

@@ -55,20 +55,27 @@ Inputs read_inputs(const StageArguments& arguments, const fs::path& fields_file)
   return inputs;
 }
 
-void check(const Inputs& inputs) {
+Study study_of(Inputs& inputs) {
+  return make_study(inputs.parameters, std::move(inputs.model), std::move(inputs.response), inputs.sweeps);
+}
+
+/// Beyond the inputs: what the scene needs, which takes no pictures and no stress.
+void check(Inputs inputs) {
   if (!inputs.fields_file.empty()) check_fields(inputs.fields_file, inputs.model);
+  const Study study = study_of(inputs);
+  std::printf("%s",
+              aligned_text(scene_needs_record(scene_needs(study, field_effects(inputs.fields_file, study)))).c_str());
 }
 
 ReportContents run(Inputs inputs) {
-  ReportContents contents{
-      .study = make_study(inputs.parameters, std::move(inputs.model), std::move(inputs.response), inputs.sweeps),
-      .source = std::move(inputs.source)};
+  ReportContents contents{.study = study_of(inputs), .source = std::move(inputs.source)};
   contents.figures = study_figures(contents.study);
   if (!inputs.fields_file.empty()) {
     contents.fields = recover_fields(inputs.fields_file, contents.study, inputs.strength);
     for (Figure& figure : field_figures(*contents.fields)) contents.figures.push_back(std::move(figure));
   }
   contents.field_results = field_results(contents.fields, contents.study.critical);
+  contents.needs = scene_needs(contents.study, field_effects(inputs.fields_file, contents.study));
   return contents;
 }
 
@@ -91,7 +98,7 @@ void report(const StageArguments& arguments, const ReportContents& contents) {
 
 void postprocess(const StageArguments& arguments, const fs::path& fields_file) try {
   Inputs inputs = read_inputs(arguments, fields_file);
-  if (arguments.action == Action::check) return check(inputs);
+  if (arguments.action == Action::check) return check(std::move(inputs));
   OutputFile output(arguments.output);
   note_interruptions();
   const ReportContents contents = run(std::move(inputs));

@@ -34,6 +34,8 @@ PostprocessParameters read_postprocess_parameters(CaseTable& table) {
   p.response_down = table.text("response_down", p.response_down);
   p.tip_patch_mm =
       table.number("tip_patch_mm", p.tip_patch_mm, Range::at_least(0), "mm, 0: 5 % of the tip line's length");
+  p.wear_coefficient = table.number("wear_coefficient", p.wear_coefficient, Range::at_least(0),
+                                    "m^2/N, k/H of casing against tip, 0: wear isn't estimated");
   table.close();
   return p;
 }

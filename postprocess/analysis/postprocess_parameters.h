@@ -27,6 +27,7 @@ struct PostprocessParameters {
   double operating_min_rpm = 0, operating_max_rpm = 0;
   double operating_amplitude_mm = 0;  ///< [mm] critical speeds with less don't count for the margin
   double tip_patch_mm = 0;            ///< [mm] from the tip line, where stress isn't read; 0: see StressZones
+  double wear_coefficient = 1e-15;    ///< [m^2/N] Archard's k/H of casing against tip; 0: wear isn't estimated
 };
 
 /// Raises InputError at a key that is unknown or out of its range.

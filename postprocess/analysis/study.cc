@@ -97,6 +97,13 @@ void score_linear_rules(Study& study) {
 
 }  // namespace
 
+const SpeedResponse& Study::judged_response() const {
+  const auto most =
+      std::max_element(critical.begin(), critical.end(),
+                       [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.amplitude < b.amplitude; });
+  return most == critical.end() ? worst_response() : response.speeds[static_cast<std::size_t>(most->index)];
+}
+
 Study make_study(const PostprocessParameters& parameters, ReducedModel model, Response response,
                  const SweepFiles& sweeps) {
   std::vector<SpeedResponse> failed = take_failed(response);

@@ -39,6 +39,8 @@ struct Study {
   Eigen::Index shown = 0;
 
   const SpeedResponse& worst_response() const { return response.speeds[static_cast<std::size_t>(worst)]; }
+  /// At the critical speed with the largest amplitude; at the largest amplitude where no speed is critical.
+  const SpeedResponse& judged_response() const;
   const SpeedResponse& shown_response() const { return response.speeds[static_cast<std::size_t>(shown)]; }
 };
 

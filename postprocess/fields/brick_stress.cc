@@ -91,7 +91,8 @@ BrickStress::BrickStress(const SectorFields& sector)
       mu_(sector.young / (2 * (1 + sector.poisson))),
       to_nodes_(gauss_to_nodes(static_cast<int>(sector.cells.rows()))),
       gradient_(static_cast<std::size_t>(sector.cells.cols())),
-      bricks_(Eigen::VectorXi::Zero(sector.nodes.cols())) {
+      bricks_(Eigen::VectorXi::Zero(sector.nodes.cols())),
+      volumes_(Eigen::VectorXd::Zero(sector.cells.cols())) {
   const int nodes = static_cast<int>(cells_.rows());
   std::array<Gradient, 8> reference;
   for (int g = 0; g < 8; ++g) reference[g] = reference_gradient(nodes, gauss_points()[g]);
@@ -104,6 +105,7 @@ BrickStress::BrickStress(const SectorFields& sector)
     for (int g = 0; g < 8; ++g) {
       const Eigen::Matrix3d jacobian = place * reference[g];  // dx/dxi
       gradient_[static_cast<std::size_t>(cell)][g] = reference[g] * jacobian.inverse();
+      volumes_[cell] += jacobian.determinant();
     }
   }
 }

@@ -34,6 +34,8 @@ class BrickStress {
   const Eigen::VectorXi& bricks_at_node() const { return bricks_; }
   /// [Pa] averages over the bricks of the sector alone.
   Tensors average(const Eigen::Matrix3Xd& displacement) const;
+  /// [m^3] by brick.
+  const Eigen::VectorXd& volumes() const { return volumes_; }
 
  private:
   using Gradient = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // of a brick's shape functions at one point [1/m]
@@ -42,6 +44,7 @@ class BrickStress {
   Eigen::MatrixXd to_nodes_;                       // nodes of a brick x Gauss points
   std::vector<std::array<Gradient, 8>> gradient_;  // by cell, then Gauss point
   Eigen::VectorXi bricks_;
+  Eigen::VectorXd volumes_;
 };
 
 /// [Pa]

@@ -150,8 +150,9 @@ std::string record(const Study& study, const ReportSource& source) {
 
 }  // namespace
 
-std::string report_page(const Study& study, const FieldResults& fields, const ReportSource& source,
-                        const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+std::string report_page(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs,
+                        const ReportSource& source, const std::vector<Figure>& figures,
+                        const std::filesystem::path& folder) {
   namespace files = embedded::page_files;
   const bool none = study.critical.empty();
   return html::filled(
@@ -171,6 +172,7 @@ std::string report_page(const Study& study, const FieldResults& fields, const Re
        {"figure_links", figure_links(figures)},
        {"scene", scene_items(study, fields)},
        {"exactness", html::table(exactness_record(study))},
+       {"needs", html::table(scene_needs_record(needs))},
        {"figures", figure_sections(figures, folder)},
        {"record", record(study, source)},
        {"program", program_version("tiprub-postprocess")}});

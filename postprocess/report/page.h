@@ -8,6 +8,7 @@
 #include "postprocess/analysis/study.h"
 #include "postprocess/fields/field_results.h"
 #include "postprocess/figures/figure.h"
+#include "postprocess/records/scene_needs_record.h"
 
 namespace tiprub {
 
@@ -19,7 +20,8 @@ struct ReportSource {
 
 /// The page: page.html filled in, style.css and page.js inside, self-contained: the figures' SVG are read from
 /// `folder`/figures, links lead to the tables beside it.
-std::string report_page(const Study& study, const FieldResults& fields, const ReportSource& source,
-                        const std::vector<Figure>& figures, const std::filesystem::path& folder);
+std::string report_page(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs,
+                        const ReportSource& source, const std::vector<Figure>& figures,
+                        const std::filesystem::path& folder);
 
 }  // namespace tiprub

@@ -35,9 +35,11 @@ void write_report_folder(const ReportContents& contents, const std::filesystem::
   if (contents.fields) write_vtu_files(*contents.fields, folder / "fields");
   write_figures(contents.figures, folder / "figures", shown);
   write_tables(contents.study, contents.field_results, folder);
+  write_csv(scene_needs_record(contents.needs), folder / "scene_needs.csv");
   write_text(contents.source.case_text, folder / "case.toml");
-  write_text(report_page(contents.study, contents.field_results, contents.source, contents.figures, folder),
-             folder / "report.html");
+  write_text(
+      report_page(contents.study, contents.field_results, contents.needs, contents.source, contents.figures, folder),
+      folder / "report.html");
 }
 
 }  // namespace tiprub

@@ -16,6 +16,7 @@ struct ReportContents {
   ReportSource source;
   std::optional<FieldStudy> fields{};  ///< if fields.h5 was given
   FieldResults field_results{};
+  std::vector<SceneNeed> needs{};
   std::vector<Figure> figures{};
 };
 

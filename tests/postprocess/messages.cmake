@@ -37,7 +37,8 @@ expect_message(fields_of_another_rotor ${other_fields} EXIT_CODE 2 ERRORS "field
 expect_message(check_of_fields_of_another_rotor ${other_fields} EXIT_CODE 2
                ERRORS "give the fields that were written with the model"
                ARGUMENTS case.toml model.h5 response.h5 --fields fields.h5 --check -o report)
-expect_message(check_writes_nothing ARGUMENTS case.toml model.h5 response.h5 -o report --check)
+expect_message(check_tells_what_the_scene_needs OUTPUTS "gap: a round casing is nearer" "not estimated"
+               ARGUMENTS case.toml model.h5 response.h5 -o report --check)
 
 expect_message(material_without_a_limit EXIT_CODE 2 ERRORS "[material] has no endurance_limit"
                ARGUMENTS case.toml model.h5 response.h5 -o report --set material.ultimate_strength=9e8)

@@ -186,6 +186,21 @@ TEST_F(Page, MarksWhatFails) {
   EXPECT_EQ(rows["penetration"]["passed"], "yes");
 }
 
+/// What was left out has a size where one is cheap to find, and says how to find one where not.
+TEST_F(Page, SaysWhatTheSceneNeeds) {
+  const auto row = [&](const std::string& folder, const std::string& beginning) {
+    for (auto& found : rows_of(folder_ / folder / "scene_needs.csv"))
+      if (found.at("left out or simplified").rfind(beginning, 0) == 0) return found;
+    throw std::runtime_error("no row begins with " + beginning);
+  };
+  EXPECT_EQ(row("without", "Coriolis")["verdict"], "not estimated");
+  EXPECT_NE(row("without", "Coriolis")["estimated by, or how to"].find("--fields"), std::string::npos);
+  EXPECT_NE(row("with", "Coriolis")["verdict"], "not estimated");
+  EXPECT_GT(std::stod(row("with", "Coriolis")["size"]), 0);
+  EXPECT_EQ(row("with", "mesh")["verdict"], "not estimated");
+  EXPECT_NE(text_of(folder_ / "with" / "report.html").find("What this scene needs"), std::string::npos);
+}
+
 /// The page begins with what a designer asks first: how bad, where, why, how far from where the wheel runs, and how
 /// far to trust it.
 TEST_F(Page, BeginsWithTheVerdict) {

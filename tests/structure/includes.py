@@ -18,7 +18,7 @@ STOREYS = {
     "mesh": ["curves", "lattice", "wheels", "sector", ""],
     "reduce": ["model", "sector", "operators", "basis", ""],
     "simulate": ["scene", "response", "march", "orbits", "speed", "sweep", ""],
-    "postprocess": ["tables", "waves", "analysis", "fields", "records", "figures", "report", ""],
+    "postprocess": ["tables", "waves", "analysis", "fields", "effects", "records", "figures", "report", ""],
 }
 # What a room shows of itself to the rooms above it: its file, and nothing of how that is made.
 FILE_HEADERS = {"cases": "cases/program", "reduce": "reduce/model", "simulate": "simulate/response"}

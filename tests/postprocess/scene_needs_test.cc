@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene needs: the sizes of what is left out, against closed forms; and the table that judges them.
+#include "postprocess/records/scene_needs_record.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "postprocess/effects/casing_wear.h"
+#include "postprocess/effects/coriolis.h"
+#include "postprocess/effects/second_order_gap.h"
+#include "postprocess/fields/brick_stress.h"
+#include "synthetic_fields.h"
+#include "synthetic_scene.h"
+
+namespace tiprub {
+namespace {
+
+/// Along the tangent the made tips move by 0.8 of what they move along their normals, which have no tangential part.
+TEST(SecondOrderGap, IsThatOfACircleAndOfABentBeam) {
+  const ReducedModel rotor = synthetic::model();
+  const SimulatedScene scene = synthetic::two_lobes();
+  constexpr double amplitude = 1e-3;
+  const synthetic::Wave wave{2, 2, amplitude, 0};
+  const SpeedResponse response = synthetic::speed(scene, rotor.contact, 1000, {wave}, 1);
+  const Eigen::VectorXd span = Eigen::Vector4d(0.04, 0.03, 0.02, 0.004);
+  double curvature = 0, distortion = 0, foreshortening = 0;
+  for (int k = 0; k < rotor.contact.size(); ++k) {
+    const double tangential = 0.8 * amplitude * wave.shape[k], radius = rotor.contact.position(k, 0);
+    curvature = std::max(curvature, std::cos(k * std::numbers::pi / 6) * tangential * tangential / (2 * radius));
+    distortion = std::max(distortion, 2 * 3e-4 * tangential / radius);
+    foreshortening = std::max(foreshortening, 6.0 / 5 * tangential * tangential / (2 * span[k]));
+  }
+  const SecondOrderGap gap = second_order_gap(response, scene, rotor.contact, span);
+  EXPECT_NEAR(gap.curvature, curvature, 1e-9 * curvature);
+  EXPECT_NEAR(gap.distortion, distortion, 1e-4 * distortion);  // the slope is that of a table
+  ASSERT_TRUE(gap.foreshortening);
+  EXPECT_NEAR(*gap.foreshortening, foreshortening, 1e-9 * foreshortening);
+  EXPECT_FALSE(second_order_gap(response, scene, rotor.contact, {}).foreshortening);
+}
+
+/// The pieces of a bent beam, clamped at one end and pushed at the other: the formula is the length that they lose.
+TEST(SecondOrderGap, BeamShortensBySixFifths) {
+  constexpr double length = 0.03, w = 1e-3;
+  constexpr int pieces = 100000;
+  double lost = 0, before = 0;
+  for (int i = 1; i <= pieces; ++i) {
+    const double x = static_cast<double>(i) / pieces, here = w * (3 * x * x - x * x * x) / 2;
+    lost += std::hypot(length / pieces, here - before) - length / pieces;
+    before = here;
+  }
+  EXPECT_NEAR(lost, 6.0 / 5 * w * w / (2 * length), 1e-3 * lost);
+}
+
+TEST(TipSpans, LeadToTheNearestNodeOfTheDisc) {
+  SectorFields sector;
+  sector.nodes.resize(3, 22);
+  sector.nodes.leftCols(20).setRandom();
+  sector.nodes.row(0).head(20).setConstant(-3);
+  sector.nodes.col(4) << 1, 2, 3;  // of the disc
+  sector.nodes.col(20) << 2, 4, 5;
+  sector.nodes.col(21) << 1, 2, 10;
+  sector.cells = Eigen::VectorXi::LinSpaced(20, 0, 19);
+  sector.node_sets["contact"] = {20, 21};
+  EXPECT_EQ(tip_spans(sector).size(), 0);
+  sector.parts["disc"] = {0};
+  const Eigen::VectorXd spans = tip_spans(sector);
+  EXPECT_DOUBLE_EQ(spans[0], 3);
+  EXPECT_DOUBLE_EQ(spans[1], 7);
+}
+
+/// All blades push at node 1 with 3 N on a quarter of the casing, half of the time.
+TEST(CasingWear, IsArchards) {
+  const ReducedModel rotor = synthetic::model();
+  const SimulatedScene scene = synthetic::two_lobes();
+  SpeedResponse response = synthetic::speed(scene, rotor.contact, 1000, {}, 1);
+  response.contact_force.setZero();
+  response.contact_count.setZero();
+  const Eigen::Index half = response.contact_force.rows() / 2;
+  for (int sector = 0; sector < scene.independent_sectors; ++sector) {
+    const int point = sector * rotor.contact.size() + 1;
+    response.contact_force.col(point).head(half).setConstant(6);
+    for (const int lobe : {0, 100}) response.contact_count.row(point).segment(lobe, 25).setConstant(7);
+  }
+  constexpr double coefficient = 2e-15, time = 60, turned = 1000 * time;
+  const double width = 0.04 * std::numbers::pi / 6;
+  const CasingWear wear = casing_wear(response, scene, rotor.contact, coefficient, time);
+  EXPECT_EQ(wear.node, 1);
+  EXPECT_NEAR(wear.force, 3, 1e-12);
+  const double volume = coefficient * 3 * 10 * turned;  // over the radius, which cancels
+  EXPECT_NEAR(wear.depth, volume / (0.25 * 2 * std::numbers::pi * width), 1e-9 * wear.depth);
+}
+
+/// A mass on even springs, seen from a turntable: it goes around at sqrt(omega^2 + Omega^2) -+ Omega.
+TEST(Coriolis, SplitsAPairOfModes) {
+  constexpr double omega = 300, speed = 40;
+  Eigen::Matrix2cd coupling;
+  coupling << 0, -1, 1, 0;
+  const Eigen::VectorXd found = gyroscopic_frequencies(Eigen::Vector2d(omega, omega), coupling, speed);
+  const double middle = std::hypot(omega, speed);
+  EXPECT_LT((found - Eigen::Vector4d(-middle - speed, -middle + speed, middle - speed, middle + speed)).norm(), 1e-9);
+}
+
+/// A wave that runs around with u_theta = i u_r couples with itself alone, by all that is possible; a motion along
+/// the axis with nothing.
+TEST(Coriolis, CouplesTheRadialWithTheTangential) {
+  const SectorFields sector = synthetic::sector_fields(synthetic::model());
+  const Eigen::VectorXd volumes = node_volumes(sector);
+  EXPECT_NEAR(volumes.sum(), BrickStress(sector).volumes().sum(), 1e-12 * volumes.sum());
+  Eigen::MatrixXcd shapes = Eigen::MatrixXcd::Zero(3 * sector.nodes.cols(), 2);
+  for (Eigen::Index node = 0; node < sector.nodes.cols(); ++node) {
+    const std::complex<double> wave = std::polar(sector.nodes.col(node).head<2>().norm(), 0.3 * double(node));
+    shapes.block(3 * node, 0, 2, 1) << wave, std::complex<double>(0, 1) * wave;
+    shapes(3 * node + 2, 1) = wave;
+  }
+  const Eigen::MatrixXcd coupling = coriolis_coupling(shapes, volumes);
+  EXPECT_LT(std::abs(coupling(0, 0) - std::complex<double>(0, -1)), 1e-12);
+  EXPECT_LT(std::abs(coupling(0, 1)) + std::abs(coupling(1, 1)), 1e-12);
+}
+
+/// x^2 over a box, 20 and 27 nodes.
+TEST(Coriolis, VolumesOfNodesIntegrateSquares) {
+  for (const int nodes : {20, 27}) {
+    SectorFields sector;
+    sector.cells = Eigen::VectorXi::LinSpaced(nodes, 0, nodes - 1);
+    sector.young = sector.density = 1;
+    sector.nodes.resize(3, nodes);
+    for (int k = 0; k < nodes; ++k) {
+      const auto& at = brick_reference_nodes()[static_cast<std::size_t>(k)];
+      sector.nodes.col(k) << 2.0 * at[0], 0.5 * at[1], 3.0 * at[2];
+    }
+    const Eigen::VectorXd volumes = node_volumes(sector), x = sector.nodes.row(0).transpose();
+    EXPECT_NEAR(volumes.sum(), 24, 1e-12);
+    EXPECT_NEAR(volumes.dot(x.cwiseAbs2()), 32, 1e-11);
+  }
+}
+
+class SceneNeeds : public ::testing::Test {
+ protected:
+  static Study study(const PostprocessParameters& parameters = {}) {
+    const ReducedModel rotor = synthetic::model();
+    Response response = synthetic::resonant_sweep(rotor);
+    response.speeds[3].chatter = 0.2;
+    for (SpeedResponse& speed : response.speeds) speed.audit.symmetry = SymmetryVerdict::holds;
+    for (SpeedResponse& speed : response.speeds) speed.audit.excluded_growth = 0.9;
+    response.speeds[5].audit.symmetry = SymmetryVerdict::undecided;
+    response.speeds[7].audit.halving_difference = 1e-3;
+    return make_study(parameters, rotor, response, {});
+  }
+  static SceneNeed need(const std::vector<SceneNeed>& needs, const std::string& beginning) {
+    for (const SceneNeed& need : needs)
+      if (need.effect.rfind(beginning, 0) == 0) return need;
+    ADD_FAILURE() << "no need begins with " << beginning;
+    return {};
+  }
+};
+
+TEST_F(SceneNeeds, EachHasASizeAndATolerance_OrAWayToOne) {
+  for (const SceneNeed& need : scene_needs(study(), {})) {
+    EXPECT_NE(need.how, "") << need.effect;
+    EXPECT_EQ(need.size.has_value(), need.verdict != NeedVerdict::not_estimated) << need.effect;
+    EXPECT_EQ(need.size.has_value(), need.tolerance.has_value()) << need.effect;
+    if (need.verdict == NeedVerdict::negligible) {
+      EXPECT_LE(*need.size, *need.tolerance) << need.effect;
+    }
+  }
+}
+
+TEST_F(SceneNeeds, AreJudgedOnTheScene) {
+  const std::vector<SceneNeed> needs = scene_needs(study(), {.tip_span = Eigen::Vector4d::Constant(1e-4)});
+  EXPECT_EQ(need(needs, "gap: a round casing").verdict, NeedVerdict::negligible);
+  EXPECT_EQ(need(needs, "gap: a bent blade").verdict, NeedVerdict::matters);
+  EXPECT_EQ(need(needs, "nodal diameters left out").verdict, NeedVerdict::undecided);
+  EXPECT_NE(need(needs, "nodal diameters left out").how.find("1 undecided, 0 unchecked"), std::string::npos);
+  EXPECT_EQ(need(needs, "time step").verdict, NeedVerdict::negligible);
+  EXPECT_NE(need(needs, "time step").how.find("at 1 of 47 speeds"), std::string::npos);
+  EXPECT_EQ(need(needs, "chatter").verdict, NeedVerdict::matters);
+  EXPECT_EQ(need(needs, "stiffness under spin").verdict, NeedVerdict::not_estimated);
+  EXPECT_EQ(need(needs, "contact nodes: 4").how, "compare with tiprub-reduce --set reduce.contact_nodes=8");
+  const double clearance = study().judged_response().clearance.minCoeff();
+  EXPECT_NEAR(*need(needs, "gap: a round casing").tolerance, 0.1 * 1e3 * clearance, 1e-12);
+}
+
+TEST_F(SceneNeeds, WithoutACoefficientNoWear) {
+  EXPECT_GT(*need(scene_needs(study(), {}), "wear").size, 0);
+  PostprocessParameters parameters;
+  parameters.wear_coefficient = 0;
+  EXPECT_EQ(need(scene_needs(study(parameters), {}), "wear").verdict, NeedVerdict::not_estimated);
+}
+
+}  // namespace
+}  // namespace tiprub

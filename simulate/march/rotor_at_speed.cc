@@ -98,8 +98,7 @@ ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, doubl
 }
 
 RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
-                            const Damping& damping, const ModeChoice& modes,
-                            OtherDiameters others) {
+                            const Damping& damping, const ModeChoice& modes, OtherDiameters others) {
   RotorAtSpeed rotor;
   rotor.speed = speed;
   rotor.sector_count = model.sector_count;

@@ -13,10 +13,10 @@ namespace tiprub {
 
 namespace {
 
-constexpr double seed_share = 1e-8;        // of the settled motion
-constexpr double smallest_margin = 1e-3;   // of the factor from 1
-constexpr double small_residual = 1e-4;    // of the factor: more revolutions tell nothing new
-constexpr int fewest_states = 6;           // before a residual is believed
+constexpr double seed_share = 1e-8;       // of the settled motion
+constexpr double smallest_margin = 1e-3;  // of the factor from 1
+constexpr double small_residual = 1e-4;   // of the factor: more revolutions tell nothing new
+constexpr int fewest_states = 6;          // before a residual is believed
 
 /// The whole wheel's march, and the nodal diameters that the settled one left out as a vector whose square is twice
 /// their energy: frequencies (not below the speed of rotation) times positions, then velocities; real and imaginary.

@@ -80,7 +80,7 @@ double lines_for_most(const Eigen::VectorXd& lines, double spacing, double width
 
 MotionReading read_motion(const std::deque<Eigen::VectorXd>& revolutions, Eigen::Index channels, double orders,
                           int lobes, Change change) {
-  constexpr double rounding = 0.25;  // of a line
+  constexpr double rounding = 0.25;   // of a line
   constexpr double hann_width = 1.5;  // lines to each side that a line of Hann's window takes
   const bool settled = change == Change::settled;
   const Eigen::VectorXd lines = lines_of(revolutions, channels, orders, settled ? Window::none : Window::hann);
@@ -95,8 +95,8 @@ MotionReading read_motion(const std::deque<Eigen::VectorXd>& revolutions, Eigen:
     return reading;
   }
   if (change == Change::decays) return reading;
-  reading.motion = lines_for_most(lines, beat, width) < ClassLimits::few_lines ? MotionClass::modulated
-                                                                                : MotionClass::broadband;
+  reading.motion =
+      lines_for_most(lines, beat, width) < ClassLimits::few_lines ? MotionClass::modulated : MotionClass::broadband;
   return reading;
 }
 

@@ -17,10 +17,10 @@ struct MotionReading {
 
 /// How a class is told from a motion's lines; all of the mean square of the moving part in the band.
 struct ClassLimits {
-  static constexpr double off_lines = 1e-4;       ///< share beside the lines of a period, that still is one
-  static constexpr double few_lines = 0.1;        ///< share of all lines that holds ...
-  static constexpr double most_energy = 0.9;      ///< ... this share off the beat, of a modulated motion
-  static constexpr int longest_period = 12;       ///< beats
+  static constexpr double off_lines = 1e-4;   ///< share beside the lines of a period, that still is one
+  static constexpr double few_lines = 0.1;    ///< share of all lines that holds ...
+  static constexpr double most_energy = 0.9;  ///< ... this share off the beat, of a modulated motion
+  static constexpr int longest_period = 12;   ///< beats
 };
 
 /// Classifies by the spectrum of whole revolutions (1/R of an engine order between lines, R revolutions, Hann's

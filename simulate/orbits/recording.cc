@@ -134,8 +134,8 @@ Eigen::VectorXd Recording::revolution(TimeMarch& march) {
 double Recording::normal_amplitude() const {
   double largest = 0;
   for (Eigen::Index point = 0; point < kept_.contact_force.cols(); ++point) {
-    const Eigen::VectorXd motion = kept_.displacement.middleCols<3>(3 * point) *
-                                   contact_.normal.row(point % nodes_).transpose();
+    const Eigen::VectorXd motion =
+        kept_.displacement.middleCols<3>(3 * point) * contact_.normal.row(point % nodes_).transpose();
     largest = std::max(largest, 0.5 * (motion.maxCoeff() - motion.minCoeff()));
   }
   return largest;

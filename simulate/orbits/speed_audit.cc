@@ -12,7 +12,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr int highest_order = 60;    // of the spectra that are compared
+constexpr int highest_order = 60;  // of the spectra that are compared
 
 /// rms over the revolutions of the amplitudes of engine orders 0 .. highest; orders x columns.
 Eigen::MatrixXd averaged_spectrum(const SpeedResponse& response) {
@@ -68,8 +68,7 @@ ResponseDifference difference(const SpeedResponse& here, const SpeedResponse& th
   const Eigen::MatrixXd motion = last_period(there, 0);
   double smallest = std::numeric_limits<double>::infinity();
   for (int beat = 0; beat < here.period_revolutions * lobes; ++beat)
-    smallest = std::min(smallest,
-                        (last_period(here, beat * here.samples_per_revolution / lobes) - motion).norm());
+    smallest = std::min(smallest, (last_period(here, beat * here.samples_per_revolution / lobes) - motion).norm());
   return {relative(smallest, last_period(here, 0).norm(), motion.norm()), "motion"};
 }
 

@@ -79,8 +79,8 @@ struct SpeedAudit {
 
 /// What a critical speed comes to from another start.
 struct OtherStart {
-  std::string start;    ///< "up", "down", "disturbed", "whole wheel": see simulate/README.md
-  std::string failure;  ///< empty, or why there is no motion; then the rest is
+  std::string start;     ///< "up", "down", "disturbed", "whole wheel": see simulate/README.md
+  std::string failure;   ///< empty, or why there is no motion; then the rest is
   double amplitude = 0;  ///< [m] as SpeedResponse has it
   MotionClass motion = MotionClass::not_settled;
   int period_beats = 0;
@@ -125,13 +125,13 @@ struct SpeedResponse {
   Depth depth = Depth::full;
   double amplitude = 0;  ///< [m] half of the peak-to-peak normal displacement, the largest of nodes and sectors
   MotionClass motion = MotionClass::not_settled;
-  int period_beats = 0;         ///< of a periodic (1) or subharmonic motion, else 0
-  int period_revolutions = 0;   ///< whole ones after which a settled motion repeats itself; 0 if it has not settled
-  double off_beat_energy = 0;   ///< [1] share of the band's mean square at no multiple of lobes x Omega
-  double chatter = 0;           ///< [1] share of the mean square that is above the band
-  int chatter_node = 0;         ///< contact node with most of it
-  double change = 0;            ///< [1] relative change of the motion over the last period, or revolution
-  double change_rate = 0;       ///< [1] factor of that change per revolution; below 1 it decays
+  int period_beats = 0;        ///< of a periodic (1) or subharmonic motion, else 0
+  int period_revolutions = 0;  ///< whole ones after which a settled motion repeats itself; 0 if it has not settled
+  double off_beat_energy = 0;  ///< [1] share of the band's mean square at no multiple of lobes x Omega
+  double chatter = 0;          ///< [1] share of the mean square that is above the band
+  int chatter_node = 0;        ///< contact node with most of it
+  double change = 0;           ///< [1] relative change of the motion over the last period, or revolution
+  double change_rate = 0;      ///< [1] factor of that change per revolution; below 1 it decays
 
   bool settled() const { return period_revolutions > 0; }
 
@@ -170,10 +170,10 @@ struct SimulatedScene {
   int lobes = 0;                      ///< N_l: the casing repeats every 2 pi / lobes
   /// [Hz] the upper end of the band that motions are classified in; infinite: all that the samples resolve
   double resolved_frequency = std::numeric_limits<double>::infinity();
-  Eigen::VectorXd clearance;          ///< [m] cold or running as the case says, at the contact nodes
-  std::string clearance_state;        ///< "cold" or "running"
-  std::string scope;                  ///< what was modelled, what was left out, and why; one reason a line
-  std::string provenance;             ///< the case and the chain that made it, as text
+  Eigen::VectorXd clearance;    ///< [m] cold or running as the case says, at the contact nodes
+  std::string clearance_state;  ///< "cold" or "running"
+  std::string scope;            ///< what was modelled, what was left out, and why; one reason a line
+  std::string provenance;       ///< the case and the chain that made it, as text
 };
 
 /// The natural frequencies of the model that was marched, condensed at each speed (reduce/model/condensation.h).

@@ -34,7 +34,8 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.write("/casing/distortion", scene.casing_distortion, "m");
   file.write("/casing/clearance", scene.clearance, "m");
   file.set_attribute("/casing", "lobes", scene.lobes);
-  if (std::isfinite(scene.resolved_frequency)) file.set_attribute("/", "resolved_frequency", scene.resolved_frequency);
+  if (std::isfinite(scene.resolved_frequency))
+    file.set_attribute("/", "resolved_frequency", scene.resolved_frequency);
   file.set_attribute("/casing", "clearance_state", scene.clearance_state);
 }
 

@@ -18,9 +18,10 @@ namespace tiprub {
 /// that, are four times as wrong there. Infinite if the model came without verification.
 double resolved_frequency(const ReducedModel& model);
 
-/// Modal damping: ratios of critical, by family or by frequency, up to the highest frequency that is resolved; another
-/// ratio beyond it. Modes beyond stand for the compliance of the tips; their frequencies are the mesh's, and with a
-/// wheel's own small damping they ring on after each impact and keep a motion from settling that is none of theirs.
+/// Modal damping: ratios of critical, by family or by frequency, up to the highest frequency that is resolved;
+/// another ratio beyond it. Modes beyond stand for the compliance of the tips; their frequencies are the mesh's, and
+/// with a wheel's own small damping they ring on after each impact and keep a motion from settling that is none of
+/// theirs.
 class Damping {
  public:
   using Table = std::vector<std::array<double, 2>>;  ///< [Hz, ratio], ascending

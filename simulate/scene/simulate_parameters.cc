@@ -14,8 +14,8 @@ namespace {
 constexpr int count_max = 1'000'000;
 
 /// Where a march begins: it is halved at least once, so that the first halving tells its error. On the wheels of
-/// cases/speed_accuracy 200 steps a period of the first family, halved, are within 4e-3; errors fall with the square of
-/// the step or, through hard impacts, with the step. Without contact any step is exact.
+/// cases/speed_accuracy 200 steps a period of the first family, halved, are within 4e-3; errors fall with the square
+/// of the step or, through hard impacts, with the step. Without contact any step is exact.
 double steps_for(double tolerance) {
   constexpr double measured_tolerance = 5e-3, measured_steps = 200;
   return measured_steps * std::sqrt(measured_tolerance / tolerance);
@@ -77,9 +77,9 @@ void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
                     Range::between(2, count_max), "speeds, if adaptive");
   parameters.peak_prominence =
       table.number("peak_prominence", 0.1, {0, 1, Range::LowEnd::excluded}, "of a peak's own height");
-  parameters.examination = table.choice<Examination>(
-      "examine", Examination::critical_speeds,
-      {{"critical_speeds", Examination::critical_speeds}, {"none", Examination::none}});
+  parameters.examination =
+      table.choice<Examination>("examine", Examination::critical_speeds,
+                                {{"critical_speeds", Examination::critical_speeds}, {"none", Examination::none}});
 }
 
 /// The jump knows the modes at two instants, and nothing that a law of contact remembers beside them.

@@ -32,7 +32,8 @@ enum class SpeedChoice {
 /// What is done about the speeds at the response's peaks.
 enum class Examination {
   none,
-  critical_speeds,  ///< other starts, the step, the whole wheel where symmetry doesn't clearly hold; the cycle is kept
+  critical_speeds,  ///< other starts, the step, the whole wheel where symmetry doesn't clearly hold; the cycle is
+                    ///< kept
 };
 
 /// How a speed comes to its settled motion.
@@ -49,7 +50,8 @@ enum class BrokenSymmetry {
 
 /// What [simulate] asks for.
 struct SimulateParameters {
-  std::vector<double> speeds;  ///< [rad/s], ascending, all different: all, or those that an adaptive sweep begins with
+  std::vector<double>
+      speeds;  ///< [rad/s], ascending, all different: all, or those that an adaptive sweep begins with
   SpeedChoice speed_choice = SpeedChoice::given;
   int scan_per_interval = 0;     ///< scanned speeds between two of an adaptive sweep's first ones
   int speed_count_max = 0;       ///< of an adaptive sweep
@@ -66,10 +68,10 @@ struct SimulateParameters {
   double resolved_frequency = std::numeric_limits<double>::infinity();
   DiameterChoice nodal_diameters = DiameterChoice::symmetric;
   double damping_ratio_beyond = 0;  ///< [1] of critical, of modes above the resolved frequency
-  double step_tolerance = 5e-3;    ///< [1] of the settled motion: the step is halved until that changes it by less
-  double steps_per_period = 200;   ///< at least, of the lowest natural frequency, of the first march
-  int steps_per_revolution = 0;    ///< at least, and never halved; 0: from steps_per_period
-  int samples_per_revolution = 0;  ///< at least
+  double step_tolerance = 5e-3;     ///< [1] of the settled motion: the step is halved until that changes it by less
+  double steps_per_period = 200;    ///< at least, of the lowest natural frequency, of the first march
+  int steps_per_revolution = 0;     ///< at least, and never halved; 0: from steps_per_period
+  int samples_per_revolution = 0;   ///< at least
   int recorded_revolutions = 0;
   int min_revolutions = 0;
   int max_revolutions = 0;

@@ -16,17 +16,18 @@ struct SampledSpeed {
 
 /// When a peak or a jump of the response counts as located.
 struct LocationGoal {
-  double prominence = 0.1;       ///< [1] of a peak's height: lower ones aren't looked for
-  double speed = 1e-3;           ///< [1] half width of the interval around a peak, width of that around a jump
-  double amplitude = 1e-2;       ///< [1] what the parabola through a peak may add to it
-  double narrowest = 1e-4;       ///< [1] distance of the parabola's vertex from a sample that it is left at
-  double jump = 0.3;             ///< [1] change of amplitude between neighbours
+  double prominence = 0.1;  ///< [1] of a peak's height: lower ones aren't looked for
+  double speed = 1e-3;      ///< [1] half width of the interval around a peak, width of that around a jump
+  double amplitude = 1e-2;  ///< [1] what the parabola through a peak may add to it
+  double narrowest = 1e-4;  ///< [1] distance of the parabola's vertex from a sample that it is left at
+  double jump = 0.3;        ///< [1] change of amplitude between neighbours
 };
 
 /// The speeds that must be computed in full next, so that every peak and every jump becomes located: ascending, and
 /// none of those that are there. None at all: done. From a peak's three samples the parabola's vertex is next, or,
 /// where it is the peak itself, a speed on each side that is still too wide; a scanned peak, its scanned
-/// valleys, and a scanned neighbour inside the goal, are computed themselves. A jump's interval is halved. `curve` ascending in speed.
+/// valleys, and a scanned neighbour inside the goal, are computed themselves. A jump's interval is halved. `curve`
+/// ascending in speed.
 std::vector<double> speeds_to_refine(const std::vector<SampledSpeed>& curve, const LocationGoal& goal);
 
 /// The places in the curve of the peaks that are computed in full, ascending.

@@ -42,7 +42,8 @@ std::size_t compute_missing(const StageArguments& arguments, const Scene& scene,
     sweep_speeds(scene, missing, threads, group, finished, done);
   } else {
     if (group.leads())
-      carry_speeds(scene, list.tasks, finished, [&](const SpeedResponse& response, std::size_t) { done(response, seen); });
+      carry_speeds(scene, list.tasks, finished,
+                   [&](const SpeedResponse& response, std::size_t) { done(response, seen); });
     group.any(false);
   }
   return missing.size();

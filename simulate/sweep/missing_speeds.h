@@ -19,8 +19,8 @@ struct SpeedList {
   std::vector<SpeedTask> tasks;
 };
 
-/// Computes those that aren't finished yet, with a progress bar, or a line a speed if verbose; how many these were. All
-/// processes of the group must call, with the leader's list. Raises what keep() raises.
+/// Computes those that aren't finished yet, with a progress bar, or a line a speed if verbose; how many these were.
+/// All processes of the group must call, with the leader's list. Raises what keep() raises.
 std::size_t compute_missing(const StageArguments& arguments, const Scene& scene, const SpeedList& list, int threads,
                             ProcessGroup& group, FinishedSpeeds& finished);
 

@@ -21,7 +21,8 @@ std::string audit_text(const SpeedAudit& audit) {
     text << ", acceleration " << (jump.outcome == AccelerationReport::Outcome::settled ? "settled it" : "fell back")
          << " after " << jump.revolutions << " revolutions (residual " << jump.residual << ")";
   if (audit.halving_difference)
-    text << ", the last halving of the step changed the " << audit.halving_measure << " by " << *audit.halving_difference;
+    text << ", the last halving of the step changed the " << audit.halving_measure << " by "
+         << *audit.halving_difference;
   else if (!audit.halving_measure.empty())
     text << ", half the step failed: " << audit.halving_measure;
   if (audit.excluded_growth) text << ", excluded nodal diameters x " << *audit.excluded_growth << " a revolution";
@@ -101,7 +102,8 @@ std::string SweepTally::text() const {
   for (const auto& [motion, count] : motions) out << count << " " << name_of(motion) << ", ";
   out << failed << " failed";
   if (fallen_back > 0) out << "; the acceleration fell back at " << fallen_back;
-  if (halved > 0) out << "; the last halving of the step, at " << halved << " of them, changed at most " << largest_halving;
+  if (halved > 0)
+    out << "; the last halving of the step, at " << halved << " of them, changed at most " << largest_halving;
   return out.str();
 }
 

@@ -61,7 +61,8 @@ void print_stability(const std::string& model) {
   int number = 0;
   for (const Row& row : rows) {
     for (int steps : {240, 480, 960, 1920, 3840, 7680, 15360}) {
-      std::printf("%d\t%s\t%d\t%s\n", number, row.name, steps, outcome(run_row(wheel, row, steps), reference, wheel.casing.lobes));
+      std::printf("%d\t%s\t%d\t%s\n", number, row.name, steps,
+                  outcome(run_row(wheel, row, steps), reference, wheel.casing.lobes));
       std::fflush(stdout);
     }
     ++number;

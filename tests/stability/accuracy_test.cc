@@ -27,7 +27,8 @@ TEST(AccuracyOfTheDefault, HoldsWhereTipModesTurnAboutOnceAStep) {
     const ResponseDifference error = difference(at, reference, wheel.casing.lobes);
     EXPECT_STREQ(error.measure, "motion");
     EXPECT_LT(error.value, 5e-3) << speed;
-    const double halved = difference(settled(wheel, speed, 2 * at.steps_per_revolution), reference, wheel.casing.lobes).value;
+    const double halved =
+        difference(settled(wheel, speed, 2 * at.steps_per_revolution), reference, wheel.casing.lobes).value;
     EXPECT_LT(halved, 0.45 * error.value) << speed;
     EXPECT_GE(static_cast<double>(at.contact_steps), 0.7 * at.steps_per_revolution) << "a run with little contact";
   }

@@ -49,7 +49,8 @@ TEST(ExcludedGrowth, IsTheSlowestDecayOfFreeModes) {
     }
 }
 
-/// Symptom once: 0.957 was reported where a disturbance grows by 1.010 a revolution in the long run: what decays hid it.
+/// Symptom once: 0.957 was reported where a disturbance grows by 1.010 a revolution in the long run: what decays hid
+/// it.
 TEST(ExcludedGrowth, FindsASlowGrowthBehindDecays) {
   const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
   RotorAtSpeed rotor = two_lobed_rotor(model, 0.005);

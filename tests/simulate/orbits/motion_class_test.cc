@@ -83,7 +83,8 @@ TEST(EngineOrderBand, KeepsTheSumOfSquaresOfItsOrders) {
   };
   Eigen::VectorXd motion(samples);
   for (int s = 0; s < samples; ++s)
-    motion[s] = 0.7 + 2 * mean_over_a_sample(8) * std::cos(8 * turn * s / samples) + std::cos(30 * turn * s / samples);
+    motion[s] =
+        0.7 + 2 * mean_over_a_sample(8) * std::cos(8 * turn * s / samples) + std::cos(30 * turn * s / samples);
   EXPECT_NEAR(band.coefficients(motion).squaredNorm(), samples * (0.49 + 2.0), 1e-9);
 }
 

@@ -15,13 +15,13 @@ SpeedResponse settled(const testing::BenchWheel& wheel, double speed, int steps)
 
 /// Symptom: on a wheel with light tips the default step was off by 6e-2 at a periodic speed, and twice as many steps
 /// by 6e-4. Cause: at w h = 2 pi the coefficients of exact flight have no compliance, and the tips' own modes lay
-/// there. Right: the default within 5e-3 of a 16 times finer run, and an error that falls with the square of the
+/// there. Right: the default within 5e-3 of an 8 times finer run, and an error that falls with the square of the
 /// step.
 TEST(AccuracyOfTheDefault, HoldsWhereTipModesTurnAboutOnceAStep) {
   const testing::BenchWheel wheel = testing::made_wheel(2);
   for (const double speed : {850.0, 1000.0, 1300.0}) {
     const SpeedResponse at = settled(wheel, speed, 0);
-    const SpeedResponse reference = settled(wheel, speed, 16 * at.steps_per_revolution);
+    const SpeedResponse reference = settled(wheel, speed, 8 * at.steps_per_revolution);
     ASSERT_EQ(reference.failure, "");
     ASSERT_EQ(reference.motion, MotionClass::periodic) << speed;
     const ResponseDifference error = difference(at, reference, wheel.casing.lobes);

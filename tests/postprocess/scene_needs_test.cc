@@ -184,6 +184,18 @@ TEST_F(SceneNeeds, AreJudgedOnTheScene) {
   EXPECT_NEAR(*need(needs, "gap: a round casing").tolerance, 0.1 * 1e3 * clearance, 1e-12);
 }
 
+/// A speed that nobody looked at leaves the question open, even where all others hold.
+TEST_F(SceneNeeds, OneUncheckedSpeedLeavesSymmetryOpen) {
+  Study made = study();
+  const auto verdict_with = [&](SymmetryVerdict at_one) {
+    made.response.speeds[5].audit.symmetry = at_one;
+    return need(scene_needs(made, {}), "nodal diameters left out").verdict;
+  };
+  EXPECT_EQ(verdict_with(SymmetryVerdict::holds), NeedVerdict::negligible);
+  EXPECT_EQ(verdict_with(SymmetryVerdict::unchecked), NeedVerdict::undecided);
+  EXPECT_EQ(verdict_with(SymmetryVerdict::breaking), NeedVerdict::matters);
+}
+
 TEST_F(SceneNeeds, WithoutACoefficientNoWear) {
   EXPECT_GT(*need(scene_needs(study(), {}), "wear").size, 0);
   PostprocessParameters parameters;

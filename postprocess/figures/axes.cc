@@ -13,15 +13,7 @@ namespace {
 
 constexpr int many_engine_orders = 16;  // beyond that, their labels run into each other
 constexpr int modal_line_points = 60;
-
-/// The usual distance between neighbouring speeds [rpm]; a lone speed gets a hundredth of itself.
-double speed_step(const Eigen::VectorXd& rpm) {
-  if (rpm.size() < 2) return 0.01 * rpm[0];
-  std::vector<double> steps;
-  for (Eigen::Index i = 1; i < rpm.size(); ++i) steps.push_back(rpm[i] - rpm[i - 1]);
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2];
-}
+constexpr double lone_reach = 0.005;  // of a lone speed, to each side
 
 }  // namespace
 
@@ -37,21 +29,21 @@ Eigen::VectorXd speeds_rpm(const Study& study) {
 
 SpeedAxis speed_axis(const Study& study) {
   const Eigen::VectorXd rpm = speeds_rpm(study);
-  const double half = 0.5 * speed_step(rpm);
-  return {rpm[0] - half, rpm[rpm.size() - 1] + half};
+  const Eigen::Index last = rpm.size() - 1;
+  if (last == 0) return {(1 - lone_reach) * rpm[0], (1 + lone_reach) * rpm[0]};
+  return {rpm[0] - 0.5 * (rpm[1] - rpm[0]), rpm[last] + 0.5 * (rpm[last] - rpm[last - 1])};
 }
 
 Eigen::VectorXi nearest_speeds(const Study& study, int columns) {
-  constexpr double reach = 0.75;  // of the usual step: neighbours meet, a missing speed leaves a gap
-  const Eigen::VectorXd rpm = speeds_rpm(study);
+  const Eigen::VectorXd rpm = speeds_rpm(study), failed = rpm_of(study.failed);
   const SpeedAxis axis = speed_axis(study);
-  const double step = speed_step(rpm);
   Eigen::VectorXi nearest(columns);
   for (int column = 0; column < columns; ++column) {
     const double here = axis.low + (axis.high - axis.low) * (column + 0.5) / columns;
     Eigen::Index index = 0;
     const double distance = (rpm.array() - here).abs().minCoeff(&index);
-    nearest[column] = distance <= reach * step ? static_cast<int>(index) : -1;
+    const bool in_gap = failed.size() > 0 && (failed.array() - here).abs().minCoeff() < distance;
+    nearest[column] = in_gap ? -1 : static_cast<int>(index);
   }
   return nearest;
 }

@@ -22,8 +22,8 @@ Eigen::VectorXd speeds_rpm(const Study& study);
 /// [rpm] of others.
 Eigen::VectorXd rpm_of(const std::vector<SpeedResponse>& speeds);
 
-/// For each of `columns` pixel columns over the axis the index of the nearest speed, or -1 where a gap between speeds
-/// (a failed one) is.
+/// For each of `columns` pixel columns over the axis the index of the nearest speed, or -1 where a failed one is
+/// nearer. Speeds need not be even.
 Eigen::VectorXi nearest_speeds(const Study& study, int columns);
 
 /// Families that are drawn at a nodal diameter.

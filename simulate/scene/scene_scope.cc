@@ -45,12 +45,13 @@ void explain(SceneScope& scope, int sector_count, int lobes, int grid, const Sim
                           std::to_string(parameters.samples_per_revolution) + ", a multiple of lcm(" + wheel +
                           ") = " + std::to_string(grid));
   const std::string multiple = ", a multiple of the samples";
-  scope.reasons.push_back(parameters.steps_per_revolution > 0
-                              ? "steps a revolution: at least " + std::to_string(parameters.steps_per_revolution) +
-                                    " as asked for" + multiple
-                              : "steps a revolution: at least " + short_text(parameters.steps_per_period) +
-                                    " a period of the lowest frequency, for errors of " +
-                                    short_text(parameters.step_tolerance) + multiple + "; by speed");
+  scope.reasons.push_back(
+      parameters.steps_per_revolution > 0
+          ? "steps a revolution: at least " + std::to_string(parameters.steps_per_revolution) + " as asked for" +
+                multiple
+          : "steps a revolution: at least " + short_text(parameters.steps_per_period) +
+                " a period of the lowest frequency, halved until that changes the motion by less than " +
+                short_text(parameters.step_tolerance) + multiple + "; by speed");
   if (parameters.acceleration == Acceleration::anderson)
     scope.reasons.push_back("settling: by a jump to the fixed point of 1/" + std::to_string(grid) +
                             " of a revolution and a shift of " + std::to_string(sector_shift(sector_count, lobes)) +

@@ -83,10 +83,10 @@ expect_wrong_model(not_hermitian "/M is not Hermitian")
 expect_wrong_model(unstable "no speed could be computed" "nodal diameter 1 has omega^2 = -" "statically unstable")
 
 set(check ARGUMENTS case.toml model.h5 --check)
-expect_message(check ${check} ERRORS "at least 400 a period of the lowest frequency, for errors of 0.005"
+expect_message(check ${check} ERRORS "at least 200 a period of the lowest frequency, halved until that changes the motion by less than 0.005"
                                      "nodal diameters 0, 2: multiples of gcd(6 sectors, 2 lobes) = 2")
 # Four times the tolerance: half the steps.
 expect_message(check_of_coarser_steps ${check} OLD "damping_ratio" NEW "step_tolerance = 2e-2\ndamping_ratio"
-               ERRORS "at least 200 a period")
+               ERRORS "at least 100 a period")
 expect_message(check_of_a_jump ${check} OLD "damping_ratio" NEW "acceleration = \"anderson\"\ndamping_ratio"
                ERRORS "settling: by a jump to the fixed point of 1/6 of a revolution and a shift of 1 sectors")

@@ -11,7 +11,7 @@ double compliance_condition(const TimeMarch& march);
 
 /// Relative difference of two responses of one speed and one grid of samples: of the motion if both are settled with
 /// the same period (at the best shift by beats of the casing: each is a motion of the same scene), of the rms
-/// amplitudes of engine orders 0 .. 60 if not: irregular trajectories mean nothing, their spectra do.
+/// amplitudes of engine orders 0 .. 60 if not: trajectories that never repeat mean nothing, their spectra do.
 struct ResponseDifference {
   double value = 0;     ///< [1] of the larger norm: 1 if one of them rests
   const char* measure;  ///< "motion" or "spectrum"

@@ -17,6 +17,7 @@ namespace {
 constexpr double margin = 1.15;  // of the step at the limit of central differences
 constexpr int areas = 60;
 constexpr double agreeing_share = 0.95;
+constexpr double damping_beyond = 0.02;  // of critical, above what the mesh resolves: as a case has it
 
 /// 24 revolutions of a motion that doesn't repeat, for its averages.
 SpeedResponse run(const BenchWheel& wheel, double speed, Scheme scheme, int steps) {
@@ -24,6 +25,9 @@ SpeedResponse run(const BenchWheel& wheel, double speed, Scheme scheme, int step
   parameters.scheme = scheme;
   parameters.steps_per_revolution = steps;
   parameters.casing_areas = areas;
+  parameters.resolved_frequency = 0;
+  parameters.damping_ratio_beyond = damping_beyond;
+  fit_to_model(parameters, wheel.model);
   return run_speed(wheel, parameters, speed);
 }
 
@@ -93,9 +97,12 @@ bool print_scheme_agreement(const std::string& model, int speeds) {
                 at.central.steps_per_revolution, class_of(at.trigonometric).c_str(), class_of(at.central).c_str(),
                 at.amplitude_difference, at.pattern_overlap, at.agree() ? "yes" : "no");
   const auto agreeing = std::count_if(pairs.begin(), pairs.end(), [](const SchemePair& at) { return at.agree(); });
-  std::printf("# %d of %d speeds agree: amplitude within %g, overlap at least %g\n", static_cast<int>(agreeing),
-              speeds, same_amplitude, same_pattern);
-  return static_cast<double>(agreeing) >= agreeing_share * speeds;
+  const auto alike = std::count_if(pairs.begin(), pairs.end(), [](const SchemePair& at) {
+    return class_of(at.trigonometric) == class_of(at.central);
+  });
+  std::printf("# %d of %d speeds agree: amplitude within %g, overlap at least %g; %d have the same class\n",
+              static_cast<int>(agreeing), speeds, same_amplitude, same_pattern, static_cast<int>(alike));
+  return static_cast<double>(std::min(agreeing, alike)) >= agreeing_share * speeds;
 }
 
 }  // namespace tiprub::testing

@@ -79,7 +79,7 @@ def touching(leading, trailing):
 def moving(diameter_of_order):
     """A case of ten sectors whose one periodic speed moves each engine order on one nodal diameter."""
     case = Case.__new__(Case)
-    case.name, case.sectors, case.periodic = "made", 10, numpy.array([True])
+    case.name, case.sectors, case.steady = "made", 10, numpy.array([True])
     case.waves = numpy.zeros((1, 13, 10))
     for order, n in diameter_of_order.items():
         case.waves[0, order, n] = 1.0

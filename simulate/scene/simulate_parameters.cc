@@ -144,7 +144,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
       "sweep", SweepDirection::rest,
       {{"rest", SweepDirection::rest}, {"up", SweepDirection::up}, {"down", SweepDirection::down}});
   parameters.symmetry_check_revolutions =
-      table.integer("symmetry_check_revolutions", 12, Range::between(0, count_max), "0: no check");
+      table.integer("symmetry_check_revolutions", 24, Range::between(0, count_max), "0: no check");
   parameters.when_symmetry_breaks =
       table.choice<BrokenSymmetry>("when_symmetry_breaks", BrokenSymmetry::mark,
                                    {{"mark", BrokenSymmetry::mark}, {"full_run", BrokenSymmetry::full_run}});

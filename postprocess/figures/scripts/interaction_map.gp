@@ -17,7 +17,7 @@ load 'scripts/engine_orders.gp'
 plot name.'.pixels' @map_image, \
   for [k=engine_order_step:engine_order_last:engine_order_step] k*x/60 with lines linestyle map_engine_order, \
   for [n=0:nodal_diameters-1] for [k=1:families] $modes using 1:mode_column(n,k) with lines linestyle map_mode, \
-  $irregular using 1:(foot(0)) with points linestyle map_irregular title titled(irregular_rows, 'irregular'), \
+  $irregular using 1:(foot(0)) with points linestyle map_irregular title titled(irregular_rows, 'does not repeat'), \
   $subharmonic using 1:(foot(1)) with points linestyle map_subharmonic \
     title titled(subharmonic_rows, 'subharmonic'), \
   $breaking using 1:(foot(2)) with points linestyle map_breaking \

@@ -18,7 +18,8 @@ void ChatterAudit::observe(const Eigen::VectorXd& displacement) {
 
 void ChatterAudit::add_revolution(const Eigen::VectorXd& motion) {
   band_squares_ += band_.coefficients(motion).rowwise().squaredNorm().array();
-  samples_ += static_cast<double>(motion.size() / sum_.size());
+  const Eigen::Index samples = motion.size() / sum_.size();
+  samples_ += static_cast<double>(samples);
 }
 
 ChatterAudit::Share ChatterAudit::share() const {

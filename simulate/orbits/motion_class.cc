@@ -36,7 +36,8 @@ void apply_hann(std::vector<double>& signal) {
 Eigen::VectorXd lines_of(const std::deque<Eigen::VectorXd>& revolutions, Eigen::Index channels, double orders,
                          Window window) {
   const auto count = static_cast<double>(revolutions.size());
-  const double resolved = static_cast<double>(revolutions.front().size() / channels - 1) / 2;
+  const Eigen::Index samples = revolutions.front().size() / channels;
+  const double resolved = static_cast<double>(samples - 1) / 2;
   const auto last = static_cast<Eigen::Index>(std::floor(std::min(orders, resolved) * count));
   Eigen::VectorXd lines = Eigen::VectorXd::Zero(last + 1);
   Eigen::FFT<double> transform;

@@ -73,7 +73,8 @@ Response passed_on_contact(const ReducedModel& rotor, double lag) {
   constexpr double width = 0.06;  // [rad]
   constexpr double resonance = 1500;
   Response response{synthetic::two_lobes(), "made", {}, {}};
-  for (double speed = 1000; speed < 2001; speed += 50) {
+  for (int i = 0; i <= 20; ++i) {
+    const double speed = 1000 + 50.0 * i;
     SpeedResponse made = synthetic::speed(response.scene, rotor.contact, speed, {}, 2);
     made.contact_force.setZero();
     made.contact_count.setZero();

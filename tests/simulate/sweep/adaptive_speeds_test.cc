@@ -22,8 +22,9 @@ double resonance(double x, double speed, double damping) {
 /// What an adaptive sweep comes to: full speeds with their amplitudes.
 std::vector<SampledSpeed> sweep(const Curve& curve, const LocationGoal& goal, double scan_error = 0) {
   std::map<double, SampledSpeed> samples;
-  for (double x = 1000; x <= 2001; x += 10) {
-    const bool full = static_cast<int>(std::lround(x)) % 50 == 0;
+  for (int i = 0; i <= 100; ++i) {
+    const double x = 1000 + 10.0 * i;
+    const bool full = i % 5 == 0;
     samples[x] = {x, curve(x) * (full ? 1 : 1 + scan_error * std::sin(x)),
                   full ? SampledSpeed::Kind::full : SampledSpeed::Kind::scanned};
   }

@@ -73,7 +73,7 @@ TEST(SceneScope, GivesAReasonForEachChoice) {
   const SceneScope scope = find_scope(10, 2, asked());
   EXPECT_EQ(scope.reasons.size(), 4u);
   EXPECT_NE(scope.reasons.back().find(
-                "200 a period of the lowest frequency, halved until that changes the motion by less than 0.005"),
+                "400 a period of the lowest frequency, halved until that changes the motion by less than 0.005"),
             std::string::npos);
 }
 

@@ -69,18 +69,32 @@ class PeakReader {
   Component component_;
 };
 
+/// [1] of a peak's amplitude: tops that are that close can't be told apart.
+constexpr double even_top = 0.02;
+
+/// [rad/s] where the response, from sample `place` in direction `step`, has clearly fallen: on the line between its
+/// last sample of at least `least` and the next one.
+double foot(const Response& response, const Eigen::VectorXd& amplitudes, Eigen::Index place, int step, double least) {
+  Eigen::Index i = place + step;
+  while (i > 0 && i + 1 < amplitudes.size() && amplitudes[i] >= least) i += step;
+  const double below = response.speeds[static_cast<std::size_t>(i)].speed;
+  const double above = response.speeds[static_cast<std::size_t>(i - step)].speed;
+  if (amplitudes[i] >= least) return below;
+  return above + (below - above) * (amplitudes[i - step] - least) / (amplitudes[i - step] - amplitudes[i]);
+}
+
 void locate(CriticalSpeed& critical, const Response& response, const Eigen::VectorXd& amplitudes) {
   const auto place = static_cast<std::size_t>(critical.index);
-  const SpeedResponse &before = response.speeds[place - 1], &after = response.speeds[place + 1];
-  critical.speed_low = before.speed;
-  critical.speed_high = after.speed;
-  const double step_error = response.speeds[place].audit.halving_difference.value_or(0) * critical.amplitude;
-  const double added =
-      parabola_top({before.speed, critical.speed, after.speed},
-                   {amplitudes[critical.index - 1], critical.amplitude, amplitudes[critical.index + 1]})
-          .height;
+  const std::vector<SpeedResponse>& speeds = response.speeds;
+  const double step_error = speeds[place].audit.halving_difference.value_or(0) * critical.amplitude;
+  const double least = (1 - even_top) * critical.amplitude - step_error;
+  critical.speed_low = foot(response, amplitudes, critical.index, -1, least);
+  critical.speed_high = foot(response, amplitudes, critical.index, +1, least);
+  const ParabolaTop top =
+      parabola_top({speeds[place - 1].speed, critical.speed, speeds[place + 1].speed},
+                   {amplitudes[critical.index - 1], critical.amplitude, amplitudes[critical.index + 1]});
   critical.amplitude_low = critical.amplitude - step_error;
-  critical.amplitude_high = critical.amplitude + std::max(step_error, added);
+  critical.amplitude_high = critical.amplitude + std::max(step_error, top.height);
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ struct CriticalSpeed {
   double speed = 0;        ///< [rad/s]
   double amplitude = 0;    ///< [m]
   double prominence = 0;   ///< [m]
-  /// [rad/s] the samples beside the peak: its top lies between them.
+  /// [rad/s] where the response has fallen by 2 % and what the step changes, on the lines between its samples: a
+  /// ragged or flat top lies somewhere between them.
   double speed_low = 0, speed_high = 0;
   /// [m] the amplitude less and more what the last halving of the step changed; more, also what the parabola through
   /// the peak's three samples adds.

@@ -58,7 +58,7 @@ std::string other_waves(const CriticalSpeed& critical, std::size_t count) {
   return text;
 }
 
-/// "-9 +12": to the samples beside the peak.
+/// "-9 +12": to where the response has clearly fallen.
 std::string located(const CriticalSpeed& critical) {
   return "-" + fixed((critical.speed - critical.speed_low) * rpm_per_rad_s, 0) + " +" +
          fixed((critical.speed_high - critical.speed) * rpm_per_rad_s, 0);

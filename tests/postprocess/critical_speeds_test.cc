@@ -46,6 +46,24 @@ TEST(CriticalSpeeds, AreNamedAtTheNodeThatMovesMost) {
   EXPECT_NEAR(critical.wave_share(), 1.5e-4 / critical.amplitude, rounding);
 }
 
+/// Symptom: peaks were samples of a grid, without a word on how far their neighbours were.
+TEST(CriticalSpeeds, SayWhereTheyWereLocated) {
+  const ReducedModel rotor = synthetic::model();
+  Response response = peak_at_the_trailing_edge(rotor);
+  const TipAmplitudes amplitudes = tip_amplitudes(response, rotor.contact, Component::normal);
+  Eigen::Index top = 0;
+  const double largest = amplitudes.largest.maxCoeff(&top);
+  response.speeds[static_cast<std::size_t>(top)].audit.halving_difference = 0.01;
+  const CriticalSpeed critical =
+      critical_speeds(response, rotor.contact, amplitudes, FrequencyCurves(response.frequencies), {}).front();
+  const double before = response.speeds[static_cast<std::size_t>(top) - 1].speed;
+  const double fall = 0.03 * largest / (largest - amplitudes.largest[top - 1]);  // to 2 %, and 1 % for the step
+  EXPECT_NEAR(critical.speed_low, critical.speed - fall * (critical.speed - before), 1e-9 * critical.speed);
+  EXPECT_GT(critical.speed_high, critical.speed);
+  EXPECT_NEAR(critical.amplitude_low, 0.99 * largest, 1e-12 * largest);
+  EXPECT_GE(critical.amplitude_high, 1.01 * largest);
+}
+
 /// Beside it the other large ones, in their order; EO 2 has an eighth of it at that node, and is none.
 TEST(CriticalSpeeds, TellTheOtherLargeWaves) {
   const ReducedModel rotor = synthetic::model();

@@ -8,8 +8,9 @@
 namespace tiprub {
 
 EngineOrderBand::EngineOrderBand(int samples, double orders)
-    : orders_(static_cast<int>(std::min(std::max(orders, 1.0), (samples - 1) / 2.0))),
-      waves_(samples, 2 * orders_ + 1) {
+    : orders_(static_cast<int>(std::min(std::max(orders, 1.0), (samples - 1) / 2.0))), samples_(samples) {
+  if (orders >= (samples - 1) / 2.0) return;
+  waves_.resize(samples, 2 * orders_ + 1);
   waves_.col(0).setConstant(1 / std::sqrt(samples));
   for (int k = 1; k <= orders_; ++k) {
     const double half = std::numbers::pi * k / samples;
@@ -23,9 +24,8 @@ EngineOrderBand::EngineOrderBand(int samples, double orders)
 }
 
 Eigen::MatrixXd EngineOrderBand::coefficients(const Eigen::VectorXd& revolution) const {
-  const Eigen::Index channels = revolution.size() / waves_.rows();
-  const Eigen::Map<const Eigen::MatrixXd> motion(revolution.data(), channels, waves_.rows());
-  return motion * waves_;
+  const Eigen::Map<const Eigen::MatrixXd> motion(revolution.data(), revolution.size() / samples_, samples_);
+  return waves_.size() > 0 ? Eigen::MatrixXd(motion * waves_) : Eigen::MatrixXd(motion);
 }
 
 }  // namespace tiprub

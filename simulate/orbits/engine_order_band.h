@@ -15,12 +15,14 @@ class EngineOrderBand {
   int orders() const { return orders_; }
   /// Of values by sample, each a mean over the sample's interval, channel by channel within a sample: the Fourier
   /// coefficients, channels x (2 orders + 1), the mean first. The sum of their squares is that of the band's motion
-  /// over the samples (what the means took off the higher orders is put back).
+  /// over the samples (what the means took off the higher orders is put back). If all orders count, the values
+  /// themselves.
   Eigen::MatrixXd coefficients(const Eigen::VectorXd& revolution) const;
 
  private:
   int orders_;
-  Eigen::MatrixXd waves_;  ///< samples x (2 orders + 1)
+  int samples_;
+  Eigen::MatrixXd waves_;  ///< samples x (2 orders + 1); empty if all orders count
 };
 
 }  // namespace tiprub

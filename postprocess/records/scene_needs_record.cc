@@ -129,13 +129,13 @@ std::vector<SceneNeed> march_needs(const Study& study, const std::vector<Check>&
     unsettled += speed.motion == MotionClass::not_settled;
   }
   const std::string speeds = "of " + std::to_string(study.response.speeds.size()) + " speeds";
-  return {
-      measured(checks, "time step", "time step: change by its last halving [1]", "set simulate.halved_step_checks"),
-      measured(checks, "settling", "settling: change over the last period [1]",
-               "no motion settled; raise simulate.max_revolutions"),
-      estimated("motions left before they have settled", unsettled, 0, speeds),
-      estimated("chatter above the resolved frequencies: share of the mean square [1]", chatter, chatter_limit,
-                "the largest " + speeds)};
+  return {measured(checks, "time step", "time step: change by its last halving [1]",
+                   "leave simulate.steps_per_revolution out"),
+          measured(checks, "settling", "settling: change over the last period [1]",
+                   "no motion settled; raise simulate.max_revolutions"),
+          estimated("motions left before they have settled", unsettled, 0, speeds),
+          estimated("chatter above the resolved frequencies: share of the mean square [1]", chatter, chatter_limit,
+                    "the largest " + speeds)};
 }
 
 SceneNeed wear_need(const Study& study) {

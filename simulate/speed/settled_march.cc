@@ -177,11 +177,12 @@ bool is_small(const std::vector<double>& differences, double tolerance) {
   return scatter * error <= tolerance;
 }
 
-/// Whether half the step is lost in rounding: velocities are differences of positions, which are good to their last
-/// digit.
-bool rounds_off(const TimeMarch& march, const RotorAtSpeed& rotor, double tolerance) {
+/// Whether half the step can be counted, and isn't lost in rounding: velocities are differences of positions, which
+/// are good to their last digit.
+bool can_halve(const TimeMarch& march, const RotorAtSpeed& rotor, double tolerance) {
   const double angle = std::numbers::pi * rotor.first_frequency * march.time_step();  // of half a step
-  return std::numeric_limits<double>::epsilon() > tolerance * angle * angle;
+  return march.steps_per_revolution() <= std::numeric_limits<int>::max() / 2 &&
+         std::numeric_limits<double>::epsilon() <= tolerance * angle * angle;
 }
 
 /// Two halvings after which the differences stand where they were.
@@ -228,7 +229,7 @@ std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const Rot
   std::unique_ptr<TimeMarch> march = settle(scene, rotor, start, plan, response);
   if (parameters.steps_per_revolution > 0) return march;
   std::vector<double> found;
-  while (found.size() < most_halvings && !rounds_off(*march, rotor, parameters.step_tolerance)) {
+  while (found.size() < most_halvings && can_halve(*march, rotor, parameters.step_tolerance)) {
     march = halve(scene, rotor, *march, cycle, response);
     found.push_back(*response.audit.halving_difference);
     if (!response.settled() || is_small(found, parameters.step_tolerance) || is_useless(found)) break;

@@ -29,14 +29,17 @@ Response peak_at_the_trailing_edge(const ReducedModel& rotor) {
   return response;
 }
 
+std::vector<CriticalSpeed> peaks_of(const Response& response, const ReducedModel& rotor) {
+  return critical_speeds(response, rotor.contact, tip_amplitudes(response, rotor.contact, Component::normal),
+                         FrequencyCurves(response.frequencies), {});
+}
+
 /// Symptom: the table gave the trailing edge's 0.315 mm to EO 2, which has 0.029 mm there; EO 6 has 0.186 mm. Cause:
 /// the amplitude was the worst node's, its wave that of a mean over the nodes. The label belongs to the amplitude.
 TEST(CriticalSpeeds, AreNamedAtTheNodeThatMovesMost) {
   const ReducedModel rotor = synthetic::model();
   const Response response = peak_at_the_trailing_edge(rotor);
-  const TipAmplitudes amplitudes = tip_amplitudes(response, rotor.contact, Component::normal);
-  const std::vector<CriticalSpeed> found =
-      critical_speeds(response, rotor.contact, amplitudes, FrequencyCurves(response.frequencies), {});
+  const std::vector<CriticalSpeed> found = peaks_of(response, rotor);
   ASSERT_EQ(found.size(), 1U);
   const CriticalSpeed& critical = found.front();
   EXPECT_EQ(critical.node, 3);
@@ -54,8 +57,7 @@ TEST(CriticalSpeeds, SayWhereTheyWereLocated) {
   Eigen::Index top = 0;
   const double largest = amplitudes.largest.maxCoeff(&top);
   response.speeds[static_cast<std::size_t>(top)].audit.halving_difference = 0.01;
-  const CriticalSpeed critical =
-      critical_speeds(response, rotor.contact, amplitudes, FrequencyCurves(response.frequencies), {}).front();
+  const CriticalSpeed critical = peaks_of(response, rotor).front();
   const double before = response.speeds[static_cast<std::size_t>(top) - 1].speed;
   const double fall = 0.03 * largest / (largest - amplitudes.largest[top - 1]);  // to 2 %, and 1 % for the step
   EXPECT_NEAR(critical.speed_low, critical.speed - fall * (critical.speed - before), 1e-9 * critical.speed);
@@ -68,9 +70,7 @@ TEST(CriticalSpeeds, SayWhereTheyWereLocated) {
 TEST(CriticalSpeeds, TellTheOtherLargeWaves) {
   const ReducedModel rotor = synthetic::model();
   const Response response = peak_at_the_trailing_edge(rotor);
-  const TipAmplitudes amplitudes = tip_amplitudes(response, rotor.contact, Component::normal);
-  const std::vector<CriticalSpeed> found =
-      critical_speeds(response, rotor.contact, amplitudes, FrequencyCurves(response.frequencies), {});
+  const std::vector<CriticalSpeed> found = peaks_of(response, rotor);
   ASSERT_EQ(found.size(), 1U);
   const std::vector<WaveLabel>& others = found.front().others;
   ASSERT_EQ(others.size(), 4U);  // the fifth, EO 16, is one too many

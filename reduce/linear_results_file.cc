@@ -84,6 +84,7 @@ void write_linear_results(const LinearResults& results, const std::filesystem::p
   }
   file.write("/tip/arc_length", results.tip_arc_length, "m");
   file.write("/tip/clearance_loss", results.clearance_loss, "m");
+  file.close();
 }
 
 }  // namespace tiprub

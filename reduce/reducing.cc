@@ -80,7 +80,9 @@ ReducedModel reduce_with_fields(const StageArguments& arguments, const Inputs& i
   OutputFile output(fields_file);
   ReducedModel model = [&] {
     FieldsWriter fields(output.scratch(), program_version(program));
-    return reduce(inputs.mesh, inputs.parameters, shown, report, &fields);
+    ReducedModel reduced = reduce(inputs.mesh, inputs.parameters, shown, report, &fields);
+    fields.close();
+    return reduced;
   }();
   output.commit();
   return model;

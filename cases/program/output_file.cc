@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/program/output_file.h"
 
-#include <signal.h>
+#include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
-#include <atomic>
-#include <cstring>
+#include <cerrno>
+#include <system_error>
 
 #include "cases/program/errors.h"
+#include "cases/program/made_files.h"
 
 namespace fs = std::filesystem;
 
@@ -16,61 +16,82 @@ namespace tiprub {
 
 namespace {
 
-// A signal handler reaches nothing but static storage; unlink and _exit are all it may call here.
-std::array<char, 4096> scratch_name{};
-std::atomic<bool> scratch_exists{false};
-
-void remove_scratch_and_leave(int signal_number) {
-  if (scratch_exists.load()) unlink(scratch_name.data());
-  _exit(128 + signal_number);
+/// "sector.msh" -> "sector.tiprub.part.msh".
+fs::path beside(const fs::path& target, const std::string& word) {
+  fs::path name = target;
+  return name.replace_filename(target.stem().string() + ".tiprub." + word + target.extension().string());
 }
 
-void watch(const fs::path& scratch) {
-  const std::string name = fs::absolute(scratch).string();
-  if (name.size() >= scratch_name.size()) return;
-  std::memcpy(scratch_name.data(), name.c_str(), name.size() + 1);
-  scratch_exists = true;
-  for (int number : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction action {};
-    action.sa_handler = remove_scratch_and_leave;
-    sigaction(number, &action, nullptr);
-  }
+void require_replaceable(const fs::path& target) {
+  const fs::file_status status = fs::status(target);
+  if (!fs::exists(status) || fs::is_regular_file(status)) return;
+  if (!fs::is_directory(status))
+    throw RunError(target.string() + ": can't be replaced: it is neither a file nor a folder; give another -o");
+  if (const auto stranger = first_file_not_made_here(target))
+    throw RunError(target.string() + ": can't be replaced: it holds " + stranger->string() +
+                   ", which this program did not make; move that away, or give another -o");
+}
+
+/// Waits until the disk has it: a full one may only be noticed here.
+std::error_code synchronise(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return {errno, std::generic_category()};
+  const bool failed = ::fsync(file) != 0;
+  const std::error_code error(failed ? errno : 0, std::generic_category());
+  ::close(file);
+  return error;
+}
+
+/// rename() replaces files, but only empty folders.
+std::error_code replace_folder(const fs::path& scratch, const fs::path& target) {
+  std::error_code error;
+  const fs::path old = beside(target, "old");
+  fs::remove_all(old, error);
+  fs::rename(target, old, error);
+  if (error) return error;
+  fs::rename(scratch, target, error);
+  std::error_code ignored;
+  if (error)
+    fs::rename(old, target, ignored);
+  else
+    fs::remove_all(old, ignored);
+  return error;
 }
 
 }  // namespace
 
 OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
-  scratch_ = target_;
-  if (!scratch_.has_filename()) scratch_ = scratch_.parent_path();  // "report/" is the folder "report"
-  target_ = scratch_;
+  if (!target_.has_filename()) target_ = target_.parent_path();  // "report/" is the folder "report"
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   if (!fs::is_directory(folder))
     throw RunError(target_.string() + ": can't be written: no folder " + folder.string());
-  scratch_.replace_filename(target_.stem().string() + ".part" + target_.extension().string());
+  require_replaceable(target_);
+  scratch_ = beside(target_, "part");
   fs::remove_all(scratch_);
-  watch(scratch_);
+  removed_on_signal_.emplace(scratch_);
 }
 
 OutputFile::~OutputFile() {
-  scratch_exists = false;
+  removed_on_signal_.reset();
   std::error_code ignored;
   fs::remove_all(scratch_, ignored);
 }
 
 void OutputFile::commit() {
+  require_replaceable(target_);
   std::error_code error;
-  if (fs::is_directory(scratch_) && fs::exists(target_)) {  // rename() replaces files, but only empty folders
-    fs::path old = target_;
-    old += ".old";
-    fs::remove_all(old, error);
-    fs::rename(target_, old, error);
-    if (!error) fs::rename(scratch_, target_, error);
-    if (!error) fs::remove_all(old, error);
+  if (fs::is_directory(scratch_)) {
+    list_made_files(scratch_);
+    if (fs::is_directory(target_))
+      error = replace_folder(scratch_, target_);
+    else
+      fs::rename(scratch_, target_, error);
   } else {
-    fs::rename(scratch_, target_, error);
+    error = synchronise(scratch_);
+    if (!error) fs::rename(scratch_, target_, error);
   }
-  scratch_exists = false;
   if (error) throw RunError(target_.string() + ": can't be written: " + error.message());
+  removed_on_signal_.reset();
 }
 
 }  // namespace tiprub

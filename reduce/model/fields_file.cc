@@ -96,6 +96,10 @@ FieldsWriter::FieldsWriter(const std::filesystem::path& path, const std::string&
 }
 FieldsWriter::~FieldsWriter() = default;
 
+void FieldsWriter::close() {
+  state_->file.close();
+}
+
 void FieldsWriter::write_sector(const SectorFields& sector) {
   Hdf5File& file = state_->file;
   state_->nodes = static_cast<std::size_t>(sector.nodes.cols());

@@ -39,6 +39,8 @@ class FieldsWriter {
   using Shape = std::function<Eigen::VectorXcd(Eigen::Index k)>;
   /// The basis of one nodal diameter in single precision; a standing wave's shapes are real.
   void write_basis(int nodal_diameter, Eigen::Index dofs, bool standing, const Shape& shape);
+  /// The last step: raises RunError if the disk has not taken all of it.
+  void close();
 
  private:
   struct State;

@@ -30,6 +30,8 @@ class Hdf5File {
   ~Hdf5File();
   Hdf5File(Hdf5File&&) noexcept;
   Hdf5File& operator=(Hdf5File&&) noexcept;
+  /// Writes what HDF5 still holds back. A writer's last step: destructors can't report a full disk. Raises RunError.
+  void close();
 
   /// Attributes of a group or dataset; "/" is the file itself.
   void set_attribute(const std::string& object, const std::string& name, const std::string& value);

@@ -38,6 +38,18 @@ void write_matrix(Hdf5File& file, const std::string& name, const Eigen::MatrixXc
     file.write(name, matrix, unit);
 }
 
+void write_verification(Hdf5File& file, const Verification& verification) {
+  if (verification.speeds.size() == 0) return;
+  file.write("/verification/speed", verification.speeds, "rad/s");
+  if (verification.polynomial_misfit.size() > 0)
+    file.write("/verification/polynomial_misfit", verification.polynomial_misfit, "1");
+  for (std::size_t n = 0; n < verification.unreduced.size(); ++n) {
+    const std::string group = "/verification" + group_of(static_cast<int>(n));
+    file.write(group + "/unreduced", verification.unreduced[n], "Hz");
+    file.write(group + "/reduced", verification.reduced[n], "Hz");
+  }
+}
+
 }  // namespace
 
 void write_model(const ReducedModel& model, const std::filesystem::path& path, const std::string& generator) {
@@ -64,15 +76,8 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
                    "N/m s^" + std::to_string(2 * (3 + k)));
     write_matrix(file, group + "/M", matrices.M, "kg");
   }
-  if (model.verification.speeds.size() == 0) return;
-  file.write("/verification/speed", model.verification.speeds, "rad/s");
-  if (model.verification.polynomial_misfit.size() > 0)
-    file.write("/verification/polynomial_misfit", model.verification.polynomial_misfit, "1");
-  for (std::size_t n = 0; n < model.verification.unreduced.size(); ++n) {
-    const std::string group = "/verification" + group_of(static_cast<int>(n));
-    file.write(group + "/unreduced", model.verification.unreduced[n], "Hz");
-    file.write(group + "/reduced", model.verification.reduced[n], "Hz");
-  }
+  write_verification(file, model.verification);
+  file.close();
 }
 
 ReducedModel read_model(const std::filesystem::path& path) {

@@ -4,9 +4,11 @@
 #include <signal.h>
 #include <sys/wait.h>
 
+#include <fstream>
 #include <functional>
 
 #include "cases/program/errors.h"
+#include "cases/program/output_lock.h"
 #include "tests/cases/temporary_folder.h"
 
 namespace tiprub {
@@ -31,7 +33,7 @@ class OutputFiles : public test::TemporaryFolder {
 
 TEST_F(OutputFiles, AppearWhole) {
   OutputFile output(path("model.h5"));
-  EXPECT_EQ(output.scratch(), path("model.part.h5"));
+  EXPECT_EQ(output.scratch(), path("model.tiprub.part.h5"));
   write(output.scratch(), "new");
   EXPECT_FALSE(fs::exists(path("model.h5")));
   output.commit();
@@ -57,7 +59,7 @@ TEST_F(OutputFiles, TheOldOneStandsUntilCommit) {
 TEST_F(OutputFiles, FoldersAppearWholeAndReplaceOldOnes) {
   for (const std::string version : {"first", "second"}) {
     OutputFile output(path("report/"));
-    EXPECT_EQ(output.scratch(), path("report.part"));
+    EXPECT_EQ(output.scratch(), path("report.tiprub.part"));
     fs::create_directory(output.scratch());
     write(output.scratch() / version, version);
     output.commit();
@@ -68,9 +70,65 @@ TEST_F(OutputFiles, FoldersAppearWholeAndReplaceOldOnes) {
 }
 
 TEST_F(OutputFiles, LeftoversOfAnEarlierRunAreSweptAway) {
-  write(path("model.part.h5"), "half of an earlier run");
+  write(path("model.tiprub.part.h5"), "half of an earlier run");
   OutputFile output(path("model.h5"));
   EXPECT_FALSE(fs::exists(output.scratch()));
+}
+
+/// `-o FOLDER` once emptied any folder that stood there: a case's own, with its model. Only what the program made
+/// itself may go.
+TEST_F(OutputFiles, AFolderWithSomebodysFilesIsRefusedAndKept) {
+  fs::create_directories(path("case/notes"));
+  write(path("case/notes/thesis.txt"), "mine");
+  try {
+    OutputFile output(path("case"));
+    FAIL();
+  } catch (const RunError& error) {
+    EXPECT_EQ(error.what(), path("case").string() +
+                                ": can't be replaced: it holds notes/thesis.txt, which this program did not make; "
+                                "move that away, or give another -o");
+  }
+  EXPECT_EQ(read(path("case/notes/thesis.txt")), "mine");
+}
+
+TEST_F(OutputFiles, AFileAddedToAMadeFolderIsKept) {
+  {
+    OutputFile output(path("report"));
+    fs::create_directory(output.scratch());
+    write(output.scratch() / "report.html", "made");
+    output.commit();
+  }
+  write(path("report/notes.txt"), "mine");
+  EXPECT_THROW(OutputFile(path("report")), RunError);
+  EXPECT_EQ(read(path("report/notes.txt")), "mine");
+}
+
+TEST_F(OutputFiles, NamesThatAreNotOursAreKept) {
+  write(path("model.part.h5"), "mine");
+  fs::create_directory(path("report.old"));
+  OutputFile output(path("model.h5"));
+  write(output.scratch(), "new");
+  output.commit();
+  EXPECT_EQ(read(path("model.part.h5")), "mine");
+  EXPECT_TRUE(fs::exists(path("report.old")));
+}
+
+TEST_F(OutputFiles, ADeviceIsNoTarget) {
+  EXPECT_THROW(OutputFile("/dev/null"), RunError);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+/// On a full disk a renamed file was empty: the disk's word is waited for first.
+TEST_F(OutputFiles, AFullDiskKeepsTheOldFile) {
+  if (!fs::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  write(path("model.h5"), "old");
+  OutputFile output(path("model.h5"));
+  fs::create_symlink("/dev/full", output.scratch());
+  std::ofstream file(output.scratch());
+  file << "new" << std::flush;
+  EXPECT_FALSE(file.good());
+  EXPECT_THROW(output.commit(), RunError);
+  EXPECT_EQ(read(path("model.h5")), "old");
 }
 
 TEST_F(OutputFiles, RefuseAMissingFolder) {
@@ -89,8 +147,12 @@ TEST_F(OutputFiles, FailToCommitWhatWasNeverWritten) {
 }
 
 TEST_F(OutputFiles, AFailedCommitLeavesTheOldFolder) {
-  fs::create_directory(path("report"));
-  write(path("report") / "index.html", "old");
+  {
+    OutputFile output(path("report"));
+    fs::create_directory(output.scratch());
+    write(output.scratch() / "index.html", "old");
+    output.commit();
+  }
   {
     OutputFile output(path("report"));
     write(output.scratch(), "a file where a folder stands");
@@ -123,6 +185,39 @@ TEST_F(OutputFiles, SignalsAfterCommitLeaveTheFile) {
   });
   EXPECT_EQ(code, 128 + SIGTERM);
   EXPECT_EQ(read(path("model.h5")), "whole");
+}
+
+/// Two runs on one output once mixed their scratch files.
+TEST_F(OutputFiles, OneRunAtATimeOnAnOutput) {
+  const OutputLock held(path("model.h5"));
+  const int code = ending([&] {
+    try {
+      const OutputLock second(path("model.h5"));
+    } catch (const RunError& error) {
+      const std::string message = error.what();
+      const bool told = message.find("model.h5: process " + std::to_string(getppid())) != std::string::npos &&
+                        message.find("is writing it; wait for that, or give another -o") != std::string::npos;
+      _exit(told ? 7 : 8);
+    }
+  });
+  EXPECT_EQ(code, 7);
+  const OutputLock other(path("response.h5"));  // another output is free
+}
+
+TEST_F(OutputFiles, ALockEndsWithItsRunHoweverThatEnds) {
+  EXPECT_EQ(ending([&] {
+              const OutputLock held(path("model.h5"));
+              raise(SIGTERM);
+            }),
+            128 + SIGTERM);
+  EXPECT_EQ(entries(), 0);
+  EXPECT_EQ(ending([&] {
+              const OutputLock held(path("model.h5"));
+              raise(SIGKILL);
+            }),
+            -1);
+  { const OutputLock next(path("model.h5")); }
+  EXPECT_EQ(entries(), 0);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ for attempt in 1 2 3 4 5 6 7 8 9 10; do
   rm -rf "$folder" && mkdir -p "$folder" || exit 1
   "$program" -q "$case" -o "$folder/sector.msh" &
   mesher=$!
-  while kill -0 $mesher 2>/dev/null && [ ! -e "$folder/sector.part.msh" ]; do :; done
+  while kill -0 $mesher 2>/dev/null && [ ! -e "$folder/sector.tiprub.part.msh" ]; do :; done
   kill -TERM $mesher 2>/dev/null
   wait $mesher
   code=$?

@@ -82,7 +82,7 @@ TEST_F(Program, ReplacesAnOldReport) {
   ASSERT_EQ(run("case.toml model.h5 response.h5 -o again/").exit_code, 0);
   EXPECT_TRUE(fs::exists(folder_ / "again" / "report.html"));
   EXPECT_FALSE(fs::exists(folder_ / "again" / "old.txt"));
-  EXPECT_FALSE(fs::exists(folder_ / "again.part"));
+  EXPECT_FALSE(fs::exists(folder_ / "again.tiprub.part"));
 }
 
 TEST_F(Program, DrawsASingleSpeedAndASingleBlade) {
@@ -110,7 +110,7 @@ TEST_F(Program, DrawsAWheelThatNeverTouchesNorMoves) {
 }
 
 TEST_F(Program, LeavesNothingWhenInterrupted) {
-  const fs::path part = folder_ / "stopped.part";
+  const fs::path part = folder_ / "stopped.tiprub.part";
   const pid_t child = fork();
   if (child == 0) {
     if (chdir(folder_.c_str()) != 0) _exit(99);

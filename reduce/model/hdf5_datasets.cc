@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "reduce/model/hdf5_handle.h"
+
+namespace tiprub {
+
+namespace {
+
+using RowMajorComplex = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+const H5::CompType& complex_type() {
+  static const H5::CompType type = hdf5_complex_type<double>(H5::PredType::NATIVE_DOUBLE);
+  return type;
+}
+
+/// How many values a shape holds, as far as the machine could hold them: a damaged file may name any size.
+std::size_t affordable_count(const Hdf5Shape& shape, std::size_t bytes_each) {
+  const double most = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  double bytes = static_cast<double>(bytes_each);
+  for (hsize_t extent : shape) bytes *= static_cast<double>(extent);
+  if (bytes > most) throw std::bad_alloc();
+  return static_cast<std::size_t>(bytes) / bytes_each;
+}
+
+/// HDF5 fills what members of the same names find, and leaves the rest as it was.
+bool is_complex(const H5::DataSet& set) {
+  const H5::CompType type = set.getCompType();
+  return type.getNmembers() == 2 && type.getMemberName(0) == "r" && type.getMemberName(1) == "i" &&
+         type.getMemberClass(0) == H5T_FLOAT && type.getMemberClass(1) == H5T_FLOAT;
+}
+
+}  // namespace
+
+void Hdf5File::write(const std::string& name, const Array<double>& array, const std::string& unit) {
+  attempt(name, "can't be written", [&] {
+    const H5::DataSet set =
+        handle_->make(name, H5::PredType::NATIVE_DOUBLE, Hdf5Shape(array.shape.begin(), array.shape.end()), {}, unit);
+    if (!array.values.empty()) set.write(array.values.data(), H5::PredType::NATIVE_DOUBLE);
+  });
+}
+
+void Hdf5File::write(const std::string& name, const Array<std::int32_t>& array, const std::string& unit) {
+  attempt(name, "can't be written", [&] {
+    const H5::DataSet set =
+        handle_->make(name, H5::PredType::NATIVE_INT32, Hdf5Shape(array.shape.begin(), array.shape.end()), {}, unit);
+    if (!array.values.empty()) set.write(array.values.data(), H5::PredType::NATIVE_INT32);
+  });
+}
+
+void Hdf5File::write(const std::string& name, const Eigen::MatrixXd& matrix, const std::string& unit) {
+  const Eigen::MatrixXd transposed = matrix.transpose();  // row-major in the file
+  write(name,
+        Array<double>{{static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())},
+                      {transposed.data(), transposed.data() + transposed.size()}},
+        unit);
+}
+
+void Hdf5File::write(const std::string& name, const Eigen::VectorXd& vector, const std::string& unit) {
+  write(name,
+        Array<double>{{static_cast<std::size_t>(vector.size())}, {vector.data(), vector.data() + vector.size()}},
+        unit);
+}
+
+void Hdf5File::write(const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit) {
+  const Eigen::MatrixXcd transposed = matrix.transpose();
+  const Hdf5Shape shape = {static_cast<hsize_t>(matrix.rows()), static_cast<hsize_t>(matrix.cols())};
+  attempt(name, "can't be written", [&] {
+    const H5::DataSet set = handle_->make(name, complex_type(), shape, {}, unit);
+    if (matrix.size() > 0) set.write(transposed.data(), complex_type());
+  });
+}
+
+Array<double> Hdf5File::read_array(const std::string& name) const {
+  if (!exists(name)) fail(name, "is missing");
+  Array<double> array;
+  attempt(name, "can't be read as an array of numbers", [&] {
+    const H5::DataSet set = handle_->file.openDataSet(name);
+    if (set.getTypeClass() != H5T_FLOAT && set.getTypeClass() != H5T_INTEGER) fail(name, "is not real numbers");
+    const Hdf5Shape shape = hdf5_extents(set.getSpace());
+    array.shape.assign(shape.begin(), shape.end());
+    array.values.resize(affordable_count(shape, sizeof(double)));
+    if (!array.values.empty()) set.read(array.values.data(), H5::PredType::NATIVE_DOUBLE);
+  });
+  const auto bad = std::find_if(array.values.begin(), array.values.end(), [](double v) { return !std::isfinite(v); });
+  if (bad != array.values.end())
+    fail(name, "value " + std::to_string(bad - array.values.begin()) + " (row-major, from 0) is not finite");
+  return array;
+}
+
+Array<std::int32_t> Hdf5File::read_integers(const std::string& name) const {
+  const Array<double> array = read_array(name);
+  for (const double value : array.values)
+    if (value != std::floor(value) || std::abs(value) > std::numeric_limits<std::int32_t>::max())
+      fail(name, "has a value that is not a whole number within +-2^31");
+  return {array.shape, {array.values.begin(), array.values.end()}};
+}
+
+Eigen::MatrixXd Hdf5File::read_matrix(const std::string& name) const {
+  const Array<double> array = read_array(name);
+  if (array.shape.size() != 2)
+    fail(name, "has shape " + hdf5_shape_text({array.shape.begin(), array.shape.end()}) + ", must have two axes");
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const RowMajor>(array.values.data(), static_cast<Eigen::Index>(array.shape[0]),
+                                    static_cast<Eigen::Index>(array.shape[1]));
+}
+
+Eigen::VectorXd Hdf5File::read_vector(const std::string& name) const {
+  const Array<double> array = read_array(name);
+  if (array.shape.size() != 1)
+    fail(name, "has shape " + hdf5_shape_text({array.shape.begin(), array.shape.end()}) + ", must have one axis");
+  return Eigen::Map<const Eigen::VectorXd>(array.values.data(), static_cast<Eigen::Index>(array.values.size()));
+}
+
+Eigen::MatrixXcd Hdf5File::read_complex_matrix(const std::string& name) const {
+  if (!exists(name)) fail(name, "is missing");
+  RowMajorComplex matrix;
+  attempt(name, "can't be read as a complex matrix", [&] {
+    const H5::DataSet set = handle_->file.openDataSet(name);
+    if (set.getTypeClass() != H5T_COMPOUND) {
+      matrix = read_matrix(name).cast<std::complex<double>>();
+      return;
+    }
+    if (!is_complex(set)) fail(name, "has compound members that are not r and i, floating-point numbers both");
+    const Hdf5Shape shape = hdf5_extents(set.getSpace());
+    if (shape.size() != 2) fail(name, "has shape " + hdf5_shape_text(shape) + ", must have two axes");
+    affordable_count(shape, sizeof(std::complex<double>));
+    matrix.resize(static_cast<Eigen::Index>(shape[0]), static_cast<Eigen::Index>(shape[1]));
+    if (matrix.size() > 0) set.read(matrix.data(), complex_type());
+  });
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+      if (!std::isfinite(matrix(row, column).real()) || !std::isfinite(matrix(row, column).imag()))
+        fail(name, "row " + std::to_string(row) + ", column " + std::to_string(column) + " is not finite");
+  return matrix;
+}
+
+}  // namespace tiprub

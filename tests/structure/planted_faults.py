@@ -53,6 +53,8 @@ FAULTS = [
                                include(copy, "mesh/curves/other.cc", "mesh/curves/one.h"),
                                include(copy, "mesh/curves/other.h", "mesh/curves/third.h"),
                                put(copy, "mesh/curves/third.h", "")), "a circle of includes: mesh/curves/o"),
+    ("includes", lambda copy: include(copy, "reduce/model/reduced_model.h", "reduce/model/hdf5_handle.h"),
+     "includes another folder's private header"),
     ("includes", lambda copy: put(copy, "reduce/attic/planted.h", ""), "lies in no known storey"),
     ("equations", without_row, "has no row for eq. 7"),
     ("equations", row_of_a_ghost, "holds no no_such_symbol"),

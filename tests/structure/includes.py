@@ -105,7 +105,7 @@ def circles(includes):
     units = {}
     for path, (own, _) in includes.items():
         unit = path if path in PRIVATE else os.path.splitext(path)[0]
-        own = own - PRIVATE
+        own = set(own) - PRIVATE
         units.setdefault(unit, set()).update(os.path.splitext(other)[0] for other in own)
     reached_by_itself = {}
     for unit in units:

@@ -9,60 +9,70 @@ namespace tiprub {
 
 namespace {
 
-void set(const H5::H5Object& object, const std::string& name, const H5::DataType& type, const void* value) {
-  object.createAttribute(name, type, H5::DataSpace(H5S_SCALAR)).write(type, value);
+/// Open, and a single value: a scalar or an array of one.
+Hdf5Id single(hid_t object, const std::string& name) {
+  Hdf5Id attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Hdf5Id space(H5Aget_space(attribute), H5Sclose);
+  if (H5Sget_simple_extent_npoints(space) != 1) throw Hdf5Failure();
+  return attribute;
 }
 
-/// One value, as a scalar or as an array of one.
-H5::Attribute single(const H5::H5Object& object, const std::string& name) {
-  H5::Attribute attribute = object.openAttribute(name);
-  if (attribute.getSpace().getSimpleExtentNpoints() != 1) throw H5::AttributeIException("single", "not one value");
-  return attribute;
+/// Of fixed or variable length; as far as the first zero byte.
+std::string read_text(hid_t attribute) {
+  const Hdf5Id type(H5Aget_type(attribute), H5Tclose);
+  if (H5Tget_class(type) != H5T_STRING) throw Hdf5Failure();
+  if (hdf5_checked(H5Tis_variable_str(type)) > 0) {
+    char* text = nullptr;
+    hdf5_checked(H5Aread(attribute, type, static_cast<void*>(&text)));
+    const std::string value = text == nullptr ? "" : text;
+    H5free_memory(text);
+    return value;
+  }
+  std::string value(H5Tget_size(type), '\0');
+  hdf5_checked(H5Aread(attribute, type, value.data()));
+  return value.substr(0, value.find('\0'));
 }
 
 }  // namespace
 
+void hdf5_add_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
+  const Hdf5Id scalar(H5Screate(H5S_SCALAR), H5Sclose);
+  Hdf5Id attribute(H5Acreate2(object, name.c_str(), type, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  hdf5_checked(H5Awrite(attribute, type, value));
+  attribute.close();
+}
+
+void hdf5_add_attribute(hid_t object, const std::string& name, const std::string& text) {
+  const Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose);
+  hdf5_checked(H5Tset_size(type, std::max<std::size_t>(text.size(), 1)));
+  hdf5_add_attribute(object, name, type, text.c_str());
+}
+
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, const std::string& value) {
-  attempt(object, "attribute " + name + " can't be written", [&] {
-    if (object != "/") handle_->make_groups(object + "/");
-    const H5::StrType type(H5::PredType::C_S1, std::max<std::size_t>(value.size(), 1));
-    handle_->with_attributes(object, [&](const H5::H5Object& at) { set(at, name, type, value.c_str()); });
-  });
+  attempt(object, "attribute " + name + " can't be written",
+          [&] { handle_->add_to(object, [&](hid_t at) { hdf5_add_attribute(at, name, value); }); });
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, double value) {
   attempt(object, "attribute " + name + " can't be written", [&] {
-    if (object != "/") handle_->make_groups(object + "/");
-    handle_->with_attributes(object,
-                             [&](const H5::H5Object& at) { set(at, name, H5::PredType::NATIVE_DOUBLE, &value); });
+    handle_->add_to(object, [&](hid_t at) { hdf5_add_attribute(at, name, H5T_NATIVE_DOUBLE, &value); });
   });
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, int value) {
-  attempt(object, "attribute " + name + " can't be written", [&] {
-    if (object != "/") handle_->make_groups(object + "/");
-    handle_->with_attributes(object,
-                             [&](const H5::H5Object& at) { set(at, name, H5::PredType::NATIVE_INT, &value); });
-  });
+  attempt(object, "attribute " + name + " can't be written",
+          [&] { handle_->add_to(object, [&](hid_t at) { hdf5_add_attribute(at, name, H5T_NATIVE_INT, &value); }); });
 }
 
 std::string Hdf5File::text_attribute(const std::string& object, const std::string& name) const {
-  std::string value;
-  attempt(object, "has no text attribute " + name, [&] {
-    handle_->with_attributes(object, [&](const H5::H5Object& at) {
-      const H5::Attribute attribute = single(at, name);
-      attribute.read(attribute.getStrType(), value);
-    });
-  });
-  return value.substr(0, value.find('\0'));
+  return attempt(object, "has no text attribute " + name,
+                 [&] { return read_text(single(handle_->object(object), name)); });
 }
 
 double Hdf5File::number_attribute(const std::string& object, const std::string& name) const {
   double value = 0.0;
-  attempt(object, "has no number attribute " + name, [&] {
-    handle_->with_attributes(
-        object, [&](const H5::H5Object& at) { single(at, name).read(H5::PredType::NATIVE_DOUBLE, &value); });
-  });
+  attempt(object, "has no number attribute " + name,
+          [&] { hdf5_checked(H5Aread(single(handle_->object(object), name), H5T_NATIVE_DOUBLE, &value)); });
   if (!std::isfinite(value)) fail(object, "attribute " + name + " is not finite");
   return value;
 }
@@ -75,13 +85,11 @@ int Hdf5File::integer_attribute(const std::string& object, const std::string& na
 }
 
 bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {
-  bool found = false;
   try {
-    handle_->with_attributes(object, [&](const H5::H5Object& at) { found = at.attrExists(name); });
-  } catch (const H5::Exception&) {
+    return hdf5_checked(H5Aexists(handle_->object(object), name.c_str())) > 0;
+  } catch (const Hdf5Failure&) {
     return false;
   }
-  return found;
 }
 
 }  // namespace tiprub

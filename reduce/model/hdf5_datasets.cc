@@ -12,12 +12,9 @@ namespace tiprub {
 
 namespace {
 
-using RowMajorComplex = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+constexpr const char* unwritable = "can't be written; is the disk full?";
 
-const H5::CompType& complex_type() {
-  static const H5::CompType type = hdf5_complex_type<double>(H5::PredType::NATIVE_DOUBLE);
-  return type;
-}
+using RowMajorComplex = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// How many values a shape holds, as far as the machine could hold them: a damaged file may name any size.
 std::size_t affordable_count(const Hdf5Shape& shape, std::size_t bytes_each) {
@@ -28,28 +25,46 @@ std::size_t affordable_count(const Hdf5Shape& shape, std::size_t bytes_each) {
   return static_cast<std::size_t>(bytes) / bytes_each;
 }
 
+Hdf5Id complex_type() {
+  return hdf5_complex_type<double>(H5T_NATIVE_DOUBLE);
+}
+
+H5T_class_t class_of(hid_t set) {
+  return H5Tget_class(Hdf5Id(H5Dget_type(set), H5Tclose));
+}
+
+Hdf5Shape extents_of(hid_t set) {
+  return hdf5_extents(Hdf5Id(H5Dget_space(set), H5Sclose));
+}
+
+void read_all(hid_t set, hid_t type, void* values) {
+  hdf5_checked(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+}
+
+bool has_real_member(hid_t type, unsigned place, const std::string& wanted) {
+  char* const name = H5Tget_member_name(type, place);
+  const bool named_so = name != nullptr && name == wanted;
+  H5free_memory(name);
+  return named_so && H5Tget_member_class(type, place) == H5T_FLOAT;
+}
+
 /// HDF5 fills what members of the same names find, and leaves the rest as it was.
-bool is_complex(const H5::DataSet& set) {
-  const H5::CompType type = set.getCompType();
-  return type.getNmembers() == 2 && type.getMemberName(0) == "r" && type.getMemberName(1) == "i" &&
-         type.getMemberClass(0) == H5T_FLOAT && type.getMemberClass(1) == H5T_FLOAT;
+bool is_complex(hid_t set) {
+  const Hdf5Id type(H5Dget_type(set), H5Tclose);
+  return H5Tget_nmembers(type) == 2 && has_real_member(type, 0, "r") && has_real_member(type, 1, "i");
 }
 
 }  // namespace
 
 void Hdf5File::write(const std::string& name, const Array<double>& array, const std::string& unit) {
-  attempt(name, "can't be written", [&] {
-    const H5::DataSet set =
-        handle_->make(name, H5::PredType::NATIVE_DOUBLE, Hdf5Shape(array.shape.begin(), array.shape.end()), {}, unit);
-    if (!array.values.empty()) set.write(array.values.data(), H5::PredType::NATIVE_DOUBLE);
+  attempt(name, unwritable, [&] {
+    handle_->write(name, H5T_NATIVE_DOUBLE, {array.shape.begin(), array.shape.end()}, array.values.data(), unit);
   });
 }
 
 void Hdf5File::write(const std::string& name, const Array<std::int32_t>& array, const std::string& unit) {
-  attempt(name, "can't be written", [&] {
-    const H5::DataSet set =
-        handle_->make(name, H5::PredType::NATIVE_INT32, Hdf5Shape(array.shape.begin(), array.shape.end()), {}, unit);
-    if (!array.values.empty()) set.write(array.values.data(), H5::PredType::NATIVE_INT32);
+  attempt(name, unwritable, [&] {
+    handle_->write(name, H5T_NATIVE_INT32, {array.shape.begin(), array.shape.end()}, array.values.data(), unit);
   });
 }
 
@@ -70,22 +85,19 @@ void Hdf5File::write(const std::string& name, const Eigen::VectorXd& vector, con
 void Hdf5File::write(const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit) {
   const Eigen::MatrixXcd transposed = matrix.transpose();
   const Hdf5Shape shape = {static_cast<hsize_t>(matrix.rows()), static_cast<hsize_t>(matrix.cols())};
-  attempt(name, "can't be written", [&] {
-    const H5::DataSet set = handle_->make(name, complex_type(), shape, {}, unit);
-    if (matrix.size() > 0) set.write(transposed.data(), complex_type());
-  });
+  attempt(name, unwritable, [&] { handle_->write(name, complex_type(), shape, transposed.data(), unit); });
 }
 
 Array<double> Hdf5File::read_array(const std::string& name) const {
   if (!exists(name)) fail(name, "is missing");
   Array<double> array;
   attempt(name, "can't be read as an array of numbers", [&] {
-    const H5::DataSet set = handle_->file.openDataSet(name);
-    if (set.getTypeClass() != H5T_FLOAT && set.getTypeClass() != H5T_INTEGER) fail(name, "is not real numbers");
-    const Hdf5Shape shape = hdf5_extents(set.getSpace());
+    const Hdf5Id set = handle_->dataset(name);
+    if (class_of(set) != H5T_FLOAT && class_of(set) != H5T_INTEGER) fail(name, "is not real numbers");
+    const Hdf5Shape shape = extents_of(set);
     array.shape.assign(shape.begin(), shape.end());
     array.values.resize(affordable_count(shape, sizeof(double)));
-    if (!array.values.empty()) set.read(array.values.data(), H5::PredType::NATIVE_DOUBLE);
+    if (!array.values.empty()) read_all(set, H5T_NATIVE_DOUBLE, array.values.data());
   });
   const auto bad = std::find_if(array.values.begin(), array.values.end(), [](double v) { return !std::isfinite(v); });
   if (bad != array.values.end())
@@ -121,17 +133,17 @@ Eigen::MatrixXcd Hdf5File::read_complex_matrix(const std::string& name) const {
   if (!exists(name)) fail(name, "is missing");
   RowMajorComplex matrix;
   attempt(name, "can't be read as a complex matrix", [&] {
-    const H5::DataSet set = handle_->file.openDataSet(name);
-    if (set.getTypeClass() != H5T_COMPOUND) {
+    const Hdf5Id set = handle_->dataset(name);
+    if (class_of(set) != H5T_COMPOUND) {
       matrix = read_matrix(name).cast<std::complex<double>>();
       return;
     }
     if (!is_complex(set)) fail(name, "has compound members that are not r and i, floating-point numbers both");
-    const Hdf5Shape shape = hdf5_extents(set.getSpace());
+    const Hdf5Shape shape = extents_of(set);
     if (shape.size() != 2) fail(name, "has shape " + hdf5_shape_text(shape) + ", must have two axes");
     affordable_count(shape, sizeof(std::complex<double>));
     matrix.resize(static_cast<Eigen::Index>(shape[0]), static_cast<Eigen::Index>(shape[1]));
-    if (matrix.size() > 0) set.read(matrix.data(), complex_type());
+    if (matrix.size() > 0) read_all(set, complex_type(), matrix.data());
   });
   for (Eigen::Index row = 0; row < matrix.rows(); ++row)
     for (Eigen::Index column = 0; column < matrix.cols(); ++column)

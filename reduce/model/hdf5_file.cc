@@ -7,10 +7,21 @@
 
 namespace tiprub {
 
-Hdf5Shape hdf5_extents(const H5::DataSpace& space) {
-  if (space.getSimpleExtentType() == H5S_NULL) return {0};
-  Hdf5Shape shape(static_cast<std::size_t>(space.getSimpleExtentNdims()));
-  space.getSimpleExtentDims(shape.data());
+namespace {
+
+/// Silent, and without HDF5's own clean-up at exit: after a full disk that tries again to write, and crashes.
+void prepare_library() {
+  static const herr_t left_to_us = H5dont_atexit();  // counts only before the library's first use
+  static_cast<void>(left_to_us);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+}  // namespace
+
+Hdf5Shape hdf5_extents(hid_t space) {
+  if (H5Sget_simple_extent_type(space) == H5S_NULL) return {0};
+  Hdf5Shape shape(static_cast<std::size_t>(hdf5_checked(H5Sget_simple_extent_ndims(space))));
+  hdf5_checked(H5Sget_simple_extent_dims(space, shape.data(), nullptr));
   return shape;
 }
 
@@ -20,20 +31,35 @@ std::string hdf5_shape_text(const Hdf5Shape& shape) {
   return words.empty() ? "scalar" : words;
 }
 
-void Hdf5File::Handle::make_groups(const std::string& name) const {
-  for (std::size_t at = name.find('/', 1); at != std::string::npos; at = name.find('/', at + 1))
-    if (const std::string group = name.substr(0, at); !file.nameExists(group)) file.createGroup(group);
+Hdf5Id hdf5_dataset_creation() {
+  Hdf5Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  hdf5_checked(H5Pset_obj_track_times(creation, false));
+  return creation;
 }
 
-H5::DataSet Hdf5File::Handle::make(const std::string& name, const H5::DataType& type, const Hdf5Shape& shape,
-                                   const H5::DSetCreatPropList& creation, const std::string& unit) const {
+void Hdf5File::Handle::make_groups(const std::string& name) const {
+  for (std::size_t at = name.find('/', 1); at != std::string::npos; at = name.find('/', at + 1)) {
+    const std::string group = name.substr(0, at);
+    if (hdf5_checked(H5Lexists(file, group.c_str(), H5P_DEFAULT)) > 0) continue;
+    Hdf5Id(H5Gcreate2(file, group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose).close();
+  }
+}
+
+Hdf5Id Hdf5File::Handle::make(const std::string& name, hid_t type, const Hdf5Shape& shape, hid_t creation,
+                              const std::string& unit) const {
   make_groups(name);
-  H5Pset_obj_track_times(creation.getId(), false);
-  const H5::DataSet set =
-      file.createDataSet(name, type, H5::DataSpace(static_cast<int>(shape.size()), shape.data()), creation);
-  const H5::StrType string_type(H5::PredType::C_S1, std::max<std::size_t>(unit.size(), 1));
-  set.createAttribute("unit", string_type, H5::DataSpace(H5S_SCALAR)).write(string_type, unit);
+  const Hdf5Id space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+  Hdf5Id set(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
+  hdf5_add_attribute(set, "unit", unit);
   return set;
+}
+
+void Hdf5File::Handle::write(const std::string& name, hid_t type, const Hdf5Shape& shape, const void* values,
+                             const std::string& unit) const {
+  Hdf5Id set = make(name, type, shape, hdf5_dataset_creation(), unit);
+  const bool empty = std::find(shape.begin(), shape.end(), 0U) != shape.end();
+  if (!empty) hdf5_checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+  set.close();
 }
 
 Hdf5File::Hdf5File(std::string path, std::unique_ptr<Handle> handle)
@@ -47,31 +73,31 @@ void Hdf5File::fail(const std::string& object, const std::string& what) const {
 }
 
 Hdf5File Hdf5File::create(const std::filesystem::path& path) {
-  H5::Exception::dontPrint();
-  H5dont_atexit();  // after a failed close HDF5's own clean-up at exit tries again, and crashes
+  prepare_library();
   try {
-    return {path.string(), std::make_unique<Handle>(Handle{H5::H5File(path.string(), H5F_ACC_TRUNC)})};
-  } catch (const H5::Exception&) {
+    Hdf5Id file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+    return {path.string(), std::make_unique<Handle>(Handle{std::move(file)})};
+  } catch (const Hdf5Failure&) {
     throw RunError(path.string() + ": can't be written");
   }
 }
 
 Hdf5File Hdf5File::open(const std::filesystem::path& path) {
-  H5::Exception::dontPrint();
+  prepare_library();
   if (!std::filesystem::exists(path)) throw RunError(path.string() + ": no such file");
   try {
-    return {path.string(), std::make_unique<Handle>(Handle{H5::H5File(path.string(), H5F_ACC_RDONLY)})};
-  } catch (const H5::Exception&) {
+    Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    return {path.string(), std::make_unique<Handle>(Handle{std::move(file)})};
+  } catch (const Hdf5Failure&) {
     throw RunError(path.string() + ": is not an HDF5 file, or is damaged");
   }
 }
 
 void Hdf5File::close() {
   try {
-    handle_->file.flush(H5F_SCOPE_GLOBAL);
+    hdf5_checked(H5Fflush(handle_->file, H5F_SCOPE_GLOBAL));
     handle_->file.close();
-  } catch (const H5::Exception&) {
-    static_cast<void>(handle_.release());  // its destructor would only try again
+  } catch (const Hdf5Failure&) {
     throw RunError(path_ + ": can't be written to its end; is the disk full?");
   }
 }
@@ -79,7 +105,7 @@ void Hdf5File::close() {
 bool Hdf5File::exists(const std::string& name) const {
   return attempt(name, "can't be looked up; the file is damaged", [&] {
     for (std::size_t at = name.find('/', 1);; at = name.find('/', at + 1)) {
-      if (!handle_->file.nameExists(name.substr(0, at))) return false;
+      if (hdf5_checked(H5Lexists(handle_->file, name.substr(0, at).c_str(), H5P_DEFAULT)) == 0) return false;
       if (at == std::string::npos) return true;
     }
   });
@@ -88,9 +114,17 @@ bool Hdf5File::exists(const std::string& name) const {
 std::vector<std::string> Hdf5File::members(const std::string& group) const {
   if (!exists(group)) fail(group, "is missing");
   return attempt(group, "can't be read as a group", [&] {
+    const Hdf5Id opened(H5Gopen2(handle_->file, group.c_str(), H5P_DEFAULT), H5Gclose);
+    H5G_info_t info{};
+    hdf5_checked(H5Gget_info(opened, &info));
     std::vector<std::string> names;
-    const H5::Group opened = handle_->file.openGroup(group);
-    for (hsize_t i = 0; i < opened.getNumObjs(); ++i) names.push_back(opened.getObjnameByIdx(i));
+    for (hsize_t i = 0; i < info.nlinks; ++i) {
+      const auto name = [&](char* text, std::size_t size) {
+        return hdf5_checked(H5Lget_name_by_idx(opened, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, size, H5P_DEFAULT));
+      };
+      names.emplace_back(static_cast<std::size_t>(name(nullptr, 0)), '\0');
+      name(names.back().data(), names.back().size() + 1);
+    }
     std::sort(names.begin(), names.end());
     return names;
   });

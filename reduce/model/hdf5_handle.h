@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <H5Cpp.h>
+#include <hdf5.h>
 
+#include <exception>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reduce/model/hdf5_file.h"
@@ -15,42 +17,93 @@ namespace tiprub {
 
 using Hdf5Shape = std::vector<hsize_t>;
 
-/// h5py's convention for complex numbers.
+/// Something that HDF5 refused; Hdf5File::attempt() tells what was tried.
+class Hdf5Failure : public std::exception {
+ public:
+  const char* what() const noexcept override { return "HDF5 failed"; }
+};
+
+/// What a call of HDF5 gave back: an id, a count, a truth. Raises Hdf5Failure if the call failed.
+template <class Result>
+Result hdf5_checked(Result result) {
+  if (result < 0) throw Hdf5Failure();
+  return result;
+}
+
+/// An open object of HDF5. Its destructor can't report what the disk did not take: what was written to is closed by
+/// close().
+class Hdf5Id {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  /// Raises Hdf5Failure if there is no such object.
+  Hdf5Id(hid_t id, Close how) : id_(hdf5_checked(id)), close_(how) {}
+  Hdf5Id(Hdf5Id&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Hdf5Id& operator=(Hdf5Id&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Hdf5Id() {
+    if (id_ >= 0) close_(id_);
+  }
+
+  /// Raises Hdf5Failure if HDF5 still held something back and can't write it; the object is gone all the same.
+  void close() { hdf5_checked(close_(std::exchange(id_, H5I_INVALID_HID))); }
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+/// h5py's convention for complex numbers, {r, i}.
 template <class Real>
-H5::CompType hdf5_complex_type(const H5::PredType& real) {
-  H5::CompType type(2 * sizeof(Real));
-  type.insertMember("r", 0, real);
-  type.insertMember("i", sizeof(Real), real);
+Hdf5Id hdf5_complex_type(hid_t real) {
+  Hdf5Id type(H5Tcreate(H5T_COMPOUND, 2 * sizeof(Real)), H5Tclose);
+  hdf5_checked(H5Tinsert(type, "r", 0, real));
+  hdf5_checked(H5Tinsert(type, "i", sizeof(Real), real));
   return type;
 }
 
-Hdf5Shape hdf5_extents(const H5::DataSpace& space);
+Hdf5Shape hdf5_extents(hid_t space);
 /// "3 x 4", "scalar".
 std::string hdf5_shape_text(const Hdf5Shape& shape);
+/// Of an object that hasn't it yet: one value, or one text.
+void hdf5_add_attribute(hid_t object, const std::string& name, hid_t type, const void* value);
+void hdf5_add_attribute(hid_t object, const std::string& name, const std::string& text);
 
 struct Hdf5File::Handle {
-  H5::H5File file;
+  Hdf5Id file;
 
+  /// A group or a dataset; "/" is the file itself.
+  Hdf5Id object(const std::string& name) const { return {H5Oopen(file, name.c_str(), H5P_DEFAULT), H5Oclose}; }
+  Hdf5Id dataset(const std::string& name) const { return {H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose}; }
   void make_groups(const std::string& name) const;
-  H5::DataSet make(const std::string& name, const H5::DataType& type, const Hdf5Shape& shape,
-                   const H5::DSetCreatPropList& creation, const std::string& unit) const;
+  /// Lets `body` add to an object, which is made a group if it isn't there.
   template <class Body>
-  void with_attributes(const std::string& object, Body body) const {
-    if (object == "/") {
-      body(file.openGroup("/"));
-    } else if (file.childObjType(object) == H5O_TYPE_GROUP) {
-      body(file.openGroup(object));
-    } else {
-      body(file.openDataSet(object));
-    }
+  void add_to(const std::string& name, const Body& body) const {
+    if (name != "/") make_groups(name + "/");
+    Hdf5Id at = object(name);
+    body(at);
+    at.close();
   }
+  /// A new dataset, with nothing in it.
+  Hdf5Id make(const std::string& name, hid_t type, const Hdf5Shape& shape, hid_t creation,
+              const std::string& unit) const;
+  /// The same, with all its values, closed.
+  void write(const std::string& name, hid_t type, const Hdf5Shape& shape, const void* values,
+             const std::string& unit) const;
 };
+
+/// Of a dataset whose times are not kept: same content, same bytes.
+Hdf5Id hdf5_dataset_creation();
 
 template <class Body>
 auto Hdf5File::attempt(const std::string& object, const std::string& complaint, const Body& body) const {
   try {
     return body();
-  } catch (const H5::Exception&) {
+  } catch (const Hdf5Failure&) {
     fail(object, complaint);
   } catch (const std::bad_alloc&) {
     fail(object, "takes more memory than there is");

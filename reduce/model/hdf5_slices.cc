@@ -9,49 +9,57 @@ namespace tiprub {
 
 namespace {
 
-const H5::CompType& complex_type() {
-  static const H5::CompType type = hdf5_complex_type<float>(H5::PredType::NATIVE_FLOAT);
-  return type;
+Hdf5Id complex_type() {
+  return hdf5_complex_type<float>(H5T_NATIVE_FLOAT);
+}
+
+Hdf5Id space_of(hid_t set) {
+  return {H5Dget_space(set), H5Sclose};
+}
+
+bool is_compound(hid_t set) {
+  return H5Tget_class(Hdf5Id(H5Dget_type(set), H5Tclose)) == H5T_COMPOUND;
 }
 
 /// Selects one slice of a dataset's space; the space of the slice alone.
-H5::DataSpace select_slice(H5::DataSpace& space, std::size_t index) {
+Hdf5Id select_slice(hid_t space, std::size_t index) {
   Hdf5Shape count = hdf5_extents(space);
+  if (count.empty() || index >= count.front()) throw Hdf5Failure();
   Hdf5Shape start(count.size(), 0);
   start.front() = index;
   count.front() = 1;
-  space.selectHyperslab(H5S_SELECT_SET, count.data(), start.data());
-  return H5::DataSpace(static_cast<int>(count.size()), count.data());
+  hdf5_checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));
+  return {H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose};
 }
 
 }  // namespace
 
 void Hdf5File::make_slices(const std::string& name, const std::vector<std::size_t>& shape, Number number,
                            const std::string& unit) {
-  attempt(name, "can't be written", [&] {
+  attempt(name, "can't be written; is the disk full?", [&] {
     Hdf5Shape chunk(shape.begin(), shape.end());
     chunk.front() = 1;
-    H5::DSetCreatPropList creation;
-    creation.setChunk(static_cast<int>(chunk.size()), chunk.data());
-    const H5::DataType type =
-        number == Number::complex ? H5::DataType(complex_type()) : H5::DataType(H5::PredType::NATIVE_FLOAT);
-    handle_->make(name, type, Hdf5Shape(shape.begin(), shape.end()), creation, unit);
+    const Hdf5Id creation = hdf5_dataset_creation();
+    hdf5_checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
+    const Hdf5Id type = number == Number::complex ? complex_type() : Hdf5Id(H5Tcopy(H5T_NATIVE_FLOAT), H5Tclose);
+    handle_->make(name, type, {shape.begin(), shape.end()}, creation, unit).close();
   });
 }
 
 void Hdf5File::write_slice(const std::string& name, std::size_t index,
                            const std::vector<std::complex<float>>& values) {
-  attempt(name, "slice " + std::to_string(index) + " can't be written", [&] {
-    const H5::DataSet set = handle_->file.openDataSet(name);
-    H5::DataSpace inside = set.getSpace();
-    const H5::DataSpace slice = select_slice(inside, index);
-    if (set.getTypeClass() == H5T_COMPOUND) {
-      set.write(values.data(), complex_type(), slice, inside);
-      return;
+  attempt(name, "slice " + std::to_string(index) + " can't be written; is the disk full?", [&] {
+    Hdf5Id set = handle_->dataset(name);
+    const Hdf5Id inside = space_of(set);
+    const Hdf5Id slice = select_slice(inside, index);
+    if (is_compound(set)) {
+      hdf5_checked(H5Dwrite(set, complex_type(), slice, inside, H5P_DEFAULT, values.data()));
+    } else {
+      std::vector<float> real(values.size());
+      std::transform(values.begin(), values.end(), real.begin(), [](std::complex<float> v) { return v.real(); });
+      hdf5_checked(H5Dwrite(set, H5T_NATIVE_FLOAT, slice, inside, H5P_DEFAULT, real.data()));
     }
-    std::vector<float> real(values.size());
-    std::transform(values.begin(), values.end(), real.begin(), [](std::complex<float> v) { return v.real(); });
-    set.write(real.data(), H5::PredType::NATIVE_FLOAT, slice, inside);
+    set.close();  // writes the chunk
   });
 }
 
@@ -59,15 +67,15 @@ std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, s
   if (!exists(name)) fail(name, "is missing");
   std::vector<std::complex<float>> values;
   attempt(name, "slice " + std::to_string(index) + " can't be read as real or {r, i} numbers", [&] {
-    const H5::DataSet set = handle_->file.openDataSet(name);
-    H5::DataSpace inside = set.getSpace();
-    const H5::DataSpace slice = select_slice(inside, index);
-    values.resize(static_cast<std::size_t>(slice.getSimpleExtentNpoints()));
-    if (set.getTypeClass() == H5T_COMPOUND) {
-      set.read(values.data(), complex_type(), slice, inside);
+    const Hdf5Id set = handle_->dataset(name);
+    const Hdf5Id inside = space_of(set);
+    const Hdf5Id slice = select_slice(inside, index);
+    values.resize(static_cast<std::size_t>(hdf5_checked(H5Sget_simple_extent_npoints(slice))));
+    if (is_compound(set)) {
+      hdf5_checked(H5Dread(set, complex_type(), slice, inside, H5P_DEFAULT, values.data()));
     } else {
       std::vector<float> real(values.size());
-      set.read(real.data(), H5::PredType::NATIVE_FLOAT, slice, inside);
+      hdf5_checked(H5Dread(set, H5T_NATIVE_FLOAT, slice, inside, H5P_DEFAULT, real.data()));
       std::copy(real.begin(), real.end(), values.begin());
     }
   });
@@ -80,7 +88,7 @@ std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, s
 std::vector<std::size_t> Hdf5File::shape_of(const std::string& name) const {
   if (!exists(name)) fail(name, "is missing");
   return attempt(name, "is no dataset", [&]() -> std::vector<std::size_t> {
-    const Hdf5Shape shape = hdf5_extents(handle_->file.openDataSet(name).getSpace());
+    const Hdf5Shape shape = hdf5_extents(space_of(handle_->dataset(name)));
     return {shape.begin(), shape.end()};
   });
 }

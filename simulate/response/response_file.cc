@@ -124,6 +124,10 @@ void ResponseWriter::add_end(const RotorState& state) {
   }
 }
 
+void ResponseWriter::close() {
+  state_->file.close();
+}
+
 RotorState read_end_state(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open(path);
   RotorState state;
@@ -144,6 +148,7 @@ void write_response(const Response& response, const std::filesystem::path& path,
   ResponseWriter writer(path, response.scene, response.key, generator);
   if (response.frequencies.speed.size() > 0) writer.add(response.frequencies);
   for (const SpeedResponse& speed : response.speeds) writer.add(speed);
+  writer.close();
 }
 
 std::string read_response_key(const std::filesystem::path& path) {

@@ -25,6 +25,8 @@ class ResponseWriter {
   void add(const FrequencyTable& frequencies);
   /// The state at the end of the last one; for the parts of a sweep that carries it on.
   void add_end(const RotorState& state);
+  /// The last step: raises RunError if the disk doesn't take all of it.
+  void close();
 
  private:
   struct State;

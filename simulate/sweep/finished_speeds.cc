@@ -52,13 +52,15 @@ void FinishedSpeeds::take_over_parts() {
 
 void FinishedSpeeds::take_over_output(const fs::path& output) {
   if (!fs::exists(output)) return;
+  Response response;
   try {
     if (read_response_key(output) != key_) return;
-    const Response response = read_response(output);
-    for (const SpeedResponse& speed : response.speeds)
-      if (!has(speed.speed, speed.depth)) keep(speed);
+    response = read_response(output);
   } catch (const RunError&) {  // of another schema or damaged: it is replaced
+    return;
   }
+  for (const SpeedResponse& speed : response.speeds)
+    if (!has(speed.speed, speed.depth)) keep(speed);
 }
 
 bool FinishedSpeeds::has(double speed, Depth depth) const {
@@ -72,11 +74,10 @@ ResponseWriter FinishedSpeeds::writer(const fs::path& path) const {
 
 void FinishedSpeeds::keep(const SpeedResponse& response, const RotorState& end) {
   OutputFile file(part(response.speed));
-  {
-    ResponseWriter part = writer(file.scratch());
-    part.add(response);
-    part.add_end(end);
-  }
+  ResponseWriter part_writer = writer(file.scratch());
+  part_writer.add(response);
+  part_writer.add_end(end);
+  part_writer.close();
   file.commit();
   speeds_[response.speed] = response.depth;
 }

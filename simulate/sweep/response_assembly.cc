@@ -12,15 +12,14 @@ SweepTally assemble_response(const Scene& scene, const std::vector<double>& spee
                              FinishedSpeeds& finished, const std::filesystem::path& output) {
   SweepTally tally;
   OutputFile file(output);
-  {
-    ResponseWriter writer = finished.writer(file.scratch());
-    writer.add(frequency_table(scene.model, speeds.back(), threads));
-    for (const double speed : speeds) {
-      const SpeedResponse response = finished.read(speed);
-      tally.add(response);
-      writer.add(response);
-    }
+  ResponseWriter writer = finished.writer(file.scratch());
+  writer.add(frequency_table(scene.model, speeds.back(), threads));
+  for (const double speed : speeds) {
+    const SpeedResponse response = finished.read(speed);
+    tally.add(response);
+    writer.add(response);
   }
+  writer.close();
   if (tally.failed < speeds.size()) file.commit();
   finished.remove();
   if (tally.failed == speeds.size()) throw RunError("no speed could be computed; " + tally.first_failure);

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "reduce/model/hdf5_file.h"
+#include "tests/cases/full_disk.h"
 #include "tests/reduce/complaint.h"
 #include "tests/reduce/model/some_model.h"
 
@@ -81,6 +82,22 @@ TEST_F(ModelFile, SameModelSameBytes) {
   write_model(some_model(), path("b.h5"), "test");
   EXPECT_GT(bytes("a.h5").size(), 1000u);
   EXPECT_TRUE(bytes("a.h5") == bytes("b.h5"));
+}
+
+/// HDF5's destructors told of a full disk on stderr only, and what they left behind crashed at the program's exit.
+TEST_F(ModelFile, SaysThatTheDiskIsFull) {
+  write_model(some_model(), path(), "test");
+  const auto size = static_cast<rlim_t>(fs::file_size(path()));
+  constexpr int cuts = 40;
+  for (int cut = 0; cut < cuts; ++cut) {
+    fs::remove(path());
+    const test::FullDisk disk(cut * size / cuts);
+    const std::string message = test::complaint<RunError>([&] { write_model(some_model(), path(), "test"); });
+    EXPECT_EQ(message.find(path().string() + ": "), 0u) << cut << message;
+    EXPECT_NE(message.find("can't be written"), std::string::npos) << cut << message;
+  }
+  write_model(some_model(), path(), "test");
+  expect_same(read_model(path()), some_model());
 }
 
 TEST_F(ModelFile, MayLeaveOutWhatIsZero) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "reduce/model/hdf5_file.h"
+#include "tests/cases/full_disk.h"
 
 namespace tiprub {
 namespace {
@@ -67,6 +68,17 @@ TEST_F(ResponseFile, GivesBackTheScene) {
   EXPECT_EQ(back.scene.clearance, response.scene.clearance);
   EXPECT_EQ(back.frequencies.speed, response.frequencies.speed);
   EXPECT_EQ(back.frequencies.by_nodal_diameter, response.frequencies.by_nodal_diameter);
+}
+
+TEST_F(ResponseFile, SaysThatTheDiskIsFull) {
+  write_response(two_speeds(), path_, "test");
+  const auto size = static_cast<rlim_t>(std::filesystem::file_size(path_));
+  constexpr int cuts = 20;
+  for (int cut = 0; cut < cuts; ++cut) {
+    std::filesystem::remove(path_);
+    const test::FullDisk disk(cut * size / cuts);
+    EXPECT_THROW(write_response(two_speeds(), path_, "test"), RunError) << cut;
+  }
 }
 
 TEST_F(ResponseFile, GivesBackASpeed) {

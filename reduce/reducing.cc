@@ -13,6 +13,7 @@
 #include "reduce/calculix_deck.h"
 #include "reduce/linear_results.h"
 #include "reduce/model/matrix_market.h"
+#include "reduce/model/model_digest.h"
 #include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model_file.h"
 #include "reduce/model/verification.h"
@@ -81,7 +82,7 @@ ReducedModel reduce_with_fields(const StageArguments& arguments, const Inputs& i
   ReducedModel model = [&] {
     FieldsWriter fields(output.scratch(), program_version(program));
     ReducedModel reduced = reduce(inputs.mesh, inputs.parameters, shown, report, &fields);
-    fields.close();
+    fields.close(digest(reduced));
     return reduced;
   }();
   output.commit();

@@ -7,6 +7,7 @@
 #include "cases/program/errors.h"
 #include "postprocess/tables/units.h"
 #include "postprocess/waves/frequency_curves.h"
+#include "reduce/model/model_digest.h"
 
 namespace tiprub {
 
@@ -46,6 +47,8 @@ void check_together(const ReducedModel& model, const Response& response, const s
   if (scene.clearance.size() != model.contact.size())
     throw InputError(name + ": has " + std::to_string(scene.clearance.size()) + " contact nodes, the model has " +
                      std::to_string(model.contact.size()) + "; give the model that the response was made with");
+  if (scene.model_digest != digest(model))
+    throw InputError(name + ": was made with another model of the same size; give that one, or run tiprub-simulate");
   if (response.speeds.empty()) throw RunError(name + ": holds no speed; run tiprub-simulate");
   Eigen::Index areas = 0;  // of the first speed that has a response
   for (const SpeedResponse& speed : response.speeds) {

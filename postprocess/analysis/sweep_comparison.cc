@@ -35,7 +35,7 @@ double relative_difference(const TravellingSpectrum& a, const TravellingSpectrum
 }
 
 void require_same_scene(const SimulatedScene& one, const SimulatedScene& other, const std::filesystem::path& path) {
-  if (one.sector_count != other.sector_count || one.lobes != other.lobes ||
+  if (one.model_digest != other.model_digest || one.sector_count != other.sector_count || one.lobes != other.lobes ||
       one.clearance.size() != other.clearance.size() ||
       one.casing_distortion.size() != other.casing_distortion.size() ||
       one.casing_distortion != other.casing_distortion || one.clearance != other.clearance)

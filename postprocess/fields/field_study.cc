@@ -11,6 +11,7 @@
 #include "cases/program/errors.h"
 #include "postprocess/tables/interruption.h"
 #include "postprocess/waves/aliasing.h"
+#include "reduce/model/model_digest.h"
 
 namespace tiprub {
 
@@ -30,6 +31,7 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
   if (sector.sector_count != model.sector_count)
     refuse("has " + std::to_string(sector.sector_count) + " sectors, the model has " +
            std::to_string(model.sector_count));
+  if (reader.model_digest() != digest(model)) refuse("was written with another model of the same size");
   const std::vector<int>& contact = sector.node_set("contact");
   if (static_cast<int>(contact.size()) != model.contact.size())
     refuse("has " + std::to_string(contact.size()) + " contact nodes, the model has " +

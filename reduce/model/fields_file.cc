@@ -10,7 +10,7 @@ namespace tiprub {
 namespace {
 
 constexpr const char* schema = "tiprub-fields";
-constexpr int schema_version = 1;
+constexpr int schema_version = 2;
 constexpr int serendipity_nodes = 20, lagrange_nodes = 27;
 constexpr Eigen::Index slices_at_once = 16;  // columns of a product
 constexpr const char* required_sets[] = {"clamped", "contact", "cyclic_low", "cyclic_high"};
@@ -96,7 +96,8 @@ FieldsWriter::FieldsWriter(const std::filesystem::path& path, const std::string&
 }
 FieldsWriter::~FieldsWriter() = default;
 
-void FieldsWriter::close() {
+void FieldsWriter::close(const std::string& model_digest) {
+  state_->file.set_attribute("/", "model_digest", model_digest);
   state_->file.close();
 }
 
@@ -130,18 +131,24 @@ void FieldsWriter::write_basis(int nodal_diameter, Eigen::Index dofs, bool stand
 struct FieldsReader::State {
   Hdf5File file;
   SectorFields sector;
+  std::string model_digest;
 };
 
 FieldsReader::FieldsReader(const std::filesystem::path& path)
-    : state_(std::make_unique<State>(State{Hdf5File::open(path), {}})) {
+    : state_(std::make_unique<State>(State{Hdf5File::open(path), {}, {}})) {
   state_->file.require_schema(schema, schema_version);
   state_->sector = read_sector(state_->file);
+  state_->model_digest = state_->file.text_attribute("/", "model_digest");
   for (int n = 0; n <= state_->sector.sector_count / 2; ++n) dofs(n);
 }
 FieldsReader::~FieldsReader() = default;
 
 const SectorFields& FieldsReader::sector() const {
   return state_->sector;
+}
+
+const std::string& FieldsReader::model_digest() const {
+  return state_->model_digest;
 }
 
 Eigen::Index FieldsReader::dofs(int nodal_diameter) const {

@@ -28,7 +28,7 @@ struct SectorFields {
   const std::vector<int>& node_set(const std::string& name) const { return node_sets.at(name); }
 };
 
-/// Writes fields.h5, schema "tiprub-fields" version 1 (see README.md), one nodal diameter after the other.
+/// Writes fields.h5, schema "tiprub-fields" version 2 (see README.md), one nodal diameter after the other.
 class FieldsWriter {
  public:
   FieldsWriter(const std::filesystem::path& path, const std::string& generator);
@@ -39,8 +39,9 @@ class FieldsWriter {
   using Shape = std::function<Eigen::VectorXcd(Eigen::Index k)>;
   /// The basis of one nodal diameter in single precision; a standing wave's shapes are real.
   void write_basis(int nodal_diameter, Eigen::Index dofs, bool standing, const Shape& shape);
-  /// The last step: raises RunError if the disk has not taken all of it.
-  void close();
+  /// The last step, with the digest() of the model whose dofs these are. Raises RunError if the disk has not taken
+  /// all of it.
+  void close(const std::string& model_digest);
 
  private:
   struct State;
@@ -54,6 +55,8 @@ class FieldsReader {
   ~FieldsReader();
 
   const SectorFields& sector() const;
+  /// The digest() of the model that the fields were written with.
+  const std::string& model_digest() const;
   /// How many dofs the model has at a nodal diameter 0 .. floor(N/2).
   Eigen::Index dofs(int nodal_diameter) const;
   /// Fields of several states at once: basis times `amplitudes` (dofs x states), read in one pass; 3 nodes x states,

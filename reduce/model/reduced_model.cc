@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "cases/program/errors.h"
 #include "reduce/model/nodal_diameter.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr double hermitian_tolerance = 1e-9;  // of the largest entry
 constexpr double unit_tolerance = 1e-6;
+constexpr double arc_tolerance = 1e-3;                // of a step along the contact line
+constexpr double half_circle = std::numbers::pi / 2;  // arc over chord: no tip bends more between two nodes
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw RunError(message);
@@ -54,6 +57,22 @@ void check(const NodalDiameterModel& model, int contact_dofs, bool real, const s
   require(Eigen::LLT<Eigen::MatrixXcd>(model.M).info() == Eigen::Success, where + "/M is not positive definite");
 }
 
+/// From one contact node to the next the arc is no shorter than the way straight across, and not much longer.
+void check_step(const ContactLine& contact, Eigen::Index k, const std::string& name) {
+  const double along = contact.arc_length[k] - contact.arc_length[k - 1];
+  require(along > 0, name + ": /contact/arc_length must increase from the leading edge");
+  const auto at = [&](Eigen::Index node) {
+    const Eigen::RowVector3d place = contact.position.row(node);
+    return Eigen::Vector3d(place[0] * std::cos(place[1]), place[0] * std::sin(place[1]), place[2]);
+  };
+  const double across = (at(k) - at(k - 1)).norm();
+  std::ostringstream text;
+  text << name << ": /contact/arc_length grows by " << along << " m from node " << k - 1 << " to node " << k
+       << ", but /contact/position has them " << across
+       << " m apart; both must be in metres, from leading to trailing edge";
+  require(across <= along * (1 + arc_tolerance) && along <= half_circle * across, text.str());
+}
+
 void check(const ContactLine& contact, const std::string& name) {
   const Eigen::Index count = contact.arc_length.size();
   require(count > 0, name + ": /contact holds no node");
@@ -62,8 +81,7 @@ void check(const ContactLine& contact, const std::string& name) {
   for (Eigen::Index k = 0; k < count; ++k) {
     require(std::abs(contact.normal.row(k).norm() - 1) < unit_tolerance,
             name + ": /contact/normal: row " + std::to_string(k) + " is not of unit length");
-    require(k == 0 || contact.arc_length[k] > contact.arc_length[k - 1],
-            name + ": /contact/arc_length must increase from the leading edge");
+    if (k > 0) check_step(contact, k, name);
   }
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/model/reduced_model_file.h"
 
+#include <set>
+
 #include "reduce/model/hdf5_file.h"
+#include "reduce/model/model_digest.h"
 
 namespace tiprub {
 
@@ -9,25 +12,99 @@ namespace {
 
 constexpr const char* schema = "tiprub-model";
 constexpr int schema_version = 1;
+constexpr const char* position_unit = "m, rad, m";
 
 std::string group_of(int nodal_diameter) {
   return "/nodal_diameter/" + std::to_string(nodal_diameter);
 }
 
-Eigen::MatrixX3d read_triples(const Hdf5File& file, const std::string& name) {
+/// "N/m s^2" of K1, with Omega^2.
+std::string stiffness_unit(std::size_t power) {
+  return power == 0 ? "N/m" : "N/m s^" + std::to_string(2 * power);
+}
+
+/// A model by hand may leave units out, but not mean others.
+void require_unit(const Hdf5File& file, const std::string& name, const std::string& unit) {
+  if (!file.has_attribute(name, "unit")) return;
+  if (const std::string found = file.text_attribute(name, "unit"); found != unit)
+    throw RunError(file.path() + ": " + name + " has the unit \"" + found + "\", must be \"" + unit +
+                   "\" (SI), or no attribute `unit`");
+}
+
+Eigen::MatrixX3d read_triples(const Hdf5File& file, const std::string& name, const std::string& unit) {
+  require_unit(file, name, unit);
   const Eigen::MatrixXd table = file.read_matrix(name);
   if (table.cols() != 3) throw RunError(file.path() + ": " + name + " must have three columns: r, theta, z");
   return table;
 }
 
 /// A model by hand may leave out what is zero.
-Eigen::MatrixX3d read_triples_or_zero(const Hdf5File& file, const std::string& name, Eigen::Index rows) {
-  return file.exists(name) ? read_triples(file, name) : Eigen::MatrixX3d(Eigen::MatrixX3d::Zero(rows, 3));
+Eigen::MatrixX3d read_triples_or_zero(const Hdf5File& file, const std::string& name, const std::string& unit,
+                                      Eigen::Index rows) {
+  return file.exists(name) ? read_triples(file, name, unit) : Eigen::MatrixX3d(Eigen::MatrixX3d::Zero(rows, 3));
 }
 
-Eigen::MatrixXcd read_or_zero(const Hdf5File& file, const std::string& name, const Eigen::MatrixXcd& like) {
-  return file.exists(name) ? file.read_complex_matrix(name)
-                           : Eigen::MatrixXcd(Eigen::MatrixXcd::Zero(like.rows(), like.cols()));
+Eigen::MatrixXcd read_matrix(const Hdf5File& file, const std::string& name, const std::string& unit) {
+  Eigen::MatrixXcd matrix = file.read_complex_matrix(name);
+  require_unit(file, name, unit);
+  return matrix;
+}
+
+/// What has another name would be left out of the model without a word.
+void require_known_members(const Hdf5File& file, const std::string& group) {
+  std::set<std::string> known = {"M", "K0", "K1", "K2"};
+  for (int k = 3; file.exists(group + "/K" + std::to_string(k)); ++k) known.insert("K" + std::to_string(k));
+  for (const std::string& name : file.members(group))
+    if (known.count(name) == 0)
+      throw RunError(file.path() + ": " + group + "/" + name +
+                     " is not known; a nodal diameter holds M, K0, K1, K2, and K3, K4, ... without a gap");
+}
+
+NodalDiameterModel read_nodal_diameter(const Hdf5File& file, const std::string& group) {
+  if (file.exists(group)) require_known_members(file, group);
+  NodalDiameterModel matrices;
+  matrices.M = read_matrix(file, group + "/M", "kg");
+  const Eigen::MatrixXcd zero = Eigen::MatrixXcd::Zero(matrices.M.rows(), matrices.M.cols());
+  const auto term = [&](std::size_t power) {
+    return read_matrix(file, group + "/K" + std::to_string(power), stiffness_unit(power));
+  };
+  matrices.K0 = term(0);
+  matrices.K1 = file.exists(group + "/K1") ? term(1) : zero;
+  matrices.K2 = file.exists(group + "/K2") ? term(2) : zero;
+  for (std::size_t k = 3; file.exists(group + "/K" + std::to_string(k)); ++k) matrices.higher.push_back(term(k));
+  return matrices;
+}
+
+ContactLine read_contact_line(const Hdf5File& file) {
+  ContactLine contact;
+  contact.arc_length = file.read_vector("/contact/arc_length");
+  require_unit(file, "/contact/arc_length", "m");
+  contact.position = read_triples(file, "/contact/position", position_unit);
+  contact.normal = read_triples(file, "/contact/normal", "1");
+  const Eigen::Index count = contact.arc_length.size();
+  contact.static_shift_1 = read_triples_or_zero(file, "/contact/static_shift_1", "m s^2", count);
+  contact.static_shift_2 = read_triples_or_zero(file, "/contact/static_shift_2", "m s^4", count);
+  return contact;
+}
+
+Verification read_verification(const Hdf5File& file, int nodal_diameter_max) {
+  Verification verification;
+  if (!file.exists("/verification/speed")) return verification;
+  verification.speeds = file.read_vector("/verification/speed");
+  if (file.exists("/verification/polynomial_misfit"))
+    verification.polynomial_misfit = file.read_matrix("/verification/polynomial_misfit");
+  for (int n = 0; n <= nodal_diameter_max; ++n) {
+    verification.unreduced.push_back(file.read_matrix("/verification" + group_of(n) + "/unreduced"));
+    verification.reduced.push_back(file.read_matrix("/verification" + group_of(n) + "/reduced"));
+  }
+  return verification;
+}
+
+void require_digest(const Hdf5File& file, const ReducedModel& model) {
+  if (file.has_attribute("/", "digest") && file.text_attribute("/", "digest") != digest(model))
+    throw RunError(file.path() +
+                   ": its numbers are not those that were written (attribute `digest`): it was damaged or changed; "
+                   "reduce again, or delete that attribute if the change was meant");
 }
 
 void write_matrix(Hdf5File& file, const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit) {
@@ -60,7 +137,8 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   file.set_attribute("/", "modes_at_speed", model.modes_at_speed);
   file.set_attribute("/", "prestress", model.prestress);
   file.set_attribute("/", "provenance", model.provenance);
-  file.write("/contact/position", Eigen::MatrixXd(model.contact.position), "m, rad, m");
+  file.set_attribute("/", "digest", digest(model));
+  file.write("/contact/position", Eigen::MatrixXd(model.contact.position), position_unit);
   file.write("/contact/normal", Eigen::MatrixXd(model.contact.normal), "1");
   file.write("/contact/arc_length", model.contact.arc_length, "m");
   file.write("/contact/static_shift_1", Eigen::MatrixXd(model.contact.static_shift_1), "m s^2");
@@ -68,12 +146,13 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   for (std::size_t n = 0; n < model.nodal_diameters.size(); ++n) {
     const NodalDiameterModel& matrices = model.nodal_diameters[n];
     const std::string group = group_of(static_cast<int>(n));
-    write_matrix(file, group + "/K0", matrices.K0, "N/m");
-    write_matrix(file, group + "/K1", matrices.K1, "N/m s^2");
-    write_matrix(file, group + "/K2", matrices.K2, "N/m s^4");
-    for (std::size_t k = 0; k < matrices.higher.size(); ++k)
-      write_matrix(file, group + "/K" + std::to_string(3 + k), matrices.higher[k],
-                   "N/m s^" + std::to_string(2 * (3 + k)));
+    const auto write_term = [&](std::size_t power, const Eigen::MatrixXcd& K) {
+      write_matrix(file, group + "/K" + std::to_string(power), K, stiffness_unit(power));
+    };
+    write_term(0, matrices.K0);
+    write_term(1, matrices.K1);
+    write_term(2, matrices.K2);
+    for (std::size_t k = 0; k < matrices.higher.size(); ++k) write_term(3 + k, matrices.higher[k]);
     write_matrix(file, group + "/M", matrices.M, "kg");
   }
   write_verification(file, model.verification);
@@ -89,33 +168,13 @@ ReducedModel read_model(const std::filesystem::path& path) {
   if (file.has_attribute("/", "modes_at_speed")) model.modes_at_speed = file.integer_attribute("/", "modes_at_speed");
   model.prestress = file.has_attribute("/", "prestress") ? file.text_attribute("/", "prestress") : "given";
   if (file.has_attribute("/", "provenance")) model.provenance = file.text_attribute("/", "provenance");
-  model.contact.arc_length = file.read_vector("/contact/arc_length");
-  const Eigen::Index contact_count = model.contact.arc_length.size();
-  model.contact.position = read_triples(file, "/contact/position");
-  model.contact.normal = read_triples(file, "/contact/normal");
-  model.contact.static_shift_1 = read_triples_or_zero(file, "/contact/static_shift_1", contact_count);
-  model.contact.static_shift_2 = read_triples_or_zero(file, "/contact/static_shift_2", contact_count);
-  for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
-    const std::string group = group_of(n);
-    NodalDiameterModel matrices;
-    matrices.M = file.read_complex_matrix(group + "/M");
-    matrices.K0 = file.read_complex_matrix(group + "/K0");
-    matrices.K1 = read_or_zero(file, group + "/K1", matrices.M);
-    matrices.K2 = read_or_zero(file, group + "/K2", matrices.M);
-    for (int k = 3; file.exists(group + "/K" + std::to_string(k)); ++k)
-      matrices.higher.push_back(file.read_complex_matrix(group + "/K" + std::to_string(k)));
-    model.nodal_diameters.push_back(std::move(matrices));
-  }
-  if (file.exists("/verification/speed")) {
-    model.verification.speeds = file.read_vector("/verification/speed");
-    if (file.exists("/verification/polynomial_misfit"))
-      model.verification.polynomial_misfit = file.read_matrix("/verification/polynomial_misfit");
-    for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
-      model.verification.unreduced.push_back(file.read_matrix("/verification" + group_of(n) + "/unreduced"));
-      model.verification.reduced.push_back(file.read_matrix("/verification" + group_of(n) + "/reduced"));
-    }
-  }
+  if (model.sector_count < 1) throw RunError(file.path() + ": sector_count must be at least 1");
+  model.contact = read_contact_line(file);
+  for (int n = 0; n <= model.nodal_diameter_max(); ++n)
+    model.nodal_diameters.push_back(read_nodal_diameter(file, group_of(n)));
+  model.verification = read_verification(file, model.nodal_diameter_max());
   check(model, path.string());
+  require_digest(file, model);
   return model;
 }
 

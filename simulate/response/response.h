@@ -172,6 +172,7 @@ struct SimulatedScene {
   double resolved_frequency = std::numeric_limits<double>::infinity();
   Eigen::VectorXd clearance;    ///< [m] cold or running as the case says, at the contact nodes
   std::string clearance_state;  ///< "cold" or "running"
+  std::string model_digest;     ///< digest() of the model that was marched
   std::string scope;            ///< what was modelled, what was left out, and why; one reason a line
   std::string provenance;       ///< the case and the chain that made it, as text
 };

@@ -12,7 +12,7 @@ namespace tiprub {
 namespace {
 
 constexpr const char* schema = "tiprub-response";
-constexpr int schema_version = 3;
+constexpr int schema_version = 4;
 const std::string frequency_group = "/frequencies";
 const std::string end_group = "/end";
 
@@ -24,6 +24,7 @@ std::string group_of(std::size_t index) {
 void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.set_attribute("/", "sector_count", scene.sector_count);
   file.set_attribute("/", "independent_sectors", scene.independent_sectors);
+  file.set_attribute("/", "model_digest", scene.model_digest);
   file.set_attribute("/", "provenance", scene.provenance);
   file.set_attribute("/", "scope", scene.scope);
   file.write("/nodal_diameters",
@@ -43,6 +44,7 @@ SimulatedScene read_scene(const Hdf5File& file) {
   SimulatedScene scene;
   scene.sector_count = file.integer_attribute("/", "sector_count");
   scene.independent_sectors = file.integer_attribute("/", "independent_sectors");
+  scene.model_digest = file.text_attribute("/", "model_digest");
   scene.provenance = file.text_attribute("/", "provenance");
   scene.scope = file.text_attribute("/", "scope");
   const Array<std::int32_t> moving = file.read_integers("/nodal_diameters");

@@ -10,7 +10,7 @@
 
 namespace tiprub {
 
-/// response.h5, schema "tiprub-response" version 2; the format is described in simulate/README.md.
+/// response.h5, schema "tiprub-response" version 4; the format is described in simulate/README.md.
 void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator);
 
 /// The same file speed by speed, for sweeps that don't fit into memory. Speeds must come in ascending order.

@@ -23,9 +23,8 @@ struct ExemptKey {
 const std::vector<ExemptKey>& exempt_keys();
 
 /// A name for all that decides the result at a speed: the model's numbers, every setting that is not exempt, and the
-/// program's version; of a sweep that carries its state along, the speeds too. 16 hexadecimal digits (FNV-1a over the
-/// bytes of the values). A key that a reader newly asks for counts by itself: a forgotten one would silently give
-/// back former results.
+/// program's version; of a sweep that carries its state along, the speeds too. 16 hexadecimal digits (a Digest). A
+/// key that a reader newly asks for counts by itself: a forgotten one would silently give back former results.
 std::string run_key(const ReducedModel& model, const SweepSettings& settings, const SimulateParameters& parameters,
                     const std::string& generator);
 

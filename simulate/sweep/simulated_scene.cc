@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+#include "reduce/model/model_digest.h"
+
 namespace tiprub {
 
 namespace {
@@ -24,6 +26,7 @@ SimulatedScene simulated_scene(const Scene& scene, const std::string& provenance
   described.clearance = scene.casing.given_clearance(scene.model.contact);
   described.clearance_state = scene.casing.clearance_state == ClearanceState::cold ? "cold" : "running";
   for (const std::string& reason : scene.scope.reasons) described.scope += reason + "\n";
+  described.model_digest = digest(scene.model);
   described.provenance = provenance;
   return described;
 }

@@ -238,8 +238,10 @@ TEST(FieldsFile, ExpandsWhatItTook) {
       if (standing) bases.back().imag().setZero();
       writer.write_basis(n, dofs, standing, [&](Eigen::Index k) { return Eigen::VectorXcd(bases.back().col(k)); });
     }
+    writer.close("of this model");
   }
   const FieldsReader reader(path);
+  EXPECT_EQ(reader.model_digest(), "of this model");
   EXPECT_EQ(reader.sector().cells, sector.cells);
   EXPECT_EQ(reader.sector().nodes, sector.nodes);
   EXPECT_EQ(reader.sector().node_sets, sector.node_sets);

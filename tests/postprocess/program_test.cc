@@ -88,6 +88,7 @@ TEST_F(Program, ReplacesAnOldReport) {
 TEST_F(Program, DrawsASingleSpeedAndASingleBlade) {
   ReducedModel rotor = synthetic::model(1);
   SimulatedScene scene = synthetic::two_lobes();
+  scene.model_digest = digest(rotor);
   scene.sector_count = scene.independent_sectors = 1;
   scene.nodal_diameters = {0};
   Response response{scene, "made", {}, synthetic::frequencies(rotor)};

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "postprocess/fields/brick_stress.h"
+#include "reduce/model/model_digest.h"
 #include "reduce/model/nodal_diameter.h"
 
 namespace tiprub::synthetic {
@@ -129,6 +130,7 @@ void write_fields(const ReducedModel& model, const std::filesystem::path& path) 
           return column;
         });
   }
+  writer.close(digest(model));
 }
 
 void add_snapshots(const ReducedModel& model, Response& response) {

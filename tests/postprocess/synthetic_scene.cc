@@ -8,6 +8,7 @@
 
 #include "cases/program/units.h"
 #include "postprocess/waves/aliasing.h"
+#include "reduce/model/model_digest.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/casing_areas.h"
 #include "simulate/response/response_file.h"
@@ -42,8 +43,13 @@ ContactLine tip_line() {
     const double turn = 0.5 * std::numbers::pi * k / (contact_nodes - 1), radius = 0.04;
     line.position.row(k) << 0.1 - radius * std::cos(turn), 0.15 * k, radius * std::sin(turn);
     line.normal.row(k) << std::cos(turn), 0.0, -std::sin(turn);
-    line.arc_length[k] = radius * turn;
   }
+  const auto at = [&](int k) {
+    return Eigen::Vector3d(line.position(k, 0) * std::cos(line.position(k, 1)),
+                           line.position(k, 0) * std::sin(line.position(k, 1)), line.position(k, 2));
+  };
+  line.arc_length[0] = 0;
+  for (int k = 1; k < contact_nodes; ++k) line.arc_length[k] = line.arc_length[k - 1] + (at(k) - at(k - 1)).norm();
   return line;
 }
 
@@ -174,6 +180,7 @@ SimulatedScene two_lobes() {
   scene.scope =
       "nodal diameters 0, 2, 4: the casing repeats twice around, the others stay at rest\n"
       "5 of 10 sectors: sector j moves as sector j + 5\nno friction, rigid casing, tuned wheel";
+  scene.model_digest = digest(model());
   scene.provenance = "a made response";
   return scene;
 }

@@ -20,6 +20,7 @@ void write_fields_of_one_sector(const std::filesystem::path& path) {
   FieldsWriter writer(path, "test");
   writer.write_sector(sector);
   writer.write_basis(0, 1, true, [](Eigen::Index) { return Eigen::VectorXcd(Eigen::VectorXcd::Ones(60)); });
+  writer.close("of no model");
 }
 
 void write_response_with_a_nan(const std::filesystem::path& path) {

@@ -41,9 +41,11 @@ def write_model(path, change=lambda file: None):
         file.attrs["sector_count"] = SECTORS
         file.attrs["speed_max"] = 2000.0
         tilt = np.linspace(0, 1.4, NODES)
-        file["contact/position"] = np.c_[0.1 + 0.01 * tilt, 0.05 * tilt, 0.01 * tilt]
+        radius, turn, height = 0.1 + 0.01 * tilt, 0.05 * tilt, 0.01 * tilt
+        file["contact/position"] = np.c_[radius, turn, height]
         file["contact/normal"] = np.c_[np.cos(tilt), 0 * tilt, np.sin(tilt)]
-        file["contact/arc_length"] = 0.01 * np.arange(NODES)
+        steps = np.hypot(np.abs(np.diff(radius * np.exp(1j * turn))), np.diff(height))
+        file["contact/arc_length"] = np.append(0, np.cumsum(steps))
         file["contact/static_shift_1"] = np.tile([2e-10, 0.0, 0.0], (NODES, 1))
         for n in range(SECTORS // 2 + 1):
             wave = 2e4 * tie * np.exp(2j * np.pi * n / SECTORS)

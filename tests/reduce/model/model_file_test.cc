@@ -49,6 +49,19 @@ class ModelFile : public ::testing::Test {
   fs::path folder_;
 };
 
+/// A mass on three springs, 2 rad/s, as somebody would write it by hand.
+void write_one_mass(Hdf5File& file, const std::string& arc_unit = "m") {
+  file.set_schema("tiprub-model", 1, "by hand");
+  file.set_attribute("/", "sector_count", 1);
+  file.set_attribute("/", "speed_max", 100.0);
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(3, 3);
+  file.write("/contact/position", Eigen::MatrixXd(one.topRows(1)), "m, rad, m");
+  file.write("/contact/normal", Eigen::MatrixXd(one.topRows(1)), "1");
+  file.write("/contact/arc_length", Eigen::VectorXd(Eigen::VectorXd::Zero(1)), arc_unit);
+  file.write("/nodal_diameter/0/K0", Eigen::MatrixXd(4 * one), "N/m");
+  file.write("/nodal_diameter/0/M", one, "kg");
+}
+
 void expect_same(const ReducedModel& a, const ReducedModel& b) {
   EXPECT_EQ(a.sector_count, b.sector_count);
   EXPECT_EQ(a.speed_max, b.speed_max);
@@ -101,18 +114,7 @@ TEST_F(ModelFile, SaysThatTheDiskIsFull) {
 }
 
 TEST_F(ModelFile, MayLeaveOutWhatIsZero) {
-  EXPECT_EQ(complaint_about_file([](Hdf5File& file) {
-              file.set_schema("tiprub-model", 1, "by hand");
-              file.set_attribute("/", "sector_count", 1);
-              file.set_attribute("/", "speed_max", 100.0);
-              const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(3, 3);
-              file.write("/contact/position", Eigen::MatrixXd(one.topRows(1)), "m, rad, m");
-              file.write("/contact/normal", Eigen::MatrixXd(one.topRows(1)), "1");
-              file.write("/contact/arc_length", Eigen::VectorXd(Eigen::VectorXd::Zero(1)), "m");
-              file.write("/nodal_diameter/0/K0", Eigen::MatrixXd(4 * one), "N/m");
-              file.write("/nodal_diameter/0/M", one, "kg");
-            }),
-            "");
+  EXPECT_EQ(complaint_about_file([](Hdf5File& file) { write_one_mass(file); }), "");
   const ReducedModel model = read_model(path());
   EXPECT_EQ(model.prestress, "given");
   EXPECT_EQ(model.nodal_diameters[0].K2, Eigen::MatrixXcd::Zero(3, 3));
@@ -126,6 +128,37 @@ TEST_F(ModelFile, RefusesWhatIsNoHdf5FileAndWhatIsNotThere) {
   std::ofstream(path()) << "not HDF5";
   EXPECT_EQ(test::complaint<RunError>([&] { read_model(path()); }),
             path().string() + ": is not an HDF5 file, or is damaged");
+}
+
+/// One byte of a stiffness: a model that is as good as any other to whoever only looks at shapes.
+TEST_F(ModelFile, RefusesADamagedNumber) {
+  write_model(some_model(), path(), "test");
+  std::string all = bytes("model.h5");
+  const double entry = some_model().contact.position(0, 2);
+  const std::size_t at = all.find(std::string(reinterpret_cast<const char*>(&entry), sizeof(entry)));
+  ASSERT_NE(at, std::string::npos);
+  all[at] = static_cast<char>(all[at] ^ 1);
+  std::ofstream(path(), std::ios::binary) << all;
+  EXPECT_EQ(test::complaint<RunError>([&] { read_model(path()); }),
+            path().string() +
+                ": its numbers are not those that were written (attribute `digest`): it was damaged or changed; "
+                "reduce again, or delete that attribute if the change was meant");
+}
+
+TEST_F(ModelFile, RefusesWhatItWouldLeaveOut) {
+  for (const std::string name : {"K_1", "K9", "k1", "C"})
+    EXPECT_EQ(complaint_about_file([&](Hdf5File& file) {
+                write_one_mass(file);
+                file.write("/nodal_diameter/0/" + name, Eigen::MatrixXd(Eigen::MatrixXd::Identity(3, 3)), "1");
+              }),
+              path().string() + ": /nodal_diameter/0/" + name +
+                  " is not known; a nodal diameter holds M, K0, K1, K2, and K3, K4, ... without a gap");
+}
+
+TEST_F(ModelFile, RefusesOtherUnits) {
+  EXPECT_EQ(
+      complaint_about_file([](Hdf5File& file) { write_one_mass(file, "mm"); }),
+      path().string() + ": /contact/arc_length has the unit \"mm\", must be \"m\" (SI), or no attribute `unit`");
 }
 
 TEST_F(ModelFile, RefusesHalfAFile) {

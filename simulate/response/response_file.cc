@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/response/response_file.h"
 
+#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "reduce/model/hdf5_file.h"
+#include "simulate/response/sealed_file.h"
 #include "simulate/response/speed_group.h"
 
 namespace tiprub {
@@ -15,6 +17,7 @@ constexpr const char* schema = "tiprub-response";
 constexpr int schema_version = 4;
 const std::string frequency_group = "/frequencies";
 const std::string end_group = "/end";
+constexpr std::size_t nodal_diameter_max = 10000;  // of any wheel
 
 std::string group_of(std::size_t index) {
   const std::string digits = std::to_string(index);
@@ -128,6 +131,7 @@ void ResponseWriter::add_end(const RotorState& state) {
 
 void ResponseWriter::close() {
   state_->file.close();
+  seal(state_->file.path());
 }
 
 RotorState read_end_state(const std::filesystem::path& path) {
@@ -135,7 +139,10 @@ RotorState read_end_state(const std::filesystem::path& path) {
   RotorState state;
   if (!file.exists(end_group)) return state;
   for (const std::string& name : file.members(end_group)) {
-    const std::size_t n = std::stoul(name);
+    std::size_t n = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), n);
+    if (error != std::errc() || end != name.data() + name.size() || n > nodal_diameter_max)
+      throw RunError(file.path() + ": " + end_group + "/" + name + " is no nodal diameter");
     if (state.displacement.size() <= n) {
       state.displacement.resize(n + 1);
       state.velocity.resize(n + 1);
@@ -159,6 +166,9 @@ std::string read_response_key(const std::filesystem::path& path) {
 }
 
 Response read_response(const std::filesystem::path& path) {
+  if (seal_of(path) == Seal::broken)
+    throw RunError(path.string() +
+                   ": was damaged after it was written (its seal is broken); run tiprub-simulate again");
   const Hdf5File file = open_response(path);
   Response response;
   response.key = file.text_attribute("/", "key");

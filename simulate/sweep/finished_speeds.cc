@@ -8,10 +8,25 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
+#include "simulate/response/sealed_file.h"
 
 namespace fs = std::filesystem;
 
 namespace tiprub {
+
+namespace {
+
+constexpr std::size_t digits_of_a_speed = 16;
+
+/// By its name: a part, or one that was being written. Nothing else in the folder is ours.
+bool is_part(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  const std::size_t digits = name.find_first_not_of("0123456789abcdef");
+  return entry.is_regular_file() && digits == digits_of_a_speed &&
+         (name.substr(digits) == ".h5" || name.substr(digits) == ".tiprub.part.h5");
+}
+
+}  // namespace
 
 FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std::string key, std::string generator,
                                Role role)
@@ -35,26 +50,32 @@ fs::path FinishedSpeeds::part(double speed) const {
   return folder_ / name;
 }
 
-void FinishedSpeeds::take_over_parts() {
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
-    bool useful = false;
-    try {
-      const Response response = read_response(entry.path());
-      useful =
-          response.key == key_ && response.speeds.size() == 1 && part(response.speeds.front().speed) == entry.path();
-      if (useful) speeds_[response.speeds.front().speed] = response.speeds.front().depth;
-    } catch (const RunError&) {  // damaged: computed again
-    }
-    std::error_code ignored;
-    if (!useful) fs::remove_all(entry.path(), ignored);
+/// Reads what a part tells of its speed, if it is one, whole, and of this sweep.
+bool FinishedSpeeds::take_over(const fs::path& file) {
+  if (seal_of(file) != Seal::whole) return false;
+  try {
+    const Response response = read_response(file);
+    if (response.key != key_ || response.speeds.size() != 1) return false;
+    const SpeedResponse& only = response.speeds.front();
+    if (part(only.speed) != file) return false;
+    speeds_[only.speed] = only.depth;
+    return true;
+  } catch (const RunError&) {  // damaged: computed again
+    return false;
   }
+}
+
+void FinishedSpeeds::take_over_parts() {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
+    if (is_part(entry) && !take_over(entry.path())) fs::remove(entry.path(), ignored);
 }
 
 void FinishedSpeeds::take_over_output(const fs::path& output) {
   if (!fs::exists(output)) return;
   Response response;
   try {
-    if (read_response_key(output) != key_) return;
+    if (read_response_key(output) != key_ || seal_of(output) != Seal::whole) return;
     response = read_response(output);
   } catch (const RunError&) {  // of another schema or damaged: it is replaced
     return;
@@ -92,7 +113,9 @@ SpeedResponse FinishedSpeeds::read(double speed) const {
 
 void FinishedSpeeds::remove() {
   std::error_code ignored;
-  fs::remove_all(folder_, ignored);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored))
+    if (is_part(entry)) fs::remove(entry.path(), ignored);
+  fs::remove(folder_, ignored);
 }
 
 }  // namespace tiprub

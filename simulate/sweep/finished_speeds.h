@@ -11,7 +11,8 @@ namespace tiprub {
 
 /// The speeds of a sweep that are done, each in a small response file of its own beside the output
 /// ("response.h5.speeds/"), so that a sweep may be interrupted at any moment and loses only the speeds under way.
-/// Parts of another key, damaged ones and leftovers are as good as none. A part also holds the state at its end, if
+/// Parts of another key, damaged ones (a part is sealed) and leftovers are as good as none; other files in the folder
+/// stay. A part also holds the state at its end, if
 /// the next speed starts from it. Not for several threads at once; several processes may keep different speeds.
 class FinishedSpeeds {
  public:
@@ -39,6 +40,7 @@ class FinishedSpeeds {
 
  private:
   std::filesystem::path part(double speed) const;
+  bool take_over(const std::filesystem::path& file);
   void take_over_parts();
   void take_over_output(const std::filesystem::path& output);
 

@@ -57,19 +57,17 @@ void check(const NodalDiameterModel& model, int contact_dofs, bool real, const s
   require(Eigen::LLT<Eigen::MatrixXcd>(model.M).info() == Eigen::Success, where + "/M is not positive definite");
 }
 
-/// From one contact node to the next the arc is no shorter than the way straight across, and not much longer.
+/// In the meridional plane (r, z) the arc from one contact node to the next is no shorter than the way straight
+/// across, and not much longer.
 void check_step(const ContactLine& contact, Eigen::Index k, const std::string& name) {
   const double along = contact.arc_length[k] - contact.arc_length[k - 1];
   require(along > 0, name + ": /contact/arc_length must increase from the leading edge");
-  const auto at = [&](Eigen::Index node) {
-    const Eigen::RowVector3d place = contact.position.row(node);
-    return Eigen::Vector3d(place[0] * std::cos(place[1]), place[0] * std::sin(place[1]), place[2]);
-  };
-  const double across = (at(k) - at(k - 1)).norm();
+  const Eigen::RowVector3d step = contact.position.row(k) - contact.position.row(k - 1);
+  const double across = std::hypot(step[0], step[2]);
   std::ostringstream text;
   text << name << ": /contact/arc_length grows by " << along << " m from node " << k - 1 << " to node " << k
        << ", but /contact/position has them " << across
-       << " m apart; both must be in metres, from leading to trailing edge";
+       << " m apart in the meridional plane; both must be in metres, from leading to trailing edge";
   require(across <= along * (1 + arc_tolerance) && along <= half_circle * across, text.str());
 }
 

@@ -27,7 +27,7 @@ struct NodalDiameterModel {
 struct ContactLine {
   Eigen::MatrixX3d position;        ///< [m, rad, m] r, theta, z; n_c x 3
   Eigen::MatrixX3d normal;          ///< unit, from the blade to the casing, components r, theta, z; n_c x 3
-  Eigen::VectorXd arc_length;       ///< [m] from the leading edge; n_c
+  Eigen::VectorXd arc_length;       ///< [m] in the meridional plane, from the leading edge; n_c
   Eigen::MatrixX3d static_shift_1;  ///< [m s^2] displacement under spin over Omega^2; n_c x 3 (r, theta, z)
   Eigen::MatrixX3d static_shift_2;  ///< [m s^4] its part with Omega^4; n_c x 3
 

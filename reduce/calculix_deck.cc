@@ -3,14 +3,16 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
+#include <functional>
 #include <iomanip>
 #include <numbers>
+#include <ostream>
 #include <set>
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
 #include "cases/program/units.h"
+#include "cases/program/write_file.h"
 
 namespace tiprub {
 
@@ -74,13 +76,9 @@ void write_speed(std::ostream& out, double speed, const SectorMesh& mesh, const 
       << "\n*SELECT CYCLIC SYMMETRY MODES, NMIN=0, NMAX=" << mesh.sector_count / 2 << "\n*END STEP\n";
 }
 
-template <class Writer>
-void write_file(const std::filesystem::path& path, const Writer& write) {
+void write_deck(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
   OutputFile output(path);
-  std::ofstream out(output.scratch());
-  write(out);
-  out.close();
-  if (!out) throw RunError(path.string() + ": can't be written");
+  write_file(output.scratch(), write);
   output.commit();
 }
 
@@ -91,11 +89,11 @@ void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& par
   if (mesh.nodes_per_cell() != static_cast<int>(calculix_order.size()))
     throw InputError("the sector has 27-node bricks, which CalculiX doesn't have; mesh it with 20-node bricks");
   std::filesystem::create_directories(folder);
-  write_file(folder / "mesh.inp", [&](std::ostream& out) { write_mesh(out, mesh, parameters); });
+  write_deck(folder / "mesh.inp", [&](std::ostream& out) { write_mesh(out, mesh, parameters); });
   for (const double fraction : parameters.verification_speeds) {
     const double speed = fraction * parameters.speed_max;
     const long rpm = std::lround(speed * rpm_per_rad_s);
-    write_file(folder / ("speed_" + std::to_string(rpm) + ".inp"),
+    write_deck(folder / ("speed_" + std::to_string(rpm) + ".inp"),
                [&](std::ostream& out) { write_speed(out, speed, mesh, parameters); });
   }
 }

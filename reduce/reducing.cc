@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -72,32 +73,29 @@ void find_modes(const StageArguments& arguments, const Inputs& inputs, const std
                       std::to_string(results.speed_count()) + " speeds");
 }
 
-/// Reduces, and writes the full fields beside it if a file is named for them.
-ReducedModel reduce_with_fields(const StageArguments& arguments, const Inputs& inputs, const std::string& fields_file,
-                                ReductionReport& report) {
+/// Reduces, and writes the full fields beside it if a file is wanted for them.
+ReducedModel reduce_with_fields(const StageArguments& arguments, const Inputs& inputs,
+                                const std::optional<OutputFile>& fields_file, ReductionReport& report) {
   const auto shown =
       arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal;
-  if (fields_file.empty()) return reduce(inputs.mesh, inputs.parameters, shown, report);
-  OutputFile output(fields_file);
-  ReducedModel model = [&] {
-    FieldsWriter fields(output.scratch(), program_version(program));
-    ReducedModel reduced = reduce(inputs.mesh, inputs.parameters, shown, report, &fields);
-    fields.close(digest(reduced));
-    return reduced;
-  }();
-  output.commit();
+  if (!fields_file) return reduce(inputs.mesh, inputs.parameters, shown, report);
+  FieldsWriter fields(fields_file->scratch(), program_version(program));
+  ReducedModel model = reduce(inputs.mesh, inputs.parameters, shown, report, &fields);
+  fields.close(digest(model));
   return model;
 }
 
 ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const ReducingOptions& options,
                  ReductionReport& report) {
-  { const OutputFile writable(arguments.output); }  // complain before the work, not after it
-  ReducedModel model = reduce_with_fields(arguments, inputs, options.fields_file, report);
+  OutputFile output(arguments.output);  // complains before the work, not after it
+  std::optional<OutputFile> fields;
+  if (!options.fields_file.empty()) fields.emplace(options.fields_file);
+  ReducedModel model = reduce_with_fields(arguments, inputs, fields, report);
   model.provenance = inputs.provenance;
-  OutputFile output(arguments.output);
   write_model(model, output.scratch(), program_version(program));
-  output.commit();
   if (!options.matrix_market_folder.empty()) write_matrix_market(model, options.matrix_market_folder);
+  if (fields) fields->commit();  // all are whole: model and fields change together
+  output.commit();
   return model;
 }
 

@@ -56,6 +56,8 @@ int run_stage(int argc, char** argv, const Stage& stage, const std::function<voi
     return complain(stage, error.what(), exit_wrong_input);
   } catch (const std::bad_alloc&) {
     return complain(stage, "not enough memory", exit_failed);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(stage, error.path1().string() + ": " + error.code().message(), exit_failed);
   } catch (const std::exception& error) {
     return complain(stage, error.what(), exit_failed);
   }

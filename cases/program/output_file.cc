@@ -32,14 +32,23 @@ void require_replaceable(const fs::path& target) {
                    ", which this program did not make; move that away, or give another -o");
 }
 
-/// Waits until the disk has it: a full one may only be noticed here.
-std::error_code synchronise(const fs::path& path) {
+/// Waits until the disk has the file: a full one may only be noticed here.
+std::error_code synchronise_file(const fs::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return {errno, std::generic_category()};
   const bool failed = ::fsync(file) != 0;
   const std::error_code error(failed ? errno : 0, std::generic_category());
   ::close(file);
   return error;
+}
+
+/// The same for a file or all that is in a folder.
+std::error_code synchronise(const fs::path& path) {
+  if (!fs::is_directory(path)) return synchronise_file(path);
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
+    if (entry.is_regular_file())
+      if (const std::error_code error = synchronise_file(entry.path())) return error;
+  return {};
 }
 
 /// rename() replaces files, but only empty folders.
@@ -79,17 +88,12 @@ OutputFile::~OutputFile() {
 
 void OutputFile::commit() {
   require_replaceable(target_);
-  std::error_code error;
-  if (fs::is_directory(scratch_)) {
-    list_made_files(scratch_);
-    if (fs::is_directory(target_))
-      error = replace_folder(scratch_, target_);
-    else
-      fs::rename(scratch_, target_, error);
-  } else {
-    error = synchronise(scratch_);
-    if (!error) fs::rename(scratch_, target_, error);
-  }
+  if (fs::is_directory(scratch_)) list_made_files(scratch_);
+  std::error_code error = synchronise(scratch_);
+  if (!error && fs::is_directory(scratch_) && fs::is_directory(target_))
+    error = replace_folder(scratch_, target_);
+  else if (!error)
+    fs::rename(scratch_, target_, error);
   if (error) throw RunError(target_.string() + ": can't be written: " + error.message());
   removed_on_signal_.reset();
 }

@@ -101,13 +101,13 @@ void add_contact_curve(const MeshedSector& mesh) {
   add_named_group(curve_dimension, {entity}, "contact");
 }
 
-// gmsh says nothing of a disc that is full; the last words of a whole file do.
+// gmsh says nothing of a disk that is full; the last words of a whole file do.
 void require_whole(const std::filesystem::path& path) {
   const std::string last_words = "$EndElements\n";
   std::ifstream file(path, std::ios::binary);
   file.seekg(-static_cast<std::streamoff>(last_words.size()), std::ios::end);
   const std::string end(std::istreambuf_iterator<char>(file), {});
-  if (end != last_words) throw RunError(path.string() + ": can't be written whole; is the disc full?");
+  if (end != last_words) throw RunError(path.string() + ": can't be written whole; is the disk full?");
 }
 
 }  // namespace

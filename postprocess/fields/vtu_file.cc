@@ -3,9 +3,9 @@
 
 #include <bit>
 #include <cstdint>
-#include <fstream>
+#include <ostream>
 
-#include "cases/program/errors.h"
+#include "cases/program/write_file.h"
 #include "postprocess/tables/base64.h"
 
 namespace tiprub {
@@ -52,10 +52,7 @@ void write_cells(std::ostream& out, const Eigen::MatrixXi& cells) {
   out << "</Cells>\n";
 }
 
-}  // namespace
-
-void write_vtu(const VtuMesh& mesh, const std::vector<VtuArray>& arrays, const std::filesystem::path& path) {
-  std::ofstream out(path, std::ios::binary);
+void write_document(std::ostream& out, const VtuMesh& mesh, const std::vector<VtuArray>& arrays) {
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
       << mesh.points.cols() << "\" NumberOfCells=\"" << mesh.cells.cols() << "\">\n<Points>\n";
@@ -66,8 +63,12 @@ void write_vtu(const VtuMesh& mesh, const std::vector<VtuArray>& arrays, const s
   for (const VtuArray& array : arrays)
     write_array(out, array.name, "Float32", static_cast<int>(array.values.rows()), single(array.values));
   out << "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  out.close();
-  if (!out) throw RunError(path.string() + ": can't be written");
+}
+
+}  // namespace
+
+void write_vtu(const VtuMesh& mesh, const std::vector<VtuArray>& arrays, const std::filesystem::path& path) {
+  write_file(path, [&](std::ostream& out) { write_document(out, mesh, arrays); });
 }
 
 }  // namespace tiprub

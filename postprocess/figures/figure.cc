@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/figures/figure.h"
 
-#include <fstream>
+#include <ostream>
 
-#include "cases/program/errors.h"
+#include "cases/program/write_file.h"
 #include "postprocess/figures/drawing/gnuplot.h"
 #include "postprocess/tables/interruption.h"
 
@@ -18,11 +18,10 @@ constexpr int gnuplot_processes = 2;
 void write_pixels(const Pixels& pixels, const fs::path& folder) {
   using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const RowMajor values = pixels.values;
-  std::ofstream stream(folder / pixels.file, std::ios::binary);
-  stream.write(reinterpret_cast<const char*>(values.data()),
-               static_cast<std::streamsize>(sizeof(float) * static_cast<std::size_t>(values.size())));
-  stream.close();
-  if (!stream) throw RunError((folder / pixels.file).string() + ": can't be written");
+  write_file(folder / pixels.file, [&](std::ostream& stream) {
+    stream.write(reinterpret_cast<const char*>(values.data()),
+                 static_cast<std::streamsize>(sizeof(float) * static_cast<std::size_t>(values.size())));
+  });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "cases/program/errors.h"
+#include "cases/program/write_file.h"
 
 namespace tiprub {
 
@@ -98,10 +99,7 @@ std::string read_text(const std::filesystem::path& path) {
 }
 
 void write_text(const std::string& text, const std::filesystem::path& path) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw RunError(path.string() + ": can't be written");
+  write_file(path, [&](std::ostream& stream) { stream << text; });
 }
 
 }  // namespace tiprub

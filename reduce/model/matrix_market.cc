@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/model/matrix_market.h"
 
-#include <fstream>
 #include <iomanip>
 #include <limits>
+#include <ostream>
 #include <string>
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
+#include "cases/program/write_file.h"
 #include "reduce/model/nodal_diameter.h"
 
 namespace tiprub {
 
 namespace {
 
-void write_matrix(const std::filesystem::path& path, const Eigen::MatrixXcd& matrix, bool real,
-                  const std::string& comment) {
-  OutputFile output(path);
-  std::ofstream out(output.scratch());
+void write_matrix(std::ostream& out, const Eigen::MatrixXcd& matrix, bool real, const std::string& comment) {
   out << "%%MatrixMarket matrix array " << (real ? "real symmetric" : "complex hermitian") << "\n% " << comment
       << "\n"
       << matrix.rows() << " " << matrix.cols() << "\n"
@@ -28,8 +26,12 @@ void write_matrix(const std::filesystem::path& path, const Eigen::MatrixXcd& mat
       if (!real) out << " " << (row == column ? 0.0 : matrix(row, column).imag());
       out << "\n";
     }
-  out.close();
-  if (!out) throw RunError(path.string() + ": can't be written");
+}
+
+void write_matrix(const std::filesystem::path& path, const Eigen::MatrixXcd& matrix, bool real,
+                  const std::string& comment) {
+  OutputFile output(path);
+  write_file(output.scratch(), [&](std::ostream& out) { write_matrix(out, matrix, real, comment); });
   output.commit();
 }
 

@@ -9,6 +9,8 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_lock.h"
+#include "cases/program/write_file.h"
+#include "tests/cases/full_disk.h"
 #include "tests/cases/temporary_folder.h"
 
 namespace tiprub {
@@ -54,6 +56,20 @@ TEST_F(OutputFiles, TheOldOneStandsUntilCommit) {
   write(output.scratch(), "new");
   output.commit();
   EXPECT_EQ(read(path("model.h5")), "new");
+}
+
+TEST_F(OutputFiles, SayThatTheDiskIsFull) {
+  const std::string text(1000, 'x');
+  const auto write_text = [&] { write_file(path("table.csv"), [&](std::ostream& out) { out << text; }); };
+  write_text();
+  EXPECT_EQ(read(path("table.csv")), text);
+  try {
+    const test::FullDisk disk(text.size() - 1);
+    write_text();
+    FAIL();
+  } catch (const RunError& error) {
+    EXPECT_EQ(error.what(), path("table.csv").string() + ": can't be written: File too large");
+  }
 }
 
 TEST_F(OutputFiles, FoldersAppearWholeAndReplaceOldOnes) {

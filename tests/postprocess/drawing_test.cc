@@ -9,8 +9,10 @@
 #include <iterator>
 #include <string>
 
+#include "cases/program/errors.h"
 #include "postprocess/figures/drawing/gnuplot.h"
 #include "postprocess/figures/drawing/prologue.h"
+#include "tests/cases/full_disk.h"
 
 namespace fs = std::filesystem;
 
@@ -57,29 +59,49 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+Drawing drawing_of_curves(const std::string& title, const std::string& curve) {
+  Eigen::MatrixXd rows(2, 3);
+  rows << 1000, 1, 2, 2000, 3, 4;
+  return {.name = "hostile",
+          .script = "tracking",
+          .values = {{"speed_low", 900.0},
+                     {"speed_high", 2100.0},
+                     {"panels", 1},
+                     {"panel_title", std::vector<std::string>{title}},
+                     {"curves", 1},
+                     {"curve_name", std::vector<std::string>{curve}}},
+          .tables = {{"curves", {rows}}}};
+}
+
 /// The whole way through gnuplot: quotes, a command between backticks, markup and a macro in the name of a curve.
 TEST(Drawing, ShowsATextAsItStands) {
   const fs::path folder = fs::temp_directory_path() / ("tiprub-drawing-" + std::to_string(getpid()));
   fs::create_directories(folder);
-  const std::string name = "it's \"hot\" `touch ran` _{low}^2 @x ~a";
-  Eigen::MatrixXd rows(2, 3);
-  rows << 1000, 1, 2, 2000, 3, 4;
-  const Drawing drawing{.name = "hostile",
-                        .script = "tracking",
-                        .values = {{"speed_low", 900.0},
-                                   {"speed_high", 2100.0},
-                                   {"panels", 1},
-                                   {"panel_title", std::vector<std::string>{name}},
-                                   {"curves", 1},
-                                   {"curve_name", std::vector<std::string>{"'; system('touch ran'); '' #"}}},
-                        .tables = {{"curves", {rows}}}};
-  draw({drawing}, folder, 1, [] {});
+  draw({drawing_of_curves("it's \"hot\" `touch ran` _{low}^2 @x ~a", "'; system('touch ran'); '' #")}, folder, 1,
+       [] {});
   const std::string svg = text_of(folder / "hostile.svg");
   EXPECT_TRUE(contains(svg, "it's \"hot\" `touch ran` _{low}^2 @x ~a")) << svg;
   EXPECT_TRUE(contains(svg, "'; system('touch ran'); '' #"));
   EXPECT_FALSE(fs::exists(folder / "ran"));
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     EXPECT_TRUE(entry.path().extension() == ".svg" || entry.path().extension() == ".png") << entry.path();
+  fs::remove_all(folder);
+}
+
+/// gnuplot draws half a picture on a full disk, says nothing, and exits with 0.
+TEST(Drawing, NoticesHalfAPicture) {
+  const fs::path folder = fs::temp_directory_path() / ("tiprub-drawing-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const Drawing drawing = drawing_of_curves("a", "b");
+  draw({drawing}, folder, 1, [] {});
+  const auto size = static_cast<rlim_t>(fs::file_size(folder / "hostile.png"));
+  try {
+    const test::FullDisk disk(size - 1);
+    draw({drawing}, folder, 1, [] {});
+    FAIL();
+  } catch (const RunError& error) {
+    EXPECT_TRUE(contains(std::string(error.what()), ": is not whole; is the disk full?")) << error.what();
+  }
   fs::remove_all(folder);
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 
 #include "cases/program/errors.h"
 #include "embedded/figure_scripts.h"
@@ -41,7 +42,7 @@ pid_t start(const fs::path& folder, const std::string& script, const std::string
   posix_spawn_file_actions_destroy(&files);
   if (error != 0)
     throw RunError(std::string("gnuplot can't be started: ") + std::strerror(error) +
-                   "; install it (Debian: gnuplot-nox)");
+                   (error == ENOENT ? "; install it (Debian: gnuplot-nox)" : ""));
   return child;
 }
 
@@ -53,6 +54,16 @@ int wait_for(pid_t child) {
     if (interruption() != 0) return -1;
   }
   return status;
+}
+
+/// Whether a picture has its last words: gnuplot says nothing of a disk that is full.
+bool is_whole(const fs::path& picture) {
+  const std::string last_words = picture.extension() == ".svg" ? "</svg>" : "IEND\xAE\x42\x60\x82";
+  constexpr std::streamoff end_size = 16;
+  std::ifstream stream(picture, std::ios::binary);
+  stream.seekg(-end_size, std::ios::end);
+  const std::string end(std::istreambuf_iterator<char>(stream), {});
+  return end.find(last_words) != std::string::npos;
 }
 
 struct Job {
@@ -93,12 +104,10 @@ class Jobs {
     stop_if_interrupted();
     running_.erase(running_.begin());
     const std::string& name = job.drawing->name;
-    for (const char* ending : {".svg", ".png"}) {
-      std::error_code error;
-      const fs::path picture = folder_ / (name + ending);
-      if (status != 0 || fs::file_size(picture, error) == 0 || error)
-        throw RunError("gnuplot could not draw " + name + ending + ": " + complaint(name));
-    }
+    if (status != 0) throw RunError((folder_ / name).string() + ": gnuplot could not draw it: " + complaint(name));
+    for (const char* ending : {".svg", ".png"})
+      if (const fs::path picture = folder_ / (name + ending); !is_whole(picture))
+        throw RunError(picture.string() + ": is not whole; is the disk full? gnuplot says: " + complaint(name));
     for (const char* ending : {".gp", ".log"}) fs::remove(folder_ / (name + ending));
   }
 

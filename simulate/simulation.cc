@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "cases/program/case_file.h"
-#include "cases/program/output_file.h"
 #include "cases/program/units.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/sweep/whole_sweep.h"
@@ -114,7 +113,6 @@ void simulate(const StageArguments& arguments, int threads) {
     report_scope(arguments, inputs, scope);
     return;
   }
-  { const OutputFile writable(arguments.output); }  // complain before the work, not after it
   ProcessGroup group;
   const std::vector<double> breaking = run(arguments, inputs, scope, threads, group);
   if (breaking.empty() || inputs.parameters.when_symmetry_breaks == BrokenSymmetry::mark) return;

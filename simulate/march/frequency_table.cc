@@ -3,9 +3,9 @@
 
 #include <atomic>
 #include <cmath>
-#include <thread>
 
 #include "cases/program/units.h"
+#include "cases/program/work_together.h"
 #include "simulate/march/rotor_at_speed.h"
 
 namespace tiprub {
@@ -32,10 +32,7 @@ FrequencyTable frequency_table(const ReducedModel& model, double speed_max, int 
       rows[i] = signed_frequencies(modes_at_speed(model, n, speed, ModeParts::frequencies).omega_squared);
     }
   };
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  work_together(threads, work);
   for (int n = 0; n < diameters; ++n) {
     const std::size_t first = static_cast<std::size_t>(n) * frequency_speeds;
     Eigen::MatrixXd& curves = table.by_nodal_diameter.emplace_back(frequency_speeds, rows[first].size());

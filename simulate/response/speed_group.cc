@@ -2,6 +2,7 @@
 #include "simulate/response/speed_group.h"
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -185,6 +186,24 @@ void require_columns(const Eigen::MatrixXd& table, const std::string& where, Eig
 
 const char* name_of(MotionClass motion) {
   return name_of(motion_names, motion);
+}
+
+bool is_finite(const SpeedResponse& speed) {
+  bool finite = speed.displacement.allFinite() && speed.contact_force.allFinite() && speed.clearance.allFinite() &&
+                std::isfinite(speed.audit.acceleration.residual);
+  visit_numbers(speed, [&](const char*, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
+      finite = finite && std::isfinite(value.value_or(0));
+    else
+      finite = finite && std::isfinite(static_cast<double>(value));
+  });
+  for (const OtherStart& start : speed.other_starts)
+    finite = finite && std::isfinite(start.amplitude) && std::isfinite(start.difference);
+  if (speed.snapshot)
+    for (const Eigen::VectorXcd& state : speed.snapshot->displacement) finite = finite && state.allFinite();
+  if (speed.cycle)
+    for (const Eigen::MatrixXcd& states : speed.cycle->displacement) finite = finite && states.allFinite();
+  return finite;
 }
 
 void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& speed,

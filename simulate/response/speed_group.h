@@ -13,6 +13,9 @@ namespace tiprub {
 void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& response,
                        const SimulatedScene& scene);
 
+/// Whether every number of it is finite; a reader refuses others.
+bool is_finite(const SpeedResponse& speed);
+
 /// Raises RunError if an attribute is missing or unknown, or the arrays don't fit together and to the scene.
 SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene);
 

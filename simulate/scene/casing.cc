@@ -81,8 +81,8 @@ Casing read_casing(CaseTable& table) {
   if (casing.shape == CasingShape::bumps)
     casing.bump_width =
         radians * table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
-  casing.crest_angle = radians * table.number("crest_angle_deg", 0.0, Range::any(), "deg");
-  casing.ramp_revolutions = table.number("ramp_revolutions", 3.0, Range::positive(), "revolutions");
+  casing.crest_angle = radians * table.number("crest_angle_deg", 0.0, Range::between(-360, 360), "deg");
+  casing.ramp_revolutions = table.number("ramp_revolutions", 3.0, {0.0, 1e6, Range::LowEnd::excluded}, "revolutions");
   casing.clearance_state =
       table.choice<ClearanceState>("clearance_state", ClearanceState::running,
                                    {{"cold", ClearanceState::cold}, {"running", ClearanceState::running}});

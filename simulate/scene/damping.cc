@@ -14,6 +14,8 @@ constexpr double beyond_verified = 2;  // times the highest verified frequency
 
 }  // namespace
 
+const Range damping_range = Range::between(0, 0.9);
+
 double resolved_frequency(const ReducedModel& model) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const Eigen::MatrixXd& frequencies : model.verification.unreduced)
@@ -43,12 +45,11 @@ Damping read_damping(CaseTable& table) {
   const bool by_frequency = table.has("damping_table"), by_family = table.has("damping_ratio_by_family");
   if (by_frequency && by_family)
     table.reject("damping_table", "and damping_ratio_by_family say the same thing twice; drop one");
-  if (by_frequency)
-    return Damping(table.points("damping_table", std::nullopt, Range::at_least(0), "Hz, of critical"));
+  if (by_frequency) return Damping(table.points("damping_table", std::nullopt, damping_range, "Hz, of critical"));
   if (by_family)
     return Damping(
-        table.numbers("damping_ratio_by_family", std::nullopt, Range::at_least(0), "of critical, first family on"));
-  return {table.number("damping_ratio", 0.005, Range::at_least(0), "of critical, every resolved mode")};
+        table.numbers("damping_ratio_by_family", std::nullopt, damping_range, "of critical, first family on"));
+  return {table.number("damping_ratio", 0.005, damping_range, "of critical, every resolved mode")};
 }
 
 }  // namespace tiprub

@@ -47,6 +47,9 @@ class Damping {
   double beyond_ = 0;
 };
 
+/// [1] of critical: modes that swing, with room to the critical damping, at which the march divides by nothing.
+extern const Range damping_range;
+
 /// Reads the keys of [simulate] that give the damping, without what the model says of its resolution. Raises
 /// InputError.
 Damping read_damping(CaseTable& table);

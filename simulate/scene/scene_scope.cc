@@ -14,6 +14,8 @@ namespace tiprub {
 
 namespace {
 
+constexpr double most_steps = 2e9;  // of one march
+
 std::string listed(const std::vector<int>& values) {
   std::string text;
   for (int value : values) text += (text.empty() ? "" : ", ") + std::to_string(value);
@@ -92,6 +94,11 @@ int steps_per_revolution(const SceneScope& scope, const SimulateParameters& para
   if (2 * steps > std::numeric_limits<int>::max())
     throw RunError("needs " + std::to_string(steps) +
                    " steps a revolution, more than can be counted; raise the speed");
+  if (steps * parameters.max_revolutions > most_steps)
+    throw RunError("may take " + short_text(steps * parameters.max_revolutions) + " steps (" +
+                   std::to_string(parameters.max_revolutions) + " revolutions of " + short_text(steps) +
+                   "), hours of marching for one speed; at most " + short_text(most_steps) +
+                   " are taken: raise the speed, or lower [simulate] max_revolutions or the steps");
   return static_cast<int>(steps);
 }
 

@@ -46,8 +46,8 @@ void read_damping_and_band(CaseTable& table, SimulateParameters& parameters) {
   parameters.resolved_frequency = table.number("resolved_frequency_hz", 0, Range::at_least(0),
                                                "Hz; 0: twice the highest at which the model was verified");
   parameters.damping_ratio_beyond =
-      table.number("damping_ratio_beyond", std::max(unresolved_damping, parameters.damping.largest()),
-                   Range::at_least(0), "of critical, every mode above the resolved frequency");
+      table.number("damping_ratio_beyond", std::max(unresolved_damping, parameters.damping.largest()), damping_range,
+                   "of critical, every mode above the resolved frequency");
 }
 
 void read_revolutions(CaseTable& table, SimulateParameters& parameters) {

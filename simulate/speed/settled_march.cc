@@ -24,8 +24,9 @@ constexpr double leftover_gap = 1e-9;  // of amplitude and clearance: a penetrat
 constexpr double seed_motion = 1e-3;   // of the casing's amplitude: seeds nodal diameters that symmetry keeps still
 constexpr double worst_condition = 1e12;  // of W, if modes are dropped: beyond it, it has lost its rank
 constexpr std::size_t most_halvings = 10;
-constexpr int longest_cycle = 2;      // revolutions of a motion that doesn't settle, whose states are kept
-constexpr double coarse_steps = 100;  // a period of the lowest frequency
+constexpr int most_steps_to_halve = 1 << 23;  // a revolution: with the step halved once more it takes a minute
+constexpr int longest_cycle = 2;              // revolutions of a motion that doesn't settle, whose states are kept
+constexpr double coarse_steps = 100;          // a period of the lowest frequency
 constexpr double coarse_settling = 1e-3;
 constexpr double scatter = 1.6;            // the true error over the differences, against a closed-form impact orbit
 constexpr double useless_halving = 0.9;    // of the difference before it: the error doesn't fall
@@ -181,7 +182,7 @@ bool is_small(const std::vector<double>& differences, double tolerance) {
 /// are good to their last digit.
 bool can_halve(const TimeMarch& march, const RotorAtSpeed& rotor, double tolerance) {
   const double angle = std::numbers::pi * rotor.first_frequency * march.time_step();  // of half a step
-  return march.steps_per_revolution() <= std::numeric_limits<int>::max() / 2 &&
+  return march.steps_per_revolution() <= most_steps_to_halve &&
          std::numeric_limits<double>::epsilon() <= tolerance * angle * angle;
 }
 

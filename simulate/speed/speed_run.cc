@@ -5,6 +5,7 @@
 #include "simulate/march/carried_state.h"
 #include "simulate/orbits/excluded_growth.h"
 #include "simulate/orbits/speed_audit.h"
+#include "simulate/response/speed_group.h"
 #include "simulate/speed/examination.h"
 #include "simulate/speed/settled_march.h"
 
@@ -59,7 +60,13 @@ SpeedResult simulate_speed(const Scene& scene, double speed, Depth depth, const 
   result.response.speed = speed;
   try {
     run(scene, depth, start, result);
+    if (!is_finite(result.response))
+      throw RunError(
+          "the motion has numbers that are not finite: forces or displacements beyond what can be counted; "
+          "look at the model's units, the damping and the casing's amplitude");
   } catch (const RunError& error) {
+    result = {};
+    result.response.speed = speed;
     result.response.failure = error.what();
   }
   result.response.depth = depth;

@@ -34,6 +34,10 @@ FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std
       scene_(std::move(scene)),
       key_(std::move(key)),
       generator_(std::move(generator)) {
+  if (role == Role::keeper) {
+    lock_.emplace(output);
+    const OutputFile writable(output);  // complains before the work, not after it
+  }
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) throw RunError(folder_.string() + ": can't be made: " + error.message());

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "cases/program/output_lock.h"
 #include "simulate/response/response_file.h"
 
 namespace tiprub {
@@ -12,8 +14,8 @@ namespace tiprub {
 /// The speeds of a sweep that are done, each in a small response file of its own beside the output
 /// ("response.h5.speeds/"), so that a sweep may be interrupted at any moment and loses only the speeds under way.
 /// Parts of another key, damaged ones (a part is sealed) and leftovers are as good as none; other files in the folder
-/// stay. A part also holds the state at its end, if
-/// the next speed starts from it. Not for several threads at once; several processes may keep different speeds.
+/// stay. A part also holds the state at its end, if the next speed starts from it. Not for several threads at once;
+/// several processes may keep different speeds.
 class FinishedSpeeds {
  public:
   enum class Role {
@@ -22,7 +24,7 @@ class FinishedSpeeds {
   };
 
   /// The keeper takes over what a former run left in the folder, and the speeds of a finished output of equal key.
-  /// Raises RunError if the folder can't be made.
+  /// Raises RunError if the folder can't be made, the output not be written, or another run is writing it.
   FinishedSpeeds(const std::filesystem::path& output, SimulatedScene scene, std::string key, std::string generator,
                  Role role = Role::keeper);
 
@@ -49,6 +51,7 @@ class FinishedSpeeds {
   std::string key_;
   std::string generator_;
   std::map<double, Depth> speeds_;
+  std::optional<OutputLock> lock_;  ///< the keeper's, on the output
 };
 
 }  // namespace tiprub

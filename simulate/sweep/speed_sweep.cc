@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
-#include <thread>
 
 #include "cases/program/errors.h"
+#include "cases/program/work_together.h"
 
 namespace tiprub {
 
@@ -30,11 +30,7 @@ void sweep_speeds(const Scene& scene, const std::vector<SpeedTask>& missing, int
       }
     }
   };
-  std::vector<std::thread> others;
-  const std::size_t wanted = std::min(static_cast<std::size_t>(std::max(threads, 1)), missing.size());
-  for (std::size_t i = 1; i < wanted; ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  work_together(static_cast<int>(std::min<std::size_t>(threads, missing.size())), work);
   const bool failed_anywhere = group.any(failure != nullptr);
   if (failure) std::rethrow_exception(failure);
   if (failed_anywhere) throw RunError("another process of the sweep failed; see its message");

@@ -6,7 +6,9 @@
 #include <memory>
 #include <thread>
 
+#include "cases/program/available_memory.h"
 #include "cases/program/errors.h"
+#include "simulate/speed/memory_of_speed.h"
 #include "simulate/sweep/finished_speeds.h"
 #include "simulate/sweep/response_assembly.h"
 #include "simulate/sweep/simulated_scene.h"
@@ -48,6 +50,7 @@ std::unique_ptr<FinishedSpeeds> open_finished(const StageArguments& arguments, c
 SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, const SweepSettings& settings,
                        const std::string& provenance, int threads, ProcessGroup& group) {
   threads = thread_count(threads, scene.parameters, group);
+  require_memory(scene, threads, available_memory());
   const std::unique_ptr<FinishedSpeeds> finished = open_finished(arguments, scene, settings, provenance, group);
   SweepOutcome outcome;
   const SweepSpeeds found = run_rounds(arguments, scene, threads, group, *finished);

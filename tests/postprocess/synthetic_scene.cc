@@ -43,13 +43,8 @@ ContactLine tip_line() {
     const double turn = 0.5 * std::numbers::pi * k / (contact_nodes - 1), radius = 0.04;
     line.position.row(k) << 0.1 - radius * std::cos(turn), 0.15 * k, radius * std::sin(turn);
     line.normal.row(k) << std::cos(turn), 0.0, -std::sin(turn);
+    line.arc_length[k] = radius * turn;
   }
-  const auto at = [&](int k) {
-    return Eigen::Vector3d(line.position(k, 0) * std::cos(line.position(k, 1)),
-                           line.position(k, 0) * std::sin(line.position(k, 1)), line.position(k, 2));
-  };
-  line.arc_length[0] = 0;
-  for (int k = 1; k < contact_nodes; ++k) line.arc_length[k] = line.arc_length[k - 1] + (at(k) - at(k - 1)).norm();
   return line;
 }
 

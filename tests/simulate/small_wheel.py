@@ -41,10 +41,10 @@ def write_model(path, change=lambda file: None):
         file.attrs["sector_count"] = SECTORS
         file.attrs["speed_max"] = 2000.0
         tilt = np.linspace(0, 1.4, NODES)
-        radius, turn, height = 0.1 + 0.01 * tilt, 0.05 * tilt, 0.01 * tilt
-        file["contact/position"] = np.c_[radius, turn, height]
+        radius, height = 0.1 + 0.01 * tilt, 0.01 * tilt
+        file["contact/position"] = np.c_[radius, 0.05 * tilt, height]
         file["contact/normal"] = np.c_[np.cos(tilt), 0 * tilt, np.sin(tilt)]
-        steps = np.hypot(np.abs(np.diff(radius * np.exp(1j * turn))), np.diff(height))
+        steps = np.hypot(np.diff(radius), np.diff(height))
         file["contact/arc_length"] = np.append(0, np.cumsum(steps))
         file["contact/static_shift_1"] = np.tile([2e-10, 0.0, 0.0], (NODES, 1))
         for n in range(SECTORS // 2 + 1):

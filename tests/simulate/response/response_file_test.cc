@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 
 #include "reduce/model/hdf5_file.h"
+#include "simulate/response/speed_group.h"
 #include "tests/cases/full_disk.h"
+#include "tests/reduce/complaint.h"
 
 namespace tiprub {
 namespace {
@@ -79,6 +84,35 @@ TEST_F(ResponseFile, SaysThatTheDiskIsFull) {
     const test::FullDisk disk(cut * size / cuts);
     EXPECT_THROW(write_response(two_speeds(), path_, "test"), RunError) << cut;
   }
+}
+
+/// A reader refuses what isn't finite: then all other speeds would be lost with it.
+TEST(SpeedResponse, TellsWhetherItIsFinite) {
+  const double nan = std::nan("");
+  EXPECT_TRUE(is_finite(settled_speed()));
+  for (const auto& spoil : std::vector<std::function<void(SpeedResponse&)>>{
+           [&](SpeedResponse& s) { s.displacement(1, 1) = nan; },
+           [&](SpeedResponse& s) { s.contact_force(0, 0) = nan; }, [&](SpeedResponse& s) { s.change_rate = nan; },
+           [&](SpeedResponse& s) { s.audit.halving_difference = nan; },
+           [&](SpeedResponse& s) { s.snapshot->displacement[0][2] = nan; },
+           [&](SpeedResponse& s) { s.cycle->displacement[1](2, 2) = nan; }}) {
+    SpeedResponse speed = settled_speed();
+    spoil(speed);
+    EXPECT_FALSE(is_finite(speed));
+  }
+}
+
+TEST_F(ResponseFile, RefusesAByteThatChanged) {
+  write_response(two_speeds(), path_, "test");
+  const auto middle = static_cast<std::streamoff>(std::filesystem::file_size(path_) / 2);
+  std::fstream file(path_, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekg(middle);
+  const char byte = static_cast<char>(file.get() ^ 1);
+  file.seekp(middle);
+  file.put(byte);
+  file.close();
+  EXPECT_EQ(test::complaint<RunError>([&] { read_response(path_); }),
+            path_.string() + ": was damaged after it was written (its seal is broken); run tiprub-simulate again");
 }
 
 TEST_F(ResponseFile, GivesBackASpeed) {

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <sstream>
@@ -14,7 +13,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr double most_steps = 2e9;  // of one march
+constexpr double most_steps = 5e8;  // of one march
 
 std::string listed(const std::vector<int>& values) {
   std::string text;
@@ -91,13 +90,10 @@ int steps_per_revolution(const SceneScope& scope, const SimulateParameters& para
   const double wanted =
       parameters.steps_per_revolution > 0 ? parameters.steps_per_revolution : parameters.steps_per_period * periods;
   const double steps = rounded_up(wanted, scope.samples_per_revolution);
-  if (2 * steps > std::numeric_limits<int>::max())
-    throw RunError("needs " + std::to_string(steps) +
-                   " steps a revolution, more than can be counted; raise the speed");
   if (steps * parameters.max_revolutions > most_steps)
     throw RunError("may take " + short_text(steps * parameters.max_revolutions) + " steps (" +
                    std::to_string(parameters.max_revolutions) + " revolutions of " + short_text(steps) +
-                   "), hours of marching for one speed; at most " + short_text(most_steps) +
+                   "), more than ten minutes of marching for one speed; at most " + short_text(most_steps) +
                    " are taken: raise the speed, or lower [simulate] max_revolutions or the steps");
   return static_cast<int>(steps);
 }

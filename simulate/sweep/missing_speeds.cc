@@ -41,10 +41,11 @@ std::size_t compute_missing(const StageArguments& arguments, const Scene& scene,
   if (scene.parameters.sweep == SweepDirection::rest) {
     sweep_speeds(scene, missing, threads, group, finished, done);
   } else {
-    if (group.leads())
-      carry_speeds(scene, list.tasks, finished,
-                   [&](const SpeedResponse& response, std::size_t) { done(response, seen); });
-    group.any(false);
+    group.together([&] {
+      if (group.leads())
+        carry_speeds(scene, list.tasks, finished,
+                     [&](const SpeedResponse& response, std::size_t) { done(response, seen); });
+    });
   }
   return missing.size();
 }

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <mutex>
 
+#include "cases/program/errors.h"
+
 namespace tiprub {
 
 namespace {
@@ -85,10 +87,11 @@ void ProcessGroup::stop() {
   add(beyond_any_list);
 }
 
-bool ProcessGroup::any(bool here) {
-  int mine = here ? 1 : 0, all = mine;
-  if (shared_->window != MPI_WIN_NULL) MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-  return all != 0;
+void ProcessGroup::agree(const std::exception_ptr& failure) {
+  int here = failure ? 1 : 0, anywhere = here;
+  if (shared_->window != MPI_WIN_NULL) MPI_Allreduce(&here, &anywhere, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  if (failure) std::rethrow_exception(failure);
+  if (anywhere != 0) throw RunError("another process of the sweep failed; see its message");
 }
 
 void ProcessGroup::share(std::vector<double>& values) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <memory>
 #include <vector>
 
@@ -30,8 +31,20 @@ class ProcessGroup {
   void restart();
   /// From now on next() gives numbers beyond any list.
   void stop();
-  /// Whether it holds anywhere; all processes must ask.
-  bool any(bool here);
+  /// Waits for all processes, and raises in all if one failed: its failure there, RunError in the others. An
+  /// exception that only one of them saw would leave the others waiting. All must call.
+  void agree(const std::exception_ptr& failure);
+  /// Does what may fail in one process alone, and agrees.
+  template <class Body>
+  void together(const Body& body) {
+    std::exception_ptr failure;
+    try {
+      body();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    agree(failure);
+  }
   /// The leader's values for all; all processes must call.
   void share(std::vector<double>& values);
 

@@ -5,7 +5,6 @@
 #include <exception>
 #include <mutex>
 
-#include "cases/program/errors.h"
 #include "cases/program/work_together.h"
 
 namespace tiprub {
@@ -31,9 +30,7 @@ void sweep_speeds(const Scene& scene, const std::vector<SpeedTask>& missing, int
     }
   };
   work_together(static_cast<int>(std::min<std::size_t>(threads, missing.size())), work);
-  const bool failed_anywhere = group.any(failure != nullptr);
-  if (failure) std::rethrow_exception(failure);
-  if (failed_anywhere) throw RunError("another process of the sweep failed; see its message");
+  group.agree(failure);
 }
 
 void carry_speeds(const Scene& scene, const std::vector<SpeedTask>& tasks, FinishedSpeeds& finished,

@@ -37,8 +37,11 @@ class Rounds {
     SpeedList list{what, {}};
     for (const double speed : speeds) list.tasks.push_back({speed, depth});
     computed_ += compute_missing(arguments_, scene_, list, threads_, group_, finished_);
-    group_.any(false);  // all parts stand before the leader reads them
-    if (!group_.leads()) return;
+    group_.together([&] {
+      if (group_.leads()) note(speeds, depth);
+    });
+  }
+  void note(const std::vector<double>& speeds, Depth depth) {
     for (const double speed : speeds)
       curve_[speed] = {speed, finished_.read(speed).amplitude,
                        depth == Depth::scanned ? SampledSpeed::Kind::scanned : SampledSpeed::Kind::full};

@@ -2,12 +2,10 @@
 #include "simulate/sweep/whole_sweep.h"
 
 #include <algorithm>
-#include <exception>
 #include <memory>
 #include <thread>
 
 #include "cases/program/available_memory.h"
-#include "cases/program/errors.h"
 #include "simulate/speed/memory_of_speed.h"
 #include "simulate/sweep/finished_speeds.h"
 #include "simulate/sweep/response_assembly.h"
@@ -24,25 +22,13 @@ int thread_count(int asked_here, const SimulateParameters& parameters, const Pro
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / group.local_size());
 }
 
-/// Raises RunError in all processes if any of them can't open the folder.
 std::unique_ptr<FinishedSpeeds> open_finished(const StageArguments& arguments, const Scene& scene,
                                               const SweepSettings& settings, const std::string& provenance,
-                                              ProcessGroup& group) {
+                                              FinishedSpeeds::Role role) {
   const std::string generator = program_version("tiprub-simulate");
-  std::unique_ptr<FinishedSpeeds> finished;
-  std::exception_ptr failure;
-  try {
-    finished = std::make_unique<FinishedSpeeds>(
-        arguments.output, simulated_scene(scene, provenance),
-        run_key(scene.model, settings, scene.parameters, generator), generator,
-        group.leads() ? FinishedSpeeds::Role::keeper : FinishedSpeeds::Role::contributor);
-  } catch (...) {
-    failure = std::current_exception();
-  }
-  const bool failed_anywhere = group.any(failure != nullptr);
-  if (failure) std::rethrow_exception(failure);
-  if (failed_anywhere) throw RunError("another process of the sweep failed; see its message");
-  return finished;
+  return std::make_unique<FinishedSpeeds>(arguments.output, simulated_scene(scene, provenance),
+                                          run_key(scene.model, settings, scene.parameters, generator), generator,
+                                          role);
 }
 
 }  // namespace
@@ -50,17 +36,21 @@ std::unique_ptr<FinishedSpeeds> open_finished(const StageArguments& arguments, c
 SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, const SweepSettings& settings,
                        const std::string& provenance, int threads, ProcessGroup& group) {
   threads = thread_count(threads, scene.parameters, group);
-  require_memory(scene, threads, available_memory());
-  const std::unique_ptr<FinishedSpeeds> finished = open_finished(arguments, scene, settings, provenance, group);
+  std::unique_ptr<FinishedSpeeds> finished;
+  group.together([&] {
+    require_memory(scene, threads, available_memory());
+    finished = open_finished(arguments, scene, settings, provenance,
+                             group.leads() ? FinishedSpeeds::Role::keeper : FinishedSpeeds::Role::contributor);
+  });
   SweepOutcome outcome;
   const SweepSpeeds found = run_rounds(arguments, scene, threads, group, *finished);
   outcome.computed = found.computed;
   outcome.speeds = found.speeds.size();
   outcome.scanned = found.scanned;
-  if (group.leads()) {
-    outcome.tally = assemble_response(scene, found.speeds, threads, *finished, arguments.output);
-    outcome.breaking = outcome.tally.breaking;
-  }
+  group.together([&] {
+    if (group.leads()) outcome.tally = assemble_response(scene, found.speeds, threads, *finished, arguments.output);
+  });
+  outcome.breaking = outcome.tally.breaking;
   if (scene.parameters.when_symmetry_breaks == BrokenSymmetry::full_run) group.share(outcome.breaking);
   return outcome;
 }

@@ -12,7 +12,6 @@
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
 #include "cases/program/units.h"
-#include "cases/program/write_file.h"
 
 namespace tiprub {
 

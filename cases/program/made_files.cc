@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "cases/program/write_file.h"
+#include "cases/program/errors.h"
 
 namespace fs = std::filesystem;
 
@@ -29,9 +29,10 @@ std::set<std::string> files_in(const fs::path& folder) {
 }  // namespace
 
 void list_made_files(const fs::path& folder) {
-  write_file(folder / list_name, [files = files_in(folder)](std::ostream& list) {
-    for (const std::string& file : files) list << file << "\n";
-  });
+  std::ofstream list(folder / list_name);
+  for (const std::string& file : files_in(folder)) list << file << "\n";
+  list.close();
+  if (!list) throw RunError((folder / list_name).string() + ": can't be written");
 }
 
 std::optional<fs::path> first_file_not_made_here(const fs::path& folder) {

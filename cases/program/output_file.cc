@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <system_error>
 
 #include "cases/program/errors.h"
@@ -96,6 +97,17 @@ void OutputFile::commit() {
     fs::rename(scratch_, target_, error);
   if (error) throw RunError(target_.string() + ": can't be written: " + error.message());
   removed_on_signal_.reset();
+}
+
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& body) {
+  errno = 0;
+  std::ofstream out(path, std::ios::binary);
+  if (out) body(out);
+  out.close();  // streams hold back: only now is it known
+  const int reason = errno;
+  if (!out)
+    throw RunError(path.string() + ": can't be written" +
+                   (reason == 0 ? "" : ": " + std::generic_category().message(reason)));
 }
 
 }  // namespace tiprub

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <optional>
 
 #include "cases/program/signal_cleanup.h"
@@ -32,5 +34,9 @@ class OutputFile {
   std::filesystem::path scratch_;
   std::optional<RemovedOnSignal> removed_on_signal_;
 };
+
+/// A file of whatever `body` puts into the stream, byte for byte; on its place at once. Raises RunError with the
+/// system's reason if the file can't be made, or the disk doesn't take all of it.
+void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& body);
 
 }  // namespace tiprub

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <ostream>
 
-#include "cases/program/write_file.h"
+#include "cases/program/output_file.h"
 #include "postprocess/tables/base64.h"
 
 namespace tiprub {

@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "cases/program/write_file.h"
+#include "cases/program/output_file.h"
 #include "postprocess/figures/drawing/gnuplot.h"
 #include "postprocess/tables/interruption.h"
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "cases/program/errors.h"
-#include "cases/program/write_file.h"
+#include "cases/program/output_file.h"
 
 namespace tiprub {
 

@@ -8,7 +8,6 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
-#include "cases/program/write_file.h"
 #include "reduce/model/nodal_diameter.h"
 
 namespace tiprub {

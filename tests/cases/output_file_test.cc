@@ -9,7 +9,6 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_lock.h"
-#include "cases/program/write_file.h"
 #include "tests/cases/full_disk.h"
 #include "tests/cases/temporary_folder.h"
 

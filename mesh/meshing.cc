@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/meshing.h"
 
+#include <optional>
+
 #include "cases/program/case_file.h"
 #include "cases/program/output_file.h"
+#include "cases/program/output_lock.h"
 #include "mesh/sector/sector_check.h"
 #include "mesh/sector/sector_file.h"
 #include "mesh/sector/sector_mesher.h"
@@ -38,6 +41,8 @@ void report(const StageArguments& arguments) {
 
 void mesh_case(const StageArguments& arguments) {
   const Wheel wheel = read(arguments);
+  std::optional<OutputLock> lock;
+  if (arguments.action == Action::run) lock.emplace(arguments.output);
   const MeshedSector mesh = mesh_sector(wheel);
   check(arguments, mesh, wheel);
   if (arguments.action == Action::check) return;

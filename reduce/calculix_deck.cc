@@ -86,7 +86,7 @@ void write_deck(const std::filesystem::path& path, const std::function<void(std:
 void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& parameters,
                           const std::filesystem::path& folder) {
   if (mesh.nodes_per_cell() != static_cast<int>(calculix_order.size()))
-    throw InputError("the sector has 27-node bricks, which CalculiX doesn't have; mesh it with 20-node bricks");
+    throw InputError(mesh.file + ": has 27-node bricks, which CalculiX doesn't have; mesh it with 20-node bricks");
   std::filesystem::create_directories(folder);
   write_deck(folder / "mesh.inp", [&](std::ostream& out) { write_mesh(out, mesh, parameters); });
   for (const double fraction : parameters.verification_speeds) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/linear_results.h"
 
-#include <cblas.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -60,12 +58,6 @@ class LinearAnalysis {
   }
 
   LinearResults run() {
-    require_memory(memory_need(mesh_, dofs_,
-                               {.factors = 1,
-                                .stiffnesses = 1,
-                                .columns = krylov_vectors * parameters_.verification_modes,
-                                .threads = parameters_.threads}),
-                   available_memory());
     prepare();
     find_shapes();
     for (int row = 0; row < results_.speed_count(); ++row) {
@@ -200,7 +192,12 @@ class LinearAnalysis {
 }  // namespace
 
 LinearResults linear_results(const SectorMesh& mesh, const ReductionParameters& parameters) {
-  openblas_set_num_threads(parameters.threads);
+  start_threads(memory_need(mesh, number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes)),
+                            {.factors = 1,
+                             .stiffnesses = 1,
+                             .columns = krylov_vectors * parameters.verification_modes,
+                             .threads = parameters.threads}),
+                parameters.threads);
   return LinearAnalysis(mesh, parameters).run();
 }
 

@@ -66,7 +66,7 @@ void write_linear_results(const LinearResults& results, const std::filesystem::p
   file.set_schema(schema, schema_version, generator);
   file.set_attribute("/", "sector_count", results.sector_count);
   file.set_attribute("/", "prestress", results.prestress);
-  file.set_attribute("/", "provenance", provenance);
+  file.write_text("/provenance", provenance);
   file.write("/speed", results.speeds, "rad/s");
   for (std::size_t n = 0; n < results.nodal_diameters.size(); ++n) {
     const std::string group = "/nodal_diameter/" + std::to_string(n);

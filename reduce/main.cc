@@ -2,9 +2,11 @@
 #include <CLI/CLI.hpp>
 
 #include "cases/program/command_line.h"
+#include "reduce/operators/memory_need.h"
 #include "reduce/reducing.h"
 
 int main(int argc, char** argv) {
+  tiprub::leave_idle_blas_threads(argv);
   tiprub::ReducingOptions options;
   tiprub::Stage stage;
   stage.name = "tiprub-reduce";

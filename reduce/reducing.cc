@@ -2,15 +2,20 @@
 #include "reduce/reducing.h"
 
 #include <cblas.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <iostream>
+#include <list>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "cases/program/case_file.h"
 #include "cases/program/output_file.h"
+#include "cases/program/output_lock.h"
 #include "reduce/calculix_deck.h"
 #include "reduce/linear_results.h"
 #include "reduce/model/matrix_market.h"
@@ -19,6 +24,7 @@
 #include "reduce/model/reduced_model_file.h"
 #include "reduce/model/verification.h"
 #include "reduce/reduction.h"
+#include "reduce/sector/sector_reader.h"
 
 namespace tiprub {
 
@@ -38,6 +44,19 @@ void tell(const StageArguments& arguments, const std::string& line) {
   say(arguments, std::string(program) + ": " + line);
 }
 
+/// Metres and millimetres are told apart by the speed of the tip: no material holds what is refused here (the best
+/// flywheels end at a third of it), and a wheel a thousand times too large is always beyond it.
+void require_metres(const SectorMesh& mesh, double speed_max) {
+  constexpr double most = 5000;  // [m/s]
+  const double radius = mesh.nodes.topRows<2>().colwise().norm().maxCoeff(), tip_speed = radius * speed_max;
+  if (tip_speed <= most) return;
+  std::ostringstream message;
+  message << mesh.file << ": a wheel of radius " << radius << " m has a tip speed of " << tip_speed
+          << " m/s at [reduce] speed_max_rpm; none can have more than " << most
+          << ": is the mesh in millimetres? It must be in metres";
+  throw InputError(message.str());
+}
+
 Inputs read(const StageArguments& arguments) {
   const CaseFile case_file(arguments.inputs[0], arguments.settings);
   CaseTable table = case_file.table("reduce");
@@ -45,8 +64,34 @@ Inputs read(const StageArguments& arguments) {
   if (arguments.verbosity == Verbosity::verbose)
     say(arguments, "[reduce]\n" + table.resolved() + "BLAS: " + openblas_get_config());
   SectorMesh mesh = read_sector_mesh(arguments.inputs[1], parameters.cyclic_tolerance);
+  require_metres(mesh, parameters.speed_max);
   return {std::move(parameters), std::move(mesh), case_file.source()};
 }
+
+/// What this run may write, tried before the work and held until its end.
+class Outputs {
+ public:
+  Outputs(const StageArguments& arguments, const ReducingOptions& options) {
+    const bool reduces = options.calculix_folder.empty() && options.modes_file.empty();
+    if (reduces) locks_.emplace_back(arguments.output);
+    if (reduces && !options.fields_file.empty()) locks_.emplace_back(options.fields_file);
+    if (reduces && !options.matrix_market_folder.empty()) make_folder(options.matrix_market_folder);
+    if (!options.calculix_folder.empty())
+      make_folder(options.calculix_folder);
+    else if (!options.modes_file.empty())
+      locks_.emplace_back(options.modes_file);
+  }
+
+ private:
+  static void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error && access(folder.c_str(), W_OK | X_OK) != 0) error = {errno, std::generic_category()};
+    if (error) throw RunError(folder.string() + ": can't be made a folder to write in: " + error.message());
+  }
+
+  std::list<OutputLock> locks_;
+};
 
 void check(const StageArguments& arguments, const Inputs& inputs) {
   const SectorMesh& mesh = inputs.mesh;
@@ -152,6 +197,7 @@ void report(const StageArguments& arguments, const ReducedModel& model, const Re
 void reduce_case(const StageArguments& arguments, const ReducingOptions& options) {
   const Inputs inputs = read(arguments);
   if (arguments.action == Action::check) return check(arguments, inputs);
+  const Outputs outputs(arguments, options);
   if (!options.calculix_folder.empty()) return export_decks(arguments, inputs, options.calculix_folder);
   if (!options.modes_file.empty()) return find_modes(arguments, inputs, options.modes_file);
   ReductionReport made;

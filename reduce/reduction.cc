@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/reduction.h"
 
-#include <cblas.h>
-
 #include <algorithm>
 #include <chrono>
 #include <mutex>
@@ -74,14 +72,14 @@ class Reducer {
   };
   using Shift = std::array<Eigen::VectorXcd, 2>;
 
-  /// [bytes] that it will take; raises RunError if there are fewer.
+  /// [bytes] that it will take; raises RunError if there are fewer. Starts the threads.
   double require_room() const {
     const MemoryNeed need = memory_need(mesh_, dofs_,
                                         {.factors = 2,
                                          .stiffnesses = static_cast<int>(samples_.fractions().size()),
                                          .columns = columns_at_once(),
                                          .threads = parameters_.threads});
-    require_memory(need, available_memory());
+    start_threads(need, parameters_.threads);
     return need.total();
   }
 
@@ -202,13 +200,13 @@ class Reducer {
 
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown shown,
                     ReductionReport& report, FieldsWriter* fields) {
-  openblas_set_num_threads(parameters.threads);
   Progress progress("reducing", Reducer::steps(mesh), shown);
   return Reducer(mesh, parameters, progress, fields).run(report);
 }
 
 void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {
   const SectorDofs dofs = number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes));
+  start_threads(memory_need(mesh, dofs, {}), 1);
   RotatingElasticity(mesh, dofs, parameters.material).volume();
 }
 

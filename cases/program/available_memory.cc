@@ -2,6 +2,7 @@
 #include "cases/program/available_memory.h"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -37,18 +38,19 @@ double control_group_memory(const std::filesystem::path& root) {
   return std::min(first, second);
 }
 
-double resource_limit() {
+}  // namespace
+
+double mappable_memory() {
+  const double mapped = number_in("/proc/self/statm", 0) * static_cast<double>(sysconf(_SC_PAGESIZE));
   double least = unlimited;
   for (const auto resource : {RLIMIT_AS, RLIMIT_DATA})
     if (rlimit limit{}; getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
       least = std::min(least, static_cast<double>(limit.rlim_cur));
-  return least;
+  return std::max(least - mapped, 0.0);
 }
 
-}  // namespace
-
 double available_memory(const std::filesystem::path& root) {
-  return std::min({system_memory(root), control_group_memory(root), resource_limit()});
+  return std::min({system_memory(root), control_group_memory(root), mappable_memory()});
 }
 
 }  // namespace tiprub

@@ -5,8 +5,11 @@
 
 namespace tiprub {
 
-/// [bytes] MemAvailable of /proc/meminfo, or less if a control group (versions 1 and 2) or a resource limit of this
-/// process (ulimit -d, -v) leaves less. Unlimited if nothing is known. `root` is where /proc and /sys are.
+/// [bytes] that this process may still map under its resource limits (ulimit -d, -v).
+double mappable_memory();
+
+/// [bytes] MemAvailable of /proc/meminfo, or less if a control group (versions 1 and 2) or a resource limit leaves
+/// less. Unlimited if nothing is known. `root` is where /proc and /sys are.
 double available_memory(const std::filesystem::path& root = "/");
 
 }  // namespace tiprub

@@ -10,7 +10,7 @@ namespace tiprub {
 /// `most` live at a time; names of 4096 letters and more are left standing.
 class RemovedOnSignal {
  public:
-  static constexpr int most = 4;
+  static constexpr int most = 8;
 
   explicit RemovedOnSignal(const std::filesystem::path& file);
   RemovedOnSignal(const RemovedOnSignal&) = delete;

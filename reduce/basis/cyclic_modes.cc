@@ -80,6 +80,9 @@ class KrylovSpace {
     Eigen::MatrixXcd moved = stiffness_.transform().apply(mass_, block);
     for (int pass = 0; pass < 2 && block.cols() > 0; ++pass, floor = 0) {
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> gram(block.adjoint() * moved);
+      if (gram.info() != Eigen::Success || !gram.eigenvalues().allFinite())
+        throw RunError(
+            "the modes of a nodal diameter can't be found: its stiffness or its mass is out of all bounds");
       const Eigen::VectorXd& squares = gram.eigenvalues();
       const double least = std::max(floor, rank_tolerance * squares[squares.size() - 1]);
       const Eigen::Index kept = std::min<Eigen::Index>((squares.array() > least).count(), room);
@@ -116,6 +119,7 @@ CyclicModes lowest_modes(const CyclicSolver& stiffness, const SymmetricMatrix& m
   constexpr int longest = 20;  // Krylov vectors per wanted mode before giving up
   KrylovSpace space(stiffness, mass, contact);
   space.start();
+  if (space.size() == 0) throw RunError("a nodal diameter has no modes: nothing of it moves, or its mass is nothing");
   while (true) {
     const bool more = space.grow();
     const Eigen::MatrixXcd& projected = space.projected();

@@ -17,22 +17,6 @@ Hdf5Id single(hid_t object, const std::string& name) {
   return attribute;
 }
 
-/// Of fixed or variable length; as far as the first zero byte.
-std::string read_text(hid_t attribute) {
-  const Hdf5Id type(H5Aget_type(attribute), H5Tclose);
-  if (H5Tget_class(type) != H5T_STRING) throw Hdf5Failure();
-  if (hdf5_checked(H5Tis_variable_str(type)) > 0) {
-    char* text = nullptr;
-    hdf5_checked(H5Aread(attribute, type, static_cast<void*>(&text)));
-    const std::string value = text == nullptr ? "" : text;
-    H5free_memory(text);
-    return value;
-  }
-  std::string value(H5Tget_size(type), '\0');
-  hdf5_checked(H5Aread(attribute, type, value.data()));
-  return value.substr(0, value.find('\0'));
-}
-
 }  // namespace
 
 void hdf5_add_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
@@ -43,9 +27,13 @@ void hdf5_add_attribute(hid_t object, const std::string& name, hid_t type, const
 }
 
 void hdf5_add_attribute(hid_t object, const std::string& name, const std::string& text) {
-  const Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose);
+  hdf5_add_attribute(object, name, hdf5_text_type(text), text.c_str());
+}
+
+Hdf5Id hdf5_text_type(const std::string& text) {
+  Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose);
   hdf5_checked(H5Tset_size(type, std::max<std::size_t>(text.size(), 1)));
-  hdf5_add_attribute(object, name, type, text.c_str());
+  return type;
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, const std::string& value) {
@@ -65,8 +53,11 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
 }
 
 std::string Hdf5File::text_attribute(const std::string& object, const std::string& name) const {
-  return attempt(object, "has no text attribute " + name,
-                 [&] { return read_text(single(handle_->object(object), name)); });
+  return attempt(object, "has no text attribute " + name, [&] {
+    const Hdf5Id attribute = single(handle_->object(object), name);
+    return hdf5_read_text(Hdf5Id(H5Aget_type(attribute), H5Tclose),
+                          [&](hid_t type, void* to) { return H5Aread(attribute, type, to); });
+  });
 }
 
 double Hdf5File::number_attribute(const std::string& object, const std::string& name) const {

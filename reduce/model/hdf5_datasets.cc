@@ -88,6 +88,27 @@ void Hdf5File::write(const std::string& name, const Eigen::MatrixXcd& matrix, co
   attempt(name, unwritable, [&] { handle_->write(name, complex_type(), shape, transposed.data(), unit); });
 }
 
+void Hdf5File::write_text(const std::string& name, const std::string& text) {
+  attempt(name, unwritable, [&] { handle_->write(name, hdf5_text_type(text), {}, text.c_str(), "text"); });
+}
+
+bool Hdf5File::has_text(const std::string& name) const {
+  const std::filesystem::path path(name);
+  return exists(name) || has_attribute(path.parent_path().string(), path.filename().string());
+}
+
+std::string Hdf5File::read_text(const std::string& name) const {
+  const std::filesystem::path path(name);
+  if (!exists(name)) return text_attribute(path.parent_path().string(), path.filename().string());
+  return attempt(name, "can't be read as a text", [&] {
+    const Hdf5Id set = handle_->dataset(name);
+    const Hdf5Id text(H5Dget_type(set), H5Tclose);
+    if (affordable_count(extents_of(set), H5Tget_size(text)) != 1) throw Hdf5Failure();
+    return hdf5_read_text(
+        text, [&](hid_t type, void* to) { return H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to); });
+  });
+}
+
 Array<double> Hdf5File::read_array(const std::string& name) const {
   if (!exists(name)) fail(name, "is missing");
   Array<double> array;

@@ -42,6 +42,12 @@ class Hdf5File {
   int integer_attribute(const std::string& object, const std::string& name) const;
   bool has_attribute(const std::string& object, const std::string& name) const;
 
+  /// A text of any length, as a dataset: an attribute holds 64 KB.
+  void write_text(const std::string& name, const std::string& text);
+  /// A text that write_text() wrote, or, in older files, the attribute of that name of its group.
+  std::string read_text(const std::string& name) const;
+  bool has_text(const std::string& name) const;
+
   /// Every dataset carries its unit ("m", "N", "1") as the attribute `unit`.
   void write(const std::string& name, const Eigen::MatrixXd& matrix, const std::string& unit);
   void write(const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit);

@@ -72,6 +72,23 @@ std::string hdf5_shape_text(const Hdf5Shape& shape);
 /// Of an object that hasn't it yet: one value, or one text.
 void hdf5_add_attribute(hid_t object, const std::string& name, hid_t type, const void* value);
 void hdf5_add_attribute(hid_t object, const std::string& name, const std::string& text);
+/// The type of a text of fixed length.
+Hdf5Id hdf5_text_type(const std::string& text);
+/// A text of that type, of fixed or variable length, as far as the first zero byte; `read(type, buffer)` reads it.
+template <class Read>
+std::string hdf5_read_text(hid_t type, const Read& read) {
+  if (H5Tget_class(type) != H5T_STRING) throw Hdf5Failure();
+  if (hdf5_checked(H5Tis_variable_str(type)) > 0) {
+    char* text = nullptr;
+    hdf5_checked(read(type, static_cast<void*>(&text)));
+    const std::string value = text == nullptr ? "" : text;
+    H5free_memory(text);
+    return value;
+  }
+  std::string value(H5Tget_size(type), '\0');
+  hdf5_checked(read(type, static_cast<void*>(value.data())));
+  return value.substr(0, value.find('\0'));
+}
 
 struct Hdf5File::Handle {
   Hdf5Id file;

@@ -136,7 +136,7 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   file.set_attribute("/", "speed_max", model.speed_max);
   file.set_attribute("/", "modes_at_speed", model.modes_at_speed);
   file.set_attribute("/", "prestress", model.prestress);
-  file.set_attribute("/", "provenance", model.provenance);
+  file.write_text("/provenance", model.provenance);
   file.set_attribute("/", "digest", digest(model));
   file.write("/contact/position", Eigen::MatrixXd(model.contact.position), position_unit);
   file.write("/contact/normal", Eigen::MatrixXd(model.contact.normal), "1");
@@ -167,7 +167,7 @@ ReducedModel read_model(const std::filesystem::path& path) {
   model.speed_max = file.number_attribute("/", "speed_max");
   if (file.has_attribute("/", "modes_at_speed")) model.modes_at_speed = file.integer_attribute("/", "modes_at_speed");
   model.prestress = file.has_attribute("/", "prestress") ? file.text_attribute("/", "prestress") : "given";
-  if (file.has_attribute("/", "provenance")) model.provenance = file.text_attribute("/", "provenance");
+  if (file.has_text("/provenance")) model.provenance = file.read_text("/provenance");
   if (model.sector_count < 1) throw RunError(file.path() + ": sector_count must be at least 1");
   model.contact = read_contact_line(file);
   for (int n = 0; n <= model.nodal_diameter_max(); ++n)

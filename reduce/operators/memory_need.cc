@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/operators/memory_need.h"
 
+#include <cblas.h>
 #include <cholmod.h>
-#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "cases/program/available_memory.h"
 #include "cases/program/errors.h"
 
 namespace tiprub {
@@ -76,34 +78,11 @@ double factor_entries(Graph& graph) {
   return entries;
 }
 
-/// The first number of a file, or the fallback if there is none ("max" in a control group's file is none).
-double number_in(const std::filesystem::path& path, double fallback) {
-  std::ifstream file(path);
-  double value = 0;
-  return file >> value ? value : fallback;
-}
-
-double system_memory(const std::filesystem::path& root) {
-  std::ifstream file(root / "proc/meminfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.rfind("MemAvailable:", 0) == 0) return std::stod(line.substr(line.find(':') + 1)) * bytes_per_kib;
-  return unlimited;
-}
-
-double control_group_memory(const std::filesystem::path& root) {
-  const std::filesystem::path group = root / "sys/fs/cgroup";
-  const double second = number_in(group / "memory.max", unlimited) - number_in(group / "memory.current", 0);
-  const double first = number_in(group / "memory/memory.limit_in_bytes", unlimited) -
-                       number_in(group / "memory/memory.usage_in_bytes", 0);
-  return std::min(first, second);
-}
-
-double resource_limit() {
-  double least = unlimited;
-  for (const auto resource : {RLIMIT_AS, RLIMIT_DATA})
-    if (rlimit limit{}; getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-      least = std::min(least, static_cast<double>(limit.rlim_cur));
-  return least;
+/// The BLAS has a buffer for each of its threads and for each of ours that calls it; malloc has an arena for each.
+double mapped_by_threads(int threads) {
+  constexpr double blas_buffer = 128, stack_and_arena = 8 + 64;  // [MiB]
+  return bytes_per_kib * bytes_per_kib *
+         (threads * blas_buffer + (threads - 1) * (blas_buffer + 2 * stack_and_arena));
 }
 
 std::string gib(double bytes) {
@@ -120,6 +99,7 @@ MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Hol
   const double diameters = highest_diameter + 1, at_once = std::min<double>(held.threads, diameters);
   const double interface = dofs.interface(), kept = dofs.face + dofs.boundary(), independent = dofs.independent();
   MemoryNeed need;
+  need.threads = mapped_by_threads(held.threads);
   // Besides those that are held, each thread makes one of its own.
   const double sparse_matrices = other_matrices + held.stiffnesses + at_once;
   need.matrices = program_bytes +
@@ -132,16 +112,28 @@ MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Hol
   return need;
 }
 
-double available_memory(const std::filesystem::path& root) {
-  return std::min({system_memory(root), control_group_memory(root), resource_limit()});
+void require_memory(const MemoryNeed& need, double available, double mappable) {
+  const bool fits = need.total() <= available;
+  if (fits && need.total() + need.threads <= mappable) return;
+  const std::string parts =
+      "factor " + gib(need.factor) + ", bases " + gib(need.bases) + ", matrices " + gib(need.matrices);
+  throw RunError("not enough memory: about " +
+                 (fits ? gib(need.total() + need.threads) + " are needed (" + parts + ", threads " +
+                             gib(need.threads) + "), " + gib(mappable) + " are available under ulimit"
+                       : gib(need.total()) + " are needed (" + parts + "), " + gib(available) + " are available") +
+                 "; coarsen the mesh, ask for fewer fixed_interface_modes or threads, or take a larger machine");
 }
 
-void require_memory(const MemoryNeed& need, double available) {
-  if (need.total() <= available) return;
-  throw RunError(
-      "not enough memory: about " + gib(need.total()) + " are needed (factor " + gib(need.factor) + ", bases " +
-      gib(need.bases) + ", matrices " + gib(need.matrices) + "), " + gib(available) +
-      " are available; coarsen the mesh, ask for fewer fixed_interface_modes or threads, or take a larger machine");
+void start_threads(const MemoryNeed& need, int threads) {
+  require_memory(need, available_memory(), mappable_memory());
+  openblas_set_num_threads(threads);
+}
+
+void leave_idle_blas_threads(char** argv) {
+  constexpr const char* setting = "OPENBLAS_NUM_THREADS";
+  if (std::getenv(setting) != nullptr || std::isinf(mappable_memory())) return;
+  setenv(setting, "1", 1);
+  execv("/proc/self/exe", argv);
 }
 
 }  // namespace tiprub

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
-
 #include "reduce/sector/sector_dofs.h"
 #include "reduce/sector/sector_mesh.h"
 
@@ -21,6 +19,7 @@ struct MemoryNeed {
   double factor = 0;    ///< L of each speed, its interface part, and a nodal diameter's dense factors
   double bases = 0;     ///< vectors of the nodal diameters at work, and those on their way through a factor
   double matrices = 0;  ///< sparse K and M, the shape functions at the Gauss points, and the program itself
+  double threads = 0;   ///< that they map, their stacks and the BLAS's buffers, most of which is never touched
 
   double total() const { return factor + bases + matrices; }
 };
@@ -30,11 +29,16 @@ struct MemoryNeed {
 /// factorization.
 MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Holdings& held);
 
-/// [bytes] MemAvailable of /proc/meminfo, or less if a control group (versions 1 and 2) or a resource limit of this
-/// process (ulimit -d, -v) leaves less. Unlimited if nothing is known. `root` is where /proc and /sys are.
-double available_memory(const std::filesystem::path& root = "/");
+/// Raises RunError with both numbers if the need is more than what is available, or with its threads more than what
+/// may be mapped.
+void require_memory(const MemoryNeed& need, double available, double mappable);
 
-/// Raises RunError with both numbers if the need is more than what there is.
-void require_memory(const MemoryNeed& need, double available);
+/// Requires the memory that the work will take, and starts the BLAS's threads. OpenBLAS tries for ever to map a
+/// buffer that a limit leaves no room for: nothing may call it before.
+void start_threads(const MemoryNeed& need, int threads);
+
+/// OpenBLAS starts a thread a processor, with its buffer, as it is loaded. Where memory is limited, this runs the
+/// program again without them; returns if there is nothing to do. The first step of a main.
+void leave_idle_blas_threads(char** argv);
 
 }  // namespace tiprub

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/sector/brick_quadrature.h"
 
+#include <deal.II/base/multithread_info.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
@@ -11,7 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <sstream>
+#include <memory>
 
 #include "cases/program/errors.h"
 
@@ -40,10 +41,10 @@ std::array<int, size> sorted(std::array<int, size> key) {
 
 /// Two cells that share an edge or a face must name the same node in its middle.
 template <class Key>
-void note(std::map<Key, int>& middle, const Key& corners_of, int node) {
+void note(std::map<Key, int>& middle, const Key& corners_of, int node, const SectorMesh& mesh) {
   if (middle.try_emplace(corners_of, node).first->second != node)
-    throw InputError("the cells of the sector don't make a mesh: neighbours disagree about mid-side node " +
-                     std::to_string(node) + "; re-mesh, or merge double nodes");
+    throw InputError(mesh.file + ": the cells don't make a mesh: neighbours disagree about the mid-side node at " +
+                     mesh.place_of(node) + "; re-mesh, or merge double nodes");
 }
 
 /// Weights of the face centres (rows 0..5) and the cell centre (row 6) over 8 corners and 12 mid-sides, deal.II's
@@ -61,19 +62,22 @@ Eigen::MatrixXd serendipity_weights() {
 
 /// deal.II's view of a sector.
 struct DealIISector {
-  explicit DealIISector(const SectorMesh& mesh);
+  explicit DealIISector(const SectorMesh& sector);
+  [[noreturn]] void refuse(int cell, const dealii::Point<3>& at) const;
   BrickPoints points_of(int cell);
+  void require_upright(int cell);
 
-  void number_midside_nodes(const SectorMesh& mesh);
-  void build_triangulation(const SectorMesh& mesh);
+  void number_midside_nodes();
+  void build_triangulation();
   std::vector<int> nodes_of(const Cell& cell) const;
-  std::vector<dealii::Point<3>> support_points(const SectorMesh& mesh, const Cell& cell) const;
+  std::vector<dealii::Point<3>> support_points(const Cell& cell) const;
 
+  const SectorMesh& mesh;
   dealii::Triangulation<3> triangulation;
   dealii::MappingQCache<3> mapping{2};
   dealii::FE_Q<3> element{2};
   dealii::QGauss<3> quadrature{3};
-  std::unique_ptr<dealii::FEValues<3>> values;
+  std::unique_ptr<dealii::FEValues<3>> values, values_at_nodes;
   std::vector<Cell> cells;
   int nodes_per_cell;
   Eigen::MatrixXd combine;       ///< nodes of the brick x 27 shape functions of deal.II
@@ -83,33 +87,37 @@ struct DealIISector {
   std::vector<int> centre_node;
 };
 
-DealIISector::DealIISector(const SectorMesh& mesh) : nodes_per_cell(mesh.nodes_per_cell()) {
-  number_midside_nodes(mesh);
-  build_triangulation(mesh);
-  mapping.initialize(triangulation, [&](const Cell& cell) { return support_points(mesh, cell); });
+DealIISector::DealIISector(const SectorMesh& sector) : mesh(sector), nodes_per_cell(mesh.nodes_per_cell()) {
+  dealii::MultithreadInfo::set_thread_limit(1);  // its pool of threads would come beside ours
+  number_midside_nodes();
+  build_triangulation();
+  mapping.initialize(triangulation, [&](const Cell& cell) { return support_points(cell); });
   values = std::make_unique<dealii::FEValues<3>>(mapping, element, quadrature,
                                                  dealii::update_values | dealii::update_gradients |
                                                      dealii::update_JxW_values | dealii::update_quadrature_points);
+  values_at_nodes = std::make_unique<dealii::FEValues<3>>(
+      mapping, element, dealii::Quadrature<3>(element.get_unit_support_points()),
+      dealii::update_jacobians | dealii::update_quadrature_points);
   combine = Eigen::MatrixXd::Identity(nodes_per_cell, lagrange_nodes);
   if (nodes_per_cell == serendipity_nodes) combine.rightCols(faces + 1) = serendipity_weights().transpose();
 }
 
-void DealIISector::number_midside_nodes(const SectorMesh& mesh) {
+void DealIISector::number_midside_nodes() {
   for (Eigen::Index cell = 0; cell < mesh.cells.cols(); ++cell) {
     const auto nodes = mesh.cells.col(cell);
     for (int e = 0; e < edges; ++e)
-      note(edge_node, sorted<2>({nodes[gmsh_edge[e][0]], nodes[gmsh_edge[e][1]]}), nodes[corners + e]);
+      note(edge_node, sorted<2>({nodes[gmsh_edge[e][0]], nodes[gmsh_edge[e][1]]}), nodes[corners + e], mesh);
     if (nodes_per_cell != lagrange_nodes) continue;
     for (int f = 0; f < faces; ++f) {
       const auto& at = gmsh_face[f];
       note(face_node, sorted<4>({nodes[at[0]], nodes[at[1]], nodes[at[2]], nodes[at[3]]}),
-           nodes[serendipity_nodes + f]);
+           nodes[serendipity_nodes + f], mesh);
     }
     centre_node.push_back(nodes[lagrange_nodes - 1]);
   }
 }
 
-void DealIISector::build_triangulation(const SectorMesh& mesh) {
+void DealIISector::build_triangulation() {
   std::vector<int> vertex_of(mesh.node_count(), -1);
   std::vector<dealii::Point<3>> vertices;
   std::vector<dealii::CellData<3>> data(mesh.cell_count());
@@ -145,7 +153,7 @@ std::vector<int> DealIISector::nodes_of(const Cell& cell) const {
   return nodes;
 }
 
-std::vector<dealii::Point<3>> DealIISector::support_points(const SectorMesh& mesh, const Cell& cell) const {
+std::vector<dealii::Point<3>> DealIISector::support_points(const Cell& cell) const {
   Eigen::Matrix3Xd positions(3, lagrange_nodes);
   const std::vector<int> nodes = nodes_of(cell);
   for (int i = 0; i < nodes_per_cell; ++i) positions.col(i) = mesh.nodes.col(nodes[i]);
@@ -156,16 +164,31 @@ std::vector<dealii::Point<3>> DealIISector::support_points(const SectorMesh& mes
   return points_of_cell;
 }
 
+void DealIISector::refuse(int cell, const dealii::Point<3>& at) const {
+  throw InputError(mesh.file + ": " + mesh.name_of_cell(cell) + " is inverted or flat near " +
+                   place_text({at[0], at[1], at[2]}) + "; re-mesh");
+}
+
+/// At its nodes (and where a 20-node brick has none, in the middles of its faces): a cell may be upright at all Gauss
+/// points and turned inside out at a corner. The determinant counts over the lengths of the three edges there.
+void DealIISector::require_upright(int cell) {
+  constexpr double least = 1e-6;
+  values_at_nodes->reinit(cells[cell]);
+  for (unsigned int q = 0; q < values_at_nodes->n_quadrature_points; ++q) {
+    Eigen::Matrix3d jacobian;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) jacobian(i, j) = values_at_nodes->jacobian(q)[i][j];
+    if (!(jacobian.determinant() > least * jacobian.colwise().norm().prod()))
+      refuse(cell, values_at_nodes->quadrature_point(q));
+  }
+}
+
 BrickPoints DealIISector::points_of(int cell) {
-  const auto refuse = [&] {
-    std::ostringstream where;
-    where << cells[cell]->center();
-    throw InputError("cell " + std::to_string(cell) + " near x y z = " + where.str() + " m is inverted; re-mesh");
-  };
+  require_upright(cell);
   try {
     values->reinit(cells[cell]);
   } catch (const dealii::ExceptionBase&) {  // negative Jacobian
-    refuse();
+    refuse(cell, cells[cell]->center());
   }
   const int count = static_cast<int>(values->n_quadrature_points);
   BrickPoints points;
@@ -183,7 +206,7 @@ BrickPoints DealIISector::points_of(int cell) {
     points.gradient[q] = combine * gradient;
     points.weight[q] = values->JxW(q);
     for (int d = 0; d < 3; ++d) points.position(d, q) = values->quadrature_point(q)[d];
-    if (!(points.weight[q] > 0)) refuse();
+    if (!(points.weight[q] > 0)) refuse(cell, values->quadrature_point(q));
   }
   points.shape = combine * shape;
   return points;
@@ -197,9 +220,9 @@ BrickQuadrature::BrickQuadrature(const SectorMesh& mesh) {
     cells_.reserve(mesh.cell_count());
     for (int cell = 0; cell < mesh.cell_count(); ++cell) cells_.push_back(sector.points_of(cell));
   } catch (const dealii::ExceptionBase& error) {
-    throw InputError(std::string("the cells of the sector don't make a mesh: deal.II's ") + error.get_exc_name());
+    throw InputError(mesh.file + ": the cells don't make a mesh: deal.II's " + error.get_exc_name());
   } catch (const std::out_of_range&) {
-    throw InputError("the cells of the sector don't make a mesh: neighbours disagree about a mid-side node");
+    throw InputError(mesh.file + ": the cells don't make a mesh: neighbours disagree about a mid-side node");
   }
 }
 

@@ -24,7 +24,8 @@ struct BrickPoints {
 /// for the geometry as for the displacement; 3 x 3 x 3 Gauss points integrate both in full (CalculiX's C3D20).
 class BrickQuadrature {
  public:
-  /// Raises InputError if a cell is inverted, with its number and place, or if the cells don't make a mesh.
+  /// Raises InputError if a cell is inverted at a Gauss point or at a node, with its number, part and place, or if
+  /// the cells don't make a mesh.
   explicit BrickQuadrature(const SectorMesh& mesh);
 
   int cell_count() const { return static_cast<int>(cells_.size()); }

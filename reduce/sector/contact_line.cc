@@ -48,10 +48,29 @@ Eigen::Vector2d outward(const SectorMesh& mesh, int node) {
 
 }  // namespace
 
+void require_one_way(const SectorMesh& mesh) {
+  const std::vector<int>& line = mesh.contact_line;
+  const auto step_to = [&](std::size_t k) -> Eigen::Vector2d {
+    return meridional(mesh.nodes.col(line[k])) - meridional(mesh.nodes.col(line[k - 1]));
+  };
+  const auto refuse = [&](std::size_t k, const std::string& what) {
+    throw InputError(
+        mesh.file + ": the line \"contact\" " + what + " at its point " + std::to_string(k + 1) + " of " +
+        std::to_string(line.size()) + ", " + mesh.place_of(line[k]) +
+        "; it must run once from leading to trailing edge: put its points, or its curves, in that order");
+  };
+  constexpr double least_step = 1e-9;  // of the radius
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    if (step_to(k).norm() <= least_step * meridional(mesh.nodes.col(line[k]))[0])
+      refuse(k, "has two points at the same radius and z");
+    if (k > 1 && step_to(k).dot(step_to(k - 1)) <= 0) refuse(k - 1, "turns back");
+  }
+}
+
 std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count) {
   const std::vector<int>& line = mesh.contact_line;
   if (static_cast<int>(line.size()) < count)
-    throw InputError("the curve \"contact\" has " + std::to_string(line.size()) +
+    throw InputError(mesh.file + ": the line \"contact\" has " + std::to_string(line.size()) +
                      " nodes, [reduce] contact_nodes = " + std::to_string(count) +
                      " asks for more; ask for fewer, or refine the mesh along the blade");
   if (count == 1) return {line.front()};

@@ -8,6 +8,11 @@
 
 namespace tiprub {
 
+/// Raises InputError where the contact line stands still or turns back in the meridional plane, and names the place:
+/// then its points are out of order, or its curves are directed against each other. The casing, a surface of
+/// revolution about the line, would fold there.
+void require_one_way(const SectorMesh& mesh);
+
 /// `count` nodes of the mesh's contact line, the ends and those nearest to equal steps of arc length between them;
 /// the defaults follow the paper's ten. Raises InputError if the line has fewer.
 std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count);

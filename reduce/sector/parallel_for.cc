@@ -5,35 +5,38 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
-#include <vector>
+
+#include "cases/program/work_together.h"
 
 namespace tiprub {
 
+namespace {
+
+/// While it lives.
+class OneBlasThread {
+ public:
+  OneBlasThread() { openblas_set_num_threads(1); }
+  OneBlasThread(const OneBlasThread&) = delete;
+  OneBlasThread& operator=(const OneBlasThread&) = delete;
+  ~OneBlasThread() { openblas_set_num_threads(before_); }
+
+ private:
+  int before_ = openblas_get_num_threads();
+};
+
+}  // namespace
+
 void parallel_for(int count, int threads, const std::function<void(int)>& body) {
-  const int blas_threads = openblas_get_num_threads();
-  openblas_set_num_threads(1);
+  const OneBlasThread one_each;
   std::atomic<int> next = 0;
-  std::exception_ptr failure;
-  std::mutex failing;
-  const auto work = [&] {
+  work_together(std::min(threads, count), [&] {
     for (int i = next++; i < count; i = next++) try {
         body(i);
       } catch (...) {
-        const std::lock_guard lock(failing);
-        if (!failure) failure = std::current_exception();
-        next = count;
+        next = count;  // the others need not go on
+        throw;
       }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (int t = 1; t < std::min(threads, count); ++t) others.emplace_back(work);
-    work();
-  }
-  openblas_set_num_threads(blas_threads);
-  if (failure) std::rethrow_exception(failure);
+  });
 }
 
 }  // namespace tiprub

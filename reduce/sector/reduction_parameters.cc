@@ -13,10 +13,10 @@ std::string name_of(Prestress prestress) {
 
 ReductionParameters read_reduction_parameters(CaseTable& table) {
   ReductionParameters p;
-  p.material.young = table.number("young_modulus", std::nullopt, Range::positive(), "Pa");
+  p.material.young = table.number("young_modulus", std::nullopt, Range::between(1.0, 1e15), "Pa");
   p.material.poisson = table.number("poisson_ratio", std::nullopt, Range::between(0.0, 0.49), "1");
-  p.material.density = table.number("density", std::nullopt, Range::positive(), "kg/m^3");
-  p.speed_max = table.number("speed_max_rpm", std::nullopt, Range::positive(), "rpm") * rad_s_per_rpm;
+  p.material.density = table.number("density", std::nullopt, Range::between(1e-3, 1e6), "kg/m^3");
+  p.speed_max = table.number("speed_max_rpm", std::nullopt, Range::between(1e-3, 1e8), "rpm") * rad_s_per_rpm;
   p.prestress = table.choice<Prestress>(
       "prestress", Prestress::linear,
       {{"linear", Prestress::linear}, {"stress_only", Prestress::stress_only}, {"nonlinear", Prestress::nonlinear}});
@@ -40,7 +40,8 @@ ReductionParameters read_reduction_parameters(CaseTable& table) {
     table.reject("verification_speeds", "must increase");
   p.verification_tolerance =
       table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded}, "of omega^2, estimated");
-  p.cyclic_tolerance = table.number("cyclic_tolerance", 1e-6, Range::positive(), "of the largest radius");
+  p.cyclic_tolerance =
+      table.number("cyclic_tolerance", 1e-6, {0.0, 0.01, Range::LowEnd::excluded}, "of the largest radius");
   p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");
   table.close();
   return p;

@@ -21,14 +21,15 @@ std::vector<Place> place_nodes(const SectorMesh& mesh, const std::vector<int>& c
   for (const int node : mesh.cyclic_high) places[node] = Place::high;
   for (const int node : contact) {
     if (places[node] != Place::interior)
-      throw InputError("contact node " + std::to_string(node) +
+      throw InputError(mesh.file + ": the contact node at " + mesh.place_of(node) +
                        " lies on a cyclic face; a contact node must be inside the sector");
     places[node] = Place::contact;
   }
   // What is clamped stays clamped, also on the cut faces; its partner goes with it.
   for (const int node : mesh.clamped) {
     if (places[node] == Place::contact)
-      throw InputError("contact node " + std::to_string(node) + " is clamped; a contact node must be free");
+      throw InputError(mesh.file + ": the contact node at " + mesh.place_of(node) +
+                       " is clamped; a contact node must be free");
     places[node] = Place::clamped;
   }
   for (std::size_t k = 0; k < mesh.cyclic_low.size(); ++k)
@@ -81,7 +82,8 @@ SectorDofs number_dofs(const SectorMesh& mesh, const std::vector<int>& contact) 
   int next = 0;
   const auto number = [&](int node) {
     if (mesh.nodes.col(node).head<2>().norm() == 0.0)
-      throw InputError("node " + std::to_string(node) + " lies on the axis and is free; clamp it, or bore the wheel");
+      throw InputError(mesh.file + ": the node at " + mesh.place_of(node) +
+                       " lies on the axis and is free; clamp it, or bore the wheel");
     dofs.first[node] = next;
     next += 3;
   };

@@ -28,7 +28,7 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.set_attribute("/", "sector_count", scene.sector_count);
   file.set_attribute("/", "independent_sectors", scene.independent_sectors);
   file.set_attribute("/", "model_digest", scene.model_digest);
-  file.set_attribute("/", "provenance", scene.provenance);
+  file.write_text("/provenance", scene.provenance);
   file.set_attribute("/", "scope", scene.scope);
   file.write("/nodal_diameters",
              Array<std::int32_t>{{scene.nodal_diameters.size()},
@@ -48,7 +48,7 @@ SimulatedScene read_scene(const Hdf5File& file) {
   scene.sector_count = file.integer_attribute("/", "sector_count");
   scene.independent_sectors = file.integer_attribute("/", "independent_sectors");
   scene.model_digest = file.text_attribute("/", "model_digest");
-  scene.provenance = file.text_attribute("/", "provenance");
+  scene.provenance = file.read_text("/provenance");
   scene.scope = file.text_attribute("/", "scope");
   const Array<std::int32_t> moving = file.read_integers("/nodal_diameters");
   scene.nodal_diameters.assign(moving.values.begin(), moving.values.end());

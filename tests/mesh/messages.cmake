@@ -24,4 +24,6 @@ expect_message(crossing_thickness KEY thickness_root LINE "thickness_root = [[0.
 expect_message(odd_passage KEY elements_between_blades LINE "elements_between_blades = 3" EXIT_CODE 2 ERRORS "must be even")
 expect_message(inverted_element KEY back_profile LINE "back_profile = [[0.028, 0.092], [0.09, 0.04], [0.122, 0.0705]]"
                EXIT_CODE 2 ERRORS "inverted element in the disc, at" "look at [mesh] back_profile")
+expect_message(two_runs_on_one_output PROGRAM flock .sector.msh.lock $<TARGET_FILE:tiprub-mesh> EXIT_CODE 1
+               ERRORS "sector.msh: another process is writing it; wait for that, or give another -o" WRITES .sector.msh.lock)
 expect_message(no_folder ARGUMENTS -q case.toml -o no_such_folder/sector.msh EXIT_CODE 1 ERRORS "can't be written: no folder")

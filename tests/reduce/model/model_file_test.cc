@@ -89,6 +89,28 @@ TEST_F(ModelFile, RoundTripsBitForBit) {
   expect_same(read_model(path()), some_model());
 }
 
+/// An attribute holds 64 KB: a case with a long table lost the reduction that it had taken.
+TEST_F(ModelFile, CarriesACaseOfAnyLength) {
+  ReducedModel model = some_model();
+  model.provenance = std::string(300000, 'x') + "end";
+  write_model(model, path(), "test");
+  EXPECT_TRUE(read_model(path()).provenance == model.provenance);
+}
+
+TEST_F(ModelFile, ReadsTheCaseOfOlderFilesAndNone) {
+  {
+    Hdf5File file = Hdf5File::create(path());
+    write_one_mass(file);
+    file.set_attribute("/", "provenance", std::string("an older case"));
+  }
+  EXPECT_EQ(read_model(path()).provenance, "an older case");
+  {
+    Hdf5File file = Hdf5File::create(path());
+    write_one_mass(file);
+  }
+  EXPECT_EQ(read_model(path()).provenance, "");
+}
+
 TEST_F(ModelFile, SameModelSameBytes) {
   write_model(some_model(), path("a.h5"), "test");
   sleep(1);  // a time in the file would show

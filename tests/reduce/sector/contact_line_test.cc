@@ -114,8 +114,28 @@ TEST(ContactLine, ASingleNodeIsTheLeadingEdge) {
 TEST(ContactLine, RefusesMoreNodesThanTheLineHas) {
   const SectorMesh mesh = quarter_circle_blade(4);
   EXPECT_EQ(test::complaint<InputError>([&] { choose_contact_nodes(mesh, 10); }),
-            "the curve \"contact\" has 9 nodes, [reduce] contact_nodes = 10 asks for more; ask for fewer, or refine "
+            "the sector: the line \"contact\" has 9 nodes, [reduce] contact_nodes = 10 asks for more; ask for fewer, "
+            "or refine "
             "the mesh along the blade");
+}
+
+TEST(ContactLine, MayBendButNotTurnBackOrStandStill) {
+  // Points out of order, with arc lengths of more than the whole tip, were accepted.
+  SectorMesh mesh = quarter_circle_blade(4);
+  EXPECT_NO_THROW(require_one_way(mesh));
+  std::swap(mesh.contact_line[3], mesh.contact_line[6]);
+  const std::string message = test::complaint<InputError>([&] { require_one_way(mesh); });
+  EXPECT_EQ(message.rfind("the sector: the line \"contact\" turns back at its point 4 of 9, " +
+                              mesh.place_of(mesh.contact_line[3]) + "; it must run once",
+                          0),
+            0u)
+      << message;
+  mesh = quarter_circle_blade(4);
+  mesh.contact_line = {mesh.contact_line[4], mesh.contact_line[0], mesh.contact_line[8]};
+  EXPECT_NE(test::complaint<InputError>([&] { require_one_way(mesh); }), "");
+  mesh.contact_line = {mesh.contact_line[0], mesh.contact_line[0]};
+  EXPECT_NE(test::complaint<InputError>([&] { require_one_way(mesh); }).find("the same radius and z at its point 2"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(SectorDofs, RefusesContactOnACutFace) {
   const SectorMesh mesh = Annulus().sector();
   for (const int node : {mesh.cyclic_low.back(), mesh.cyclic_high.back()}) {
     const std::string message = complaint<InputError>([&] { number_dofs(mesh, {node}); });
-    EXPECT_EQ(message, "contact node " + std::to_string(node) +
+    EXPECT_EQ(message, "the sector: the contact node at " + mesh.place_of(node) +
                            " lies on a cyclic face; a contact node must be inside the sector");
   }
 }
@@ -89,7 +89,7 @@ TEST(SectorDofs, RefusesAClampedContactNode) {
   });
   ASSERT_NE(inside, mesh.clamped.end());
   EXPECT_EQ(complaint<InputError>([&] { number_dofs(mesh, {*inside}); }),
-            "contact node " + std::to_string(*inside) + " is clamped; a contact node must be free");
+            "the sector: the contact node at " + mesh.place_of(*inside) + " is clamped; a contact node must be free");
 }
 
 TEST(SectorDofs, RefusesAFreeNodeOnTheAxis) {
@@ -97,7 +97,8 @@ TEST(SectorDofs, RefusesAFreeNodeOnTheAxis) {
   const int node = mesh.contact_line.front();
   mesh.nodes.col(node).head<2>().setZero();
   EXPECT_EQ(complaint<InputError>([&] { number_dofs(mesh, {}); }),
-            "node " + std::to_string(node) + " lies on the axis and is free; clamp it, or bore the wheel");
+            "the sector: the node at " + mesh.place_of(node) +
+                " lies on the axis and is free; clamp it, or bore the wheel");
 }
 
 TEST(SectorDofs, CylindricalFramesTurnWithTheirPlace) {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "reduce/sector/sector_mesh.h"
+
+namespace tiprub {
+
+/// Finds N from the angle between the cut faces, and orders cyclic_high like cyclic_low. Partners may differ by
+/// `tolerance` over the largest radius. Raises InputError where they don't pair, and says whether they would with
+/// their names exchanged, or about another axis.
+void pair_cut_faces(SectorMesh& mesh, double tolerance);
+
+}  // namespace tiprub

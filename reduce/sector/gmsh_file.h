@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tiprub {
+
+/// Elements of one type in one named group, in the order of the file.
+struct GmshElements {
+  int dimension = 0;
+  std::string group;
+  int type = 0;                    ///< gmsh's number
+  std::vector<std::size_t> tags;   ///< one an element
+  std::vector<std::size_t> nodes;  ///< tags, the same number an element
+
+  std::size_t nodes_per_element() const { return nodes.size() / tags.size(); }
+};
+
+/// A mesh as it lies in a gmsh file: all nodes, and the elements of all named groups.
+struct GmshFile {
+  std::vector<std::size_t> node_tags;
+  std::vector<double> positions;  ///< [m] x, y, z of each node
+  std::vector<GmshElements> elements;
+
+  /// The elements of the groups of a name, each once: msh 2.2 repeats an element for each of its groups, and gmsh
+  /// takes the copies as elements of their own. Two with the same nodes are one; the first counts.
+  std::vector<GmshElements> group(int dimension, const std::string& name) const;
+};
+
+/// Reads a mesh in gmsh's format, version 2.2, 4.0 or 4.1, in text or binary. gmsh runs what is in its script
+/// language as commands, in the file or in "FILE.opt" beside it; only what begins as a mesh is given to it, under a
+/// name that leads to its mesh reader and has nothing beside it. It reads in a child process, because its counts are
+/// not checked by gmsh: one that is too small makes it write past its arrays, and to check all of them before would
+/// be another reader of all versions. Raises RunError if the file can't be opened, and InputError with gmsh's reason
+/// if it is no such mesh.
+GmshFile read_gmsh_file(const std::filesystem::path& path);
+
+}  // namespace tiprub

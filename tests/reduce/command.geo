@@ -1,0 +1,2 @@
+// What gmsh runs, if it is given this file.
+SystemCall "touch command_ran";

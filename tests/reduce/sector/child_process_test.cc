@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/sector/child_process.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <vector>
+
+#include "tests/reduce/complaint.h"
+
+namespace tiprub {
+namespace {
+
+constexpr double mib = 1024.0 * 1024;
+constexpr ChildLimits ample = {1024 * mib, 60};
+
+TEST(ChildProcess, GivesAllBytes) {
+  const std::string bytes(1 << 20, '\0');  // more than a pipe holds
+  EXPECT_EQ(made_by_a_child([&] { return bytes + "end"; }, ample), bytes + "end");
+}
+
+TEST(ChildProcess, RaisesWhatItsFunctionRaises) {
+  const auto wrong = [&]() -> std::string { throw InputError("wrong"); };
+  const auto failed = [&]() -> std::string { throw RunError("failed"); };
+  EXPECT_EQ(test::complaint<InputError>([&] { made_by_a_child(wrong, ample); }), "wrong");
+  EXPECT_EQ(test::complaint<RunError>([&] { made_by_a_child(failed, ample); }), "failed");
+}
+
+TEST(ChildProcess, DiesAlone) {
+  const auto crash = [&]() -> std::string {
+    raise(SIGKILL);
+    return "";
+  };
+  EXPECT_EQ(test::complaint<ChildDied>([&] { made_by_a_child(crash, ample); }), "Killed");
+}
+
+TEST(ChildProcess, MayTakeNoMoreThanItsLimits) {
+  const auto greedy = [&] { return std::to_string(std::vector<char>(1 << 30, 'x').back()); };
+  EXPECT_EQ(test::complaint<RunError>([&] { made_by_a_child(greedy, {64 * mib, 60}); }), "not enough memory");
+  const auto endless = [&]() -> std::string {
+    for (volatile bool forever = true; forever;) {
+    }
+    return "";
+  };
+  EXPECT_EQ(test::complaint<ChildDied>([&] {
+              made_by_a_child(endless, {1024 * mib, 1});
+            }),
+            "CPU time limit exceeded");
+}
+
+}  // namespace
+}  // namespace tiprub

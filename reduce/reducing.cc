@@ -72,17 +72,30 @@ Inputs read(const StageArguments& arguments) {
 class Outputs {
  public:
   Outputs(const StageArguments& arguments, const ReducingOptions& options) {
-    const bool reduces = options.calculix_folder.empty() && options.modes_file.empty();
-    if (reduces) locks_.emplace_back(arguments.output);
-    if (reduces && !options.fields_file.empty()) locks_.emplace_back(options.fields_file);
-    if (reduces && !options.matrix_market_folder.empty()) make_folder(options.matrix_market_folder);
-    if (!options.calculix_folder.empty())
+    if (!options.calculix_folder.empty()) {
       make_folder(options.calculix_folder);
-    else if (!options.modes_file.empty())
-      locks_.emplace_back(options.modes_file);
+    } else if (!options.modes_file.empty()) {
+      hold(options.modes_file, arguments.inputs);
+    } else {
+      std::vector<std::filesystem::path> taken = arguments.inputs;
+      hold(arguments.output, taken);
+      taken.push_back(arguments.output);
+      if (!options.fields_file.empty()) hold(options.fields_file, taken);
+      if (!options.matrix_market_folder.empty()) make_folder(options.matrix_market_folder);
+    }
   }
 
  private:
+  void hold(const std::filesystem::path& file, const std::vector<std::filesystem::path>& taken) {
+    const auto place = [](const std::filesystem::path& path) {
+      return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+    };
+    for (const std::filesystem::path& other : taken)
+      if (place(file) == place(other))
+        throw InputError(file.string() + ": would be written over " + other.string() +
+                         ", which this run reads or writes too; give it another name");
+    locks_.emplace_back(file);
+  }
   static void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
@@ -113,6 +126,7 @@ void find_modes(const StageArguments& arguments, const Inputs& inputs, const std
   write_linear_results(results, output.scratch(), program_version(program), inputs.provenance);
   output.commit();
   print(std::cout, results);
+  if (!std::cout.flush()) throw RunError("stdout: can't be written to its end; is the disk full?");
   tell(arguments, file + ": " + std::to_string(inputs.parameters.verification_modes) + " modes of " +
                       std::to_string(results.nodal_diameters.size()) + " nodal diameters at " +
                       std::to_string(results.speed_count()) + " speeds");

@@ -70,6 +70,11 @@ expect_message(file_for_a_folder ARGUMENTS case.toml sector.msh --export-matrix-
 
 expect_message(folder_not_writable ARGUMENTS case.toml sector.msh -o /proc/model.h5 KEY fixed_interface_modes LINE "fixed_interface_modes = 500"
                EXIT_CODE 1 ERRORS "/proc/model.h5: can't be written: ")
+expect_message(fields_over_the_model ARGUMENTS case.toml sector.msh -o x.h5 --fields ./x.h5 EXIT_CODE 2
+               ERRORS "./x.h5: would be written over x.h5, which this run reads or writes too; give it another name")
+expect_message(modes_over_the_case ARGUMENTS case.toml sector.msh --modes case.toml EXIT_CODE 2 ERRORS "case.toml: would be written over case.toml")
+expect_message(tables_onto_a_full_disk PROGRAM sh -c "exec \"$0\" \"$@\" >/dev/full" $<TARGET_FILE:tiprub-reduce>
+               ARGUMENTS case.toml sector.msh --modes modes.h5 EXIT_CODE 1 ERRORS "stdout: can't be written to its end" WRITES modes.h5)
 expect_message(two_runs_on_one_output PROGRAM flock .model.h5.lock $<TARGET_FILE:tiprub-reduce> ARGUMENTS case.toml sector.msh EXIT_CODE 1
                ERRORS "model.h5: another process is writing it; wait for that, or give another -o" WRITES .model.h5.lock)
 

@@ -9,6 +9,11 @@ namespace {
 
 constexpr const char* unit = "m in contact dofs";
 
+/// The model's dofs of a nodal diameter: as many in each state of each speed.
+std::string dofs_axis(int nodal_diameter) {
+  return "dofs of nodal diameter " + std::to_string(nodal_diameter);
+}
+
 std::string at(const std::string& states, int nodal_diameter) {
   return states + "/" + std::to_string(nodal_diameter);
 }
@@ -23,17 +28,17 @@ void write_snapshot(Hdf5File& file, const std::string& place, const RotorSnapsho
 }
 
 RotorSnapshot read_snapshot(const Hdf5File& file, const std::string& place, const SimulatedScene& scene,
-                            Eigen::Index samples) {
+                            NamedAxes& axes, Eigen::Index samples) {
   RotorSnapshot snapshot;
   snapshot.sample = file.integer_attribute(place, "sample");
   snapshot.force = file.number_attribute(place, "contact_force");
   if (snapshot.sample < 0 || snapshot.sample >= samples)
     throw RunError(file.path() + ": " + place + ": sample " + std::to_string(snapshot.sample) +
                    " is not one of the " + std::to_string(samples) + " recorded ones");
+  axes.set("instant", 1, "a snapshot is one");
   for (const int n : scene.nodal_diameters) {
-    const Eigen::MatrixXcd state = file.read_complex_matrix(at(place, n));
-    if (state.cols() != 1) throw RunError(file.path() + ": " + at(place, n) + " must have one column");
-    snapshot.displacement.emplace_back(state.col(0));
+    axes.require(at(place, n), {dofs_axis(n), "instant"});
+    snapshot.displacement.emplace_back(file.read_complex_matrix(at(place, n)).col(0));
   }
   return snapshot;
 }
@@ -44,17 +49,18 @@ void write_cycle(Hdf5File& file, const std::string& place, const RotorCycle& cyc
   file.set_attribute(place, "first_sample", cycle.first_sample);
 }
 
-RotorCycle read_cycle(const Hdf5File& file, const std::string& place, const SimulatedScene& scene,
+RotorCycle read_cycle(const Hdf5File& file, const std::string& place, const SimulatedScene& scene, NamedAxes& axes,
                       Eigen::Index samples) {
   RotorCycle cycle;
   cycle.first_sample = file.integer_attribute(place, "first_sample");
+  if (cycle.first_sample < 0 || cycle.first_sample >= samples)
+    throw RunError(file.path() + ": " + place + ": first_sample " + std::to_string(cycle.first_sample) +
+                   " is not one of the " + std::to_string(samples) + " recorded ones");
+  axes.set("samples of the cycle", static_cast<std::size_t>(samples - cycle.first_sample),
+           "from first_sample to the last recorded one");
   for (const int n : scene.nodal_diameters) {
+    axes.require(at(place, n), {dofs_axis(n), "samples of the cycle"});
     cycle.displacement.push_back(file.read_complex_matrix(at(place, n)));
-    const Eigen::Index columns = cycle.displacement.back().cols();
-    if (cycle.first_sample < 0 || columns == 0 || cycle.first_sample + columns != samples)
-      throw RunError(file.path() + ": " + at(place, n) + ": the samples from " + std::to_string(cycle.first_sample) +
-                     " on must have a column each, " + std::to_string(samples) + " were recorded and " +
-                     std::to_string(columns) + " columns are there");
   }
   return cycle;
 }
@@ -67,10 +73,11 @@ void write_kept_states(Hdf5File& file, const std::string& group, const SpeedResp
   if (speed.cycle) write_cycle(file, group + "/cycle", *speed.cycle, scene);
 }
 
-void read_kept_states(const Hdf5File& file, const std::string& group, const SimulatedScene& scene,
+void read_kept_states(const Hdf5File& file, const std::string& group, const SimulatedScene& scene, NamedAxes& axes,
                       Eigen::Index samples, SpeedResponse& speed) {
-  if (file.exists(group + "/snapshot")) speed.snapshot = read_snapshot(file, group + "/snapshot", scene, samples);
-  if (file.exists(group + "/cycle")) speed.cycle = read_cycle(file, group + "/cycle", scene, samples);
+  if (file.exists(group + "/snapshot"))
+    speed.snapshot = read_snapshot(file, group + "/snapshot", scene, axes, samples);
+  if (file.exists(group + "/cycle")) speed.cycle = read_cycle(file, group + "/cycle", scene, axes, samples);
 }
 
 }  // namespace tiprub

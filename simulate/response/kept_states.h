@@ -4,6 +4,7 @@
 #include <string>
 
 #include "reduce/model/hdf5_file.h"
+#include "simulate/response/named_axes.h"
 #include "simulate/response/response.h"
 
 namespace tiprub {
@@ -14,7 +15,7 @@ void write_kept_states(Hdf5File& file, const std::string& group, const SpeedResp
                        const SimulatedScene& scene);
 
 /// Raises RunError if they don't fit together or to the `samples` that were recorded.
-void read_kept_states(const Hdf5File& file, const std::string& group, const SimulatedScene& scene,
+void read_kept_states(const Hdf5File& file, const std::string& group, const SimulatedScene& scene, NamedAxes& axes,
                       Eigen::Index samples, SpeedResponse& speed);
 
 }  // namespace tiprub

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/response/response_file.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <utility>
 
 #include "reduce/model/hdf5_file.h"
+#include "simulate/response/named_axes.h"
 #include "simulate/response/sealed_file.h"
 #include "simulate/response/speed_group.h"
 
@@ -43,24 +47,56 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.set_attribute("/casing", "clearance_state", scene.clearance_state);
 }
 
-SimulatedScene read_scene(const Hdf5File& file) {
+/// Raises RunError with what the file must hold, unless it does.
+void require(bool holds, const Hdf5File& file, const std::string& must) {
+  if (!holds) throw RunError(file.path() + ": " + must);
+}
+
+template <class Values>
+bool increases(const Values& values) {
+  return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
+}
+
+void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
+  axes.require("/casing/angle", {"angles"});
+  axes.require("/casing/distortion", {"angles"});
+  axes.require("/casing/clearance", {nodes_axis});
+  scene.casing_angle = file.read_vector("/casing/angle");
+  scene.casing_distortion = file.read_vector("/casing/distortion");
+  scene.clearance = file.read_vector("/casing/clearance");
+  scene.lobes = file.integer_attribute("/casing", "lobes");
+  scene.clearance_state = file.text_attribute("/casing", "clearance_state");
+  constexpr double turn = 2 * std::numbers::pi, rounding = 1e-9;
+  const Eigen::VectorXd& angle = scene.casing_angle;
+  require(angle.size() > 1 && increases(angle) && angle[0] >= -rounding && angle.tail<1>()[0] <= turn + rounding,
+          file, "/casing/angle must increase within 0 .. 2 pi, 2 angles at least");
+  require(scene.lobes >= 1, file, "/casing: attribute lobes must be at least 1");
+  require(scene.clearance_state == "cold" || scene.clearance_state == "running", file,
+          "/casing: attribute clearance_state must be cold or running");
+}
+
+SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes) {
   SimulatedScene scene;
   scene.sector_count = file.integer_attribute("/", "sector_count");
   scene.independent_sectors = file.integer_attribute("/", "independent_sectors");
   scene.model_digest = file.text_attribute("/", "model_digest");
   scene.provenance = file.read_text("/provenance");
   scene.scope = file.text_attribute("/", "scope");
+  require(scene.independent_sectors >= 1 && scene.sector_count >= 1 &&
+              scene.sector_count % scene.independent_sectors == 0,
+          file, "independent_sectors must divide sector_count, both at least 1");
+  axes.set(sectors_axis, static_cast<std::size_t>(scene.independent_sectors), "independent_sectors");
+  axes.set(components_axis, 3, "r, theta, z");
+  axes.require("/nodal_diameters", {"nodal diameters"});
   const Array<std::int32_t> moving = file.read_integers("/nodal_diameters");
   scene.nodal_diameters.assign(moving.values.begin(), moving.values.end());
-  scene.casing_angle = file.read_vector("/casing/angle");
-  scene.casing_distortion = file.read_vector("/casing/distortion");
-  scene.clearance = file.read_vector("/casing/clearance");
-  scene.lobes = file.integer_attribute("/casing", "lobes");
+  require(increases(scene.nodal_diameters) && scene.nodal_diameters.front() >= 0 &&
+              scene.nodal_diameters.back() <= scene.sector_count / 2,
+          file, "/nodal_diameters must increase within 0 .. sector_count/2");
   if (file.has_attribute("/", "resolved_frequency"))
     scene.resolved_frequency = file.number_attribute("/", "resolved_frequency");
-  scene.clearance_state = file.text_attribute("/casing", "clearance_state");
-  if (scene.independent_sectors < 1 || scene.sector_count % scene.independent_sectors != 0)
-    throw RunError(file.path() + ": independent_sectors must divide sector_count");
+  require(scene.resolved_frequency > 0, file, "attribute resolved_frequency must be above 0");
+  read_casing(file, axes, scene);
   return scene;
 }
 
@@ -68,15 +104,17 @@ std::string frequencies_at(std::size_t nodal_diameter) {
   return frequency_group + "/nodal_diameter/" + std::to_string(nodal_diameter);
 }
 
-FrequencyTable read_frequencies(const Hdf5File& file) {
+FrequencyTable read_frequencies(const Hdf5File& file, int sector_count, NamedAxes& axes) {
   FrequencyTable table;
   if (!file.exists(frequency_group)) return table;
+  const std::string speeds = "speeds of the frequencies";
+  axes.require(frequency_group + "/speed", {speeds});
   table.speed = file.read_vector(frequency_group + "/speed");
-  for (std::size_t n = 0; file.exists(frequencies_at(n)); ++n) {
+  require(increases(table.speed) && table.speed[0] >= 0, file,
+          frequency_group + "/speed must increase from 0 or more");
+  for (std::size_t n = 0; n <= static_cast<std::size_t>(sector_count / 2); ++n) {
+    axes.require(frequencies_at(n), {speeds, "modes of nodal diameter " + std::to_string(n)});
     table.by_nodal_diameter.push_back(file.read_matrix(frequencies_at(n)));
-    if (table.by_nodal_diameter.back().rows() != table.speed.size())
-      throw RunError(file.path() + ": " + frequencies_at(n) + " must have a row for each of the " +
-                     std::to_string(table.speed.size()) + " speeds");
   }
   return table;
 }
@@ -170,13 +208,19 @@ Response read_response(const std::filesystem::path& path) {
     throw RunError(path.string() +
                    ": was damaged after it was written (its seal is broken); run tiprub-simulate again");
   const Hdf5File file = open_response(path);
+  NamedAxes axes(file);
   Response response;
   response.key = file.text_attribute("/", "key");
-  response.scene = read_scene(file);
-  response.frequencies = read_frequencies(file);
+  response.scene = read_scene(file, axes);
+  response.frequencies = read_frequencies(file, response.scene.sector_count, axes);
   if (!file.exists("/speed")) return response;
-  for (const std::string& name : file.members("/speed"))
-    response.speeds.push_back(read_speed_group(file, "/speed/" + name, response.scene));
+  for (const std::string& name : file.members("/speed")) {
+    const std::string group = "/speed/" + name;
+    SpeedResponse speed = read_speed_group(file, group, response.scene, axes);
+    require(response.speeds.empty() || speed.speed > response.speeds.back().speed, file,
+            group + ": attribute speed must be above that of the group before it");
+    response.speeds.push_back(std::move(speed));
+  }
   return response;
 }
 

@@ -33,7 +33,8 @@ class ResponseWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Raises RunError if the file is missing, damaged, of another schema, or its arrays don't fit together.
+/// Raises RunError if the file is missing, damaged, of another schema, its arrays don't fit together, or a number is
+/// out of its bounds.
 Response read_response(const std::filesystem::path& path);
 
 /// What add_end() wrote; at rest if there is none.

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <sstream>
 #include <type_traits>
 #include <utility>
 
@@ -73,43 +75,52 @@ auto value_named(const Names& names, const std::string& name, const std::string&
   throw RunError(where + " \"" + name + "\" is not known");
 }
 
-/// Every number of a speed with its name in the file: one list for the writer and the reader.
+/// What a number of a speed that did not fail may be; ends included.
+struct Bounds {
+  double low, high;
+};
+constexpr double beyond_counting = 9007199254740992.0;  // 2^53: up to there a double tells whole numbers apart
+constexpr Bounds any = {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+constexpr Bounds not_negative = {0, any.high}, not_positive = {any.low, 0}, share = {0, 1};
+constexpr Bounds whole = {0, beyond_counting}, at_least_one = {1, beyond_counting};
+
+/// Every number of a speed with its name in the file and its bounds: one list for the writer and the reader.
 template <class Speed, class Visit>
 void visit_numbers(Speed& speed, Visit visit) {
-  visit("steps_per_revolution", speed.steps_per_revolution);
-  visit("samples_per_revolution", speed.samples_per_revolution);
-  visit("recorded_revolutions", speed.recorded_revolutions);
-  visit("revolutions", speed.revolutions);
-  visit("amplitude", speed.amplitude);
-  visit("period_revolutions", speed.period_revolutions);
-  visit("period_beats", speed.period_beats);
-  visit("off_beat_energy", speed.off_beat_energy);
-  visit("chatter", speed.chatter);
-  visit("chatter_node", speed.chatter_node);
-  visit("change", speed.change);
-  visit("change_rate", speed.change_rate);
-  visit("contact_work", speed.energy.contact_work);
-  visit("dissipated", speed.energy.dissipated);
-  visit("energy_change", speed.energy.energy_change);
-  visit("energy_closing_error", speed.energy.closing_error);
-  visit("step_ratio", speed.step_ratio);
-  visit("largest_penetration", speed.largest_penetration);
-  visit("smallest_multiplier", speed.smallest_multiplier);
-  visit("contact_steps", speed.contact_steps);
-  visit("tension_steps", speed.tension_steps);
-  visit("solver_fallbacks", speed.solver_fallbacks);
-  visit("halving_difference", speed.audit.halving_difference);
-  visit("excluded_growth", speed.audit.excluded_growth);
-  visit("excluded_growth_uncertainty", speed.audit.excluded_growth_uncertainty);
-  visit("rest_difference", speed.audit.rest_difference);
-  visit("left_out_energy", speed.audit.left_out_energy);
-  visit("compliance_condition", speed.audit.compliance_condition);
-  visit("leftover_steps", speed.audit.leftover_steps);
-  visit("tension_share", speed.audit.tension_share);
+  visit("steps_per_revolution", speed.steps_per_revolution, at_least_one);
+  visit("samples_per_revolution", speed.samples_per_revolution, at_least_one);
+  visit("recorded_revolutions", speed.recorded_revolutions, at_least_one);
+  visit("revolutions", speed.revolutions, whole);
+  visit("amplitude", speed.amplitude, not_negative);
+  visit("period_revolutions", speed.period_revolutions, whole);
+  visit("period_beats", speed.period_beats, whole);
+  visit("off_beat_energy", speed.off_beat_energy, any);
+  visit("chatter", speed.chatter, any);
+  visit("chatter_node", speed.chatter_node, whole);
+  visit("change", speed.change, not_negative);
+  visit("change_rate", speed.change_rate, any);
+  visit("contact_work", speed.energy.contact_work, any);
+  visit("dissipated", speed.energy.dissipated, any);
+  visit("energy_change", speed.energy.energy_change, any);
+  visit("energy_closing_error", speed.energy.closing_error, any);
+  visit("step_ratio", speed.step_ratio, not_negative);
+  visit("largest_penetration", speed.largest_penetration, not_negative);
+  visit("smallest_multiplier", speed.smallest_multiplier, not_positive);
+  visit("contact_steps", speed.contact_steps, whole);
+  visit("tension_steps", speed.tension_steps, whole);
+  visit("solver_fallbacks", speed.solver_fallbacks, whole);
+  visit("halving_difference", speed.audit.halving_difference, not_negative);
+  visit("excluded_growth", speed.audit.excluded_growth, not_negative);
+  visit("excluded_growth_uncertainty", speed.audit.excluded_growth_uncertainty, not_negative);
+  visit("rest_difference", speed.audit.rest_difference, not_negative);
+  visit("left_out_energy", speed.audit.left_out_energy, any);
+  visit("compliance_condition", speed.audit.compliance_condition, not_negative);
+  visit("leftover_steps", speed.audit.leftover_steps, whole);
+  visit("tension_share", speed.audit.tension_share, share);
 }
 
 void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse& speed) {
-  visit_numbers(speed, [&](const char* name, const auto& value) {
+  visit_numbers(speed, [&](const char* name, const auto& value, Bounds) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, std::optional<double>>) {
       if (value) file.set_attribute(group, name, *value);  // absent where it wasn't looked at
@@ -121,15 +132,28 @@ void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse
   });
 }
 
+/// Raises RunError unless the attribute is within its bounds.
+double bounded(const Hdf5File& file, const std::string& group, const char* name, Bounds bounds) {
+  const double value = file.number_attribute(group, name);
+  if (value >= bounds.low && value <= bounds.high) return value;
+  std::ostringstream must;
+  must << (value < bounds.low ? "at least " : "at most ") << (value < bounds.low ? bounds.low : bounds.high);
+  std::ostringstream is;
+  is << value;
+  throw RunError(file.path() + ": " + group + ": attribute " + name + " is " + is.str() + ", must be " + must.str());
+}
+
 void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse& speed) {
-  visit_numbers(speed, [&](const char* name, auto& value) {
+  visit_numbers(speed, [&](const char* name, auto& value, Bounds bounds) {
     using Value = std::decay_t<decltype(value)>;
+    if (!speed.failure.empty()) bounds = any;
     if constexpr (std::is_same_v<Value, std::optional<double>>) {
-      if (file.has_attribute(group, name)) value = file.number_attribute(group, name);
+      if (file.has_attribute(group, name)) value = bounded(file, group, name, bounds);
     } else if constexpr (std::is_same_v<Value, int>) {
+      bounded(file, group, name, bounds);
       value = file.integer_attribute(group, name);
     } else {
-      value = static_cast<Value>(file.number_attribute(group, name));
+      value = static_cast<Value>(bounded(file, group, name, bounds));
     }
   });
 }
@@ -175,11 +199,25 @@ OtherStart read_other_start(const Hdf5File& file, const std::string& group) {
   return start;
 }
 
-void require_columns(const Eigen::MatrixXd& table, const std::string& where, Eigen::Index rows,
-                     Eigen::Index columns) {
-  if (table.rows() != rows || table.cols() != columns)
-    throw RunError(where + ": has " + std::to_string(table.rows()) + " samples of " + std::to_string(table.cols()) +
-                   " values, must have " + std::to_string(rows) + " of " + std::to_string(columns));
+/// The arrays of a speed, of the shapes that the scene and the speed's own numbers ask for.
+void read_arrays(const Hdf5File& file, const std::string& group, NamedAxes& axes, SpeedResponse& speed) {
+  const std::string clearance = group + "/clearance", displacement = group + "/displacement",
+                    force = group + "/contact_force", count = group + "/contact_count";
+  axes.require(clearance, {nodes_axis});
+  axes.require(displacement, {samples_axis, sectors_axis, nodes_axis, components_axis});
+  axes.require(force, {samples_axis, sectors_axis, nodes_axis});
+  axes.require(count, {sectors_axis, nodes_axis, "casing areas"});
+  speed.clearance = file.read_vector(clearance);
+  speed.displacement = fold(file.read_array(displacement));
+  speed.contact_force = fold(file.read_array(force));
+  const Array<std::int32_t> counts = file.read_integers(count);
+  using RowMajor = Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  speed.contact_count =
+      Eigen::Map<const RowMajor>(counts.values.data(), static_cast<Eigen::Index>(counts.shape[0] * counts.shape[1]),
+                                 static_cast<Eigen::Index>(counts.shape[2]));
+  const double recorded = static_cast<double>(speed.steps_per_revolution) * speed.recorded_revolutions;
+  if (speed.contact_count.minCoeff() < 0 || speed.contact_count.maxCoeff() > recorded)
+    throw RunError(file.path() + ": " + count + ": must be within 0 .. the recorded steps");
 }
 
 }  // namespace
@@ -232,9 +270,10 @@ void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResp
   write_kept_states(file, group, speed, scene);
 }
 
-SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene) {
+SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene,
+                               NamedAxes& axes) {
   SpeedResponse speed;
-  speed.speed = file.number_attribute(group, "speed");
+  speed.speed = bounded(file, group, "speed", {std::numeric_limits<double>::min(), any.high});
   speed.failure = file.text_attribute(group, "failure");
   const std::string where = file.path() + ": " + group;
   speed.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
@@ -247,22 +286,12 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   speed.audit.acceleration = read_acceleration(file, group);
   if (!speed.failure.empty()) return speed;
   const Eigen::Index samples = static_cast<Eigen::Index>(speed.samples_per_revolution) * speed.recorded_revolutions;
-  const Eigen::Index points = scene.independent_sectors * scene.clearance.size();
-  speed.clearance = file.read_vector(group + "/clearance");
-  if (speed.clearance.size() != scene.clearance.size())
-    throw RunError(where + "/clearance: has " + std::to_string(speed.clearance.size()) +
-                   " contact nodes, must have " + std::to_string(scene.clearance.size()));
-  speed.displacement = fold(file.read_array(group + "/displacement"));
-  speed.contact_force = fold(file.read_array(group + "/contact_force"));
-  require_columns(speed.displacement, file.path() + ": " + group + "/displacement", samples, 3 * points);
-  require_columns(speed.contact_force, file.path() + ": " + group + "/contact_force", samples, points);
-  const Array<std::int32_t> counts = file.read_integers(group + "/contact_count");
-  if (counts.shape.size() != 3 || static_cast<Eigen::Index>(counts.shape[0] * counts.shape[1]) != points)
-    throw RunError(file.path() + ": " + group + "/contact_count must have the axes sector, node, area");
-  using RowMajor = Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  speed.contact_count =
-      Eigen::Map<const RowMajor>(counts.values.data(), points, static_cast<Eigen::Index>(counts.shape[2]));
-  read_kept_states(file, group, scene, samples, speed);
+  axes.set(samples_axis, static_cast<std::size_t>(samples), "samples_per_revolution x recorded_revolutions");
+  read_arrays(file, group, axes, speed);
+  if (speed.chatter_node >= speed.clearance.size())
+    throw RunError(where + ": attribute chatter_node is " + std::to_string(speed.chatter_node) +
+                   ", must be one of the " + std::to_string(speed.clearance.size()) + " contact nodes, from 0");
+  read_kept_states(file, group, scene, axes, samples, speed);
   return speed;
 }
 

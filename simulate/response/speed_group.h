@@ -4,6 +4,7 @@
 #include <string>
 
 #include "reduce/model/hdf5_file.h"
+#include "simulate/response/named_axes.h"
 #include "simulate/response/response.h"
 
 namespace tiprub {
@@ -16,7 +17,9 @@ void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResp
 /// Whether every number of it is finite; a reader refuses others.
 bool is_finite(const SpeedResponse& speed);
 
-/// Raises RunError if an attribute is missing or unknown, or the arrays don't fit together and to the scene.
-SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene);
+/// Raises RunError if an attribute is missing, unknown or out of its bounds, or the arrays don't fit together, to the
+/// scene, and to the speeds that were read with the same axes.
+SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene,
+                               NamedAxes& axes);
 
 }  // namespace tiprub

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <vector>
 
 #include "reduce/model/hdf5_file.h"
 #include "simulate/response/speed_group.h"
@@ -20,6 +21,7 @@ namespace {
 SpeedResponse settled_speed() {
   SpeedResponse speed;
   speed.speed = 100;
+  speed.steps_per_revolution = 40;
   speed.samples_per_revolution = 4;
   speed.recorded_revolutions = 2;
   speed.motion = MotionClass::subharmonic;
@@ -40,7 +42,7 @@ Response two_speeds() {
   response.scene.sector_count = 4;
   response.scene.independent_sectors = 2;
   response.scene.nodal_diameters = {0, 2};
-  response.scene.casing_angle = response.scene.casing_distortion = Eigen::VectorXd::LinSpaced(5, 0, 1);
+  response.scene.casing_angle = response.scene.casing_distortion = Eigen::VectorXd::LinSpaced(5, 0, 6.28);
   response.scene.lobes = 2;
   response.scene.clearance = Eigen::VectorXd::Constant(3, 1e-4);
   response.scene.clearance_state = "cold";
@@ -161,16 +163,108 @@ TEST_F(ResponseFile, SaysWhatToDoWithAnOlderOne) {
     }
 }
 
-TEST_F(ResponseFile, RefusesFrequenciesAtOtherSpeeds) {
-  Response response = two_speeds();
-  response.frequencies.speed.conservativeResize(4);
-  EXPECT_THROW(written_and_read(response), RunError);
+/// A response that is wrong in one place, and what the reader says of it.
+struct Wrong {
+  const char* what;
+  std::function<void(Response&)> spoil;
+  const char* message;
+};
+
+const std::vector<Wrong> wrong_scenes = {
+    {"no casing", [](Response& r) { r.scene.casing_angle.resize(0), r.scene.casing_distortion.resize(0); },
+     "/casing/angle: has shape 0, must have at least 1 angles"},
+    {"no distortion", [](Response& r) { r.scene.casing_distortion.resize(0); },
+     "/casing/distortion: has shape 0, must have 5 angles (as /casing/angle)"},
+    {"more angles", [](Response& r) { r.scene.casing_angle = Eigen::VectorXd::LinSpaced(9, 0, 6.28); },
+     "/casing/distortion: has shape 5, must have 9 angles"},
+    {"one angle", [](Response& r) { r.scene.casing_angle = r.scene.casing_distortion = Eigen::VectorXd::Zero(1); },
+     "/casing/angle must increase within 0 .. 2 pi, 2 angles at least"},
+    {"angles that return", [](Response& r) { r.scene.casing_angle[2] = 0; }, "/casing/angle must increase"},
+    {"angles in degrees", [](Response& r) { r.scene.casing_angle *= 57; }, "/casing/angle must increase within 0 .."},
+    {"no lobes", [](Response& r) { r.scene.lobes = 0; }, "lobes must be at least 1"},
+    {"a clearance neither cold nor running", [](Response& r) { r.scene.clearance_state = "warm"; },
+     "clearance_state must be cold or running"},
+    {"no contact node", [](Response& r) { r.scene.clearance.resize(0); }, "/casing/clearance: has shape 0"},
+    {"no sectors", [](Response& r) { r.scene.sector_count = 0; }, "independent_sectors must divide sector_count"},
+    {"no nodal diameter", [](Response& r) { r.scene.nodal_diameters.clear(), r.speeds.clear(); },
+     "/nodal_diameters: has shape 0"},
+    {"a nodal diameter beyond N/2",
+     [](Response& r) {
+       r.scene.nodal_diameters = {0, 3};
+     },
+     "/nodal_diameters must increase within 0 .. sector_count/2"},
+    {"a band below zero", [](Response& r) { r.scene.resolved_frequency = -1; }, "resolved_frequency must be above 0"},
+    {"frequencies at other speeds", [](Response& r) { r.frequencies.speed.conservativeResize(4); },
+     "/frequencies/nodal_diameter/0: has shape 5 x 3, must have 4 speeds of the frequencies"},
+    {"a nodal diameter without frequencies", [](Response& r) { r.frequencies.by_nodal_diameter.pop_back(); },
+     "/frequencies/nodal_diameter/2: is missing"},
+    {"no modes", [](Response& r) { r.frequencies.by_nodal_diameter[1].resize(5, 0); },
+     "/frequencies/nodal_diameter/1: has shape 5 x 0"},
+    {"frequencies at speeds that fall", [](Response& r) { r.frequencies.speed.reverseInPlace(); },
+     "/frequencies/speed must increase"},
+};
+
+SpeedResponse& first(Response& response) {
+  return response.speeds.front();
 }
 
-TEST_F(ResponseFile, RefusesACycleThatEndsElsewhereThanTheRecording) {
-  Response response = two_speeds();
-  response.speeds[0].cycle->first_sample = 3;
-  EXPECT_THROW(written_and_read(response), RunError);
+const std::vector<Wrong> wrong_speeds = {
+    {"a speed of zero", [](Response& r) { first(r).speed = 0; }, "/speed/00000: attribute speed is 0"},
+    {"two equal speeds", [](Response& r) { first(r).speed = 200; },
+     "/speed/00001: attribute speed must be above that of the group before it"},
+    {"no samples", [](Response& r) { first(r).samples_per_revolution = 0; },
+     "attribute samples_per_revolution is 0, must be at least 1"},
+    {"fewer than no steps", [](Response& r) { first(r).contact_steps = -3; },
+     "attribute contact_steps is -3, must be at least 0"},
+    {"more steps than are counted", [](Response& r) { first(r).audit.leftover_steps = 10000000000000000; },
+     "attribute leftover_steps is 1e+16"},
+    {"a negative amplitude", [](Response& r) { first(r).amplitude = -1; }, "attribute amplitude is -1"},
+    {"a node that there isn't", [](Response& r) { first(r).chatter_node = 3; },
+     "attribute chatter_node is 3, must be one of the 3 contact nodes"},
+    {"other samples than it says", [](Response& r) { first(r).recorded_revolutions = 3; },
+     "/speed/00000/displacement: has shape 8 x 2 x 3 x 3, must have 12 samples (samples_per_revolution x "
+     "recorded_revolutions) x 2 sectors (independent_sectors) x 3 contact nodes (as /casing/clearance) x 3 "
+     "components"},
+    {"other nodes", [](Response& r) { first(r).clearance.conservativeResize(2); },
+     "/speed/00000/clearance: has shape 2, must have 3 contact nodes"},
+    {"no areas", [](Response& r) { first(r).contact_count.resize(6, 0); },
+     "/speed/00000/contact_count: has shape 2 x 3 x 0"},
+    {"other areas than the speed before",
+     [](Response& r) {
+       r.speeds[1] = first(r), r.speeds[1].speed = 200;
+       r.speeds[1].contact_count.setConstant(6, 21, 7);
+     },
+     "/speed/00001/contact_count: has shape 2 x 3 x 21, must have 2 sectors (independent_sectors) x 3 contact nodes "
+     "(as "
+     "/casing/clearance) x 20 casing areas (as /speed/00000/contact_count)"},
+    {"counts below zero", [](Response& r) { first(r).contact_count(2, 3) = -1; },
+     "contact_count: must be within 0 .."},
+    {"counts above the steps", [](Response& r) { first(r).contact_count(2, 3) = 81; },
+     "contact_count: must be within 0 .."},
+    {"a snapshot of another instant", [](Response& r) { first(r).snapshot->sample = 8; },
+     "sample 8 is not one of the 8"},
+    {"a cycle of other dofs", [](Response& r) { first(r).cycle->displacement[1].conservativeResize(6, 4); },
+     "/speed/00000/cycle/2: has shape 6 x 4, must have 7 dofs of nodal diameter 2 (as /speed/00000/snapshot/2)"},
+    {"a cycle that ends elsewhere", [](Response& r) { first(r).cycle->first_sample = 3; },
+     "/speed/00000/cycle/0: has shape 4 x 4, must have 4 dofs of nodal diameter 0 (as /speed/00000/snapshot/0) x 5 "
+     "samples"},
+    {"a cycle from before the recording", [](Response& r) { first(r).cycle->first_sample = -1; },
+     "first_sample -1 is not one of the 8"},
+};
+
+TEST_F(ResponseFile, SaysWhatDoesNotFit) {
+  for (const std::vector<Wrong>* list : {&wrong_scenes, &wrong_speeds})
+    for (const Wrong& wrong : *list) {
+      Response response = two_speeds();
+      wrong.spoil(response);
+      try {
+        written_and_read(response);
+        ADD_FAILURE() << wrong.what << ": accepted";
+      } catch (const RunError& error) {
+        EXPECT_NE(std::string(error.what()).find(wrong.message), std::string::npos)
+            << wrong.what << ": " << error.what();
+      }
+    }
 }
 
 }  // namespace

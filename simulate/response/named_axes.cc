@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/response/named_axes.h"
+
+namespace tiprub {
+
+void NamedAxes::set(const std::string& axis, std::size_t length, const std::string& because) {
+  lengths_[axis] = {length, because};
+}
+
+std::string NamedAxes::describe(const std::vector<std::string>& axes) const {
+  std::string text;
+  for (const std::string& axis : axes) {
+    const auto known = lengths_.find(axis);
+    text += (text.empty() ? "" : " x ") + (known == lengths_.end() ? "at least 1 " + axis
+                                                                   : std::to_string(known->second.value) + " " +
+                                                                         axis + " (" + known->second.because + ")");
+  }
+  return text;
+}
+
+void NamedAxes::require(const std::string& dataset, const std::vector<std::string>& axes) {
+  const std::vector<std::size_t> shape = file_.shape_of(dataset);
+  bool fits = shape.size() == axes.size();
+  for (std::size_t i = 0; fits && i < axes.size(); ++i) {
+    const auto known = lengths_.find(axes[i]);
+    fits = shape[i] > 0 && (known == lengths_.end() || known->second.value == shape[i]);
+  }
+  if (!fits) {
+    std::string found;
+    for (const std::size_t extent : shape) found += (found.empty() ? "" : " x ") + std::to_string(extent);
+    throw RunError(file_.path() + ": " + dataset + ": has shape " + (found.empty() ? "scalar" : found) +
+                   ", must have " + describe(axes));
+  }
+  for (std::size_t i = 0; i < axes.size(); ++i) lengths_.try_emplace(axes[i], Length{shape[i], "as " + dataset});
+}
+
+}  // namespace tiprub

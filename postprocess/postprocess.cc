@@ -6,6 +6,7 @@
 
 #include "cases/program/case_file.h"
 #include "cases/program/output_file.h"
+#include "cases/program/output_lock.h"
 #include "cases/program/progress.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/figures/drawing/gnuplot.h"
@@ -97,9 +98,10 @@ void report(const StageArguments& arguments, const ReportContents& contents) {
 }  // namespace
 
 void postprocess(const StageArguments& arguments, const fs::path& fields_file) try {
-  Inputs inputs = read_inputs(arguments, fields_file);
-  if (arguments.action == Action::check) return check(std::move(inputs));
+  if (arguments.action == Action::check) return check(read_inputs(arguments, fields_file));
+  const OutputLock lock(arguments.output);
   OutputFile output(arguments.output);
+  Inputs inputs = read_inputs(arguments, fields_file);
   note_interruptions();
   const ReportContents contents = run(std::move(inputs));
   write_report_folder(

@@ -43,6 +43,7 @@ Inputs read_inputs(const StageArguments& arguments) {
   Casing casing = read_casing(casing_table);
   SimulateParameters parameters = read_simulate_parameters(simulate_table);
   ReducedModel model = read_model(arguments.inputs[1]);
+  require_lengths_in_metres(casing_table, casing, model.contact);
   require_speeds_of_model(simulate_table, parameters, model, arguments.inputs[1]);
   fit_to_model(parameters, model);
   const std::string resolved = "[casing]\n" + casing_table.resolved() + "[simulate]\n" + simulate_table.resolved();

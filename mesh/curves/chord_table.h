@@ -10,6 +10,9 @@
 
 namespace tiprub {
 
+/// [m] Of a wheel; beyond ten metres somebody meant millimetres.
+inline const Range wheel_length{0.0, 10.0, Range::LowEnd::excluded};
+
 /// A curve over the chord, [[fraction, value], ...] with fractions from 0 to 1, or one point for a constant. Values
 /// are multiplied by the factor (degrees to radians).
 SmoothTable read_chord_table(CaseTable& table, std::string_view key,

@@ -16,7 +16,7 @@ constexpr double steepest_stagger_deg = 80.0;
 SmoothTable read_disc_profile(CaseTable& table, const BladedDiscParameters& p) {
   const std::vector<std::array<double, 2>> constant = {{p.bore_radius, p.axial_length},
                                                        {p.rim_radius, p.axial_length}};
-  SmoothTable profile(table.points("disc_profile", constant, Range::positive(), "m"));
+  SmoothTable profile(table.points("disc_profile", constant, wheel_length, "m"));
   if (profile.first_x() != p.bore_radius || profile.last_x() != p.rim_radius ||
       profile.at(p.rim_radius) != p.axial_length)
     table.reject("disc_profile", "must go from bore_radius to rim_radius and end with axial_length; mend its ends");
@@ -25,14 +25,14 @@ SmoothTable read_disc_profile(CaseTable& table, const BladedDiscParameters& p) {
 
 void read_blade(CaseTable& table, BladedDiscParameters& p) {
   const Range stagger = Range::between(-steepest_stagger_deg, steepest_stagger_deg);
-  p.tip_radius = table.number("tip_radius", std::nullopt, Range::positive(), "m");
+  p.tip_radius = table.number("tip_radius", std::nullopt, wheel_length, "m");
   if (p.tip_radius <= p.rim_radius)
     table.reject("tip_radius", "must be more than rim_radius; the blade has no height");
   const double root_deg = table.number("stagger_root_deg", 0.0, stagger, "deg");
   p.stagger_root = radians_per_degree * root_deg;
   p.stagger_tip = radians_per_degree * table.number("stagger_tip_deg", root_deg, stagger, "deg");
-  p.thickness_root = read_chord_table(table, "thickness_root", std::nullopt, Range::positive(), "m");
-  p.thickness_tip = read_chord_table(table, "thickness_tip", std::nullopt, Range::positive(), "m");
+  p.thickness_root = read_chord_table(table, "thickness_root", std::nullopt, wheel_length, "m");
+  p.thickness_tip = read_chord_table(table, "thickness_tip", std::nullopt, wheel_length, "m");
 }
 
 class BladedDisc final : public WheelGeometry {
@@ -72,7 +72,7 @@ class BladedDisc final : public WheelGeometry {
 }  // namespace
 
 BladedDiscParameters read_bladed_disc(CaseTable& table, SectorPlan& plan) {
-  const auto size = [&](const char* key) { return table.number(key, std::nullopt, Range::positive(), "m"); };
+  const auto size = [&](const char* key) { return table.number(key, std::nullopt, wheel_length, "m"); };
   const SmoothTable nothing({{0.0, 0.0}});
   BladedDiscParameters p{
       size("bore_radius"), size("rim_radius"), size("axial_length"), nothing, 0.0, 0.0, 0.0, nothing, nothing};

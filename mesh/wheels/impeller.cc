@@ -106,9 +106,9 @@ class Impeller final : public WheelGeometry {
 }  // namespace
 
 ImpellerParameters read_impeller(CaseTable& table, SectorPlan& plan) {
-  const auto size = [&](const char* key) { return table.number(key, std::nullopt, Range::positive(), "m"); };
+  const auto size = [&](const char* key) { return table.number(key, std::nullopt, wheel_length, "m"); };
   const auto thickness = [&](const char* key) {
-    return read_chord_table(table, key, std::nullopt, Range::positive(), "m");
+    return read_chord_table(table, key, std::nullopt, wheel_length, "m");
   };
   const double inlet_hub = size("inlet_hub_radius"), inlet_tip = size("inlet_tip_radius");
   const double exit = size("exit_radius"), width = size("exit_tip_width"), length = size("axial_length");
@@ -116,7 +116,8 @@ ImpellerParameters read_impeller(CaseTable& table, SectorPlan& plan) {
   const BladeAngles angles = read_blade_angles(table);
   const SmoothTable root = thickness("thickness_root"), tip = thickness("thickness_tip");
   const double bore = size("bore_radius");
-  const SmoothTable back(table.points("back_profile", std::nullopt, Range::any(), "m"));
+  const SmoothTable back(
+      table.points("back_profile", std::nullopt, Range::between(-wheel_length.high, wheel_length.high), "m"));
   const ImpellerParameters parameters{inlet_hub, inlet_tip, exit, width, length, hub_arms,
                                       tip_arms,  angles,    root, tip,   bore,   back};
   check_channel(table, parameters);

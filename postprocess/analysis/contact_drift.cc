@@ -52,6 +52,15 @@ double correlation(const Eigen::MatrixXd& late, const Eigen::MatrixXd& early, Ei
          late.topRows(start).cwiseProduct(early.bottomRows(start)).sum();
 }
 
+/// Intercept, slope and R^2 by least squares; all zero where there is no such line or nothing to explain (equal x, or
+/// equal y).
+std::tuple<double, double, double> fitted_line(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto line = boost::math::statistics::simple_ordinary_least_squares_with_R_squared(x, y);
+  const bool found =
+      std::isfinite(std::get<0>(line)) && std::isfinite(std::get<1>(line)) && std::isfinite(std::get<2>(line));
+  return found ? line : std::tuple(0.0, 0.0, 0.0);
+}
+
 /// Where the parabola through three values at -1, 0, 1, of which the middle one is the largest, has its top.
 double top_of_parabola(double before, double here, double after) {
   const double bend = before - 2 * here + after;
@@ -109,8 +118,7 @@ ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds,
     y.push_back(drift.angle[i]);
   }
   if (x.size() < fewest) return drift;
-  std::tie(drift.intercept, drift.slope, drift.determination) =
-      boost::math::statistics::simple_ordinary_least_squares_with_R_squared(x, y);
+  std::tie(drift.intercept, drift.slope, drift.determination) = fitted_line(x, y);
   if (drift.slope == 0) return drift;
   const Eigen::VectorXd& arc = contact.arc_length;
   drift.implied_wave_speed = (arc[arc.size() - 1] - arc[0]) / std::abs(drift.slope);
@@ -134,8 +142,7 @@ EdgeLag edge_lag(const Response& response, const ContactLine& contact) {
   lag.median = quantile(times, 0.5);
   lag.lower_quartile = quantile(times, 0.25);
   lag.upper_quartile = quantile(times, 0.75);
-  std::tie(lag.intercept, lag.slope, lag.determination) =
-      boost::math::statistics::simple_ordinary_least_squares_with_R_squared(x, y);
+  std::tie(lag.intercept, lag.slope, lag.determination) = fitted_line(x, y);
   return lag;
 }
 

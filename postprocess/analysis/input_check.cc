@@ -2,9 +2,9 @@
 #include "postprocess/analysis/input_check.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "cases/program/errors.h"
+#include "postprocess/tables/table.h"
 #include "postprocess/tables/units.h"
 #include "postprocess/waves/frequency_curves.h"
 #include "reduce/model/model_digest.h"
@@ -13,53 +13,79 @@ namespace tiprub {
 
 namespace {
 
-void check_speed(const SpeedResponse& response, Eigen::Index areas, const std::string& name) {
-  const std::string where = name + ": the speed " + rpm_text(response.speed) + " ";
-  if (!(response.speed > 0)) throw RunError(where + "must be above 0");
-  if (response.recorded_revolutions < 1 || response.samples_per_revolution < 1 || response.steps_per_revolution < 1)
-    throw RunError(where + "holds no whole revolution");
-  if (response.contact_count.cols() < 1) throw RunError(where + "has no contact areas");
-  if (response.contact_count.cols() != areas)
-    throw RunError(where + "has " + std::to_string(response.contact_count.cols()) + " contact areas, others have " +
-                   std::to_string(areas));
+constexpr const char* another_model = "; give the model that the response was made with";
+
+/// Squares and fourth powers are taken of what is measured, and gnuplot scales it: damaged numbers show here.
+template <class Values>
+void check_measure(const Values& values, const std::string& where) {
+  constexpr double largest = 1e30;
+  if (values.size() > 0 && values.array().abs().maxCoeff() > largest)
+    throw RunError(where + " reaches " + scientific(values.array().abs().maxCoeff(), 0) +
+                   ", beyond all measure; the file is damaged, or that motion grew without bound");
+}
+
+/// Of the states that fields are recovered from.
+void check_states(const SpeedResponse& speed, const std::vector<int>& moving, const ReducedModel& model,
+                  const std::string& name) {
+  const auto require = [&](std::size_t place, Eigen::Index dofs) {
+    const Eigen::Index expected = model.nodal_diameters[static_cast<std::size_t>(moving[place])].M.rows();
+    if (dofs != expected)
+      throw InputError(name + ": at " + rpm_text(speed.speed) + " the states of nodal diameter " +
+                       std::to_string(moving[place]) + " have " + std::to_string(dofs) + " dofs, the model has " +
+                       std::to_string(expected) + another_model);
+  };
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    if (speed.snapshot) require(i, speed.snapshot->displacement[i].size());
+    if (speed.cycle) require(i, speed.cycle->displacement[i].rows());
+  }
 }
 
 void check_frequencies(const ReducedModel& model, const FrequencyTable& table, const std::string& name) {
-  const Eigen::VectorXd& speeds = table.speed;
-  const bool ascending = std::adjacent_find(speeds.begin(), speeds.end(), std::greater_equal<>()) == speeds.end();
-  if (speeds.size() < FrequencyCurves::stencil || !ascending)
+  if (table.speed.size() < FrequencyCurves::stencil)
     throw RunError(name + ": /frequencies/speed must hold at least " + std::to_string(FrequencyCurves::stencil) +
-                   " speeds, ascending; run tiprub-simulate");
-  const auto diameters = static_cast<std::size_t>(model.nodal_diameter_max()) + 1;
-  if (table.by_nodal_diameter.size() != diameters)
-    throw RunError(name + ": /frequencies holds " + std::to_string(table.by_nodal_diameter.size()) +
-                   " nodal diameters, the model has " + std::to_string(diameters) +
-                   "; give the model that the response was made with");
+                   " speeds; run tiprub-simulate");
+  for (std::size_t n = 0; n < table.by_nodal_diameter.size(); ++n)
+    if (const Eigen::Index modes = table.by_nodal_diameter[n].cols(), dofs = model.nodal_diameters[n].M.rows();
+        modes > dofs)
+      throw InputError(name + ": /frequencies holds " + std::to_string(modes) + " modes of nodal diameter " +
+                       std::to_string(n) + ", the model has " + std::to_string(dofs) + " dofs" + another_model);
 }
 
 }  // namespace
+
+void check_measures(const Response& response, const std::string& name) {
+  check_measure(response.scene.casing_distortion, name + ": /casing/distortion");
+  for (const SpeedResponse& speed : response.speeds) {
+    const std::string where = name + ": at " + rpm_text(speed.speed) + " ";
+    check_measure(Eigen::VectorXd::Constant(1, speed.speed), where + "the speed");
+    check_measure(speed.clearance, where + "the clearance");
+    check_measure(speed.displacement, where + "the displacement");
+    check_measure(speed.contact_force, where + "the contact force");
+  }
+  check_measure(response.frequencies.speed, name + ": /frequencies/speed");
+  for (const Eigen::MatrixXd& frequencies : response.frequencies.by_nodal_diameter)
+    check_measure(frequencies, name + ": /frequencies");
+}
 
 void check_together(const ReducedModel& model, const Response& response, const std::string& name) {
   const SimulatedScene& scene = response.scene;
   if (scene.sector_count != model.sector_count)
     throw InputError(name + ": has " + std::to_string(scene.sector_count) + " sectors, the model has " +
-                     std::to_string(model.sector_count) + "; give the model that the response was made with");
+                     std::to_string(model.sector_count) + another_model);
   if (scene.clearance.size() != model.contact.size())
     throw InputError(name + ": has " + std::to_string(scene.clearance.size()) + " contact nodes, the model has " +
-                     std::to_string(model.contact.size()) + "; give the model that the response was made with");
+                     std::to_string(model.contact.size()) + another_model);
   if (scene.model_digest != digest(model))
     throw InputError(name + ": was made with another model of the same size; give that one, or run tiprub-simulate");
   if (response.speeds.empty()) throw RunError(name + ": holds no speed; run tiprub-simulate");
-  Eigen::Index areas = 0;  // of the first speed that has a response
-  for (const SpeedResponse& speed : response.speeds) {
-    if (!speed.failure.empty()) continue;
-    if (areas == 0) areas = speed.contact_count.cols();
-    check_speed(speed, areas, name);
-  }
-  if (areas == 0)
+  for (const SpeedResponse& speed : response.speeds) check_states(speed, scene.nodal_diameters, model, name);
+  const bool all_failed = std::none_of(response.speeds.begin(), response.speeds.end(),
+                                       [](const SpeedResponse& speed) { return speed.failure.empty(); });
+  if (all_failed)
     throw RunError(name + ": all " + std::to_string(response.speeds.size()) + " speeds failed; the first, " +
                    rpm_text(response.speeds.front().speed) + ", because: " + response.speeds.front().failure);
   check_frequencies(model, response.frequencies, name);
+  check_measures(response, name);
 }
 
 }  // namespace tiprub

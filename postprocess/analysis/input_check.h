@@ -12,4 +12,7 @@ namespace tiprub {
 /// response, or the table of frequencies is not the model's. `name` is the response's, for messages.
 void check_together(const ReducedModel& model, const Response& response, const std::string& name);
 
+/// Raises RunError where a number of the response is beyond all measure (1e30 in SI).
+void check_measures(const Response& response, const std::string& name);
+
 }  // namespace tiprub

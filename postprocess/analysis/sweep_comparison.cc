@@ -6,6 +6,7 @@
 
 #include "cases/program/errors.h"
 #include "postprocess/analysis/critical_speeds.h"
+#include "postprocess/analysis/input_check.h"
 #include "postprocess/waves/travelling_spectrum.h"
 #include "simulate/response/response_file.h"
 
@@ -47,6 +48,7 @@ void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> Sw
          const std::filesystem::path& path) {
   Response swept = read_response(path);
   require_same_scene(response.scene, swept.scene, path);
+  check_measures(swept, path.string());
   std::erase_if(swept.speeds,
                 [](const SpeedResponse& speed) { return !speed.failure.empty(); });  // they have no motion
   const TipAmplitudes amplitudes = tip_amplitudes(swept, contact, component);
@@ -55,14 +57,14 @@ void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> Sw
     for (std::size_t i = 0; i < swept.speeds.size(); ++i) {
       const SpeedResponse& there = swept.speeds[i];
       if (std::abs(there.speed - here.speed) > same_speed * here.speed) continue;
-      const auto spectrum = [&](const SpeedResponse& speed) {
-        return travelling_spectrum(tip_motion(speed, response.scene, contact, node, component),
-                                   speed.recorded_revolutions);
+      const auto spectrum = [&](const SpeedResponse& speed, const SimulatedScene& scene) {
+        return travelling_spectrum(tip_motion(speed, scene, contact, node, component), speed.recorded_revolutions);
       };
-      SweptSpeed found{.amplitude = amplitudes.largest[static_cast<Eigen::Index>(i)],
-                       .motion = there.motion,
-                       .period_beats = there.period_beats,
-                       .difference = relative_difference(spectrum(here), spectrum(there))};
+      SweptSpeed found{
+          .amplitude = amplitudes.largest[static_cast<Eigen::Index>(i)],
+          .motion = there.motion,
+          .period_beats = there.period_beats,
+          .difference = relative_difference(spectrum(here, response.scene), spectrum(there, swept.scene))};
       const bool settle = here.settled() && there.settled();
       found.differs = found.difference > (settle ? clear_difference : clear_irregular_difference);
       comparison.*direction = found;

@@ -8,6 +8,7 @@ namespace tiprub {
 namespace {
 
 constexpr int serendipity_nodes = 20, points_per_direction = 2;
+constexpr double flat = 1e-12;  // Jacobian determinant, of its norm cubed: rounding, far from the thinnest brick
 const double gauss_place = 1 / std::sqrt(3.0);
 
 /// One factor of a shape function, and its derivative.
@@ -106,6 +107,8 @@ BrickStress::BrickStress(const SectorFields& sector)
       const Eigen::Matrix3d jacobian = place * reference[g];  // dx/dxi
       gradient_[static_cast<std::size_t>(cell)][g] = reference[g] * jacobian.inverse();
       volumes_[cell] += jacobian.determinant();
+      const bool sound = jacobian.determinant() > flat * std::pow(jacobian.norm(), 3);
+      if (!sound && !degenerate_) degenerate_ = cell;
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "reduce/model/fields_file.h"
@@ -36,6 +37,9 @@ class BrickStress {
   Tensors average(const Eigen::Matrix3Xd& displacement) const;
   /// [m^3] by brick.
   const Eigen::VectorXd& volumes() const { return volumes_; }
+  /// The first brick that is flat or turned inside out at a Gauss point, where it has no strain; none in a sound
+  /// mesh.
+  const std::optional<Eigen::Index>& degenerate_cell() const { return degenerate_; }
 
  private:
   using Gradient = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // of a brick's shape functions at one point [1/m]
@@ -45,6 +49,7 @@ class BrickStress {
   std::vector<std::array<Gradient, 8>> gradient_;  // by cell, then Gauss point
   Eigen::VectorXi bricks_;
   Eigen::VectorXd volumes_;
+  std::optional<Eigen::Index> degenerate_;
 };
 
 /// [Pa]

@@ -10,6 +10,7 @@
 
 #include "cases/program/errors.h"
 #include "postprocess/tables/interruption.h"
+#include "postprocess/tables/table.h"
 #include "postprocess/waves/aliasing.h"
 #include "reduce/model/model_digest.h"
 
@@ -22,6 +23,7 @@ constexpr int mode_nodal_diameters = 3;                        // drawn
 constexpr int mode_families = 2;                               // drawn
 constexpr std::size_t recovery_memory = std::size_t{1} << 28;  // [bytes]
 constexpr double m_per_mm = 1e-3;
+constexpr double largest_radius = 1e3;  // [m] of any wheel
 
 void check_together(const FieldsReader& reader, const ReducedModel& model, const std::string& name) {
   const SectorFields& sector = reader.sector();
@@ -37,6 +39,8 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
     refuse("has " + std::to_string(contact.size()) + " contact nodes, the model has " +
            std::to_string(model.contact.size()));
   const double radius = outer_radius(sector);
+  if (!(radius < largest_radius))
+    throw InputError(name + ": /nodes: the sector reaches beyond " + significant(largest_radius, 1) + " m");
   for (std::size_t k = 0; k < contact.size(); ++k) {
     const Eigen::RowVector3d place = model.contact.position.row(static_cast<Eigen::Index>(k));
     const Eigen::Vector3d there(place[0] * std::cos(place[1]), place[0] * std::sin(place[1]), place[2]);
@@ -47,6 +51,21 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
     if (reader.dofs(n) != model.nodal_diameters[static_cast<std::size_t>(n)].M.rows())
       refuse("has " + std::to_string(reader.dofs(n)) + " dofs at nodal diameter " + std::to_string(n) +
              ", the model has " + std::to_string(model.nodal_diameters[static_cast<std::size_t>(n)].M.rows()));
+}
+
+void require_sound_bricks(const BrickStress& bricks, const std::string& name) {
+  if (const auto& cell = bricks.degenerate_cell())
+    throw InputError(name + ": /cells: cell " + std::to_string(*cell) +
+                     " is flat or turned inside out; it has no stress. Look at the mesh, and at the order of its "
+                     "nodes");
+}
+
+/// Squares of the stress are taken; what is beyond this came from damaged numbers.
+void require_sound_stress(const WaveField& wave, const std::string& name) {
+  constexpr double largest = 1e100;  // [Pa]
+  if (!(wave.stress.array().abs() < largest).all())
+    throw RunError(name + ": the stress of nodal diameter " + std::to_string(wave.nodal_diameter) + " is beyond " +
+                   significant(largest, 1) + " Pa or no number; the fields, or the response's states, are damaged");
 }
 
 /// Those that the casing's first harmonics drive (eq. 17), ascending.
@@ -89,7 +108,7 @@ Modes modes_of(const NodalDiameterModel& model, double speed, int families) {
 void normalise(Eigen::Matrix3Xcd& shape) {
   Eigen::Index row = 0, column = 0;
   shape.cwiseAbs().maxCoeff(&row, &column);
-  shape /= shape(row, column);
+  if (shape(row, column) != 0.0) shape /= shape(row, column);
 }
 
 Eigen::MatrixXd forces_at(const SpeedResponse& response, const SimulatedScene& scene, int nodes, int sample) {
@@ -121,8 +140,9 @@ int block_of_samples(const Study& study, const SectorFields& sector) {
   return static_cast<int>(std::max<std::size_t>(1, recovery_memory / sample));
 }
 
-WaveRecovery wave_recovery(const FieldsReader& reader, const BrickStress& bricks, const Study& study) {
-  return [&](std::size_t diameter, const Eigen::MatrixXcd& states) {
+WaveRecovery wave_recovery(const FieldsReader& reader, const BrickStress& bricks, const Study& study,
+                           const std::string& name) {
+  return [&, name](std::size_t diameter, const Eigen::MatrixXcd& states) {
     stop_if_interrupted();
     const int n = study.response.scene.nodal_diameters[diameter];
     const Eigen::MatrixXcd found = reader.expand(n, states);
@@ -130,6 +150,7 @@ WaveRecovery wave_recovery(const FieldsReader& reader, const BrickStress& bricks
     for (Eigen::Index i = 0; i < found.cols(); ++i) {
       waves.push_back({n, cartesian(reader.sector(), found.col(i)), {}});
       add_stress(reader.sector(), bricks, waves.back());
+      require_sound_stress(waves.back(), name);
     }
     return waves;
   };
@@ -156,7 +177,9 @@ void recover_instant(const Study& study, const SpeedResponse& response, const Wa
 }  // namespace
 
 void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model) {
-  check_together(FieldsReader(fields_file), model, fields_file.string());
+  const FieldsReader reader(fields_file);
+  check_together(reader, model, fields_file.string());
+  require_sound_bricks(BrickStress(reader.sector()), fields_file.string());
 }
 
 FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study,
@@ -166,8 +189,9 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
   FieldStudy fields;
   fields.sector = reader.sector();
   const BrickStress bricks(fields.sector);
+  require_sound_bricks(bricks, fields_file.string());
   const BladePlaces places(fields.sector);
-  const WaveRecovery recover = wave_recovery(reader, bricks, study);
+  const WaveRecovery recover = wave_recovery(reader, bricks, study, fields_file.string());
   const int block = block_of_samples(study, fields.sector);
   const std::vector<std::size_t> speeds = recovered_speeds(study);
   const std::size_t worst = worst_of(speeds, study);
@@ -179,6 +203,7 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
     if (!response.cycle && !response.snapshot) continue;
     const WheelCycle cycle = wheel_cycle(response, study.response.scene, study.model);
     const WaveField spin = spin_field(fields.sector, bricks, response.speed);
+    require_sound_stress(spin, fields_file.string());
     const CycleStress stress = cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, block);
     fields.peaks.push_back(field_peak(fields.sector, stress, fields.zones, places, strength));
     fields.peaks.back().speed = response.speed;

@@ -31,7 +31,8 @@ SpeedAxis speed_axis(const Study& study) {
   const Eigen::VectorXd rpm = speeds_rpm(study);
   const Eigen::Index last = rpm.size() - 1;
   if (last == 0) return {(1 - lone_reach) * rpm[0], (1 + lone_reach) * rpm[0]};
-  return {rpm[0] - 0.5 * (rpm[1] - rpm[0]), rpm[last] + 0.5 * (rpm[last] - rpm[last - 1])};
+  const SpeedAxis axis{rpm[0] - 0.5 * (rpm[1] - rpm[0]), rpm[last] + 0.5 * (rpm[last] - rpm[last - 1])};
+  return axis.widened();
 }
 
 Eigen::VectorXi nearest_speeds(const Study& study, int columns) {
@@ -61,7 +62,7 @@ std::vector<Crossing> drawn_crossings(const Study& study, const std::vector<Cros
 }
 
 void set_speed_axis(Drawing& drawing, const SpeedAxis& axis) {
-  drawing.values.insert(drawing.values.end(), {{"speed_low", axis.low}, {"speed_high", axis.high}});
+  drawing.values.insert(drawing.values.end(), {{"speed", axis}});
 }
 
 void set_engine_orders(Drawing& drawing, const Study& study) {

@@ -11,10 +11,7 @@
 namespace tiprub {
 
 /// [rpm] the drawn speeds: the simulated range and half a step on both sides.
-struct SpeedAxis {
-  double low = 0;
-  double high = 0;
-};
+using SpeedAxis = DrawnRange;
 SpeedAxis speed_axis(const Study& study);
 
 /// [rpm] of all speeds with a response.

@@ -21,7 +21,8 @@ std::string shown(const Cell& cell) {
     return buffer;
   }
   if (const auto* whole = std::get_if<int>(&cell)) return std::to_string(*whole);
-  return escaped(std::get<std::string>(cell));
+  const auto* text = std::get_if<std::string>(&cell);
+  return text ? escaped(*text) : "";
 }
 
 bool looks_numeric(const std::string& text) {

@@ -29,8 +29,8 @@ std::string csv_text(const std::string& text) {
 }
 
 std::string csv_cell(const Cell& cell) {
-  if (const auto* value = std::get_if<double>(&cell))
-    return std::isfinite(*value) ? number(*value, "%.*g", file_digits) : "NaN";
+  if (const auto* value = std::get_if<double>(&cell)) return number(*value, "%.*g", file_digits);
+  if (std::holds_alternative<NoNumber>(cell)) return "NaN";
   if (const auto* whole = std::get_if<int>(&cell)) return std::to_string(*whole);
   return csv_text(std::get<std::string>(cell));
 }
@@ -40,7 +40,18 @@ std::string shown(const Cell& cell) {
   if (const auto* value = std::get_if<double>(&cell))
     return std::isfinite(*value) ? number(*value, "%.*g", shown_digits) : "";
   if (const auto* whole = std::get_if<int>(&cell)) return std::to_string(*whole);
-  return std::get<std::string>(cell);
+  const auto* text = std::get_if<std::string>(&cell);
+  return text ? *text : "";
+}
+
+void require_finite(const Table& table, const std::filesystem::path& path) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    for (std::size_t i = 0; i < table.rows[row].size(); ++i)
+      if (const auto* value = std::get_if<double>(&table.rows[row][i]); value && !std::isfinite(*value))
+        throw RunError(path.filename().string() + ": column \"" + table.header[i] + "\", row " +
+                       std::to_string(row + 1) +
+                       ": the number is not finite; look for values beyond all measure in " +
+                       "the files that the report is made from");
 }
 
 /// Width on a terminal: bytes that don't continue a UTF-8 letter.
@@ -63,7 +74,12 @@ std::string significant(double value, int digits) {
   return std::isfinite(value) ? number(value, "%.*g", digits) : "";
 }
 
+Cell number_if_any(double value) {
+  return std::isnan(value) ? Cell(NoNumber{}) : Cell(value);
+}
+
 void write_csv(const Table& table, const std::filesystem::path& path) {
+  require_finite(table, path);
   std::string text;
   for (std::size_t i = 0; i < table.header.size(); ++i) text += (i > 0 ? "," : "") + csv_text(table.header[i]);
   text += '\n';

@@ -8,8 +8,14 @@
 
 namespace tiprub {
 
-/// A value of a table; a number that is not finite prints as an empty cell in text and as NaN in files.
-using Cell = std::variant<double, int, std::string>;
+/// Where a table has no number: empty in text, NaN in files.
+struct NoNumber {};
+
+/// A value of a table. A number must be finite; one that is not says that something before it went wrong.
+using Cell = std::variant<double, int, std::string, NoNumber>;
+
+/// Of a number that is NaN where there is none.
+Cell number_if_any(double value);
 
 /// A small table; every row is as long as the header. Units are part of a column's name: "speed [rpm]".
 struct Table {
@@ -24,7 +30,8 @@ std::string scientific(double value, int digits);
 /// "0.025": so many digits that count.
 std::string significant(double value, int digits);
 
-/// Comma-separated, the header first; texts with a comma or quote in quotes. Raises RunError if it can't be written.
+/// Comma-separated, the header first; texts with a comma or quote in quotes. Raises RunError if it can't be written,
+/// or if a number is not finite, with its column and its row.
 void write_csv(const Table& table, const std::filesystem::path& path);
 
 /// Columns side by side, two spaces apart, numbers to the right.

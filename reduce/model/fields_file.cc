@@ -65,6 +65,9 @@ SectorFields read_sector(const Hdf5File& file) {
   sector.young = file.number_attribute("/", "young_modulus");
   sector.poisson = file.number_attribute("/", "poisson_ratio");
   sector.density = file.number_attribute("/", "density");
+  if (!(sector.young > 0 && sector.density > 0)) refuse(file, "/", "young_modulus and density must be above 0");
+  if (!(sector.poisson > -1 && sector.poisson < 0.5))
+    refuse(file, "/", "poisson_ratio must be above -1 and below 0.5, where a material is incompressible");
   sector.nodes = read_vectors(file, "/nodes");
   sector.cells = read_cells(file, sector.nodes.cols());
   for (const char* name : required_sets)

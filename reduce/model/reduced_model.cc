@@ -95,9 +95,10 @@ void check(const Verification& table, std::size_t nodal_diameters, const std::st
     require(tables->size() == nodal_diameters, name + ": /verification must have every nodal diameter");
     for (std::size_t n = 0; n < nodal_diameters; ++n) {
       const Eigen::MatrixXd &found = (*tables)[n], &other = table.unreduced[n];
-      require(found.rows() == table.speeds.size() && found.cols() == other.cols(),
+      require(found.rows() == table.speeds.size() && found.cols() == other.cols() && found.cols() > 0,
               name + ": /verification/nodal_diameter/" + std::to_string(n) + "/" + kind + " is " + shape(found) +
-                  ", must be " + std::to_string(table.speeds.size()) + " x " + std::to_string(other.cols()));
+                  ", must be " + std::to_string(table.speeds.size()) + " x " +
+                  (other.cols() > 0 ? std::to_string(other.cols()) : "at least 1"));
     }
   }
 }

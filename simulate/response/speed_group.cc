@@ -82,13 +82,14 @@ struct Bounds {
 constexpr double beyond_counting = 9007199254740992.0;  // 2^53: up to there a double tells whole numbers apart
 constexpr Bounds any = {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
 constexpr Bounds not_negative = {0, any.high}, not_positive = {any.low, 0}, share = {0, 1};
-constexpr Bounds whole = {0, beyond_counting}, at_least_one = {1, beyond_counting};
+constexpr Bounds whole = {0, beyond_counting}, at_least_one = {1, beyond_counting},
+                 at_least_two = {2, beyond_counting};
 
 /// Every number of a speed with its name in the file and its bounds: one list for the writer and the reader.
 template <class Speed, class Visit>
 void visit_numbers(Speed& speed, Visit visit) {
   visit("steps_per_revolution", speed.steps_per_revolution, at_least_one);
-  visit("samples_per_revolution", speed.samples_per_revolution, at_least_one);
+  visit("samples_per_revolution", speed.samples_per_revolution, at_least_two);
   visit("recorded_revolutions", speed.recorded_revolutions, at_least_one);
   visit("revolutions", speed.revolutions, whole);
   visit("amplitude", speed.amplitude, not_negative);

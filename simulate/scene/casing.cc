@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "simulate/scene/linear_between.h"
 
@@ -91,6 +92,20 @@ Casing read_casing(CaseTable& table) {
     table.reject("clearance", "must have its fractions of the arc length in 0 .. 1");
   table.close();
   return casing;
+}
+
+void require_lengths_in_metres(const CaseTable& table, const Casing& casing, const ContactLine& contact) {
+  constexpr double largest_share = 0.1;
+  const double radius = contact.position.col(0).maxCoeff();
+  const auto require = [&](const char* key, double length) {
+    if (length <= largest_share * radius) return;
+    std::ostringstream text;
+    text << "has " << length << " m, more than a tenth of the tip's radius of " << radius
+         << " m; it is in metres, not in millimetres";
+    table.reject(key, text.str());
+  };
+  require(casing.shape == CasingShape::table ? "distortion_table" : "amplitude", casing.amplitude);
+  for (const std::array<double, 2>& point : casing.clearance) require("clearance", point[1]);
 }
 
 }  // namespace tiprub

@@ -51,4 +51,8 @@ struct Casing {
 /// Reads [casing]. Raises InputError.
 Casing read_casing(CaseTable& table);
 
+/// Refuses an amplitude or a clearance of more than a tenth of the tip's radius: no casing has that, and millimetres
+/// that are taken for metres have. Raises InputError at the key.
+void require_lengths_in_metres(const CaseTable& table, const Casing& casing, const ContactLine& contact);
+
 }  // namespace tiprub

@@ -135,7 +135,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   parameters.steps_per_revolution =
       table.integer("steps_per_revolution", 0, Range::between(0, 100 * count_max), "at least; 0: from the period");
   parameters.samples_per_revolution =
-      table.integer("samples_per_revolution", 240, Range::between(1, count_max), "at least");
+      table.integer("samples_per_revolution", 240, Range::between(2, count_max), "at least");
   read_revolutions(table, parameters);
   require_law_without_memory(table, parameters);
   parameters.casing_areas = table.integer("casing_areas", 200, Range::between(1, count_max), "around the casing");

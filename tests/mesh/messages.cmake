@@ -13,7 +13,9 @@ expect_message(check_writes_nothing ARGUMENTS case.toml --check ERRORS "worst sc
 expect_message(unknown_key KEY clamped LINE "clampd = \"bore\"" EXIT_CODE 2
                ERRORS "unknown key \"clampd\" in [mesh]; known: family")
 expect_message(negative_radius KEY exit_radius LINE "exit_radius = -0.1" EXIT_CODE 2
-               ERRORS "exit_radius = -0.1 must be more than 0 [m]")
+               ERRORS "exit_radius = -0.1 must be more than 0 and at most 10 [m]")
+expect_message(radius_in_millimetres KEY exit_radius LINE "exit_radius = 122" EXIT_CODE 2
+               ERRORS "exit_radius = 122 must be more than 0 and at most 10 [m]")
 expect_message(missing_key KEY exit_radius LINE "" EXIT_CODE 2
                ERRORS "[mesh] has no exit_radius, and it has no default; add it")
 expect_message(wrong_family KEY family LINE "family = \"fan\"" EXIT_CODE 2 ERRORS "must be one of: impeller, bladed_disc")

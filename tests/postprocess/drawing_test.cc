@@ -8,6 +8,8 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cases/program/errors.h"
 #include "postprocess/figures/drawing/gnuplot.h"
@@ -59,13 +61,25 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+TEST(DrawingPrologue, LeavesNoRangeWithoutWidth) {
+  for (const auto& [range, text] : std::vector<std::pair<DrawnRange, std::string>>{
+           {{900, 2100}, "axis_low = 900.0\naxis_high = 2100.0\n"},
+           {{0, 0}, "axis_low = 0.0\naxis_high = 1e-12\n"},
+           {{0, 3e-300}, "axis_low = 0.0\naxis_high = 1e-12\n"},
+           {{1000, 1000}, "axis_low = 999.95\naxis_high = 1000.05\n"},
+           {{1000, std::nextafter(1000, 2000)}, "axis_low = 999.95\naxis_high = 1000.05\n"},
+           {{-2, -2}, "axis_low = -2.0001\naxis_high = -1.9999\n"}}) {
+    const std::string whole = prologue({.name = "shown", .script = "wheel", .values = {{"axis", range}}});
+    EXPECT_TRUE(contains(whole, text)) << whole;
+  }
+}
+
 Drawing drawing_of_curves(const std::string& title, const std::string& curve) {
   Eigen::MatrixXd rows(2, 3);
   rows << 1000, 1, 2, 2000, 3, 4;
   return {.name = "hostile",
           .script = "tracking",
-          .values = {{"speed_low", 900.0},
-                     {"speed_high", 2100.0},
+          .values = {{"speed", DrawnRange{900, 2100}},
                      {"panels", 1},
                      {"panel_title", std::vector<std::string>{title}},
                      {"curves", 1},

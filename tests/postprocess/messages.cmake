@@ -12,6 +12,9 @@ expect_message(unknown_key KEY families LINE "colour = 3" EXIT_CODE 2 ERRORS "ca
 expect_message(value_out_of_range KEY families LINE "families = 0" EXIT_CODE 2 ERRORS "families = 0 must be")
 expect_message(operating_range_upside_down KEY families LINE "operating_min_rpm = 9000" EXIT_CODE 2
                ERRORS "operating_max_rpm must be at least operating_min_rpm")
+expect_message(no_table OLD "[postprocess]\nfamilies = 2" NEW "" EXIT_CODE 2
+               ERRORS "case.toml: has no [postprocess] table; add it"
+               ARGUMENTS case.toml absent.h5 absent.h5 -o report --check)
 expect_message(no_case ARGUMENTS nowhere.toml model.h5 response.h5 -o report EXIT_CODE 1
                ERRORS "nowhere.toml: can't be read")
 expect_message(no_response ARGUMENTS case.toml model.h5 nowhere.h5 -o report EXIT_CODE 1 ERRORS "nowhere.h5")
@@ -24,6 +27,12 @@ expect_message(model_of_another_rotor INPUTS ${made}/case.toml ${made}/nine_sect
                EXIT_CODE 2 ERRORS "has 10 sectors, the model has 9")
 expect_message(not_finite INPUTS ${made}/case.toml ${made}/model.h5 ${made}/nan_response.h5=response.h5 EXIT_CODE 1
                ERRORS "response.h5")
+expect_message(motion_beyond_all_measure EXIT_CODE 1
+               INPUTS ${made}/case.toml ${made}/model.h5 ${made}/huge_response.h5=response.h5
+               ERRORS "response.h5: at 14324 rpm the displacement reaches 1e+300, beyond all measure")
+expect_message(states_of_another_model EXIT_CODE 2
+               INPUTS ${made}/case.toml ${made}/model.h5 ${made}/other_dofs_response.h5=response.h5
+               ERRORS "response.h5: at 14324 rpm the states of nodal diameter 2 have 5 dofs, the model has 16; give the model")
 expect_message(only_failures INPUTS ${made}/case.toml ${made}/model.h5 ${made}/failed_response.h5=response.h5 EXIT_CODE 1
                ERRORS "it blew up")
 expect_message(no_frequencies INPUTS ${made}/case.toml ${made}/model.h5 ${made}/bare_response.h5=response.h5 EXIT_CODE 1
@@ -37,6 +46,17 @@ expect_message(fields_of_another_rotor ${other_fields} EXIT_CODE 2 ERRORS "field
 expect_message(check_of_fields_of_another_rotor ${other_fields} EXIT_CODE 2
                ERRORS "give the fields that were written with the model"
                ARGUMENTS case.toml model.h5 response.h5 --fields fields.h5 --check -o report)
+foreach(wrong incompressible flat huge)
+  set(${wrong}_fields INPUTS ${made}/case.toml ${made}/model.h5 ${made}/response.h5 ${made}/${wrong}_fields.h5=fields.h5
+                      ARGUMENTS case.toml model.h5 response.h5 --fields fields.h5 -o report)
+endforeach()
+expect_message(incompressible_material ${incompressible_fields} --check EXIT_CODE 1
+               ERRORS "fields.h5: / poisson_ratio must be above -1 and below 0.5")
+expect_message(cell_without_volume ${flat_fields} EXIT_CODE 2
+               ERRORS "fields.h5: /cells: cell 1 is flat or turned inside out; it has no stress")
+expect_message(check_of_a_cell_without_volume ${flat_fields} --check EXIT_CODE 2 ERRORS "fields.h5: /cells: cell 1 is flat")
+expect_message(stress_beyond_all_measure ${huge_fields} EXIT_CODE 1
+               ERRORS "fields.h5: the stress of nodal diameter 0 is beyond 1e+100 Pa or no number")
 expect_message(check_tells_what_the_scene_needs OUTPUTS "gap: a round casing is nearer" "not estimated"
                ARGUMENTS case.toml model.h5 response.h5 -o report --check)
 

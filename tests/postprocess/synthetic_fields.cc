@@ -116,9 +116,13 @@ SectorFields sector_fields(const ReducedModel& model) {
 }
 
 void write_fields(const ReducedModel& model, const std::filesystem::path& path) {
+  write_fields(model, sector_fields(model), path);
+}
+
+void write_fields(const ReducedModel& model, const SectorFields& sector, const std::filesystem::path& path) {
   const Ring made = ring();
   FieldsWriter writer(path, "test");
-  writer.write_sector(sector_fields(model));
+  writer.write_sector(sector);
   for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
     const bool standing = is_standing(n, model.sector_count);
     writer.write_basis(

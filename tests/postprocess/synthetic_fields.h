@@ -25,6 +25,8 @@ double vibration_strain(double speed);
 
 SectorFields sector_fields(const ReducedModel& model);
 void write_fields(const ReducedModel& model, const std::filesystem::path& path);
+/// The same with another sector of as many nodes.
+void write_fields(const ReducedModel& model, const SectorFields& sector, const std::filesystem::path& path);
 /// Gives every speed that has a motion its snapshot, at the sample with the largest contact force.
 void add_snapshots(const ReducedModel& model, Response& response);
 

@@ -22,6 +22,13 @@ expect_message(negative_clearance OLD "1.2e-4" NEW "-1.2e-4" EXIT_CODE 2
                ERRORS "case.toml:6:35: [casing] clearance = -0.00012 must be at least 0 [fraction of the chord, m]")
 expect_message(clearance_outside_the_chord OLD "[1.0, 1.2" NEW "[1.1, 1.2" EXIT_CODE 2
                ERRORS "must have its fractions of the arc length in 0 .. 1")
+expect_message(amplitude_in_millimetres OLD "amplitude = 2.0e-4" NEW "amplitude = 0.2" EXIT_CODE 2
+               ERRORS "case.toml:5:13: [casing] amplitude has 0.2 m, more than a tenth of the tip's radius of "
+                      "it is in metres, not in millimetres")
+expect_message(clearance_in_millimetres OLD "1.2e-4" NEW "0.12" EXIT_CODE 2
+               ERRORS "[casing] clearance has 0.12 m, more than a tenth of the tip's radius")
+expect_message(one_sample_a_revolution OLD "damping_ratio" NEW "samples_per_revolution = 1\ndamping_ratio" EXIT_CODE 2
+               ERRORS "samples_per_revolution = 1 must be at least 2 and at most")
 expect_message(no_amplitude OLD "amplitude = 2.0e-4\n" NEW "" EXIT_CODE 2
                ERRORS "case.toml:2:1: [casing] has no amplitude, and it has no default")
 expect_message(wide_bumps OLD "shape = \"cosine\"" NEW "shape = \"bumps\"\nbump_width_deg = 200" EXIT_CODE 2

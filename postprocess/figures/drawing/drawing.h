@@ -9,8 +9,18 @@
 
 namespace tiprub {
 
-/// What a script knows by a name: a number, a text for people, or a list of either (an array, from 1).
-using ScriptValue = std::variant<int, double, std::string, std::vector<double>, std::vector<std::string>>;
+/// Ends of an axis or of a colour scale; a script knows those of "speed" as speed_low and speed_high.
+struct DrawnRange {
+  double low = 0;
+  double high = 0;
+
+  /// At least a ten-thousandth of itself wide, because gnuplot draws no empty range and tells tics apart by six
+  /// digits: wider to both sides, or upwards from zero.
+  DrawnRange widened() const;
+};
+
+/// What a script knows by a name: a number, a text for people, a list of either (an array, from 1), or a range.
+using ScriptValue = std::variant<int, double, std::string, std::vector<double>, std::vector<std::string>, DrawnRange>;
 
 /// Numbers that a script plots as $name; several sheets are told apart by `index 0`, `index 1`, ..
 struct ScriptTable {

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -104,19 +105,24 @@ class Jobs {
     stop_if_interrupted();
     running_.erase(running_.begin());
     const std::string& name = job.drawing->name;
-    if (status != 0) throw RunError((folder_ / name).string() + ": gnuplot could not draw it: " + complaint(name));
+    if (status != 0) throw RunError((folder_ / name).string() + ": gnuplot could not draw it: " + complaint(name, status));
     for (const char* ending : {".svg", ".png"})
       if (const fs::path picture = folder_ / (name + ending); !is_whole(picture))
-        throw RunError(picture.string() + ": is not whole; is the disk full? gnuplot says: " + complaint(name));
+        throw RunError(picture.string() + ": is not whole; is the disk full? gnuplot says: " + complaint(name, status));
     for (const char* ending : {".gp", ".log"}) fs::remove(folder_ / (name + ending));
   }
 
  private:
   /// gnuplot's last words, on one line.
-  std::string complaint(const std::string& name) const {
+  std::string complaint(const std::string& name, int status) const {
     std::string text = read_text(folder_ / (name + ".log"));
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text.empty() ? "it gave no reason" : text;
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char letter) { return std::iscntrl(letter) != 0; }, ' ');
+    text.erase(0, text.find_first_not_of(' '));
+    text.erase(text.find_last_not_of(' ') + 1);
+    if (!text.empty()) return text;
+    if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status)) + " ended it";
+    return "it gave no reason";
   }
 
   fs::path folder_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/figures/drawing/prologue.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <sstream>
@@ -29,6 +30,10 @@ struct Assignment {
   std::string operator()(int value) const { return name + " = " + std::to_string(value) + "\n"; }
   std::string operator()(double value) const { return name + " = " + number(value) + "\n"; }
   std::string operator()(const std::string& text) const { return name + " = " + gnuplot_text(text) + "\n"; }
+  std::string operator()(const DrawnRange& range) const {
+    const DrawnRange drawn = range.widened();
+    return name + "_low = " + number(drawn.low) + "\n" + name + "_high = " + number(drawn.high) + "\n";
+  }
   std::string operator()(const std::vector<double>& values) const { return list(values, number); }
   std::string operator()(const std::vector<std::string>& texts) const { return list(texts, gnuplot_text); }
 
@@ -62,6 +67,13 @@ std::string data_block(const ScriptTable& table) {
 }
 
 }  // namespace
+
+DrawnRange DrawnRange::widened() const {
+  constexpr double narrowest = 1e-4, smallest = 1e-12;
+  const double least = std::max(narrowest * std::max(std::abs(low), std::abs(high)), smallest);
+  if (high - low >= least) return *this;
+  return low == 0 ? DrawnRange{0, least} : DrawnRange{low - 0.5 * least, high + 0.5 * least};
+}
 
 std::string gnuplot_text(const std::string& text) {
   std::string quoted = "'";

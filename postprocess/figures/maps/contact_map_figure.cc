@@ -29,15 +29,21 @@ Table contact_table(const Study& study, const ContactMap& map) {
   return table;
 }
 
-/// Each area is several pixels high, so that a viewer that smooths the picture keeps the areas' edges.
+/// Each area is several pixels high, so that a viewer that smooths the picture keeps the areas' edges. Of more areas
+/// than can be told apart, a pixel shows the one with the most contact.
 Eigen::MatrixXf contact_pixels(const Study& study, const ContactMap& map) {
   constexpr int columns = 700, pixels_per_area = 4;
+  constexpr Eigen::Index most_rows = 4000;
   const Eigen::VectorXi nearest = nearest_speeds(study, columns);
-  Eigen::MatrixXf pixels = Eigen::MatrixXf::Constant(pixels_per_area * map.share.rows(), columns, std::nanf(""));
+  const Eigen::Index areas = map.share.rows(), rows = std::min(pixels_per_area * areas, most_rows);
+  Eigen::MatrixXf pixels = Eigen::MatrixXf::Constant(rows, columns, std::nanf(""));
   for (int x = 0; x < columns; ++x)
     if (nearest[x] >= 0)
-      for (Eigen::Index y = 0; y < pixels.rows(); ++y)
-        pixels(y, x) = static_cast<float>(map.share(y / pixels_per_area, nearest[x]));
+      for (Eigen::Index y = 0; y < rows; ++y) {
+        const Eigen::Index first = y * areas / rows, last = ((y + 1) * areas - 1) / rows;
+        pixels(y, x) = static_cast<float>(
+            map.share.col(nearest[x]).segment(first, std::max<Eigen::Index>(1, last - first + 1)).maxCoeff());
+      }
   return pixels;
 }
 
@@ -74,7 +80,7 @@ Figure contact_map_figure(const Study& study, TipEdge edge) {
                             .width = 1000,
                             .height = 560,
                             .script = "contact_map",
-                            .values = {{"places_high", std::max(1.0, 1.1 * places)},
+                            .values = {{"places", DrawnRange{0, std::max(1.0, 1.1 * places)}},
                                        {"places_tics", std::max(1, (places + 3) / 4)}}},
                 .title = "Contact map, " + where + " edge",
                 .caption = "Where the " + where + " edge of sector 0 rubs: the casing in " +

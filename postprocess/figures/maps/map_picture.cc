@@ -82,9 +82,8 @@ void set_map_axes(Drawing& drawing, const Study& study) {
   set_speed_axis(drawing, speed_axis(study));
   set_engine_orders(drawing, study);
   set_modes(drawing, study, speed_axis(study));
-  drawing.values.insert(
-      drawing.values.end(),
-      {{"frequency_high", map_frequency_high(study)}, {"amplitude_low", scale.low}, {"amplitude_high", scale.high}});
+  drawing.values.insert(drawing.values.end(), {{"frequency", DrawnRange{0, map_frequency_high(study)}},
+                                               {"amplitude", DrawnRange{scale.low, scale.high}}});
 }
 
 Eigen::MatrixXf map_pixels(const Study& study, const InteractionMap& map, int columns, int rows) {

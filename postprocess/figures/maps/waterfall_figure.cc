@@ -50,11 +50,12 @@ Figure waterfall_figure(const Study& study) {
                                   column->total[line] * mm_per_m});
   }
   set_speed_axis(figure.drawing, speed_axis(study));
-  figure.drawing.values.insert(figure.drawing.values.end(),
-                               {{"frequency_high", map_frequency_high(study)},
-                                {"amplitude_high", std::max(study.map.largest() * mm_per_m, smallest_amplitude)},
-                                {"speeds", static_cast<int>(speeds.size())},
-                                {"speed", speeds}});
+  figure.drawing.values.insert(
+      figure.drawing.values.end(),
+      {{"frequency", DrawnRange{0, map_frequency_high(study)}},
+       {"amplitude", DrawnRange{0, std::max(study.map.largest() * mm_per_m, smallest_amplitude)}},
+       {"speeds", static_cast<int>(speeds.size())},
+       {"speed", speeds}});
   figure.drawing.tables.push_back(std::move(spectra));
   return figure;
 }

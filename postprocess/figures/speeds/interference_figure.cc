@@ -30,9 +30,10 @@ Eigen::MatrixXd veering_rows(const Study& study, double speed) {
   return rows;
 }
 
-/// How many engine orders stay below a frequency, one at least.
+/// How many engine orders stay below a frequency, one at least, and at most as many as lines can be told apart.
 int engine_orders_below(double frequency_high, double speed) {
-  return std::max(1, static_cast<int>(frequency_high / (speed * hz_per_rad_s)));
+  constexpr double most = 2000;
+  return static_cast<int>(std::clamp(frequency_high / (speed * hz_per_rad_s), 1.0, most));
 }
 
 /// Engine orders 0 .. that stay below a frequency: nodal diameter, frequency [Hz], engine order, driven by the
@@ -69,7 +70,7 @@ Table veering_table(const Study& study, const std::vector<double>& speeds,
   for (std::size_t i = 0; i < speeds.size(); ++i)
     for (Eigen::Index n = 0; n < sheets[i].rows(); ++n) {
       table.rows.push_back({speeds[i] * rpm_per_rad_s, static_cast<int>(n)});
-      for (Eigen::Index k = 1; k < sheets[i].cols(); ++k) table.rows.back().emplace_back(sheets[i](n, k));
+      for (Eigen::Index k = 1; k < sheets[i].cols(); ++k) table.rows.back().push_back(number_if_any(sheets[i](n, k)));
     }
   return table;
 }
@@ -95,7 +96,7 @@ Figure interference_figure(const Study& study) {
                       .values = {{"nodal_diameters", study.model.nodal_diameter_max() + 1},
                                  {"sectors", study.model.sector_count},
                                  {"families", veering_families(study)},
-                                 {"frequency_high", frequency_high},
+                                 {"frequency", DrawnRange{0, frequency_high}},
                                  {"panel_title", titles},
                                  {"engine_orders", engine_orders}},
                       .tables = {{"modes", modes}, {"zigzag", zigzags}}},

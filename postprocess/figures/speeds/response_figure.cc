@@ -59,14 +59,12 @@ Eigen::MatrixXd speeds_of(const std::vector<Crossing>& crossings) {
 }  // namespace
 
 Figure response_figure(const Study& study) {
-  constexpr double smallest_amplitude = 1e-9;  // [mm] of a scale, where nothing moves
   Figure figure{
       .drawing = {.name = "response",
                   .width = 1000,
                   .height = 520,
                   .script = "response",
-                  .values = {{"amplitude_high",
-                              std::max(study.amplitudes.largest.maxCoeff() * mm_per_m, smallest_amplitude)},
+                  .values = {{"amplitude", DrawnRange{0, study.amplitudes.largest.maxCoeff() * mm_per_m}},
                              {"peak_name", peak_names(study)}},
                   .tables = {{"peaks", {peaks(study)}},
                              {"not_periodic", {not_periodic(study)}},

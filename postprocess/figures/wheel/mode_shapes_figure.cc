@@ -31,7 +31,8 @@ Layout layout_of(const std::vector<ModeField>& modes) {
 void draw_mode(SurfacePicture& picture, const SectorFields& sector, const std::vector<SurfaceFace>& faces,
                const ModeField& mode) {
   const WheelField field = on_wheel({mode.wave}, sector.sector_count);
-  const double largest = largest_displacement(field), size = drawn_mode * outer_radius(sector) / largest;
+  const double largest = largest_displacement(field),
+               size = largest > 0 ? drawn_mode * outer_radius(sector) / largest : 0;
   const auto moved = [&](int j) -> const Eigen::Matrix3Xd& {
     return field.displacement[static_cast<std::size_t>(j)];
   };

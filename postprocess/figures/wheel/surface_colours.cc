@@ -17,7 +17,7 @@ Rgb rgb(int number) {
 }  // namespace
 
 Rgb Palette::at(double fraction) const {
-  const double place = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
+  const double place = (fraction > 0 ? std::min(fraction, 1.0) : 0.0) * static_cast<double>(stops.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), stops.size() - 2);
   const auto share = static_cast<float>(place - static_cast<double>(below));
   return (1 - share) * rgb(stops[below]) + share * rgb(stops[below + 1]);

@@ -111,8 +111,9 @@ void set_panels(Drawing& drawing, const std::vector<PanelName>& names) {
 }
 
 void set_colour_bar(Drawing& drawing, const Palette& palette, double largest, const std::string& title) {
-  drawing.values.insert(drawing.values.end(),
-                        {{"palette_colours", palette.names()}, {"colour_high", largest}, {"colour_title", title}});
+  drawing.values.insert(
+      drawing.values.end(),
+      {{"palette_colours", palette.names()}, {"colour", DrawnRange{0, largest}}, {"colour_title", title}});
 }
 
 }  // namespace tiprub

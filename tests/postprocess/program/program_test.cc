@@ -77,15 +77,6 @@ TEST_F(Program, SameInputSameBytes) {
             text_of(folder_ / "two/figures/interaction_map_leading_edge.png"));
 }
 
-TEST_F(Program, ReplacesAnOldReport) {
-  fs::create_directories(folder_ / "again");
-  std::ofstream(folder_ / "again" / "old.txt") << "old";
-  ASSERT_EQ(run("case.toml model.h5 response.h5 -o again/").exit_code, 0);
-  EXPECT_TRUE(fs::exists(folder_ / "again" / "report.html"));
-  EXPECT_FALSE(fs::exists(folder_ / "again" / "old.txt"));
-  EXPECT_FALSE(fs::exists(folder_ / "again.tiprub.part"));
-}
-
 TEST_F(Program, DrawsASingleSpeedAndASingleBlade) {
   ReducedModel rotor = synthetic::model(1);
   SimulatedScene scene = synthetic::two_lobes();

@@ -34,9 +34,10 @@ class Program : public testing::Test {
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
 
-  static Outcome run(const std::string& arguments) {
-    const std::string command =
-        "cd '" + folder_.string() + "' && " + TIPRUB_POSTPROCESS + " " + arguments + " >out.txt 2>error.txt";
+  /// `environment`: variables of the shell, "NAME=value ".
+  static Outcome run(const std::string& arguments, const std::string& environment = "") {
+    const std::string command = "cd '" + folder_.string() + "' && " + environment + TIPRUB_POSTPROCESS + " " +
+                                arguments + " >out.txt 2>error.txt";
     Outcome outcome;
     const int status = std::system(command.c_str());
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;

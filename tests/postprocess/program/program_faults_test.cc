@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The executable where things go wrong around it: folders of other people, a gnuplot that fails, a second run.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "cases/program/output_lock.h"
+#include "program_fixture.h"
+
+namespace fs = std::filesystem;
+
+namespace tiprub {
+namespace {
+
+void write(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path) << text;
+}
+
+class ProgramFaults : public Program {
+ protected:
+  /// With a gnuplot of our own: a shell script that starts and then does this for the script in $1.
+  static Outcome run_with_gnuplot(const std::string& body, const std::string& arguments) {
+    const fs::path gnuplot = folder_ / "fake" / "gnuplot";
+    write(gnuplot, "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\nn=${1%.gp}\n" + body + "\n");
+    fs::permissions(gnuplot, fs::perms::owner_all);
+    return run(arguments, "PATH='" + gnuplot.parent_path().string() + "':$PATH ");
+  }
+  static Outcome run_quickly(const std::string& arguments) {
+    return run_with_gnuplot("echo '<svg/>' > $n.svg; echo png > $n.png", arguments);
+  }
+  static void expect_one_line(const Outcome& outcome, const std::string& part) {
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.error;
+    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+    EXPECT_NE(outcome.error.find(part), std::string::npos) << outcome.error;
+  }
+};
+
+/// Once a report took the place of whatever folder stood there, a case with its model included. The refusal comes
+/// before the work: here nothing is there to work on.
+TEST_F(ProgramFaults, LeavesFoldersOfOthersAlone) {
+  write(folder_ / "mine/thesis.txt", "mine");
+  write(folder_ / "nested/figures/thesis.txt", "mine");
+  fs::create_directories(folder_ / "linked");
+  fs::create_symlink(folder_ / "mine", folder_ / "linked/figures");
+  fs::create_symlink(folder_ / "mine", folder_ / "link");
+  for (const std::string name : {"mine", "mine/", "./mine/../mine", "nested", "linked", "link", "."})
+    expect_one_line(run("case.toml absent.h5 absent.h5 -o " + name), "which this program did not make");
+  EXPECT_EQ(text_of(folder_ / "mine/thesis.txt"), "mine");
+  EXPECT_EQ(text_of(folder_ / "nested/figures/thesis.txt"), "mine");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "linked/figures"));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+}
+
+TEST_F(ProgramFaults, ReplacesItsOwnReportAndNothingBesideIt) {
+  const char* const neighbours[] = {"own.old/notes.txt", "own.part/notes.txt", "own.part.h5", "x.part.h5"};
+  for (const char* beside : neighbours) write(folder_ / beside, "mine");
+  ASSERT_EQ(run_quickly("case.toml model.h5 response.h5 -o own").exit_code, 0);
+  const Outcome again = run_quickly("case.toml model.h5 response.h5 -o own/");
+  EXPECT_EQ(again.exit_code, 0) << again.error;
+  for (const char* beside : neighbours) EXPECT_EQ(text_of(folder_ / beside), "mine") << beside;
+  write(folder_ / "own/notes.txt", "mine");
+  expect_one_line(run_quickly("case.toml model.h5 response.h5 -o own"), "own: can't be replaced: it holds notes.txt");
+  EXPECT_EQ(text_of(folder_ / "own/notes.txt"), "mine");
+}
+
+TEST_F(ProgramFaults, TriesTheFolderBeforeTheWork) {
+  for (const std::string name : {"case.toml/report", "absent/report", "/proc/report", "/dev/null/report"})
+    expect_one_line(run("case.toml absent.h5 absent.h5 -o " + name), name + ": can't be written");
+  expect_one_line(run("case.toml absent.h5 absent.h5 -o /dev/null"), "/dev/null: can't be replaced");
+}
+
+TEST_F(ProgramFaults, KeepsTheOldReportWhenGnuplotFails) {
+  ASSERT_EQ(run_quickly("case.toml model.h5 response.h5 -o kept").exit_code, 0);
+  const std::string old = text_of(folder_ / "kept/report.html");
+  const auto fails = [&](const std::string& gnuplot, const std::string& message) {
+    expect_one_line(run_with_gnuplot(gnuplot, "case.toml model.h5 response.h5 -o kept"), message);
+    EXPECT_EQ(text_of(folder_ / "kept/report.html"), old);
+    EXPECT_FALSE(fs::exists(folder_ / "kept.tiprub.part"));
+  };
+  fails("printf 'line 3:\\n\\n\\033[1mwhat?\\n' >&2; exit 2",
+        "gnuplot could not draw response.svg: line 3:    [1mwhat?");
+  fails("exit 2", "response.svg: it gave no reason");
+  fails("kill -9 $$", "response.svg: signal 9 ended it");
+  fails(": > $n.svg; : > $n.png", "response.svg: the picture is not whole; is the disk full?");
+  fails("echo '<svg><path' > $n.svg", "response.svg: the picture is not whole");
+  fails("echo '<svg/>' > $n.svg; printf '\\211PNG....' > $n.png", "response.png: the picture is not whole");
+  fails("cat /proc/self/exe > /dev/full", "No space left on device");
+}
+
+TEST_F(ProgramFaults, SaysWhoIsWritingTheReport) {
+  const OutputLock held(folder_ / "held");
+  expect_one_line(run("case.toml model.h5 response.h5 -o held"),
+                  "held: process " + std::to_string(getpid()) + " on ");
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -2,6 +2,7 @@
 #include "postprocess/report/html.h"
 
 #include <cassert>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -54,8 +55,10 @@ std::string escaped(const std::string& text) {
       case '"':
         safe += "&quot;";
         break;
-      default:
-        safe += letter;
+      default:  // a control character has no place in a page; U+FFFD shows where one was
+        safe += std::iscntrl(static_cast<unsigned char>(letter)) != 0 && letter != '\n' && letter != '\t'
+                    ? "\xEF\xBF\xBD"
+                    : std::string(1, letter);
     }
   }
   return safe;

@@ -82,13 +82,44 @@ TEST_F(ProgramFaults, KeepsTheOldReportWhenGnuplotFails) {
     EXPECT_FALSE(fs::exists(folder_ / "kept.tiprub.part"));
   };
   fails("printf 'line 3:\\n\\n\\033[1mwhat?\\n' >&2; exit 2",
-        "gnuplot could not draw response.svg: line 3:    [1mwhat?");
+        "gnuplot could not draw response.svg: line 3:   [1mwhat?");
   fails("exit 2", "response.svg: it gave no reason");
   fails("kill -9 $$", "response.svg: signal 9 ended it");
   fails(": > $n.svg; : > $n.png", "response.svg: the picture is not whole; is the disk full?");
   fails("echo '<svg><path' > $n.svg", "response.svg: the picture is not whole");
   fails("echo '<svg/>' > $n.svg; printf '\\211PNG....' > $n.png", "response.png: the picture is not whole");
   fails("cat /proc/self/exe > /dev/full", "No space left on device");
+}
+
+/// A title with markup, a template's place, shell, gnuplot and terminal commands.
+TEST_F(ProgramFaults, ShowsHostileTextsAsTheyStand) {
+  write(folder_ / "hostile.toml",
+        R"(title = "<script>alert(1)</script> {{record}} '\"q\"' `touch ran` _{x}^2 \u001b[1m"
+[postprocess]
+)");
+  const Outcome outcome = run_quickly("hostile.toml model.h5 response.h5 -o hostile");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const std::string page = text_of(folder_ / "hostile/report.html");
+  EXPECT_NE(page.find("<h1>&lt;script&gt;alert(1)&lt;/script&gt; {{record}} '&quot;q&quot;' `touch ran` _{x}^2 "
+                      "\xEF\xBF\xBD[1m</h1>"),
+            std::string::npos)
+      << page.substr(0, page.find("</h1>"));
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+  EXPECT_EQ(page.find('\x1b'), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "ran") || fs::exists(folder_ / "hostile/figures/ran"));
+}
+
+TEST_F(ProgramFaults, WorksInFoldersOfAnyName) {
+  const std::string name = "L\xC3\xA4ufer \"b\" $(touch ran) ; `touch ran`\nx";
+  fs::create_directories(folder_ / name);
+  for (const char* file : {"case.toml", "model.h5", "response.h5"})
+    fs::copy_file(folder_ / file, folder_ / name / file);
+  const auto quoted = [&](const char* file) { return " '" + name + "/" + file + "'"; };
+  const Outcome outcome = run_quickly(quoted("case.toml") + quoted("model.h5") + quoted("response.h5") + " -q -o" +
+                                      quoted("report 'of' it"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_TRUE(fs::exists(folder_ / name / "report of it/figures/casing.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "ran"));
 }
 
 TEST_F(ProgramFaults, SaysWhoIsWritingTheReport) {

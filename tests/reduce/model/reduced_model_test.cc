@@ -77,7 +77,13 @@ INSTANTIATE_TEST_SUITE_P(
               "has 2 nodal diameters, must have 3 for 4 sectors"},
         Wrong{"negative_speed", [](ReducedModel& m) { m.speed_max = -1.0; }, "speed_max must be at least 0"},
         Wrong{"verification_shape", [](ReducedModel& m) { m.verification.reduced[1].resize(1, 4); },
-              "/verification/nodal_diameter/1/reduced is 1 x 4, must be 2 x 4"}),
+              "/verification/nodal_diameter/1/reduced is 1 x 4, must be 2 x 4"},
+        Wrong{"verification_without_modes",
+              [](ReducedModel& m) {
+                m.verification.unreduced[1].resize(2, 0);
+                m.verification.reduced[1].resize(2, 0);
+              },
+              "/verification/nodal_diameter/1/unreduced is 2 x 0, must be 2 x at least 1"}),
     [](const auto& wrong) { return wrong.param.name; });
 
 TEST(NodalDiameterModel, ItsStiffnessIsAPolynomialOfTheSpeedSquared) {

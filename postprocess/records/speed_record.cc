@@ -86,7 +86,7 @@ SpeedColumns map_columns() {
       {"contact contrast LE", [](const SpeedRow& speed) { return speed.study.leading_edge.contrast[speed.index]; }},
       {"contact contrast TE", [](const SpeedRow& speed) { return speed.study.trailing_edge.contrast[speed.index]; }},
       {"leading after trailing edge [s]",
-       [](const SpeedRow& speed) { return speed.study.edge_lag.time[speed.index]; }},
+       [](const SpeedRow& speed) { return number_if_any(speed.study.edge_lag.time[speed.index]); }},
       {"likeness of the edges' forces [1]",
        [](const SpeedRow& speed) { return speed.study.edge_lag.likeness[speed.index]; }},
       {"failure", [](const SpeedRow&) { return std::string(); }}};

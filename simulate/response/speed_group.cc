@@ -230,7 +230,7 @@ const char* name_of(MotionClass motion) {
 bool is_finite(const SpeedResponse& speed) {
   bool finite = speed.displacement.allFinite() && speed.contact_force.allFinite() && speed.clearance.allFinite() &&
                 std::isfinite(speed.audit.acceleration.residual);
-  visit_numbers(speed, [&](const char*, const auto& value) {
+  visit_numbers(speed, [&](const char*, const auto& value, Bounds) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
       finite = finite && std::isfinite(value.value_or(0));
     else

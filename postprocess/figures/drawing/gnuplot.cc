@@ -105,10 +105,12 @@ class Jobs {
     stop_if_interrupted();
     running_.erase(running_.begin());
     const std::string& name = job.drawing->name;
-    if (status != 0) throw RunError((folder_ / name).string() + ": gnuplot could not draw it: " + complaint(name, status));
+    if (status != 0)
+      throw RunError((folder_ / name).string() + ": gnuplot could not draw it: " + complaint(name, status));
     for (const char* ending : {".svg", ".png"})
       if (const fs::path picture = folder_ / (name + ending); !is_whole(picture))
-        throw RunError(picture.string() + ": is not whole; is the disk full? gnuplot says: " + complaint(name, status));
+        throw RunError(picture.string() +
+                       ": is not whole; is the disk full? gnuplot says: " + complaint(name, status));
     for (const char* ending : {".gp", ".log"}) fs::remove(folder_ / (name + ending));
   }
 

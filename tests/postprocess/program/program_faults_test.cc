@@ -20,6 +20,9 @@ void write(const fs::path& path, const std::string& text) {
   std::ofstream(path) << text;
 }
 
+const std::string whole_svg = "echo '<svg viewBox=\"0 0 1 1\"></svg>' > $n.svg; ";
+const std::string whole_png = "printf '\\211PNG........IEND\\256\\102\\140\\202' > $n.png; ";
+
 class ProgramFaults : public Program {
  protected:
   /// With a gnuplot of our own: a shell script that starts and then does this for the script in $1.
@@ -30,7 +33,7 @@ class ProgramFaults : public Program {
     return run(arguments, "PATH='" + gnuplot.parent_path().string() + "':$PATH ");
   }
   static Outcome run_quickly(const std::string& arguments) {
-    return run_with_gnuplot("echo '<svg/>' > $n.svg; echo png > $n.png", arguments);
+    return run_with_gnuplot(whole_svg + whole_png, arguments);
   }
   static void expect_one_line(const Outcome& outcome, const std::string& part) {
     EXPECT_EQ(outcome.exit_code, 1) << outcome.error;
@@ -81,14 +84,12 @@ TEST_F(ProgramFaults, KeepsTheOldReportWhenGnuplotFails) {
     EXPECT_EQ(text_of(folder_ / "kept/report.html"), old);
     EXPECT_FALSE(fs::exists(folder_ / "kept.tiprub.part"));
   };
-  fails("printf 'line 3:\\n\\n\\033[1mwhat?\\n' >&2; exit 2",
-        "gnuplot could not draw response.svg: line 3:   [1mwhat?");
-  fails("exit 2", "response.svg: it gave no reason");
-  fails("kill -9 $$", "response.svg: signal 9 ended it");
-  fails(": > $n.svg; : > $n.png", "response.svg: the picture is not whole; is the disk full?");
-  fails("echo '<svg><path' > $n.svg", "response.svg: the picture is not whole");
-  fails("echo '<svg/>' > $n.svg; printf '\\211PNG....' > $n.png", "response.png: the picture is not whole");
-  fails("cat /proc/self/exe > /dev/full", "No space left on device");
+  fails("printf 'line 3:\n\n\033[1mwhat?\n' >&2; exit 2", "response: gnuplot could not draw it: line 3:   [1mwhat?");
+  fails("exit 2", "response: gnuplot could not draw it: it gave no reason");
+  fails("kill -9 $$", "response: gnuplot could not draw it: signal 9 ended it");
+  fails(": > $n.svg; : > $n.png", "response.svg: is not whole; is the disk full?");
+  fails(whole_png + "echo '<svg><path' > $n.svg", "response.svg: is not whole");
+  fails(whole_svg + "printf '\\211PNG............' > $n.png", "response.png: is not whole");
 }
 
 /// A title with markup, a template's place, shell, gnuplot and terminal commands.

@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <complex>
 #include <functional>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 #include <utility>
 
+#include "cases/program/available_memory.h"
 #include "reduce/model/hdf5_file.h"
 #include "simulate/response/named_axes.h"
 #include "simulate/response/sealed_file.h"
@@ -21,6 +25,7 @@ constexpr const char* schema = "tiprub-response";
 constexpr int schema_version = 4;
 const std::string frequency_group = "/frequencies";
 const std::string end_group = "/end";
+constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
 constexpr std::size_t nodal_diameter_max = 10000;  // of any wheel
 
 std::string group_of(std::size_t index) {
@@ -119,6 +124,33 @@ FrequencyTable read_frequencies(const Hdf5File& file, int sector_count, NamedAxe
   return table;
 }
 
+/// [bytes] of a group's arrays as they are read; complex states count twice.
+double size_of_speed(const Hdf5File& file, const std::string& group) {
+  double size = 0;
+  const auto add = [&](const std::string& name, double bytes_each) {
+    for (const std::size_t extent : file.shape_of(name)) bytes_each *= static_cast<double>(extent);
+    size += bytes_each;
+  };
+  for (const char* name : {"/displacement", "/contact_force", "/contact_count"})
+    if (file.exists(group + name)) add(group + name, sizeof(double));
+  if (file.exists(group + "/cycle"))
+    for (const std::string& n : file.members(group + "/cycle"))
+      add(group + "/cycle/" + n, sizeof(std::complex<double>));
+  return size;
+}
+
+void require_memory(const Hdf5File& file, const std::vector<std::string>& speeds) {
+  double needed = 0;
+  for (const std::string& name : speeds) needed += size_of_speed(file, "/speed/" + name);
+  const double available = available_memory();
+  if (needed <= available) return;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << file.path() << ": its " << speeds.size() << " speeds take "
+       << needed / bytes_per_gib << " GiB, " << available / bytes_per_gib
+       << " GiB are available; take a larger machine, or simulate fewer speeds, samples or recorded revolutions";
+  throw RunError(text.str());
+}
+
 Hdf5File open_response(const std::filesystem::path& path) {
   Hdf5File file = Hdf5File::open(path);
   if (file.has_attribute("/", "schema") && file.text_attribute("/", "schema") == schema &&
@@ -214,7 +246,9 @@ Response read_response(const std::filesystem::path& path) {
   response.scene = read_scene(file, axes);
   response.frequencies = read_frequencies(file, response.scene.sector_count, axes);
   if (!file.exists("/speed")) return response;
-  for (const std::string& name : file.members("/speed")) {
+  const std::vector<std::string> speeds = file.members("/speed");
+  require_memory(file, speeds);
+  for (const std::string& name : speeds) {
     const std::string group = "/speed/" + name;
     SpeedResponse speed = read_speed_group(file, group, response.scene, axes);
     require(response.speeds.empty() || speed.speed > response.speeds.back().speed, file,

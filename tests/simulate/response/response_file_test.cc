@@ -268,5 +268,29 @@ TEST_F(ResponseFile, SaysWhatDoesNotFit) {
     }
 }
 
+/// A dataset may name any size, and take no place in the file where nothing was written.
+TEST_F(ResponseFile, AsksForMemoryBeforeItReads) {
+  {
+    Hdf5File file = Hdf5File::create(path_);
+    file.set_schema("tiprub-response", 4, "test");
+    for (const char* name : {"key", "model_digest", "provenance", "scope"})
+      file.set_attribute("/", name, std::string());
+    for (const char* name : {"sector_count", "independent_sectors"}) file.set_attribute("/", name, 1);
+    file.write("/nodal_diameters", Array<std::int32_t>{{1}, {0}}, "1");
+    for (const char* name : {"/casing/angle", "/casing/distortion", "/casing/clearance"})
+      file.write(name, Eigen::VectorXd(Eigen::Vector2d(0, 1)), "m");
+    file.set_attribute("/casing", "lobes", 1);
+    file.set_attribute("/casing", "clearance_state", "cold");
+    file.make_slices("/speed/00000/displacement", {std::size_t{1} << 40, 1, 2, 3}, Hdf5File::Number::real, "m");
+  }
+  try {
+    read_response(path_);
+    FAIL();
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find(": its 1 speeds take 49152.00 GiB, "), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace tiprub

@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -54,11 +55,13 @@ double correlation(const Eigen::MatrixXd& late, const Eigen::MatrixXd& early, Ei
 
 /// Intercept, slope and R^2 by least squares; all zero where there is no such line or nothing to explain (equal x, or
 /// equal y).
-std::tuple<double, double, double> fitted_line(const std::vector<double>& x, const std::vector<double>& y) {
+std::tuple<double, double, double> fitted_line(const std::vector<double>& x, const std::vector<double>& y) try {
   const auto line = boost::math::statistics::simple_ordinary_least_squares_with_R_squared(x, y);
   const bool found =
       std::isfinite(std::get<0>(line)) && std::isfinite(std::get<1>(line)) && std::isfinite(std::get<2>(line));
   return found ? line : std::tuple(0.0, 0.0, 0.0);
+} catch (const std::domain_error&) {  // no variance
+  return {0.0, 0.0, 0.0};
 }
 
 /// Where the parabola through three values at -1, 0, 1, of which the middle one is the largest, has its top.

@@ -20,7 +20,8 @@ class Finished : public test::TemporaryFolder {
     scene.sector_count = scene.independent_sectors = 1;
     scene.nodal_diameters = {0};
     scene.lobes = 2;
-    scene.casing_angle = scene.casing_distortion = Eigen::VectorXd::Zero(3);
+    scene.casing_angle = Eigen::VectorXd::LinSpaced(3, 0, 6);
+    scene.casing_distortion = Eigen::VectorXd::Zero(3);
     scene.clearance = Eigen::VectorXd::Constant(1, 1e-4);
     scene.clearance_state = "running";
     return scene;

@@ -22,7 +22,7 @@ expect_message(no_fields ARGUMENTS case.toml model.h5 response.h5 --fields none.
                ERRORS "none.h5: no such file")
 expect_message(files_exchanged ARGUMENTS case.toml response.h5 model.h5 -o report EXIT_CODE 1 ERRORS "response.h5")
 expect_message(model_for_fields ARGUMENTS case.toml model.h5 response.h5 --fields model.h5 -o report EXIT_CODE 1
-               ERRORS "expected tiprub-fields version 1")
+               ERRORS "expected tiprub-fields version 2")
 expect_message(model_of_another_rotor INPUTS ${made}/case.toml ${made}/nine_sectors_model.h5=model.h5 ${made}/response.h5
                EXIT_CODE 2 ERRORS "has 10 sectors, the model has 9")
 expect_message(not_finite INPUTS ${made}/case.toml ${made}/model.h5 ${made}/nan_response.h5=response.h5 EXIT_CODE 1

@@ -14,6 +14,7 @@
 
 #include "postprocess/tables/table.h"
 #include "program_fixture.h"
+#include "reduce/model/model_digest.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
 #include "synthetic_fields.h"
@@ -109,7 +110,7 @@ std::string without(const std::string& text, const std::string& first, const std
 void expect_working_links(const fs::path& report) {
   const std::string page = without(without(text_of(report / "report.html"), "src=\"data:", "\""), "<pre>", "</pre>");
   const std::vector<std::string> ids = found_in(page, "id=\"([^\"]+)\"");
-  std::set<fs::path> linked = {"report.html", "critical_speeds.txt"};
+  std::set<fs::path> linked = {"report.html", "critical_speeds.txt", ".tiprub-files"};
   for (const std::string& link : found_in(page, "href=\"([^\"]+)\"")) {
     if (link.front() == '#') {
       EXPECT_EQ(std::count(ids.begin(), ids.end(), link.substr(1)), 1) << link;
@@ -144,7 +145,11 @@ TEST_F(Page, SaysHowExactItIs) {
     rotor.verification.reduced.push_back((n == 3 ? 1.00125 : 1.0) * exact);
   }
   write_model(rotor, folder_ / "verified.h5", "test");
-  ASSERT_EQ(run("case.toml verified.h5 response.h5 -o verified").exit_code, 0);
+  Response response = synthetic::resonant_sweep(rotor);
+  response.scene.model_digest = digest(rotor);
+  write_response(response, folder_ / "verified_response.h5", "test");
+  const Outcome outcome = run("case.toml verified.h5 verified_response.h5 -o verified");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const std::string page = text_of(folder_ / "verified" / "report.html");
   // Ten of family 0, and the one of family 1 that no nodal diameter's last frequency lies below.
   EXPECT_NE(page.find("first 11 frequencies within 0.12 % of the unreduced sector's, at 2 speeds"),

@@ -151,6 +151,7 @@ ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const Re
   if (!options.fields_file.empty()) fields.emplace(options.fields_file);
   ReducedModel model = reduce_with_fields(arguments, inputs, fields, report);
   model.provenance = inputs.provenance;
+  model.mesh_digest = digest(inputs.mesh);
   write_model(model, output.scratch(), program_version(program));
   if (!options.matrix_market_folder.empty()) write_matrix_market(model, options.matrix_market_folder);
   if (fields) fields->commit();  // all are whole: model and fields change together

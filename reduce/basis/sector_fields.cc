@@ -25,6 +25,7 @@ SectorFields describe_sector(const SectorMesh& mesh, const std::vector<int>& con
                       {"cyclic_low", mesh.cyclic_low},
                       {"cyclic_high", mesh.cyclic_high}};
   sector.parts = mesh.parts;
+  sector.mesh_digest = digest(mesh);
   sector.young = material.young;
   sector.poisson = material.poisson;
   sector.density = material.density;

@@ -62,6 +62,7 @@ Eigen::MatrixXi read_cells(const Hdf5File& file, Eigen::Index nodes) {
 SectorFields read_sector(const Hdf5File& file) {
   SectorFields sector;
   sector.sector_count = file.integer_attribute("/", "sector_count");
+  sector.mesh_digest = file.text_attribute("/", "mesh_digest");
   sector.young = file.number_attribute("/", "young_modulus");
   sector.poisson = file.number_attribute("/", "poisson_ratio");
   sector.density = file.number_attribute("/", "density");
@@ -108,6 +109,7 @@ void FieldsWriter::write_sector(const SectorFields& sector) {
   Hdf5File& file = state_->file;
   state_->nodes = static_cast<std::size_t>(sector.nodes.cols());
   file.set_attribute("/", "sector_count", sector.sector_count);
+  file.set_attribute("/", "mesh_digest", sector.mesh_digest);
   file.set_attribute("/", "young_modulus", sector.young);
   file.set_attribute("/", "poisson_ratio", sector.poisson);
   file.set_attribute("/", "density", sector.density);

@@ -19,6 +19,7 @@ struct SectorFields {
   std::map<std::string, std::vector<int>> node_sets;  ///< `clamped`, `contact` (leading to trailing edge),
                                                       ///< `cyclic_low`, `cyclic_high` (partners, in the same order)
   std::map<std::string, std::vector<int>> parts;      ///< cells of `disc`, `main_blade`, ..., where the mesh has them
+  std::string mesh_digest;                            ///< of the sector's mesh
   double young = 0;                                   ///< [Pa]
   double poisson = 0;                                 ///< [1]
   double density = 0;                                 ///< [kg/m^3]

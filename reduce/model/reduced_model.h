@@ -55,6 +55,7 @@ struct ReducedModel {
   ContactLine contact;
   std::vector<NodalDiameterModel> nodal_diameters;  ///< n = 0 .. floor(N/2): the blocks of Bdiag, eq. 12
   Verification verification;                        ///< may be empty
+  std::string mesh_digest;                          ///< of the sector's mesh; empty for a model by hand
   std::string provenance;                           ///< the case and the chain that made it, as text
 
   /// floor(N/2)

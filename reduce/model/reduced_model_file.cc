@@ -138,6 +138,7 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   file.set_attribute("/", "prestress", model.prestress);
   file.write_text("/provenance", model.provenance);
   file.set_attribute("/", "digest", digest(model));
+  if (!model.mesh_digest.empty()) file.set_attribute("/", "mesh_digest", model.mesh_digest);
   file.write("/contact/position", Eigen::MatrixXd(model.contact.position), position_unit);
   file.write("/contact/normal", Eigen::MatrixXd(model.contact.normal), "1");
   file.write("/contact/arc_length", model.contact.arc_length, "m");
@@ -167,6 +168,7 @@ ReducedModel read_model(const std::filesystem::path& path) {
   model.speed_max = file.number_attribute("/", "speed_max");
   if (file.has_attribute("/", "modes_at_speed")) model.modes_at_speed = file.integer_attribute("/", "modes_at_speed");
   model.prestress = file.has_attribute("/", "prestress") ? file.text_attribute("/", "prestress") : "given";
+  if (file.has_attribute("/", "mesh_digest")) model.mesh_digest = file.text_attribute("/", "mesh_digest");
   if (file.has_text("/provenance")) model.provenance = file.read_text("/provenance");
   if (model.sector_count < 1) throw RunError(file.path() + ": sector_count must be at least 1");
   model.contact = read_contact_line(file);

@@ -31,6 +31,9 @@ struct SectorMesh {
   std::string name_of_cell(int cell) const;
 };
 
+/// A name for all that a reduction reads of a mesh (see cases/program/digest.h): the nodes, the cells, the groups.
+std::string digest(const SectorMesh& mesh);
+
 /// "x y z = 0.1 0 0.02 m", for messages.
 std::string place_text(const Eigen::Vector3d& position);
 

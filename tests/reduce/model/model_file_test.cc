@@ -66,6 +66,7 @@ void expect_same(const ReducedModel& a, const ReducedModel& b) {
   EXPECT_EQ(a.sector_count, b.sector_count);
   EXPECT_EQ(a.speed_max, b.speed_max);
   EXPECT_EQ(a.prestress, b.prestress);
+  EXPECT_EQ(a.mesh_digest, b.mesh_digest);
   EXPECT_EQ(a.provenance, b.provenance);
   EXPECT_EQ(a.contact.position, b.contact.position);
   EXPECT_EQ(a.contact.normal, b.contact.normal);

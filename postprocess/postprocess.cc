@@ -60,12 +60,16 @@ Study study_of(Inputs& inputs) {
   return make_study(inputs.parameters, std::move(inputs.model), std::move(inputs.response), inputs.sweeps);
 }
 
+void print(const std::string& table) {
+  if (std::fputs(table.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+    throw RunError("stdout: can't be written to its end; is the disk full?");
+}
+
 /// Beyond the inputs: what the scene needs, which takes no pictures and no stress.
 void check(Inputs inputs) {
   if (!inputs.fields_file.empty()) check_fields(inputs.fields_file, inputs.model);
   const Study study = study_of(inputs);
-  std::printf("%s",
-              aligned_text(scene_needs_record(scene_needs(study, field_effects(inputs.fields_file, study)))).c_str());
+  print(aligned_text(scene_needs_record(scene_needs(study, field_effects(inputs.fields_file, study)))));
 }
 
 ReportContents run(Inputs inputs) {
@@ -82,8 +86,7 @@ ReportContents run(Inputs inputs) {
 
 void report(const StageArguments& arguments, const ReportContents& contents) {
   const Study& study = contents.study;
-  std::printf("%s", aligned_text(critical_speed_overview(study, contents.field_results)).c_str());
-  std::fflush(stdout);
+  print(aligned_text(critical_speed_overview(study, contents.field_results)));
   if (arguments.verbosity == Verbosity::verbose) {
     for (const Answer& answer : verdict(study, contents.field_results))
       say(arguments, answer.question + ": " + answer.text);

@@ -40,6 +40,10 @@ expect_message(no_frequencies INPUTS ${made}/case.toml ${made}/model.h5 ${made}/
 expect_message(no_gnuplot PROGRAM /usr/bin/env PATH=/nowhere $<TARGET_FILE:tiprub-postprocess> EXIT_CODE 1
                ERRORS "install it (Debian: gnuplot-nox)")
 
+expect_message(full_stdout EXIT_CODE 1 ERRORS "stdout: can't be written to its end"
+               PROGRAM sh -c "exec $<TARGET_FILE:tiprub-postprocess> \"$@\" > /dev/full" sh
+               ARGUMENTS case.toml model.h5 response.h5 -o report --check)
+
 set(other_fields INPUTS ${made}/case.toml ${made}/model.h5 ${made}/response.h5 ${made}/one_sector_fields.h5=fields.h5)
 expect_message(fields_of_another_rotor ${other_fields} EXIT_CODE 2 ERRORS "fields.h5: has 1 sectors, the model has 10"
                ARGUMENTS case.toml model.h5 response.h5 --fields fields.h5 -o report)

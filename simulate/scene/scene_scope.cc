@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/scene/scene_scope.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -90,9 +91,10 @@ int steps_per_revolution(const SceneScope& scope, const SimulateParameters& para
   const double wanted =
       parameters.steps_per_revolution > 0 ? parameters.steps_per_revolution : parameters.steps_per_period * periods;
   const double steps = rounded_up(wanted, scope.samples_per_revolution);
-  if (steps * parameters.max_revolutions > most_steps)
-    throw RunError("may take " + short_text(steps * parameters.max_revolutions) + " steps (" +
-                   std::to_string(parameters.max_revolutions) + " revolutions of " + short_text(steps) +
+  const int revolutions = std::max(1, parameters.max_revolutions);
+  if (steps * revolutions > most_steps)
+    throw RunError("may take " + short_text(steps * revolutions) + " steps (" + std::to_string(revolutions) +
+                   " revolutions of " + short_text(steps) +
                    "), more than ten minutes of marching for one speed; at most " + short_text(most_steps) +
                    " are taken: raise the speed, or lower [simulate] max_revolutions or the steps");
   return static_cast<int>(steps);

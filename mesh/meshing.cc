@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "cases/program/case_file.h"
 #include "cases/program/output_file.h"
 #include "cases/program/output_lock.h"
 #include "mesh/sector/sector_check.h"
@@ -38,6 +37,10 @@ void report(const StageArguments& arguments) {
 }
 
 }  // namespace
+
+std::string mesh_tables(const CaseFile& file) {
+  return file.resolved("mesh", read_wheel);
+}
 
 void mesh_case(const StageArguments& arguments) {
   const Wheel wheel = read(arguments);

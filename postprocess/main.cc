@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
                   {"model.h5", "the reduced rotor, from tiprub-reduce"},
                   {"response.h5", "the response, from tiprub-simulate"}};
   stage.output = "report";
+  stage.tables = tiprub::postprocess_tables;
   stage.add_options = [&](CLI::App& app) {
     app.add_option(
         "--fields", fields_file,

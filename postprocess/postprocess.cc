@@ -8,6 +8,7 @@
 #include "cases/program/output_file.h"
 #include "cases/program/output_lock.h"
 #include "cases/program/progress.h"
+#include "cases/program/signal_cleanup.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/figures/drawing/gnuplot.h"
 #include "postprocess/figures/field_figures.h"
@@ -52,6 +53,7 @@ Inputs read_inputs(const StageArguments& arguments, const fs::path& fields_file)
   };
   inputs.sweeps = {beside_case(inputs.parameters.response_up), beside_case(inputs.parameters.response_down)};
   inputs.fields_file = fields_file;
+  refuse_overwriting({arguments.output}, {fields_file, inputs.sweeps.up, inputs.sweeps.down});
   require_gnuplot();
   return inputs;
 }
@@ -100,6 +102,12 @@ void report(const StageArguments& arguments, const ReportContents& contents) {
 
 }  // namespace
 
+std::string postprocess_tables(const CaseFile& file) {
+  std::string text = file.resolved_title() + file.resolved("postprocess", read_postprocess_parameters);
+  if (file.has("material")) text += file.resolved("material", read_strength);
+  return text;
+}
+
 void postprocess(const StageArguments& arguments, const fs::path& fields_file) try {
   if (arguments.action == Action::check) return check(read_inputs(arguments, fields_file));
   const OutputLock lock(arguments.output);
@@ -115,6 +123,7 @@ void postprocess(const StageArguments& arguments, const fs::path& fields_file) t
   report(arguments, contents);
 } catch (const Interrupted&) {  // everything is cleaned up; leave as the other stages do
   constexpr int exit_by_signal = 128;
+  tell_interruption();
   std::_Exit(exit_by_signal + interruption());
 }
 

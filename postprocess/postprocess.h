@@ -2,10 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
+#include "cases/program/case_file.h"
 #include "cases/program/command_line.h"
 
 namespace tiprub {
+
+/// What is read of the case: the title, [postprocess], [material].
+std::string postprocess_tables(const CaseFile& file);
 
 /// The stage: reads the case, the model and the response, computes what is drawn, and writes the folder of the
 /// report. Without `fields_file` (empty) fields on the whole wheel are left out. Ends the process with 128 + the

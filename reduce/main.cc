@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   stage.summary = "Reduces a sector of a wheel to a small model that knows its speed.";
   stage.inputs = {{"case.toml", "the scene; its table [reduce] is read"}, {"sector.msh", "one sector of the wheel"}};
   stage.output = "model.h5";
+  stage.tables = tiprub::reduce_tables;
   stage.add_options = [&](CLI::App& app) {
     app.add_option("--export-ccx", options.calculix_folder,
                    "write the sector as CalculiX decks, one a verification speed, into this folder, and stop");

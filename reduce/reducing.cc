@@ -13,7 +13,6 @@
 #include <system_error>
 #include <utility>
 
-#include "cases/program/case_file.h"
 #include "cases/program/output_file.h"
 #include "cases/program/output_lock.h"
 #include "reduce/calculix_deck.h"
@@ -72,30 +71,18 @@ Inputs read(const StageArguments& arguments) {
 class Outputs {
  public:
   Outputs(const StageArguments& arguments, const ReducingOptions& options) {
-    if (!options.calculix_folder.empty()) {
-      make_folder(options.calculix_folder);
-    } else if (!options.modes_file.empty()) {
-      hold(options.modes_file, arguments.inputs);
-    } else {
-      std::vector<std::filesystem::path> taken = arguments.inputs;
-      hold(arguments.output, taken);
-      taken.push_back(arguments.output);
-      if (!options.fields_file.empty()) hold(options.fields_file, taken);
-      if (!options.matrix_market_folder.empty()) make_folder(options.matrix_market_folder);
-    }
+    const bool reduces = options.calculix_folder.empty() && options.modes_file.empty();
+    if (!options.calculix_folder.empty()) make_folder(options.calculix_folder);
+    if (reduces && !options.matrix_market_folder.empty()) make_folder(options.matrix_market_folder);
+    std::vector<std::filesystem::path> files;
+    if (reduces) files = {arguments.output, options.fields_file};
+    if (!reduces && options.calculix_folder.empty()) files = {options.modes_file};
+    refuse_overwriting(files, arguments.inputs);
+    for (const std::filesystem::path& file : files)
+      if (!file.empty()) locks_.emplace_back(file);
   }
 
  private:
-  void hold(const std::filesystem::path& file, const std::vector<std::filesystem::path>& taken) {
-    const auto place = [](const std::filesystem::path& path) {
-      return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
-    };
-    for (const std::filesystem::path& other : taken)
-      if (place(file) == place(other))
-        throw InputError(file.string() + ": would be written over " + other.string() +
-                         ", which this run reads or writes too; give it another name");
-    locks_.emplace_back(file);
-  }
   static void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
@@ -208,6 +195,10 @@ void report(const StageArguments& arguments, const ReducedModel& model, const Re
 }
 
 }  // namespace
+
+std::string reduce_tables(const CaseFile& file) {
+  return file.resolved("reduce", read_reduction_parameters);
+}
 
 void reduce_case(const StageArguments& arguments, const ReducingOptions& options) {
   const Inputs inputs = read(arguments);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cases/program/case_file.h"
 #include "cases/program/command_line.h"
 
 namespace tiprub {
@@ -14,6 +15,9 @@ struct ReducingOptions {
   std::string matrix_market_folder;  ///< besides
   std::string fields_file;           ///< besides
 };
+
+/// What is read of the case: [reduce].
+std::string reduce_tables(const CaseFile& file);
 
 /// tiprub-reduce case.toml sector.msh -o model.h5.
 void reduce_case(const StageArguments& arguments, const ReducingOptions& options);

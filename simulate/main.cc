@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   stage.inputs = {{"case.toml", "the scene; its tables [casing] and [simulate] are read"},
                   {"model.h5", "the reduced rotor"}};
   stage.output = "response.h5";
+  stage.tables = tiprub::simulate_tables;
   stage.add_options = [&](CLI::App& app) {
     app.add_option("--threads", threads, "threads over speeds; 0: as [simulate] says")->check(CLI::Range(0, 1024));
   };

@@ -5,7 +5,6 @@
 #include <iomanip>
 #include <sstream>
 
-#include "cases/program/case_file.h"
 #include "cases/program/units.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/sweep/whole_sweep.h"
@@ -106,6 +105,10 @@ void run_whole_wheel(StageArguments arguments, Inputs inputs, const std::vector<
 }
 
 }  // namespace
+
+std::string simulate_tables(const CaseFile& file) {
+  return file.resolved("casing", read_casing) + file.resolved("simulate", read_simulate_parameters);
+}
 
 void simulate(const StageArguments& arguments, int threads) {
   const Inputs inputs = read_inputs(arguments);

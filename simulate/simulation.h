@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
+#include "cases/program/case_file.h"
 #include "cases/program/command_line.h"
 
 namespace tiprub {
+
+/// What is read of the case: [casing], [simulate].
+std::string simulate_tables(const CaseFile& file);
 
 /// tiprub-simulate case.toml model.h5 -o response.h5. `threads` 0: as [simulate] says.
 void simulate(const StageArguments& arguments, int threads);

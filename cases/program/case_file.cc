@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/program/case_file.h"
 
-#include "cases/program/case_settings.h"
-
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <sstream>
+
+#include "cases/program/case_settings.h"
+#include "cases/text/case_text.h"
+#include "cases/text/printable.h"
 
 namespace tiprub {
 
@@ -15,14 +20,19 @@ namespace {
 constexpr std::array<std::string_view, 6> program_tables = {"mesh",     "reduce",      "casing",
                                                             "simulate", "postprocess", "material"};
 
+constexpr std::uintmax_t largest_case = 4 << 20;  // [byte]
+
+/// In as few digits as it takes to read the same number again; 6, or 17.
 std::string shortest(double value) {
   std::ostringstream out;
   out << value;
-  if (std::stod(out.str()) != value) {
-    out.str("");
-    out.precision(17);
-    out << value;
-  }
+  const std::string text = out.str();
+  double again = 0;
+  std::from_chars(text.data(), text.data() + text.size(), again);
+  if (again == value) return text;
+  out.str("");
+  out.precision(17);
+  out << value;
   return out.str();
 }
 
@@ -32,13 +42,28 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+/// A folder, a device or a pipe is none: they might never end.
 std::string text_of(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  if (!stream || std::filesystem::is_directory(path)) throw RunError(path.string() + ": can't be read");
-  return std::string(std::istreambuf_iterator<char>(stream), {});
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw RunError(path.string() + ": can't be read: it is " + (fs::is_directory(status) ? "a folder" : "no file") +
+                   "; name a case file");
+  if (fs::exists(status) && fs::file_size(path, ignored) > largest_case)
+    throw InputError(path.string() + ": is larger than " + std::to_string(largest_case >> 20) +
+                     " MiB, which no case is; name a case file");
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (!stream.is_open() || stream.bad())
+    throw RunError(path.string() + ": can't be read" + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+  if (const TextFault fault = fault_of_letters(text)) throw InputError(path.string() + *fault);
+  return text;
 }
 
 toml::table parse_case(const std::string& text, const std::string& file) {
+  if (const TextFault fault = fault_of_keys(text)) throw InputError(file + *fault);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
@@ -147,7 +172,7 @@ std::string CaseTable::text(std::string_view key, std::optional<std::string> fal
   if (node != nullptr && !node->is_string())
     throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) + " must be a text in quotes");
   std::string value = node != nullptr ? node->value<std::string>().value() : std::move(*fallback);
-  node_->note(key, '"' + value + '"', "");
+  node_->note(key, in_quotes(value), "");
   return value;
 }
 
@@ -267,6 +292,16 @@ CaseFile::CaseFile(const std::filesystem::path& path, const std::vector<std::str
                      joined({program_tables.begin(), program_tables.end()}));
   }
   title_ = (*root_->values)["title"].value_or(std::string());
+}
+
+std::string CaseFile::resolved_title() const {
+  return "title = " + in_quotes(title_) + "\n";
+}
+
+std::string CaseFile::resolved(std::string_view name, const std::function<void(CaseTable&)>& read) const {
+  CaseTable values = table(name);
+  read(values);
+  return "[" + std::string(name) + "]\n" + values.resolved();
 }
 
 bool CaseFile::has(std::string_view name) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <memory>
@@ -93,6 +94,10 @@ class CaseFile {
   bool has(std::string_view name) const;
   /// Raises InputError if the table is absent.
   CaseTable table(std::string_view name) const;
+  std::string resolved_title() const;
+  /// What a reader takes from a table, as CaseTable::resolved() gives it, headed by the table's name: the same text
+  /// for whatever spelling of the same values.
+  std::string resolved(std::string_view name, const std::function<void(CaseTable&)>& read) const;
 
  private:
   std::string title_;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/program/case_settings.h"
 
-#include <regex>
+#include <algorithm>
+#include <cctype>
 
 #include "cases/program/errors.h"
+#include "cases/text/case_text.h"
 
 namespace tiprub {
 
@@ -22,6 +24,22 @@ void merge(toml::table& into, toml::table&& from) {
   }
 }
 
+std::string without_blanks_at_ends(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// "mesh.element": at least two words of letters, digits and underscores.
+bool is_table_key(const std::string& key) {
+  const auto in_word = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+  };
+  if (key.empty() || !in_word(key.front()) || !in_word(key.back()) || key.find('.') == std::string::npos)
+    return false;
+  if (key.find("..") != std::string::npos) return false;
+  return std::all_of(key.begin(), key.end(), [&](char letter) { return letter == '.' || in_word(letter); });
+}
+
 }  // namespace
 
 std::string setting_origin(const std::string& setting) {
@@ -29,16 +47,18 @@ std::string setting_origin(const std::string& setting) {
 }
 
 void apply_setting(toml::table& values, const std::string& setting) {
-  static const std::regex form("(\\w+(?:\\.\\w+)+) *= *([^\n]*)");
   const std::string origin = setting_origin(setting);
-  std::smatch parts;
-  if (!std::regex_match(setting, parts, form)) throw InputError(origin + ": must be TABLE.KEY=VALUE, in one line");
+  const std::size_t sign = setting.find('=');
+  const std::string key = without_blanks_at_ends(setting.substr(0, sign));
+  if (sign == std::string::npos || setting.find('\n') != std::string::npos || !is_table_key(key))
+    throw InputError(origin + ": must be TABLE.KEY=VALUE, in one line");
+  if (const TextFault fault = fault_of_keys(setting)) throw InputError(origin + *fault);
   try {
     merge(values, toml::parse(setting, origin));
   } catch (const toml::parse_error& error) {
-    throw InputError(origin + ": " + parts.str(2) + " is no TOML value (" + std::string(error.description()) +
-                     "); a text needs quotes: " + std::string(option) + "'" + parts.str(1) + "=\"" + parts.str(2) +
-                     "\"'");
+    const std::string value = without_blanks_at_ends(setting.substr(sign + 1));
+    throw InputError(origin + ": " + value + " is no TOML value (" + std::string(error.description()) +
+                     "); a text needs quotes: " + std::string(option) + "'" + key + "=\"" + value + "\"'");
   }
 }
 

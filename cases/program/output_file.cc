@@ -23,6 +23,15 @@ fs::path beside(const fs::path& target, const std::string& word) {
   return name.replace_filename(target.stem().string() + ".tiprub." + word + target.extension().string());
 }
 
+/// By name too, for files that are still to come.
+bool same_file(const fs::path& one, const fs::path& other) {
+  if (one.empty() || other.empty()) return false;
+  std::error_code ignored;
+  if (fs::equivalent(one, other, ignored)) return true;
+  const fs::path place = fs::weakly_canonical(fs::absolute(one), ignored);
+  return !place.empty() && place == fs::weakly_canonical(fs::absolute(other), ignored);
+}
+
 void require_replaceable(const fs::path& target) {
   const fs::file_status status = fs::status(target);
   if (!fs::exists(status) || fs::is_regular_file(status)) return;
@@ -108,6 +117,17 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
   if (!out)
     throw RunError(path.string() + ": can't be written" +
                    (reason == 0 ? "" : ": " + std::generic_category().message(reason)));
+}
+
+void refuse_overwriting(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+  std::vector<fs::path> taken = inputs;
+  for (const fs::path& output : outputs) {
+    for (const fs::path& other : taken)
+      if (same_file(output, other))
+        throw InputError(output.string() + ": would be written over " + other.string() +
+                         ", which this run reads or writes too; give it another name");
+    taken.push_back(output);
+  }
 }
 
 }  // namespace tiprub

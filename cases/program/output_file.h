@@ -5,6 +5,7 @@
 #include <functional>
 #include <iosfwd>
 #include <optional>
+#include <vector>
 
 #include "cases/program/signal_cleanup.h"
 
@@ -38,5 +39,10 @@ class OutputFile {
 /// A file of whatever `body` puts into the stream, byte for byte; on its place at once. Raises RunError with the
 /// system's reason if the file can't be made, or the disk doesn't take all of it.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& body);
+
+/// Raises InputError if one of the outputs is one of the inputs, by whatever name or link, or another output. Empty
+/// names stand for nothing.
+void refuse_overwriting(const std::vector<std::filesystem::path>& outputs,
+                        const std::vector<std::filesystem::path>& inputs);
 
 }  // namespace tiprub

@@ -7,7 +7,6 @@
 #include <array>
 #include <atomic>
 #include <cstring>
-#include <string>
 
 namespace tiprub {
 
@@ -20,15 +19,40 @@ struct Slot {
   std::atomic<bool> armed{false};
 };
 std::array<Slot, RemovedOnSignal::most> slots;
+std::array<char, 256> announcement{};
 
 void remove_files_and_leave(int signal_number) {
   constexpr int exit_by_signal = 128;
   for (const Slot& slot : slots)
     if (slot.armed.load()) unlink(slot.name.data());
+  tell_interruption();
   _exit(exit_by_signal + signal_number);
 }
 
+void handle_signals() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    if (sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) continue;
+    action = {};
+    action.sa_handler = remove_files_and_leave;
+    sigaction(number, &action, nullptr);
+  }
+}
+
 }  // namespace
+
+void announce_signals(const std::string& program) {
+  const std::string after_control_c = isatty(STDERR_FILENO) != 0 ? "\n" : "";
+  const std::string text =
+      after_control_c + program + ": interrupted; what was finished is kept, and no half file is left\n";
+  if (text.size() < announcement.size()) std::memcpy(announcement.data(), text.c_str(), text.size() + 1);
+  handle_signals();
+}
+
+void tell_interruption() {
+  const ssize_t ignored = write(STDERR_FILENO, announcement.data(), std::strlen(announcement.data()));
+  static_cast<void>(ignored);
+}
 
 RemovedOnSignal::RemovedOnSignal(const std::filesystem::path& file) {
   const std::string name = std::filesystem::absolute(file).string();
@@ -37,11 +61,7 @@ RemovedOnSignal::RemovedOnSignal(const std::filesystem::path& file) {
   if (slot_ < 0) return;
   std::memcpy(slots[slot_].name.data(), name.c_str(), name.size() + 1);
   slots[slot_].armed = true;
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction action {};
-    action.sa_handler = remove_files_and_leave;
-    sigaction(number, &action, nullptr);
-  }
+  handle_signals();
 }
 
 void RemovedOnSignal::release() {

@@ -2,12 +2,20 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace tiprub {
 
-/// While one lives, SIGINT, SIGTERM and SIGHUP remove its file and end the program with 128 + the signal's number. A
-/// signal handler may remove no folder: a stage that writes one turns signals into exceptions instead. At most
-/// `most` live at a time; names of 4096 letters and more are left standing.
+/// From here on SIGINT, SIGTERM and SIGHUP say so in one line on stderr, and end the program with 128 + the signal's
+/// number. A signal that the program was started to ignore (nohup) stays ignored.
+void announce_signals(const std::string& program);
+
+/// That line, for whoever handles signals itself. A signal handler may call it.
+void tell_interruption();
+
+/// While one lives, these signals remove its file, and end the program. A signal handler may remove no folder: a
+/// stage that writes one turns signals into exceptions instead. At most `most` live at a time; names of 4096 letters
+/// and more are left standing.
 class RemovedOnSignal {
  public:
   static constexpr int most = 8;

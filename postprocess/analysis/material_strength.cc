@@ -3,9 +3,7 @@
 
 namespace tiprub {
 
-std::optional<MaterialStrength> read_material_strength(const CaseFile& file) {
-  if (!file.has("material")) return std::nullopt;
-  CaseTable table = file.table("material");
+MaterialStrength read_strength(CaseTable& table) {
   MaterialStrength strength;
   strength.ultimate = table.number("ultimate_strength", std::nullopt, Range::positive(), "Pa");
   strength.endurance = table.number("endurance_limit", std::nullopt, Range::positive(), "Pa, fully reversed");
@@ -13,6 +11,12 @@ std::optional<MaterialStrength> read_material_strength(const CaseFile& file) {
   if (yield > 0) strength.yield = yield;
   table.close();
   return strength;
+}
+
+std::optional<MaterialStrength> read_material_strength(const CaseFile& file) {
+  if (!file.has("material")) return std::nullopt;
+  CaseTable table = file.table("material");
+  return read_strength(table);
 }
 
 double goodman_utilisation(const MaterialStrength& strength, double alternating, double mean) {

@@ -15,7 +15,9 @@ struct MaterialStrength {
   std::optional<double> yield;  ///< [Pa]
 };
 
-/// Nothing without the table. Raises InputError at a key that is unknown, missing or out of its range.
+/// Raises InputError at a key that is unknown, missing or out of its range.
+MaterialStrength read_strength(CaseTable& table);
+/// Nothing without the table.
 std::optional<MaterialStrength> read_material_strength(const CaseFile& file);
 
 /// [1] Goodman: alternating / endurance + mean / ultimate; 1 is the limit.

@@ -20,6 +20,8 @@ void note(int signal_number) {
 void note_interruptions() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
+    if (sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) continue;  // nohup
+    action = {};
     action.sa_handler = note;  // no SA_RESTART: a wait for a child ends at once
     sigaction(number, &action, nullptr);
   }

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/program/command_line.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <new>
 #include <stdexcept>
 
+#include "cases/program/case_file.h"
 #include "cases/program/errors.h"
 
 namespace tiprub {
@@ -17,15 +24,23 @@ struct Ending {
   std::string out, err;
 };
 
-Ending run(std::vector<std::string> words, const std::function<void(const StageArguments&)>& body) {
+enum class Captured { yes, no };
+
+Ending run(std::vector<std::string> words, const std::function<void(const StageArguments&)>& body,
+           Captured captured = Captured::yes) {
   words.insert(words.begin(), "tiprub-tiny");
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   const Stage stage{.name = "tiprub-tiny",
                     .summary = "Does little.",
                     .inputs = {{"case.toml", "the scene"}, {"sector.msh", "one sector"}},
-                    .output = "tiny.h5"};
+                    .output = "tiny.h5",
+                    .tables = [](const CaseFile& file) { return "title = " + file.title() + "\n"; }};
   Ending ending;
+  if (captured == Captured::no) {
+    ending.code = run_stage(static_cast<int>(argv.size()), argv.data(), stage, body);
+    return ending;
+  }
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();
   ending.code = run_stage(static_cast<int>(argv.size()), argv.data(), stage, body);
@@ -93,6 +108,54 @@ TEST(CommandLine, RefusesWhatItDoesNotKnow) {
   expect_untouched(with({"-q", "-v"}), "excludes");
   expect_untouched(with({"-o"}), "--output");
   expect_untouched(with({"--set"}), "--set");
+}
+
+/// "--bogus" said that case.toml is required.
+TEST(CommandLine, NamesAnUnknownOptionBeforeWhatIsMissing) {
+  expect_untouched({"--bogus"}, "--bogus");
+}
+
+TEST(CommandLine, PrintsItsTablesFromTheCaseAlone) {
+  const std::string name = ::testing::TempDir() + "tables.toml";
+  std::ofstream(name) << "title = \"Wheel\"\n";
+  const auto never = [](const StageArguments&) { FAIL() << "the body ran"; };
+  EXPECT_EQ(run({name, "--tables"}, never).out, "title = Wheel\n");
+  EXPECT_EQ(run({name, "--tables", "--set", "mesh.x=1"}, never).code, 0);
+  EXPECT_EQ(run({name, "--tables", "--set", "mash.x=1"}, never).code, 2);
+  expect_untouched({"--tables"}, "case.toml is required");
+}
+
+/// Control characters of a case reached the terminal, and line breaks broke the line.
+TEST(CommandLine, PrintsOthersTextsHarmlessly) {
+  const auto complain = [](const StageArguments&) { throw InputError("Gehäuse \x1b[31m\n\x9b: wrong"); };
+  EXPECT_EQ(run(inputs, complain).err, "tiprub-tiny: error: Gehäuse \\x1b[31m\\n\\x9b: wrong\n");
+  EXPECT_EQ(run(inputs, [](const StageArguments& arguments) { say(arguments, "a\nb\x1b"); }).err, "a\nb\\x1b\n");
+  expect_untouched(with({"--fa\nst"}), "--fa\\nst");
+}
+
+/// -o case.toml replaced the case.
+TEST(CommandLine, RefusesAnOutputThatIsAnInput) {
+  const auto never = [](const StageArguments&) { FAIL() << "the body ran"; };
+  for (const std::string output : {"b.msh", "./x/../b.msh", "a.toml"}) {
+    const Ending ending = run(with({"-o", output}), never);
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_NE(ending.err.find(output + ": would be written over "), std::string::npos) << ending.err;
+  }
+}
+
+/// A full disk behind stdout ended with 0.
+TEST(CommandLine, FailsIfStdoutCanNotBeWritten) {
+  const auto print_to = [](int stream) {
+    dup2(stream, STDOUT_FILENO);
+    if (stream < 0) close(STDOUT_FILENO);
+    std::exit(run(
+                  inputs, [](const StageArguments&) { std::printf("data\n"); }, Captured::no)
+                  .code);
+  };
+  EXPECT_EXIT(print_to(open("/dev/full", O_WRONLY)), ::testing::ExitedWithCode(1),
+              "^tiprub-tiny: error: stdout: can't be written: No space left on device\n$");
+  EXPECT_EXIT(print_to(-1), ::testing::ExitedWithCode(1),
+              "^tiprub-tiny: error: stdout: can't be written: Bad file descriptor\n$");
 }
 
 TEST(CommandLine, HelpAndVersionGoToStdout) {

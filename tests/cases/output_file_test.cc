@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/program/output_file.h"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
 
@@ -9,6 +10,7 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_lock.h"
+#include "cases/program/signal_cleanup.h"
 #include "tests/cases/full_disk.h"
 #include "tests/cases/temporary_folder.h"
 
@@ -233,6 +235,56 @@ TEST_F(OutputFiles, ALockEndsWithItsRunHoweverThatEnds) {
             -1);
   { const OutputLock next(path("model.h5")); }
   EXPECT_EQ(entries(), 0);
+}
+
+std::string refusal(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+  try {
+    refuse_overwriting(outputs, inputs);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(OutputFiles, AreNoInputsByWhateverName) {
+  write(path("in.h5"), "in");
+  fs::create_symlink("in.h5", path("link.h5"));
+  fs::create_hard_link(path("in.h5"), path("hard.h5"));
+  for (const fs::path& name : {path("in.h5"), path("link.h5"), path("hard.h5"), path("no/../in.h5")})
+    EXPECT_EQ(refusal({name}, {path("other.h5"), path("in.h5")}),
+              name.string() + ": would be written over " + path("in.h5").string() +
+                  ", which this run reads or writes too; give it another name");
+  EXPECT_EQ(refusal({path("out.h5"), ""}, {path("in.h5"), ""}), "");
+}
+
+TEST_F(OutputFiles, HaveEachItsOwnName) {
+  EXPECT_EQ(refusal({path("x.h5"), path("y.h5"), ""}, {}), "");
+  EXPECT_EQ(refusal({path("x.h5"), path("./x.h5")}, {}),
+            path("./x.h5").string() + ": would be written over " + path("x.h5").string() +
+                ", which this run reads or writes too; give it another name");
+}
+
+/// Under nohup the end of a session killed the run.
+TEST_F(OutputFiles, IgnoredSignalsStayIgnored) {
+  EXPECT_EQ(ending([&] {
+              signal(SIGHUP, SIG_IGN);
+              const OutputFile output(path("a.h5"));
+              raise(SIGHUP);
+              _exit(7);
+            }),
+            7);
+}
+
+TEST_F(OutputFiles, ASignalIsTold) {
+  const fs::path said = path("said");
+  EXPECT_EQ(ending([&] {
+              const int file = open(said.c_str(), O_WRONLY | O_CREAT, 0600);
+              dup2(file, STDERR_FILENO);
+              announce_signals("tiprub-tiny");
+              raise(SIGINT);
+            }),
+            128 + SIGINT);
+  EXPECT_EQ(read(said), "tiprub-tiny: interrupted; what was finished is kept, and no half file is left\n");
 }
 
 }  // namespace

@@ -194,7 +194,10 @@ def up_to_date(programs, cases, work):
     assert make(work, programs, "-q", "report/report.html").returncode == 0
     before = os.path.getmtime(os.path.join(work, "response.h5"))
     with open(os.path.join(work, "case.toml"), "a", encoding="utf-8") as file:
-        file.write("# a remark in the last table, [postprocess]\n")
+        file.write("# a remark\n")
+    assert make(work, programs, "-q", "report/report.html").returncode == 0
+    with open(os.path.join(work, "case.toml"), "a", encoding="utf-8") as file:
+        file.write("families = 4\n")
     made = make(work, programs)
     assert made.returncode == 0 and "tiprub-postprocess case.toml" in made.stdout, made.stdout
     assert "tiprub-simulate case.toml" not in made.stdout

@@ -14,7 +14,7 @@ import source_tree
 
 # From the ground up; "" is the room's own folder, where its main.cc is.
 STOREYS = {
-    "cases": ["program"],
+    "cases": ["text", "program"],
     "mesh": ["curves", "lattice", "wheels", "sector", ""],
     "reduce": ["model", "sector", "operators", "basis", ""],
     "simulate": ["scene", "response", "march", "orbits", "speed", "sweep", ""],

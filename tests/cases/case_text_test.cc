@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that are no case: one line each, before the TOML reader sees them.
+#include "cases/text/case_text.h"
+
+#include <sys/stat.h>
+
+#include <functional>
+
+#include "cases/program/case_file.h"
+#include "tests/cases/temporary_folder.h"
+
+namespace tiprub {
+namespace {
+
+using namespace std::string_literals;
+
+class CaseTexts : public test::TemporaryFolder {
+ protected:
+  template <class Error>
+  static std::string complaint(const std::function<void()>& work) {
+    try {
+      work();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "nothing was refused";
+  }
+  std::string refusal(const std::string& text) {
+    write(path("case.toml"), text);
+    const std::string message = complaint<InputError>(
+        [&] { CaseFile(path("case.toml")).table("mesh").integer("count", 1, Range::any(), ""); });
+    EXPECT_EQ(message.substr(0, path("case.toml").string().size()), path("case.toml").string()) << message;
+    return message.substr(std::min(message.size(), path("case.toml").string().size()));
+  }
+};
+
+TEST_F(CaseTexts, MustBeFiles) {
+  mkfifo(path("pipe").c_str(), 0600);
+  const auto reading = [&](const std::filesystem::path& file) {
+    return complaint<RunError>([&] { const CaseFile read(file); });
+  };
+  EXPECT_EQ(reading(path("none.toml")), path("none.toml").string() + ": can't be read: No such file or directory");
+  EXPECT_EQ(reading(path("")), path("").string() + ": can't be read: it is a folder; name a case file");
+  EXPECT_EQ(reading(path("pipe")), path("pipe").string() + ": can't be read: it is no file; name a case file");
+  EXPECT_EQ(reading("/dev/zero"), "/dev/zero: can't be read: it is no file; name a case file");
+}
+
+TEST_F(CaseTexts, MustNotBeHuge) {
+  write(path("case.toml"), "");
+  std::filesystem::resize_file(path("case.toml"), std::uintmax_t(1) << 40);
+  EXPECT_EQ(complaint<InputError>([&] { const CaseFile read(path("case.toml")); }),
+            path("case.toml").string() + ": is larger than 4 MiB, which no case is; name a case file");
+}
+
+TEST_F(CaseTexts, MustBeUtf8) {
+  EXPECT_EQ(refusal("title = \"\"\n[me\xffsh]\n"),
+            ":2:4: not TOML: the byte \\xff is no letter of UTF-8; is this a case file, saved as UTF-8?");
+  EXPECT_EQ(refusal("[mesh]\0\n"s),
+            ":1:7: not TOML: the byte \\x00 is no letter of UTF-8; is this a case file, saved as UTF-8?");
+  EXPECT_EQ(refusal("\xff\xfe[\0"s), ": is written in UTF-16; save it as UTF-8");
+  write(path("case.toml"), "\xef\xbb\xbf[mesh]\ncount = 2\n");  // a byte order mark, as some editors leave it
+  EXPECT_EQ(CaseFile(path("case.toml")).table("mesh").integer("count", 1, Range::any(), ""), 2);
+}
+
+std::string repeated(const std::string& word, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += word;
+  return text;
+}
+
+/// The TOML reader took stack for each part of a key, without end: a segmentation fault.
+TEST_F(CaseTexts, MustNotNestWithoutEnd) {
+  const std::string refused = "a key of more than 16 parts; no case has one";
+  EXPECT_EQ(refusal("[" + repeated("a.", 50000) + "a]\n"), ":1:33: " + refused);
+  EXPECT_EQ(refusal("\n" + repeated("a . ", 50000) + "a = 1\n"), ":2:63: " + refused);
+  EXPECT_NE(refusal("[mesh]\n" + repeated("\"a,b\".", 50000) + "a = 1\n").find(refused), std::string::npos);
+  EXPECT_NE(refusal("x = { s = '''\nit's''''', " + repeated("a.", 50000) + "a = 1, t = '' }\n").find(refused),
+            std::string::npos);
+  EXPECT_NE(refusal("x = \"\\\"\"\n" + repeated("a.", 50000) + "a = \"\"").find(refused), std::string::npos);
+  for (const std::string part : {"[", "{a=", "{a.a.a.a.a.a.a.a="})
+    EXPECT_NE(refusal("x = " + repeated(part, 50000)).find("not TOML: "), std::string::npos) << part;
+  EXPECT_EQ(complaint<InputError>([&] {
+              write(path("case.toml"), "");
+              CaseFile(path("case.toml"), {repeated("a.", 50000) + "a=1"});
+            }).find("--set "),
+            0U);
+}
+
+TEST_F(CaseTexts, MayHoldDotsElsewhere) {
+  const std::string dots = repeated("a.", 40);
+  const std::string numbers = repeated("1.5, ", 40);
+  write(path("case.toml"), "title = \"" + dots + "\" # " + dots + "\n[mesh]\nlist = [" + numbers + "]\ntext = '''" +
+                               dots + "\n" + dots + "'''\ndate = 1979-05-27T00:32:00.999\n");
+  EXPECT_EQ(CaseFile(path("case.toml")).title(), dots);
+}
+
+/// "error: stod".
+TEST_F(CaseTexts, MayHoldSubnormalNumbers) {
+  write(path("case.toml"), "[mesh]\nsmall = 1e-310\n");
+  CaseTable table = CaseFile(path("case.toml")).table("mesh");
+  EXPECT_EQ(table.number("small", std::nullopt, Range::any(), ""), 1e-310);
+  EXPECT_NE(table.resolved(), "");
+  EXPECT_NE(refusal("[mesh]\ncount = 1e-310\n").find("not a whole number"), std::string::npos);
+}
+
+TEST_F(CaseTexts, ResolveToTheSameForAnotherSpelling) {
+  const auto resolved = [&](const std::string& text) {
+    write(path("case.toml"), text);
+    return CaseFile(path("case.toml")).resolved("mesh", [](CaseTable& table) {
+      table.number("length", 2.0, Range::any(), "m");
+      table.text("name", "none");
+      table.close();
+    });
+  };
+  EXPECT_EQ(resolved("[mesh]\n"), "[mesh]\nlength = 2  # m\nname = \"none\"\n");
+  EXPECT_EQ(resolved(" [ 'mesh' ] # remark\n\t\"length\"=20e-1\n"), resolved("[mesh]\n"));
+  EXPECT_EQ(resolved("mesh = {name = \"a\\nb\\\"\"}"), "[mesh]\nlength = 2  # m\nname = \"a\\nb\\\"\"\n");
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/text/printable.h"
+
+#include <gtest/gtest.h>
+
+namespace tiprub {
+namespace {
+
+using namespace std::string_literals;
+
+TEST(Printable, EscapesWhatATerminalObeys) {
+  EXPECT_EQ(printable("a\nb\t\x1b[31mred\r\x7f"), "a\\nb\\t\\x1b[31mred\\r\\x7f");
+  EXPECT_EQ(printable("nothing\0at all"s), "nothing\\x00at all");
+  EXPECT_EQ(printable("\xc2\x9b"), "\\xc2\\x9b");  // C1's CSI
+  EXPECT_EQ(printable("one\ntwo\x1b", LineBreaks::kept), "one\ntwo\\x1b");
+}
+
+TEST(Printable, KeepsUtf8Whole) {
+  for (const std::string text : {"Gehäuse 0,13 µm", "蜗壳", "🌀", "\u00a0", ""}) EXPECT_EQ(printable(text), text);
+}
+
+TEST(Printable, EscapesBytesThatAreNoLetters) {
+  EXPECT_EQ(printable("\x9b"), "\\x9b");
+  EXPECT_EQ(printable("a\xc3"), "a\\xc3");
+  EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");           // overlong
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // a surrogate
+  EXPECT_EQ(printable("\xf5z"), "\\xf5z");
+}
+
+TEST(Printable, QuotesEndAtTheLastQuote) {
+  EXPECT_EQ(in_quotes("a\" b\\\n"), "\"a\\\" b\\\\\\n\"");
+}
+
+}  // namespace
+}  // namespace tiprub

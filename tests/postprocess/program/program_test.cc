@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -99,6 +100,17 @@ TEST_F(Program, DrawsAWheelThatNeverTouchesNorMoves) {
     response.speeds.push_back(synthetic::speed(response.scene, rotor.contact, speed, {}, 2));
   write_response(response, folder_ / "still.h5", "test");
   const Outcome outcome = run("case.toml model.h5 still.h5 -o still");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+}
+
+/// Symptom: gnuplot drew no axis between two speeds whose difference it could not tell.
+TEST_F(Program, DrawsSpeedsThatAreNearlyEqual) {
+  const ReducedModel rotor = synthetic::model();
+  Response response{synthetic::two_lobes(), "made", {}, synthetic::frequencies(rotor)};
+  for (const double speed : {1200.0, std::nextafter(1200.0, 2000.0)})
+    response.speeds.push_back(synthetic::speed(response.scene, rotor.contact, speed, {{2, 2, 1e-300, 0}}, 2));
+  write_response(response, folder_ / "near.h5", "test");
+  const Outcome outcome = run("case.toml model.h5 near.h5 -o near");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
 }
 

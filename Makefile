@@ -2,6 +2,7 @@
 #   make demo       installs what is missing, builds, and runs the quick impeller from its case to its report
 #   make test       installs what is missing, builds, and tests;  make test-all takes the slow tests in
 #   make test-sanitized   the unit tests in a Debug build with address and undefined-behaviour sanitizers
+#   make fuzz       5,000 damaged inputs of a new seed for the readers of all files;  FUZZ_INPUTS, FUZZ_SEED; BUILD=build-sanitized
 #   make paper-checks   makes the paper's cases (under an hour on two cores), and says which of the 81 checks hold
 #   make paper-checks PAPER_CASES=cases/impeller_quick   the same for other cases
 #   make bench      speed of the parts that cost, and beside CalculiX (half an hour, most of it CalculiX's)
@@ -10,8 +11,9 @@ BUILD ?= build
 JOBS ?= $(shell nproc)
 DEMO := cases/impeller_quick
 PAPER_CASES ?= cases/impeller cases/impeller_three_lobes
+FUZZ_INPUTS ?= 5000
 
-.PHONY: all packages configure programs tests demo test test-all test-sanitized paper-checks bench format check-format lint clean
+.PHONY: all packages configure programs tests demo test test-all test-sanitized fuzz paper-checks bench format check-format lint clean
 all: programs
 
 packages:
@@ -43,15 +45,19 @@ test-all: tests
 # The unit tests of all rooms, but not what runs long numerics again (slow; stability, chain, peers), nor what counts on the time
 # or the memory that a program takes, nor the comparison with Trilinos' eigensolver.
 SANITIZED := programs write-synthetic-scene gmsh_sector cases_test mesh_test model_file_test reduce_test reduce_linear_test \
-  simulate_test postprocess-test postprocess-program-test planted_fault
+  simulate_test postprocess-test postprocess-program-test planted_fault convert_sector tiprub_fuzz
+SANITIZERS := LSAN_OPTIONS=suppressions=$(CURDIR)/.ci/leaks.supp:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1 \
+  ASAN_OPTIONS=detect_container_overflow=0 OPENBLAS_CORETYPE=Nehalem
 
 test-sanitized: packages
 	cmake -G Ninja -S . -B $(BUILD)-sanitized -DCMAKE_BUILD_TYPE=Debug -DTIPRUB_SANITIZE=ON > $(BUILD)-sanitized.configure.log
 	ninja -C $(BUILD)-sanitized -j $(JOBS) $(SANITIZED)
-	LSAN_OPTIONS=suppressions=$(CURDIR)/.ci/leaks.supp:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1 \
-	  ASAN_OPTIONS=detect_container_overflow=0 OPENBLAS_CORETYPE=Nehalem \
-	  ctest --test-dir $(BUILD)-sanitized --output-on-failure -j $(JOBS) -R '^(cases|mesh|reduce|simulate|postprocess|structure)\.' \
+	$(SANITIZERS) ctest --test-dir $(BUILD)-sanitized --output-on-failure -j $(JOBS) -R '^(cases|mesh|reduce|simulate|postprocess|fuzz|structure)\.' \
 	    -LE slow -E 'interrupted|too_little_memory|in_browser|anasazi'
+
+fuzz: programs
+	ninja -C $(BUILD) -j $(JOBS) tiprub_fuzz convert_sector
+	$(SANITIZERS) /usr/bin/python3 -B tests/fuzz/fuzz.py $(abspath $(BUILD))/bin tests/chain/small_disc.toml $(BUILD)/fuzz $(FUZZ_INPUTS) $(FUZZ_SEED)
 
 paper-checks: tests
 	+for case in $(PAPER_CASES); do $(MAKE) -C $$case BIN=$(abspath $(BUILD))/bin || exit 1; done

@@ -16,15 +16,6 @@ constexpr const char* unwritable = "can't be written; is the disk full?";
 
 using RowMajorComplex = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// How many values a shape holds, as far as the machine could hold them: a damaged file may name any size.
-std::size_t affordable_count(const Hdf5Shape& shape, std::size_t bytes_each) {
-  const double most = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  double bytes = static_cast<double>(bytes_each);
-  for (hsize_t extent : shape) bytes *= static_cast<double>(extent);
-  if (bytes > most) throw std::bad_alloc();
-  return static_cast<std::size_t>(bytes) / bytes_each;
-}
-
 Hdf5Id complex_type() {
   return hdf5_complex_type<double>(H5T_NATIVE_DOUBLE);
 }
@@ -35,6 +26,14 @@ H5T_class_t class_of(hid_t set) {
 
 Hdf5Shape extents_of(hid_t set) {
   return hdf5_extents(Hdf5Id(H5Dget_space(set), H5Sclose));
+}
+
+/// How many values a dataset holds, as far as the machine could hold them: a damaged one may name any shape.
+std::size_t affordable_count(hid_t set, std::size_t bytes_each) {
+  const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double count = hdf5_filled_count(set);
+  if (count * static_cast<double>(bytes_each) > memory) throw std::bad_alloc();
+  return static_cast<std::size_t>(count);
 }
 
 void read_all(hid_t set, hid_t type, void* values) {
@@ -103,7 +102,7 @@ std::string Hdf5File::read_text(const std::string& name) const {
   return attempt(name, "can't be read as a text", [&] {
     const Hdf5Id set = handle_->dataset(name);
     const Hdf5Id text(H5Dget_type(set), H5Tclose);
-    if (affordable_count(extents_of(set), H5Tget_size(text)) != 1) throw Hdf5Failure();
+    if (affordable_count(set, H5Tget_size(text)) != 1) throw Hdf5Failure();
     return hdf5_read_text(
         text, [&](hid_t type, void* to) { return H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to); });
   });
@@ -117,7 +116,7 @@ Array<double> Hdf5File::read_array(const std::string& name) const {
     if (class_of(set) != H5T_FLOAT && class_of(set) != H5T_INTEGER) fail(name, "is not real numbers");
     const Hdf5Shape shape = extents_of(set);
     array.shape.assign(shape.begin(), shape.end());
-    array.values.resize(affordable_count(shape, sizeof(double)));
+    array.values.resize(affordable_count(set, sizeof(double)));
     if (!array.values.empty()) read_all(set, H5T_NATIVE_DOUBLE, array.values.data());
   });
   const auto bad = std::find_if(array.values.begin(), array.values.end(), [](double v) { return !std::isfinite(v); });
@@ -162,7 +161,7 @@ Eigen::MatrixXcd Hdf5File::read_complex_matrix(const std::string& name) const {
     if (!is_complex(set)) fail(name, "has compound members that are not r and i, floating-point numbers both");
     const Hdf5Shape shape = extents_of(set);
     if (shape.size() != 2) fail(name, "has shape " + hdf5_shape_text(shape) + ", must have two axes");
-    affordable_count(shape, sizeof(std::complex<double>));
+    affordable_count(set, sizeof(std::complex<double>));
     matrix.resize(static_cast<Eigen::Index>(shape[0]), static_cast<Eigen::Index>(shape[1]));
     if (matrix.size() > 0) read_all(set, complex_type(), matrix.data());
   });

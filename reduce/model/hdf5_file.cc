@@ -31,6 +31,17 @@ std::string hdf5_shape_text(const Hdf5Shape& shape) {
   return words.empty() ? "scalar" : words;
 }
 
+double hdf5_filled_count(hid_t set) {
+  constexpr double most_compression = 1100;   // of deflate: bytes of values for one byte in the file
+  constexpr double always_allowed = 1 << 20;  // values
+  const double size = static_cast<double>(H5Tget_size(Hdf5Id(H5Dget_type(set), H5Tclose)));
+  const double filled = most_compression * static_cast<double>(H5Dget_storage_size(set)) / size;
+  double count = 1;
+  for (hsize_t extent : hdf5_extents(Hdf5Id(H5Dget_space(set), H5Sclose))) count *= static_cast<double>(extent);
+  if (count > std::max(filled, always_allowed)) throw std::length_error("hollow");
+  return count;
+}
+
 Hdf5Id hdf5_dataset_creation() {
   Hdf5Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   hdf5_checked(H5Pset_obj_track_times(creation, false));
@@ -85,6 +96,7 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path) {
 Hdf5File Hdf5File::open(const std::filesystem::path& path) {
   prepare_library();
   if (!std::filesystem::exists(path)) throw RunError(path.string() + ": no such file");
+  hdf5_require_harmless(path.string());
   try {
     Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     return {path.string(), std::make_unique<Handle>(Handle{std::move(file)})};

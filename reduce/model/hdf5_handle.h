@@ -69,6 +69,9 @@ Hdf5Id hdf5_complex_type(hid_t real) {
 Hdf5Shape hdf5_extents(hid_t space);
 /// "3 x 4", "scalar".
 std::string hdf5_shape_text(const Hdf5Shape& shape);
+/// How many values a dataset has. Raises std::length_error if they are more than the file can hold: of what was never
+/// written HDF5 gives zeros, terabytes of them.
+double hdf5_filled_count(hid_t set);
 /// Of an object that hasn't it yet: one value, or one text.
 void hdf5_add_attribute(hid_t object, const std::string& name, hid_t type, const void* value);
 void hdf5_add_attribute(hid_t object, const std::string& name, const std::string& text);
@@ -113,6 +116,10 @@ struct Hdf5File::Handle {
              const std::string& unit) const;
 };
 
+/// Touches what a reader may touch, in a process of its own: HDF5 follows damaged tables to wherever they point, and
+/// may die of it. Raises RunError then; what HDF5 itself refuses is left to the reader.
+void hdf5_require_harmless(const std::string& path);
+
 /// Of a dataset whose times are not kept: same content, same bytes.
 Hdf5Id hdf5_dataset_creation();
 
@@ -123,9 +130,9 @@ auto Hdf5File::attempt(const std::string& object, const std::string& complaint, 
   } catch (const Hdf5Failure&) {
     fail(object, complaint);
   } catch (const std::bad_alloc&) {
-    fail(object, "takes more memory than there is");
+    fail(object, "takes more memory than there is, or than the file could fill");
   } catch (const std::length_error&) {
-    fail(object, "takes more memory than there is");
+    fail(object, "takes more memory than there is, or than the file could fill");
   }
 }
 

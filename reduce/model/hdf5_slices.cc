@@ -88,7 +88,9 @@ std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, s
 std::vector<std::size_t> Hdf5File::shape_of(const std::string& name) const {
   if (!exists(name)) fail(name, "is missing");
   return attempt(name, "is no dataset", [&]() -> std::vector<std::size_t> {
-    const Hdf5Shape shape = hdf5_extents(space_of(handle_->dataset(name)));
+    const Hdf5Id set = handle_->dataset(name);
+    hdf5_filled_count(set);
+    const Hdf5Shape shape = hdf5_extents(space_of(set));
     return {shape.begin(), shape.end()};
   });
 }

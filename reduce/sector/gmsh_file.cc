@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "cases/program/errors.h"
-#include "reduce/sector/child_process.h"
+#include "reduce/model/child_process.h"
 
 namespace tiprub {
 

@@ -191,6 +191,29 @@ TEST_F(ModelFile, RefusesHalfAFile) {
             path().string() + ": is not an HDF5 file, or is damaged");
 }
 
+/// HDF5 1.10 follows the address of a group's names to wherever it points, and dies there.
+TEST_F(ModelFile, SurvivesWhatHdf5DiesOf) {
+  write_model(some_model(), path(), "test");
+  std::string all = bytes("model.h5");
+  constexpr std::size_t address_of_names = 24;
+  for (std::size_t at = all.find("HEAP"); at != std::string::npos; at = all.find("HEAP", at + 1))
+    all.replace(at + address_of_names, sizeof(void*), sizeof(void*), '\xff');
+  std::ofstream(path(), std::ios::binary) << all;
+  EXPECT_EQ(test::complaint<RunError>([&] {
+              read_model(path());
+            }).rfind(path().string() + ": is not an HDF5 file, or is damaged", 0),
+            0u);
+}
+
+/// A shape costs nothing in a file, and took minutes and all memory to be filled with zeros.
+TEST_F(ModelFile, RefusesAHollowDataset) {
+  EXPECT_EQ(complaint_about_file([](Hdf5File& file) {
+              write_one_mass(file);
+              file.make_slices("/verification/speed", {1U << 30}, Hdf5File::Number::real, "rad/s");
+            }),
+            path().string() + ": /verification/speed: takes more memory than there is, or than the file could fill");
+}
+
 TEST_F(ModelFile, RefusesAnotherSchemaOrVersion) {
   EXPECT_EQ(complaint_about_file([](Hdf5File&) {}),
             path().string() + ": has no schema; expected tiprub-model version 1");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/sector/child_process.h"
+#include "reduce/model/child_process.h"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+
+#include "reduce/model/child_process.h"
+#include "reduce/model/hdf5_handle.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr ChildLimits limits = {1024.0 * 1024 * 1024, 50};
+
+herr_t note_link(hid_t, const char* name, const H5L_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
+herr_t touch_attribute(hid_t object, const char* name, const H5A_info_t*, void*) try {
+  const Hdf5Id attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  const Hdf5Id type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
+  std::vector<char> value(H5Tget_size(type));
+  if (H5Sget_simple_extent_npoints(space) == 1) H5Aread(attribute, type, value.data());
+  return 0;
+} catch (const std::exception&) {
+  return 0;
+}
+
+/// Its index of chunks, and its text if it is one.
+void touch_dataset(hid_t set) {
+  H5Dget_storage_size(set);
+  const Hdf5Id type(H5Dget_type(set), H5Tclose), space(H5Dget_space(set), H5Sclose);
+  if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) return;
+  std::vector<char> value(H5Tget_size(type));
+  H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data());
+}
+
+class Walk {
+ public:
+  void touch(hid_t parent, const std::string& name) try {
+    const Hdf5Id object(H5Oopen(parent, name.c_str(), H5P_DEFAULT), H5Oclose);
+    H5O_info_t info{};
+    if (H5Oget_info2(object, &info, H5O_INFO_BASIC) < 0 || !seen_.insert(info.addr).second) return;
+    hsize_t from = 0;
+    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &from, touch_attribute, nullptr);
+    if (info.type == H5O_TYPE_DATASET) return touch_dataset(object);
+    std::vector<std::string> names;
+    H5Literate(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_link, &names);
+    for (const std::string& inside : names) touch(object, inside);
+  } catch (const std::exception&) {  // the reader will say so, if it is something that it needs
+  }
+
+ private:
+  std::set<haddr_t> seen_;  // links may lead round
+};
+
+}  // namespace
+
+void hdf5_require_harmless(const std::string& path) try {
+  made_by_a_child(
+      [&] {
+        const Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+        Walk().touch(file, "/");
+        return std::string();
+      },
+      limits);
+} catch (const ChildDied& end) {
+  throw RunError(path + ": is not an HDF5 file, or is damaged (HDF5 dies of it: " + end.what() + ")");
+} catch (const RunError&) {  // HDF5 can't open it: so it says again
+}
+
+}  // namespace tiprub

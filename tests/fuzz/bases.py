@@ -1,0 +1,49 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Small scenes as the programs make them, to be damaged by tiprub_fuzz.   bases.py PROGRAMS_FOLDER CASE WORK_FOLDER
+
+plain/: the case as it is. rich/: with what else the files may hold. open/: plain/ without the digest of the model's numbers and the seal of
+the response, which would refuse most damage at once; its mesh in other formats of gmsh.
+"""
+import os
+import shutil
+import subprocess
+import sys
+
+import h5py
+
+SCENES = ("plain", "rich", "open")
+MESH_FORMATS = {"msh22.msh": ("2.2", "text"), "msh40.msh": ("4.0", "text"), "binary.msh": ("4.1", "binary")}
+STAGES = (["mesh"], ["reduce", "sector.msh", "--fields", "fields.h5"], ["simulate", "model.h5"])
+RICH_TABLE = "\n[material]\nultimate_strength = 950e6\nendurance_limit = 400e6\n"
+RICH_SETTINGS = ["mesh.element=\"hex27\"", "reduce.prestress=\"nonlinear\"", "simulate.sweep=\"up\"", "simulate.speeds=\"adaptive\""]
+
+
+def make_scene(programs, text, folder, settings):
+    os.makedirs(folder)
+    with open(os.path.join(folder, "case.toml"), "w", encoding="utf-8") as file:
+        file.write(text)
+    wanted = [word for setting in settings for word in ("--set", setting)]
+    for stage, *arguments in STAGES:
+        subprocess.run([os.path.join(programs, f"tiprub-{stage}"), "case.toml", *arguments, "-q", *wanted], cwd=folder, check=True)
+
+
+def make_bases(programs, case, work):
+    shutil.rmtree(work, ignore_errors=True)
+    with open(case, encoding="utf-8") as file:
+        text = file.read()
+    plain, rich, opened = (os.path.join(work, scene) for scene in SCENES)
+    make_scene(programs, text, plain, [])
+    make_scene(programs, text + RICH_TABLE, rich, RICH_SETTINGS)
+    shutil.copytree(plain, opened)
+    sector = os.path.join(opened, "sector.msh")
+    for name, form in MESH_FORMATS.items():
+        subprocess.run([os.path.join(programs, "convert_sector"), sector, *form, os.path.join(opened, name)], check=True)
+    with h5py.File(os.path.join(opened, "model.h5"), "r+") as model:
+        del model.attrs["digest"]
+    with h5py.File(os.path.join(opened, "response.h5"), "r+"):
+        pass  # closing it cuts off what follows HDF5's end
+
+
+if __name__ == "__main__":
+    make_bases(*map(os.path.abspath, sys.argv[1:]))

@@ -48,6 +48,8 @@ Inputs read_inputs(const StageArguments& arguments, const fs::path& fields_file)
   inputs.model = read_model(arguments.inputs[1]);
   inputs.response = read_response(arguments.inputs[2]);
   check_together(inputs.model, inputs.response, arguments.inputs[2].string());
+  if (file.has("casing"))
+    check_casing(file.table("casing").written(), inputs.response.scene, arguments.inputs[2].string());
   const auto beside_case = [&](const std::string& name) {
     return name.empty() ? fs::path() : arguments.inputs[0].parent_path() / name;
   };

@@ -21,7 +21,7 @@ struct Inputs {
   ReducedModel model;
   SweepSettings settings;
   std::string resolved;    ///< both tables, for -v
-  std::string provenance;  ///< the case and the model's
+  SceneOrigin origin;
 
   SceneScope scope() const { return find_scope(model.sector_count, casing.lobes, parameters); }
 };
@@ -49,7 +49,7 @@ Inputs read_inputs(const StageArguments& arguments) {
   const std::string provenance = "# case\n" + case_file.source() + "\n# model\n" + model.provenance;
   return {std::move(casing), std::move(parameters),
           std::move(model),  {casing_table.settings(), simulate_table.settings()},
-          resolved,          provenance};
+          resolved,          {provenance, casing_table.written()}};
 }
 
 /// The scope; before it, if verbose, all parameters.
@@ -76,7 +76,7 @@ std::vector<double> run(const StageArguments& arguments, const Inputs& inputs, c
   const auto start = std::chrono::steady_clock::now();
   if (group.leads()) report_scope(arguments, inputs, scope);
   const SweepOutcome outcome = run_sweep(arguments, {inputs.model, inputs.casing, inputs.parameters, scope},
-                                         inputs.settings, inputs.provenance, threads, group);
+                                         inputs.settings, inputs.origin, threads, group);
   if (group.leads()) report_outcome(arguments, inputs.parameters, outcome, std::chrono::steady_clock::now() - start);
   return outcome.breaking;
 }

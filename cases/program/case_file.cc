@@ -266,6 +266,12 @@ CaseSettings CaseTable::settings() const {
   return settings;
 }
 
+std::string CaseTable::written() const {
+  std::ostringstream text;
+  text << *node_->values << "\n";
+  return text.str();
+}
+
 std::string CaseTable::resolved() const {
   std::string text;
   for (const auto& [key, value, unit] : node_->settings)

@@ -68,7 +68,9 @@ class CaseTable {
   void close() const;
   /// What was read, defaults included: one "key = value  # unit" a line, in the order of reading.
   std::string resolved() const;
-  /// The same as keys and values, without the tables inside this one.
+  /// What the case itself says in it, defaults left out: TOML, keys sorted, without comments.
+  std::string written() const;
+  /// What was read as keys and values, without the tables inside this one.
   CaseSettings settings() const;
 
  private:

@@ -2,6 +2,7 @@
 #include "postprocess/analysis/input_check.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "cases/program/errors.h"
 #include "postprocess/tables/table.h"
@@ -65,6 +66,16 @@ void check_measures(const Response& response, const std::string& name) {
   check_measure(response.frequencies.speed, name + ": /frequencies/speed");
   for (const Eigen::MatrixXd& frequencies : response.frequencies.by_nodal_diameter)
     check_measure(frequencies, name + ": /frequencies");
+}
+
+void check_casing(const std::string& casing, const SimulatedScene& scene, const std::string& name) {
+  if (casing == scene.casing) return;
+  std::istringstream here(casing), there(scene.casing);
+  std::string line, simulated;
+  while (std::getline(here, line) && std::getline(there, simulated) && line == simulated) {
+  }
+  throw InputError(name + ": was simulated with another [casing] than this case's: \"" + simulated + "\" there, \"" +
+                   line + "\" here; run tiprub-simulate again, or give the case (or --set) that it was made with");
 }
 
 void check_together(const ReducedModel& model, const Response& response, const std::string& name) {

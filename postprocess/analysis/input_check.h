@@ -12,6 +12,10 @@ namespace tiprub {
 /// response, or the table of frequencies is not the model's. `name` is the response's, for messages.
 void check_together(const ReducedModel& model, const Response& response, const std::string& name);
 
+/// Raises InputError, with the first line that differs, if the casing of the case (its table [casing], as
+/// CaseTable::written() gives it) is not the one that was simulated. `name` is the response's.
+void check_casing(const std::string& casing, const SimulatedScene& scene, const std::string& name);
+
 /// Raises RunError where a number of the response is beyond all measure (1e30 in SI).
 void check_measures(const Response& response, const std::string& name);
 

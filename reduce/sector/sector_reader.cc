@@ -50,8 +50,7 @@ std::vector<std::size_t> read_cells(const GmshFile& file, SectorMesh& mesh) {
     cells.insert(cells.end(), elements.nodes.begin(), elements.nodes.end());
     mesh.cell_tags.insert(mesh.cell_tags.end(), elements.tags.begin(), elements.tags.end());
   }
-  if (width == 0)
-    throw InputError(mesh.file + ": has no volume group \"sector\" with cells; name it in the mesher");
+  if (width == 0) throw InputError(mesh.file + ": has no volume group \"sector\" with cells; name it in the mesher");
   mesh.cells.resize(static_cast<Eigen::Index>(width), static_cast<Eigen::Index>(cells.size() / width));
   return cells;
 }

@@ -174,6 +174,7 @@ struct SimulatedScene {
   std::string clearance_state;  ///< "cold" or "running"
   std::string model_digest;     ///< digest() of the model that was marched
   std::string scope;            ///< what was modelled, what was left out, and why; one reason a line
+  std::string casing;           ///< the table [casing] of the case, as TOML
   std::string provenance;       ///< the case and the chain that made it, as text
 };
 

@@ -38,6 +38,7 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.set_attribute("/", "independent_sectors", scene.independent_sectors);
   file.set_attribute("/", "model_digest", scene.model_digest);
   file.write_text("/provenance", scene.provenance);
+  file.write_text("/casing/table", scene.casing);
   file.set_attribute("/", "scope", scene.scope);
   file.write("/nodal_diameters",
              Array<std::int32_t>{{scene.nodal_diameters.size()},
@@ -86,6 +87,7 @@ SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes) {
   scene.independent_sectors = file.integer_attribute("/", "independent_sectors");
   scene.model_digest = file.text_attribute("/", "model_digest");
   scene.provenance = file.read_text("/provenance");
+  scene.casing = file.read_text("/casing/table");
   scene.scope = file.text_attribute("/", "scope");
   require(scene.independent_sectors >= 1 && scene.sector_count >= 1 &&
               scene.sector_count % scene.independent_sectors == 0,

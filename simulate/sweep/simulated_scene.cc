@@ -13,7 +13,7 @@ constexpr int casing_points = 721;  // of the casing's shape in the response: ev
 
 }  // namespace
 
-SimulatedScene simulated_scene(const Scene& scene, const std::string& provenance) {
+SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin) {
   SimulatedScene described;
   described.sector_count = scene.model.sector_count;
   described.independent_sectors = scene.scope.independent_sectors;
@@ -27,7 +27,8 @@ SimulatedScene simulated_scene(const Scene& scene, const std::string& provenance
   described.clearance_state = scene.casing.clearance_state == ClearanceState::cold ? "cold" : "running";
   for (const std::string& reason : scene.scope.reasons) described.scope += reason + "\n";
   described.model_digest = digest(scene.model);
-  described.provenance = provenance;
+  described.provenance = origin.provenance;
+  described.casing = origin.casing;
   return described;
 }
 

@@ -8,7 +8,13 @@
 
 namespace tiprub {
 
-/// What response.h5 tells of a scene. `provenance`: the case and the model's, as text.
-SimulatedScene simulated_scene(const Scene& scene, const std::string& provenance);
+/// Where a scene comes from, as text.
+struct SceneOrigin {
+  std::string provenance;  ///< the case, and the model's
+  std::string casing;      ///< the table [casing] as the case has it (CaseTable::written())
+};
+
+/// What response.h5 tells of a scene.
+SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin);
 
 }  // namespace tiprub

@@ -23,10 +23,10 @@ int thread_count(int asked_here, const SimulateParameters& parameters, const Pro
 }
 
 std::unique_ptr<FinishedSpeeds> open_finished(const StageArguments& arguments, const Scene& scene,
-                                              const SweepSettings& settings, const std::string& provenance,
+                                              const SweepSettings& settings, const SceneOrigin& origin,
                                               FinishedSpeeds::Role role) {
   const std::string generator = program_version("tiprub-simulate");
-  return std::make_unique<FinishedSpeeds>(arguments.output, simulated_scene(scene, provenance),
+  return std::make_unique<FinishedSpeeds>(arguments.output, simulated_scene(scene, origin),
                                           run_key(scene.model, settings, scene.parameters, generator), generator,
                                           role);
 }
@@ -34,12 +34,12 @@ std::unique_ptr<FinishedSpeeds> open_finished(const StageArguments& arguments, c
 }  // namespace
 
 SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, const SweepSettings& settings,
-                       const std::string& provenance, int threads, ProcessGroup& group) {
+                       const SceneOrigin& origin, int threads, ProcessGroup& group) {
   threads = thread_count(threads, scene.parameters, group);
   std::unique_ptr<FinishedSpeeds> finished;
   group.together([&] {
     require_memory(scene, threads, available_memory());
-    finished = open_finished(arguments, scene, settings, provenance,
+    finished = open_finished(arguments, scene, settings, origin,
                              group.leads() ? FinishedSpeeds::Role::keeper : FinishedSpeeds::Role::contributor);
   });
   SweepOutcome outcome;

@@ -9,6 +9,7 @@
 #include "simulate/scene/scene.h"
 #include "simulate/sweep/process_group.h"
 #include "simulate/sweep/run_key.h"
+#include "simulate/sweep/simulated_scene.h"
 #include "simulate/sweep/sweep_tally.h"
 
 namespace tiprub {
@@ -26,6 +27,6 @@ struct SweepOutcome {
 /// `threads` (0: as [simulate] or the machine says), and writes the response. All processes of the group must call.
 /// Raises RunError if a file can't be written or no speed could be computed.
 SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, const SweepSettings& settings,
-                       const std::string& provenance, int threads, ProcessGroup& group);
+                       const SceneOrigin& origin, int threads, ProcessGroup& group);
 
 }  // namespace tiprub

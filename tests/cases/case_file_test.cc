@@ -137,6 +137,12 @@ TEST_F(GoodCase, KeepsEveryDigitInWhatItTells) {
   EXPECT_EQ(std::stod(table.resolved().substr(9)), 0.1234567890123456);
 }
 
+TEST_F(GoodCase, TellsWhatIsWrittenWhateverTheSpelling) {
+  const std::string one = file("[mesh]\nlength = 0.1e-3  # m\ncount = 2\n").table("mesh").written();
+  EXPECT_EQ(one, "count = 2\nlength = 0.0001\n");
+  EXPECT_EQ(file("[ mesh ]\n  \"count\"=2\n  length = 1e-4\n").table("mesh").written(), one);
+}
+
 TEST_F(GoodCase, RejectsAValueBesideAnotherAtItsPlace) {
   CaseTable table = file("[mesh]\ninner_radius = 2.0\n").table("mesh");
   try {

@@ -149,6 +149,7 @@ std::string read_by_gmsh(const std::string& name) {
     return packed(file);
   } catch (std::string& reason) {  // what gmsh 4.8 throws
     if (const std::size_t at = reason.find(name); at != std::string::npos) reason.replace(at, name.size(), "it");
+    if (reason == "Error loading 'it'") reason = "it is cut off or damaged";
     throw InputError("gmsh can't read it: " + reason);
   } catch (const std::exception&) {  // bad_alloc, length_error
     throw InputError("gmsh takes more memory for it than there is; do its counts fit what it holds?");
@@ -157,7 +158,7 @@ std::string read_by_gmsh(const std::string& name) {
 
 ChildLimits limits_for(double file_size) {
   constexpr double least_bytes = 1024.0 * 1024 * 1024, bytes_per_byte = 100;  // gmsh takes some 10 a byte of text
-  constexpr double least_seconds = 30, bytes_per_second = 1e5;                // and reads some 10 MB a second
+  constexpr double least_seconds = 10, bytes_per_second = 1e5;                // and reads some 10 MB a second
   return {least_bytes + bytes_per_byte * file_size, least_seconds + file_size / bytes_per_second};
 }
 

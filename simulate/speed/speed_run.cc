@@ -13,6 +13,10 @@ namespace tiprub {
 
 namespace {
 
+constexpr const char* not_finite =
+    "the motion has numbers that are not finite: forces or displacements beyond what can be counted; look at the "
+    "model's units, the damping and the casing's amplitude";
+
 void check_symmetry(const Scene& scene, const TimeMarch& march, const RotorAtSpeed& rotor, SpeedResponse& response) {
   SpeedAudit& audit = response.audit;
   if (rotor.others.empty()) return;
@@ -58,17 +62,18 @@ void run(const Scene& scene, Depth depth, const RotorState& start, SpeedResult& 
 SpeedResult simulate_speed(const Scene& scene, double speed, Depth depth, const RotorState& start) {
   SpeedResult result;
   result.response.speed = speed;
+  std::string failure;
   try {
     run(scene, depth, start, result);
-    if (!is_finite(result.response))
-      throw RunError(
-          "the motion has numbers that are not finite: forces or displacements beyond what can be counted; "
-          "look at the model's units, the damping and the casing's amplitude");
+    if (!is_finite(result.response)) failure = not_finite;
   } catch (const RunError& error) {
+    failure = error.what();
+  }
+  if (!is_finite(result.response)) {
     result = {};
     result.response.speed = speed;
-    result.response.failure = error.what();
   }
+  result.response.failure = failure;
   result.response.depth = depth;
   return result;
 }

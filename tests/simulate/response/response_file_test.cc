@@ -276,6 +276,7 @@ TEST_F(ResponseFile, AsksForMemoryBeforeItReads) {
     for (const char* name : {"key", "model_digest", "provenance", "scope"})
       file.set_attribute("/", name, std::string());
     for (const char* name : {"sector_count", "independent_sectors"}) file.set_attribute("/", name, 1);
+    file.write_text("/casing/table", "");
     file.write("/nodal_diameters", Array<std::int32_t>{{1}, {0}}, "1");
     for (const char* name : {"/casing/angle", "/casing/distortion", "/casing/clearance"})
       file.write(name, Eigen::VectorXd(Eigen::Vector2d(0, 1)), "m");

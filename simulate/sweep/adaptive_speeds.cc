@@ -63,6 +63,19 @@ void refine_peak(const Triple& peak, const LocationGoal& goal, std::set<double>&
     close_in(peak, goal, next);
 }
 
+/// On each side of a peak, the middle between the last speed that is nearly as high and the first that is not, if
+/// they are far apart: scanned ones between them are too coarse to show a peak a few percent higher.
+void look_beside(const std::vector<SampledSpeed>& full, std::size_t peak, const LocationGoal& goal,
+                 std::set<double>& next) {
+  const SampledSpeed& top = full[peak];
+  for (const int step : {-1, 1}) {
+    std::size_t i = peak;
+    while (i > 0 && i + 1 < full.size() && full[i].amplitude >= (1 - goal.fall) * top.amplitude) i += step;
+    const SampledSpeed &low = full[i], &high = full[i - step];
+    if (std::abs(low.speed - high.speed) > goal.flank * top.speed) next.insert(0.5 * (low.speed + high.speed));
+  }
+}
+
 void refine_jumps(const std::vector<SampledSpeed>& curve, const LocationGoal& goal, std::set<double>& next) {
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
     const SampledSpeed &low = curve[i], &high = curve[i + 1];
@@ -86,6 +99,11 @@ std::vector<double> speeds_to_refine(const std::vector<SampledSpeed>& curve, con
         next.insert(low.speed);
   }
   refine_jumps(curve, goal, next);
+  if (next.empty()) {
+    std::vector<SampledSpeed> full = curve;
+    std::erase_if(full, [](const SampledSpeed& there) { return there.kind == SampledSpeed::Kind::scanned; });
+    for (const std::size_t peak : located_peaks(full, goal)) look_beside(full, peak, goal, next);
+  }
   for (const SampledSpeed& there : curve)
     if (there.kind == SampledSpeed::Kind::full) next.erase(there.speed);
   return {next.begin(), next.end()};

@@ -20,13 +20,16 @@ struct LocationGoal {
   double speed = 1e-3;      ///< [1] half width of the interval around a peak, width of that around a jump
   double amplitude = 1e-2;  ///< [1] what the parabola through a peak may add to it
   double narrowest = 1e-4;  ///< [1] distance of the parabola's vertex from a sample that it is left at
+  double fall = 0.02;       ///< [1] of a peak's height: how far the response must be seen to fall on its sides
+  double flank = 5e-3;      ///< [1] of the speed: within this much, so that no higher peak hides beside it
   double jump = 0.3;        ///< [1] change of amplitude between neighbours
 };
 
 /// The speeds that must be computed in full next, so that every peak and every jump becomes located: ascending, and
 /// none of those that are there. None at all: done. From a peak's three samples the parabola's vertex is next, or,
 /// where it is the peak itself, a speed on each side that is still too wide; a scanned peak, its scanned
-/// valleys, and a scanned neighbour inside the goal, are computed themselves. A jump's interval is halved. `curve`
+/// valleys, and a scanned neighbour inside the goal, are computed themselves. Where a peak's side falls off between
+/// two far speeds, the one between them is next. A jump's interval is halved. `curve`
 /// ascending in speed.
 std::vector<double> speeds_to_refine(const std::vector<SampledSpeed>& curve, const LocationGoal& goal);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -19,14 +20,13 @@ double resonance(double x, double speed, double damping) {
   return 1 / std::hypot(1 - ratio * ratio, 2 * damping * ratio);
 }
 
-/// What an adaptive sweep comes to: full speeds with their amplitudes.
-std::vector<SampledSpeed> sweep(const Curve& curve, const LocationGoal& goal, double scan_error = 0) {
+/// What an adaptive sweep comes to: full speeds with their amplitudes. `scanned`: what the scan takes for the curve.
+std::vector<SampledSpeed> sweep(const Curve& curve, const LocationGoal& goal, const Curve& scanned) {
   std::map<double, SampledSpeed> samples;
   for (int i = 0; i <= 100; ++i) {
     const double x = 1000 + 10.0 * i;
     const bool full = i % 5 == 0;
-    samples[x] = {x, curve(x) * (full ? 1 : 1 + scan_error * std::sin(x)),
-                  full ? SampledSpeed::Kind::full : SampledSpeed::Kind::scanned};
+    samples[x] = {x, full ? curve(x) : scanned(x), full ? SampledSpeed::Kind::full : SampledSpeed::Kind::scanned};
   }
   for (int round = 0; round < 100; ++round) {
     std::vector<SampledSpeed> list;
@@ -55,7 +55,7 @@ void expect_located(const std::vector<SampledSpeed>& found, double speed, double
 
 TEST(AdaptiveSpeeds, LocatesPeaksBetweenSamples) {
   const Curve curve = [](double x) { return resonance(x, 1237.3, 0.004) + 0.6 * resonance(x, 1713.9, 0.002); };
-  const std::vector<SampledSpeed> found = sweep(curve, {});
+  const std::vector<SampledSpeed> found = sweep(curve, {}, curve);
   expect_located(found, 1237.3, curve(1237.3));
   expect_located(found, 1713.9, curve(1713.9));
   EXPECT_EQ(located_peaks(found, {}).size(), 2u);
@@ -64,19 +64,39 @@ TEST(AdaptiveSpeeds, LocatesPeaksBetweenSamples) {
 
 TEST(AdaptiveSpeeds, AreNotMisledByAScanThatIsOffByPercents) {
   const Curve curve = [](double x) { return resonance(x, 1237.3, 0.01); };
-  expect_located(sweep(curve, {}, 0.03), 1237.3, curve(1237.3));
+  const Curve scanned = [&](double x) { return curve(x) * (1 + 0.03 * std::sin(x)); };
+  expect_located(sweep(curve, {}, scanned), 1237.3, curve(1237.3));
+}
+
+/// A peak of the full-size impeller near 15,300 rpm, as marched: of its two tops the lower one was located, 15,386
+/// rpm, and the higher one, 15,314 rpm, stayed between two samples.
+double two_tops(double x) {
+  const double speed = 15200 + 4 * (x - 1500);
+  const std::vector<std::array<double, 2>> marched = {
+      {14000, 0.030},  {15160, 0.0374}, {15200, 0.0378}, {15286, 0.0460}, {15300, 0.0468}, {15314, 0.0471},
+      {15320, 0.0469}, {15372, 0.0453}, {15386, 0.0457}, {15414, 0.0448}, {15600, 0.0390}, {18000, 0.025}};
+  std::size_t i = 1;
+  while (i + 1 < marched.size() && marched[i][0] < speed) ++i;
+  const auto &low = marched[i - 1], &high = marched[i];
+  return low[1] + (high[1] - low[1]) * std::clamp((speed - low[0]) / (high[0] - low[0]), 0.0, 1.0);
+}
+
+TEST(AdaptiveSpeeds, FindTheHigherOfTwoTops) {
+  const Curve scanned = [](double x) { return std::min(two_tops(x), two_tops(1500) + (x - 1500) * 1.6e-4); };
+  expect_located(sweep(two_tops, {}, scanned), 1528.5, 0.0471);
 }
 
 TEST(AdaptiveSpeeds, EnclosesAJump) {
   const double fold = 1503.7;
   const Curve curve = [&](double x) { return x < fold ? 1 + (x - 1000) / 500 : 0.4; };
-  const std::vector<SampledSpeed> found = sweep(curve, {});
+  const std::vector<SampledSpeed> found = sweep(curve, {}, curve);
   const auto after = std::find_if(found.begin(), found.end(), [&](const auto& at) { return at.speed >= fold; });
   EXPECT_LE(after->speed - (after - 1)->speed, 1e-3 * fold);
 }
 
 TEST(AdaptiveSpeeds, AskForNothingOnASmoothCurve) {
-  EXPECT_EQ(sweep([](double x) { return x / 1000; }, {}).size(), 21u);
+  const Curve line = [](double x) { return x / 1000; };
+  EXPECT_EQ(sweep(line, {}, line).size(), 21u);
 }
 
 }  // namespace

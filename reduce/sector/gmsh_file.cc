@@ -80,7 +80,7 @@ class Bytes {
 
  private:
   void take_bytes(void* to, std::size_t count) {
-    std::memcpy(to, bytes_.data() + at_, count);
+    if (count > 0) std::memcpy(to, bytes_.data() + at_, count);  // an empty list has no place
     at_ += count;
   }
 

@@ -205,6 +205,24 @@ TEST_F(ModelFile, SurvivesWhatHdf5DiesOf) {
             0u);
 }
 
+/// HDF5 1.10 reads as many bytes of a chunk as it should have, however few the file says it has.
+TEST_F(ModelFile, SurvivesChunksThatAreTooSmall) {
+  {
+    Hdf5File file = Hdf5File::create(path());
+    file.make_slices("/basis", {1, 300}, Hdf5File::Number::real, "1");
+    file.write_slice("/basis", 0, std::vector<std::complex<float>>(300, 1.0F));
+  }
+  EXPECT_EQ(Hdf5File::open(path()).read_slice("/basis", 0).size(), 300U);
+  std::string all = bytes("model.h5");
+  constexpr std::size_t size_of_first_chunk = 24;
+  const std::size_t at = all.find("TREE\x01");
+  ASSERT_NE(at, std::string::npos);
+  all[at + size_of_first_chunk + 1] = 0;
+  std::ofstream(path(), std::ios::binary) << all;
+  EXPECT_EQ(test::complaint<RunError>([&] { Hdf5File::open(path()); }),
+            path().string() + ": basis: is damaged: its chunks are not whole");
+}
+
 /// A shape costs nothing in a file, and took minutes and all memory to be filled with zeros.
 TEST_F(ModelFile, RefusesAHollowDataset) {
   EXPECT_EQ(complaint_about_file([](Hdf5File& file) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <set>
 
 #include "reduce/model/child_process.h"
@@ -9,43 +10,83 @@ namespace tiprub {
 namespace {
 
 constexpr ChildLimits limits = {1024.0 * 1024 * 1024, 50};
+constexpr double most_read = 1 << 25;  // values of one dataset; more is not tried
+
+/// Whether the bits of a number, or of a compound's, lie within it: HDF5 converts what lies beyond as well.
+bool is_sound(hid_t type) {
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind == H5T_COMPOUND) {
+    for (int i = 0; i < H5Tget_nmembers(type); ++i) {
+      const Hdf5Id member(H5Tget_member_type(type, static_cast<unsigned>(i)), H5Tclose);
+      const std::size_t end = H5Tget_member_offset(type, static_cast<unsigned>(i)) + H5Tget_size(member);
+      if (end > H5Tget_size(type) || !is_sound(member)) return false;
+    }
+    return true;
+  }
+  if (kind != H5T_INTEGER && kind != H5T_FLOAT) return true;
+  const std::size_t bits = 8 * H5Tget_size(type), precision = H5Tget_precision(type);
+  const auto offset = static_cast<std::size_t>(hdf5_checked(H5Tget_offset(type)));
+  if (precision == 0 || precision > bits || offset > bits - precision) return false;
+  if (kind == H5T_INTEGER) return true;
+  std::size_t sign = 0, exponent = 0, exponent_bits = 0, mantissa = 0, mantissa_bits = 0;
+  hdf5_checked(H5Tget_fields(type, &sign, &exponent, &exponent_bits, &mantissa, &mantissa_bits));
+  return sign < bits && exponent_bits <= bits && exponent <= bits - exponent_bits && mantissa_bits <= bits &&
+         mantissa <= bits - mantissa_bits;
+}
+
+/// The type that a reader asks for.
+Hdf5Id type_in_memory(hid_t type) {
+  const bool number = H5Tget_class(type) == H5T_INTEGER || H5Tget_class(type) == H5T_FLOAT;
+  return {H5Tcopy(number ? H5T_NATIVE_DOUBLE : type), H5Tclose};
+}
+
+/// Whether what was written of a dataset has the size that is read of it: HDF5 reads beyond.
+bool is_whole(hid_t set, hid_t type, hid_t space) {
+  const Hdf5Id creation(H5Dget_create_plist(set), H5Pclose);
+  const auto size = static_cast<hsize_t>(H5Tget_size(type));
+  const hsize_t stored = H5Dget_storage_size(set);
+  if (H5Pget_layout(creation) == H5D_CONTIGUOUS)
+    return stored == 0 || stored >= size * static_cast<hsize_t>(hdf5_checked(H5Sget_simple_extent_npoints(space)));
+  if (H5Pget_layout(creation) != H5D_CHUNKED || H5Pget_nfilters(creation) != 0) return true;
+  Hdf5Shape chunk(hdf5_extents(space).size());
+  hdf5_checked(H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
+  hsize_t count = 0;
+  hdf5_checked(H5Dget_num_chunks(set, space, &count));
+  hsize_t bytes = count * size;
+  for (const hsize_t extent : chunk) bytes *= extent;
+  return stored == bytes;
+}
+
+/// Reads it. False if that does harm that HDF5 survives.
+bool touch_dataset(hid_t set) {
+  const Hdf5Id type(H5Dget_type(set), H5Tclose), space(H5Dget_space(set), H5Sclose);
+  if (!is_sound(type) || !is_whole(set, type, space)) return false;
+  const double count = hdf5_filled_count(set);
+  if (count > most_read) return true;
+  const Hdf5Id read_type = type_in_memory(type);
+  std::vector<char> values(static_cast<std::size_t>(count) * H5Tget_size(read_type));
+  if (!values.empty()) H5Dread(set, read_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  return true;
+}
+
+bool touch_attribute(hid_t object, const char* name) {
+  const Hdf5Id attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  const Hdf5Id type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
+  if (!is_sound(type)) return false;
+  const Hdf5Id read_type = type_in_memory(type);
+  std::vector<char> value(std::max(H5Tget_size(type), H5Tget_size(read_type)));
+  if (H5Sget_simple_extent_npoints(space) == 1) H5Aread(attribute, read_type, value.data());
+  return true;
+}
 
 herr_t note_link(hid_t, const char* name, const H5L_info_t*, void* names) {
   static_cast<std::vector<std::string>*>(names)->emplace_back(name);
   return 0;
 }
 
-herr_t touch_attribute(hid_t object, const char* name, const H5A_info_t*, void*) try {
-  const Hdf5Id attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  const Hdf5Id type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
-  std::vector<char> value(H5Tget_size(type));
-  if (H5Sget_simple_extent_npoints(space) == 1) H5Aread(attribute, type, value.data());
+herr_t note_attribute(hid_t, const char* name, const H5A_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
   return 0;
-} catch (const std::exception&) {
-  return 0;
-}
-
-/// Whether chunks that are not compressed have the size that is read of them: HDF5 reads beyond smaller ones.
-bool has_whole_chunks(hid_t set, hid_t type, hid_t space) {
-  const Hdf5Id creation(H5Dget_create_plist(set), H5Pclose);
-  if (H5Pget_layout(creation) != H5D_CHUNKED || H5Pget_nfilters(creation) != 0) return true;
-  Hdf5Shape chunk(hdf5_extents(space).size());
-  hdf5_checked(H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
-  hsize_t count = 0;
-  hdf5_checked(H5Dget_num_chunks(set, space, &count));
-  hsize_t bytes = count * H5Tget_size(type);
-  for (const hsize_t extent : chunk) bytes *= extent;
-  return H5Dget_storage_size(set) == bytes;
-}
-
-/// Its index of chunks, and its text if it is one. False if it can't be read without harm.
-bool touch_dataset(hid_t set) {
-  const Hdf5Id type(H5Dget_type(set), H5Tclose), space(H5Dget_space(set), H5Sclose);
-  if (!has_whole_chunks(set, type, space)) return false;
-  if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) return true;
-  std::vector<char> value(H5Tget_size(type));
-  H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data());
-  return true;
 }
 
 class Walk {
@@ -55,21 +96,26 @@ class Walk {
     H5O_info_t info{};
     if (H5Oget_info2(object, &info, H5O_INFO_BASIC) < 0 || !seen_.insert(info.addr).second) return;
     hsize_t from = 0;
-    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &from, touch_attribute, nullptr);
-    if (info.type == H5O_TYPE_DATASET) {
-      if (!touch_dataset(object)) harmful_ = name;
-      return;
-    }
-    std::vector<std::string> names;
-    H5Literate(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_link, &names);
+    std::vector<std::string> attributes, names;
+    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &from, note_attribute, &attributes);
+    for (const std::string& attribute : attributes)
+      attempt(name, [&] { return touch_attribute(object, attribute.c_str()); });
+    if (info.type == H5O_TYPE_DATASET) attempt(name, [&] { return touch_dataset(object); });
+    if (info.type == H5O_TYPE_GROUP) H5Literate(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_link, &names);
     for (const std::string& inside : names) touch(object, inside);
   } catch (const std::exception&) {  // the reader will say so, if it is something that it needs
   }
 
-  /// The last dataset that can't be read without harm; empty if all can.
+  /// The last object that can't be read without harm; empty if all can.
   const std::string& harmful() const { return harmful_; }
 
  private:
+  template <class Touch>
+  void attempt(const std::string& name, const Touch& touch_it) try {
+    if (!touch_it()) harmful_ = name;
+  } catch (const std::exception&) {  // as above
+  }
+
   std::string harmful_;
   std::set<haddr_t> seen_;  // links may lead round
 };
@@ -91,7 +137,7 @@ void hdf5_require_harmless(const std::string& path) {
     throw RunError(path + ": is not an HDF5 file, or is damaged (HDF5 dies of it: " + end.what() + ")");
   } catch (const RunError&) {  // HDF5 can't open it: so it says again
   }
-  if (!harmful.empty()) throw RunError(path + ": " + harmful + ": is damaged: its chunks are not whole");
+  if (!harmful.empty()) throw RunError(path + ": " + harmful + ": is damaged: its numbers lie beyond its end");
 }
 
 }  // namespace tiprub

@@ -220,7 +220,7 @@ TEST_F(ModelFile, SurvivesChunksThatAreTooSmall) {
   all[at + size_of_first_chunk + 1] = 0;
   std::ofstream(path(), std::ios::binary) << all;
   EXPECT_EQ(test::complaint<RunError>([&] { Hdf5File::open(path()); }),
-            path().string() + ": basis: is damaged: its chunks are not whole");
+            path().string() + ": basis: is damaged: its numbers lie beyond its end");
 }
 
 /// A shape costs nothing in a file, and took minutes and all memory to be filled with zeros.

@@ -53,7 +53,7 @@ test-sanitized: packages
 	cmake -G Ninja -S . -B $(BUILD)-sanitized -DCMAKE_BUILD_TYPE=Debug -DTIPRUB_SANITIZE=ON > $(BUILD)-sanitized.configure.log
 	ninja -C $(BUILD)-sanitized -j $(JOBS) $(SANITIZED)
 	$(SANITIZERS) ctest --test-dir $(BUILD)-sanitized --output-on-failure -j $(JOBS) -R '^(cases|mesh|reduce|simulate|postprocess|fuzz|structure)\.' \
-	    -LE slow -E 'interrupted|too_little_memory|in_browser|anasazi'
+	    -LE slow -E 'interrupted|too_little_memory|no_room|in_browser|anasazi'
 
 fuzz: programs
 	ninja -C $(BUILD) -j $(JOBS) tiprub_fuzz convert_sector

@@ -37,7 +37,6 @@ def of_frequencies():
     yield RESPONSE.entry("frequencies.shorter", replaced(speeds, lambda values: values[1:]), "/frequencies/")
     yield RESPONSE.entry("frequencies.one_diameter", without("frequencies/nodal_diameter/3"), "/frequencies/nodal_diameter/3: is missing")
     yield RESPONSE.entry("frequencies.no_mode", replaced("frequencies/nodal_diameter/1", lambda values: values[:, :0]), "/frequencies/nodal_diameter/1")
-    yield RESPONSE.entry("frequencies.negative", replaced("frequencies/nodal_diameter/1", lambda values: -values), "/frequencies/nodal_diameter/1: must not be negative")
 
 
 def of_speed():

@@ -25,8 +25,7 @@ expect_message(mesh_named_as_a_script ARGUMENTS case.toml sector.geo --check
 expect_message(a_folder_for_a_mesh ARGUMENTS case.toml . --check EXIT_CODE 1 ERRORS ".: is no file that can be read")
 
 # gmsh 4.8 wrote past its arrays here, and the program died of it.
-expect_message(fewer_nodes_than_follow OLD "8 149 1 149" NEW "8 10 1 149" EXIT_CODE 2 ERRORS "sector.msh: gmsh "
-               "its counts don't fit what it holds")
+expect_message(fewer_nodes_than_follow OLD "8 149 1 149" NEW "8 10 1 149" EXIT_CODE 2 ERRORS "sector.msh: gmsh ")
 expect_message(more_nodes_than_memory OLD "8 149 1 149" NEW "8 4000000000 1 4000000000" EXIT_CODE 2 ERRORS "sector.msh: gmsh ")
 expect_message(unknown_node OLD "37 131 135" NEW "37 131 99999" EXIT_CODE 2
                ERRORS "sector.msh: gmsh can't read it: Unknown node 99999 in element 37")

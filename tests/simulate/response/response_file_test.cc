@@ -288,7 +288,8 @@ TEST_F(ResponseFile, AsksForMemoryBeforeItReads) {
     read_response(path_);
     FAIL();
   } catch (const RunError& error) {
-    EXPECT_NE(std::string(error.what()).find(": /speed/00000/displacement: takes more memory than there is"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find(": /speed/00000/displacement: takes more memory than there is"),
+              std::string::npos)
         << error.what();
   }
 }

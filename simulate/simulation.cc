@@ -20,7 +20,7 @@ struct Inputs {
   SimulateParameters parameters;
   ReducedModel model;
   SweepSettings settings;
-  std::string resolved;    ///< both tables, for -v
+  std::string resolved;  ///< both tables, for -v
   SceneOrigin origin;
 
   SceneScope scope() const { return find_scope(model.sector_count, casing.lobes, parameters); }

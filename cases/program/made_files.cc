@@ -40,7 +40,7 @@ std::optional<fs::path> first_file_not_made_here(const fs::path& folder) {
   std::ifstream list(folder / list_name);
   for (std::string line; std::getline(list, line);) made.insert(line);
   for (const std::string& file : files_in(folder))
-    if (made.count(file) == 0) return fs::path(file);
+    if (!made.contains(file)) return fs::path(file);
   return std::nullopt;
 }
 

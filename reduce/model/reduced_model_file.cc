@@ -55,7 +55,7 @@ void require_known_members(const Hdf5File& file, const std::string& group) {
   std::set<std::string> known = {"M", "K0", "K1", "K2"};
   for (int k = 3; file.exists(group + "/K" + std::to_string(k)); ++k) known.insert("K" + std::to_string(k));
   for (const std::string& name : file.members(group))
-    if (known.count(name) == 0)
+    if (!known.contains(name))
       throw RunError(file.path() + ": " + group + "/" + name +
                      " is not known; a nodal diameter holds M, K0, K1, K2, and K3, K4, ... without a gap");
 }

@@ -22,8 +22,9 @@ constexpr std::size_t digits_of_a_speed = 16;
 bool is_part(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   const std::size_t digits = name.find_first_not_of("0123456789abcdef");
-  return entry.is_regular_file() && digits == digits_of_a_speed &&
-         (name.substr(digits) == ".h5" || name.substr(digits) == ".tiprub.part.h5");
+  if (!entry.is_regular_file() || digits != digits_of_a_speed) return false;
+  const std::string ending = name.substr(digits);
+  return ending == ".h5" || ending == ".scan.h5" || ending == ".tiprub.part.h5" || ending == ".scan.tiprub.part.h5";
 }
 
 }  // namespace
@@ -47,10 +48,11 @@ FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std
 }
 
 /// Named by the bits of the speed: exact, and legible to nobody else.
-fs::path FinishedSpeeds::part(double speed) const {
+fs::path FinishedSpeeds::part(double speed, Depth depth) const {
   char name[32];
-  std::snprintf(name, sizeof(name), "%016llx.h5",
-                static_cast<unsigned long long>(std::bit_cast<std::uint64_t>(speed)));
+  std::snprintf(name, sizeof(name), "%016llx%s.h5",
+                static_cast<unsigned long long>(std::bit_cast<std::uint64_t>(speed)),
+                depth == Depth::scanned ? ".scan" : "");
   return folder_ / name;
 }
 
@@ -61,8 +63,8 @@ bool FinishedSpeeds::take_over(const fs::path& file) {
     const Response response = read_response(file);
     if (response.key != key_ || response.speeds.size() != 1) return false;
     const SpeedResponse& only = response.speeds.front();
-    if (part(only.speed) != file) return false;
-    speeds_[only.speed] = only.depth;
+    if (part(only.speed, only.depth) != file) return false;
+    note(only.speed, only.depth);
     return true;
   } catch (const RunError&) {  // damaged: computed again
     return false;
@@ -88,7 +90,15 @@ void FinishedSpeeds::take_over_output(const fs::path& output) {
     if (!has(speed.speed, speed.depth)) keep(speed);
 }
 
+void FinishedSpeeds::note(double speed, Depth depth) {
+  if (depth == Depth::scanned)
+    scanned_.insert(speed);
+  else
+    speeds_[speed] = depth;
+}
+
 bool FinishedSpeeds::has(double speed, Depth depth) const {
+  if (depth == Depth::scanned) return scanned_.contains(speed);
   const auto place = speeds_.find(speed);
   return place != speeds_.end() && place->second >= depth;
 }
@@ -98,21 +108,21 @@ ResponseWriter FinishedSpeeds::writer(const fs::path& path) const {
 }
 
 void FinishedSpeeds::keep(const SpeedResponse& response, const RotorState& end) {
-  OutputFile file(part(response.speed));
+  OutputFile file(part(response.speed, response.depth));
   ResponseWriter part_writer = writer(file.scratch());
   part_writer.add(response);
   part_writer.add_end(end);
   part_writer.close();
   file.commit();
-  speeds_[response.speed] = response.depth;
+  note(response.speed, response.depth);
 }
 
 RotorState FinishedSpeeds::read_end(double speed) const {
-  return read_end_state(part(speed));
+  return read_end_state(part(speed, Depth::full));
 }
 
-SpeedResponse FinishedSpeeds::read(double speed) const {
-  return std::move(read_response(part(speed)).speeds.front());
+SpeedResponse FinishedSpeeds::read(double speed, Depth depth) const {
+  return std::move(read_response(part(speed, depth)).speeds.front());
 }
 
 void FinishedSpeeds::remove() {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "cases/program/output_lock.h"
@@ -28,20 +29,23 @@ class FinishedSpeeds {
   FinishedSpeeds(const std::filesystem::path& output, SimulatedScene scene, std::string key, std::string generator,
                  Role role = Role::keeper);
 
-  /// Whether the speed is there, looked at as deeply as it is wanted or deeper.
+  /// Whether the speed is there, looked at as deeply as it is wanted or deeper. A scan is kept beside what follows at
+  /// its speed, and counts as itself alone: what a sweep does next hangs on it.
   bool has(double speed, Depth depth) const;
   /// Of a file with this sweep's scene and key.
   ResponseWriter writer(const std::filesystem::path& path) const;
   /// Written beside, then renamed. Raises RunError if it can't be written.
   void keep(const SpeedResponse& response, const RotorState& end = {});
-  SpeedResponse read(double speed) const;
+  /// As it was scanned, or as it was computed in full.
+  SpeedResponse read(double speed, Depth depth) const;
   /// At rest if the part holds none.
   RotorState read_end(double speed) const;
   /// Once the output stands, or never will.
   void remove();
 
  private:
-  std::filesystem::path part(double speed) const;
+  std::filesystem::path part(double speed, Depth depth) const;
+  void note(double speed, Depth depth);
   bool take_over(const std::filesystem::path& file);
   void take_over_parts();
   void take_over_output(const std::filesystem::path& output);
@@ -50,7 +54,8 @@ class FinishedSpeeds {
   SimulatedScene scene_;
   std::string key_;
   std::string generator_;
-  std::map<double, Depth> speeds_;
+  std::map<double, Depth> speeds_;  ///< in full, or examined
+  std::set<double> scanned_;
   std::optional<OutputLock> lock_;  ///< the keeper's, on the output
 };
 

@@ -15,7 +15,7 @@ SweepTally assemble_response(const Scene& scene, const std::vector<double>& spee
   ResponseWriter writer = finished.writer(file.scratch());
   writer.add(frequency_table(scene.model, speeds.back(), threads));
   for (const double speed : speeds) {
-    const SpeedResponse response = finished.read(speed);
+    const SpeedResponse response = finished.read(speed, Depth::full);
     tally.add(response);
     writer.add(response);
   }

@@ -43,7 +43,7 @@ class Rounds {
   }
   void note(const std::vector<double>& speeds, Depth depth) {
     for (const double speed : speeds)
-      curve_[speed] = {speed, finished_.read(speed).amplitude,
+      curve_[speed] = {speed, finished_.read(speed, depth).amplitude,
                        depth == Depth::scanned ? SampledSpeed::Kind::scanned : SampledSpeed::Kind::full};
   }
   void locate() {

@@ -39,7 +39,20 @@ TEST_F(Finished, AreTakenOverByTheNextRun) {
   open().keep(failed_at(1000));
   const FinishedSpeeds next = open();
   EXPECT_TRUE(next.has(1000, Depth::full));
-  EXPECT_EQ(next.read(1000).failure, "it blew up");
+  EXPECT_EQ(next.read(1000, Depth::full).failure, "it blew up");
+}
+
+/// A resumed sweep took the full result for the scan at the same speed, and went on to other speeds than before.
+TEST_F(Finished, KeepAScanBesideTheFullResult) {
+  SpeedResponse scan = failed_at(1000);
+  scan.failure = "scanned";
+  scan.depth = Depth::scanned;
+  open().keep(scan);
+  EXPECT_FALSE(open().has(1000, Depth::full));
+  open().keep(failed_at(1000));
+  const FinishedSpeeds next = open();
+  EXPECT_EQ(next.read(1000, Depth::scanned).failure, "scanned");
+  EXPECT_EQ(next.read(1000, Depth::full).failure, "it blew up");
 }
 
 /// Any byte: HDF5 itself notices few of them.

@@ -29,6 +29,17 @@ void write_list(std::ostream& out, const std::string& header, const std::vector<
     if (!without.contains(node)) out << node + 1 << ",\n";
 }
 
+// A node can be held or tied, not both: the clamp wins, as in SectorDofs.
+void write_cut_faces(std::ostream& out, const SectorMesh& mesh) {
+  if (mesh.sector_count == 1) return;
+  const std::set<int> held(mesh.clamped.begin(), mesh.clamped.end());
+  write_list(out, "*NSET, NSET=low", mesh.cyclic_low, held);
+  write_list(out, "*NSET, NSET=high", mesh.cyclic_high, held);
+  out << "*SURFACE, NAME=low, TYPE=NODE\nlow\n*SURFACE, NAME=high, TYPE=NODE\nhigh\n"
+      << "*TIE, NAME=cut, CYCLIC SYMMETRY\nlow, high\n"
+      << "*CYCLIC SYMMETRY MODEL, N=" << mesh.sector_count << ", TIE=cut\n0, 0, 0, 0, 0, 1\n";
+}
+
 void write_mesh(std::ostream& out, const SectorMesh& mesh, const ReductionParameters& parameters) {
   out << std::scientific << std::setprecision(number_digits) << "*NODE, NSET=Nall\n";
   for (int node = 0; node < mesh.node_count(); ++node)
@@ -41,15 +52,9 @@ void write_mesh(std::ostream& out, const SectorMesh& mesh, const ReductionParame
       out << (i == 10 ? ",\n" : ", ") << mesh.cells(calculix_order[i], cell) + 1;
     out << "\n";
   }
-  // A node can be held or tied, not both: the clamp wins, as in SectorDofs.
-  const std::set<int> held(mesh.clamped.begin(), mesh.clamped.end());
   write_list(out, "*NSET, NSET=clamped", mesh.clamped, {});
-  write_list(out, "*NSET, NSET=low", mesh.cyclic_low, held);
-  write_list(out, "*NSET, NSET=high", mesh.cyclic_high, held);
-  out << "*SURFACE, NAME=low, TYPE=NODE\nlow\n*SURFACE, NAME=high, TYPE=NODE\nhigh\n"
-      << "*TIE, NAME=cut, CYCLIC SYMMETRY\nlow, high\n"
-      << "*CYCLIC SYMMETRY MODEL, N=" << mesh.sector_count << ", TIE=cut\n0, 0, 0, 0, 0, 1\n"
-      << "*MATERIAL, NAME=metal\n*ELASTIC\n"
+  write_cut_faces(out, mesh);
+  out << "*MATERIAL, NAME=metal\n*ELASTIC\n"
       << parameters.material.young << ", " << parameters.material.poisson << "\n*DENSITY\n"
       << parameters.material.density << "\n*SOLID SECTION, ELSET=Eall, MATERIAL=metal\n"
       << "*BOUNDARY\nclamped, 1, 3\n";
@@ -70,9 +75,10 @@ void write_speed(std::ostream& out, double speed, const SectorMesh& mesh, const 
   else
     out << "*STEP\n";
   // A travelling wave counts twice in CalculiX, as a cosine and a sine.
-  out << "*FREQUENCY\n"
-      << 2 * parameters.verification_modes
-      << "\n*SELECT CYCLIC SYMMETRY MODES, NMIN=0, NMAX=" << mesh.sector_count / 2 << "\n*END STEP\n";
+  const bool cyclic = mesh.sector_count > 1;
+  out << "*FREQUENCY\n" << (cyclic ? 2 : 1) * parameters.verification_modes << "\n";
+  if (cyclic) out << "*SELECT CYCLIC SYMMETRY MODES, NMIN=0, NMAX=" << mesh.sector_count / 2 << "\n";
+  out << "*END STEP\n";
 }
 
 void write_deck(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {

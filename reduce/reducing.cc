@@ -93,10 +93,14 @@ class Outputs {
   std::list<OutputLock> locks_;
 };
 
+std::string sectors_in_words(int count) {
+  return count == 1 ? "one body without cuts" : std::to_string(count) + " sectors";
+}
+
 void check(const StageArguments& arguments, const Inputs& inputs) {
   const SectorMesh& mesh = inputs.mesh;
   check_sector(mesh, inputs.parameters);
-  tell(arguments, "the case and the sector are sound: " + std::to_string(mesh.sector_count) + " sectors, " +
+  tell(arguments, "the case and the sector are sound: " + sectors_in_words(mesh.sector_count) + ", " +
                       std::to_string(mesh.node_count()) + " nodes, " + std::to_string(mesh.cell_count()) +
                       " bricks of " + std::to_string(mesh.nodes_per_cell()) + " nodes");
 }
@@ -158,7 +162,7 @@ std::string summary(const ReducedModel& model, const ReductionReport& report) {
   }
   const ModelError verified = model_error(model);
   std::ostringstream line;
-  line << model.sector_count << " sectors of " << report.sector_dofs << " dofs -> " << dofs << " dofs, "
+  line << sectors_in_words(model.sector_count) << " of " << report.sector_dofs << " dofs -> " << dofs << " dofs, "
        << dofs_at_speed << " at any one speed (" << model.sector_count * contact << " of contact); first "
        << verified.frequencies << " frequencies within " << 100 * verified.error << " % at "
        << model.verification.speeds.size() << " speeds";

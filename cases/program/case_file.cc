@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "cases/program/case_settings.h"
+#include "cases/program/digest.h"
 #include "cases/text/case_text.h"
 #include "cases/text/printable.h"
 
@@ -20,7 +21,7 @@ namespace {
 constexpr std::array<std::string_view, 6> program_tables = {"mesh",     "reduce",      "casing",
                                                             "simulate", "postprocess", "material"};
 
-constexpr std::uintmax_t largest_case = 4 << 20;  // [byte]
+constexpr std::uintmax_t largest_text = 4 << 20;  // [byte]
 
 /// In as few digits as it takes to read the same number again; 6, or 17.
 std::string shortest(double value) {
@@ -43,16 +44,15 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 /// A folder, a device or a pipe is none: they might never end.
-std::string text_of(const std::filesystem::path& path) {
+std::string text_of(const std::filesystem::path& path, const std::string& kind) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw RunError(path.string() + ": can't be read: it is " + (fs::is_directory(status) ? "a folder" : "no file") +
-                   "; name a case file");
-  if (fs::exists(status) && fs::file_size(path, ignored) > largest_case)
-    throw InputError(path.string() + ": is larger than " + std::to_string(largest_case >> 20) +
-                     " MiB, which no case is; name a case file");
+                   "; name " + kind);
+  if (fs::exists(status) && fs::file_size(path, ignored) > largest_text)
+    throw InputError(path.string() + ": is larger than " + std::to_string(largest_text >> 20) + " MiB; name " + kind);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(stream), {});
@@ -176,6 +176,15 @@ std::string CaseTable::text(std::string_view key, std::optional<std::string> fal
   return value;
 }
 
+NamedText CaseTable::file(std::string_view key, std::string_view kind) {
+  const std::filesystem::path path = std::filesystem::path(node_->file).parent_path() / text(key, std::nullopt);
+  NamedText file{path.string(), text_of(path, std::string(kind))};
+  Digest digest;
+  digest.add(file.text);
+  node_->settings.back().unit = "digest " + digest.digits();
+  return file;
+}
+
 std::vector<double> CaseTable::numbers(std::string_view key, std::optional<std::vector<double>> fallback,
                                        const Range& range, std::string_view unit) {
   const toml::node* node = node_->ask(key, !fallback);
@@ -281,7 +290,7 @@ std::string CaseTable::resolved() const {
 }
 
 CaseFile::CaseFile(const std::filesystem::path& path, const std::vector<std::string>& settings)
-    : source_(text_of(path)), root_(std::make_shared<CaseTable::Node>()) {
+    : source_(text_of(path, "a case file")), root_(std::make_shared<CaseTable::Node>()) {
   root_->file = path.string();
   toml::table values = parse_case(source_, root_->file);
   if (!settings.empty() && !source_.ends_with('\n')) source_ += '\n';

@@ -36,6 +36,12 @@ struct Range {
 /// Keys and values, these as TOML writes them.
 using CaseSettings = std::vector<std::pair<std::string, std::string>>;
 
+/// A text file of the user's.
+struct NamedText {
+  std::string name;  ///< its path, for messages
+  std::string text;
+};
+
 /// One table of a case file, read as a closed world: every key is asked for by name, with its default, range and
 /// unit, and close() refuses whatever was never asked for. All readers raise InputError with file:line:column, or
 /// with the setting that gave the value.
@@ -50,6 +56,10 @@ class CaseTable {
   int integer(std::string_view key, std::optional<int> fallback, const Range& range, std::string_view unit);
   bool flag(std::string_view key, bool fallback);
   std::string text(std::string_view key, std::optional<std::string> fallback);
+  /// What is in the file that the key names, beside the case file if its path is relative; `kind` is what it should
+  /// be ("a blade file"). Its digest is noted, so that what is made of it is out of date when it changes. Raises
+  /// RunError if it can't be read.
+  NamedText file(std::string_view key, std::string_view kind);
   std::vector<double> numbers(std::string_view key, std::optional<std::vector<double>> fallback, const Range& range,
                               std::string_view unit);
   /// An array of [x, y] pairs with x strictly increasing; the range and the unit are those of y.

@@ -14,7 +14,9 @@ SectorLattice::SectorLattice(const SectorPlan& plan)
       blocks_ = {{Block::gap, passage}};
       break;
     case Blades::main:
-      blocks_ = {{Block::gap, passage / 2}, {Block::main, elements.blade}, {Block::gap, passage / 2}};
+      blocks_ = {{Block::main, elements.blade}};
+      if (plan.has_disc())
+        blocks_ = {{Block::gap, passage / 2}, {Block::main, elements.blade}, {Block::gap, passage / 2}};
       break;
     case Blades::main_and_splitter:
       blocks_ = {{Block::gap, passage / 2},
@@ -63,12 +65,13 @@ std::vector<double> SectorLattice::angles(const SectorPlan& plan, double half_wi
   const double splitter = plan.splitter_pitch * plan.pitch();
   // The cut halves the passage between this main blade and the splitter, or the main blade, of the sector before.
   const double low = 0.5 * (has_splitter ? splitter - plan.pitch() : -plan.pitch());
-  std::vector<double> borders = {low};
+  std::vector<double> borders;
+  if (plan.has_disc()) borders.push_back(low);
   if (plan.blades != Blades::none) borders.insert(borders.end(), {-half_width_main, half_width_main});
   if (has_splitter) borders.insert(borders.end(), {splitter - half_width_splitter, splitter + half_width_splitter});
-  borders.push_back(low + plan.pitch());
+  if (plan.has_disc()) borders.push_back(low + plan.pitch());
 
-  std::vector<double> angles = {low};
+  std::vector<double> angles = {borders.front()};
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const int halves = 2 * blocks_[b].count;
     for (int half = 1; half <= halves; ++half)

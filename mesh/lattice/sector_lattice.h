@@ -24,7 +24,8 @@ class SectorLattice {
   /// The middle of what carries the contact (the main blade, or a bare disc's sector), in half columns.
   int contact_half_column() const;
 
-  /// Angles of all half columns against the main blade's middle [rad], between the two cuts: even within each block.
+  /// Angles of all half columns against the main blade's middle [rad], between the two cuts, or between the sides of
+  /// a blade without a disc: even within each block.
   std::vector<double> angles(const SectorPlan& plan, double half_width_main, double half_width_splitter) const;
 
  private:

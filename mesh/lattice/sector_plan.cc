@@ -20,6 +20,11 @@ void read_blade_counts(CaseTable& table, ElementCounts& elements) {
   elements.span = count(table, "elements_along_span", 8, 1);
 }
 
+void read_element(CaseTable& table, SectorPlan& plan) {
+  plan.element = table.choice<ElementKind>("element", ElementKind::hex20,
+                                           {{"hex20", ElementKind::hex20}, {"hex27", ElementKind::hex27}});
+}
+
 // Half a passage lies on either side of the sector's cuts.
 void check_passages(CaseTable& table, const SectorPlan& plan) {
   if (plan.blades != Blades::none && plan.elements.between_blades % 2 != 0)
@@ -46,8 +51,7 @@ double SectorPlan::splitter_chord(double station_fraction) const {
 
 void read_common(CaseTable& table, SectorPlan& plan, int fewest_along_chord) {
   ElementCounts& elements = plan.elements;
-  plan.element = table.choice<ElementKind>("element", ElementKind::hex20,
-                                           {{"hex20", ElementKind::hex20}, {"hex27", ElementKind::hex27}});
+  read_element(table, plan);
   plan.clamped = table.choice<ClampedSurface>("clamped", ClampedSurface::bore,
                                               {{"bore", ClampedSurface::bore},
                                                {"front_face", ClampedSurface::front_face},
@@ -63,6 +67,14 @@ void read_common(CaseTable& table, SectorPlan& plan, int fewest_along_chord) {
                                    std::max(1, elements.chord - 1));
   }
   check_passages(table, plan);
+}
+
+void read_common_of_blade(CaseTable& table, SectorPlan& plan) {
+  read_element(table, plan);
+  plan.clamped = ClampedSurface::root;
+  plan.elements = {};
+  plan.elements.chord = count(table, "elements_along_chord", 12, 1);
+  read_blade_counts(table, plan.elements);
 }
 
 }  // namespace tiprub

@@ -12,7 +12,12 @@ enum class Blades {
   main_and_splitter,  ///< and a shorter one between two of them
 };
 
-enum class ClampedSurface { bore, front_face, bore_and_front_face };
+enum class ClampedSurface {
+  bore,
+  front_face,
+  bore_and_front_face,
+  root,  ///< the blade's, where there is no disc
+};
 
 /// How many elements the sector has in each direction.
 struct ElementCounts {
@@ -22,7 +27,7 @@ struct ElementCounts {
   int blade;           ///< through the main blade's thickness
   int splitter;        ///< through the splitter's
   int span;            ///< from hub to tip
-  int disc;            ///< from bore or back face to hub
+  int disc;            ///< from bore or back face to hub; 0: no disc, the main blade alone
   int between_blades;  ///< round one passage; without blades round the sector
 };
 
@@ -36,6 +41,7 @@ struct SectorPlan {
   ClampedSurface clamped = ClampedSurface::bore;
   ElementCounts elements{};
 
+  bool has_disc() const { return elements.disc > 0; }
   double pitch() const;  ///< 2 pi / N [rad]
   /// The fraction of the meridional length at half of an element index, 0 .. 2 elements.chord: evenly before and
   /// after the splitter's leading edge, which always falls between two elements.
@@ -44,7 +50,10 @@ struct SectorPlan {
   double splitter_chord(double station) const;
 };
 
-/// What both families say in the same words: element, clamped, the counts of elements. Blades must be known already.
+/// What all families say in the same words: element, clamped, the counts of elements. Blades must be known already.
 void read_common(CaseTable& table, SectorPlan& plan, int fewest_along_chord);
+
+/// The same of a main blade without a disc.
+void read_common_of_blade(CaseTable& table, SectorPlan& plan);
 
 }  // namespace tiprub

@@ -160,7 +160,8 @@ std::string describe(const SectorReport& report, const MeshedSector& mesh, const
   text << "radii " << report.smallest_radius << " to " << report.largest_radius << " m, axial extent "
        << report.axial_extent << " m, 1 of " << mesh.sector_count << " sectors\n"
        << mesh.nodes.size() << " nodes, " << mesh.cells.size() << " cells, " << 3 * mesh.nodes.size() << " dofs; "
-       << elements.chord << " elements along the chord, " << elements.disc << " through the disc";
+       << elements.chord << " elements along the chord";
+  if (wheel.plan.has_disc()) text << ", " << elements.disc << " through the disc";
   if (wheel.plan.blades != Blades::none)
     text << ", " << elements.blade << " through the blade, " << elements.span << " along its span";
   if (wheel.plan.blades == Blades::main_and_splitter) text << ", " << elements.splitter << " through the splitter";

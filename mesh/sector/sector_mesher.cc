@@ -89,16 +89,18 @@ class Mesher {
     const WheelGeometry& geometry = *wheel_.geometry;
     const double station = wheel_.plan.station(i);
     const int hub = 2 * lattice_.hub_layer();
-    const double height = std::min(1.0, static_cast<double>(k) / hub);
-    const double span = k <= hub ? 0.0 : static_cast<double>(k - hub) / (nodes_across_[2] - 1 - hub);
-    const MeridionalPoint at = k <= hub ? geometry.disc_point(station, height) : geometry.blade_point(station, span);
+    const bool in_disc = wheel_.plan.has_disc() && k <= hub;
+    const double span = in_disc ? 0.0 : static_cast<double>(k - hub) / (nodes_across_[2] - 1 - hub);
+    const MeridionalPoint at =
+        in_disc ? geometry.disc_point(station, static_cast<double>(k) / hub) : geometry.blade_point(station, span);
     const double middle = geometry.theta(station, span);
     const std::vector<double> angles = row_angles(station, span);
     for (int j = 0; j < nodes_across_[0]; ++j) {
       std::size_t& number = number_[slot({j, i, k})];
       if (number == no_node) continue;
       number = mesh_.nodes.size();
-      mesh_.nodes.push_back(j == nodes_across_[0] - 1 ? partner_on_high(i, k) : on_circle(at, middle + angles[j]));
+      const bool on_cut = in_disc && j == nodes_across_[0] - 1;
+      mesh_.nodes.push_back(on_cut ? partner_on_high(i, k) : on_circle(at, middle + angles[j]));
     }
   }
 
@@ -148,7 +150,7 @@ class Mesher {
     constexpr int round = 0, along = 1, up = 2;
     const auto is = [](Region wanted) { return [wanted](const Index&, Region region) { return region == wanted; }; };
     const auto at_cut = [&](int column) {
-      return [column](const Index& cell, Region) { return cell[round] == column; };
+      return [column](const Index& cell, Region region) { return cell[round] == column && region == Region::disc; };
     };
     const auto add = [&](const char* name, int direction, Side side, auto chosen) {
       SectorSurface surface{name, {}};
@@ -167,10 +169,12 @@ class Mesher {
     const ClampedSurface clamped = wheel_.plan.clamped;
     const int bore = wheel_.plan.elements.bore;
     SectorSurface surface{"clamped", {}};
-    if (clamped != ClampedSurface::front_face)
+    if (clamped == ClampedSurface::root)
+      add_faces(surface, up, Side::low, [](const Index&, Region region) { return region == Region::main_blade; });
+    if (clamped == ClampedSurface::bore || clamped == ClampedSurface::bore_and_front_face)
       add_faces(surface, up, Side::low,
                 [&](const Index& cell, Region region) { return region == Region::disc && cell[along] < bore; });
-    if (clamped != ClampedSurface::bore)
+    if (clamped == ClampedSurface::front_face || clamped == ClampedSurface::bore_and_front_face)
       add_faces(surface, along, Side::low,
                 [&](const Index& cell, Region region) { return region == Region::disc && cell[along] == 0; });
     mesh_.surfaces.push_back(std::move(surface));

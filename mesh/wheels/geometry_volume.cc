@@ -59,7 +59,8 @@ double geometry_volume(const Wheel& wheel) {
   const auto width = [&](BladeKind kind) -> Angle {
     return [&geometry, kind](double station, double span) { return 2.0 * geometry.half_width(kind, station, span); };
   };
-  double volume = volume_between(plan, 0, disc, [&](double, double) { return plan.pitch(); });
+  double volume = 0.0;
+  if (plan.has_disc()) volume += volume_between(plan, 0, disc, [&](double, double) { return plan.pitch(); });
   if (plan.blades != Blades::none) volume += volume_between(plan, 0, blade, width(BladeKind::main));
   if (plan.blades == Blades::main_and_splitter)
     volume += volume_between(plan, plan.elements.upstream, blade, width(BladeKind::splitter));

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "mesh/curves/chord_table.h"
+#include "mesh/wheels/back_face.h"
 
 namespace tiprub {
 
@@ -12,8 +13,6 @@ namespace {
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double steepest_angle_deg = 80.0;
 constexpr double quarter_ellipse_arm = 0.5523;
-constexpr double usual_bore_share = 0.45;  // of the stations that stand on the bore
-constexpr int bore_and_back_face = 2;      // stations: one on either at least
 
 std::array<double, 2> read_arms(CaseTable& table, const char* key) {
   const std::vector<double> arms = table.numbers(key, std::vector<double>{quarter_ellipse_arm, quarter_ellipse_arm},
@@ -52,18 +51,13 @@ void check_channel(const CaseTable& table, const ImpellerParameters& p) {
     table.reject("back_profile", "must go from bore_radius to exit_radius; mend its first or its last radius");
 }
 
-void read_bore_elements(CaseTable& table, SectorPlan& plan) {
-  const int usual = std::max(1, static_cast<int>(usual_bore_share * plan.elements.chord));
-  plan.elements.bore =
-      table.integer("elements_along_bore", usual, Range::between(1, plan.elements.chord - 1), "elements");
-}
-
 class Impeller final : public WheelGeometry {
  public:
   Impeller(const ImpellerParameters& parameters, const SectorPlan& plan)
       : parameters_(parameters),
         plan_(plan),
-        bore_end_(plan.station(2 * plan.elements.bore)),
+        back_{0.0, parameters.bore_radius, parameters.exit_radius, parameters.back_profile,
+              plan.station(2 * plan.elements.bore)},
         hub_({0.0, parameters.inlet_hub_radius}, {parameters.axial_length, parameters.exit_radius},
              parameters.hub_arms),
         tip_({0.0, parameters.inlet_tip_radius},
@@ -71,7 +65,7 @@ class Impeller final : public WheelGeometry {
         blade_(hub_, tip_, parameters.angles) {}
 
   MeridionalPoint disc_point(double station, double height) const override {
-    return (1.0 - height) * foot(station) + height * hub_.at(station);
+    return (1.0 - height) * back_.foot(station) + height * hub_.at(station);
   }
   MeridionalPoint blade_point(double station, double span) const override { return blade_.point(station, span); }
   double theta(double station, double span) const override { return blade_.theta(station, span); }
@@ -87,17 +81,9 @@ class Impeller final : public WheelGeometry {
   }
 
  private:
-  // The disc's inner border: the bore from the front face to the back face, then the back face out to the exit.
-  MeridionalPoint foot(double station) const {
-    const double bore = parameters_.bore_radius;
-    if (station <= bore_end_) return {parameters_.back_profile.at(bore) * station / bore_end_, bore};
-    const double radius = bore + (parameters_.exit_radius - bore) * (station - bore_end_) / (1.0 - bore_end_);
-    return {parameters_.back_profile.at(radius), radius};
-  }
-
   ImpellerParameters parameters_;
   SectorPlan plan_;
-  double bore_end_;  ///< station of the corner between bore and back face
+  BackFace back_;
   MeridionalCurve hub_;
   MeridionalCurve tip_;
   BladeSurface blade_;
@@ -116,13 +102,12 @@ ImpellerParameters read_impeller(CaseTable& table, SectorPlan& plan) {
   const BladeAngles angles = read_blade_angles(table);
   const SmoothTable root = thickness("thickness_root"), tip = thickness("thickness_tip");
   const double bore = size("bore_radius");
-  const SmoothTable back(
-      table.points("back_profile", std::nullopt, Range::between(-wheel_length.high, wheel_length.high), "m"));
+  const SmoothTable back = read_back_profile(table);
   const ImpellerParameters parameters{inlet_hub, inlet_tip, exit, width, length, hub_arms,
                                       tip_arms,  angles,    root, tip,   bore,   back};
   check_channel(table, parameters);
   read_splitter(table, plan);
-  read_common(table, plan, bore_and_back_face);
+  read_common(table, plan, BackFace::fewest_stations);
   read_bore_elements(table, plan);
   return parameters;
 }

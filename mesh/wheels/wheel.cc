@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "mesh/wheels/blade_file.h"
 #include "mesh/wheels/bladed_disc.h"
 #include "mesh/wheels/impeller.h"
 
@@ -11,7 +12,7 @@ namespace tiprub {
 
 namespace {
 
-enum class Family { impeller, bladed_disc };
+enum class Family { impeller, bladed_disc, blade_file };
 
 constexpr int fewest_sectors = 3;  // below it a sector and its neighbour on either side are no longer three
 constexpr int most_sectors = 1000;
@@ -20,7 +21,8 @@ constexpr int most_sectors = 1000;
   std::ostringstream text;
   text << "makes blades cross: at " << station << " of the meridional length they take " << width
        << " rad of the circle, and have " << room << " rad; make the blade thinner or its angle smaller";
-  table.reject(span == 0.0 ? "thickness_root" : "thickness_tip", text.str());
+  const bool of_file = table.has("blade_file");
+  table.reject(of_file ? "blade_file" : span == 0.0 ? "thickness_root" : "thickness_tip", text.str());
 }
 
 // At the hub the columns of a splitter also exist upstream of it.
@@ -53,15 +55,18 @@ void check_widths(const CaseTable& table, const Wheel& wheel) {
 
 Wheel read_wheel(CaseTable& table) {
   Wheel wheel;
-  const Family family = table.choice<Family>("family", std::nullopt,
-                                             {{"impeller", Family::impeller}, {"bladed_disc", Family::bladed_disc}});
+  const Family family = table.choice<Family>(
+      "family", std::nullopt,
+      {{"impeller", Family::impeller}, {"bladed_disc", Family::bladed_disc}, {"blade_file", Family::blade_file}});
   wheel.plan.sector_count =
       table.integer("blade_count", std::nullopt, Range::between(fewest_sectors, most_sectors), "sectors");
   if (family == Family::impeller) {
     const ImpellerParameters parameters = read_impeller(table, wheel.plan);
     wheel.geometry = make_impeller(parameters, wheel.plan);
-  } else {
+  } else if (family == Family::bladed_disc) {
     wheel.geometry = make_bladed_disc(read_bladed_disc(table, wheel.plan));
+  } else {
+    wheel.geometry = read_wheel_of_blade_file(table, wheel.plan);
   }
   table.close();
   if (wheel.plan.blades != Blades::none) check_widths(table, wheel);

@@ -11,7 +11,7 @@ namespace tiprub {
 /// One sector of a wheel, as it lies in sector.msh: quadratic bricks and the named groups. The axis of rotation is z.
 struct SectorMesh {
   std::string file = "the sector";     ///< where it comes from, for messages
-  int sector_count = 0;                ///< N, found from the angle between the two cut faces
+  int sector_count = 0;                ///< N, found from the angle between the two cut faces; 1 without them
   Eigen::Matrix3Xd nodes;              ///< [m] x, y, z; 3 x nodes
   Eigen::MatrixXi cells;               ///< node numbers in gmsh's order; 20 or 27 x cells
   std::vector<std::size_t> cell_tags;  ///< gmsh's numbers of the cells, for messages; may be left empty

@@ -101,6 +101,15 @@ std::vector<int> read_surface(const GmshFile& file, const std::string& name, con
   return nodes;
 }
 
+/// A mesh without both cut faces is whole: one blade, or one turn of a wheel. One face without the other is missed.
+void read_cut_faces(const GmshFile& file, const NodeNumbers& numbers, double tolerance, SectorMesh& mesh) {
+  mesh.sector_count = 1;
+  if (file.group(2, "cyclic_low").empty() && file.group(2, "cyclic_high").empty()) return;
+  mesh.cyclic_low = read_surface(file, "cyclic_low", numbers, mesh.file);
+  mesh.cyclic_high = read_surface(file, "cyclic_high", numbers, mesh.file);
+  pair_cut_faces(mesh, tolerance);
+}
+
 /// The nodes of each curve element (or point), in order along it.
 std::vector<std::vector<std::size_t>> line_pieces(const GmshFile& file, const std::string& name) {
   std::vector<std::vector<std::size_t>> pieces;
@@ -152,11 +161,9 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
   mesh.nodes = read_positions(file, numbers, mesh.file);
   for (std::size_t i = 0; i < cells.size(); ++i) mesh.cells.data()[i] = numbers.find(cells[i]);
   mesh.parts = read_parts(file, cells, static_cast<std::size_t>(mesh.cells.rows()));
-  mesh.cyclic_low = read_surface(file, "cyclic_low", numbers, mesh.file);
-  mesh.cyclic_high = read_surface(file, "cyclic_high", numbers, mesh.file);
+  read_cut_faces(file, numbers, tolerance, mesh);
   mesh.clamped = read_surface(file, "clamped", numbers, mesh.file);
   mesh.contact_line = read_line(file, "contact", numbers, mesh);
-  pair_cut_faces(mesh, tolerance);
   require_one_way(mesh);
   return mesh;
 }

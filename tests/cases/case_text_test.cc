@@ -49,7 +49,7 @@ TEST_F(CaseTexts, MustNotBeHuge) {
   write(path("case.toml"), "");
   std::filesystem::resize_file(path("case.toml"), std::uintmax_t(1) << 40);
   EXPECT_EQ(complaint<InputError>([&] { const CaseFile read(path("case.toml")); }),
-            path("case.toml").string() + ": is larger than 4 MiB, which no case is; name a case file");
+            path("case.toml").string() + ": is larger than 4 MiB; name a case file");
 }
 
 TEST_F(CaseTexts, MustBeUtf8) {

@@ -18,7 +18,7 @@ expect_message(radius_in_millimetres KEY exit_radius LINE "exit_radius = 122" EX
                ERRORS "exit_radius = 122 must be more than 0 and at most 10 [m]")
 expect_message(missing_key KEY exit_radius LINE "" EXIT_CODE 2
                ERRORS "[mesh] has no exit_radius, and it has no default; add it")
-expect_message(wrong_family KEY family LINE "family = \"fan\"" EXIT_CODE 2 ERRORS "must be one of: impeller, bladed_disc")
+expect_message(wrong_family KEY family LINE "family = \"fan\"" EXIT_CODE 2 ERRORS "must be one of: impeller, bladed_disc, blade_file")
 expect_message(bore_too_large KEY bore_radius LINE "bore_radius = 0.04" EXIT_CODE 2
                ERRORS "must be less than inlet_hub_radius")
 expect_message(crossing_thickness KEY thickness_root LINE "thickness_root = [[0.0, 0.02]]" EXIT_CODE 2

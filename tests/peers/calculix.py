@@ -23,12 +23,14 @@ SKIPPED = 77
 
 def calculix_frequencies(table):
     """{nodal diameter: [Hz, ascending, each once]} of a .dat file; CalculiX prints a travelling wave twice, as cosine and
-    sine."""
+    sine, and a mode of what has no cyclic symmetry once and without a nodal diameter."""
     rows = {}
-    line = re.compile(r"^\s+(\d+)\s+\d+\s+\S+E\S+\s+\S+E\S+\s+(\S+E\S+)\s+\S+E\S+\s*$")
+    line = re.compile(r"^\s+(?:(\d+)\s+)?\d+\s+\S+E\S+\s+\S+E\S+\s+(\S+E\S+)\s+\S+E\S+\s*$")
     with open(table, encoding="ascii") as dat:
         for match in filter(None, map(line.match, dat)):
-            rows.setdefault(int(match[1]), []).append(float(match[2]))
+            rows.setdefault(match[1] and int(match[1]), []).append(float(match[2]))
+    if None in rows:
+        return {0: rows[None]}
     return {n: values[::2] for n, values in rows.items()}
 
 

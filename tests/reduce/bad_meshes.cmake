@@ -37,6 +37,8 @@ expect_message(inverted_at_a_corner OLD "0.04484956306099854 -0.0036765055742532
                EXIT_CODE 2 ERRORS "sector.msh: cell " " (disc) is inverted or flat near x y z = " " m; re-mesh")
 expect_message(cuts_exchanged OLD "2 4 \"cyclic_low\"\n2 5 \"cyclic_high\"" NEW "2 4 \"cyclic_high\"\n2 5 \"cyclic_low\"" EXIT_CODE 2
                ERRORS "sector.msh: cyclic_low and cyclic_high are exchanged: cyclic_high must be cyclic_low turned by +360/6 degrees about z")
+expect_message(no_cuts OLD "2 4 \"cyclic_low\"\n2 5 \"cyclic_high\"" NEW "2 4 \"front\"\n2 5 \"back\""
+               ERRORS "the case and the sector are sound: one body without cuts")
 expect_message(contact_jumps OLD "38 135 139 \n39 139 143" NEW "38 139 143 \n39 135 139" EXIT_CODE 2
                ERRORS "sector.msh: the curve \"contact\" jumps from x y z = ")
 expect_message(contact_turns_back OLD "38 135 139 \n39 139 143 \n40 143 147" NEW "38 135 143 \n39 143 139 \n40 139 147" EXIT_CODE 2

@@ -15,7 +15,7 @@ import source_tree
 # From the ground up; "" is the room's own folder, where its main.cc is.
 STOREYS = {
     "cases": ["text", "program"],
-    "mesh": ["curves", "lattice", "wheels", "sector", ""],
+    "mesh": ["curves", "blades", "lattice", "wheels", "sector", ""],
     "reduce": ["model", "sector", "operators", "basis", ""],
     "simulate": ["scene", "response", "march", "orbits", "speed", "sweep", ""],
     "postprocess": ["tables", "waves", "analysis", "fields", "effects", "records", "figures", "report", ""],

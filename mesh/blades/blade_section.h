@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mesh/blades/number_lines.h"
+#include "mesh/curves/meridional_curve.h"
+
+namespace tiprub {
+
+/// A point of a blade's mean line.
+struct BladePoint {
+  MeridionalPoint at;
+  double theta;       ///< [rad]
+  double half_width;  ///< of the blade along the circle [rad]
+};
+
+/// From leading to trailing edge.
+using BladeSection = std::vector<BladePoint>;
+
+/// What all formats of blade files come to.
+struct FileBlade {
+  std::vector<BladeSection> sections;  ///< from hub to tip
+  std::optional<int> blade_count;      ///< of the wheel, where the file says it
+};
+
+/// What a file's numbers are in.
+struct FileUnits {
+  double length;  ///< [m] of one unit
+  double angle;   ///< [rad] of one unit
+};
+
+/// [1] of the points of a section, and of the sections of a blade: more are none that a person made.
+inline constexpr int most_points = 5000, most_sections = 1000;
+
+/// Raises InputError at the line of a point that no wheel has: off the axis, nearer than 10 m.
+void require_on_wheel(const NamedText& file, int line, const MeridionalPoint& at);
+
+/// The fraction of the meridional length at each point, from 0 to 1.
+std::vector<double> fractions_of_length(const BladeSection& section);
+
+/// Where half of the meridional length lies on either side.
+MeridionalPoint mid_chord(const BladeSection& section);
+
+/// Raises InputError at `line`, where the section begins, if its mean line stands still or is too short, or if its
+/// sides change places.
+void require_section(const NamedText& file, int line, const BladeSection& section);
+
+/// Raises InputError if there are fewer than two sections, if one runs against the first, or if they don't follow
+/// each other from hub to tip.
+void require_blade(const NamedText& file, const FileBlade& blade);
+
+}  // namespace tiprub

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/wheels/blade_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <sstream>
+
+#include "mesh/blades/section_surface.h"
+#include "mesh/blades/section_table.h"
+#include "mesh/curves/chord_table.h"
+#include "mesh/wheels/back_face.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+constexpr double metres_per_inch = 0.0254;
+constexpr double usual_blunt_edge = 0.01, widest_blunt_edge = 0.2;
+
+enum class BladeFormat { sections };
+enum class LengthUnit { m, cm, mm, in };
+enum class AngleUnit { rad, deg };
+enum class Turning { positive, negative };
+
+/// What carries the blades.
+enum class Disc {
+  profile,    ///< an axial wheel's, by its thickness over the height
+  back_face,  ///< a radial wheel's, by its bore and the back face
+  none,       ///< nothing: the blade alone
+};
+
+double metres(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::m:
+      return 1.0;
+    case LengthUnit::cm:
+      return 1e-2;
+    case LengthUnit::mm:
+      return 1e-3;
+    case LengthUnit::in:
+      return metres_per_inch;
+  }
+  return 1.0;
+}
+
+FileUnits read_units(CaseTable& table) {
+  const auto length = table.choice<LengthUnit>(
+      "length_unit", std::nullopt,
+      {{"m", LengthUnit::m}, {"cm", LengthUnit::cm}, {"mm", LengthUnit::mm}, {"in", LengthUnit::in}});
+  const auto angle =
+      table.choice<AngleUnit>("angle_unit", AngleUnit::rad, {{"rad", AngleUnit::rad}, {"deg", AngleUnit::deg}});
+  return {metres(length), angle == AngleUnit::rad ? 1.0 : radians_per_degree};
+}
+
+// A wheel that turns the other way about z is mirrored: ours turns towards +theta.
+FileBlade read_blade(CaseTable& table) {
+  table.choice<BladeFormat>("blade_format", std::nullopt, {{"sections", BladeFormat::sections}});
+  const NamedText file = table.file("blade_file", "a file of blade sections");
+  const FileUnits units = read_units(table);
+  const auto turning = table.choice<Turning>("rotation", Turning::positive,
+                                             {{"positive", Turning::positive}, {"negative", Turning::negative}});
+  FileBlade blade = read_section_table(file, units);
+  if (turning == Turning::positive) return blade;
+  for (BladeSection& section : blade.sections)
+    for (BladePoint& point : section) point.theta = -point.theta;
+  return blade;
+}
+
+/// A disc whose faces close upon the blades' ends: its axial thickness over the fraction of the height from bore to
+/// hub, relative to the blade's axial length at the hub.
+struct DiscProfile {
+  double bore_radius;
+  SmoothTable relative_thickness;
+
+  MeridionalPoint at(const MeridionalPoint& hub, double middle_z, double height) const {
+    return {middle_z + (hub.z - middle_z) * relative_thickness.at(height),
+            (1.0 - height) * bore_radius + height * hub.r};
+  }
+};
+
+class BladesOfFile final : public WheelGeometry {
+ public:
+  explicit BladesOfFile(SectionSurface blade) : blade_(std::move(blade)) {}
+  void stand_on(DiscProfile profile) { profile_ = std::move(profile); }
+  void stand_on(BackFace back) { back_ = std::move(back); }
+
+  MeridionalPoint disc_point(double station, double height) const override {
+    if (back_) return (1.0 - height) * back_->foot(station) + height * hub(station);
+    return profile_->at(hub(station), 0.5 * (hub(0.0).z + hub(1.0).z), height);
+  }
+  MeridionalPoint blade_point(double station, double span) const override { return blade_.at(station, span).at; }
+  double theta(double station, double span) const override { return blade_.at(station, span).theta; }
+  double half_width(BladeKind, double station, double span) const override {
+    return blade_.at(station, span).half_width;
+  }
+  std::string keys_that_shape(Region region) const override {
+    if (region == Region::disc) return "disc_profile, back_profile, bore_radius, and the hub section of blade_file";
+    return "blunt_edge, blade_file";
+  }
+  MeridionalPoint hub(double station) const { return blade_.at(station, 0.0).at; }
+
+ private:
+  SectionSurface blade_;
+  std::optional<DiscProfile> profile_;
+  std::optional<BackFace> back_;
+};
+
+double read_bore(CaseTable& table, const BladesOfFile& wheel) {
+  const double bore = table.number("bore_radius", std::nullopt, wheel_length, "m");
+  const double hub = std::min(wheel.hub(0.0).r, wheel.hub(1.0).r);
+  if (bore < hub) return bore;
+  std::ostringstream message;
+  message << "must be less than the hub's radius, " << hub << " m at its smaller end";
+  table.reject("bore_radius", message.str());
+}
+
+void stand_on_profile(CaseTable& table, SectorPlan& plan, BladesOfFile& wheel) {
+  const double bore = read_bore(table, wheel);
+  const double width = std::abs(wheel.hub(1.0).z - wheel.hub(0.0).z);
+  auto points = table.points("disc_profile", {{{0.0, width}}}, wheel_length, "m");
+  if (points.front()[0] != 0.0 || points.back()[0] >= 1.0)
+    table.reject("disc_profile",
+                 "must go from height 0, the bore, to less than 1, the hub, where the disc is as wide as the blade");
+  for (auto& point : points) point[1] /= width;
+  points.push_back({1.0, 1.0});
+  wheel.stand_on(DiscProfile{bore, SmoothTable(std::move(points))});
+  read_common(table, plan, 1);
+}
+
+void stand_on_back_face(CaseTable& table, SectorPlan& plan, BladesOfFile& wheel) {
+  const double bore = read_bore(table, wheel), exit = wheel.hub(1.0).r;
+  const SmoothTable back = read_back_profile(table);
+  if (back.first_x() != bore || back.last_x() < exit) {
+    std::ostringstream message;
+    message << "must go from bore_radius to the hub's radius at the exit, " << exit << " m, or beyond";
+    table.reject("back_profile", message.str());
+  }
+  read_common(table, plan, BackFace::fewest_stations);
+  read_bore_elements(table, plan);
+  wheel.stand_on(BackFace{wheel.hub(0.0).z, bore, exit, back, plan.station(2 * plan.elements.bore)});
+}
+
+}  // namespace
+
+std::unique_ptr<WheelGeometry> read_wheel_of_blade_file(CaseTable& table, SectorPlan& plan) {
+  const FileBlade blade = read_blade(table);
+  const double blunt =
+      table.number("blunt_edge", usual_blunt_edge, Range::between(0.0, widest_blunt_edge), "of the chord");
+  auto wheel = std::make_unique<BladesOfFile>(SectionSurface(blade.sections, blunt));
+  plan.blades = Blades::main;
+  switch (table.choice<Disc>("disc", std::nullopt,
+                             {{"profile", Disc::profile}, {"back_face", Disc::back_face}, {"none", Disc::none}})) {
+    case Disc::profile:
+      stand_on_profile(table, plan, *wheel);
+      break;
+    case Disc::back_face:
+      stand_on_back_face(table, plan, *wheel);
+      break;
+    case Disc::none:
+      read_common_of_blade(table, plan);
+      break;
+  }
+  return wheel;
+}
+
+}  // namespace tiprub

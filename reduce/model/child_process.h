@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -15,13 +16,13 @@ class ChildDied : public std::runtime_error {
 
 /// What a child may take beside what its parent has.
 struct ChildLimits {
-  double bytes = 0;    ///< of memory, beside its parent's
-  double seconds = 0;  ///< of processor time
+  double bytes = std::numeric_limits<double>::infinity();    ///< of memory, beside its parent's
+  double seconds = std::numeric_limits<double>::infinity();  ///< of processor time
 };
 
 /// The bytes that a function gives, made in a process of its own: a library that writes past its arrays, asks for all
-/// memory or never ends there can't harm this one. What it prints is lost. Raises InputError and RunError as the
-/// function does, and ChildDied.
-std::string made_by_a_child(const std::function<std::string()>& make, const ChildLimits& limits);
+/// memory, never ends there or takes a signal for its own can't harm this one. What it prints is lost. Raises
+/// InputError and RunError as the function does, and ChildDied.
+std::string made_by_a_child(const std::function<std::string()>& make, const ChildLimits& limits = {});
 
 }  // namespace tiprub

@@ -10,17 +10,36 @@ namespace tiprub {
 
 namespace {
 
-/// Modes of a Hermitian pencil, ascending; real ones for real matrices, so that a standing wave stays real.
-Eigen::MatrixXcd modes_of(const Eigen::MatrixXcd& K, const Eigen::MatrixXcd& M) {
-  if (K.imag().isZero(0.0) && M.imag().isZero(0.0))
-    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(K.real(), M.real())
-        .eigenvectors()
-        .cast<std::complex<double>>();
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd>(K, M).eigenvectors();
-}
+template <class Scalar>
+using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-Eigen::MatrixXcd project(const Eigen::MatrixXcd& matrix, const Eigen::MatrixXcd& basis) {
-  return hermitian_part(basis.adjoint() * matrix * basis);
+/// In this basis K has no coupling: fixed-interface modes do no work on constraint modes. What is known to be zero,
+/// or one, isn't multiplied out.
+template <class Scalar>
+CondensedModel in_second_basis(const Matrix<Scalar>& K, const Matrix<Scalar>& M, Eigen::Index contact,
+                               Eigen::Index modes) {
+  const Eigen::Index inner = K.rows() - contact, all = contact + modes;
+  const Matrix<Scalar> inner_mass = M.bottomRightCorner(inner, inner),
+                       inner_contact = M.bottomLeftCorner(inner, contact);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix<Scalar>> fixed(K.bottomRightCorner(inner, inner), inner_mass);
+  const Matrix<Scalar> constraint =
+      -K.bottomRightCorner(inner, inner).partialPivLu().solve(K.bottomLeftCorner(inner, contact));
+  const Matrix<Scalar> moved = inner_contact + inner_mass * constraint;
+
+  Matrix<Scalar> basis = Matrix<Scalar>::Identity(K.rows(), all);
+  basis.bottomLeftCorner(inner, contact) = constraint;
+  basis.bottomRightCorner(inner, modes) = fixed.eigenvectors().leftCols(modes);
+  Matrix<Scalar> stiffness = Matrix<Scalar>::Zero(all, all), mass = Matrix<Scalar>::Identity(all, all);
+  stiffness.topLeftCorner(contact, contact) =
+      K.topLeftCorner(contact, contact) + K.topRightCorner(contact, inner) * constraint;
+  stiffness.diagonal().tail(modes) = fixed.eigenvalues().head(modes).template cast<Scalar>();
+  mass.topLeftCorner(contact, contact) =
+      M.topLeftCorner(contact, contact) + inner_contact.adjoint() * constraint + constraint.adjoint() * moved;
+  mass.bottomLeftCorner(modes, contact) = basis.bottomRightCorner(inner, modes).adjoint() * moved;
+  mass.topRightCorner(contact, modes) = mass.bottomLeftCorner(modes, contact).adjoint();
+  using Complex = std::complex<double>;
+  return {hermitian_part(stiffness.template cast<Complex>()), hermitian_part(mass.template cast<Complex>()),
+          basis.template cast<Complex>()};
 }
 
 }  // namespace
@@ -33,16 +52,9 @@ CondensedModel condense(const NodalDiameterModel& model, double speed, int conta
   const Eigen::MatrixXcd K = model.stiffness(speed);
   const Eigen::Index inner = K.rows() - contact_dofs;
   if (modes <= 0 || modes >= inner) return {K, model.M, Eigen::MatrixXcd::Identity(K.rows(), K.rows())};
-  CondensedModel condensed;
-  condensed.basis = Eigen::MatrixXcd::Zero(K.rows(), contact_dofs + modes);
-  condensed.basis.topLeftCorner(contact_dofs, contact_dofs).setIdentity();
-  condensed.basis.bottomLeftCorner(inner, contact_dofs) =  // constraint modes at this speed
-      -K.bottomRightCorner(inner, inner).partialPivLu().solve(K.bottomLeftCorner(inner, contact_dofs));
-  condensed.basis.bottomRightCorner(inner, modes) =
-      modes_of(K.bottomRightCorner(inner, inner), model.M.bottomRightCorner(inner, inner)).leftCols(modes);
-  condensed.K = project(K, condensed.basis);
-  condensed.M = project(model.M, condensed.basis);
-  return condensed;
+  if (K.imag().isZero(0.0) && model.M.imag().isZero(0.0))  // a standing wave stays real
+    return in_second_basis<double>(K.real(), model.M.real(), contact_dofs, modes);
+  return in_second_basis<std::complex<double>>(K, model.M, contact_dofs, modes);
 }
 
 }  // namespace tiprub

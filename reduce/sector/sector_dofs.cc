@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "cases/program/errors.h"
+#include "reduce/model/child_process.h"
 
 namespace tiprub {
 
@@ -38,7 +40,27 @@ std::vector<Place> place_nodes(const SectorMesh& mesh, const std::vector<int>& c
   return places;
 }
 
-/// Fill-reducing order of the interior nodes (METIS, Karypis and Kumar 1998). Nodes, not dofs: a third of the graph.
+/// METIS (Karypis and Kumar 1998) catches SIGTERM, as an error of its own, wherever it comes from: it works in a
+/// child.
+std::vector<idx_t> order_by_metis(std::vector<idx_t>& start, std::vector<idx_t>& adjacent) {
+  idx_t count = static_cast<idx_t>(start.size()) - 1;
+  std::vector<idx_t> order(start.size() - 1), position(start.size() - 1);
+  const std::size_t size = order.size() * sizeof(idx_t);
+  try {
+    const std::string found = made_by_a_child([&] {
+      if (METIS_NodeND(&count, start.data(), adjacent.data(), nullptr, nullptr, order.data(), position.data()) !=
+          METIS_OK)
+        throw RunError("its own check failed");
+      return std::string(reinterpret_cast<const char*>(order.data()), size);
+    });
+    std::memcpy(order.data(), found.data(), size);
+    return order;
+  } catch (const std::exception& error) {
+    throw RunError(std::string("METIS could not order the sector's nodes: ") + error.what());
+  }
+}
+
+/// Fill-reducing order of the interior nodes. Nodes, not dofs: a third of the graph.
 std::vector<int> dissect(const std::vector<int>& interior, const std::vector<std::vector<int>>& neighbours) {
   std::vector<idx_t> local(neighbours.size(), -1);
   for (std::size_t i = 0; i < interior.size(); ++i) local[interior[i]] = static_cast<idx_t>(i);
@@ -48,14 +70,9 @@ std::vector<int> dissect(const std::vector<int>& interior, const std::vector<std
       if (other != node && local[other] >= 0) adjacent.push_back(local[other]);
     start.push_back(static_cast<idx_t>(adjacent.size()));
   }
-  idx_t count = static_cast<idx_t>(interior.size());
-  std::vector<idx_t> order(interior.size()), position(interior.size());
   if (adjacent.empty()) return interior;
-  if (METIS_NodeND(&count, start.data(), adjacent.data(), nullptr, nullptr, order.data(), position.data()) !=
-      METIS_OK)
-    throw RunError("METIS could not order the sector's nodes");
   std::vector<int> ordered;
-  for (const idx_t at : order) ordered.push_back(interior[at]);
+  for (const idx_t at : order_by_metis(start, adjacent)) ordered.push_back(interior[at]);
   return ordered;
 }
 

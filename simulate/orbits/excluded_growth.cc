@@ -16,6 +16,7 @@ namespace {
 constexpr double seed_share = 1e-8;       // of the settled motion
 constexpr double smallest_margin = 1e-3;  // of the factor from 1
 constexpr double small_residual = 1e-4;   // of the factor: more revolutions tell nothing new
+constexpr double clear_residual = 0.1;    // of the factor's distance from 1: nor do they here
 constexpr int fewest_states = 6;          // before a residual is believed
 
 /// The whole wheel's march, and the nodal diameters that the settled one left out as a vector whose square is twice
@@ -135,7 +136,9 @@ Growth by_arnoldi(WholeWheel& wheel, int period, int revolutions) {
       }
     hessenberg(m + 1, m) = next.norm();
     growth = largest_ritz_value(hessenberg.topLeftCorner(m + 1, m + 1), hessenberg(m + 1, m));
-    if (hessenberg(m + 1, m) == 0 || (m + 1 >= fewest_states && growth.uncertainty < small_residual * growth.factor))
+    if (hessenberg(m + 1, m) == 0 ||
+        (m + 1 >= fewest_states &&
+         growth.uncertainty < std::max(small_residual * growth.factor, clear_residual * std::abs(1 - growth.factor))))
       break;
     basis.push_back(next / hessenberg(m + 1, m));
   }

@@ -21,9 +21,9 @@ struct Growth {
 /// multiplier, by Arnoldi's method: a decaying disturbance hides a growing one for tens of revolutions, the
 /// multipliers of its Krylov space don't. The uncertainty is the residual. Without a period (0) it is the mean over
 /// the second half, with twice its standard error.
-/// At most `revolutions`; fewer if the residual is small. Costs N/(N/g) times as much a revolution as the march of
-/// the symmetric part, and more for the larger contact problem. Raises RunError if the contact problem of the whole
-/// wheel does.
+/// At most `revolutions`; fewer if the residual is small, or small beside the factor's distance from 1. Costs N/(N/g)
+/// times as much a revolution as the march of the symmetric part, and more for the larger contact problem. Raises
+/// RunError if the contact problem of the whole wheel does.
 Growth excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, const Casing& casing,
                        const ContactLine& contact, int period, int revolutions);
 

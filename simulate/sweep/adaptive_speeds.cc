@@ -12,11 +12,15 @@ namespace tiprub {
 
 namespace {
 
-constexpr double inside = 0.9;     // of the goal: a new sample lands within it
-constexpr double lopsided = 8;     // ratio of the two sides at which the larger one is halved first
-constexpr double candidate = 0.5;  // of the prominence: a coarse curve shows a peak lower than it is
+constexpr double inside = 0.9;        // of the goal: a new sample lands within it
+constexpr double lopsided = 8;        // ratio of the two sides at which the larger one is closed in first
+constexpr double step_out = 3;        // so many times the smaller side
+constexpr double candidate = 0.5;     // of the prominence: a coarse curve shows a peak lower than it is
+constexpr double clear_valley = 0.5;  // of a peak's height: below, the valley's own depth decides nothing
+constexpr double beyond_jump = 5e-3;  // of the speed: a scan may have it so far off
+constexpr double of_scan_speed = 2e-3, of_scan_fall = 0.05;
 
-Eigen::VectorXd amplitudes(const std::vector<SampledSpeed>& curve) {
+Eigen::VectorXd amplitudes(const SampledCurve& curve) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(curve.size()));
   for (std::size_t i = 0; i < curve.size(); ++i) values[static_cast<Eigen::Index>(i)] = curve[i].amplitude;
   return values;
@@ -33,6 +37,11 @@ struct Triple {
   }
 };
 
+Triple triple_at(const SampledCurve& curve, Eigen::Index place) {
+  const auto i = static_cast<std::size_t>(place);
+  return {curve[i - 1], curve[i], curve[i + 1]};
+}
+
 void close_in(const Triple& peak, const LocationGoal& goal, std::set<double>& next) {
   const double width = inside * goal.speed * peak.top.speed;
   for (const auto& [side, sign] : {std::pair(peak.left_side(), -1.0), std::pair(peak.right_side(), 1.0)})
@@ -40,76 +49,100 @@ void close_in(const Triple& peak, const LocationGoal& goal, std::set<double>& ne
 }
 
 void refine_peak(const Triple& peak, const LocationGoal& goal, std::set<double>& next) {
-  if (peak.top.kind == SampledSpeed::Kind::scanned) {
-    next.insert(peak.top.speed);
-    return;
-  }
   const double left = peak.left_side(), right = peak.right_side(), wide = goal.speed * peak.top.speed;
+  const ParabolaTop parabola = peak.parabola();
   if (std::max(left, right) <= wide) {
-    for (const SampledSpeed* side : {&peak.left, &peak.right})
-      if (side->kind == SampledSpeed::Kind::scanned) next.insert(side->speed);
-    const ParabolaTop parabola = peak.parabola();
     const bool apart = std::abs(parabola.offset) > goal.narrowest * peak.top.speed;
-    if (next.empty() && apart && parabola.height > goal.amplitude * peak.top.amplitude)
-      next.insert(peak.top.speed + parabola.offset);
-    return;
-  }
-  const double vertex = peak.parabola().offset;
-  if (std::max(left, right) > lopsided * std::min(left, right))
-    next.insert(peak.top.speed + (left > right ? -left / 2 : right / 2));
-  else if (std::abs(vertex) > wide / 2)
-    next.insert(peak.top.speed + vertex);
-  else
+    if (apart && parabola.height > goal.amplitude * peak.top.amplitude) next.insert(peak.top.speed + parabola.offset);
+  } else if (std::max(left, right) > lopsided * std::min(left, right)) {
+    next.insert(peak.top.speed + (left > right ? -1 : 1) * step_out * std::min(left, right));
+  } else if (std::abs(parabola.offset) > wide / 2) {
+    next.insert(peak.top.speed + parabola.offset);
+  } else {
     close_in(peak, goal, next);
+  }
 }
 
-/// On each side of a peak, the middle between the last speed that is nearly as high and the first that is not, if
-/// they are far apart: scanned ones between them are too coarse to show a peak a few percent higher.
-void look_beside(const std::vector<SampledSpeed>& full, std::size_t peak, const LocationGoal& goal,
-                 std::set<double>& next) {
-  const SampledSpeed& top = full[peak];
+/// On each side of a peak, one beside the last speed that is nearly as high, if the first that is not is far away:
+/// between them a peak a few percent higher may hide.
+void look_beside(const SampledCurve& curve, std::size_t peak, const LocationGoal& goal, std::set<double>& next) {
+  const SampledSpeed& top = curve[peak];
   for (const int step : {-1, 1}) {
     std::size_t i = peak;
-    while (i > 0 && i + 1 < full.size() && full[i].amplitude >= (1 - goal.fall) * top.amplitude) i += step;
-    const SampledSpeed &low = full[i], &high = full[i - step];
-    if (std::abs(low.speed - high.speed) > goal.flank * top.speed) next.insert(0.5 * (low.speed + high.speed));
+    while (i > 0 && i + 1 < curve.size() && curve[i].amplitude >= (1 - goal.fall) * top.amplitude) i += step;
+    const SampledSpeed &low = curve[i], &high = curve[i - step];
+    const double beyond = goal.flank * top.speed;
+    if (std::abs(low.speed - high.speed) > beyond) next.insert(high.speed + inside * step * beyond);
   }
 }
 
-void refine_jumps(const std::vector<SampledSpeed>& curve, const LocationGoal& goal, std::set<double>& next) {
+bool jumps(const SampledSpeed& low, const SampledSpeed& high, const LocationGoal& goal) {
+  const double change = std::abs(high.amplitude - low.amplitude);
+  const bool near = high.speed - low.speed <= goal.jump_reach * high.speed;
+  return near && change > goal.jump * std::max(low.amplitude, high.amplitude);
+}
+
+void refine_jumps(const SampledCurve& curve, const LocationGoal& goal, std::set<double>& next) {
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
     const SampledSpeed &low = curve[i], &high = curve[i + 1];
-    const double change = std::abs(high.amplitude - low.amplitude);
-    if (change <= goal.jump * std::max(low.amplitude, high.amplitude)) continue;
-    if (high.speed - low.speed > goal.speed * high.speed) next.insert(0.5 * (low.speed + high.speed));
+    if (jumps(low, high, goal) && high.speed - low.speed > goal.jump_width * high.speed)
+      next.insert(0.5 * (low.speed + high.speed));
   }
+}
+
+/// Whether a speed of `full` between two of the scan is so low that no more needs to be known of the valley there.
+bool falls_between(const SampledCurve& full, double from, double to, double height) {
+  return std::any_of(full.begin(), full.end(), [&](const SampledSpeed& at) {
+    return at.speed >= std::min(from, to) && at.speed <= std::max(from, to) && at.amplitude < clear_valley * height;
+  });
+}
+
+std::vector<double> without(std::set<double> speeds, const SampledCurve& curve) {
+  for (const SampledSpeed& there : curve) speeds.erase(there.speed);
+  return {speeds.begin(), speeds.end()};
 }
 
 }  // namespace
 
-std::vector<double> speeds_to_refine(const std::vector<SampledSpeed>& curve, const LocationGoal& goal) {
-  std::set<double> next;
-  for (const Peak& peak : find_peaks(amplitudes(curve), candidate * goal.prominence)) {
-    const auto i = static_cast<std::size_t>(peak.index);
-    std::set<double> here;
-    refine_peak({curve[i - 1], curve[i], curve[i + 1]}, goal, here);
-    next.merge(here);
-    for (const Eigen::Index valley : {peak.left_valley, peak.right_valley})
-      if (const SampledSpeed& low = curve[static_cast<std::size_t>(valley)]; low.kind == SampledSpeed::Kind::scanned)
-        next.insert(low.speed);
-  }
-  refine_jumps(curve, goal, next);
-  if (next.empty()) {
-    std::vector<SampledSpeed> full = curve;
-    std::erase_if(full, [](const SampledSpeed& there) { return there.kind == SampledSpeed::Kind::scanned; });
-    for (const std::size_t peak : located_peaks(full, goal)) look_beside(full, peak, goal, next);
-  }
-  for (const SampledSpeed& there : curve)
-    if (there.kind == SampledSpeed::Kind::full) next.erase(there.speed);
-  return {next.begin(), next.end()};
+LocationGoal LocationGoal::of_scan() const {
+  LocationGoal goal = *this;
+  goal.speed = of_scan_speed;
+  goal.fall = of_scan_fall;
+  goal.jump_reach = 1;
+  return goal;
 }
 
-std::vector<std::size_t> located_peaks(const std::vector<SampledSpeed>& curve, const LocationGoal& goal) {
+std::vector<double> speeds_to_refine(const SampledCurve& curve, const LocationGoal& goal) {
+  std::set<double> next;
+  const std::vector<Peak> peaks = find_peaks(amplitudes(curve), candidate * goal.prominence);
+  for (const Peak& peak : peaks) refine_peak(triple_at(curve, peak.index), goal, next);
+  refine_jumps(curve, goal, next);
+  if (next.empty())
+    for (const Peak& peak : peaks) look_beside(curve, static_cast<std::size_t>(peak.index), goal, next);
+  return without(std::move(next), curve);
+}
+
+std::vector<double> speeds_to_confirm(const SampledCurve& scan, const SampledCurve& full, const LocationGoal& goal) {
+  std::set<double> next;
+  for (const Peak& peak : find_peaks(amplitudes(scan), candidate * goal.prominence)) {
+    const Triple triple = triple_at(scan, peak.index);
+    const double top = triple.top.speed + triple.parabola().offset;
+    for (const double side : {-inside, 0.0, inside}) next.insert(top * (1 + side * goal.speed));
+    for (const Eigen::Index place : {peak.left_valley, peak.right_valley}) {
+      const double valley = scan[static_cast<std::size_t>(place)].speed;
+      if (!falls_between(full, valley, top, triple.top.amplitude)) next.insert(valley);
+    }
+  }
+  LocationGoal narrow = goal;
+  narrow.jump_reach = goal.jump_width;
+  for (std::size_t i = 0; i + 1 < scan.size(); ++i)
+    if (jumps(scan[i], scan[i + 1], narrow))
+      next.insert({(1 - beyond_jump) * scan[i].speed, scan[i].speed, scan[i + 1].speed,
+                   (1 + beyond_jump) * scan[i + 1].speed});
+  return without(std::move(next), full);
+}
+
+std::vector<std::size_t> located_peaks(const SampledCurve& curve, const LocationGoal& goal) {
   std::vector<std::size_t> places;
   for (const Peak& peak : find_peaks(amplitudes(curve), goal.prominence))
     places.push_back(static_cast<std::size_t>(peak.index));

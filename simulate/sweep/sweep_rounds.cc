@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/sweep/sweep_rounds.h"
 
+#include <functional>
 #include <map>
 
 #include "simulate/sweep/adaptive_speeds.h"
@@ -24,10 +25,8 @@ class Rounds {
   }
   SweepSpeeds speeds() const {
     SweepSpeeds found;
-    for (const auto& [speed, sample] : curve_) {
-      if (sample.kind == SampledSpeed::Kind::full) found.speeds.push_back(speed);
-      found.scanned += sample.kind == SampledSpeed::Kind::scanned;
-    }
+    for (const auto& [speed, amplitude] : full_) found.speeds.push_back(speed);
+    found.scanned = scanned_.size();
     found.computed = computed_;
     return found;
   }
@@ -43,46 +42,47 @@ class Rounds {
   }
   void note(const std::vector<double>& speeds, Depth depth) {
     for (const double speed : speeds)
-      curve_[speed] = {speed, finished_.read(speed, depth).amplitude,
-                       depth == Depth::scanned ? SampledSpeed::Kind::scanned : SampledSpeed::Kind::full};
+      (depth == Depth::scanned ? scanned_ : full_)[speed] = finished_.read(speed, depth).amplitude;
   }
   void locate() {
     compute("scan", scan(), Depth::scanned);
-    while (true) {
-      std::vector<double> next;
-      if (group_.leads()) next = speeds_to_refine(sampled(), goal());
-      const auto most = static_cast<std::size_t>(scene_.parameters.speed_count_max);
-      if (group_.leads() && speeds().speeds.size() + next.size() > most) next.clear();
-      group_.share(next);
-      if (next.empty()) return;
-      compute("peaks and jumps", next, Depth::full);
-    }
+    while (round("scan", Depth::scanned, [&] { return speeds_to_refine(curve(scanned_), goal().of_scan()); }))
+      continue;
+    round("peaks and jumps", Depth::full, [&] { return speeds_to_confirm(curve(scanned_), curve(full_), goal()); });
+    while (round("peaks and jumps", Depth::full, [&] { return speeds_to_refine(curve(full_), goal()); })) continue;
+  }
+  /// Whether there was anything to compute; nothing that would go beyond speed_count_max.
+  bool round(const char* what, Depth depth, const std::function<std::vector<double>()>& choose) {
+    std::vector<double> next;
+    if (group_.leads()) next = choose();
+    const auto most = static_cast<std::size_t>(scene_.parameters.speed_count_max);
+    if (group_.leads() && (depth == Depth::scanned ? scanned_ : full_).size() + next.size() > most) next.clear();
+    group_.share(next);
+    if (!next.empty()) compute(what, next, depth);
+    return !next.empty();
   }
   void examine() {
     std::vector<double> peaks;
     if (group_.leads()) {
-      const std::vector<SampledSpeed> curve = computed_in_full();
-      for (const std::size_t place : located_peaks(curve, goal())) peaks.push_back(curve[place].speed);
+      const SampledCurve full = curve(full_);
+      for (const std::size_t place : located_peaks(full, goal())) peaks.push_back(full[place].speed);
     }
     group_.share(peaks);
     if (!peaks.empty()) compute("examination of critical speeds", peaks, Depth::examined);
   }
+  /// The given speeds and those between them.
   std::vector<double> scan() const {
-    std::vector<double> speeds;
     const std::vector<double>& given = scene_.parameters.speeds;
+    std::vector<double> speeds = given;
     const int parts = scene_.parameters.scan_per_interval + 1;
     for (std::size_t i = 0; i + 1 < given.size(); ++i)
       for (int part = 1; part < parts; ++part) speeds.push_back(given[i] + (given[i + 1] - given[i]) * part / parts);
     return speeds;
   }
-  std::vector<SampledSpeed> sampled() const {
-    std::vector<SampledSpeed> samples;
-    for (const auto& [speed, sample] : curve_) samples.push_back(sample);
-    return samples;
-  }
-  std::vector<SampledSpeed> computed_in_full() const {
-    std::vector<SampledSpeed> samples = sampled();
-    std::erase_if(samples, [](const SampledSpeed& sample) { return sample.kind == SampledSpeed::Kind::scanned; });
+  using Amplitudes = std::map<double, double>;  ///< over speed
+  static SampledCurve curve(const Amplitudes& amplitudes) {
+    SampledCurve samples;
+    for (const auto& [speed, amplitude] : amplitudes) samples.push_back({speed, amplitude});
     return samples;
   }
   LocationGoal goal() const {
@@ -96,7 +96,7 @@ class Rounds {
   int threads_;
   ProcessGroup& group_;
   FinishedSpeeds& finished_;
-  std::map<double, SampledSpeed> curve_;  ///< the leader's
+  Amplitudes full_, scanned_;  ///< the leader's
   std::size_t computed_ = 0;
 };
 

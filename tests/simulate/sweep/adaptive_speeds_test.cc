@@ -20,28 +20,33 @@ double resonance(double x, double speed, double damping) {
   return 1 / std::hypot(1 - ratio * ratio, 2 * damping * ratio);
 }
 
-/// What an adaptive sweep comes to: full speeds with their amplitudes. `scanned`: what the scan takes for the curve.
-std::vector<SampledSpeed> sweep(const Curve& curve, const LocationGoal& goal, const Curve& scanned) {
-  std::map<double, SampledSpeed> samples;
-  for (int i = 0; i <= 100; ++i) {
-    const double x = 1000 + 10.0 * i;
-    const bool full = i % 5 == 0;
-    samples[x] = {x, full ? curve(x) : scanned(x), full ? SampledSpeed::Kind::full : SampledSpeed::Kind::scanned};
-  }
-  for (int round = 0; round < 100; ++round) {
-    std::vector<SampledSpeed> list;
-    for (const auto& [speed, sample] : samples) list.push_back(sample);
-    const std::vector<double> next = speeds_to_refine(list, goal);
-    if (next.empty()) break;
-    for (const double x : next) samples[x] = {x, curve(x), SampledSpeed::Kind::full};
-  }
-  std::vector<SampledSpeed> full;
-  for (const auto& [speed, sample] : samples)
-    if (sample.kind == SampledSpeed::Kind::full) full.push_back(sample);
-  return full;
+using Amplitudes = std::map<double, double>;
+
+SampledCurve list(const Amplitudes& amplitudes) {
+  SampledCurve curve;
+  for (const auto& [speed, amplitude] : amplitudes) curve.push_back({speed, amplitude});
+  return curve;
 }
 
-void expect_located(const std::vector<SampledSpeed>& found, double speed, double height) {
+/// What an adaptive sweep comes to: full speeds with their amplitudes. `scanned`: what the scan takes for the curve.
+SampledCurve sweep(const Curve& curve, const LocationGoal& goal, const Curve& scanned) {
+  Amplitudes full, scan;
+  for (int i = 0; i <= 100; ++i) {
+    const double x = 1000 + 10.0 * i;
+    scan[x] = scanned(x);
+    if (i % 5 == 0) full[x] = curve(x);
+  }
+  const auto add = [](Amplitudes& to, const std::vector<double>& speeds, const Curve& of) {
+    for (const double x : speeds) to[x] = of(x);
+    return !speeds.empty();
+  };
+  for (int round = 0; round < 100 && add(scan, speeds_to_refine(list(scan), goal.of_scan()), scanned);) ++round;
+  add(full, speeds_to_confirm(list(scan), list(full), goal), curve);
+  for (int round = 0; round < 100 && add(full, speeds_to_refine(list(full), goal), curve);) ++round;
+  return list(full);
+}
+
+void expect_located(const SampledCurve& found, double speed, double height) {
   const LocationGoal goal;
   for (const std::size_t i : located_peaks(found, goal))
     if (std::abs(found[i].speed - speed) <= goal.speed * speed) {
@@ -55,7 +60,7 @@ void expect_located(const std::vector<SampledSpeed>& found, double speed, double
 
 TEST(AdaptiveSpeeds, LocatesPeaksBetweenSamples) {
   const Curve curve = [](double x) { return resonance(x, 1237.3, 0.004) + 0.6 * resonance(x, 1713.9, 0.002); };
-  const std::vector<SampledSpeed> found = sweep(curve, {}, curve);
+  const SampledCurve found = sweep(curve, {}, curve);
   expect_located(found, 1237.3, curve(1237.3));
   expect_located(found, 1713.9, curve(1713.9));
   EXPECT_EQ(located_peaks(found, {}).size(), 2u);
@@ -89,7 +94,7 @@ TEST(AdaptiveSpeeds, FindTheHigherOfTwoTops) {
 TEST(AdaptiveSpeeds, EnclosesAJump) {
   const double fold = 1503.7;
   const Curve curve = [&](double x) { return x < fold ? 1 + (x - 1000) / 500 : 0.4; };
-  const std::vector<SampledSpeed> found = sweep(curve, {}, curve);
+  const SampledCurve found = sweep(curve, {}, curve);
   const auto after = std::find_if(found.begin(), found.end(), [&](const auto& at) { return at.speed >= fold; });
   EXPECT_LE(after->speed - (after - 1)->speed, 1e-3 * fold);
 }

@@ -12,7 +12,8 @@ namespace tiprub {
 namespace {
 
 constexpr std::size_t fewest_points = 3;
-constexpr double least_step = 1e-9;  // of a section's length
+constexpr double least_step = 1e-9;        // of a section's length
+constexpr double negligible_width = 0.01;  // of its widest place: what two curves through points may cross by
 
 double distance(const MeridionalPoint& a, const MeridionalPoint& b) {
   return std::hypot(a.z - b.z, a.r - b.r);
@@ -59,24 +60,28 @@ void require_on_wheel(const NamedText& file, int line, const MeridionalPoint& at
   refuse_line(file, line, message.str());
 }
 
-void require_section(const NamedText& file, int line, const BladeSection& section) {
+BladeSection upright_section(const NamedText& file, int line, BladeSection section) {
   if (section.size() < fewest_points)
     refuse_line(file, line,
                 "the section that begins here has " + std::to_string(section.size()) + " points, and needs " +
                     std::to_string(fewest_points));
+  const auto thinner = [](const BladePoint& a, const BladePoint& b) {
+    return std::abs(a.half_width) < std::abs(b.half_width);
+  };
+  const double widest = std::max_element(section.begin(), section.end(), thinner)->half_width;  // either sign
+  if (widest == 0.0) refuse_line(file, line, "the section that begins here has no thickness");
   const double least = least_step * length_of(section);
-  double wider = 0.0;  // of one sign throughout
   for (std::size_t i = 0; i < section.size(); ++i) {
     const std::string place = " at point " + std::to_string(i + 1) + " of " + std::to_string(section.size()) +
                               " of the section that begins here";
     if (i > 0 && distance(section[i].at, section[i - 1].at) <= least)
       refuse_line(file, line,
                   "two points at the same z and r" + place + "; they must go on from leading to trailing edge");
-    if (section[i].half_width * wider < 0.0)
-      refuse_line(file, line, "the sides of the blade change places" + place + "; each must keep to its column");
-    if (section[i].half_width != 0.0) wider = section[i].half_width;
+    if (section[i].half_width / widest < -negligible_width)
+      refuse_line(file, line, "the sides of the blade change places" + place + "; each must keep to its own");
   }
-  if (wider == 0.0) refuse_line(file, line, "the section that begins here has no thickness");
+  for (BladePoint& point : section) point.half_width = std::max(0.0, point.half_width / widest) * std::abs(widest);
+  return section;
 }
 
 void require_blade(const NamedText& file, const FileBlade& blade) {

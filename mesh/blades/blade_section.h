@@ -32,7 +32,7 @@ struct FileUnits {
 };
 
 /// [1] of the points of a section, and of the sections of a blade: more are none that a person made.
-inline constexpr int most_points = 5000, most_sections = 1000;
+inline constexpr int most_points = 2000, most_sections = 1000;
 
 /// Raises InputError at the line of a point that no wheel has: off the axis, nearer than 10 m.
 void require_on_wheel(const NamedText& file, int line, const MeridionalPoint& at);
@@ -43,9 +43,9 @@ std::vector<double> fractions_of_length(const BladeSection& section);
 /// Where half of the meridional length lies on either side.
 MeridionalPoint mid_chord(const BladeSection& section);
 
-/// Raises InputError at `line`, where the section begins, if its mean line stands still or is too short, or if its
-/// sides change places.
-void require_section(const NamedText& file, int line, const BladeSection& section);
+/// The section with half widths that count towards +theta, whichever side came first. Raises InputError at `line`,
+/// where the section begins, if its mean line stands still or is too short, or if its sides change places.
+BladeSection upright_section(const NamedText& file, int line, BladeSection section);
 
 /// Raises InputError if there are fewer than two sections, if one runs against the first, or if they don't follow
 /// each other from hub to tip.

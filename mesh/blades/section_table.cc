@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/blades/section_table.h"
 
-#include <cmath>
+#include <utility>
 
 namespace tiprub {
 
@@ -23,11 +23,6 @@ BladePoint point_of(const NamedText& file, const NumberLine& line, const FileUni
   return {at, 0.5 * (one + other), 0.5 * (one - other)};
 }
 
-// Whichever column holds the upper side.
-void turn_upright(BladeSection& section) {
-  for (BladePoint& point : section) point.half_width = std::abs(point.half_width);
-}
-
 }  // namespace
 
 FileBlade read_section_table(const NamedText& file, const FileUnits& units) {
@@ -35,8 +30,7 @@ FileBlade read_section_table(const NamedText& file, const FileUnits& units) {
   int begun = 0;  // the line where the last section began
   const auto close = [&] {
     if (blade.sections.empty()) return;
-    require_section(file, begun, blade.sections.back());
-    turn_upright(blade.sections.back());
+    blade.sections.back() = upright_section(file, begun, std::move(blade.sections.back()));
   };
   for (const NumberLine& line : lines_of(file)) {
     if (line.words.empty()) continue;

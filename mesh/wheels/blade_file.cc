@@ -7,6 +7,8 @@
 #include <optional>
 #include <sstream>
 
+#include "mesh/blades/curve_files.h"
+#include "mesh/blades/meanline_file.h"
 #include "mesh/blades/section_surface.h"
 #include "mesh/blades/section_table.h"
 #include "mesh/curves/chord_table.h"
@@ -20,7 +22,7 @@ constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double metres_per_inch = 0.0254;
 constexpr double usual_blunt_edge = 0.01, widest_blunt_edge = 0.2;
 
-enum class BladeFormat { sections };
+enum class BladeFormat { sections, curve, rtzt };
 enum class LengthUnit { m, cm, mm, in };
 enum class AngleUnit { rad, deg };
 enum class Turning { positive, negative };
@@ -46,27 +48,57 @@ double metres(LengthUnit unit) {
   return 1.0;
 }
 
-FileUnits read_units(CaseTable& table) {
-  const auto length = table.choice<LengthUnit>(
+double read_length_unit(CaseTable& table) {
+  return metres(table.choice<LengthUnit>(
       "length_unit", std::nullopt,
-      {{"m", LengthUnit::m}, {"cm", LengthUnit::cm}, {"mm", LengthUnit::mm}, {"in", LengthUnit::in}});
-  const auto angle =
+      {{"m", LengthUnit::m}, {"cm", LengthUnit::cm}, {"mm", LengthUnit::mm}, {"in", LengthUnit::in}}));
+}
+
+double read_angle_unit(CaseTable& table) {
+  const auto unit =
       table.choice<AngleUnit>("angle_unit", AngleUnit::rad, {{"rad", AngleUnit::rad}, {"deg", AngleUnit::deg}});
-  return {metres(length), angle == AngleUnit::rad ? 1.0 : radians_per_degree};
+  return unit == AngleUnit::rad ? 1.0 : radians_per_degree;
+}
+
+FileBlade read_sections(CaseTable& table) {
+  const NamedText file = table.file("blade_file", "a file of blade sections");
+  const double length = read_length_unit(table);
+  return read_section_table(file, {length, read_angle_unit(table)});
+}
+
+FileBlade read_curves(CaseTable& table) {
+  const NamedText profiles = table.file("blade_file", "a profile.curve");
+  const NamedText hub = table.file("hub_file", "a hub.curve"), shroud = table.file("shroud_file", "a shroud.curve");
+  const double length = read_length_unit(table);
+  const double clearance = table.number("tip_clearance", 0.0, Range::between(0.0, wheel_length.high), "m");
+  const MeridionalPath hub_path = read_path_curve(hub, length), shroud_path = read_path_curve(shroud, length);
+  return cut_to_path(read_profile_curve(profiles, length, hub_path), hub_path, shroud_path, clearance, profiles.name,
+                     hub.name);
+}
+
+FileBlade read_blade(CaseTable& table) {
+  switch (table.choice<BladeFormat>(
+      "blade_format", std::nullopt,
+      {{"sections", BladeFormat::sections}, {"curve", BladeFormat::curve}, {"rtzt", BladeFormat::rtzt}})) {
+    case BladeFormat::sections:
+      return read_sections(table);
+    case BladeFormat::curve:
+      return read_curves(table);
+    case BladeFormat::rtzt: {
+      const NamedText file = table.file("blade_file", "a meanline file (.rtzt)");
+      return read_meanline(file, read_length_unit(table));
+    }
+  }
+  return {};
 }
 
 // A wheel that turns the other way about z is mirrored: ours turns towards +theta.
-FileBlade read_blade(CaseTable& table) {
-  table.choice<BladeFormat>("blade_format", std::nullopt, {{"sections", BladeFormat::sections}});
-  const NamedText file = table.file("blade_file", "a file of blade sections");
-  const FileUnits units = read_units(table);
+void turn_towards_positive(CaseTable& table, FileBlade& blade) {
   const auto turning = table.choice<Turning>("rotation", Turning::positive,
                                              {{"positive", Turning::positive}, {"negative", Turning::negative}});
-  FileBlade blade = read_section_table(file, units);
-  if (turning == Turning::positive) return blade;
+  if (turning == Turning::positive) return;
   for (BladeSection& section : blade.sections)
     for (BladePoint& point : section) point.theta = -point.theta;
-  return blade;
 }
 
 /// A disc whose faces close upon the blades' ends: its axial thickness over the fraction of the height from bore to
@@ -146,7 +178,11 @@ void stand_on_back_face(CaseTable& table, SectorPlan& plan, BladesOfFile& wheel)
 }  // namespace
 
 std::unique_ptr<WheelGeometry> read_wheel_of_blade_file(CaseTable& table, SectorPlan& plan) {
-  const FileBlade blade = read_blade(table);
+  FileBlade blade = read_blade(table);
+  turn_towards_positive(table, blade);
+  if (blade.blade_count.value_or(plan.sector_count) != plan.sector_count)
+    table.reject("blade_count", "= " + std::to_string(plan.sector_count) + ", and blade_file says " +
+                                    std::to_string(*blade.blade_count) + "; they must agree");
   const double blunt =
       table.number("blunt_edge", usual_blunt_edge, Range::between(0.0, widest_blunt_edge), "of the chord");
   auto wheel = std::make_unique<BladesOfFile>(SectionSurface(blade.sections, blunt));

@@ -13,6 +13,7 @@ import time
 from bases import MESH_FORMATS, SCENES, make_bases
 
 FILES = {"case": "case.toml", "mesh": "sector.msh", "model": "model.h5", "fields": "fields.h5", "response": "response.h5"}
+BLADES = {"sections": "sections.txt", "profile": "profile.curve", "meanline": "meanline.rtzt"}  # in blades/
 
 
 def main(programs, case, work, inputs, seed=None):
@@ -21,15 +22,16 @@ def main(programs, case, work, inputs, seed=None):
     make_bases(programs, case, bases)
 
     def fuzz(reader):
-        files = [os.path.join(bases, scene, FILES[reader]) for scene in SCENES]
+        files = [os.path.join(os.path.dirname(__file__), "blades", BLADES[reader])] if reader in BLADES else []
+        files += [os.path.join(bases, scene, FILES[reader]) for scene in SCENES if reader in FILES]
         if reader == "mesh":
             files += [os.path.join(bases, "open", name) for name in MESH_FORMATS]
-        return subprocess.run([os.path.join(programs, "tiprub_fuzz"), reader, seed, str(int(inputs) // len(FILES)), "0",
+        return subprocess.run([os.path.join(programs, "tiprub_fuzz"), reader, seed, str(int(inputs) // len(FILES | BLADES)), "0",
                                os.path.join(work, reader), *files],
                               env=dict(os.environ, OPENBLAS_NUM_THREADS="1"), stdout=subprocess.PIPE, text=True, check=False)
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        runs = list(pool.map(fuzz, FILES))
+        runs = list(pool.map(fuzz, FILES | BLADES))
     print(f"seed {seed}")
     for number, run in enumerate(runs):
         print("\n".join(run.stdout.splitlines()[number > 0:]))

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/readers.h"
 
+#include <fstream>
 #include <stdexcept>
 
 #include "cases/program/case_file.h"
+#include "mesh/blades/curve_files.h"
+#include "mesh/blades/meanline_file.h"
+#include "mesh/blades/section_surface.h"
+#include "mesh/blades/section_table.h"
 #include "mesh/wheels/wheel.h"
 #include "postprocess/analysis/material_strength.h"
 #include "postprocess/analysis/postprocess_parameters.h"
@@ -69,12 +74,41 @@ void check_report(const fs::path& file, const fs::path& beside) {
   postprocess(check({beside / "case.toml", beside / "model.h5", file}), {});
 }
 
+NamedText text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {path.string(), std::string(std::istreambuf_iterator<char>(file), {})};
+}
+
+void shape(const FileBlade& blade) {
+  SectionSurface(blade.sections, 0.01).at(0.5, 0.5);
+}
+
+void read_sections(const fs::path& file, const fs::path&) {
+  shape(read_section_table(text_of(file), {1.0, 1.0}));
+}
+
+void read_curves(const fs::path& file, const fs::path&) {
+  const MeridionalPath hub = {{-1.0, 0.11}, {1.0, 0.11}}, shroud = {{-1.0, 0.13}, {1.0, 0.13}};
+  shape(cut_to_path(read_profile_curve(text_of(file), 1.0, hub), hub, shroud, 0.0, file.string(), "hub.curve"));
+}
+
+void read_path(const fs::path& file, const fs::path&) {
+  nearest_on(read_path_curve(text_of(file), 1.0), {0.0, 0.1});
+}
+
+void read_meanline_file(const fs::path& file, const fs::path&) {
+  shape(read_meanline(text_of(file), 1.0));
+}
+
 const std::vector<Reader> readers = {
     {"case",
      ".toml",
      Format::text,
      {table("mesh", read_wheel), table("reduce", read_reduction_parameters), table("casing", read_casing),
       table("simulate", read_simulate_parameters), table("postprocess", read_postprocess_parameters), read_material}},
+    {"sections", ".txt", Format::text, {read_sections}},
+    {"profile", ".curve", Format::text, {read_curves, read_path}},
+    {"meanline", ".rtzt", Format::text, {read_meanline_file}},
     {"mesh", ".msh", Format::mesh, {read_mesh}},
     {"model", ".h5", Format::hdf5, {read_model_file}},
     {"fields", ".h5", Format::hdf5, {read_fields, check_report_of_fields}},
@@ -86,7 +120,8 @@ const std::vector<Reader> readers = {
 const Reader& reader(const std::string& name) {
   for (const Reader& one : readers)
     if (one.name == name) return one;
-  throw std::out_of_range("no reader " + name + "; there are: case, mesh, model, fields, response");
+  throw std::out_of_range("no reader " + name +
+                          "; there are: case, sections, profile, meanline, mesh, model, fields, response");
 }
 
 }  // namespace tiprub::fuzz

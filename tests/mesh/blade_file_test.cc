@@ -65,6 +65,102 @@ TEST(BladeFile, MeshesABladeLikeTheFamilyThatItsTableComesFrom) {
   EXPECT_LT(worst, 1e-6);  // m, of a blade of 60 mm
 }
 
+/// hub.curve or shroud.curve of a cylinder, in millimetres, from far upstream to far downstream.
+std::string cylinder(double radius) {
+  std::ostringstream text;
+  text << "# a cylinder\n" << 1e3 * radius << " 0 -100\n0 " << 1e3 * radius << " 100\n";
+  return text.str();
+}
+
+/// profile.curve, in millimetres: from hub to tip so many profiles, each once round, begun in the middle of a side;
+/// two profiles reach below the hub and above the shroud.
+std::string profiles_of(const Wheel& wheel, int sections, int points) {
+  std::ostringstream text;
+  text << std::setprecision(17) << "## Main blade\n";
+  for (int i = 0; i < sections; ++i) {
+    text << "# Profile " << i + 1 << " at " << 100.0 * i / (sections - 1) << "%\n";
+    for (int k = 0; k < 2 * points; ++k) {
+      const int at = (k + points / 2) % (2 * points);
+      const double chord = at < points ? at / (points - 1.0) : (2 * points - 1 - at) / (points - 1.0);
+      const double span = i / (sections - 1.0);
+      const MeridionalPoint place = wheel.geometry->blade_point(chord, span);
+      const double half = wheel.geometry->half_width(BladeKind::main, chord, span);
+      const double theta =
+          wheel.geometry->theta(chord, span) + (at < points ? half : -half) + 3.0;  // over the jump at pi
+      text << 1e3 * place.r * std::cos(theta) << " " << 1e3 * place.r * std::sin(theta) << " " << 1e3 * place.z
+           << (at == 0 ? " le1" : "") << "\n";
+    }
+  }
+  return text.str();
+}
+
+TEST(BladeFile, MeshesABladeOfTurboGridsCurves) {
+  const Wheel wheel = wheel_from(test::twisted_blades());
+  const auto profiles = written("profile.curve", profiles_of(wheel, 61, 101));
+  const auto hub = written("hub.curve", cylinder(0.11)), shroud = written("shroud.curve", cylinder(0.152));
+  const Wheel of_file =
+      wheel_from("[mesh]\nfamily = \"blade_file\"\nblade_format = \"curve\"\nblade_file = \"" + profiles.string() +
+                 "\"\nhub_file = \"" + hub.string() + "\"\nshroud_file = \"" + shroud.string() +
+                 "\"\nlength_unit = \"mm\"\ntip_clearance = 2e-3\nblade_count = 12\n"
+                 "blunt_edge = 0.0\ndisc = \"none\"\n");
+  for (const double chord : {0.0, 0.3, 0.7, 1.0})
+    for (const double span : {0.0, 0.4, 1.0}) {
+      const double whole = (0.01 + 0.04 * span) / 0.06;  // from radius 0.1 to 0.16
+      const MeridionalPoint at = of_file.geometry->blade_point(chord, span);
+      EXPECT_NEAR(at.r, 0.11 + 0.04 * span, 1e-9);
+      EXPECT_NEAR(at.z, wheel.geometry->blade_point(chord, whole).z, 1e-9);
+      EXPECT_NEAR(of_file.geometry->theta(chord, span), wheel.geometry->theta(chord, whole) + 3.0, 1e-5);
+      EXPECT_NEAR(of_file.geometry->half_width(BladeKind::main, chord, span),
+                  wheel.geometry->half_width(BladeKind::main, chord, whole), 1e-6);
+    }
+}
+
+/// Meanline data, in inches, whose thickness is along the circle (T), or normal to the mean line (N).
+std::string meanline_of(const Wheel& wheel, char flag, int layers, int points) {
+  std::ostringstream text;
+  text << std::setprecision(17) << "12\n0\n0.0\n" << layers << "\n" << flag << "\n";
+  constexpr double inch = 0.0254, step = 1e-6;
+  for (int i = 0; i < layers; ++i) {
+    const double span = i / (layers - 1.0);
+    text << span << " " << points + 1 << " b\n";
+    for (int k = 0; k < points; ++k) {
+      const double chord = k / (points - 1.0);
+      const MeridionalPoint at = wheel.geometry->blade_point(chord, span);
+      const double tangential = 2.0 * at.r * wheel.geometry->half_width(BladeKind::main, chord, span);
+      const double turned = wheel.geometry->theta(chord + step, span) - wheel.geometry->theta(chord - step, span);
+      const double along =
+          wheel.geometry->blade_point(chord + step, span).z - wheel.geometry->blade_point(chord - step, span).z;
+      const double cosine = 1.0 / std::hypot(1.0, at.r * turned / along);
+      text << at.r / inch << " " << wheel.geometry->theta(chord, span) << " " << at.z / inch << " "
+           << tangential * (flag == 'N' ? cosine : 1.0) / inch << "\n";
+    }
+    const MeridionalPoint end = wheel.geometry->blade_point(1.0, span);
+    text << end.r / inch << " " << wheel.geometry->theta(1.0, span) << " " << (end.z + 0.01) / inch << " 0.0\n";
+  }
+  return text.str();
+}
+
+// The last point of each layer is no blade, and stands as a sharp edge: it stretches the chord by a known share.
+TEST(BladeFile, MeshesABladeOfBladeGensMeanline) {
+  const Wheel wheel = wheel_from(test::twisted_blades());
+  for (const char flag : {'N', 'T'}) {
+    const auto file = written("blade.rtzt", meanline_of(wheel, flag, 61, 101));
+    const Wheel of_file =
+        wheel_from("[mesh]\nfamily = \"blade_file\"\nblade_format = \"rtzt\"\nblade_file = \"" + file.string() +
+                   "\"\nlength_unit = \"in\"\nblade_count = 12\nblunt_edge = 0.0\ndisc = \"none\"\n");
+    for (const double chord : {0.0, 0.3, 0.7})
+      for (const double span : {0.0, 0.4, 1.0}) {
+        const double stretched = chord * 0.03 / 0.04;
+        EXPECT_NEAR(of_file.geometry->blade_point(stretched, span).z, wheel.geometry->blade_point(chord, span).z,
+                    1e-9);
+        EXPECT_NEAR(of_file.geometry->theta(stretched, span), wheel.geometry->theta(chord, span), 1e-5);
+        EXPECT_NEAR(of_file.geometry->half_width(BladeKind::main, stretched, span),
+                    wheel.geometry->half_width(BladeKind::main, chord, span), 1e-5)
+            << flag;
+      }
+  }
+}
+
 TEST(BladeFile, MirrorsAWheelThatTurnsTheOtherWay) {
   const Wheel one = wheel_from(rotor37("disc = \"none\"\n"));
   const Wheel mirrored = wheel_from(rotor37("disc = \"none\"\nrotation = \"negative\"\n"));

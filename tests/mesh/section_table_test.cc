@@ -95,8 +95,8 @@ INSTANTIATE_TEST_SUITE_P(
             "blade.txt:2: two points at the same z and r at point 2 of 3 of the section that begins here; they must "
             "go on from leading to trailing edge"},
         Wrong{"crossing_sides", "0.02 -0.02", "-0.02 0.02",
-              "blade.txt:2: the sides of the blade change places at point 2 of 3 of the section that begins here; "
-              "each must keep to its column"},
+              "blade.txt:2: the sides of the blade change places at point 1 of 3 of the section that begins here; "
+              "each must keep to its own"},
         Wrong{"one_section", "section 2\r\n0.0 12.0 0.01 -0.01\r\n1.0 12.0 0.02 -0.02\r\n2.0 12.0 0.01 -0.01\r\n", "",
               "blade.txt: holds 1 sections of a blade; it must hold two or more, from hub to tip"},
         Wrong{"against", "0.0 12.0 0.01 -0.01\r\n1.0 12.0 0.02 -0.02\r\n2.0 12.0",

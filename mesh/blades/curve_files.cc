@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/blades/curve_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/curves/smooth_table.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr std::size_t coordinates = 3;
+constexpr double same_place = 1e-9;        // of a section's length
+constexpr double allowed_mismatch = 0.05;  // of a section's length, between its sides' meridional ways
+
+BladePoint point_of(const NamedText& file, const NumberLine& line, double length) {
+  const auto coordinate = [&](std::size_t word, const char* meaning) {
+    return length * number_in(file, line, word, meaning);
+  };
+  const double x = coordinate(0, "x"), y = coordinate(1, "y"), z = coordinate(2, "z");
+  const auto is_mark = [](std::string_view word) {
+    return word.starts_with("le") || word.starts_with("te") || word.starts_with("LE") || word.starts_with("TE");
+  };
+  for (std::size_t word = coordinates; word < line.words.size(); ++word)
+    if (!is_mark(line.words[word]))
+      refuse_line(file, line.number, "a point is x, y, z and perhaps a mark le or te; there is more");
+  const MeridionalPoint at{z, std::hypot(x, y)};
+  require_on_wheel(file, line.number, at);
+  return {at, std::atan2(y, x), 0.0};
+}
+
+double distance(const MeridionalPoint& a, const MeridionalPoint& b) {
+  return std::hypot(a.z - b.z, a.r - b.r);
+}
+
+/// The points of a profile once round, angles without jumps.
+using Loop = BladeSection;
+
+void close(Loop& loop) {
+  for (std::size_t i = 1; i < loop.size(); ++i)
+    loop[i].theta = loop[i - 1].theta + std::remainder(loop[i].theta - loop[i - 1].theta, 2.0 * std::numbers::pi);
+}
+
+/// The leading and the trailing edge, by their places in the loop.
+std::pair<std::size_t, std::size_t> edges(const Loop& loop, const MeridionalPath& hub) {
+  std::pair<std::size_t, std::size_t> found{0, 0};
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    for (std::size_t k = i + 1; k < loop.size(); ++k)
+      if (distance(loop[i].at, loop[k].at) > distance(loop[found.first].at, loop[found.second].at)) found = {i, k};
+  if (nearest_on(hub, loop[found.first].at).along > nearest_on(hub, loop[found.second].at).along)
+    std::swap(found.first, found.second);
+  return found;
+}
+
+/// One side, from leading to trailing edge: on with the loop, or back. Of an edge that stands across the flow the
+/// first points are passed over, so that the side begins and ends with its own.
+BladeSection side(const Loop& loop, std::size_t from, std::size_t to, std::size_t step) {
+  const double least = same_place * distance(loop[from].at, loop[to].at);
+  BladeSection points;
+  for (std::size_t i = from;; i = (i + step) % loop.size()) {
+    if (points.empty() || distance(points.back().at, loop[i].at) > least)
+      points.push_back(loop[i]);
+    else if (points.size() == 1)
+      points.back() = loop[i];
+    if (i == to) return points;
+  }
+}
+
+template <class Value>
+SmoothTable over_length(const BladeSection& points, Value value) {
+  const std::vector<double> fractions = fractions_of_length(points);
+  std::vector<std::array<double, 2>> pairs;
+  for (std::size_t i = 0; i < points.size(); ++i) pairs.push_back({fractions[i], value(points[i])});
+  return SmoothTable(std::move(pairs));
+}
+
+/// Mean line and thickness from two sides, at the points of the first.
+BladeSection between(const NamedText& file, int line, const BladeSection& one, const BladeSection& other) {
+  const SmoothTable z = over_length(other, [](const BladePoint& p) { return p.at.z; });
+  const SmoothTable r = over_length(other, [](const BladePoint& p) { return p.at.r; });
+  const SmoothTable theta = over_length(other, [](const BladePoint& p) { return p.theta; });
+  const std::vector<double> fractions = fractions_of_length(one);
+  const double allowed = allowed_mismatch * distance(one.front().at, one.back().at);
+  BladeSection section;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const MeridionalPoint opposite{z.at(fractions[i]), r.at(fractions[i])};
+    if (distance(one[i].at, opposite) > allowed)
+      refuse_line(
+          file, line,
+          "the sides of the profile that begins here go different ways in the meridional plane; both must lie "
+          "on one surface of revolution");
+    const double angle = theta.at(fractions[i]);
+    section.push_back({0.5 * (one[i].at + opposite), 0.5 * (one[i].theta + angle), 0.5 * (one[i].theta - angle)});
+  }
+  return section;
+}
+
+BladeSection section_of(const NamedText& file, int line, Loop loop, const MeridionalPath& hub) {
+  constexpr std::size_t fewest = 6;  // three a side
+  if (loop.size() < fewest)
+    refuse_line(file, line,
+                "the profile that begins here has " + std::to_string(loop.size()) + " points, and needs " +
+                    std::to_string(fewest));
+  close(loop);
+  const auto [leading, trailing] = edges(loop, hub);
+  if (distance(loop[leading].at, loop[trailing].at) <= 0.0)
+    refuse_line(file, line, "the profile that begins here is a point in the meridional plane");
+  return upright_section(
+      file, line,
+      between(file, line, side(loop, leading, trailing, 1), side(loop, leading, trailing, loop.size() - 1)));
+}
+
+}  // namespace
+
+MeridionalPath read_path_curve(const NamedText& file, double length) {
+  MeridionalPath path;
+  for (const NumberLine& line : lines_of(file)) {
+    if (line.words.empty()) continue;
+    const MeridionalPoint at = point_of(file, line, length).at;
+    if (path.size() >= most_points) refuse_line(file, line.number, "more points than any curve has");
+    if (path.empty() || distance(path.back(), at) > 0.0) path.push_back(at);
+  }
+  if (path.size() < 2)
+    throw InputError(file.name + ": holds " + std::to_string(path.size()) +
+                     " points; it must hold two or more, x y z a line, from inlet to outlet");
+  return path;
+}
+
+FileBlade read_profile_curve(const NamedText& file, double length, const MeridionalPath& hub) {
+  FileBlade blade;
+  Loop loop;
+  int begun = 0;  // the line where the profile began
+  const auto end_profile = [&] {
+    if (loop.empty()) return;
+    if (blade.sections.size() >= most_sections) refuse_line(file, begun, "more profiles than any blade has");
+    blade.sections.push_back(section_of(file, begun, std::move(loop), hub));
+    loop.clear();
+  };
+  for (const NumberLine& line : lines_of(file)) {
+    if (line.words.empty()) {
+      end_profile();
+      if (line.remark.starts_with("##") && !blade.sections.empty())
+        refuse_line(file, line.number, "a second blade begins here; only one can be taken: leave splitters out");
+      continue;
+    }
+    if (loop.empty()) begun = line.number;
+    loop.push_back(point_of(file, line, length));
+    if (loop.size() > most_points) refuse_line(file, line.number, "more points than any profile has");
+  }
+  end_profile();
+  require_blade(file, blade);
+  return blade;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/blades/meanline_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace tiprub {
+
+namespace {
+
+constexpr int most_blades = 1000;
+constexpr std::size_t columns = 4;
+
+enum class Thickness { normal, tangential };
+
+/// The lines of the file, one after the other.
+class Cursor {
+ public:
+  explicit Cursor(const NamedText& file) : file_(file), lines_(lines_of(file)) {
+    std::erase_if(lines_, [](const NumberLine& line) { return line.words.empty(); });
+  }
+  const NumberLine& next(const char* expected) {
+    if (at_ < lines_.size()) return lines_[at_++];
+    refuse_line(file_, lines_.empty() ? 1 : lines_.back().number, std::string("ends before ") + expected);
+  }
+  const NumberLine* peek() const { return at_ < lines_.size() ? &lines_[at_] : nullptr; }
+
+ private:
+  const NamedText& file_;
+  std::vector<NumberLine> lines_;
+  std::size_t at_ = 0;
+};
+
+bool is_letter(std::string_view word, char letter) {
+  return word.size() == 1 && std::tolower(static_cast<unsigned char>(word[0])) == letter;
+}
+
+// Behind the number of layers, or on a line of its own.
+Thickness read_thickness_flag(const NamedText& file, Cursor& cursor, const NumberLine& layers) {
+  const NumberLine* next = cursor.peek();
+  const bool own_line = layers.words.size() < 2 && next != nullptr;
+  const std::string_view word = own_line ? next->words[0] : layers.words.size() > 1 ? layers.words[1] : "";
+  const bool normal = is_letter(word, 'n');
+  if (!normal && !is_letter(word, 't'))
+    refuse_line(file, layers.number,
+                "the number of layers must be followed by N or T: is thickness normal to the mean line, or along the "
+                "circle?");
+  if (own_line) cursor.next("the layers");
+  return normal ? Thickness::normal : Thickness::tangential;
+}
+
+// A layer may give the angle alone (a) or the thickness alone (t).
+void require_whole_layer(const NamedText& file, const NumberLine& line) {
+  std::string uses;
+  for (std::size_t word = 2; word < line.words.size(); ++word)
+    for (const char letter : line.words[word])
+      uses += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  if (uses.find_first_not_of("atb") != std::string::npos)
+    refuse_line(file, line.number,
+                "a layer begins with its span fraction, its number of points, and perhaps a, t or b");
+  if (!uses.empty() && uses.find('b') == std::string::npos &&
+      (uses.find('a') == std::string::npos) != (uses.find('t') == std::string::npos))
+    refuse_line(file, line.number,
+                "a layer for the angle or the thickness alone can't be taken; write layers for both");
+}
+
+/// A point whose half width is half of the thickness [m] yet.
+BladePoint point_of(const NamedText& file, const NumberLine& line, double length) {
+  if (line.words.size() != columns)
+    refuse_line(file, line.number,
+                "holds " + std::to_string(line.words.size()) + " words; a point is r, theta, z, thickness");
+  const MeridionalPoint at{length * number_in(file, line, 2, "z"), length * number_in(file, line, 0, "r")};
+  require_on_wheel(file, line.number, at);
+  const double thickness = length * number_in(file, line, 3, "thickness");
+  if (thickness < 0.0 || thickness > at.r)
+    refuse_line(file, line.number, "a thickness must be at least 0, and less than the radius");
+  return {at, number_in(file, line, 1, "theta"), 0.5 * thickness};
+}
+
+// One point without thickness may stand at either end: a sharp edge.
+void leave_out_what_is_no_blade(BladeSection& points) {
+  const auto thick = [](const BladePoint& point) { return point.half_width > 0.0; };
+  const auto first = std::find_if(points.begin(), points.end(), thick);
+  const auto last = std::find_if(points.rbegin(), points.rend(), thick).base();
+  if (first == points.end()) return;
+  const auto from = first == points.begin() ? first : first - 1;
+  const auto to = last == points.end() ? last : last + 1;
+  points = BladeSection(from, to);
+}
+
+/// r d theta / dm: by the parabola through three neighbours.
+double slope(const BladeSection& points, const std::vector<double>& lengths, std::size_t i) {
+  const std::size_t middle = std::clamp<std::size_t>(i, 1, points.size() - 2);
+  const double a = lengths[middle - 1], b = lengths[middle], c = lengths[middle + 1], s = lengths[i];
+  return points[i].at.r * (points[middle - 1].theta * ((s - b) + (s - c)) / ((a - b) * (a - c)) +
+                           points[middle].theta * ((s - a) + (s - c)) / ((b - a) * (b - c)) +
+                           points[middle + 1].theta * ((s - a) + (s - b)) / ((c - a) * (c - b)));
+}
+
+std::vector<double> lengths_of(const BladeSection& points) {
+  std::vector<double> lengths = {0.0};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const MeridionalPoint step = points[i].at - points[i - 1].at;
+    lengths.push_back(lengths.back() + std::hypot(step.z, step.r));
+  }
+  return lengths;
+}
+
+// Sound points, whose half width is in metres yet, to such with angles.
+void spread_along_circles(BladeSection& points, Thickness thickness) {
+  const std::vector<double> lengths = lengths_of(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double stretch = thickness == Thickness::normal ? std::hypot(1.0, slope(points, lengths, i)) : 1.0;
+    points[i].half_width *= stretch / points[i].at.r;
+  }
+}
+
+BladeSection read_layer(const NamedText& file, Cursor& cursor, double length, Thickness thickness) {
+  const NumberLine& head = cursor.next("a layer's span fraction and number of points");
+  number_in(file, head, 0, "a layer's span fraction");
+  const int count = count_in(file, head, 1, "a layer's number of points", 2, most_points);
+  require_whole_layer(file, head);
+  BladeSection points;
+  for (int i = 0; i < count; ++i) points.push_back(point_of(file, cursor.next("the last point of a layer"), length));
+  leave_out_what_is_no_blade(points);
+  points = upright_section(file, head.number, std::move(points));
+  spread_along_circles(points, thickness);
+  return points;
+}
+
+}  // namespace
+
+FileBlade read_meanline(const NamedText& file, double length) {
+  Cursor cursor(file);
+  FileBlade blade;
+  blade.blade_count = count_in(file, cursor.next("the number of blades"), 0, "the number of blades", 1, most_blades);
+  const NumberLine& splitters = cursor.next("the number of splitters");
+  if (count_in(file, splitters, 0, "the number of splitters", 0, most_blades) > 0)
+    refuse_line(file, splitters.number,
+                "splitters can't be taken from a file; write the main blade alone, with 0 here");
+  number_in(file, cursor.next("the pitch fraction"), 0, "the pitch fraction");
+  const NumberLine& layers = cursor.next("the number of layers");
+  const int count = count_in(file, layers, 0, "the number of layers", 2, most_sections);
+  const Thickness thickness = read_thickness_flag(file, cursor, layers);
+  for (int i = 0; i < count; ++i) blade.sections.push_back(read_layer(file, cursor, length, thickness));
+  if (const NumberLine* more = cursor.peek()) refuse_line(file, more->number, "there is more after the last layer");
+  require_blade(file, blade);
+  return blade;
+}
+
+}  // namespace tiprub

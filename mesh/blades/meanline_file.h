@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/blades/blade_section.h"
+
+namespace tiprub {
+
+/// BladeGen's meanline data (.rtzt), as Ansys' "BladeModeler User's Guide" publishes it under "Standard UserIO
+/// Formats": number of blades; 1 with splitters, else 0; then of each blade its pitch fraction, the number of layers,
+/// N or T (thickness normal to the mean line in the layer, or along the circle), and of each layer its span fraction,
+/// its number of points, and the points r, theta [rad], z, thickness. `length` is what a unit is in metres. Parts of
+/// a layer without thickness are no blade. Raises InputError with the line, also for splitters.
+FileBlade read_meanline(const NamedText& file, double length);
+
+}  // namespace tiprub

@@ -26,13 +26,13 @@ struct Inputs {
   SceneScope scope() const { return find_scope(model.sector_count, casing.lobes, parameters); }
 };
 
-void require_speeds_of_model(const CaseTable& table, const SimulateParameters& parameters, const ReducedModel& model,
-                             const std::filesystem::path& file) {
-  if (parameters.speeds.back() <= model.speed_max * (1 + speed_tolerance)) return;
+void require_speed_of_model(const CaseTable& table, const char* key, double speed, const ReducedModel& model,
+                            const std::filesystem::path& file) {
+  if (speed <= model.speed_max * (1 + speed_tolerance)) return;
   std::ostringstream text;
-  text << "goes to " << parameters.speeds.back() * rpm_per_rad_s << " rev/min, but " << file.string()
-       << " holds up to " << model.speed_max * rpm_per_rad_s << "; lower it, or reduce with a higher speed_max_rpm";
-  table.reject(table.has("speeds_rpm") ? "speeds_rpm" : "speed_max_rpm", text.str());
+  text << "goes to " << speed * rpm_per_rad_s << " rev/min, but " << file.string() << " holds up to "
+       << model.speed_max * rpm_per_rad_s << "; lower it, or reduce with a higher speed_max_rpm";
+  table.reject(key, text.str());
 }
 
 Inputs read_inputs(const StageArguments& arguments) {
@@ -43,7 +43,9 @@ Inputs read_inputs(const StageArguments& arguments) {
   SimulateParameters parameters = read_simulate_parameters(simulate_table);
   ReducedModel model = read_model(arguments.inputs[1]);
   require_lengths_in_metres(casing_table, casing, model.contact);
-  require_speeds_of_model(simulate_table, parameters, model, arguments.inputs[1]);
+  require_speed_of_model(simulate_table, simulate_table.has("speeds_rpm") ? "speeds_rpm" : "speed_max_rpm",
+                         parameters.speeds.back(), model, arguments.inputs[1]);
+  require_speed_of_model(casing_table, "clearance_speed_rpm", casing.clearance_speed, model, arguments.inputs[1]);
   fit_to_model(parameters, model);
   const std::string resolved = "[casing]\n" + casing_table.resolved() + "[simulate]\n" + simulate_table.resolved();
   const std::string provenance = "# case\n" + case_file.source() + "\n# model\n" + model.provenance;

@@ -192,7 +192,9 @@ std::string running_clearances(const Response& response) {
     high = std::max(high, speed.clearance.maxCoeff());
   }
   return "running clearances " + fixed(low * mm_per_m, 3) + " .. " + fixed(high * mm_per_m, 3) + " mm, given " +
-         (response.scene.clearance_state == "cold" ? "cold" : "at speed");
+         (response.scene.clearance_state == "cold"       ? "cold"
+          : response.scene.clearance_state == "at_speed" ? "at one speed"
+                                                         : "at speed");
 }
 
 std::vector<Answer> verdict(const Study& study, const FieldResults& fields) {

@@ -171,7 +171,7 @@ struct SimulatedScene {
   /// [Hz] the upper end of the band that motions are classified in; infinite: all that the samples resolve
   double resolved_frequency = std::numeric_limits<double>::infinity();
   Eigen::VectorXd clearance;    ///< [m] cold or running as the case says, at the contact nodes
-  std::string clearance_state;  ///< "cold" or "running"
+  std::string clearance_state;  ///< "cold", "running" or "at_speed"
   std::string model_digest;     ///< digest() of the model that was marched
   std::string scope;            ///< what was modelled, what was left out, and why; one reason a line
   std::string casing;           ///< the table [casing] of the case, as TOML

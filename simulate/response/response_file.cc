@@ -77,8 +77,9 @@ void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
   require(angle.size() > 1 && increases(angle) && angle[0] >= -rounding && angle.tail<1>()[0] <= turn + rounding,
           file, "/casing/angle must increase within 0 .. 2 pi, 2 angles at least");
   require(scene.lobes >= 1, file, "/casing: attribute lobes must be at least 1");
-  require(scene.clearance_state == "cold" || scene.clearance_state == "running", file,
-          "/casing: attribute clearance_state must be cold or running");
+  const std::string& state = scene.clearance_state;
+  require(state == "cold" || state == "running" || state == "at_speed", file,
+          "/casing: attribute clearance_state must be cold, running or at_speed");
 }
 
 SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "cases/program/units.h"
 #include "simulate/scene/linear_between.h"
 
 namespace tiprub {
@@ -65,7 +66,9 @@ Eigen::VectorXd Casing::given_clearance(const ContactLine& contact) const {
 Eigen::VectorXd Casing::running_clearance(const ContactLine& contact, double speed) const {
   const Eigen::VectorXd given = given_clearance(contact);
   if (clearance_state == ClearanceState::running) return given;
-  return given - contact.normal.cwiseProduct(contact.static_shift(speed)).rowwise().sum();
+  const double from = clearance_state == ClearanceState::cold ? 0.0 : clearance_speed;
+  const Eigen::MatrixX3d shift = contact.static_shift(speed) - contact.static_shift(from);
+  return given - contact.normal.cwiseProduct(shift).rowwise().sum();
 }
 
 Casing read_casing(CaseTable& table) {
@@ -84,9 +87,12 @@ Casing read_casing(CaseTable& table) {
         radians * table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
   casing.crest_angle = radians * table.number("crest_angle_deg", 0.0, Range::between(-360, 360), "deg");
   casing.ramp_revolutions = table.number("ramp_revolutions", 3.0, {0.0, 1e6, Range::LowEnd::excluded}, "revolutions");
-  casing.clearance_state =
-      table.choice<ClearanceState>("clearance_state", ClearanceState::running,
-                                   {{"cold", ClearanceState::cold}, {"running", ClearanceState::running}});
+  casing.clearance_state = table.choice<ClearanceState>(
+      "clearance_state", ClearanceState::running,
+      {{"cold", ClearanceState::cold}, {"running", ClearanceState::running}, {"at_speed", ClearanceState::at_speed}});
+  if (casing.clearance_state == ClearanceState::at_speed)
+    casing.clearance_speed =
+        rad_s_per_rpm * table.number("clearance_speed_rpm", std::nullopt, Range::at_least(0), "rev/min");
   casing.clearance = table.points("clearance", std::nullopt, Range::at_least(0), "fraction of the chord, m");
   if (casing.clearance.front()[0] < 0 || casing.clearance.back()[0] > 1)
     table.reject("clearance", "must have its fractions of the arc length in 0 .. 1");

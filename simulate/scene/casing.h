@@ -18,8 +18,9 @@ enum class CasingShape {
 };
 
 enum class ClearanceState {
-  cold,     ///< at standstill: the static shift under spin closes it
-  running,  ///< what remains at speed
+  cold,      ///< at standstill: the static shift under spin closes it
+  running,   ///< what remains, at whatever speed
+  at_speed,  ///< what remains at one speed: the static shift opens or closes it at others, as it would one casing's
 };
 
 /// A rigid casing that stands still around the wheel. Its distortion is the same along the chord, counts inward, and
@@ -36,6 +37,7 @@ struct Casing {
   PeriodicTable table;            ///< [rad] -> [m], over one lobe
   double ramp_revolutions = 1.0;  ///< the distortion grows from zero over so many revolutions
   ClearanceState clearance_state = ClearanceState::running;
+  double clearance_speed = 0;                    ///< [rad/s] at which a clearance of the state at_speed is given
   std::vector<std::array<double, 2>> clearance;  ///< [fraction of the arc length, m]; linear between, level outside
 
   /// [m] inward, fully grown, at an absolute angle in rad.
@@ -44,7 +46,8 @@ struct Casing {
   double ramp(double revolutions) const;
   /// [m] as the case gives it, at the contact nodes.
   Eigen::VectorXd given_clearance(const ContactLine& contact) const;
-  /// [m] what is left at a speed in rad/s: the given one, less normal . static shift if it was given cold.
+  /// [m] what is left at a speed in rad/s: the given one, unless it is a running one, less what normal . static shift
+  /// has grown by since the speed at which it was given: standstill if cold.
   Eigen::VectorXd running_clearance(const ContactLine& contact, double speed) const;
 };
 

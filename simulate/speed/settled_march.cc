@@ -38,7 +38,7 @@ Eigen::VectorXd open_clearance(const Scene& scene, double speed) {
   Eigen::Index node = 0;
   if (clearance.minCoeff(&node) >= 0) return clearance;
   std::ostringstream text;
-  text << "spin closes the cold clearance: contact node " << node << " (from 0, leading edge first) is left with "
+  text << "spin closes the clearance: contact node " << node << " (from 0, leading edge first) is left with "
        << clearance[node] << " m at " << speed << " rad/s; widen [casing] clearance, or give the running one";
   throw RunError(text.str());
 }

@@ -17,7 +17,7 @@ def of_scene():
     yield RESPONSE.entry("distortion.shorter", replaced("casing/distortion", lambda values: values[1:]), "/casing/")
     yield RESPONSE.entry("clearance.longer", replaced("casing/clearance", lambda values: values.repeat(2)), "/clearance: has shape 2, must have 4 contact nodes (as /casing/clearance)")
     yield RESPONSE.entry("no_lobes", attribute("lobes", 0, "casing"), "/casing: attribute lobes must be at least 1")
-    yield RESPONSE.entry("state", attribute("clearance_state", b"warm", "casing"), "clearance_state must be cold or running")
+    yield RESPONSE.entry("state", attribute("clearance_state", b"warm", "casing"), "clearance_state must be cold, running or at_speed")
     yield RESPONSE.entry("sectors_0", attribute("sector_count", 0), "independent_sectors must divide sector_count, both at least 1")
     yield RESPONSE.entry("sectors_7", attribute("sector_count", 7), "independent_sectors must divide sector_count, both at least 1")
     yield RESPONSE.entry("independent_4", attribute("independent_sectors", 4), "independent_sectors must divide sector_count, both at least 1")

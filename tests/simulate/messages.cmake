@@ -40,7 +40,7 @@ expect_message(amplitude_of_a_table OLD "shape = \"cosine\""
                NEW "shape = \"table\"\ndistortion_table = [[0, 0], [90, 1e-4]]" EXIT_CODE 2
                ERRORS "unknown key \"amplitude\" in [casing]")
 expect_message(cold_clearance_closed_by_spin OLD "clearance =" NEW "clearance_state = \"cold\"\nclearance =" EXIT_CODE 1
-               ERRORS "spin closes the cold clearance: contact node 0")
+               ERRORS "spin closes the clearance: contact node 0")
 
 expect_message(overdamped OLD "damping_ratio = 0.005" NEW "damping_ratio = 1000" EXIT_CODE 2
                ERRORS "damping_ratio = 1000 must be at least 0 and at most 0.9")

@@ -183,7 +183,7 @@ const std::vector<Wrong> wrong_scenes = {
     {"angles in degrees", [](Response& r) { r.scene.casing_angle *= 57; }, "/casing/angle must increase within 0 .."},
     {"no lobes", [](Response& r) { r.scene.lobes = 0; }, "lobes must be at least 1"},
     {"a clearance neither cold nor running", [](Response& r) { r.scene.clearance_state = "warm"; },
-     "clearance_state must be cold or running"},
+     "clearance_state must be cold, running or at_speed"},
     {"no contact node", [](Response& r) { r.scene.clearance.resize(0); }, "/casing/clearance: has shape 0"},
     {"no sectors", [](Response& r) { r.scene.sector_count = 0; }, "independent_sectors must divide sector_count"},
     {"no nodal diameter", [](Response& r) { r.scene.nodal_diameters.clear(), r.speeds.clear(); },

@@ -71,6 +71,22 @@ TEST(Casing, ClosesAColdClearanceBySpin) {
   }
 }
 
+TEST(Casing, KeepsTheClearanceThatWasGivenAtOneSpeed) {
+  const ReducedModel model = testing::synthetic_wheel({});
+  Casing casing = testing::lobed_casing(2, 1e-4, 1e-3);
+  const double speed = 1000, slower = 600;
+  casing.clearance_state = ClearanceState::cold;
+  const Eigen::VectorXd cold = casing.given_clearance(model.contact);
+  const Eigen::VectorXd at_speed = casing.running_clearance(model.contact, speed);
+  const Eigen::VectorXd at_slower = casing.running_clearance(model.contact, slower);
+  const Eigen::VectorXd opened = at_slower - at_speed;
+  ASSERT_GT(opened.norm(), 1e-6);
+  casing.clearance_state = ClearanceState::at_speed;
+  casing.clearance_speed = speed;
+  EXPECT_EQ(casing.running_clearance(model.contact, speed), cold);  // what is given
+  EXPECT_LT((casing.running_clearance(model.contact, slower) - cold - opened).norm(), 1e-18);
+}
+
 TEST(PeriodicTable, GoesThroughItsPointsAndStaysBetweenThem) {
   const std::vector<std::array<double, 2>> points = {{0.1, 0.0}, {0.5, 1.0}, {0.9, 1.0}, {1.5, -2.0}};
   const PeriodicTable table(points, 2.0);

@@ -84,11 +84,10 @@ BladeSection upright_section(const NamedText& file, int line, BladeSection secti
   return section;
 }
 
-void require_blade(const NamedText& file, const FileBlade& blade) {
-  if (blade.sections.size() < 2)
-    throw InputError(file.name + ": holds " + std::to_string(blade.sections.size()) +
+void require_blade(const NamedText& file, const std::vector<BladeSection>& sections) {
+  if (sections.size() < 2)
+    throw InputError(file.name + ": holds " + std::to_string(sections.size()) +
                      " sections of a blade; it must hold two or more, from hub to tip");
-  const std::vector<BladeSection>& sections = blade.sections;
   const auto along = [&](std::size_t i) { return sections[i].back().at - sections[i].front().at; };
   const auto up = [&](std::size_t i) { return mid_chord(sections[i]) - mid_chord(sections[i - 1]); };
   for (std::size_t i = 1; i < sections.size(); ++i) {

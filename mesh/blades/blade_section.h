@@ -19,10 +19,18 @@ struct BladePoint {
 /// From leading to trailing edge.
 using BladeSection = std::vector<BladePoint>;
 
+/// A shorter blade between two main blades.
+struct FileSplitter {
+  std::vector<BladeSection> sections;  ///< from hub to tip
+  double pitch_fraction;               ///< its place between two main blades, towards +theta
+};
+
 /// What all formats of blade files come to.
 struct FileBlade {
+  std::string file;                    ///< its name, for messages
   std::vector<BladeSection> sections;  ///< from hub to tip
-  std::optional<int> blade_count;      ///< of the wheel, where the file says it
+  std::optional<FileSplitter> splitter;
+  std::optional<int> blade_count;  ///< of the wheel, where the file says it
 };
 
 /// What a file's numbers are in.
@@ -49,6 +57,6 @@ BladeSection upright_section(const NamedText& file, int line, BladeSection secti
 
 /// Raises InputError if there are fewer than two sections, if one runs against the first, or if they don't follow
 /// each other from hub to tip.
-void require_blade(const NamedText& file, const FileBlade& blade);
+void require_blade(const NamedText& file, const std::vector<BladeSection>& sections);
 
 }  // namespace tiprub

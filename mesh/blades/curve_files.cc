@@ -130,6 +130,7 @@ MeridionalPath read_path_curve(const NamedText& file, double length) {
 
 FileBlade read_profile_curve(const NamedText& file, double length, const MeridionalPath& hub) {
   FileBlade blade;
+  blade.file = file.name;
   Loop loop;
   int begun = 0;  // the line where the profile began
   const auto end_profile = [&] {
@@ -150,7 +151,7 @@ FileBlade read_profile_curve(const NamedText& file, double length, const Meridio
     if (loop.size() > most_points) refuse_line(file, line.number, "more points than any profile has");
   }
   end_profile();
-  require_blade(file, blade);
+  require_blade(file, blade.sections);
   return blade;
 }
 

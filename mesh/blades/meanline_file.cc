@@ -11,6 +11,7 @@ namespace {
 
 constexpr int most_blades = 1000;
 constexpr std::size_t columns = 4;
+constexpr double least_pitch_fraction = 0.2, largest_pitch_fraction = 0.8;
 
 enum class Thickness { normal, tangential };
 
@@ -129,23 +130,42 @@ BladeSection read_layer(const NamedText& file, Cursor& cursor, double length, Th
   return points;
 }
 
+struct Blade {
+  double pitch_fraction;
+  std::vector<BladeSection> sections;
+};
+
+Blade read_blade(const NamedText& file, Cursor& cursor, double length) {
+  Blade blade;
+  blade.pitch_fraction = number_in(file, cursor.next("the pitch fraction"), 0, "the pitch fraction");
+  const NumberLine& layers = cursor.next("the number of layers");
+  const int count = count_in(file, layers, 0, "the number of layers", 2, most_sections);
+  const Thickness thickness = read_thickness_flag(file, cursor, layers);
+  for (int i = 0; i < count; ++i) blade.sections.push_back(read_layer(file, cursor, length, thickness));
+  require_blade(file, blade.sections);
+  return blade;
+}
+
+FileSplitter read_splitter(const NamedText& file, Cursor& cursor, double length) {
+  const int line = cursor.peek() != nullptr ? cursor.peek()->number : 0;
+  Blade blade = read_blade(file, cursor, length);
+  if (blade.pitch_fraction < least_pitch_fraction || blade.pitch_fraction > largest_pitch_fraction)
+    refuse_line(file, line, "the pitch fraction of a splitter must be at least 0.2 and at most 0.8");
+  return {std::move(blade.sections), blade.pitch_fraction};
+}
+
 }  // namespace
 
 FileBlade read_meanline(const NamedText& file, double length) {
   Cursor cursor(file);
   FileBlade blade;
+  blade.file = file.name;
   blade.blade_count = count_in(file, cursor.next("the number of blades"), 0, "the number of blades", 1, most_blades);
   const NumberLine& splitters = cursor.next("the number of splitters");
-  if (count_in(file, splitters, 0, "the number of splitters", 0, most_blades) > 0)
-    refuse_line(file, splitters.number,
-                "splitters can't be taken from a file; write the main blade alone, with 0 here");
-  number_in(file, cursor.next("the pitch fraction"), 0, "the pitch fraction");
-  const NumberLine& layers = cursor.next("the number of layers");
-  const int count = count_in(file, layers, 0, "the number of layers", 2, most_sections);
-  const Thickness thickness = read_thickness_flag(file, cursor, layers);
-  for (int i = 0; i < count; ++i) blade.sections.push_back(read_layer(file, cursor, length, thickness));
+  const bool has_splitter = count_in(file, splitters, 0, "the number of splitters", 0, 1) > 0;
+  blade.sections = read_blade(file, cursor, length).sections;
+  if (has_splitter) blade.splitter = read_splitter(file, cursor, length);
   if (const NumberLine* more = cursor.peek()) refuse_line(file, more->number, "there is more after the last layer");
-  require_blade(file, blade);
   return blade;
 }
 

@@ -9,7 +9,7 @@ namespace tiprub {
 /// Formats": number of blades; 1 with splitters, else 0; then of each blade its pitch fraction, the number of layers,
 /// N or T (thickness normal to the mean line in the layer, or along the circle), and of each layer its span fraction,
 /// its number of points, and the points r, theta [rad], z, thickness. `length` is what a unit is in metres. Parts of
-/// a layer without thickness are no blade. Raises InputError with the line, also for splitters.
+/// a layer without thickness are no blade. Raises InputError with the line.
 FileBlade read_meanline(const NamedText& file, double length);
 
 }  // namespace tiprub

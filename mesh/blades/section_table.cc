@@ -27,6 +27,7 @@ BladePoint point_of(const NamedText& file, const NumberLine& line, const FileUni
 
 FileBlade read_section_table(const NamedText& file, const FileUnits& units) {
   FileBlade blade;
+  blade.file = file.name;
   int begun = 0;  // the line where the last section began
   const auto close = [&] {
     if (blade.sections.empty()) return;
@@ -48,7 +49,7 @@ FileBlade read_section_table(const NamedText& file, const FileUnits& units) {
     }
   }
   close();
-  require_blade(file, blade);
+  require_blade(file, blade.sections);
   return blade;
 }
 

@@ -11,6 +11,7 @@
 #include "mesh/blades/meanline_file.h"
 #include "mesh/blades/section_surface.h"
 #include "mesh/blades/section_table.h"
+#include "mesh/blades/splitter_surface.h"
 #include "mesh/curves/chord_table.h"
 #include "mesh/wheels/back_face.h"
 
@@ -20,6 +21,7 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double metres_per_inch = 0.0254;
+constexpr double printed = 1e-6;  // relative, of a number that a person copies from a file
 constexpr double usual_blunt_edge = 0.01, widest_blunt_edge = 0.2;
 
 enum class BladeFormat { sections, curve, rtzt };
@@ -97,8 +99,14 @@ void turn_towards_positive(CaseTable& table, FileBlade& blade) {
   const auto turning = table.choice<Turning>("rotation", Turning::positive,
                                              {{"positive", Turning::positive}, {"negative", Turning::negative}});
   if (turning == Turning::positive) return;
-  for (BladeSection& section : blade.sections)
-    for (BladePoint& point : section) point.theta = -point.theta;
+  const auto mirror = [](std::vector<BladeSection>& sections) {
+    for (BladeSection& section : sections)
+      for (BladePoint& point : section) point.theta = -point.theta;
+  };
+  mirror(blade.sections);
+  if (!blade.splitter) return;
+  mirror(blade.splitter->sections);
+  blade.splitter->pitch_fraction = 1.0 - blade.splitter->pitch_fraction;
 }
 
 /// A disc whose faces close upon the blades' ends: its axial thickness over the fraction of the height from bore to
@@ -116,6 +124,11 @@ struct DiscProfile {
 class BladesOfFile final : public WheelGeometry {
  public:
   explicit BladesOfFile(SectionSurface blade) : blade_(std::move(blade)) {}
+  /// To be known before the disc, which stands on the same stations.
+  void add(const SplitterSurface& splitter, const SectorPlan& plan) {
+    splitter_ = splitter;
+    plan_ = plan;
+  }
   void stand_on(DiscProfile profile) { profile_ = std::move(profile); }
   void stand_on(BackFace back) { back_ = std::move(back); }
 
@@ -123,19 +136,26 @@ class BladesOfFile final : public WheelGeometry {
     if (back_) return (1.0 - height) * back_->foot(station) + height * hub(station);
     return profile_->at(hub(station), 0.5 * (hub(0.0).z + hub(1.0).z), height);
   }
-  MeridionalPoint blade_point(double station, double span) const override { return blade_.at(station, span).at; }
-  double theta(double station, double span) const override { return blade_.at(station, span).theta; }
-  double half_width(BladeKind, double station, double span) const override {
-    return blade_.at(station, span).half_width;
+  MeridionalPoint blade_point(double station, double span) const override { return main(station, span).at; }
+  double theta(double station, double span) const override { return main(station, span).theta; }
+  double half_width(BladeKind blade, double station, double span) const override {
+    if (blade == BladeKind::splitter) return splitter_->half_width(plan_.splitter_chord(station), span);
+    return main(station, span).half_width;
   }
   std::string keys_that_shape(Region region) const override {
     if (region == Region::disc) return "disc_profile, back_profile, bore_radius, and the hub section of blade_file";
     return "blunt_edge, blade_file";
   }
-  MeridionalPoint hub(double station) const { return blade_.at(station, 0.0).at; }
+  MeridionalPoint hub(double station) const { return main(station, 0.0).at; }
 
  private:
+  BladePoint main(double station, double span) const {
+    return blade_.at(splitter_ ? splitter_->main_chord(station, span) : station, span);
+  }
+
   SectionSurface blade_;
+  std::optional<SplitterSurface> splitter_;
+  SectorPlan plan_;  ///< where there is a splitter
   std::optional<DiscProfile> profile_;
   std::optional<BackFace> back_;
 };
@@ -165,7 +185,7 @@ void stand_on_profile(CaseTable& table, SectorPlan& plan, BladesOfFile& wheel) {
 void stand_on_back_face(CaseTable& table, SectorPlan& plan, BladesOfFile& wheel) {
   const double bore = read_bore(table, wheel), exit = wheel.hub(1.0).r;
   const SmoothTable back = read_back_profile(table);
-  if (back.first_x() != bore || back.last_x() < exit) {
+  if (back.first_x() != bore || back.last_x() < (1.0 - printed) * exit) {
     std::ostringstream message;
     message << "must go from bore_radius to the hub's radius at the exit, " << exit << " m, or beyond";
     table.reject("back_profile", message.str());
@@ -173,6 +193,15 @@ void stand_on_back_face(CaseTable& table, SectorPlan& plan, BladesOfFile& wheel)
   read_common(table, plan, BackFace::fewest_stations);
   read_bore_elements(table, plan);
   wheel.stand_on(BackFace{wheel.hub(0.0).z, bore, exit, back, plan.station(2 * plan.elements.bore)});
+}
+
+void add_splitter(SectorPlan& plan, BladesOfFile& wheel, const FileBlade& blade, const SectionSurface& main,
+                  double blunt_edge) {
+  const SplitterSurface splitter(blade.file, main, *blade.splitter, blunt_edge, plan.pitch());
+  plan.blades = Blades::main_and_splitter;
+  plan.splitter_start = splitter.start();
+  plan.splitter_pitch = blade.splitter->pitch_fraction;
+  wheel.add(splitter, plan);
 }
 
 }  // namespace
@@ -185,10 +214,13 @@ std::unique_ptr<WheelGeometry> read_wheel_of_blade_file(CaseTable& table, Sector
                                     std::to_string(*blade.blade_count) + "; they must agree");
   const double blunt =
       table.number("blunt_edge", usual_blunt_edge, Range::between(0.0, widest_blunt_edge), "of the chord");
-  auto wheel = std::make_unique<BladesOfFile>(SectionSurface(blade.sections, blunt));
+  const SectionSurface main(blade.sections, blunt);
+  auto wheel = std::make_unique<BladesOfFile>(main);
   plan.blades = Blades::main;
-  switch (table.choice<Disc>("disc", std::nullopt,
-                             {{"profile", Disc::profile}, {"back_face", Disc::back_face}, {"none", Disc::none}})) {
+  const auto disc = table.choice<Disc>(
+      "disc", std::nullopt, {{"profile", Disc::profile}, {"back_face", Disc::back_face}, {"none", Disc::none}});
+  if (blade.splitter && disc != Disc::none) add_splitter(plan, *wheel, blade, main, blunt);
+  switch (disc) {
     case Disc::profile:
       stand_on_profile(table, plan, *wheel);
       break;

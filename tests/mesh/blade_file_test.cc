@@ -140,6 +140,67 @@ std::string meanline_of(const Wheel& wheel, char flag, int layers, int points) {
   return text.str();
 }
 
+/// One blade of meanline data, in metres, thickness along the circle, over its own stations, turned.
+std::string meanline_blade(const Wheel& wheel, BladeKind kind, double first_station, double turned) {
+  constexpr int layers = 21, points = 161;
+  std::ostringstream text;
+  text << std::setprecision(17) << 0.5 << "\n" << layers << " T\n";
+  for (int i = 0; i < layers; ++i) {
+    const double span = i / (layers - 1.0);
+    text << span << " " << points << "\n";
+    for (int k = 0; k < points; ++k) {
+      const double station = first_station + (1.0 - first_station) * k / (points - 1.0);
+      const MeridionalPoint at = wheel.geometry->blade_point(station, span);
+      text << at.r << " " << wheel.geometry->theta(station, span) + turned << " " << at.z << " "
+           << 2.0 * at.r * wheel.geometry->half_width(kind, station, span) << "\n";
+    }
+  }
+  return text.str();
+}
+
+std::string impeller_of_file(const std::filesystem::path& file) {
+  return "[mesh]\nfamily = \"blade_file\"\nblade_format = \"rtzt\"\nblade_file = \"" + file.string() +
+         "\"\nlength_unit = \"m\"\nblade_count = 10\nblunt_edge = 0.0\ndisc = \"back_face\"\nbore_radius = 0.028\n"
+         "back_profile = [[0.028, 0.092], [0.045, 0.087], [0.09, 0.0755], [0.122, 0.0705]]\n"
+         "elements_along_chord = 10\nelements_along_bore = 4\nelements_along_span = 5\nelements_through_blade = 3\n"
+         "elements_through_splitter = 2\nelements_through_disc = 3\nelements_between_blades = 2\n";
+}
+
+// Between hub and tip stations are other fractions of the length than the family's; the shape is the same.
+TEST(BladeFile, MeshesAnImpellerWithSplittersLikeTheFamily) {
+  const Wheel family = wheel_from(test::with(test::case_text("impeller_quick"), "splitter_start", "0.42"));
+  const std::string main = meanline_blade(family, BladeKind::main, 0.0, 0.0);
+  for (const double turned : {0.0, 0.5 * family.plan.pitch()}) {  // both are written by people
+    const std::string splitter = meanline_blade(family, BladeKind::splitter, family.plan.splitter_start, turned);
+    const Wheel wheel = wheel_from(impeller_of_file(written("impeller.rtzt", "10\n1\n" + main + splitter)));
+    EXPECT_NEAR(wheel.plan.splitter_start, 0.42, 0.01);  // as a fraction at mid-span
+    EXPECT_EQ(wheel.plan.elements.upstream, family.plan.elements.upstream);
+    EXPECT_NEAR(geometry_volume(wheel), geometry_volume(family), 1e-4 * geometry_volume(family));
+    EXPECT_EQ(mesh_sector(wheel).cells.size(), mesh_sector(family).cells.size());
+    for (const double span : {0.0, 1.0})
+      for (int half = 0; half <= 2 * family.plan.elements.chord; ++half) {
+        const double ours = wheel.plan.station(half), theirs = family.plan.station(half);
+        EXPECT_NEAR(wheel.geometry->blade_point(ours, span).z, family.geometry->blade_point(theirs, span).z, 1e-6);
+        EXPECT_NEAR(wheel.geometry->blade_point(ours, span).r, family.geometry->blade_point(theirs, span).r, 1e-6);
+        EXPECT_NEAR(wheel.geometry->theta(ours, span), family.geometry->theta(theirs, span), 1e-5);
+        EXPECT_NEAR(wheel.geometry->half_width(BladeKind::main, ours, span),
+                    family.geometry->half_width(BladeKind::main, theirs, span), 1e-5);
+        if (theirs < family.plan.splitter_start) continue;
+        EXPECT_NEAR(wheel.geometry->half_width(BladeKind::splitter, ours, span),
+                    family.geometry->half_width(BladeKind::splitter, theirs, span), 1e-5);
+      }
+  }
+}
+
+TEST(BladeFile, RefusesASplitterThatStandsElsewhere) {
+  const Wheel family = wheel_from(test::with(test::case_text("impeller_quick"), "splitter_start", "0.42"));
+  const std::string main = meanline_blade(family, BladeKind::main, 0.0, 0.0);
+  const std::string elsewhere = meanline_blade(family, BladeKind::splitter, family.plan.splitter_start, 0.05);
+  EXPECT_NE(test::complaint(impeller_of_file(written("impeller.rtzt", "10\n1\n" + main + elsewhere)))
+                .find("the splitter leaves the main blade's mean surface by 0.05 rad at 0 of the span"),
+            std::string::npos);
+}
+
 // The last point of each layer is no blade, and stands as a sharp edge: it stretches the chord by a known share.
 TEST(BladeFile, MeshesABladeOfBladeGensMeanline) {
   const Wheel wheel = wheel_from(test::twisted_blades());

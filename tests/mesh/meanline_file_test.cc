@@ -44,8 +44,9 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"both", "0.0 3", "0.0 3 at", ""},
         Wrong{"count", "12\n", "many\n",
               "blade.rtzt:1: \"many\" stands for the number of blades, which must be a whole number from 1 to 1000"},
-        Wrong{"splitters", "12\n0\n", "12\n1\n",
-              "blade.rtzt:2: splitters can't be taken from a file; write the main blade alone, with 0 here"},
+        Wrong{"splitters", "12\n0\n", "12\n2\n",
+              "blade.rtzt:2: \"2\" stands for the number of splitters, which must be a whole number from 0 to 1"},
+        Wrong{"splitter_missing", "12\n0\n", "12\n1\n", "blade.rtzt:12: ends before the pitch fraction"},
         Wrong{
             "no_flag", "2 N", "2",
             "blade.rtzt:4: the number of layers must be followed by N or T: is thickness normal to the mean line, or "

@@ -95,6 +95,11 @@ void require_blade(const NamedText& file, const std::vector<BladeSection>& secti
       refuse_section(file, i, sections.size(), "runs against section 1; all must run from leading to trailing edge");
     if (distance(up(i), {0.0, 0.0}) <= least_step * length_of(sections[0]))
       refuse_section(file, i, sections.size(), "lies on the one before it at mid-chord");
+    if (i == 1 && along(0).z * up(1).r - along(0).r * up(1).z <= 0.0)
+      refuse_section(
+          file, i, sections.size(),
+          "lies below section 1; write sections from hub to tip, and a wheel whose flow runs towards smaller "
+          "z with the signs of z and theta changed");
     if (i > 1 && product(up(i - 1), up(i)) <= 0.0)
       refuse_section(file, i, sections.size(), "turns back; sections must follow each other from hub to tip");
   }

@@ -21,7 +21,8 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double metres_per_inch = 0.0254;
-constexpr double printed = 1e-6;  // relative, of a number that a person copies from a file
+constexpr double narrowest = 1e-3;  // of the hub's radius, a disc between its faces
+constexpr double printed = 1e-6;    // relative, of a number that a person copies from a file
 constexpr double usual_blunt_edge = 0.01, widest_blunt_edge = 0.2;
 
 enum class BladeFormat { sections, curve, rtzt };
@@ -172,6 +173,8 @@ double read_bore(CaseTable& table, const BladesOfFile& wheel) {
 void stand_on_profile(CaseTable& table, SectorPlan& plan, BladesOfFile& wheel) {
   const double bore = read_bore(table, wheel);
   const double width = std::abs(wheel.hub(1.0).z - wheel.hub(0.0).z);
+  if (width < narrowest * wheel.hub(1.0).r)
+    table.reject("disc", "= \"profile\" needs a hub that is as wide as the disc; this one is radial: take back_face");
   auto points = table.points("disc_profile", {{{0.0, width}}}, wheel_length, "m");
   if (points.front()[0] != 0.0 || points.back()[0] >= 1.0)
     table.reject("disc_profile",

@@ -215,6 +215,24 @@ TEST_F(GoodCase, AFileThatCannotBeReadIsNoWrongInput) {
   EXPECT_THROW(CaseFile{folder_}, RunError);
 }
 
+// A relative name is one beside the case file; its digest tells make that it has changed.
+TEST_F(GoodCase, ReadsAFileBesideItAndTellsItsDigest) {
+  write(path("other.toml"), "[mesh]\nblade = \"blade.txt\"\nmissing = \"none.txt\"\n");
+  const auto told = [&](const std::string& text) {
+    write(path("blade.txt"), text);
+    CaseTable table = CaseFile(path("other.toml")).table("mesh");
+    const NamedText file = table.file("blade", "a blade file");
+    EXPECT_EQ(file.text, text);
+    EXPECT_EQ(file.name, path("blade.txt").string());
+    return table.resolved();
+  };
+  EXPECT_EQ(told("section").find("blade = \"blade.txt\"  # digest "), 0U);
+  EXPECT_NE(told("section"), told("sections"));
+  EXPECT_EQ(told("section"), told("section"));
+  CaseTable table = CaseFile(path("other.toml")).table("mesh");
+  EXPECT_THROW(table.file("missing", "a blade file"), RunError);
+}
+
 TEST(Range, HoldsItsEndsUnlessSaid) {
   EXPECT_FALSE(Range::positive().holds(0.0));
   EXPECT_TRUE(Range::at_least(0.0).holds(0.0));

@@ -99,6 +99,11 @@ INSTANTIATE_TEST_SUITE_P(
               "each must keep to its own"},
         Wrong{"one_section", "section 2\r\n0.0 12.0 0.01 -0.01\r\n1.0 12.0 0.02 -0.02\r\n2.0 12.0 0.01 -0.01\r\n", "",
               "blade.txt: holds 1 sections of a blade; it must hold two or more, from hub to tip"},
+        Wrong{
+            "from_the_tip", "section 1 hub\n0.0 10.0 0.01 -0.01\n1.0 10.0 0.02 -0.02  # the middle\n2.0 10.0",
+            "section 1 tip\n0.0 14.0 0.01 -0.01\n1.0 14.0 0.02 -0.02  # the middle\n2.0 14.0",
+            "blade.txt: section 2 of 2 lies below section 1; write sections from hub to tip, and a wheel whose flow "
+            "runs towards smaller z with the signs of z and theta changed"},
         Wrong{"against", "0.0 12.0 0.01 -0.01\r\n1.0 12.0 0.02 -0.02\r\n2.0 12.0",
               "2.0 12.0 0.01 -0.01\r\n1.0 12.0 0.02 -0.02\r\n0.0 12.0",
               "blade.txt: section 2 of 2 runs against section 1; all must run from leading to trailing edge"}));

@@ -12,7 +12,7 @@
 #include "reduce/model/condensation.h"
 #include "reduce/operators/memory_need.h"
 #include "reduce/operators/spinning_sector.h"
-#include "reduce/sector/contact_line.h"
+#include "reduce/sector/contact_unknowns.h"
 #include "reduce/sector/parallel_for.h"
 
 namespace tiprub {
@@ -28,7 +28,7 @@ class Reducer {
         parameters_(parameters),
         progress_(progress),
         fields_(fields),
-        contact_(choose_contact_nodes(mesh, parameters.contact_nodes)),
+        contact_(choose_contact(mesh, parameters.contact, parameters.contact_nodes)),
         dofs_(number_dofs(mesh, contact_)),
         samples_(parameters) {
     for (int n = 0; n <= mesh.sector_count / 2; ++n) transforms_.emplace_back(dofs_, mesh.sector_count, n);
@@ -90,7 +90,8 @@ class Reducer {
     constexpr int krylov = 6, following = 8;
     const int modes = parameters_.fixed_interface_modes;
     const int followed = parameters_.verification_modes * static_cast<int>(parameters_.verification_speeds.size());
-    return std::max(krylov * modes, 2 * (modes + dofs_.boundary()) + following * followed);
+    const int segment_modes = 2 * (dofs_.contact_dofs() - dofs_.boundary());  // of two solvers
+    return std::max(krylov * modes, 2 * (modes + dofs_.contact_dofs()) + following * followed) + segment_modes;
   }
 
   /// Notes how long it took since the last note.
@@ -107,18 +108,18 @@ class Reducer {
     model.modes_at_speed = parameters_.modes_at_speed;
     model.prestress = name_of(parameters_.prestress);
     if (parameters_.spin_softening == SpinSoftening::off) model.prestress += ", without spin softening";
-    model.contact = describe_contact(mesh_, contact_);
-    for (Eigen::Index k = 0; k < model.contact.size(); ++k) {
-      const int first = dofs_.first[contact_[k]];
-      model.contact.static_shift_1.row(k) = shift[0].real().segment<3>(first).transpose();
-      model.contact.static_shift_2.row(k) = shift[1].real().segment<3>(first).transpose();
-    }
+    model.contact = contact_.line;
+    const auto displacements = [&](const Eigen::VectorXcd& shape) -> Eigen::MatrixX3d {
+      return (dofs_.contact_loads.transpose() * shape.real()).reshaped(3, model.contact.size()).transpose();
+    };
+    model.contact.static_shift_1 = displacements(shift[0]);
+    model.contact.static_shift_2 = displacements(shift[1]);
     return model;
   }
 
   void write_sector_fields(const Shift& shift) const {
     if (fields_ == nullptr) return;
-    SectorFields sector = describe_sector(mesh_, contact_, parameters_.material);
+    SectorFields sector = describe_sector(mesh_, contact_.nodes, parameters_.material);
     sector.static_displacement_1 = on_nodes(dofs_, shift[0]).real().reshaped(3, mesh_.node_count());
     sector.static_displacement_2 = on_nodes(dofs_, shift[1]).real().reshaped(3, mesh_.node_count());
     fields_->write_sector(sector);
@@ -170,7 +171,7 @@ class Reducer {
     parallel_for(static_cast<int>(table.reduced.size()), parameters_.threads, [&](int n) {
       for (Eigen::Index row = 0; row < table.speeds.size(); ++row)
         table.reduced[n].row(row) =
-            condense(model.nodal_diameters[n], table.speeds[row], dofs_.boundary(), parameters_.modes_at_speed)
+            condense(model.nodal_diameters[n], table.speeds[row], dofs_.contact_dofs(), parameters_.modes_at_speed)
                 .natural_frequencies()
                 .head(parameters_.verification_modes)
                 .transpose();
@@ -190,7 +191,7 @@ class Reducer {
   FieldsWriter* fields_;
   std::mutex writing_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  std::vector<int> contact_;
+  ContactUnknowns contact_;
   SectorDofs dofs_;
   SpeedSamples samples_;
   std::vector<CyclicTransformation> transforms_;
@@ -205,7 +206,7 @@ ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameter
 }
 
 void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {
-  const SectorDofs dofs = number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes));
+  const SectorDofs dofs = number_dofs(mesh, choose_contact(mesh, parameters.contact, parameters.contact_nodes));
   start_threads(memory_need(mesh, dofs, {}), 1);
   RotatingElasticity(mesh, dofs, parameters.material).volume();
 }

@@ -41,7 +41,8 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
   const double radius = outer_radius(sector);
   if (!(radius < largest_radius))
     throw InputError(name + ": /nodes: the sector reaches beyond " + significant(largest_radius, 1) + " m");
-  for (std::size_t k = 0; k < contact.size(); ++k) {
+  const bool at_nodes = model.contact.kind == ContactKind::points;  // a segment's centre is none
+  for (std::size_t k = 0; at_nodes && k < contact.size(); ++k) {
     const Eigen::RowVector3d place = model.contact.position.row(static_cast<Eigen::Index>(k));
     const Eigen::Vector3d there(place[0] * std::cos(place[1]), place[0] * std::sin(place[1]), place[2]);
     if ((sector.nodes.col(contact[k]) - there).norm() > same_place * radius)

@@ -115,8 +115,9 @@ std::vector<SceneNeed> model_needs(const Study& study, const FieldEffects& field
           measured(checks, "massless and truncated modes", "modes without mass: share of the elastic energy [1]", ""),
           measured(checks, "model", "modes left out of the model: error of the wheel's first frequencies [1]",
                    "reduce with verification_speeds"),
-          not_estimated("contact nodes: " + nodes, "compare with tiprub-reduce --set reduce.contact_nodes=" +
-                                                       std::to_string(2 * study.model.contact.size())),
+          not_estimated(name_of(study.model.contact.kind) + ("s: " + nodes),
+                        "compare with tiprub-reduce --set reduce.contact_nodes=" +
+                            std::to_string(2 * study.model.contact.size())),
           not_estimated("mesh", "compare two: make -C cases/convergence does so for its wheel")};
 }
 

@@ -90,9 +90,9 @@ std::string scene_items(const Study& study, const FieldResults& fields) {
   for (std::string line; std::getline(lines, line);)
     if (!line.empty()) text += item(line);
   text += item(counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
-               counted(static_cast<std::size_t>(study.model.contact.size()), "contact node") + " a blade, " +
-               counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + running_clearances(study.response) +
-               "; stiffness under spin: " + study.model.prestress + ".");
+               counted(static_cast<std::size_t>(study.model.contact.size()), name_of(study.model.contact.kind)) +
+               " a blade, " + counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " +
+               running_clearances(study.response) + "; stiffness under spin: " + study.model.prestress + ".");
   return text + item(std::string(left_out_always) + ".");
 }
 

@@ -72,10 +72,10 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
          still_rising(study);
 }
 
-/// "contact node 9 of 0 .. 9 (trailing edge)".
+/// "contact node 9 of 0 .. 9 (trailing edge)", or "contact segment ...".
 std::string node_text(const Study& study, int node) {
   const int last = study.model.contact.size() - 1;
-  return "contact node " + std::to_string(node) + " of 0 .. " + std::to_string(last) +
+  return name_of(study.model.contact.kind) + (" " + std::to_string(node)) + " of 0 .. " + std::to_string(last) +
          (node == 0      ? " (leading edge)"
           : node == last ? " (trailing edge)"
                          : "");
@@ -212,7 +212,8 @@ std::vector<Answer> scene_in_brief(const Study& study, const std::string& case_t
   const double crest = scene.casing_distortion.maxCoeff();
   return {
       {"Wheel", counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
-                    counted(static_cast<std::size_t>(study.model.contact.size()), "contact node") + " a tip"},
+                    counted(static_cast<std::size_t>(study.model.contact.size()), name_of(study.model.contact.kind)) +
+                    " a tip"},
       {"Casing", counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + mm(crest) + " inward at the crest"},
       {"Clearance", running_clearances(study.response)},
       {"Interference", interference_text(study)},

@@ -68,7 +68,7 @@ class KrylovSpace {
  private:
   Eigen::Index free_dofs() const {
     const SectorDofs& dofs = stiffness_.transform().dofs();
-    return dofs.independent() - (contact_ == ContactNodes::fixed ? dofs.boundary() : 0);
+    return dofs.independent() - (contact_ == ContactNodes::fixed ? dofs.contact_dofs() : 0);
   }
 
   /// M-orthonormalises a block that is M-orthogonal to Q, and appends it. Directions shorter than `reference` times

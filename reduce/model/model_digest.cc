@@ -32,6 +32,7 @@ std::string digest(const ReducedModel& model) {
        {&model.contact.position, &model.contact.normal, &model.contact.static_shift_1, &model.contact.static_shift_2})
     add(digest, Eigen::MatrixXd(*table));
   add(digest, Eigen::MatrixXd(model.contact.arc_length));
+  if (model.contact.kind != ContactKind::points) digest.add(model.contact.kind);
   for (const NodalDiameterModel& matrices : model.nodal_diameters) {
     for (const auto* matrix : {&matrices.K0, &matrices.K1, &matrices.K2, &matrices.M}) add(digest, *matrix);
     for (const Eigen::MatrixXcd& matrix : matrices.higher) add(digest, matrix);

@@ -105,6 +105,10 @@ void check(const Verification& table, std::size_t nodal_diameters, const std::st
 
 }  // namespace
 
+const char* name_of(ContactKind kind) {
+  return kind == ContactKind::points ? "contact node" : "contact segment";
+}
+
 Eigen::MatrixXcd NodalDiameterModel::stiffness(double speed) const {
   const double square = speed * speed;
   Eigen::MatrixXcd K = K0 + square * K1 + square * square * K2;  // eq. 11

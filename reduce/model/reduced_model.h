@@ -23,8 +23,19 @@ struct NodalDiameterModel {
   Eigen::VectorXd natural_frequencies(double speed) const;
 };
 
-/// The tip line of the main blade of sector 0, from leading to trailing edge; n_c nodes.
+/// What a contact unknown is.
+enum class ContactKind {
+  points,    ///< the displacement of a node: forces act at points
+  segments,  ///< a weighted mean over a stretch of the tip: forces are spread over it with the same weights
+};
+
+/// "contact node", "contact segment": for people.
+const char* name_of(ContactKind kind);
+
+/// The tip line of the main blade of sector 0, from leading to trailing edge; n_c nodes, or the centres of n_c
+/// segments.
 struct ContactLine {
+  ContactKind kind = ContactKind::points;
   Eigen::MatrixX3d position;        ///< [m, rad, m] r, theta, z; n_c x 3
   Eigen::MatrixX3d normal;          ///< unit, from the blade to the casing, components r, theta, z; n_c x 3
   Eigen::VectorXd arc_length;       ///< [m] in the meridional plane, from the leading edge; n_c

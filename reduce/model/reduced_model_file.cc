@@ -13,6 +13,7 @@ namespace {
 constexpr const char* schema = "tiprub-model";
 constexpr int schema_version = 1;
 constexpr const char* position_unit = "m, rad, m";
+constexpr const char *points = "points", *segments = "segments";
 
 std::string group_of(int nodal_diameter) {
   return "/nodal_diameter/" + std::to_string(nodal_diameter);
@@ -75,8 +76,17 @@ NodalDiameterModel read_nodal_diameter(const Hdf5File& file, const std::string& 
   return matrices;
 }
 
+ContactKind read_contact_kind(const Hdf5File& file) {
+  if (!file.has_attribute("/", "contact")) return ContactKind::points;
+  const std::string name = file.text_attribute("/", "contact");
+  if (name == points) return ContactKind::points;
+  if (name == segments) return ContactKind::segments;
+  throw RunError(file.path() + ": attribute `contact` is \"" + name + "\", must be \"points\" or \"segments\"");
+}
+
 ContactLine read_contact_line(const Hdf5File& file) {
   ContactLine contact;
+  contact.kind = read_contact_kind(file);
   contact.arc_length = file.read_vector("/contact/arc_length");
   require_unit(file, "/contact/arc_length", "m");
   contact.position = read_triples(file, "/contact/position", position_unit);
@@ -136,6 +146,7 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   file.set_attribute("/", "speed_max", model.speed_max);
   file.set_attribute("/", "modes_at_speed", model.modes_at_speed);
   file.set_attribute("/", "prestress", model.prestress);
+  file.set_attribute("/", "contact", std::string(model.contact.kind == ContactKind::points ? points : segments));
   file.write_text("/provenance", model.provenance);
   file.set_attribute("/", "digest", digest(model));
   if (!model.mesh_digest.empty()) file.set_attribute("/", "mesh_digest", model.mesh_digest);

@@ -62,6 +62,21 @@ CyclicSolver::CyclicSolver(const SectorFactor& factor, const CyclicTransformatio
   int info = 0;
   zpotrf_("L", &size, cholesky_.data(), &size, &info);
   if (info != 0) throw RunError("the stiffness of a nodal diameter is not positive definite: the rotor is unstable");
+  if (transform_.dofs().contact_dofs() > boundary) find_segment_modes();
+}
+
+void CyclicSolver::find_segment_modes() {
+  const SectorDofs& dofs = transform_.dofs();
+  // B is on interior dofs only, which come first among the sector's and the independent ones.
+  const Eigen::MatrixXd loads = dofs.contact_loads.topRows(dofs.independent());
+  segment_modes_ = solve(loads.cast<std::complex<double>>(), ContactNodes::free);
+  const Eigen::MatrixXcd flexibility = segment_displacements(segment_modes_);
+  segment_modes_ *= flexibility.llt().solve(Eigen::MatrixXcd::Identity(loads.cols(), loads.cols()));
+}
+
+/// B' x
+Eigen::MatrixXcd CyclicSolver::segment_displacements(const Eigen::MatrixXcd& shapes) const {
+  return transform_.dofs().contact_loads.topRows(shapes.rows()).transpose() * shapes;
 }
 
 Eigen::MatrixXcd CyclicSolver::solve(const Eigen::MatrixXcd& load, ContactNodes contact) const {
@@ -70,6 +85,8 @@ Eigen::MatrixXcd CyclicSolver::solve(const Eigen::MatrixXcd& load, ContactNodes 
     const Eigen::Index count = std::min(columns_at_once, load.cols() - first);
     result.middleCols(first, count) = solve_block(load.middleCols(first, count), contact);
   }
+  if (contact == ContactNodes::fixed && segment_modes_.cols() > 0)
+    result -= segment_modes_ * segment_displacements(result);
   return result;
 }
 
@@ -93,6 +110,7 @@ Eigen::MatrixXcd CyclicSolver::solve_block(const Eigen::MatrixXcd& load, Contact
 
 // eq. 8: Psi_s = -K_ii^-1 K_ib with i all but the contact dofs.
 Eigen::MatrixXcd CyclicSolver::constraint_modes() const {
+  if (segment_modes_.cols() > 0) return segment_modes_;
   const SectorDofs& dofs = transform_.dofs();
   const Eigen::Index face = dofs.face, boundary = dofs.boundary();
   Eigen::MatrixXcd interface = Eigen::MatrixXcd::Zero(face + boundary, boundary);

@@ -8,32 +8,39 @@
 
 namespace tiprub {
 
-/// What holds the contact nodes.
+/// What holds the contact nodes, or the displacements of the contact segments.
 enum class ContactNodes { free, fixed };
 
 /// Solves T^H K T x = b of one nodal diameter (eq. 6) from the one factor of the sector's K. Only the Schur
 /// complement on cut faces and contact nodes knows of the phase: a dense Cholesky factorization a nodal diameter, and
 /// two passes through the sector's factor for each block of right sides.
+///
+/// Contact nodes are rows of it. Segments, B' u = q, aren't: with Psi = K^-1 B (B' K^-1 B)^-1, the shapes that move
+/// one by one and the others not, a solution with all of them held is x - Psi B' x. Costs a solve a segment at the
+/// start, and leaves the factor as it is.
 class CyclicSolver {
  public:
   /// Raises RunError if K of this nodal diameter is not positive definite.
   CyclicSolver(const SectorFactor& factor, const CyclicTransformation& transform);
 
   /// x with K x = b; independent x columns; b must be real for a standing transform. With fixed contact nodes their
-  /// rows of b are ignored, of x zero.
+  /// rows of b are ignored, of x zero; with fixed segments B' x is zero.
   Eigen::MatrixXcd solve(const Eigen::MatrixXcd& load, ContactNodes contact) const;
   /// The constraint modes, Psi_s of eq. 8 with its unit rows: static shapes of a unit displacement of each contact
-  /// dof, all else free of load; independent x contact dofs.
+  /// dof, the others held, all else free of load; independent x contact dofs.
   Eigen::MatrixXcd constraint_modes() const;
   const CyclicTransformation& transform() const { return transform_; }
 
  private:
+  void find_segment_modes();
+  Eigen::MatrixXcd segment_displacements(const Eigen::MatrixXcd& shapes) const;
   Eigen::MatrixXcd solve_block(const Eigen::MatrixXcd& load, ContactNodes contact) const;
 
   const SectorFactor& factor_;
   CyclicTransformation transform_;
   Eigen::MatrixXcd
       cholesky_;  ///< L of S_n = T^H S T, low | contact; its leading block is that of fixed contact nodes
+  Eigen::MatrixXcd segment_modes_;  ///< Psi; independent x contact dofs, none with contact nodes
 };
 
 }  // namespace tiprub

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "cases/program/errors.h"
@@ -87,6 +88,25 @@ std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count) {
     first_left = best + 1;
   }
   return chosen;
+}
+
+Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int>& nodes) {
+  const std::vector<double> lengths = arc_lengths(mesh, mesh.contact_line);
+  Eigen::VectorXd found = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const Eigen::Vector2d at = meridional(mesh.nodes.col(nodes[k]));
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < lengths.size(); ++i) {
+      const Eigen::Vector2d start = meridional(mesh.nodes.col(mesh.contact_line[i - 1]));
+      const Eigen::Vector2d step = meridional(mesh.nodes.col(mesh.contact_line[i])) - start;
+      const double along = std::clamp((at - start).dot(step) / step.squaredNorm(), 0.0, 1.0);
+      const double distance = (at - start - along * step).norm();
+      if (distance >= nearest) continue;
+      nearest = distance;
+      found[static_cast<Eigen::Index>(k)] = lengths[i - 1] + along * (lengths[i] - lengths[i - 1]);
+    }
+  }
+  return found;
 }
 
 ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& contact) {

@@ -17,6 +17,10 @@ void require_one_way(const SectorMesh& mesh);
 /// the defaults follow the paper's ten. Raises InputError if the line has fewer.
 std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count);
 
+/// [m] at which the contact line comes nearest to each of some nodes in the meridional plane, from its leading edge
+/// on.
+Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int>& nodes);
+
 /// Where the chosen nodes stand, and the normals of the casing there. The casing is a surface of revolution about the
 /// tip line, so a normal lies in the meridional plane, square to the line (tangents by quadratic differences over arc
 /// length), and points away from the blade. Static shifts are left zero.

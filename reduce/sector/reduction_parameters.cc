@@ -21,6 +21,8 @@ ReductionParameters read_reduction_parameters(CaseTable& table) {
       "prestress", Prestress::linear,
       {{"linear", Prestress::linear}, {"stress_only", Prestress::stress_only}, {"nonlinear", Prestress::nonlinear}});
   p.spin_softening = table.flag("spin_softening", true) ? SpinSoftening::on : SpinSoftening::off;
+  p.contact = table.choice<ContactKind>("contact", ContactKind::points,
+                                        {{"points", ContactKind::points}, {"segments", ContactKind::segments}});
   p.contact_nodes = table.integer("contact_nodes", 10, Range::between(1, 200), "");
   p.fixed_interface_modes = table.integer("fixed_interface_modes", 40, Range::between(1, 500), "a speed");
   p.modes_at_speed = table.integer("modes_at_speed", 60, Range::between(0, 5000), "generalized dofs; 0: all");

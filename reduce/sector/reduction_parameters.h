@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cases/program/case_file.h"
+#include "reduce/model/reduced_model.h"
 #include "reduce/sector/rotating_elasticity.h"
 
 namespace tiprub {
@@ -15,7 +16,8 @@ struct ReductionParameters {
   double speed_max = 0;  ///< [rad/s] Omega_max of eq. 7
   Prestress prestress = Prestress::linear;
   SpinSoftening spin_softening = SpinSoftening::on;
-  int contact_nodes = 10;
+  ContactKind contact = ContactKind::points;
+  int contact_nodes = 10;                   ///< points, or segments
   int fixed_interface_modes = 0;            ///< at each of the two speeds that give modes, 0 and Omega_max
   int modes_at_speed = 0;                   ///< generalized dofs that do at any one speed; 0: all
   std::vector<double> verification_speeds;  ///< [1] over Omega_max

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "reduce/sector/sector_mesh.h"
@@ -17,12 +18,16 @@ namespace tiprub {
 /// only.
 struct SectorDofs {
   std::vector<int> first;      ///< of each mesh node: its r-dof; theta and z follow; -1 if clamped
-  std::vector<int> contact;    ///< the chosen contact nodes, leading to trailing edge
+  std::vector<int> contact;    ///< the chosen contact nodes, leading to trailing edge; none with segments
   int interior = 0;            ///< number of dofs off the cut faces and the contact nodes
   int face = 0;                ///< number of dofs of one cut face
   int clamped_face_nodes = 0;  ///< nodes of the lower cut face that belong to the clamp
+  /// B: the loads of unit forces on the contact unknowns, r, theta, z of each; their displacements are q = B' u. With
+  /// nodes it takes their dofs; with segments these are interior ones. Sector x contact dofs.
+  Eigen::SparseMatrix<double> contact_loads;
 
   int boundary() const { return static_cast<int>(3 * contact.size()); }
+  int contact_dofs() const { return static_cast<int>(contact_loads.cols()); }
   int sector() const { return interior + 2 * face + boundary(); }
   int independent() const { return interior + face + boundary(); }
   int interface() const { return 2 * face + boundary(); }

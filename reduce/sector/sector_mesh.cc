@@ -25,6 +25,7 @@ std::string digest(const SectorMesh& mesh) {
     digest.add(members.data(), members.size());
   };
   for (const auto* group : {&mesh.cyclic_low, &mesh.cyclic_high, &mesh.clamped, &mesh.contact_line}) add(*group);
+  digest.add(mesh.tip_faces.data(), static_cast<std::size_t>(mesh.tip_faces.size()));
   for (const auto& [name, cells] : mesh.parts) {
     digest.add(name);
     add(cells);

@@ -19,6 +19,8 @@ struct SectorMesh {
   std::vector<int> cyclic_high;        ///< the same turned by +2 pi/N: node k stands where cyclic_low[k] comes to lie
   std::vector<int> clamped;            ///< nodes that don't move
   std::vector<int> contact_line;       ///< nodes of the main blade's tip line, from leading to trailing edge
+  Eigen::MatrixXi tip_faces;  ///< node numbers of the faces of the main blade's tip, in gmsh's order; 8 or 9 x
+                              ///< faces, none if the mesh doesn't name them
   std::map<std::string, std::vector<int>> parts;  ///< cells of `disc`, `main_blade`, `splitter`, where present
   double pairing_mismatch = 0;                    ///< [m] largest distance between partners on the cut faces
 

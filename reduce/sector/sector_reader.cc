@@ -15,7 +15,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr int line_2 = 1, line_3 = 8, point = 15, brick_20 = 17, brick_27 = 12;  // gmsh's element types
+constexpr int line_2 = 1, line_3 = 8, point = 15, face_8 = 16, face_9 = 10, brick_20 = 17,
+              brick_27 = 12;  // gmsh's element types
 
 /// gmsh's node tags to our numbers, 0 .. nodes-1 in the order of the tags; only nodes of cells are kept.
 class NodeNumbers {
@@ -110,6 +111,16 @@ void read_cut_faces(const GmshFile& file, const NodeNumbers& numbers, double tol
   pair_cut_faces(mesh, tolerance);
 }
 
+/// The main blade's tip, if the mesh names it, and by faces of its cells; not all reductions ask for it.
+Eigen::MatrixXi read_tip(const GmshFile& file, const NodeNumbers& numbers, int nodes_per_cell) {
+  std::vector<int> nodes;
+  const int type = nodes_per_cell == 20 ? face_8 : face_9, width = nodes_per_cell == 20 ? 8 : 9;
+  for (const GmshElements& elements : file.group(2, "blade_tip"))
+    for (const std::size_t tag : elements.nodes) nodes.push_back(elements.type == type ? numbers.find(tag) : -1);
+  if (std::count(nodes.begin(), nodes.end(), -1) > 0) nodes.clear();
+  return Eigen::Map<Eigen::MatrixXi>(nodes.data(), width, static_cast<Eigen::Index>(nodes.size()) / width);
+}
+
 /// The nodes of each curve element (or point), in order along it.
 std::vector<std::vector<std::size_t>> line_pieces(const GmshFile& file, const std::string& name) {
   std::vector<std::vector<std::size_t>> pieces;
@@ -163,6 +174,7 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
   mesh.parts = read_parts(file, cells, static_cast<std::size_t>(mesh.cells.rows()));
   read_cut_faces(file, numbers, tolerance, mesh);
   mesh.clamped = read_surface(file, "clamped", numbers, mesh.file);
+  mesh.tip_faces = read_tip(file, numbers, mesh.nodes_per_cell());
   mesh.contact_line = read_line(file, "contact", numbers, mesh);
   require_one_way(mesh);
   return mesh;

@@ -73,6 +73,7 @@ def of_attributes():
     yield MODEL.entry("most_sectors", attribute("sector_count", 2e9), "/nodal_diameter/4/M: is missing")
     yield MODEL.entry("speed_backwards", attribute("speed_max", -1.0), "speed_max must be at least 0")
     yield MODEL.entry("modes_is_a_text", attribute("modes_at_speed", b"all"), "has no number attribute modes_at_speed")
+    yield MODEL.entry("contact_by_lines", attribute("contact", "lines"), "attribute `contact` is \"lines\", must be \"points\" or \"segments\"")
     yield MODEL.entry("prestress_is_a_number", attribute("prestress", 1), "has no text attribute prestress")
 
 

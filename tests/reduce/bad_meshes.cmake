@@ -43,6 +43,16 @@ expect_message(contact_jumps OLD "38 135 139 \n39 139 143" NEW "38 139 143 \n39 
                ERRORS "sector.msh: the curve \"contact\" jumps from x y z = ")
 expect_message(contact_turns_back OLD "38 135 139 \n39 139 143 \n40 143 147" NEW "38 135 143 \n39 143 139 \n40 139 147" EXIT_CODE 2
                ERRORS "sector.msh: the line \"contact\" turns back at its point 3 of 5, x y z = ")
+# Contact by segments takes the faces of the tip; contact at points doesn't ask for them.
+set(segments ARGUMENTS case.toml sector.msh --check --set "reduce.contact=\"segments\"")
+expect_message(segments ${segments} ERRORS "${sound}")
+expect_message(segments_without_a_tip ${segments} OLD "\"blade_tip\"" NEW "\"end\"" EXIT_CODE 2
+               ERRORS "sector.msh: has no surface group \"blade_tip\" with the faces of the main blade's tip")
+expect_message(segments_of_the_hub ${segments} OLD "2 7 \"hub\"\n2 8 \"blade_tip\"" NEW "2 7 \"blade_tip\"\n2 8 \"hub\"" EXIT_CODE 2
+               ERRORS "sector.msh: the node at x y z = " "of the surface group \"blade_tip\" is clamped or lies on a cyclic face")
+expect_message(points_without_a_tip OLD "\"blade_tip\"" NEW "\"end\"" ERRORS "${sound}")
+expect_message(unknown_contact ARGUMENTS case.toml sector.msh --check --set "reduce.contact=\"lines\"" EXIT_CODE 2
+               ERRORS "contact = \"lines\" must be one of: points, segments")
 # In millimetres the wheel would be a thousand times as large, and its tip as fast.
 expect_message(millimetres FILE case.toml OLD "speed_max_rpm = 30000.0" NEW "speed_max_rpm = 3e7" EXIT_CODE 2
                ERRORS "sector.msh: a wheel of radius 0.1 m has a tip speed of 314159 m/s at [reduce] speed_max_rpm" "is the mesh in millimetres?")

@@ -13,6 +13,10 @@ constexpr std::array<Steps, 27> gmsh_steps = {
      {0, 1, 0}, {0, 0, 1}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {2, 2, 1}, {0, 2, 1}, {1, 0, 2}, {0, 1, 2},
      {2, 1, 2}, {1, 2, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}, {1, 1, 1}}};
 
+// gmsh's faces of 8 or 9 nodes, in half-brick steps around and along the axis.
+constexpr std::array<std::array<int, 2>, 9> face_steps = {
+    {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}}};
+
 }  // namespace
 
 BrickGrid::BrickGrid(const std::array<int, 3>& bricks, int nodes_per_brick, Around around)
@@ -41,6 +45,15 @@ std::vector<int> BrickGrid::layer(int direction, int step) const {
       for (int i = 0; i < steps(0); ++i)
         if (Steps{i, j, k}[direction] == step && node(i, j, k) >= 0) nodes.push_back(node(i, j, k));
   return nodes;
+}
+
+Eigen::MatrixXi BrickGrid::outer_faces(int first, int count) const {
+  Eigen::MatrixXi faces(nodes_per_brick_ == 27 ? 9 : 8, count * bricks_[2]);
+  for (int face = 0; face < faces.cols(); ++face)
+    for (Eigen::Index n = 0; n < faces.rows(); ++n)
+      faces(n, face) =
+          node(2 * bricks_[0], 2 * (first + face % count) + face_steps[n][0], 2 * (face / count) + face_steps[n][1]);
+  return faces;
 }
 
 SectorMesh BrickGrid::place(const Placement& placement) const {

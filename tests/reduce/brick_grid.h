@@ -24,6 +24,8 @@ class BrickGrid {
   int node(int i, int j, int k) const;
   /// All nodes with a given step in one direction.
   std::vector<int> layer(int direction, int step) const;
+  /// Faces of the last radial bricks, outwards, of `count` bricks around from `first` on; 8 or 9 x faces.
+  Eigen::MatrixXi outer_faces(int first, int count) const;
   /// Nodes and cells; the groups are left empty.
   SectorMesh place(const Placement& placement) const;
 

@@ -24,6 +24,7 @@ SectorMesh Annulus::sector() const {
   if (bore == Bore::clamped) mesh.clamped = grid.layer(0, 0);
   for (int k = 0; k <= 2 * bricks[2]; ++k)
     if (const int node = grid.node(2 * bricks[0], bricks[1], k); node >= 0) mesh.contact_line.push_back(node);
+  if (bricks[1] >= 4) mesh.tip_faces = grid.outer_faces(1, bricks[1] - 2);
   return mesh;
 }
 

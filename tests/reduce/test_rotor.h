@@ -10,7 +10,8 @@ namespace tiprub::test {
 
 enum class Bore { clamped, free };
 
-/// An annulus of N equal sectors. The tip line stands on the rim, in the middle between the cut faces.
+/// An annulus of N equal sectors. The tip line stands on the rim, in the middle between the cut faces; the tip's
+/// faces, if there are four bricks around or more, are those that don't touch them.
 struct Annulus {
   int sector_count = 5;
   std::array<int, 3> bricks = {2, 2, 1};  ///< of one sector: radial, around, axial

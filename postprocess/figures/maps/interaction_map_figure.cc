@@ -29,7 +29,7 @@ Table map_table(const Study& study, const InteractionMap& map) {
 /// "node 9, the trailing edge", "node 4 of 0 .. 9".
 std::string node_name(const Study& study, int node) {
   const int last = study.model.contact.size() - 1;
-  const std::string text = "contact node " + std::to_string(node);
+  const std::string text = name_of(study.model.contact.kind) + (" " + std::to_string(node));
   if (node == 0) return text + ", the leading edge";
   return node == last ? text + ", the trailing edge" : text + " of 0 .. " + std::to_string(last);
 }

@@ -68,6 +68,7 @@ void expect_same(const ReducedModel& a, const ReducedModel& b) {
   EXPECT_EQ(a.prestress, b.prestress);
   EXPECT_EQ(a.mesh_digest, b.mesh_digest);
   EXPECT_EQ(a.provenance, b.provenance);
+  EXPECT_EQ(a.contact.kind, b.contact.kind);
   EXPECT_EQ(a.contact.position, b.contact.position);
   EXPECT_EQ(a.contact.normal, b.contact.normal);
   EXPECT_EQ(a.contact.arc_length, b.contact.arc_length);
@@ -88,6 +89,19 @@ void expect_same(const ReducedModel& a, const ReducedModel& b) {
 TEST_F(ModelFile, RoundTripsBitForBit) {
   write_model(some_model(), path(), "test");
   expect_same(read_model(path()), some_model());
+}
+
+TEST_F(ModelFile, SaysWhatItsContactUnknownsAre) {
+  ReducedModel model = some_model();
+  model.contact.kind = ContactKind::segments;
+  write_model(model, path(), "test");
+  expect_same(read_model(path()), model);
+  EXPECT_NE(digest(model), digest(some_model()));
+  EXPECT_EQ(complaint_about_file([](Hdf5File& file) {
+              write_one_mass(file);
+              file.set_attribute("/", "contact", std::string("lines"));
+            }),
+            path().string() + ": attribute `contact` is \"lines\", must be \"points\" or \"segments\"");
 }
 
 /// An attribute holds 64 KB: a case with a long table lost the reduction that it had taken.

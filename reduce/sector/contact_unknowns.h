@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "reduce/model/reduced_model.h"
+#include "reduce/sector/sector_dofs.h"
+
+namespace tiprub {
+
+/// What carries contact in a sector: nodes of the tip line, or segments of the tip.
+struct ContactUnknowns {
+  std::vector<int> nodes;     ///< of the contact line, one an unknown: the chosen ones, or those next to the centres
+  ContactLine line;           ///< static shifts are left zero
+  std::vector<int> tip = {};  ///< the nodes that segments spread over; none with points
+  Eigen::MatrixXd weights = {};  ///< [1] W, of each node of the tip in a segment; each row's sum is one
+};
+
+/// Numbers the dofs of a sector with these contact unknowns, see sector_dofs.h. Raises InputError also if a node of
+/// the tip is clamped or lies on a cut face.
+SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact);
+
+/// `count` contact unknowns. Points: choose_contact_nodes().
+///
+/// Segments: knots in equal steps of the contact line's arc length s, and a hat w_k(s) about each, constant through
+/// the blade's thickness, so that all hats together are one. With N_i the shape functions of the tip's faces,
+///     W_ki = int N_i w_k dA / int w_k dA,   q_k = sum_i W_ki u_i:
+/// a gap is the mean over its segment, and a force lambda_k is the traction lambda_k w_k / int w_k dA, consistently
+/// on the nodes. It stays the same traction on any mesh, so that its compliance converges, which that of a force at a
+/// point doesn't. Places, arc lengths and normals (made unit again) are the same means of the nodes'. Raises
+/// InputError if the mesh doesn't name the tip's faces, if they leave out a stretch of the line, or if there are more
+/// segments than the mesh can tell apart.
+ContactUnknowns choose_contact(const SectorMesh& mesh, ContactKind kind, int count);
+
+}  // namespace tiprub

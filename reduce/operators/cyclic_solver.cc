@@ -60,7 +60,7 @@ CyclicSolver::CyclicSolver(const SectorFactor& factor, const CyclicTransformatio
   cholesky_.bottomRightCorner(boundary, boundary) = S.bottomRightCorner(boundary, boundary);
   const int size = static_cast<int>(cholesky_.rows());
   int info = 0;
-  zpotrf_("L", &size, cholesky_.data(), &size, &info);
+  if (size > 0) zpotrf_("L", &size, cholesky_.data(), &size, &info);
   if (info != 0) throw RunError("the stiffness of a nodal diameter is not positive definite: the rotor is unstable");
   if (transform_.dofs().contact_dofs() > boundary) find_segment_modes();
 }
@@ -99,8 +99,8 @@ Eigen::MatrixXcd CyclicSolver::solve_block(const Eigen::MatrixXcd& load, Contact
   const auto lower = cholesky_.topLeftCorner(kept, kept).triangularView<Eigen::Lower>();
   interface.bottomRows(interface.rows() - kept).setZero();
   auto solved = interface.topRows(kept);
-  lower.solveInPlace(solved);
-  lower.adjoint().solveInPlace(solved);
+  if (kept > 0) lower.solveInPlace(solved);
+  if (kept > 0) lower.adjoint().solveInPlace(solved);
   Eigen::MatrixXcd result(dofs.independent(), load.cols());
   const Eigen::MatrixXd moved = factor_.back_substitute(
       std::move(eliminated), split(transform_.expand_interface(interface), transform_.is_real()));

@@ -173,8 +173,10 @@ SectorFactor::SectorFactor(const SymmetricMatrix& stiffness, const SectorDofs& d
     : cholmod_(std::make_unique<Cholmod>()) {
   cholmod_->interior = dofs.interior;
   cholmod_->interface = dofs.interface();
-  const double shift = stiffness.diagonal().tail(dofs.interface()).maxCoeff();
+  const bool alone = dofs.interface() == 0;  // one blade with contact by segments
+  const double shift = alone ? 0.0 : stiffness.diagonal().tail(dofs.interface()).maxCoeff();
   cholmod_->factorize(stiffness, shift);
+  if (alone) return;
   Eigen::MatrixXd product = multiply_by_transpose(cholmod_->interface_factor());
   product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
   product.diagonal().array() -= shift;

@@ -138,6 +138,15 @@ TEST(Segments, StretchABarAsItsUniformPressureDoes) {
   const Eigen::VectorXd pressure = dofs.contact_loads.col(0);
   const Eigen::VectorXd moved = K.llt().solve(pressure);
   EXPECT_NEAR(pressure.dot(moved) * material.young * width * thickness / length, 1.0, 1e-8);
+  ReductionParameters p = parameters();
+  p.material = material;
+  p.contact_nodes = 1;
+  p.speed_max = 1.0;
+  ReductionReport report;
+  const ReducedModel model = reduce(mesh, p, Progress::Shown::never, report);  // no cut faces, no contact nodes
+  const Eigen::MatrixXcd& K0 = model.nodal_diameters[0].K0;
+  const Eigen::VectorXcd answer = K0.llt().solve(Eigen::VectorXcd::Unit(K0.rows(), 0));
+  EXPECT_NEAR(answer[0].real() * material.young * width * thickness / length, 1.0, 1e-8);
   // Uniform pressure stretches every fibre alike.
   for (const int node : grid.layer(0, 8)) EXPECT_NEAR(moved[dofs.first[node]] / pressure.dot(moved), 1.0, 1e-7);
 }

@@ -76,7 +76,7 @@ BladePoint point_of(const NamedText& file, const NumberLine& line, double length
   const double thickness = length * number_in(file, line, 3, "thickness");
   if (thickness < 0.0 || thickness > at.r)
     refuse_line(file, line.number, "a thickness must be at least 0, and less than the radius");
-  return {at, number_in(file, line, 1, "theta"), 0.5 * thickness};
+  return {at, angle_in(file, line, 1, "theta", 1.0), 0.5 * thickness};
 }
 
 // One point without thickness may stand at either end: a sharp edge.

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 namespace tiprub {
 
@@ -57,6 +58,15 @@ double number_in(const NamedText& file, const NumberLine& line, std::size_t word
     if (error == std::errc() && end == text.data() + text.size() && std::isfinite(value)) return value;
   }
   refuse_word(file, line, word, std::string(meaning) + ", which must be a finite number");
+}
+
+double angle_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning,
+                double unit) {
+  constexpr double most = 100 * 2.0 * std::numbers::pi;
+  const double angle = unit * number_in(file, line, word, meaning);
+  if (std::abs(angle) > most)
+    refuse_word(file, line, word, std::string(meaning) + ", which must be within 100 turns");
+  return angle;
 }
 
 int count_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning, int least,

@@ -25,6 +25,10 @@ std::vector<NumberLine> lines_of(const NamedText& file);
 /// The word as a finite number; `meaning` is what it should be ("r"). Raises InputError.
 double number_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning);
 
+/// The word as an angle in units of `unit` [rad], in radians: within a hundred turns. Raises InputError.
+double angle_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning,
+                double unit);
+
 /// The word as a whole number from `least` to `most`. Raises InputError.
 int count_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning, int least,
              int most);

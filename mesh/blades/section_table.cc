@@ -14,12 +14,12 @@ BladePoint point_of(const NamedText& file, const NumberLine& line, const FileUni
     refuse_line(file, line.number,
                 "holds " + std::to_string(line.words.size()) +
                     " words; a point is four numbers, z, r, theta of one side and of the other, and a new section "
-                    "begins with "
-                    "the word \"section\"");
+                    "begins with the word \"section\"");
   const auto number = [&](std::size_t word, const char* meaning) { return number_in(file, line, word, meaning); };
   const MeridionalPoint at{number(0, "z") * units.length, number(1, "r") * units.length};
   require_on_wheel(file, line.number, at);
-  const double one = number(2, "theta of side 1") * units.angle, other = number(3, "theta of side 2") * units.angle;
+  const double one = angle_in(file, line, 2, "theta of side 1", units.angle);
+  const double other = angle_in(file, line, 3, "theta of side 2", units.angle);
   return {at, 0.5 * (one + other), 0.5 * (one - other)};
 }
 

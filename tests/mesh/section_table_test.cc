@@ -80,6 +80,8 @@ INSTANTIATE_TEST_SUITE_P(
               "blade.txt:4: \"thick\" stands for theta of side 1, which must be a finite number"},
         Wrong{"nan", "0.02 -0.02", "nan -0.02",
               "blade.txt:4: \"nan\" stands for theta of side 1, which must be a finite number"},
+        Wrong{"turns", "0.02 -0.02", "1e300 -0.02",
+              "blade.txt:4: \"1e300\" stands for theta of side 1, which must be within 100 turns"},
         Wrong{"columns", "0.02 -0.02", "0.02",
               "blade.txt:4: holds 3 words; a point is four numbers, z, r, theta of one side and of the other, and a "
               "new section begins with the word \"section\""},

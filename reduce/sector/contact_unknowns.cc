@@ -67,7 +67,10 @@ class TipIntegrals {
     const std::array<double, 3> point = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)}, weight = {5 / 9.0, 8 / 9.0, 5 / 9.0};
     for (int i = 0; i < 3 * parts; ++i)
       for (int j = 0; j < 3 * parts; ++j) {
-        const auto at = [&](int k) { return (2 * (k / 3) + 1 + point[k % 3]) / parts - 1; };
+        const auto at = [&](int k) {
+          const int middle = 2 * (k / 3) + 1;
+          return (middle + point[k % 3]) / parts - 1;
+        };
         add_point(face, shape_at(face.size(), at(i), at(j)), weight[i % 3] * weight[j % 3] / (parts * parts));
       }
   }

@@ -32,7 +32,7 @@ INTEGERS = {
     "postprocess": {"families": "0", "engine_order_max": "0"},
 }
 CHOICES = {
-    "mesh": ["family", "blade", "element", "clamped"], "reduce": ["prestress"], "casing": ["shape", "clearance_state"],
+    "mesh": ["family", "blade", "element", "clamped"], "reduce": ["prestress", "contact"], "casing": ["shape", "clearance_state"],
     "simulate": ["speeds", "examine", "scheme", "contact", "nodal_diameters", "acceleration", "sweep", "when_symmetry_breaks"],
     "postprocess": ["component", "edge"],
 }

@@ -3,6 +3,10 @@
 // dynamics.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "reduce/model/fields_file.h"
+#include "reduce/model/model_digest.h"
 #include "reduce/model/verification.h"
 #include "reduce/operators/cyclic_solver.h"
 #include "reduce/reduction.h"
@@ -103,6 +107,30 @@ TEST(Segments, LeaveTheFrequenciesOfTheSectorAlone) {
   for (std::size_t n = 0; n < 3; ++n)
     EXPECT_LT(test::difference(model.verification.unreduced[n], points.verification.unreduced[n]), 1e-9);
   EXPECT_LT(model_error(model, 30).error, 5e-3);
+}
+
+TEST(Segments, AreMeansOfTheFieldsThatAreRecovered) {
+  // A unit of a segment's dof is a shape of unit mean there; the generalized dofs leave all segments where they are.
+  const std::string path = testing::TempDir() + "segments_fields.h5";
+  FieldsWriter writer(path, "test");
+  ReductionReport report;
+  const ReducedModel model = reduce(sector(), parameters(), Progress::Shown::never, report, &writer);
+  writer.close(digest(model));
+  const FieldsReader reader(path);
+  const ContactUnknowns contact = choose_contact(sector(), ContactKind::segments, 3);
+  EXPECT_EQ(reader.sector().node_set("contact"), contact.nodes);
+  for (int n = 0; n <= sectors / 2; ++n) {
+    const Eigen::Index dofs = reader.dofs(n);
+    const Eigen::MatrixXcd shapes = reader.expand(n, Eigen::MatrixXcd::Identity(dofs, dofs));
+    Eigen::MatrixXcd means = Eigen::MatrixXcd::Zero(9, dofs);
+    for (Eigen::Index k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < contact.tip.size(); ++i)
+        means.middleRows<3>(3 * k) +=
+            contact.weights(k, static_cast<Eigen::Index>(i)) * shapes.middleRows<3>(3 * contact.tip[i]);
+    const double largest = shapes.cwiseAbs().maxCoeff();
+    EXPECT_LT((means - Eigen::MatrixXcd::Identity(9, dofs)).cwiseAbs().maxCoeff(), 1e-6 * largest);  // float32
+  }
+  std::filesystem::remove(path);
 }
 
 TEST(Segments, ShiftAsTheirMeanDoes) {

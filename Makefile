@@ -65,7 +65,7 @@ paper-checks: tests
 
 bench: tests
 	$(BUILD)/bin/tiprub-benchmark
-	/usr/bin/python3 -B tests/peers/side_by_side.py $(BUILD)/bin/tiprub-mesh $(BUILD)/bin/tiprub-reduce cases/impeller/case.toml $(BUILD)/side_by_side
+	/usr/bin/python3 -B tests/peers/side_by_side.py $(BUILD)/bin/tiprub-mesh $(BUILD)/bin/tiprub-reduce cases/fast_impeller_fine/case.toml $(BUILD)/side_by_side
 
 format:
 	git ls-files '*.h' '*.cc' | xargs clang-format -i

@@ -4,7 +4,7 @@
 
 usage: convergence.py PROGRAMS_FOLDER CASES_FOLDER
 
-Starts from the case of impeller_quick and changes one thing at a time. Writes, in this folder, convergence.tsv (one line a
+Starts from the case of fast_impeller and changes one thing at a time. Writes, in this folder, convergence.tsv (one line a
 run) and traces.tsv (one revolution of the motion for each number of modes, as the paper's fig. 9). A difference is the
 root mean square of the radial motion's difference to the finest run of its row, over that run's root mean square.
 """
@@ -39,7 +39,7 @@ class Bench:
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(folder)
         # Speeds come as a list: those that the case spaces evenly go.
-        with open(os.path.join(cases, "impeller_quick", "case.toml"), encoding="utf-8") as file:
+        with open(os.path.join(cases, "fast_impeller", "case.toml"), encoding="utf-8") as file:
             simulate = file.read().partition("[simulate]")
         kept = [line for line in simulate[2].splitlines(True) if not line.startswith(("speed_min_rpm", "speed_max_rpm", "speed_count", "speeds"))]
         with open(self.case, "w", encoding="utf-8") as file:
@@ -103,7 +103,7 @@ def over_steps(bench, quick_model):
 
 def over_meshes(bench, quick_sector, quick_model, cases):
     meshes = [(quick_sector, quick_model),
-              tuple(os.path.join(cases, "impeller", name) for name in ("sector.msh", "model.h5"))]
+              tuple(os.path.join(cases, "fast_impeller_fine", name) for name in ("sector.msh", "model.h5"))]
     for name, keys in MESHES.items():
         sector = bench.mesh(name, keys)
         meshes.append((sector, bench.model(name, sector, {"verification_speeds": [0.0]})))
@@ -133,7 +133,7 @@ def write_traces(counts):
 
 def main(programs, cases):
     bench = Bench(programs, cases)
-    quick_sector, quick_model = (os.path.join(cases, "impeller_quick", name) for name in ("sector.msh", "model.h5"))
+    quick_sector, quick_model = (os.path.join(cases, "fast_impeller", name) for name in ("sector.msh", "model.h5"))
     with h5py.File(quick_model) as model:
         sectors = int(model.attrs["sector_count"])
     rows = {"eta": over_modes(bench, quick_sector, sectors),

@@ -4,7 +4,7 @@
 
 usage: stress.py PROGRAMS_FOLDER CASES_FOLDER [MESH ...]
 
-Each mesh of the wheel of impeller_quick is swept over three windows around the first family's peaks on engine orders 8, 6 and
+Each mesh of the wheel of fast_impeller is swept over three windows around the first family's peaks on engine orders 8, 6 and
 4; stress is read at the tallest peak of each, wherever it lies with that mesh. Writes stress.tsv, a line a mesh and window.
 """
 import csv

@@ -168,7 +168,7 @@ std::string impeller_of_file(const std::filesystem::path& file) {
 
 // Between hub and tip stations are other fractions of the length than the family's; the shape is the same.
 TEST(BladeFile, MeshesAnImpellerWithSplittersLikeTheFamily) {
-  const Wheel family = wheel_from(test::with(test::case_text("impeller_quick"), "splitter_start", "0.42"));
+  const Wheel family = wheel_from(test::with(test::case_text("fast_impeller"), "splitter_start", "0.42"));
   const std::string main = meanline_blade(family, BladeKind::main, 0.0, 0.0);
   for (const double turned : {0.0, 0.5 * family.plan.pitch()}) {  // both are written by people
     const std::string splitter = meanline_blade(family, BladeKind::splitter, family.plan.splitter_start, turned);
@@ -193,7 +193,7 @@ TEST(BladeFile, MeshesAnImpellerWithSplittersLikeTheFamily) {
 }
 
 TEST(BladeFile, RefusesASplitterThatStandsElsewhere) {
-  const Wheel family = wheel_from(test::with(test::case_text("impeller_quick"), "splitter_start", "0.42"));
+  const Wheel family = wheel_from(test::with(test::case_text("fast_impeller"), "splitter_start", "0.42"));
   const std::string main = meanline_blade(family, BladeKind::main, 0.0, 0.0);
   const std::string elsewhere = meanline_blade(family, BladeKind::splitter, family.plan.splitter_start, 0.05);
   EXPECT_NE(test::complaint(impeller_of_file(written("impeller.rtzt", "10\n1\n" + main + elsewhere)))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the mesher says, case by case.
 set(message_room mesh)
-set(impeller INPUTS ${PROJECT_SOURCE_DIR}/cases/impeller_quick/case.toml)
+set(impeller INPUTS ${PROJECT_SOURCE_DIR}/cases/fast_impeller/case.toml)
 set(message_defaults PROGRAM $<TARGET_FILE:tiprub-mesh> ARGUMENTS case.toml -o sector.msh ${impeller})
 
 expect_message(works ERRORS "wrote sector.msh" WRITES sector.msh)

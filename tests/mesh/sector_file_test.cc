@@ -77,7 +77,7 @@ class ReadBack {
 };
 
 TEST(SectorFile, HoldsEveryGroupWithItsNodes) {
-  const MeshedSector mesh = sector_from(case_text("impeller_quick"));
+  const MeshedSector mesh = sector_from(case_text("fast_impeller"));
   const ReadBack file(mesh);
   EXPECT_EQ(file.nodes("sector"), mesh.nodes.size());
   EXPECT_EQ(file.nodes("cyclic_low"), mesh.low_and_high_nodes.size());
@@ -88,7 +88,7 @@ TEST(SectorFile, HoldsEveryGroupWithItsNodes) {
 }
 
 TEST(SectorFile, EveryCellIsInTheSectorAndInOnePart) {
-  const MeshedSector mesh = sector_from(case_text("impeller_quick"));
+  const MeshedSector mesh = sector_from(case_text("fast_impeller"));
   const ReadBack file(mesh);
   std::size_t parts = 0;
   for (const char* name : {"disc", "main_blade", "splitter"}) parts += file.element_nodes(name, 17).size();
@@ -98,7 +98,7 @@ TEST(SectorFile, EveryCellIsInTheSectorAndInOnePart) {
 }
 
 TEST(SectorFile, ContactIsDirectedFromLeadingToTrailingEdge) {
-  const MeshedSector mesh = sector_from(case_text("impeller_quick"));
+  const MeshedSector mesh = sector_from(case_text("fast_impeller"));
   const std::vector<std::size_t> lines = ReadBack(mesh).element_nodes("contact", 1);
   ASSERT_EQ(lines.size(), 2 * (mesh.contact.size() - 1));
   for (std::size_t n = 0; n + 1 < mesh.contact.size(); ++n) {
@@ -122,8 +122,8 @@ TEST(SectorFile, ABareDiscHasItsContactOnTheRim) {
 
 TEST(SectorFile, SameInputSameBytes) {
   const std::filesystem::path first = scratch_file("first"), second = scratch_file("second");
-  write_sector(sector_from(case_text("impeller_quick")), first);
-  write_sector(sector_from(case_text("impeller_quick")), second);
+  write_sector(sector_from(case_text("fast_impeller")), first);
+  write_sector(sector_from(case_text("fast_impeller")), second);
   EXPECT_EQ(bytes_of(first), bytes_of(second));
   EXPECT_GT(bytes_of(first).size(), 0u);
   std::filesystem::remove(first);

@@ -33,7 +33,7 @@ TEST(SectorMesher, CountsNodesOfBothKinds) {
 }
 
 TEST(SectorMesher, CyclicFacesPairToRoundOff) {
-  const MeshedSector mesh = sector_from(case_text("impeller_quick"));
+  const MeshedSector mesh = sector_from(case_text("fast_impeller"));
   const double alpha = 2.0 * std::numbers::pi / mesh.sector_count;
   std::set<std::size_t> lows, highs;
   for (const auto& [low, high] : mesh.low_and_high_nodes) {
@@ -74,7 +74,7 @@ TEST(SectorMesher, FullQuadraticCellsConvergeToo) {
 }
 
 TEST(SectorMesher, ClampsTheBoreAndNothingElse) {
-  const MeshedSector mesh = sector_from(case_text("impeller_quick"));
+  const MeshedSector mesh = sector_from(case_text("fast_impeller"));
   const std::vector<std::size_t>& nodes = mesh.surface("clamped").face_nodes;
   const std::set<std::size_t> clamped(nodes.begin(), nodes.end());
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -84,12 +84,12 @@ TEST(SectorMesher, ClampsTheBoreAndNothingElse) {
 }
 
 TEST(SectorMesher, CanClampTheFrontFaceInstead) {
-  const MeshedSector mesh = sector_from(with(case_text("impeller_quick"), "clamped", "\"front_face\""));
+  const MeshedSector mesh = sector_from(with(case_text("fast_impeller"), "clamped", "\"front_face\""));
   for (std::size_t node : mesh.surface("clamped").face_nodes) EXPECT_NEAR(mesh.nodes[node][2], 0.0, 1e-15);
 }
 
 TEST(SectorMesher, ContactRunsAlongTheMainBladesTipFromLeadingToTrailingEdge) {
-  const MeshedSector mesh = sector_from(case_text("impeller_quick"));
+  const MeshedSector mesh = sector_from(case_text("fast_impeller"));
   const std::vector<std::size_t>& tip = mesh.surface("blade_tip").face_nodes;
   const std::set<std::size_t> tip_nodes(tip.begin(), tip.end());
   ASSERT_EQ(mesh.contact.size(), 11u);
@@ -101,11 +101,11 @@ TEST(SectorMesher, ContactRunsAlongTheMainBladesTipFromLeadingToTrailingEdge) {
 }
 
 TEST(SectorMesher, AnEvenCountThroughTheBladeHasContactNodesBetweenStationsToo) {
-  EXPECT_EQ(sector_from(with(case_text("impeller_quick"), "elements_through_blade", "2")).contact.size(), 21u);
+  EXPECT_EQ(sector_from(with(case_text("fast_impeller"), "elements_through_blade", "2")).contact.size(), 21u);
 }
 
 TEST(SectorMesher, FacesLookOutward) {
-  const MeshedSector mesh = sector_from(case_text("impeller_quick"));
+  const MeshedSector mesh = sector_from(case_text("fast_impeller"));
   const auto normal = [&](const std::string& name) {
     const std::vector<std::size_t>& n = mesh.surface(name).face_nodes;
     const auto x = [&](int corner) { return mesh.nodes[n[corner]]; };
@@ -127,7 +127,7 @@ TEST(SectorMesher, FacesLookOutward) {
 }
 
 TEST(SectorMesher, AWheelWithoutSplitterHasNone) {
-  std::string text = with(case_text("impeller_quick"), "splitter_start", "0.45");
+  std::string text = with(case_text("fast_impeller"), "splitter_start", "0.45");
   text.replace(text.find("splitter_start = 0.45"), 21, "splitter = false");
   text.replace(text.find("elements_through_splitter = 2"), 29, "");
   const MeshedSector mesh = sector_from(text);

@@ -16,7 +16,7 @@ using test::wheel_from;
 using test::with;
 
 TEST(Wheel, TheSplitterAlwaysStartsBetweenTwoElements) {
-  const Wheel wheel = wheel_from(case_text("impeller_quick"));
+  const Wheel wheel = wheel_from(case_text("fast_impeller"));
   EXPECT_DOUBLE_EQ(wheel.plan.station(2 * wheel.plan.elements.upstream), 0.45);
   EXPECT_DOUBLE_EQ(wheel.plan.station(2 * wheel.plan.elements.chord), 1.0);
 }
@@ -31,7 +31,7 @@ TEST(Wheel, DefaultsMeshTheRootAndTheDiscAsAsked) {
 TEST(Wheel, AThickTipIsAllowedWhereNoSplitterStands) {
   // Two such edges take 0.37 rad; from blade to splitter there are 0.31 rad, from blade to blade 0.63 rad.
   EXPECT_EQ(
-      complaint(with(case_text("impeller_quick"), "thickness_tip", "[[0.0, 0.016], [0.3, 0.001], [1.0, 0.001]]")),
+      complaint(with(case_text("fast_impeller"), "thickness_tip", "[[0.0, 0.016], [0.3, 0.001], [1.0, 0.001]]")),
       "");
 }
 
@@ -50,7 +50,7 @@ class WrongKey : public ::testing::TestWithParam<Wrong> {};
 
 TEST_P(WrongKey, IsRefusedInPlainWords) {
   const auto [key, value, phrase] = GetParam();
-  const std::string message = complaint(with(case_text("impeller_quick"), key, value));
+  const std::string message = complaint(with(case_text("fast_impeller"), key, value));
   EXPECT_NE(message.find(phrase), std::string::npos) << message;
   EXPECT_NE(message.find(".toml:"), std::string::npos) << message;  // file and line
 }

@@ -4,7 +4,7 @@
 
 usage: contact.py PROGRAMS_FOLDER CASES_FOLDER [MESH ...]
 
-Meshes the wheel of impeller_quick finer and finer, by the same factor along the chord, the span and through the main blade, and
+Meshes the wheel of fast_impeller finer and finer, by the same factor along the chord, the span and through the main blade, and
 reduces each with both kinds of contact. Writes contact.tsv, a line a mesh and kind: how far the first and the last contact
 unknown give way along the casing's normal to a force on themselves alone, on one blade of a wheel at rest; and where the first
 family meets two engine orders, the tallest peak of each edge's normal motion, as an adaptive sweep locates it.

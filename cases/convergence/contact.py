@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contact at points beside contact by segments, over the mesh.
 
-usage: contact.py PROGRAMS_FOLDER CASES_FOLDER [MESH ...]
+usage: contact.py PROGRAMS_FOLDER CASES_FOLDER CASE [MESH ...]
 
-Meshes the wheel of fast_impeller finer and finer, by the same factor along the chord, the span and through the main blade, and
-reduces each with both kinds of contact. Writes contact.tsv, a line a mesh and kind: how far the first and the last contact
+Meshes the wheel of a case finer and finer, by the same factor along the chord, the span and through the main blade, and
+reduces each with both kinds of contact. Writes contact_CASE.tsv, a line a mesh and kind: how far the first and the last contact
 unknown give way along the casing's normal to a force on themselves alone, on one blade of a wheel at rest; and where the first
 family meets two engine orders, the tallest peak of each edge's normal motion, as an adaptive sweep locates it.
 """
@@ -21,7 +21,6 @@ KEYS = ["elements_along_chord", "elements_along_bore", "elements_along_span", "e
         "elements_through_splitter", "elements_through_disc", "elements_between_blades"]
 MESHES = {"8": (8, 3, 4, 2, 2, 2, 2), "12": (12, 5, 6, 3, 2, 3, 2), "16": (16, 6, 8, 4, 2, 4, 2), "24": (24, 10, 12, 6, 3, 5, 4),
           "32": (32, 13, 16, 8, 3, 6, 4)}  # by elements along the chord
-SWEPT = ["8", "12", "16", "24"]
 ENGINE_ORDERS = [8, 6]
 WINDOW = 0.97, 1.13  # of the linear crossing: contact stiffens the blade
 EDGES = {"leading": 0, "trailing": -1}
@@ -89,12 +88,12 @@ def peaks(bench, name, model):
             yield from tallest(file, normal)
 
 
-def main(programs, cases, names):
-    bench = Bench(os.path.abspath(programs), os.path.abspath(cases), "contact_runs")
+def main(programs, cases, case, names):
+    bench = Bench(os.path.abspath(programs), os.path.abspath(cases), f"contact_runs_{case}", case)
     columns = [f"compliance, {edge} edge [nm/N]" for edge in EDGES]
     for order in ENGINE_ORDERS:
         columns += [f"EO {order}, {edge} edge [{unit}]" for edge in EDGES for unit in ("rpm", "mm")]
-    with open("contact.tsv", "w", encoding="utf-8") as file:
+    with open(f"contact_{case}.tsv", "w", encoding="utf-8") as file:
         file.write("\t".join(["contact", "elements along the chord", "dofs a sector", *columns]) + "\n")
         for name in names or MESHES:
             sector = bench.mesh(name, dict(zip(KEYS, MESHES[name])))
@@ -102,10 +101,10 @@ def main(programs, cases, names):
                 model = bench.model(f"{name}_{kind}", sector, {"contact": f'"{kind}"', "verification_speeds": [0.0]})
                 with h5py.File(model) as opened:
                     values = [1e9 * value for value in compliances(opened)]
-                values += peaks(bench, f"{name}_{kind}", model) if name in SWEPT else []
+                values += peaks(bench, f"{name}_{kind}", model)
                 file.write("\t".join([kind, name, str(sector_dofs(sector)), *(f"{value:.6g}" for value in values)]) + "\n")
                 file.flush()
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2], sys.argv[3:])
+    main(*sys.argv[1:4], sys.argv[4:])

@@ -34,12 +34,12 @@ MESHES = {
 
 
 class Bench:
-    def __init__(self, programs, cases, folder="runs"):
+    def __init__(self, programs, cases, folder="runs", case="fast_impeller"):
         self.programs, self.folder, self.case = programs, folder, os.path.join(folder, "case.toml")
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(folder)
         # Speeds come as a list: those that the case spaces evenly go.
-        with open(os.path.join(cases, "fast_impeller", "case.toml"), encoding="utf-8") as file:
+        with open(os.path.join(cases, case, "case.toml"), encoding="utf-8") as file:
             simulate = file.read().partition("[simulate]")
         kept = [line for line in simulate[2].splitlines(True) if not line.startswith(("speed_min_rpm", "speed_max_rpm", "speed_count", "speeds"))]
         with open(self.case, "w", encoding="utf-8") as file:

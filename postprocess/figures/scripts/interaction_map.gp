@@ -4,15 +4,15 @@
 # frequency [Hz] where a line of nodal diameter 0 begins.
 load 'scripts/map.gp'
 foot(row) = (0.018 + 0.022*row)*frequency_high
-set key opaque fillcolor rgb map_key_colour textcolor rgb map_key_text at graph 0.99, graph 0.1 right bottom samplen 0.5
+set key opaque fillcolor rgb map_key_colour textcolor rgb map_key_text at screen 0.45,0.985 center top horizontal maxrows 1 samplen 0.5
 set lmargin at screen 0.085
 set rmargin at screen 0.815
-set tmargin at screen 0.94
+set tmargin at screen 0.92
 set bmargin at screen 0.11
 set xlabel 'speed [rpm]'
 set ylabel 'frequency in the rotor frame [Hz]'
 set cblabel 'amplitude [mm]'
-set colorbox user origin screen 0.885,0.11 size screen 0.022,0.83
+set colorbox user origin screen 0.885,0.11 size screen 0.022,0.81
 load 'scripts/engine_orders.gp'
 plot name.'.pixels' @map_image, \
   for [k=engine_order_step:engine_order_last:engine_order_step] k*x/60 with lines linestyle map_engine_order, \

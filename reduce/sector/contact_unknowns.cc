@@ -168,7 +168,7 @@ std::vector<int> nearest_nodes(const SectorMesh& mesh, const Eigen::VectorXd& ar
 SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact) {
   if (contact.line.kind == ContactKind::points) return number_dofs(mesh, contact.nodes);
   SectorDofs dofs = number_dofs(mesh, std::vector<int>());
-  std::vector<Eigen::Triplet<double>> entries;
+  dofs.contact_loads.resize(dofs.sector(), 3 * contact.weights.rows());
   for (Eigen::Index i = 0; i < contact.weights.cols(); ++i) {
     const int first = dofs.first[contact.tip[i]];
     if (first < 0 || first >= dofs.interior)
@@ -178,10 +178,9 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact) {
     for (Eigen::Index k = 0; k < contact.weights.rows(); ++k)
       for (int d = 0; d < 3; ++d)
         if (const double weight = contact.weights(k, i); weight != 0)
-          entries.emplace_back(first + d, static_cast<int>(3 * k + d), weight);
+          dofs.contact_loads.coeffRef(first + d, 3 * k + d) = weight;
   }
-  dofs.contact_loads.resize(dofs.sector(), 3 * contact.weights.rows());
-  dofs.contact_loads.setFromTriplets(entries.begin(), entries.end());
+  dofs.contact_loads.makeCompressed();
   return dofs;
 }
 

@@ -31,8 +31,7 @@ TEST(Wheel, DefaultsMeshTheRootAndTheDiscAsAsked) {
 TEST(Wheel, AThickTipIsAllowedWhereNoSplitterStands) {
   // Two such edges take 0.37 rad; from blade to splitter there are 0.31 rad, from blade to blade 0.63 rad.
   EXPECT_EQ(
-      complaint(with(case_text("fast_impeller"), "thickness_tip", "[[0.0, 0.016], [0.3, 0.001], [1.0, 0.001]]")),
-      "");
+      complaint(with(case_text("fast_impeller"), "thickness_tip", "[[0.0, 0.016], [0.3, 0.001], [1.0, 0.001]]")), "");
 }
 
 struct Wrong {

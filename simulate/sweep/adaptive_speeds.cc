@@ -137,8 +137,8 @@ std::vector<double> speeds_to_confirm(const SampledCurve& scan, const SampledCur
   narrow.jump_reach = goal.jump_width;
   for (std::size_t i = 0; i + 1 < scan.size(); ++i)
     if (jumps(scan[i], scan[i + 1], narrow))
-      next.insert({(1 - beyond_jump) * scan[i].speed, scan[i].speed, scan[i + 1].speed,
-                   (1 + beyond_jump) * scan[i + 1].speed});
+      next.insert({std::max((1 - beyond_jump) * scan[i].speed, scan.front().speed), scan[i].speed, scan[i + 1].speed,
+                   std::min((1 + beyond_jump) * scan[i + 1].speed, scan.back().speed)});
   return without(std::move(next), full);
 }
 

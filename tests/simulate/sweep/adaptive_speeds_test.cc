@@ -99,6 +99,13 @@ TEST(AdaptiveSpeeds, EnclosesAJump) {
   EXPECT_LE(after->speed - (after - 1)->speed, 1e-3 * fold);
 }
 
+TEST(AdaptiveSpeeds, StayWithinTheRangeBesideAJumpAtItsEnd) {
+  const Curve curve = [](double x) { return x < 1998 ? 1 + (x - 1000) / 500 : 0.4; };
+  const SampledCurve found = sweep(curve, {}, curve);
+  EXPECT_EQ(found.front().speed, 1000);
+  EXPECT_EQ(found.back().speed, 2000);
+}
+
 TEST(AdaptiveSpeeds, AskForNothingOnASmoothCurve) {
   const Curve line = [](double x) { return x / 1000; };
   EXPECT_EQ(sweep(line, {}, line).size(), 21u);

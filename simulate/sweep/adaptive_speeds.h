@@ -28,7 +28,7 @@ struct LocationGoal {
   double jump_width = 1e-3;  ///< [1] of the speed: width of the interval around a jump
   double jump_reach = 6e-3;  ///< [1] of the speed: neighbours farther apart may differ without a jump
 
-  /// The same, as far as a scan can tell: wider, and with a closer look at the sides of peaks.
+  /// The same, as far as a scan can tell: wider, with a look farther down the sides of peaks, and at all jumps.
   LocationGoal of_scan() const;
 };
 
@@ -41,7 +41,7 @@ std::vector<double> speeds_to_refine(const SampledCurve& curve, const LocationGo
 /// Of a scan whose peaks and jumps are located: the speeds that must be computed in full to confirm them. For each
 /// peak the parabola's vertex and a speed on each side within the goal, and its valleys, unless a speed in `full`
 /// shows that the response falls to half between; for each jump both of its sides, and one beyond each. None that
-/// `full` has.
+/// `full` has, and none beyond the scan's ends.
 std::vector<double> speeds_to_confirm(const SampledCurve& scan, const SampledCurve& full, const LocationGoal& goal);
 
 /// The places in the curve of its peaks, ascending.

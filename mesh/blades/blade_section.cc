@@ -15,10 +15,6 @@ constexpr std::size_t fewest_points = 3;
 constexpr double least_step = 1e-9;        // of a section's length
 constexpr double negligible_width = 0.01;  // of its widest place: what two curves through points may cross by
 
-double distance(const MeridionalPoint& a, const MeridionalPoint& b) {
-  return std::hypot(a.z - b.z, a.r - b.r);
-}
-
 double product(const MeridionalPoint& a, const MeridionalPoint& b) {
   return a.z * b.z + a.r * b.r;
 }

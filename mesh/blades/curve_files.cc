@@ -31,10 +31,6 @@ BladePoint point_of(const NamedText& file, const NumberLine& line, double length
   return {at, std::atan2(y, x), 0.0};
 }
 
-double distance(const MeridionalPoint& a, const MeridionalPoint& b) {
-  return std::hypot(a.z - b.z, a.r - b.r);
-}
-
 /// The points of a profile once round, angles without jumps.
 using Loop = BladeSection;
 

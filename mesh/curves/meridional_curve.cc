@@ -39,6 +39,10 @@ MeridionalPoint operator*(double factor, MeridionalPoint a) {
   return {factor * a.z, factor * a.r};
 }
 
+double distance(MeridionalPoint a, MeridionalPoint b) {
+  return std::hypot(a.z - b.z, a.r - b.r);
+}
+
 MeridionalCurve::MeridionalCurve(MeridionalPoint inlet, MeridionalPoint exit, std::array<double, 2> arms)
     : control_{inlet, inlet + MeridionalPoint{arms[0] * (exit.z - inlet.z), 0.0},
                exit - MeridionalPoint{0.0, arms[1] * (exit.r - inlet.r)}, exit},

@@ -16,6 +16,7 @@ struct MeridionalPoint {
 MeridionalPoint operator+(MeridionalPoint a, MeridionalPoint b);
 MeridionalPoint operator-(MeridionalPoint a, MeridionalPoint b);
 MeridionalPoint operator*(double factor, MeridionalPoint a);
+double distance(MeridionalPoint a, MeridionalPoint b);  ///< [m]
 
 /// A flow line from inlet to exit of a centrifugal wheel: a cubic Bezier curve that leaves the inlet along the axis
 /// and reaches the exit along the radius, measured by the fraction of its own length.

@@ -28,6 +28,8 @@ class WheelGeometry {
   /// Half of the blade's thickness along the circle [rad]. At span 0 it is asked for at every station, also upstream
   /// of a splitter, whose columns go on through the disc.
   virtual double half_width(BladeKind blade, double station, double span) const = 0;
+  /// The span at which the fillet at the root ends; 0 without one.
+  virtual double fillet_end(double /*station*/) const { return 0.0; }
   /// The keys of [mesh] that shape this part, for whoever has to mend it.
   virtual std::string keys_that_shape(Region region) const = 0;
 };

@@ -5,19 +5,45 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/lattice/grading.h"
+
 namespace tiprub {
 
 namespace {
 
 constexpr int most_elements = 400;  // a direction; beyond it no computer of ours holds the sector
+constexpr double steepest_grading = 100.0;
 
 int count(CaseTable& table, const char* key, int fallback, int least) {
   return table.integer(key, fallback, Range::between(least, most_elements), "elements");
 }
 
-void read_blade_counts(CaseTable& table, ElementCounts& elements) {
-  elements.blade = count(table, "elements_through_blade", 3, 2);
-  elements.span = count(table, "elements_along_span", 8, 1);
+double grading(CaseTable& table, const char* key) {
+  return table.number(key, 1.0, Range::between(1.0, steepest_grading), "largest element over smallest");
+}
+
+void read_chord(CaseTable& table, SectorPlan& plan, int fewest) {
+  plan.elements.chord = count(table, "elements_along_chord", 12, fewest);
+  plan.grading_along_chord = grading(table, "grading_along_chord");
+}
+
+void read_blade(CaseTable& table, SectorPlan& plan) {
+  plan.elements.blade = count(table, "elements_through_blade", 3, 2);
+  plan.elements.span = count(table, "elements_along_span", 8, 1);
+  plan.grading_along_span = grading(table, "grading_along_span");
+}
+
+// Up to the end of an element that is nearest to the splitter's leading edge.
+int elements_upstream(const SectorPlan& plan) {
+  const int count_along = plan.elements.chord;
+  const auto distance = [&](int element) {
+    return std::abs(0.5 * graded(2 * element, count_along, plan.grading_along_chord) -
+                    plan.splitter_start * count_along);
+  };
+  int nearest = 1;
+  for (int element = 2; element < count_along; ++element)
+    if (distance(element) <= distance(nearest)) nearest = element;
+  return nearest;
 }
 
 void read_element(CaseTable& table, SectorPlan& plan) {
@@ -39,10 +65,17 @@ double SectorPlan::pitch() const {
 }
 
 double SectorPlan::station(int half_index) const {
-  if (blades != Blades::main_and_splitter) return 0.5 * half_index / elements.chord;
-  const int before = 2 * elements.upstream;
-  if (half_index <= before) return splitter_start * half_index / before;
-  return splitter_start + (1.0 - splitter_start) * (half_index - before) / (2 * elements.chord - before);
+  const double at = graded(half_index, elements.chord, grading_along_chord);
+  if (blades != Blades::main_and_splitter) return 0.5 * at / elements.chord;
+  const double before = graded(2 * elements.upstream, elements.chord, grading_along_chord);
+  if (at <= before) return splitter_start * at / before;
+  return splitter_start + (1.0 - splitter_start) * (at - before) / (2 * elements.chord - before);
+}
+
+double SectorPlan::span(int half_index, double fillet_end) const {
+  const int below = 2 * elements.fillet, above = elements.span - elements.fillet;
+  if (half_index < below) return fillet_end * half_index / below;
+  return fillet_end + 0.5 * (1.0 - fillet_end) * graded(half_index - below, above, grading_along_span) / above;
 }
 
 double SectorPlan::splitter_chord(double station_fraction) const {
@@ -56,15 +89,14 @@ void read_common(CaseTable& table, SectorPlan& plan, int fewest_along_chord) {
                                               {{"bore", ClampedSurface::bore},
                                                {"front_face", ClampedSurface::front_face},
                                                {"bore_and_front_face", ClampedSurface::bore_and_front_face}});
-  elements.chord = count(table, "elements_along_chord", 12, fewest_along_chord);
+  read_chord(table, plan, fewest_along_chord);
   elements.disc = count(table, "elements_through_disc", 3, 1);
   elements.between_blades = count(table, "elements_between_blades", 4, 1);
   elements.bore = elements.chord;
-  if (plan.blades != Blades::none) read_blade_counts(table, elements);
+  if (plan.blades != Blades::none) read_blade(table, plan);
   if (plan.blades == Blades::main_and_splitter) {
     elements.splitter = count(table, "elements_through_splitter", elements.blade, 2);
-    elements.upstream = std::clamp(static_cast<int>(std::lround(plan.splitter_start * elements.chord)), 1,
-                                   std::max(1, elements.chord - 1));
+    elements.upstream = elements_upstream(plan);
   }
   check_passages(table, plan);
 }
@@ -73,8 +105,8 @@ void read_common_of_blade(CaseTable& table, SectorPlan& plan) {
   read_element(table, plan);
   plan.clamped = ClampedSurface::root;
   plan.elements = {};
-  plan.elements.chord = count(table, "elements_along_chord", 12, 1);
-  read_blade_counts(table, plan.elements);
+  read_chord(table, plan, 1);
+  read_blade(table, plan);
 }
 
 }  // namespace tiprub

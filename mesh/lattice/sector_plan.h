@@ -27,6 +27,7 @@ struct ElementCounts {
   int blade;           ///< through the main blade's thickness
   int splitter;        ///< through the splitter's
   int span;            ///< from hub to tip
+  int fillet;          ///< of these along the fillet at the root; 0: no fillet
   int disc;            ///< from bore or back face to hub; 0: no disc, the main blade alone
   int between_blades;  ///< round one passage; without blades round the sector
 };
@@ -40,12 +41,16 @@ struct SectorPlan {
   double splitter_pitch = 0.5;  ///< its place between two main blades, as a fraction of their pitch
   ClampedSurface clamped = ClampedSurface::bore;
   ElementCounts elements{};
+  double grading_along_chord = 1.0;  ///< the largest element over the smallest, see graded()
+  double grading_along_span = 1.0;
 
   bool has_disc() const { return elements.disc > 0; }
   double pitch() const;  ///< 2 pi / N [rad]
-  /// The fraction of the meridional length at half of an element index, 0 .. 2 elements.chord: evenly before and
-  /// after the splitter's leading edge, which always falls between two elements.
+  /// The fraction of the meridional length at half of an element index, 0 .. 2 elements.chord: graded, and stretched
+  /// before and after the splitter's leading edge, so that this always falls between two elements.
   double station(int half_index) const;
+  /// The fraction of the way from hub to tip, 0 .. 2 elements.span: even to the end of the fillet, then graded.
+  double span(int half_index, double fillet_end) const;
   /// How far along its own chord a splitter is at that station; 0 upstream of it.
   double splitter_chord(double station) const;
 };

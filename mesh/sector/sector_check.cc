@@ -164,6 +164,7 @@ std::string describe(const SectorReport& report, const MeshedSector& mesh, const
   if (wheel.plan.has_disc()) text << ", " << elements.disc << " through the disc";
   if (wheel.plan.blades != Blades::none)
     text << ", " << elements.blade << " through the blade, " << elements.span << " along its span";
+  if (elements.fillet > 0) text << " (" << elements.fillet << " of them along the fillet)";
   if (wheel.plan.blades == Blades::main_and_splitter) text << ", " << elements.splitter << " through the splitter";
   text << "\nworst scaled Jacobian " << report.worst_scaled_jacobian << ", in the "
        << place_of(mesh.cells[report.worst_cell], wheel) << "\nlargest pairing mismatch " << report.pairing_mismatch

@@ -90,7 +90,7 @@ class Mesher {
     const double station = wheel_.plan.station(i);
     const int hub = 2 * lattice_.hub_layer();
     const bool in_disc = wheel_.plan.has_disc() && k <= hub;
-    const double span = in_disc ? 0.0 : static_cast<double>(k - hub) / (nodes_across_[2] - 1 - hub);
+    const double span = in_disc ? 0.0 : wheel_.plan.span(k - hub, geometry.fillet_end(station));
     const MeridionalPoint at =
         in_disc ? geometry.disc_point(station, static_cast<double>(k) / hub) : geometry.blade_point(station, span);
     const double middle = geometry.theta(station, span);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 
 #include "mesh/curves/gauss_points.h"
 
@@ -49,21 +50,37 @@ double volume_between(const SectorPlan& plan, int first_station, const Section& 
   return volume;
 }
 
+// In two parts, for the width of a fillet begins like a square root at the hub, and ends with a kink.
+double blade_volume(const Wheel& wheel, BladeKind kind, int first_station) {
+  const WheelGeometry& geometry = *wheel.geometry;
+  std::map<double, double> ends;  // by station: each is asked for at many heights
+  const auto end_at = [&](double station) {
+    const auto [known, is_new] = ends.try_emplace(station, 0.0);
+    if (is_new) known->second = geometry.fillet_end(station);
+    return known->second;
+  };
+  const auto part = [&](const std::function<double(double end, double x)>& span) {
+    const auto at = [&](double station, double x) { return span(end_at(station), x); };
+    return volume_between(
+        wheel.plan, first_station,
+        [&](double station, double x) { return geometry.blade_point(station, at(station, x)); },
+        [&](double station, double x) { return 2.0 * geometry.half_width(kind, station, at(station, x)); });
+  };
+  const double above = part([](double end, double x) { return end + (1.0 - end) * x; });
+  return wheel.plan.elements.fillet == 0 ? above : above + part([](double end, double x) { return end * x * x; });
+}
+
 }  // namespace
 
 double geometry_volume(const Wheel& wheel) {
   const WheelGeometry& geometry = *wheel.geometry;
   const SectorPlan& plan = wheel.plan;
   const Section disc = [&](double station, double height) { return geometry.disc_point(station, height); };
-  const Section blade = [&](double station, double span) { return geometry.blade_point(station, span); };
-  const auto width = [&](BladeKind kind) -> Angle {
-    return [&geometry, kind](double station, double span) { return 2.0 * geometry.half_width(kind, station, span); };
-  };
   double volume = 0.0;
   if (plan.has_disc()) volume += volume_between(plan, 0, disc, [&](double, double) { return plan.pitch(); });
-  if (plan.blades != Blades::none) volume += volume_between(plan, 0, blade, width(BladeKind::main));
+  if (plan.blades != Blades::none) volume += blade_volume(wheel, BladeKind::main, 0);
   if (plan.blades == Blades::main_and_splitter)
-    volume += volume_between(plan, plan.elements.upstream, blade, width(BladeKind::splitter));
+    volume += blade_volume(wheel, BladeKind::splitter, plan.elements.upstream);
   return volume;
 }
 

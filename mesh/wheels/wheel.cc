@@ -7,6 +7,7 @@
 #include "mesh/wheels/blade_file.h"
 #include "mesh/wheels/bladed_disc.h"
 #include "mesh/wheels/impeller.h"
+#include "mesh/wheels/root_fillet.h"
 
 namespace tiprub {
 
@@ -17,12 +18,19 @@ enum class Family { impeller, bladed_disc, blade_file };
 constexpr int fewest_sectors = 3;  // below it a sector and its neighbour on either side are no longer three
 constexpr int most_sectors = 1000;
 
-[[noreturn]] void refuse_width(const CaseTable& table, double span, double station, double width, double room) {
+// The blades are looked at without their fillets first: with one, it is at fault.
+const char* key_of_width(const CaseTable& table, const SectorPlan& plan, double span) {
+  if (plan.elements.fillet > 0) return "fillet_radius";
+  if (table.has("blade_file")) return "blade_file";
+  return span == 0.0 ? "thickness_root" : "thickness_tip";
+}
+
+[[noreturn]] void refuse_width(const CaseTable& table, const char* key, double station, double width, double room) {
   std::ostringstream text;
   text << "makes blades cross: at " << station << " of the meridional length they take " << width
-       << " rad of the circle, and have " << room << " rad; make the blade thinner or its angle smaller";
-  const bool of_file = table.has("blade_file");
-  table.reject(of_file ? "blade_file" : span == 0.0 ? "thickness_root" : "thickness_tip", text.str());
+       << " rad of the circle, and have " << room
+       << " rad; make the blade or its fillet thinner, or its angle smaller";
+  table.reject(key, text.str());
 }
 
 // At the hub the columns of a splitter also exist upstream of it.
@@ -40,10 +48,10 @@ void check_widths_at(const CaseTable& table, const Wheel& wheel, double station,
   const double passage = has_splitter ? 1.0 - plan.splitter_pitch : 1.0;
   const double narrower = has_splitter ? std::min(plan.splitter_pitch, passage) : 1.0;
   if (main + neighbour >= narrower * plan.pitch())
-    refuse_width(table, span, station, main + neighbour, narrower * plan.pitch());
+    refuse_width(table, key_of_width(table, plan, span), station, main + neighbour, narrower * plan.pitch());
   const double to_cut = 0.5 * passage * plan.pitch();
   if (span == 0.0 && std::max(main, neighbour) >= to_cut)
-    refuse_width(table, span, station, std::max(main, neighbour), to_cut);
+    refuse_width(table, key_of_width(table, plan, span), station, std::max(main, neighbour), to_cut);
 }
 
 void check_widths(const CaseTable& table, const Wheel& wheel) {
@@ -68,8 +76,12 @@ Wheel read_wheel(CaseTable& table) {
   } else {
     wheel.geometry = read_wheel_of_blade_file(table, wheel.plan);
   }
+  if (wheel.plan.blades != Blades::none) {
+    check_widths(table, wheel);
+    if (wheel.plan.has_disc()) wheel.geometry = read_root_fillet(table, wheel.plan, std::move(wheel.geometry));
+    check_widths(table, wheel);
+  }
   table.close();
-  if (wheel.plan.blades != Blades::none) check_widths(table, wheel);
   return wheel;
 }
 

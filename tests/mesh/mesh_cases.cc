@@ -25,6 +25,13 @@ std::string with(const std::string& text, const std::string& key, const std::str
   return text.substr(0, start + 1) + key + " = " + value + text.substr(end);
 }
 
+std::string with_keys(const std::string& text, const std::string& keys) {
+  const std::string table = "[mesh]\n";
+  const std::size_t start = text.find(table);
+  EXPECT_NE(start, std::string::npos);
+  return std::string(text).insert(start + table.size(), keys);
+}
+
 std::string annular_plate(int elements_round, const std::string& element) {
   std::ostringstream text;
   text << "[mesh]\nfamily = \"bladed_disc\"\nblade = \"none\"\nblade_count = 6\nbore_radius = 0.1\n"

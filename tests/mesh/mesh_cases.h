@@ -14,6 +14,9 @@ std::string case_text(const std::string& name);
 /// The text with the line "key = ..." replaced; fails the test if there is none.
 std::string with(const std::string& text, const std::string& key, const std::string& value);
 
+/// The text with more keys in [mesh], a line each.
+std::string with_keys(const std::string& text, const std::string& keys);
+
 /// An annular plate 0.1 / 0.2 / 0.001 m, one of six sectors, so many elements round it and half as many in depth.
 std::string annular_plate(int elements_round, const std::string& element = "hex20");
 

@@ -23,6 +23,12 @@ expect_message(bore_too_large KEY bore_radius LINE "bore_radius = 0.04" EXIT_COD
                ERRORS "must be less than inlet_hub_radius")
 expect_message(crossing_thickness KEY thickness_root LINE "thickness_root = [[0.0, 0.02]]" EXIT_CODE 2
                ERRORS "thickness_root makes blades cross: at 0 of the meridional length")
+expect_message(filleted_works KEY splitter_start LINE "splitter_start = 0.45\nfillet_radius = 0.001\ngrading_along_chord = 3.0"
+               ERRORS "2 of them along the fillet" "wrote sector.msh" WRITES sector.msh)
+expect_message(fillet_closes_the_passage KEY splitter_start LINE "splitter_start = 0.45\nfillet_radius = 0.004" EXIT_CODE 2
+               ERRORS "fillet_radius makes blades cross: at")
+expect_message(reversed_grading KEY splitter_start LINE "splitter_start = 0.45\ngrading_along_span = 0.5" EXIT_CODE 2
+               ERRORS "grading_along_span = 0.5 must be at least 1 and at most 100")
 expect_message(odd_passage KEY elements_between_blades LINE "elements_between_blades = 3" EXIT_CODE 2 ERRORS "must be even")
 expect_message(inverted_element KEY back_profile LINE "back_profile = [[0.028, 0.092], [0.09, 0.04], [0.122, 0.0705]]"
                EXIT_CODE 2 ERRORS "inverted element in the disc, at" "look at [mesh] back_profile")

@@ -36,15 +36,25 @@ Eigen::Vector2d tangent(const SectorMesh& mesh, const std::vector<int>& line, co
          meridional(mesh.nodes.col(line[middle + 1])) * ((s - a) + (s - b)) / ((c - a) * (c - b));
 }
 
-/// From the middle of the cells around a node to the node: out of the blade.
-Eigen::Vector2d outward(const SectorMesh& mesh, int node) {
-  Eigen::Vector2d direction = Eigen::Vector2d::Zero();
+/// Whether a normal at a node leads out of the blade: of the nodes of the cells around it, the one that lies best in
+/// line with the normal lies behind. Most of them may lie before it, where the tip bends towards the casing and the
+/// cells are flat.
+bool leads_outward(const SectorMesh& mesh, int node, const Eigen::Vector2d& normal) {
+  constexpr double round_the_axis = 1e-6;  // of the largest distance: that is no way in the meridional plane
+  double best = 0.0;                       // cosine
   for (Eigen::Index cell = 0; cell < mesh.cells.cols(); ++cell) {
     const auto nodes = mesh.cells.col(cell);
     if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) continue;
-    for (const int other : nodes) direction += meridional(mesh.nodes.col(node)) - meridional(mesh.nodes.col(other));
+    Eigen::Matrix2Xd ways(2, nodes.size());
+    for (Eigen::Index k = 0; k < nodes.size(); ++k)
+      ways.col(k) = meridional(mesh.nodes.col(nodes[k])) - meridional(mesh.nodes.col(node));
+    const double largest = ways.colwise().norm().maxCoeff();
+    for (const auto& way : ways.colwise()) {
+      const double cosine = way.norm() > round_the_axis * largest ? way.dot(normal) / way.norm() : 0.0;
+      if (std::abs(cosine) > std::abs(best)) best = cosine;
+    }
   }
-  return direction;
+  return best <= 0.0;
 }
 
 }  // namespace
@@ -123,7 +133,7 @@ ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& con
     const Eigen::Vector3d position = mesh.nodes.col(contact[k]);
     const Eigen::Vector2d along = tangent(mesh, mesh.contact_line, lengths, at).normalized();
     Eigen::Vector2d normal(along.y(), -along.x());
-    if (normal.dot(outward(mesh, contact[k])) < 0) normal = -normal;
+    if (!leads_outward(mesh, contact[k], normal)) normal = -normal;
     line.position.row(k) << position.head<2>().norm(), std::atan2(position.y(), position.x()), position.z();
     line.normal.row(k) << normal.x(), 0.0, normal.y();
     line.arc_length[k] = lengths[at];

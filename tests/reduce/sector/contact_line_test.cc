@@ -15,11 +15,11 @@ namespace {
 /// A blade whose tip runs along a quarter circle from axial to radial, as an impeller's under its shroud: the circle
 /// stands at radius 0.12, the blade reaches from its distance 0.08 down to the tip at 0.05. Steps along the chord
 /// grow and the blade wraps, which no normal may notice.
-SectorMesh quarter_circle_blade(int bricks_along_chord) {
+SectorMesh quarter_circle_blade(int bricks_along_chord, double height = 0.03) {
   const test::BrickGrid grid({2, 1, bricks_along_chord}, 20, test::Around::open);
-  SectorMesh mesh = grid.place([](const Eigen::Vector3d& at) -> Eigen::Vector3d {
+  SectorMesh mesh = grid.place([height](const Eigen::Vector3d& at) -> Eigen::Vector3d {
     const double phi = std::numbers::pi / 2 * (0.7 * at[2] + 0.3 * at[2] * at[2]);
-    const double distance = 0.08 - 0.03 * at[0], theta = 0.02 * at[1] + 0.5 * at[2];
+    const double distance = 0.05 + height * (1.0 - at[0]), theta = 0.02 * at[1] + 0.5 * at[2];
     const double r = 0.12 - distance * std::cos(phi);
     return {r * std::cos(theta), r * std::sin(theta), distance * std::sin(phi)};
   });
@@ -50,6 +50,17 @@ TEST(ContactLine, NormalsOfAQuarterCircleConvergeToIt) {
   const double coarse = normal_error(8), fine = normal_error(16);
   EXPECT_LT(fine, 1e-3);
   EXPECT_GT(std::log2(coarse / fine), 1.8);
+}
+
+TEST(ContactLine, NormalsLeaveABladeOfFlatBricksToo) {
+  // With fine layers at the tip some normals pointed into the blade: along a tip that bends towards the casing the
+  // neighbours lie on the casing's side, by more than such a brick is high.
+  const SectorMesh mesh = quarter_circle_blade(4, 0.002);
+  const ContactLine line = describe_contact(mesh, mesh.contact_line);
+  for (Eigen::Index k = 0; k < line.size(); ++k) {
+    const double phi = polar_angle(line, k);
+    EXPECT_GT(line.normal.row(k).dot(Eigen::RowVector3d(std::cos(phi), 0.0, -std::sin(phi))), 0.9) << k;
+  }
 }
 
 TEST(ContactLine, NormalsAreOfUnitLengthAndStayInTheMeridionalPlane) {

@@ -9,7 +9,7 @@ PROGRAMS = {"mesh": "mesh", "reduce": "reduce", "casing": "simulate", "simulate"
 # Key: a number out of its range.
 NUMBERS = {
     "mesh": {"bore_radius": "0", "rim_radius": "-1", "axial_length": "0", "tip_radius": "-0.1", "stagger_root_deg": "90",
-             "stagger_tip_deg": "-90"},
+             "stagger_tip_deg": "-90", "grading_along_chord": "0.5", "grading_along_span": "101", "fillet_radius": "-0.001"},
     "reduce": {"young_modulus": "0", "poisson_ratio": "0.5", "density": "-1", "speed_max_rpm": "0", "frequency_tolerance": "0",
                "polynomial_tolerance": "-1", "verification_tolerance": "2", "cyclic_tolerance": "1"},
     "casing": {"amplitude": "-1", "ramp_revolutions": "0"},

@@ -98,6 +98,17 @@ TEST(RootFillet, StandsOnMainBladeAndSplitterOfAllFamilies) {
   }
 }
 
+TEST(RootFillet, StandsOnBladesOfAFile) {
+  const std::string text =
+      test::with(test::case_text("rotor37"), "blade_file", "\"" TIPRUB_CASES "/rotor37/blade.txt\"");
+  const double bare = geometry_volume(wheel_from(text));
+  const Wheel wheel = wheel_from(with_keys(text, "fillet_radius = 0.001\n"));
+  EXPECT_GT(measure_sector(mesh_sector(wheel), wheel).worst_scaled_jacobian, 0.05);
+  // Two corners along the hub's section, which is 56 mm long.
+  const double corners = (geometry_volume(wheel) - bare) / (2.0 * corner / 9.0);
+  EXPECT_NEAR(corners, 0.056, 0.001);
+}
+
 TEST(RootFillet, RefusesWhatDoesNotFit) {
   const auto message = [](const std::string& keys) { return complaint(straight_blades(0.0, keys)); };
   const auto expect = [&](const std::string& keys, const std::string& phrase) {

@@ -20,7 +20,7 @@ from convergence import Bench, sector_dofs
 KEYS = ["elements_along_chord", "elements_along_bore", "elements_along_span", "elements_through_blade",
         "elements_through_splitter", "elements_through_disc", "elements_between_blades"]
 MESHES = {"8": (8, 3, 4, 2, 2, 2, 2), "12": (12, 5, 6, 3, 2, 3, 2), "16": (16, 6, 8, 4, 2, 4, 2), "24": (24, 10, 12, 6, 3, 5, 4),
-          "32": (32, 13, 16, 8, 3, 6, 4)}  # by elements along the chord
+          "32": (32, 13, 16, 8, 3, 6, 4), "40": (40, 16, 20, 10, 4, 8, 4)}  # by elements along the chord
 ENGINE_ORDERS = [8, 6]
 WINDOW = 0.97, 1.13  # of the linear crossing: contact stiffens the blade
 EDGES = {"leading": 0, "trailing": -1}

@@ -36,17 +36,21 @@ struct EnergyLedger {
   double closing_error = 0;  ///< [1] (work - dissipated - change) over the largest of the three
 };
 
-/// What became of the jump to the settled motion, if one was asked for.
-struct AccelerationReport {
+/// How the settled motion was found, if it was looked for as an orbit.
+struct OrbitReport {
   enum class Outcome {
-    none,       ///< not asked for, or not possible
-    settled,    ///< it led to a motion that marching on confirmed
-    fell_back,  ///< it didn't; the march went on from before it
+    none,     ///< not asked for, or not possible
+    found,    ///< by Newton's method: stable, and confirmed by marching
+    marched,  ///< Newton's method found nothing, or what repels: the march went on from before it
   };
 
   Outcome outcome = Outcome::none;
-  double revolutions = 0;  ///< marched by the map, and by a confirmation that failed; whole ones
-  double residual = 0;     ///< [1] relative change of the state by the map, at the best
+  double revolutions = 0;  ///< that all maps come to, the linearised ones too
+  double residual = 0;     ///< [1] change of the state by the map, of its size
+  /// [1] of the largest Floquet multiplier, per revolution: its magnitude, and how exactly that is known; 0: not
+  /// known
+  double multiplier = 0, multiplier_uncertainty = 0;
+  double multiplier_angle = 0;  ///< [rad] 0 .. pi, of a map: pi for a flip
 };
 
 /// Whether the nodal diameters left out for symmetry would have stayed at rest.
@@ -70,7 +74,7 @@ struct SpeedAudit {
   SymmetryVerdict symmetry = SymmetryVerdict::all_held;
   /// [1] relative difference to the same speed from rest, for a sweep that carries its state along
   std::optional<double> rest_difference;
-  AccelerationReport acceleration;
+  OrbitReport orbit;
   double left_out_energy = 0;       ///< [1] elastic energy of the modes without mass or dropped, of all of it
   double compliance_condition = 0;  ///< [1] condition number of W
   std::int64_t leftover_steps = 0;  ///< recorded steps that leave a node clearly in the casing

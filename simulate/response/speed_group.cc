@@ -49,10 +49,10 @@ constexpr std::array<std::pair<SymmetryVerdict, const char*>, 5> symmetry_names 
     {SymmetryVerdict::undecided, "undecided"},
 }};
 
-constexpr std::array<std::pair<AccelerationReport::Outcome, const char*>, 3> outcome_names = {{
-    {AccelerationReport::Outcome::none, "none"},
-    {AccelerationReport::Outcome::settled, "settled"},
-    {AccelerationReport::Outcome::fell_back, "fell back"},
+constexpr std::array<std::pair<OrbitReport::Outcome, const char*>, 3> outcome_names = {{
+    {OrbitReport::Outcome::none, "none"},
+    {OrbitReport::Outcome::found, "found"},
+    {OrbitReport::Outcome::marched, "marched"},
 }};
 
 constexpr std::array<std::pair<Depth, const char*>, 3> depth_names = {{
@@ -160,19 +160,24 @@ void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse&
 }
 
 /// Only where it was asked for; older files have none.
-void write_acceleration(Hdf5File& file, const std::string& group, const AccelerationReport& acceleration) {
-  if (acceleration.outcome == AccelerationReport::Outcome::none) return;
-  file.set_attribute(group, "acceleration", std::string(name_of(outcome_names, acceleration.outcome)));
-  file.set_attribute(group, "acceleration_revolutions", acceleration.revolutions);
-  file.set_attribute(group, "acceleration_residual", acceleration.residual);
+void write_orbit(Hdf5File& file, const std::string& group, const OrbitReport& orbit) {
+  if (orbit.outcome == OrbitReport::Outcome::none) return;
+  file.set_attribute(group, "orbit", std::string(name_of(outcome_names, orbit.outcome)));
+  file.set_attribute(group, "orbit_revolutions", orbit.revolutions);
+  file.set_attribute(group, "orbit_residual", orbit.residual);
+  file.set_attribute(group, "multiplier", orbit.multiplier);
+  file.set_attribute(group, "multiplier_uncertainty", orbit.multiplier_uncertainty);
+  file.set_attribute(group, "multiplier_angle", orbit.multiplier_angle);
 }
 
-AccelerationReport read_acceleration(const Hdf5File& file, const std::string& group) {
-  if (!file.has_attribute(group, "acceleration")) return {};
-  return {value_named(outcome_names, file.text_attribute(group, "acceleration"),
-                      file.path() + ": " + group + ": acceleration"),
-          file.number_attribute(group, "acceleration_revolutions"),
-          file.number_attribute(group, "acceleration_residual")};
+OrbitReport read_orbit(const Hdf5File& file, const std::string& group) {
+  if (!file.has_attribute(group, "orbit")) return {};
+  return {value_named(outcome_names, file.text_attribute(group, "orbit"), file.path() + ": " + group + ": orbit"),
+          bounded(file, group, "orbit_revolutions", not_negative),
+          bounded(file, group, "orbit_residual", not_negative),
+          bounded(file, group, "multiplier", not_negative),
+          bounded(file, group, "multiplier_uncertainty", not_negative),
+          bounded(file, group, "multiplier_angle", not_negative)};
 }
 
 std::string start_at(const std::string& group, std::size_t place) {
@@ -229,7 +234,7 @@ const char* name_of(MotionClass motion) {
 
 bool is_finite(const SpeedResponse& speed) {
   bool finite = speed.displacement.allFinite() && speed.contact_force.allFinite() && speed.clearance.allFinite() &&
-                std::isfinite(speed.audit.acceleration.residual);
+                std::isfinite(speed.audit.orbit.residual) && std::isfinite(speed.audit.orbit.multiplier);
   visit_numbers(speed, [&](const char*, const auto& value, Bounds) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
       finite = finite && std::isfinite(value.value_or(0));
@@ -256,7 +261,7 @@ void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResp
   write_numbers(file, group, speed);
   for (std::size_t i = 0; i < speed.other_starts.size(); ++i)
     write_other_start(file, start_at(group, i), speed.other_starts[i]);
-  write_acceleration(file, group, speed.audit.acceleration);
+  write_orbit(file, group, speed.audit.orbit);
   if (!speed.failure.empty()) return;
   const auto sectors = static_cast<std::size_t>(scene.independent_sectors);
   const auto nodes = static_cast<std::size_t>(scene.clearance.size());
@@ -284,7 +289,7 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   read_numbers(file, group, speed);
   while (file.exists(start_at(group, speed.other_starts.size())))
     speed.other_starts.push_back(read_other_start(file, start_at(group, speed.other_starts.size())));
-  speed.audit.acceleration = read_acceleration(file, group);
+  speed.audit.orbit = read_orbit(file, group);
   if (!speed.failure.empty()) return speed;
   const Eigen::Index samples = static_cast<Eigen::Index>(speed.samples_per_revolution) * speed.recorded_revolutions;
   axes.set(samples_axis, static_cast<std::size_t>(samples), "samples_per_revolution x recorded_revolutions");

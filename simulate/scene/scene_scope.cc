@@ -54,11 +54,11 @@ void explain(SceneScope& scope, int sector_count, int lobes, int grid, const Sim
           : "steps a revolution: at least " + short_text(parameters.steps_per_period) +
                 " a period of the lowest frequency, halved until that changes the motion by less than " +
                 short_text(parameters.step_tolerance) + multiple + "; by speed");
-  if (parameters.acceleration == Acceleration::anderson)
-    scope.reasons.push_back("settling: by a jump to the fixed point of 1/" + std::to_string(grid) +
+  if (parameters.steady_state == SteadyStateMethod::orbit)
+    scope.reasons.push_back("settled motions: by Newton's method for a fixed point of 1/" + std::to_string(grid) +
                             " of a revolution and a shift of " + std::to_string(sector_shift(sector_count, lobes)) +
-                            " sectors, which a motion that travels with the casing repeats; marching on must confirm "
-                            "it, else by marching" +
+                            " sectors, which a motion that travels with the casing repeats; where there is none that "
+                            "attracts, by marching" +
                             (scope.symmetry == std::gcd(sector_count, lobes)
                                  ? ""
                                  : "; not used, because all nodal diameters are asked for"));

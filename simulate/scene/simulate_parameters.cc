@@ -60,8 +60,9 @@ void read_revolutions(CaseTable& table, SimulateParameters& parameters) {
     table.reject("max_revolutions", "must be above recorded_revolutions, which it includes");
   parameters.settle_tolerance =
       table.number("settle_tolerance", 1e-4, {0.0, 1.0, Range::LowEnd::excluded}, "of the motion's norm");
-  parameters.acceleration = table.choice<Acceleration>(
-      "acceleration", Acceleration::none, {{"none", Acceleration::none}, {"anderson", Acceleration::anderson}});
+  parameters.steady_state =
+      table.choice<SteadyStateMethod>("steady_state", SteadyStateMethod::march,
+                                      {{"march", SteadyStateMethod::march}, {"orbit", SteadyStateMethod::orbit}});
 }
 
 void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
@@ -82,14 +83,14 @@ void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
                                 {{"critical_speeds", Examination::critical_speeds}, {"none", Examination::none}});
 }
 
-/// The jump knows the modes at two instants, and nothing that a law of contact remembers beside them.
+/// An orbit is known by its modes at two instants, and by nothing that a law of contact remembers beside them.
 void require_law_without_memory(CaseTable& table, const SimulateParameters& parameters) {
   const bool has_memory = parameters.scheme == Scheme::moreau_jean || parameters.scheme == Scheme::penalty ||
                           parameters.contact == ContactRule::paper;
-  if (parameters.acceleration == Acceleration::none || !has_memory) return;
-  table.reject("acceleration",
-               "= \"anderson\" holds only with contact = \"complementarity\" and neither scheme = \"moreau_jean\" "
-               "nor \"penalty\"; set another scheme, or acceleration = \"none\"");
+  if (parameters.steady_state == SteadyStateMethod::march || !has_memory) return;
+  table.reject("steady_state",
+               "= \"orbit\" holds only with contact = \"complementarity\" and neither scheme = \"moreau_jean\" "
+               "nor \"penalty\"; set another scheme, or steady_state = \"march\"");
 }
 
 void read_scheme(CaseTable& table, SimulateParameters& parameters) {

@@ -37,9 +37,10 @@ enum class Examination {
 };
 
 /// How a speed comes to its settled motion.
-enum class Acceleration {
-  none,      ///< by marching
-  anderson,  ///< by a jump to the fixed point of the symmetric map, confirmed by marching; by marching if that fails
+enum class SteadyStateMethod {
+  march,  ///< by marching until it has settled
+  orbit,  ///< by Newton's method for a fixed point of the symmetric map, from a short march; by marching if that
+          ///< fails
 };
 
 /// What is done about speeds whose symmetric motion is unstable.
@@ -75,7 +76,7 @@ struct SimulateParameters {
   int recorded_revolutions = 0;
   int min_revolutions = 0;
   int max_revolutions = 0;
-  Acceleration acceleration = Acceleration::none;
+  SteadyStateMethod steady_state = SteadyStateMethod::march;
   double settle_tolerance = 0;  ///< [1] estimated distance from the settled motion, of its norm
   int casing_areas = 0;
   int symmetry_check_revolutions = 0;  ///< after settling, with a small disturbance of what symmetry left out

@@ -44,7 +44,7 @@ SpeedResponse settled_from(const Scene& scene, const RotorAtSpeed& rotor, const 
                            const SpeedResponse& response) {
   SpeedResponse found;
   found.speed = response.speed;
-  settle(scene, rotor, start, {response.steps_per_revolution, {scene.parameters.min_revolutions}}, found);
+  settle(scene, rotor, start, {response.steps_per_revolution, scene.parameters.min_revolutions}, found);
   return found;
 }
 
@@ -74,7 +74,7 @@ void check_halved_step(const Scene& scene, const RotorAtSpeed& rotor, const Roto
   SpeedResponse halved;
   halved.speed = response.speed;
   try {
-    settle(scene, rotor, end, {2 * response.steps_per_revolution, {scene.parameters.min_revolutions}}, halved);
+    settle(scene, rotor, end, {2 * response.steps_per_revolution, scene.parameters.min_revolutions}, halved);
     const ResponseDifference found = difference(response, halved, scene.casing.lobes);
     response.audit.halving_difference = found.value;
     response.audit.halving_measure = found.measure;

@@ -7,13 +7,16 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "cases/program/errors.h"
 #include "simulate/march/carried_state.h"
 #include "simulate/march/integrators/penalty.h"
 #include "simulate/orbits/recording.h"
+#include "simulate/orbits/settling.h"
 #include "simulate/orbits/speed_audit.h"
 
 namespace tiprub {
@@ -93,8 +96,7 @@ void seed_excluded_diameters(const Scene& scene, const RotorAtSpeed& rotor, Time
 void report(const Settling& settling, SpeedResponse& response) {
   const SettlingState state = settling.state();
   const MotionReading reading = settling.reading();
-  response.audit.acceleration = settling.acceleration();
-  response.revolutions += settling.revolutions() + static_cast<int>(settling.acceleration().revolutions);
+  response.revolutions += settling.revolutions();
   response.motion = reading.motion;
   response.period_beats = reading.period_beats;
   response.off_beat_energy = reading.off_beat_energy;
@@ -110,23 +112,45 @@ int revolutions_to_record(const SimulateParameters& parameters, const SettlingSt
                  : parameters.recorded_revolutions;
 }
 
+/// Marches until the motion has settled or the allowed revolutions are spent, or jumps.
+void come_to_rest(OrbitSearch* search, int last_start, TimeMarch& march, Settling& settling) {
+  while (settling.revolutions() < last_start && !settling.settled()) {
+    if (search && search->is_due(march) && search->jump(march))
+      settling.stand_on_orbit(search->report().multiplier);
+    else
+      settling.advance();
+  }
+}
+
+/// Whether the revolutions just recorded bear out an orbit, if the march was put on one.
+bool is_confirmed(const Scene& scene, OrbitSearch* search, TimeMarch& march, Settling& settling) {
+  if (!settling.stands_on_orbit()) return true;
+  const double drift = search->drift(march);
+  settling.confirm_orbit(drift);
+  if (drift <= scene.parameters.settle_tolerance) return true;
+  search->give_up();
+  settling.leave_orbit();
+  return false;
+}
+
 /// Marches until the motion has settled or the allowed revolutions are spent, then records. A motion that is no
 /// longer settled, or of another period, at the end of its recording is given more time.
 void march_and_record(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march, const MarchPlan& plan,
                       SpeedResponse& response) {
   const SimulateParameters& parameters = scene.parameters;
   const int last_start = parameters.max_revolutions - parameters.recorded_revolutions;
-  Settling settling(scene, march, plan.settling);
+  Settling settling(scene, march, plan.min_revolutions);
   Recording::Grid grid{scene.scope.samples_per_revolution, 0, parameters.casing_areas,
                        leftover_gap * length_scale(scene), static_cast<double>(settling.highest_order())};
   while (true) {
-    while (settling.revolutions() < last_start && !settling.settled()) settling.advance();
+    come_to_rest(plan.search, last_start, march, settling);
     grid.revolutions =
         settling.settled() ? revolutions_to_record(parameters, settling.state()) : parameters.recorded_revolutions;
     if (plan.cycle == CycleChoice::kept)
       grid.cycle_revolutions = settling.settled() ? grid.revolutions : longest_cycle;
     Recording recording(march, rotor, scene.model.contact, grid);
     for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution(march));
+    if (!is_confirmed(scene, plan.search, march, settling)) continue;
     const bool same = settling.settled() && revolutions_to_record(parameters, settling.state()) <= grid.revolutions;
     if (!same && settling.revolutions() <= last_start) continue;
     recording.finish(march, response);
@@ -155,15 +179,15 @@ MarchSetup setup_of(const Scene& scene, const RotorAtSpeed& rotor, const MarchPl
 
 /// The motion of a state with half the step, and how far the two are apart.
 std::unique_ptr<TimeMarch> halve(const Scene& scene, const RotorAtSpeed& rotor, const TimeMarch& march,
-                                 CycleChoice cycle, SpeedResponse& response) {
+                                 const MarchPlan& coarse, SpeedResponse& response) {
   SpeedResponse finer;
   finer.speed = response.speed;
   finer.revolutions = response.revolutions;
-  const MarchPlan plan{
-      2 * response.steps_per_revolution, {std::min(min_revolutions_again, scene.parameters.min_revolutions)}, cycle};
+  const MarchPlan plan{2 * response.steps_per_revolution,
+                       std::min(min_revolutions_again, scene.parameters.min_revolutions), coarse.cycle,
+                       coarse.search};
   std::unique_ptr<TimeMarch> finer_march = settle(scene, rotor, state_of(march, rotor, scene.model), plan, finer);
   const ResponseDifference found = difference(finer, response, scene.casing.lobes);
-  finer.audit.acceleration = response.audit.acceleration;
   finer.audit.halving_difference = found.value;
   finer.audit.halving_measure = found.measure;
   response = std::move(finer);
@@ -191,6 +215,33 @@ bool is_useless(const std::vector<double>& differences) {
   const std::size_t count = differences.size();
   return count > 2 && differences[count - 1] > useless_halving * differences[count - 2] &&
          differences[count - 2] > useless_halving * differences[count - 3];
+}
+
+std::optional<OrbitSearch> search_of(const Scene& scene, const RotorAtSpeed& rotor) {
+  std::optional<OrbitSearch> search;
+  if (scene.parameters.steady_state == SteadyStateMethod::orbit && has_symmetric_map(scene))
+    search.emplace(scene, rotor);
+  return search;
+}
+
+void report(const OrbitSearch& search, SpeedAudit& audit) {
+  audit.orbit = search.report();
+  if (audit.orbit.outcome != OrbitReport::Outcome::found || !search.excluded()) return;
+  audit.excluded_growth = search.excluded()->factor;
+  audit.excluded_growth_uncertainty = search.excluded()->uncertainty;
+  audit.symmetry = judge(*search.excluded());
+}
+
+/// Halves the step until the tolerance is met.
+std::unique_ptr<TimeMarch> refine(const Scene& scene, const RotorAtSpeed& rotor, const MarchPlan& plan,
+                                  std::unique_ptr<TimeMarch> march, SpeedResponse& response) {
+  std::vector<double> found;
+  while (found.size() < most_halvings && can_halve(*march, rotor, scene.parameters.step_tolerance)) {
+    march = halve(scene, rotor, *march, plan, response);
+    found.push_back(*response.audit.halving_difference);
+    if (!response.settled() || is_small(found, scene.parameters.step_tolerance) || is_useless(found)) break;
+  }
+  return march;
 }
 
 }  // namespace
@@ -224,17 +275,12 @@ std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const Rot
                                                    const RotorState& start, CycleChoice cycle,
                                                    SpeedResponse& response) {
   const SimulateParameters& parameters = scene.parameters;
+  std::optional<OrbitSearch> search = search_of(scene, rotor);
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
-                       {parameters.min_revolutions, parameters.acceleration},
-                       cycle};
+                       parameters.min_revolutions, cycle, search ? &*search : nullptr};
   std::unique_ptr<TimeMarch> march = settle(scene, rotor, start, plan, response);
-  if (parameters.steps_per_revolution > 0) return march;
-  std::vector<double> found;
-  while (found.size() < most_halvings && can_halve(*march, rotor, parameters.step_tolerance)) {
-    march = halve(scene, rotor, *march, cycle, response);
-    found.push_back(*response.audit.halving_difference);
-    if (!response.settled() || is_small(found, parameters.step_tolerance) || is_useless(found)) break;
-  }
+  if (parameters.steps_per_revolution == 0) march = refine(scene, rotor, plan, std::move(march), response);
+  if (search) report(*search, response.audit);
   return march;
 }
 
@@ -243,8 +289,10 @@ std::unique_ptr<TimeMarch> settle_roughly(const Scene& scene, const RotorAtSpeed
   parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
   parameters.settle_tolerance = std::max(parameters.settle_tolerance, coarse_settling);
   const Scene coarse{scene.model, scene.casing, parameters, scene.scope};
+  std::optional<OrbitSearch> search = search_of(coarse, rotor);
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
-                       {std::min(min_revolutions_again, parameters.min_revolutions)}};
+                       std::min(min_revolutions_again, parameters.min_revolutions), CycleChoice::left,
+                       search ? &*search : nullptr};
   return settle(coarse, rotor, {}, plan, response);
 }
 

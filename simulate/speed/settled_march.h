@@ -5,7 +5,7 @@
 
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
-#include "simulate/orbits/settling.h"
+#include "simulate/periodic/orbit_search.h"
 #include "simulate/response/response.h"
 #include "simulate/response/rotor_state.h"
 #include "simulate/scene/scene.h"
@@ -19,8 +19,9 @@ enum class CycleChoice { left, kept };
 /// How one march of a speed is to be done.
 struct MarchPlan {
   int steps_per_revolution = 0;
-  SettlingPlan settling;
+  int min_revolutions = 0;  ///< before settling is judged
   CycleChoice cycle = CycleChoice::left;
+  OrbitSearch* search = nullptr;  ///< jumps to the settled motion, if it may
 };
 
 /// The rotor of a scene at a speed [rad/s]. Raises RunError if it is unstable there.

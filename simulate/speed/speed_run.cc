@@ -19,7 +19,7 @@ constexpr const char* not_finite =
 
 void check_symmetry(const Scene& scene, const TimeMarch& march, const RotorAtSpeed& rotor, SpeedResponse& response) {
   SpeedAudit& audit = response.audit;
-  if (rotor.others.empty()) return;
+  if (rotor.others.empty() || audit.excluded_growth) return;
   audit.symmetry = SymmetryVerdict::unchecked;
   if (scene.parameters.symmetry_check_revolutions == 0 || response.displacement.isZero(0)) return;
   try {
@@ -36,7 +36,7 @@ void compare_with_start_at_rest(const Scene& scene, const RotorAtSpeed& rotor, S
   SpeedResponse from_rest;
   from_rest.speed = response.speed;
   try {
-    settle(scene, rotor, {}, {response.steps_per_revolution, {scene.parameters.min_revolutions}}, from_rest);
+    settle(scene, rotor, {}, {response.steps_per_revolution, scene.parameters.min_revolutions}, from_rest);
     response.audit.rest_difference = difference(response, from_rest, scene.casing.lobes).value;
   } catch (const RunError&) {  // nothing to compare with
   }

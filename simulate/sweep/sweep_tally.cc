@@ -16,10 +16,12 @@ constexpr double tolerated_tension = 1e-2;  // of the contact force
 
 std::string audit_text(const SpeedAudit& audit) {
   std::ostringstream text;
-  const AccelerationReport& jump = audit.acceleration;
-  if (jump.outcome != AccelerationReport::Outcome::none)
-    text << ", acceleration " << (jump.outcome == AccelerationReport::Outcome::settled ? "settled it" : "fell back")
-         << " after " << jump.revolutions << " revolutions (residual " << jump.residual << ")";
+  const OrbitReport& orbit = audit.orbit;
+  if (orbit.outcome == OrbitReport::Outcome::found)
+    text << ", an orbit (residual " << orbit.residual << ", " << orbit.revolutions << " revolutions of maps), ";
+  if (orbit.outcome == OrbitReport::Outcome::marched)
+    text << ", no orbit after " << orbit.revolutions << " revolutions of maps, ";
+  if (orbit.outcome != OrbitReport::Outcome::none) text << "multiplier " << orbit.multiplier << " a revolution";
   if (audit.halving_difference)
     text << ", the last halving of the step changed the " << audit.halving_measure << " by "
          << *audit.halving_difference;
@@ -90,7 +92,7 @@ void SweepTally::add(const SpeedResponse& response) {
   if (response.tension_steps > 0) ++pulling;
   if (response.audit.leftover_steps > 0) ++penetrating;
   if (response.audit.symmetry == SymmetryVerdict::breaking) breaking.push_back(response.speed);
-  if (response.audit.acceleration.outcome == AccelerationReport::Outcome::fell_back) ++fallen_back;
+  if (response.audit.orbit.outcome == OrbitReport::Outcome::marched) ++marched;
   if (response.audit.rest_difference.value_or(0) > same_motion) ++apart_from_rest;
   if (response.audit.halving_difference) ++halved;
   largest_halving = std::max(largest_halving, response.audit.halving_difference.value_or(0));
@@ -101,7 +103,7 @@ std::string SweepTally::text() const {
   std::ostringstream out;
   for (const auto& [motion, count] : motions) out << count << " " << name_of(motion) << ", ";
   out << failed << " failed";
-  if (fallen_back > 0) out << "; the acceleration fell back at " << fallen_back;
+  if (marched > 0) out << "; marched, for want of a stable orbit, at " << marched;
   if (halved > 0)
     out << "; the last halving of the step, at " << halved << " of them, changed at most " << largest_halving;
   return out.str();

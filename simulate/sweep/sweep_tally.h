@@ -22,7 +22,7 @@ struct SweepTally {
   std::size_t penetrating = 0;      ///< speeds with steps that leave a node in the casing
   std::vector<double> breaking;     ///< [rad/s] speeds at which a nodal diameter left out grows
   std::size_t apart_from_rest = 0;  ///< speeds whose motion is another one from rest
-  std::size_t fallen_back = 0;      ///< speeds that no jump brought to their settled motion
+  int marched = 0;                  ///< speeds at which no stable orbit was found, though one was looked for
   std::size_t halved = 0;           ///< speeds computed with half the step as well
   double largest_halving = 0;       ///< [1] the largest difference there
   double tension_share = 0;         ///< [1] the largest share of tensile contact force

@@ -54,9 +54,9 @@ expect_message(too_little_memory OLD "max_revolutions = 70"
 
 expect_message(papers_rule_with_the_wrong_scheme OLD "damping_ratio" NEW "contact = \"paper\"\ndamping_ratio" EXIT_CODE 2
                ERRORS "case.toml:11:11: [simulate] contact = \"paper\" holds only with scheme = \"central_differences\"")
-expect_message(jump_with_a_law_that_remembers OLD "damping_ratio"
-               NEW "acceleration = \"anderson\"\nscheme = \"penalty\"\ndamping_ratio" EXIT_CODE 2
-               ERRORS "[simulate] acceleration = \"anderson\" holds only with contact = \"complementarity\" and neither")
+expect_message(orbit_with_a_law_that_remembers OLD "damping_ratio"
+               NEW "steady_state = \"orbit\"\nscheme = \"penalty\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "[simulate] steady_state = \"orbit\" holds only with contact = \"complementarity\" and neither")
 expect_message(unknown_scheme OLD "damping_ratio" NEW "scheme = \"newmark\"\ndamping_ratio" EXIT_CODE 2
                ERRORS "scheme = \"newmark\" must be one of: trigonometric, central_differences, residual_flexibility, \
 moreau_jean, penalty")
@@ -105,5 +105,5 @@ expect_message(check ${check} ERRORS "at least 200 a period of the lowest freque
 # Four times the tolerance: half the steps.
 expect_message(check_of_coarser_steps ${check} OLD "damping_ratio" NEW "step_tolerance = 2e-2\ndamping_ratio"
                ERRORS "at least 100 a period")
-expect_message(check_of_a_jump ${check} OLD "damping_ratio" NEW "acceleration = \"anderson\"\ndamping_ratio"
-               ERRORS "settling: by a jump to the fixed point of 1/6 of a revolution and a shift of 1 sectors")
+expect_message(check_of_an_orbit ${check} OLD "damping_ratio" NEW "steady_state = \"orbit\"\ndamping_ratio"
+               ERRORS "settled motions: by Newton's method for a fixed point of 1/6 of a revolution and a shift of 1 sectors")

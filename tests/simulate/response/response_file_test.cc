@@ -32,7 +32,7 @@ SpeedResponse settled_speed() {
   speed.contact_steps = 123456789012;
   speed.snapshot = RotorSnapshot{5, 12.5, {Eigen::VectorXcd::Random(4), Eigen::VectorXcd::Random(7)}};
   speed.cycle = RotorCycle{4, {Eigen::MatrixXcd::Random(4, 4), Eigen::MatrixXcd::Random(7, 4)}};
-  speed.audit.acceleration = {AccelerationReport::Outcome::fell_back, 25, 1e-3};
+  speed.audit.orbit = {OrbitReport::Outcome::marched, 25, 1e-3, 1.1, 0.01, 2};
   return speed;
 }
 
@@ -135,9 +135,12 @@ TEST_F(ResponseFile, GivesBackASpeed) {
   ASSERT_TRUE(speed.cycle.has_value());
   EXPECT_EQ(speed.cycle->first_sample, 4);
   EXPECT_EQ(speed.cycle->displacement, given.cycle->displacement);
-  EXPECT_EQ(speed.audit.acceleration.outcome, AccelerationReport::Outcome::fell_back);
-  EXPECT_EQ(speed.audit.acceleration.revolutions, 25);
-  EXPECT_EQ(speed.audit.acceleration.residual, 1e-3);
+  EXPECT_EQ(speed.audit.orbit.outcome, OrbitReport::Outcome::marched);
+  EXPECT_EQ(speed.audit.orbit.revolutions, 25);
+  EXPECT_EQ(speed.audit.orbit.residual, 1e-3);
+  EXPECT_EQ(speed.audit.orbit.multiplier, 1.1);
+  EXPECT_EQ(speed.audit.orbit.multiplier_uncertainty, 0.01);
+  EXPECT_EQ(speed.audit.orbit.multiplier_angle, 2);
 }
 
 TEST_F(ResponseFile, GivesBackWhyASpeedFailed) {
@@ -146,7 +149,7 @@ TEST_F(ResponseFile, GivesBackWhyASpeedFailed) {
   EXPECT_EQ(back.speeds[1].failure, "why");
   EXPECT_FALSE(back.speeds[1].snapshot.has_value());
   EXPECT_FALSE(back.speeds[1].cycle.has_value());
-  EXPECT_EQ(back.speeds[1].audit.acceleration.outcome, AccelerationReport::Outcome::none);
+  EXPECT_EQ(back.speeds[1].audit.orbit.outcome, OrbitReport::Outcome::none);
 }
 
 TEST_F(ResponseFile, SaysWhatToDoWithAnOlderOne) {

@@ -71,7 +71,7 @@ TEST(RunKey, ComesFromTheCaseAsItIsRead) {
   EXPECT_EQ(key_of(read(casing, range + "when_symmetry_breaks = \"full_run\"\n")), key);
   for (const char* change : {"damping_ratio = 6e-3\n", "step_tolerance = 1e-3\n", "scheme = \"moreau_jean\"\n",
                              "contact = \"paper\"\nscheme = \"central_differences\"\n", "modes = 12\n",
-                             "nodal_diameters = \"all\"\n", "acceleration = \"anderson\"\n"})
+                             "nodal_diameters = \"all\"\n", "steady_state = \"orbit\"\n"})
     EXPECT_NE(key_of(read(casing, range + change)), key) << change;
   for (const char* change : {"lobes = 3\n", "crest_angle_deg = 1\n", "clearance_state = \"cold\"\n",
                              "ramp_revolutions = 2\n", "shape = \"bumps\"\n"})

@@ -36,13 +36,14 @@ TEST(SweepTally, IsSilentWhereNothingIsWrong) {
   EXPECT_EQ(tally.text(), "1 periodic, 0 failed");
 }
 
-TEST(SweepTally, CountsJumpsThatFellBack) {
+TEST(SweepTally, CountsSpeedsWithoutAStableOrbit) {
   SpeedResponse at = held(9000);
-  at.audit.acceleration = {AccelerationReport::Outcome::fell_back, 25, 1e-2};
+  at.audit.orbit = {OrbitReport::Outcome::marched, 25, 1e-2, 1.2};
   SweepTally tally;
   tally.add(at);
-  EXPECT_NE(tally.text().find("the acceleration fell back at 1"), std::string::npos);
-  EXPECT_NE(speed_line(at).find("acceleration fell back after 25 revolutions"), std::string::npos);
+  EXPECT_NE(tally.text().find("marched, for want of a stable orbit, at 1"), std::string::npos);
+  EXPECT_NE(speed_line(at).find("no orbit after 25 revolutions of maps, multiplier 1.2 a revolution"),
+            std::string::npos);
 }
 
 }  // namespace

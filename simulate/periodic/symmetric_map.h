@@ -16,34 +16,34 @@ namespace tiprub {
 /// is a fixed point, found lcm(N, lobes) times as often a revolution as by the whole one. The shift is a phase,
 /// e^{-i n s alpha}, for nodal diameter n. Steps a revolution are a multiple of lcm(N, lobes); the casing must have
 /// grown to its full height. For laws of contact without memory, whose state is that of the modes at two instants.
+/// An orbit that comes back to itself after k of these is a fixed point of the k-th power.
 class SymmetricMap {
  public:
-  SymmetricMap(TimeMarch& march, int lobes);
+  SymmetricMap(TimeMarch& march, int lobes, int power = 1);
 
   /// [m/s sqrt(kg)] the modes at t_q and t_{q-1} as a vector whose square is twice the energy: frequencies times
-  /// positions (not below the speed of rotation), then velocities.
+  /// positions (not below the speed of rotation), then velocities; of a standing wave the real parts only.
   Eigen::VectorXd state() const;
-  /// From a state to the next; the march's clock stands still.
-  Eigen::VectorXd operator()(const Eigen::VectorXd& state);
   void put(const Eigen::VectorXd& state);
+  /// The state as the next sector has it: what the map gives when the march has done its steps.
+  Eigen::VectorXd image() const;
 
-  /// A change of the state as the free modes would have to bring it about: (1 - F)^-1, F the map without contact.
-  Eigen::VectorXd lifted(const Eigen::VectorXd& change) const;
-
-  int maps_per_revolution() const { return maps_; }
+  /// Of the march.
+  int steps() const { return steps_; }
+  double maps_per_revolution() const { return static_cast<double>(march_.steps_per_revolution()) / steps_; }
 
  private:
   struct WaveFrame {
     Eigen::Index moving;
+    int parts;             ///< real, and of a travelling wave imaginary
     Eigen::ArrayXd scale;  ///< [rad/s]
     std::complex<double> phase;
-    std::vector<Eigen::Matrix2cd> lift;  ///< of (q_q, q_{q-1}), by mode
   };
   enum class Shift { none, sectors };
   Eigen::VectorXd state_shifted(Shift shift) const;
 
   TimeMarch& march_;
-  int maps_;
+  int steps_;
   std::vector<WaveFrame> frames_;
 };
 

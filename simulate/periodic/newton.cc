@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/periodic/newton.h"
+
+#include <LOCA_Factory.H>
+#include <LOCA_GlobalData.H>
+#include <NOX_Solver_Factory.H>
+#include <NOX_Solver_Generic.H>
+#include <NOX_StatusTest_Combo.H>
+#include <NOX_StatusTest_FiniteValue.H>
+#include <NOX_StatusTest_MaxIters.H>
+#include <Teuchos_ParameterList.hpp>
+
+#include "simulate/periodic/orbit_group.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double linear_tolerance = 1e-2;  // of a Newton step: the next one is as small beside it
+constexpr int most_halvings = 4;           // of a Newton step
+constexpr double rounding = 1e-13;         // of |x|: a residual that says nothing
+
+/// Converged when the last Newton step, before any halving, was small beside the state, or its residual is rounding.
+class SmallNewtonStep final : public NOX::StatusTest::Generic {
+ public:
+  explicit SmallNewtonStep(double tolerance) : tolerance_(tolerance) {}
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& problem,
+                                          NOX::StatusTest::CheckType /*type*/) override {
+    const NOX::Abstract::Group& now = problem.getSolutionGroup();
+    const double size = now.getX().norm();
+    const bool exact = now.getNormF() <= rounding * size;
+    const bool small =
+        problem.getNumIterations() > 0 && problem.getPreviousSolutionGroup().getNewton().norm() <= tolerance_ * size;
+    status_ = exact || small ? NOX::StatusTest::Converged : NOX::StatusTest::Unconverged;
+    return status_;
+  }
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int /*indent*/) const override { return stream; }
+
+ private:
+  double tolerance_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+};
+
+Teuchos::RCP<Teuchos::ParameterList> settings() {
+  auto list = Teuchos::parameterList();
+  list->set("Nonlinear Solver", "Line Search Based");
+  list->sublist("Printing").set("Output Information", 0);
+  list->sublist("Direction").set("Method", "Newton");
+  list->sublist("Direction").sublist("Newton").sublist("Linear Solver").set("Tolerance", linear_tolerance);
+  Teuchos::ParameterList& search = list->sublist("Line Search");
+  search.set("Method", "Backtrack");
+  search.sublist("Backtrack").set("Max Iters", most_halvings);
+  search.sublist("Backtrack").set("Recovery Step", 0.0);  // none: the start was no good
+  return list;
+}
+
+Teuchos::RCP<NOX::StatusTest::Generic> test(const NewtonLimits& limits) {
+  auto any = Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR));
+  any->addStatusTest(Teuchos::rcp(new SmallNewtonStep(limits.tolerance)));
+  any->addStatusTest(Teuchos::rcp(new NOX::StatusTest::FiniteValue));
+  any->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(limits.iterations)));
+  return any;
+}
+
+}  // namespace
+
+NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, const NewtonLimits& limits,
+                              const std::shared_ptr<RecycledGmres>& solver) {
+  const auto list = settings();
+  const auto global = LOCA::createGlobalData(list);
+  const MapFamily here = [&map](double) { return std::shared_ptr<PeriodicMap>(&map, [](PeriodicMap*) {}); };
+  const auto group = Teuchos::rcp(new OrbitGroup(global, here, 0.0, start, solver));
+  const auto newton = NOX::Solver::buildSolver(group, test(limits), list);
+  const bool converged = newton->solve() == NOX::StatusTest::Converged;
+  const auto& last = dynamic_cast<const OrbitGroup&>(newton->getSolutionGroup());
+  NewtonResult result;
+  result.found = converged ? NewtonResult::Found::yes : NewtonResult::Found::no;
+  result.state = numbers(last.getX());
+  result.pattern = last.pattern();
+  result.residual = last.getNormF() / result.state.norm();
+  result.iterations = newton->getNumIterations();
+  LOCA::destroyGlobalData(global);
+  return result;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <LOCA_Abstract_Group.H>
+#include <LOCA_GlobalData.H>
+#include <LOCA_Parameter_Vector.H>
+#include <NOX_LAPACK_Vector.H>
+#include <Eigen/Dense>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "simulate/periodic/periodic_map.h"
+#include "simulate/periodic/recycled_gmres.h"
+
+namespace tiprub {
+
+/// The map at a parameter (a speed in rad/s).
+using MapFamily = std::function<std::shared_ptr<PeriodicMap>(double)>;
+
+/// A state's numbers, as NOX has them.
+Eigen::Map<const Eigen::VectorXd> numbers(const NOX::Abstract::Vector& vector);
+Eigen::Map<Eigen::VectorXd> numbers(NOX::Abstract::Vector& vector);
+
+/// F(x; p) - x = 0 as NOX and LOCA see it: a state, its residual, and how to solve with the Jacobian DF - 1. Copies
+/// share the family and the solver. What the map raises passes through.
+class OrbitGroup final : public LOCA::Abstract::Group {
+ public:
+  static constexpr const char* parameter = "speed";
+  using ReturnType = NOX::Abstract::Group::ReturnType;
+  using NOX::Abstract::Group::applyJacobianInverseMultiVector;
+
+  OrbitGroup(const Teuchos::RCP<LOCA::GlobalData>& global, MapFamily family, double speed,
+             const Eigen::VectorXd& start, std::shared_ptr<RecycledGmres> solver);
+  OrbitGroup(const OrbitGroup& other, NOX::CopyType type);
+
+  /// That the map met at the state; computeF() first.
+  const std::shared_ptr<const ContactPattern>& pattern() const { return pattern_; }
+  PeriodicMap& map() const { return *map_; }
+
+  // NOX
+  NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override;
+  void copy(const NOX::Abstract::Group& source) override;
+  Teuchos::RCP<NOX::Abstract::Group> clone(NOX::CopyType type) const override;
+  void setX(const NOX::Abstract::Vector& state) override;
+  void computeX(const NOX::Abstract::Group& from, const NOX::Abstract::Vector& direction, double step) override;
+  ReturnType computeF() override;
+  ReturnType computeJacobian() override;
+  ReturnType computeNewton(Teuchos::ParameterList& settings) override;
+  ReturnType applyJacobian(const NOX::Abstract::Vector& input, NOX::Abstract::Vector& result) const override;
+  ReturnType applyJacobianInverse(Teuchos::ParameterList& settings, const NOX::Abstract::Vector& input,
+                                  NOX::Abstract::Vector& result) const override;
+  bool isF() const override { return is_f_; }
+  bool isJacobian() const override { return is_jacobian_; }
+  bool isNewton() const override { return is_newton_; }
+  const NOX::Abstract::Vector& getX() const override { return x_; }
+  const NOX::Abstract::Vector& getF() const override { return f_; }
+  double getNormF() const override { return f_.norm(); }
+  const NOX::Abstract::Vector& getGradient() const override { return f_; }  // asked for by nobody here
+  const NOX::Abstract::Vector& getNewton() const override { return newton_; }
+  Teuchos::RCP<const NOX::Abstract::Vector> getXPtr() const override { return Teuchos::rcpFromRef(x_); }
+  Teuchos::RCP<const NOX::Abstract::Vector> getFPtr() const override { return Teuchos::rcpFromRef(f_); }
+  Teuchos::RCP<const NOX::Abstract::Vector> getGradientPtr() const override { return Teuchos::rcpFromRef(f_); }
+  Teuchos::RCP<const NOX::Abstract::Vector> getNewtonPtr() const override { return Teuchos::rcpFromRef(newton_); }
+
+  // LOCA
+  void setParams(const LOCA::ParameterVector& parameters) override;
+  void setParam(int id, double value) override;
+  void setParam(std::string name, double value) override;
+  const LOCA::ParameterVector& getParams() const override { return parameters_; }
+  double getParam(int id) const override { return parameters_.getValue(id); }
+  double getParam(std::string name) const override { return parameters_.getValue(name); }
+
+ private:
+  void forget() { is_f_ = is_jacobian_ = is_newton_ = false; }
+
+  MapFamily family_;
+  std::shared_ptr<PeriodicMap> map_;
+  std::shared_ptr<RecycledGmres> solver_;
+  LOCA::ParameterVector parameters_;
+  NOX::LAPACK::Vector x_, f_, newton_;
+  std::shared_ptr<const ContactPattern> pattern_;
+  bool is_f_ = false, is_jacobian_ = false, is_newton_ = false;
+};
+
+}  // namespace tiprub

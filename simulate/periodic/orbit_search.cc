@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/periodic/orbit_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numeric>
+
+#include "cases/program/errors.h"
+#include "simulate/periodic/multipliers.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double first_try = 12;      // revolutions after the casing has grown: contact has found its place
+constexpr int most_tries = 4;         // each after twice the revolutions
+constexpr double newton_step = 10;    // settle_tolerances: the last one; what is left after it is a hundredth of it
+constexpr double clear_distance = 5;  // uncertainties of a multiplier from 1: nearer, it is found more exactly
+constexpr double close_call = 0.98;   // a multiplier a revolution: with another step it may be beyond 1
+constexpr double exact = 1e-4;        // of a multiplier
+
+double revolutions(const TimeMarch& march) {
+  return static_cast<double>(march.step_count()) / march.steps_per_revolution();
+}
+
+/// A multiplier as a growth per revolution.
+Growth per_revolution(const Multiplier& multiplier, double maps) {
+  const double magnitude = std::abs(multiplier.value);
+  const double factor = std::pow(magnitude, maps);
+  return {factor, magnitude > 0 ? maps * factor * multiplier.uncertainty / magnitude : multiplier.uncertainty};
+}
+
+/// Once roughly; more exactly where that leaves open on which side of 1 it is.
+Multiplier clear_multiplier(const LinearMap& map, Eigen::Index size) {
+  const Multiplier rough = largest_multiplier(map, size);
+  const double distance = std::abs(std::abs(rough.value) - 1);
+  return distance > clear_distance * rough.uncertainty ? rough : largest_multiplier(map, size, exact);
+}
+
+}  // namespace
+
+bool has_symmetric_map(const Scene& scene) {
+  const SimulateParameters& parameters = scene.parameters;
+  return parameters.contact == ContactRule::complementarity && parameters.scheme != Scheme::moreau_jean &&
+         parameters.scheme != Scheme::penalty &&
+         scene.scope.symmetry == std::gcd(scene.model.sector_count, scene.casing.lobes);
+}
+
+bool OrbitSearch::is_due(const TimeMarch& march) const {
+  if (has_given_up_) return false;
+  const double grown = std::ceil(scene_.casing.ramp_revolutions);
+  const bool is_known = orbit_.size() > 0;
+  return revolutions(march) >= grown + (is_known ? 0 : std::max(first_try, next_revolution_));
+}
+
+bool OrbitSearch::jump(TimeMarch& march) {
+  const MarchState before(march);
+  const double now = revolutions(march);
+  bool found = false;
+  try {
+    found = find(march);
+  } catch (const RunError&) {  // a state that no march would come to
+  }
+  if (found) return true;
+  before.restore(march);
+  next_revolution_ = 2 * (now - std::ceil(scene_.casing.ramp_revolutions));
+  if (orbit_.size() > 0 || ++tries_ == most_tries) give_up();
+  return false;
+}
+
+bool OrbitSearch::find(TimeMarch& march) {
+  MarchedMap map(march, rotor_, scene_.casing, scene_.model.contact);
+  const int steps = solver_->steps();
+  const NewtonLimits limits{newton_step * scene_.parameters.settle_tolerance};
+  const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), limits, solver_);
+  report_.revolutions += (solver_->steps() - steps + orbit.iterations + 1) / map.symmetric().maps_per_revolution();
+  if (orbit.found == NewtonResult::Found::no) return false;
+  const bool is_first = orbit_.size() == 0;
+  if ((is_first || report_.multiplier > close_call) && !attracts(map, orbit)) {
+    give_up();
+    return false;
+  }
+  if (is_first) follow_excluded(march, orbit);
+  map.put(orbit.state);
+  orbit_ = orbit.state;
+  report_.outcome = OrbitReport::Outcome::found;
+  report_.residual = orbit.residual;
+  return true;
+}
+
+bool OrbitSearch::attracts(MarchedMap& map, const NewtonResult& orbit) {
+  const double maps = map.symmetric().maps_per_revolution();
+  int applied = 0;
+  const LinearMap tangent = [&](const Eigen::VectorXd& change) {
+    ++applied;
+    return map.tangent(orbit.pattern, change);
+  };
+  const Multiplier largest = clear_multiplier(tangent, orbit.state.size());
+  const Growth growth = per_revolution(largest, maps);
+  report_.revolutions += applied / maps;
+  report_.multiplier = growth.factor;
+  report_.multiplier_uncertainty = growth.uncertainty;
+  report_.multiplier_angle = std::abs(std::arg(largest.value));
+  return growth.factor + growth.uncertainty < 1;
+}
+
+void OrbitSearch::follow_excluded(const TimeMarch& march, const NewtonResult& orbit) {
+  if (rotor_.others.empty() || scene_.parameters.symmetry_check_revolutions == 0) return;
+  TangentMarch tangent(rotor_, scene_.casing, scene_.model.contact, march, Disturbance::excluded);
+  const LinearMap map = [&](const Eigen::VectorXd& change) { return tangent(orbit.pattern, change); };
+  const double maps =
+      static_cast<double>(march.steps_per_revolution()) / static_cast<double>(orbit.pattern->steps().size());
+  excluded_ = per_revolution(clear_multiplier(map, tangent.size()), maps);
+}
+
+double OrbitSearch::drift(TimeMarch& march) const {
+  return (SymmetricMap(march, scene_.casing.lobes).state() - orbit_).norm() / orbit_.norm();
+}
+
+void OrbitSearch::give_up() {
+  has_given_up_ = true;
+  report_.outcome = OrbitReport::Outcome::marched;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/periodic/tangent_march.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double diagonal_shift = 1e-12;  // of W's diagonal, as the march has it: tied nodes keep a solution
+
+/// A casing without lobes that all nodes touch: gaps are displacements.
+Casing level(Casing casing) {
+  casing.amplitude = 0;
+  casing.shape = CasingShape::cosine;
+  return casing;
+}
+
+RotorAtSpeed disturbed(const RotorAtSpeed& rotor, Disturbance disturbance) {
+  RotorAtSpeed part = rotor;
+  if (disturbance == Disturbance::excluded) part.waves = rotor.others;
+  part.others.clear();
+  return part;
+}
+
+MarchSetup setup(const TimeMarch& orbit, Disturbance disturbance) {
+  MarchSetup setup = orbit.setup();
+  if (disturbance == Disturbance::excluded) setup.symmetry = 1;
+  return setup;
+}
+
+}  // namespace
+
+TangentMarch::TangentMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
+                           const TimeMarch& orbit, Disturbance disturbance, int power)
+    : rotor_(disturbed(rotor, disturbance)),
+      march_(rotor_, level(casing), contact, Eigen::VectorXd::Zero(contact.size()), setup(orbit, disturbance)),
+      map_(march_, casing.lobes, power),
+      copies_(march_.sectors() / orbit.sectors()),
+      nodes_a_copy_(orbit.sectors() * orbit.width()),
+      compliance_(march_.compliance()),
+      forces_(Eigen::VectorXd::Zero(march_.gap().size())) {
+  if (disturbance == Disturbance::symmetric) return;
+  // Excluded nodal diameters alone can't move all sectors alike, so that W has no full rank. What moves them alike
+  // is added: it meets no disturbance of theirs.
+  const double unit = compliance_.diagonal().maxCoeff() / copies_;
+  for (int from = 0; from < copies_; ++from)
+    for (int to = 0; to < copies_; ++to)
+      compliance_.block(from * nodes_a_copy_, to * nodes_a_copy_, nodes_a_copy_, nodes_a_copy_).diagonal().array() +=
+          unit;
+}
+
+std::vector<int> TangentMarch::on_all_sectors(const std::vector<int>& nodes) const {
+  std::vector<int> all;
+  for (int copy = 0; copy < copies_; ++copy)
+    for (const int node : nodes) all.push_back(copy * nodes_a_copy_ + node);
+  return all;
+}
+
+void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
+  if (pattern == pattern_) return;
+  closed_.clear();
+  factors_.clear();
+  for (const std::vector<int>& set : pattern->sets()) {
+    closed_.push_back(on_all_sectors(set));
+    Eigen::MatrixXd block = compliance_(closed_.back(), closed_.back());
+    block.diagonal() *= 1 + diagonal_shift;
+    factors_.emplace_back(block);
+    if (factors_.back().info() != Eigen::Success)
+      throw RunError("the contact compliance of " + std::to_string(set.size()) +
+                     " closed nodes is not positive definite: no orbit can be followed with them");
+  }
+  pattern_ = pattern;
+}
+
+Eigen::VectorXd TangentMarch::operator()(const std::shared_ptr<const ContactPattern>& pattern,
+                                         const Eigen::VectorXd& change) {
+  hold(pattern);
+  const std::int64_t start = march_.step_count();
+  map_.put(change);
+  for (const int set : pattern_->steps()) {
+    march_.predict();
+    if (set == ContactPattern::open) continue;
+    const std::vector<int>& closed = closed_[static_cast<std::size_t>(set)];
+    of_set_ = -march_.gap()(closed);
+    factors_[static_cast<std::size_t>(set)].solveInPlace(of_set_);
+    forces_.setZero();
+    forces_(closed) = of_set_;
+    march_.correct(forces_, closed);
+  }
+  Eigen::VectorXd changed = map_.image();
+  march_.set_step(start);
+  return changed;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/periodic/newton.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "simulate/periodic/marched_map.h"
+#include "simulate/periodic/multipliers.h"
+#include "tests/simulate/synthetic_wheel.h"
+
+namespace tiprub {
+namespace {
+
+constexpr int steps = 1200;
+
+/// A wheel that is pushed by three lobes, after some revolutions of march.
+class Newton : public ::testing::Test {
+ protected:
+  void march(int revolutions) {
+    for (int i = 0; i < revolutions * steps; ++i) bench_.march.step();
+  }
+  NewtonResult solve(PeriodicMap& map, const Eigen::VectorXd& start, double tolerance) {
+    return find_fixed_point(map, start, {tolerance}, std::make_shared<RecycledGmres>());
+  }
+
+  const ReducedModel model_ = testing::synthetic_wheel({5, 2, 4});
+  const Casing casing_ = testing::lobed_casing(3, 2e-4, 1e-4);
+  testing::Bench bench_ = testing::make_bench(model_, casing_, 2000, 0.02,
+                                              {Scheme::trigonometric, ContactRule::complementarity, steps, 1});
+  MarchedMap map_{bench_.march, bench_.rotor, casing_, model_.contact};
+};
+
+TEST_F(Newton, ComesToTheSettledMarchWithinRounding) {
+  march(8);
+  const NewtonResult orbit = solve(map_, map_.symmetric().state(), 1e-9);
+  ASSERT_EQ(orbit.found, NewtonResult::Found::yes);
+  march(150);
+  const Eigen::VectorXd settled = map_.symmetric().state();
+  EXPECT_LT((orbit.state - settled).norm(), 1e-10 * settled.norm());
+  EXPECT_LT(orbit.residual, 1e-11);
+}
+
+TEST_F(Newton, LinearisesTheMarchExactlyBetweenChangesOfThePattern) {
+  march(30);
+  const Eigen::VectorXd state = map_.symmetric().state();
+  const MapImage image = map_.image(state);
+  ASSERT_FALSE(image.pattern->sets().empty()) << "no contact: nothing is tested";
+  Eigen::VectorXd change = Eigen::VectorXd::LinSpaced(state.size(), -1, 1);
+  change *= 1e-6 * state.norm() / change.norm();
+  const MapImage moved = map_.image(state + change);
+  ASSERT_EQ(moved.pattern->steps(), image.pattern->steps());
+  ASSERT_EQ(moved.pattern->sets(), image.pattern->sets());
+  const Eigen::VectorXd linear = map_.tangent(image.pattern, change);
+  EXPECT_LT((moved.state - image.state - linear).norm(), 1e-6 * change.norm());
+}
+
+/// A march that never reaches the casing: each mode decays for itself.
+TEST_F(Newton, GivesFreeModesTheirMultipliers) {
+  const Casing far = testing::lobed_casing(3, 1e-4, 1.0);
+  testing::Bench bench =
+      testing::make_bench(model_, far, 2000, 0.02, {Scheme::trigonometric, ContactRule::complementarity, steps, 1});
+  MarchedMap map(bench.march, bench.rotor, far, model_.contact);
+  const MapImage image = map.image(map.symmetric().state());
+  double slowest = 0;
+  for (const WaveModes& wave : bench.rotor.waves)
+    slowest = std::max(slowest, std::exp(-0.02 * wave.omega[0] * bench.march.time_step() * map.symmetric().steps()));
+  const Multiplier found =
+      largest_multiplier([&](const Eigen::VectorXd& change) { return map.tangent(image.pattern, change); },
+                         map.symmetric().state().size());
+  EXPECT_NEAR(std::abs(found.value), slowest, found.uncertainty + 1e-6);
+}
+
+/// With the contact pattern of another instant of the run held, the march is affine and has a fixed point of its own,
+/// which is none of the march.
+class StaleMap final : public PeriodicMap {
+ public:
+  StaleMap(PeriodicMap& map, const Eigen::VectorXd& at) : map_(map), at_(at), image_(map.image(at)) {}
+  MapImage image(const Eigen::VectorXd& state) override {
+    return {image_.state + map_.tangent(image_.pattern, state - at_), image_.pattern};
+  }
+  Eigen::VectorXd tangent(const std::shared_ptr<const ContactPattern>& pattern,
+                          const Eigen::VectorXd& change) override {
+    return map_.tangent(pattern, change);
+  }
+
+ private:
+  PeriodicMap& map_;
+  Eigen::VectorXd at_;
+  MapImage image_;
+};
+
+TEST_F(Newton, RejectsTheFixedPointOfAStaleContactPattern) {
+  march(5);
+  const Eigen::VectorXd early = Eigen::VectorXd::Zero(map_.symmetric().state().size());
+  StaleMap stale(map_, early);
+  const NewtonResult planted = solve(stale, early, 1e-9);
+  ASSERT_EQ(planted.found, NewtonResult::Found::yes) << "nothing was planted";
+  const NewtonResult orbit = solve(map_, planted.state, 1e-9);
+  march(150);
+  const Eigen::VectorXd settled = map_.symmetric().state();
+  ASSERT_GT((planted.state - settled).norm(), 1e-3 * settled.norm()) << "the planted one is the orbit itself";
+  ASSERT_EQ(orbit.found, NewtonResult::Found::yes);
+  EXPECT_LT((orbit.state - settled).norm(), 1e-10 * settled.norm());
+}
+
+}  // namespace
+}  // namespace tiprub

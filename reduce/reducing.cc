@@ -30,7 +30,7 @@ namespace tiprub {
 namespace {
 
 constexpr const char* program = "tiprub-reduce";
-constexpr double tolerable_misfit = 0.01;  // of a frequency, by eq. 7 alone
+constexpr double tolerable_misfit = 0.001;  // of a frequency, by eq. 7 alone
 constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
 
 struct Inputs {
@@ -167,9 +167,10 @@ std::string summary(const ReducedModel& model, const ReductionReport& report) {
        << verified.frequencies << " frequencies within " << 100 * verified.error << " % at "
        << model.verification.speeds.size() << " speeds";
   if (model.verification.polynomial_misfit.size() > 0)
-    line << ", eq. 7 through " << report.polynomial_speeds << " speeds alone within "
+    line << ", eq. 7 of " << 2 * report.shape_terms + 1 << " terms alone within "
          << 100 * model.verification.polynomial_misfit.maxCoeff() << " %; shapes under spin in "
-         << report.newton_steps << " Newton steps to " << report.newton_residual;
+         << report.newton_steps << " Newton steps to " << report.newton_residual << ", between the "
+         << report.shape_terms << " of eq. 7 within " << 100 * report.imbalance << " % of the load";
   return line.str();
 }
 
@@ -191,8 +192,8 @@ void report(const StageArguments& arguments, const ReducedModel& model, const Re
   const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
   if (misfit.size() > 0 && misfit.maxCoeff() > tolerable_misfit)
     tell(arguments,
-         "warning: the shape changes too much for eq. 7 between its speeds; lower speed_max_rpm, or take prestress = "
-         "\"linear\", for which eq. 7 is exact");
+         "warning: the shape changes too much for eq. 7 between its speeds; lower speed_max_rpm, leave "
+         "polynomial_speeds at 0, or take prestress = \"linear\", for which eq. 7 is exact");
   if (!matrix_market_folder.empty())
     tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
                         " nodal diameters in Matrix Market");

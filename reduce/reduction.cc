@@ -6,6 +6,7 @@
 #include <mutex>
 #include <utility>
 
+#include "cases/program/available_memory.h"
 #include "reduce/basis/diameter_reduction.h"
 #include "reduce/basis/polynomial_fit.h"
 #include "reduce/basis/sector_fields.h"
@@ -29,8 +30,7 @@ class Reducer {
         progress_(progress),
         fields_(fields),
         contact_(choose_contact(mesh, parameters.contact, parameters.contact_nodes)),
-        dofs_(number_dofs(mesh, contact_)),
-        samples_(parameters) {
+        dofs_(number_dofs(mesh, contact_)) {
     for (int n = 0; n <= mesh.sector_count / 2; ++n) transforms_.emplace_back(dofs_, mesh.sector_count, n);
   }
 
@@ -42,22 +42,26 @@ class Reducer {
   ReducedModel run(ReductionReport& report) {
     report.sector_dofs = dofs_.sector();
     report.clamped_face_nodes = dofs_.clamped_face_nodes;
-    report.memory_needed = require_room();
-    SpinningSector sector(mesh_, dofs_, parameters_, samples_);
+    require_room(report);
+    SpinningSector sector(mesh_, dofs_, parameters_);
     timed(report, "mass and stiffness at rest");
-    const SectorFactor at_rest = sector.factorize(samples_.find(0.0).value());
+    const SectorFactor at_rest = sector.factorize(0.0);
     timed(report, "factor at rest");
-    sector.spin(at_rest, transforms_[0]);
-    report.newton_steps = sector.shapes().newton_steps;
-    report.newton_residual = sector.shapes().newton_residual;
-    timed(report, "shape and stiffness under spin");
-    const SectorFactor at_top = sector.factorize(samples_.find(1.0).value());
+    require_room(sector.spin(at_rest, transforms_[0]), report);
+    report.shape_terms = static_cast<int>(sector.shape().terms.size());
+    report.imbalance = sector.shape().imbalance;
+    report.newton_steps = sector.shape().equilibria.newton_steps;
+    report.newton_residual = sector.shape().equilibria.newton_residual;
+    timed(report, "shape under spin");
+    sector.sample();
+    timed(report, "stiffness under spin");
+    const SectorFactor at_top = sector.factorize(1.0);
     timed(report, "factor at full speed");
-    ReducedModel model = describe(sector.static_shift());
-    write_sector_fields(sector.static_shift());
+    ReducedModel model = describe(sector.shape());
+    write_sector_fields(sector.shape());
     const SampledStiffness stiffness = reduce_diameters({sector, at_rest, at_top}, model, report);
     timed(report, "modes, bases, verification");
-    report.polynomial_speeds = fit_polynomial(stiffness, samples_, parameters_, model);  // eq. 7
+    fit_polynomial(stiffness, sector.samples(), parameters_, model);  // eq. 7
     find_reduced_frequencies(model);
     timed(report, "model");
     return model;
@@ -70,17 +74,29 @@ class Reducer {
     const SectorFactor& at_rest;
     const SectorFactor& at_top;
   };
-  using Shift = std::array<Eigen::VectorXcd, 2>;
 
-  /// [bytes] that it will take; raises RunError if there are fewer. Starts the threads.
-  double require_room() const {
-    const MemoryNeed need = memory_need(mesh_, dofs_,
-                                        {.factors = 2,
-                                         .stiffnesses = static_cast<int>(samples_.fractions().size()),
-                                         .columns = columns_at_once(),
-                                         .threads = parameters_.threads});
+  MemoryNeed memory_need_of(const SpeedSamples& samples) const {
+    return memory_need(mesh_, dofs_,
+                       {.factors = 2,
+                        .stiffnesses = static_cast<int>(samples.fractions().size()),
+                        .columns = columns_at_once(),
+                        .threads = parameters_.threads});
+  }
+
+  /// Raises RunError if there is too little memory for the shape that is expected. Starts the threads.
+  void require_room(ReductionReport& report) const {
+    constexpr int usual_terms = 2;  // of a shape that isn't linear
+    const SpeedSamples samples(parameters_, parameters_.prestress == Prestress::nonlinear ? usual_terms : 1);
+    const MemoryNeed need = memory_need_of(samples);
     start_threads(need, parameters_.threads);
-    return need.total();
+    report.memory_needed = need.total();
+  }
+
+  /// The same for the shape that was found, if that takes more; counted from the start.
+  void require_room(const SpeedSamples& samples, ReductionReport& report) const {
+    const MemoryNeed need = memory_need_of(samples);
+    if (need.total() > report.memory_needed) require_memory(need, available_at_start_, mappable_at_start_);
+    report.memory_needed = std::max(report.memory_needed, need.total());
   }
 
   /// Complex vectors that one nodal diameter holds: its basis, and either the Lanczos vectors with their products or
@@ -101,7 +117,7 @@ class Reducer {
     last_ = now;
   }
 
-  ReducedModel describe(const Shift& shift) const {
+  ReducedModel describe(const SpinShape& shape) const {
     ReducedModel model;
     model.sector_count = mesh_.sector_count;
     model.speed_max = parameters_.speed_max;
@@ -109,19 +125,27 @@ class Reducer {
     model.prestress = name_of(parameters_.prestress);
     if (parameters_.spin_softening == SpinSoftening::off) model.prestress += ", without spin softening";
     model.contact = contact_.line;
-    const auto displacements = [&](const Eigen::VectorXcd& shape) -> Eigen::MatrixX3d {
-      return (dofs_.contact_loads.transpose() * shape.real()).reshaped(3, model.contact.size()).transpose();
-    };
-    model.contact.static_shift_1 = displacements(shift[0]);
-    model.contact.static_shift_2 = displacements(shift[1]);
+    std::vector<Eigen::MatrixX3d> shift;
+    for (const Eigen::VectorXd& term : shape.terms)
+      shift.emplace_back((dofs_.contact_loads.transpose() * term).reshaped(3, model.contact.size()).transpose());
+    if (shift.size() == 1) shift.emplace_back(Eigen::MatrixX3d::Zero(model.contact.size(), 3));
+    model.contact.static_shift_1 = shift[0];
+    model.contact.static_shift_2 = shift[1];
+    model.contact.higher_shifts.assign(shift.begin() + 2, shift.end());
     return model;
   }
 
-  void write_sector_fields(const Shift& shift) const {
+  void write_sector_fields(const SpinShape& shape) const {
     if (fields_ == nullptr) return;
     SectorFields sector = describe_sector(mesh_, contact_.nodes, parameters_.material);
-    sector.static_displacement_1 = on_nodes(dofs_, shift[0]).real().reshaped(3, mesh_.node_count());
-    sector.static_displacement_2 = on_nodes(dofs_, shift[1]).real().reshaped(3, mesh_.node_count());
+    std::vector<Eigen::Matrix3Xd> displacement;
+    for (const Eigen::VectorXd& term : shape.terms)
+      displacement.emplace_back(
+          on_nodes(dofs_, term.cast<std::complex<double>>()).real().reshaped(3, mesh_.node_count()));
+    if (displacement.size() == 1) displacement.emplace_back(Eigen::Matrix3Xd::Zero(3, mesh_.node_count()));
+    sector.static_displacement_1 = displacement[0];
+    sector.static_displacement_2 = displacement[1];
+    sector.higher_displacements.assign(displacement.begin() + 2, displacement.end());
     fields_->write_sector(sector);
   }
 
@@ -146,8 +170,7 @@ class Reducer {
     model.nodal_diameters.resize(diameters);
     SampledStiffness stiffness(diameters);
     parallel_for(static_cast<int>(diameters), parameters_.threads, [&](int n) {
-      const DiameterReduction diameter(shared.sector, shared.at_rest, shared.at_top, transforms_[n], samples_,
-                                       parameters_);
+      const DiameterReduction diameter(shared.sector, shared.at_rest, shared.at_top, transforms_[n], parameters_);
       CraigBamptonBasis basis = diameter.start_basis();  // eq. 8, eq. 9
       progress_.advance();
       require_enough_modes(n, basis.size());
@@ -193,8 +216,9 @@ class Reducer {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   ContactUnknowns contact_;
   SectorDofs dofs_;
-  SpeedSamples samples_;
   std::vector<CyclicTransformation> transforms_;
+  double available_at_start_ = available_memory();
+  double mappable_at_start_ = mappable_memory();
 };
 
 }  // namespace

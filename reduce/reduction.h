@@ -19,11 +19,12 @@ struct ReductionReport {
   double newton_residual = 0;  ///< [1] largest of all speeds; see spin_equilibrium()
   int sector_dofs = 0;
   int clamped_face_nodes = 0;
-  double memory_needed = 0;           ///< [bytes] estimated before the start
+  double memory_needed = 0;           ///< [bytes] estimated
   std::vector<int> generalized_dofs;  ///< a nodal diameter
   std::vector<int> dropped;           ///< a nodal diameter
   std::vector<int> corrections;       ///< shapes that modes between the speeds gave; a nodal diameter
-  int polynomial_speeds = 0;          ///< that eq. 7 took
+  int shape_terms = 0;                ///< of the shape under spin; see SpinShape
+  double imbalance = 0;               ///< [1] of the load, between the speeds of the shape under spin
   std::vector<std::pair<std::string, double>> seconds;  ///< what took how long
 };
 

@@ -51,12 +51,13 @@ def crossing_rpm(model, order):
     """Where the first family of its nodal diameter meets an engine order."""
     sectors = int(model.attrs["sector_count"])
     n = min(order % sectors, -order % sectors)
-    K0, K1, K2, M = (complex_matrix(model[f"nodal_diameter/{n}/{name}"]) for name in ("K0", "K1", "K2", "M"))
-    half = numpy.linalg.inv(numpy.linalg.cholesky(M))
+    matrices = {name: complex_matrix(dataset) for name, dataset in model[f"nodal_diameter/{n}"].items()}
+    half = numpy.linalg.inv(numpy.linalg.cholesky(matrices.pop("M")))
     low, high = 0.0, float(model.attrs["speed_max"])
     for _ in range(40):
         speed = 0.5 * (low + high)
-        square = numpy.linalg.eigvalsh(half @ (K0 + speed ** 2 * K1 + speed ** 4 * K2) @ half.conj().T)[0]
+        K = sum(speed ** (2 * int(name[1:])) * term for name, term in matrices.items())
+        square = numpy.linalg.eigvalsh(half @ K @ half.conj().T)[0]
         low, high = (speed, high) if square > (order * speed) ** 2 else (low, speed)
     return low * 30 / numpy.pi
 

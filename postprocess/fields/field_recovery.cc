@@ -59,9 +59,7 @@ void add_stress(const SectorFields& sector, const BrickStress& bricks, WaveField
 }
 
 WaveField spin_field(const SectorFields& sector, const BrickStress& bricks, double speed) {
-  const double square = speed * speed;
-  const Eigen::Matrix3Xd moved =
-      square * sector.static_displacement_1 + square * square * sector.static_displacement_2;
+  const Eigen::Matrix3Xd moved = sector.static_displacement(speed);
   WaveField wave{0, cartesian(sector, moved.reshaped().cast<std::complex<double>>()), {}};
   add_stress(sector, bricks, wave);
   return wave;

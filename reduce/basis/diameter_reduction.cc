@@ -19,9 +19,8 @@ constexpr double nearer_to_rest = 0.7;
 
 DiameterReduction::DiameterReduction(const SpinningSector& sector, const SectorFactor& factor_at_rest,
                                      const SectorFactor& factor_at_top, const CyclicTransformation& transform,
-                                     const SpeedSamples& samples, const ReductionParameters& parameters)
+                                     const ReductionParameters& parameters)
     : sector_(sector),
-      samples_(samples),
       parameters_(parameters),
       at_rest_(at_speed(0.0, [&] { return CyclicSolver(factor_at_rest, transform); })),
       at_top_(at_speed(parameters.speed_max, [&] { return CyclicSolver(factor_at_top, transform); })) {}
@@ -73,7 +72,7 @@ Eigen::MatrixXd DiameterReduction::unreduced_frequencies(const CraigBamptonBasis
 
 std::vector<Eigen::MatrixXcd> DiameterReduction::sampled_stiffness(const CraigBamptonBasis& basis) const {
   std::vector<Eigen::MatrixXcd> stiffness;
-  for (std::size_t s = 0; s < samples_.fractions().size(); ++s) stiffness.push_back(basis.stiffness(s));
+  for (std::size_t s = 0; s < sector_.sampled_stiffness().size(); ++s) stiffness.push_back(basis.stiffness(s));
   return stiffness;
 }
 
@@ -82,9 +81,9 @@ ModeFollowing DiameterReduction::modes_between(const CraigBamptonBasis& basis,
   const std::vector<Eigen::MatrixXcd> samples = sampled_stiffness(basis);
   std::vector<SpeedToFollow> speeds;
   for (const double fraction : fractions)
-    speeds.push_back({name_of_speed(fraction * parameters_.speed_max),
-                      [this, fraction] { return sector_.stiffness(fraction); }, samples_.combine(samples, fraction),
-                      fraction < nearer_to_rest ? &at_rest_ : &at_top_});
+    speeds.push_back(
+        {name_of_speed(fraction * parameters_.speed_max), [this, fraction] { return sector_.stiffness(fraction); },
+         sector_.samples().combine(samples, fraction), fraction < nearer_to_rest ? &at_rest_ : &at_top_});
   return {basis, sector_.mass(), std::move(speeds), parameters_.verification_modes};
 }
 

@@ -19,7 +19,7 @@ class DiameterReduction {
   /// with the speed, if the rotor is unstable.
   DiameterReduction(const SpinningSector& sector, const SectorFactor& factor_at_rest,
                     const SectorFactor& factor_at_top, const CyclicTransformation& transform,
-                    const SpeedSamples& samples, const ReductionParameters& parameters);
+                    const ReductionParameters& parameters);
 
   /// Modes and static shapes of both speeds (eq. 8), made one basis (eq. 9). It needs the span of the fixed-interface
   /// modes at Omega_max, not the modes: one inverse iteration of those at rest gives it.
@@ -37,7 +37,6 @@ class DiameterReduction {
   ModeFollowing modes_between(const CraigBamptonBasis& basis, const std::vector<double>& fractions) const;
 
   const SpinningSector& sector_;
-  const SpeedSamples& samples_;
   const ReductionParameters& parameters_;
   CyclicSolver at_rest_;
   CyclicSolver at_top_;

@@ -12,11 +12,9 @@ namespace tiprub {
 /// A model's K by nodal diameter and sampled speed.
 using SampledStiffness = std::vector<std::vector<Eigen::MatrixXcd>>;
 
-/// eq. 7 of the paper through as few speeds as do: fills in K0, K1, ... of a model that has M, and for nonlinear
-/// prestress what eq. 7 alone makes wrong in the verification frequencies, the polynomial's K(Omega) against K(Omega)
-/// itself on the same basis. Takes the first choice whose misfit is below `polynomial_tolerance`, or the best of all.
-/// Returns the number of speeds.
-int fit_polynomial(const SampledStiffness& stiffness, const SpeedSamples& samples,
-                   const ReductionParameters& parameters, ReducedModel& model);
+/// eq. 7 of the paper: fills in K0, K1, ... of a model that has M, and for nonlinear prestress what eq. 7 alone makes
+/// wrong in the verification frequencies: K of the polynomial's shape against K of the equilibrium on the same basis.
+void fit_polynomial(const SampledStiffness& stiffness, const SpeedSamples& samples,
+                    const ReductionParameters& parameters, ReducedModel& model);
 
 }  // namespace tiprub

@@ -19,6 +19,10 @@ std::string basis_of(int nodal_diameter) {
   return "/nodal_diameter/" + std::to_string(nodal_diameter) + "/basis";
 }
 
+std::string displacement_name(std::size_t power) {
+  return "/static/displacement_" + std::to_string(power);
+}
+
 Array<std::int32_t> list(const std::vector<int>& values) {
   return {{values.size()}, {values.begin(), values.end()}};
 }
@@ -59,6 +63,21 @@ Eigen::MatrixXi read_cells(const Hdf5File& file, Eigen::Index nodes) {
                                            static_cast<Eigen::Index>(array.shape[0]));
 }
 
+void read_static_displacement(const Hdf5File& file, SectorFields& sector) {
+  const auto term = [&](std::size_t power) {
+    Eigen::Matrix3Xd displacement = read_vectors(file, displacement_name(power));
+    if (displacement.cols() != sector.nodes.cols())
+      refuse(file, displacement_name(power), "must have a row for each node");
+    return displacement;
+  };
+  sector.static_displacement_1 = term(1);
+  sector.static_displacement_2 = term(2);
+  for (std::size_t power = 3; file.exists(displacement_name(power)); ++power)
+    sector.higher_displacements.push_back(term(power));
+  if (file.members("/static").size() != 2 + sector.higher_displacements.size())
+    refuse(file, "/static", "must hold displacement_1, _2, and _3, _4, ... without a gap, and nothing else");
+}
+
 SectorFields read_sector(const Hdf5File& file) {
   SectorFields sector;
   sector.sector_count = file.integer_attribute("/", "sector_count");
@@ -80,14 +99,19 @@ SectorFields read_sector(const Hdf5File& file) {
   if (file.exists("/part"))
     for (const std::string& name : file.members("/part"))
       sector.parts[name] = read_list(file, "/part/" + name, sector.cells.cols());
-  sector.static_displacement_1 = read_vectors(file, "/static/displacement_1");
-  sector.static_displacement_2 = read_vectors(file, "/static/displacement_2");
-  for (const auto* displacement : {&sector.static_displacement_1, &sector.static_displacement_2})
-    if (displacement->cols() != sector.nodes.cols()) refuse(file, "/static", "must have a row for each node");
+  read_static_displacement(file, sector);
   return sector;
 }
 
 }  // namespace
+
+Eigen::Matrix3Xd SectorFields::static_displacement(double speed) const {
+  const double square = speed * speed;
+  Eigen::Matrix3Xd moved = square * static_displacement_1 + square * square * static_displacement_2;
+  double power = square * square;
+  for (const Eigen::Matrix3Xd& term : higher_displacements) moved += (power *= square) * term;
+  return moved;
+}
 
 struct FieldsWriter::State {
   Hdf5File file;
@@ -117,8 +141,13 @@ void FieldsWriter::write_sector(const SectorFields& sector) {
   file.write("/cells", table(sector.cells), "1");
   for (const auto& [name, nodes] : sector.node_sets) file.write("/node_set/" + name, list(nodes), "1");
   for (const auto& [name, cells] : sector.parts) file.write("/part/" + name, list(cells), "1");
-  file.write("/static/displacement_1", Eigen::MatrixXd(sector.static_displacement_1.transpose()), "m s^2");
-  file.write("/static/displacement_2", Eigen::MatrixXd(sector.static_displacement_2.transpose()), "m s^4");
+  const auto write_displacement = [&](std::size_t power, const Eigen::Matrix3Xd& term) {
+    file.write(displacement_name(power), Eigen::MatrixXd(term.transpose()), "m s^" + std::to_string(2 * power));
+  };
+  write_displacement(1, sector.static_displacement_1);
+  write_displacement(2, sector.static_displacement_2);
+  for (std::size_t k = 0; k < sector.higher_displacements.size(); ++k)
+    write_displacement(3 + k, sector.higher_displacements[k]);
 }
 
 void FieldsWriter::write_basis(int nodal_diameter, Eigen::Index dofs, bool standing, const Shape& shape) {

@@ -25,6 +25,10 @@ struct SectorFields {
   double density = 0;                                 ///< [kg/m^3]
   Eigen::Matrix3Xd static_displacement_1;             ///< [m s^2] under spin over Omega^2; r, theta, z; 3 x nodes
   Eigen::Matrix3Xd static_displacement_2;             ///< [m s^4] its part with Omega^4; 3 x nodes
+  std::vector<Eigen::Matrix3Xd> higher_displacements = {};  ///< [m s^6], ... its parts with Omega^6, Omega^8, ...
+
+  /// [m] displacement under spin at a speed in rad/s; r, theta, z; 3 x nodes.
+  Eigen::Matrix3Xd static_displacement(double speed) const;
 
   const std::vector<int>& node_set(const std::string& name) const { return node_sets.at(name); }
 };

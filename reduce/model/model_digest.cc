@@ -31,6 +31,7 @@ std::string digest(const ReducedModel& model) {
   for (const auto* table :
        {&model.contact.position, &model.contact.normal, &model.contact.static_shift_1, &model.contact.static_shift_2})
     add(digest, Eigen::MatrixXd(*table));
+  for (const Eigen::MatrixX3d& shift : model.contact.higher_shifts) add(digest, Eigen::MatrixXd(shift));
   add(digest, Eigen::MatrixXd(model.contact.arc_length));
   if (model.contact.kind != ContactKind::points) digest.add(model.contact.kind);
   for (const NodalDiameterModel& matrices : model.nodal_diameters) {

@@ -74,7 +74,10 @@ void check_step(const ContactLine& contact, Eigen::Index k, const std::string& n
 void check(const ContactLine& contact, const std::string& name) {
   const Eigen::Index count = contact.arc_length.size();
   require(count > 0, name + ": /contact holds no node");
-  for (const auto* table : {&contact.position, &contact.normal, &contact.static_shift_1, &contact.static_shift_2})
+  std::vector<const Eigen::MatrixX3d*> tables = {&contact.position, &contact.normal, &contact.static_shift_1,
+                                                 &contact.static_shift_2};
+  for (const Eigen::MatrixX3d& shift : contact.higher_shifts) tables.push_back(&shift);
+  for (const auto* table : tables)
     require(table->rows() == count, name + ": /contact: every table must have " + std::to_string(count) + " rows");
   for (Eigen::Index k = 0; k < count; ++k) {
     require(std::abs(contact.normal.row(k).norm() - 1) < unit_tolerance,
@@ -126,7 +129,10 @@ Eigen::VectorXd NodalDiameterModel::natural_frequencies(double speed) const {
 
 Eigen::MatrixX3d ContactLine::static_shift(double speed) const {
   const double square = speed * speed;
-  return square * static_shift_1 + square * square * static_shift_2;
+  Eigen::MatrixX3d shift = square * static_shift_1 + square * square * static_shift_2;
+  double power = square * square;
+  for (const Eigen::MatrixX3d& term : higher_shifts) shift += (power *= square) * term;
+  return shift;
 }
 
 void check(const ReducedModel& model, const std::string& name) {

@@ -41,6 +41,7 @@ struct ContactLine {
   Eigen::VectorXd arc_length;       ///< [m] in the meridional plane, from the leading edge; n_c
   Eigen::MatrixX3d static_shift_1;  ///< [m s^2] displacement under spin over Omega^2; n_c x 3 (r, theta, z)
   Eigen::MatrixX3d static_shift_2;  ///< [m s^4] its part with Omega^4; n_c x 3
+  std::vector<Eigen::MatrixX3d> higher_shifts = {};  ///< [m s^6], ... its parts with Omega^6, Omega^8, ...; n_c x 3
 
   int size() const { return static_cast<int>(arc_length.size()); }
   /// [m] displacement under spin at a speed in rad/s; n_c x 3.

@@ -24,6 +24,17 @@ std::string stiffness_unit(std::size_t power) {
   return power == 0 ? "N/m" : "N/m s^" + std::to_string(2 * power);
 }
 
+/// "m s^2" of the shape's part with Omega^2, the first.
+std::string shift_unit(std::size_t power) {
+  return "m s^" + std::to_string(2 * power);
+}
+
+constexpr const char* shift_stem = "/contact/static_shift_";
+
+std::string shift_name(std::size_t power) {
+  return shift_stem + std::to_string(power);
+}
+
 /// A model by hand may leave units out, but not mean others.
 void require_unit(const Hdf5File& file, const std::string& name, const std::string& unit) {
   if (!file.has_attribute(name, "unit")) return;
@@ -40,9 +51,20 @@ Eigen::MatrixX3d read_triples(const Hdf5File& file, const std::string& name, con
 }
 
 /// A model by hand may leave out what is zero.
-Eigen::MatrixX3d read_triples_or_zero(const Hdf5File& file, const std::string& name, const std::string& unit,
-                                      Eigen::Index rows) {
-  return file.exists(name) ? read_triples(file, name, unit) : Eigen::MatrixX3d(Eigen::MatrixX3d::Zero(rows, 3));
+void read_static_shift(const Hdf5File& file, ContactLine& contact) {
+  const auto term = [&](std::size_t power) { return read_triples(file, shift_name(power), shift_unit(power)); };
+  const Eigen::MatrixX3d zero = Eigen::MatrixX3d::Zero(contact.arc_length.size(), 3);
+  contact.static_shift_1 = file.exists(shift_name(1)) ? term(1) : zero;
+  contact.static_shift_2 = file.exists(shift_name(2)) ? term(2) : zero;
+  std::set<std::string> known = {shift_name(1), shift_name(2)};
+  for (std::size_t power = 3; file.exists(shift_name(power)); ++power) {
+    contact.higher_shifts.push_back(term(power));
+    known.insert(shift_name(power));
+  }
+  for (const std::string& member : file.members("/contact"))
+    if (const std::string name = "/contact/" + member; name.starts_with(shift_stem) && !known.contains(name))
+      throw RunError(file.path() + ": " + name +
+                     " is not known; the static shift is static_shift_1, _2, and _3, _4, ... without a gap");
 }
 
 Eigen::MatrixXcd read_matrix(const Hdf5File& file, const std::string& name, const std::string& unit) {
@@ -91,9 +113,7 @@ ContactLine read_contact_line(const Hdf5File& file) {
   require_unit(file, "/contact/arc_length", "m");
   contact.position = read_triples(file, "/contact/position", position_unit);
   contact.normal = read_triples(file, "/contact/normal", "1");
-  const Eigen::Index count = contact.arc_length.size();
-  contact.static_shift_1 = read_triples_or_zero(file, "/contact/static_shift_1", "m s^2", count);
-  contact.static_shift_2 = read_triples_or_zero(file, "/contact/static_shift_2", "m s^4", count);
+  read_static_shift(file, contact);
   return contact;
 }
 
@@ -125,6 +145,18 @@ void write_matrix(Hdf5File& file, const std::string& name, const Eigen::MatrixXc
     file.write(name, matrix, unit);
 }
 
+void write_contact_line(Hdf5File& file, const ContactLine& contact) {
+  file.write("/contact/position", Eigen::MatrixXd(contact.position), position_unit);
+  file.write("/contact/normal", Eigen::MatrixXd(contact.normal), "1");
+  file.write("/contact/arc_length", contact.arc_length, "m");
+  const auto write_shift = [&](std::size_t power, const Eigen::MatrixX3d& shift) {
+    file.write(shift_name(power), Eigen::MatrixXd(shift), shift_unit(power));
+  };
+  write_shift(1, contact.static_shift_1);
+  write_shift(2, contact.static_shift_2);
+  for (std::size_t k = 0; k < contact.higher_shifts.size(); ++k) write_shift(3 + k, contact.higher_shifts[k]);
+}
+
 void write_verification(Hdf5File& file, const Verification& verification) {
   if (verification.speeds.size() == 0) return;
   file.write("/verification/speed", verification.speeds, "rad/s");
@@ -150,11 +182,7 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   file.write_text("/provenance", model.provenance);
   file.set_attribute("/", "digest", digest(model));
   if (!model.mesh_digest.empty()) file.set_attribute("/", "mesh_digest", model.mesh_digest);
-  file.write("/contact/position", Eigen::MatrixXd(model.contact.position), position_unit);
-  file.write("/contact/normal", Eigen::MatrixXd(model.contact.normal), "1");
-  file.write("/contact/arc_length", model.contact.arc_length, "m");
-  file.write("/contact/static_shift_1", Eigen::MatrixXd(model.contact.static_shift_1), "m s^2");
-  file.write("/contact/static_shift_2", Eigen::MatrixXd(model.contact.static_shift_2), "m s^4");
+  write_contact_line(file, model.contact);
   for (std::size_t n = 0; n < model.nodal_diameters.size(); ++n) {
     const NodalDiameterModel& matrices = model.nodal_diameters[n];
     const std::string group = group_of(static_cast<int>(n));

@@ -2,7 +2,8 @@
 #include "reduce/operators/speed_samples.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <numbers>
 
 #include "reduce/operators/speed_polynomial.h"
 
@@ -13,37 +14,31 @@ std::vector<double> speeds_at(std::vector<double> fractions, double speed_max) {
   return fractions;
 }
 
-SpeedSamples::SpeedSamples(const ReductionParameters& parameters) {
-  const bool linear = parameters.prestress != Prestress::nonlinear;
-  polynomial_choices_ = parameters.polynomial_speeds > 0 ? std::vector{parameters.polynomial_speeds}
-                        : linear                         ? std::vector{3}
-                                                         : std::vector{3, 5};
-  std::set<double> all;
-  for (const int speeds : polynomial_choices_)
-    for (const double fraction : polynomial_fractions(speeds)) all.insert(fraction);
-  if (!linear) {
-    all.insert(corrected_speeds.begin(), corrected_speeds.end());
-    all.insert(parameters.verification_speeds.begin(), parameters.verification_speeds.end());
-  }
-  fractions_.assign(all.begin(), all.end());
-}
-
-std::vector<double> SpeedSamples::polynomial_fractions(int speeds) {
-  std::vector<double> fractions(speeds);
-  for (int i = 0; i < speeds; ++i) fractions[i] = static_cast<double>(i) / (speeds - 1);
+// (1 - cos(a)) / 2 = sin(a/2)^2
+std::vector<double> chebyshev_fractions(int steps) {
+  std::vector<double> fractions;
+  for (int k = 0; k <= steps; ++k)
+    fractions.push_back(std::sin(static_cast<double>(k) / steps * std::numbers::pi / 2));
   return fractions;
 }
 
-std::optional<std::size_t> SpeedSamples::find(double fraction) const {
-  const auto sample = std::find(fractions_.begin(), fractions_.end(), fraction);
-  if (sample == fractions_.end()) return std::nullopt;
-  return sample - fractions_.begin();
+SpeedSamples::SpeedSamples(const ReductionParameters& parameters, int shape_terms)
+    : fractions_(shape_terms == 1 ? std::vector{0.0, 0.5, 1.0}  // the paper's
+                                  : chebyshev_fractions(2 * shape_terms)),
+      terms_(static_cast<int>(fractions_.size())) {
+  if (parameters.prestress != Prestress::nonlinear) return;
+  for (const double fraction : parameters.verification_speeds)
+    if (fraction != 0.0 && fraction != 1.0) fractions_.push_back(fraction);  // there the shape is the equilibrium's
 }
 
 Eigen::VectorXd SpeedSamples::weights(double fraction) const {
-  if (const auto sample = find(fraction))
-    return Eigen::VectorXd::Unit(static_cast<Eigen::Index>(fractions_.size()), static_cast<Eigen::Index>(*sample));
-  return SpeedPolynomial(fractions_).weights(fraction);
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fractions_.size()));
+  const auto sample = std::find(fractions_.rbegin(), fractions_.rend(), fraction);  // equilibria first
+  if (sample != fractions_.rend())
+    weights[fractions_.rend() - sample - 1] = 1;
+  else
+    weights.head(terms_) = SpeedPolynomial(polynomial_fractions()).weights(fraction);
+  return weights;
 }
 
 Eigen::MatrixXcd SpeedSamples::combine(const std::vector<Eigen::MatrixXcd>& samples, double fraction) const {

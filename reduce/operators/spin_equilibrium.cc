@@ -112,11 +112,20 @@ SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const Sec
   throw RunError(message.str());
 }
 
+double spin_imbalance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
+                      double speed, const Eigen::VectorXd& shape) {
+  const Balance balance(elasticity, mesh, nearby, speed);
+  return balance.norm(balance.residual(shape)) / balance.load_norm();
+}
+
+Eigen::VectorXd linear_shape(const RotatingElasticity& elasticity, const CyclicSolver& at_rest) {
+  const Eigen::VectorXcd load = elasticity.centrifugal_load().cast<std::complex<double>>();
+  return at_rest.transform().expand(at_rest.solve(at_rest.transform().gather(load), ContactNodes::free)).real();
+}
+
 SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorMesh& mesh,
                              const CyclicSolver& at_rest, std::vector<double> speeds, Prestress prestress) {
-  const Eigen::VectorXcd load = elasticity.centrifugal_load().cast<std::complex<double>>();
-  Eigen::VectorXd over_square =
-      at_rest.transform().expand(at_rest.solve(at_rest.transform().gather(load), ContactNodes::free)).real();
+  Eigen::VectorXd over_square = linear_shape(elasticity, at_rest);
   std::sort(speeds.begin(), speeds.end());
   SpinShapes shapes;
   for (const double speed : speeds) {

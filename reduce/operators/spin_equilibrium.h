@@ -28,7 +28,15 @@ struct SpinEquilibrium {
 SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const SectorMesh& mesh,
                                  const CyclicSolver& nearby, double speed, const Eigen::VectorXd& guess);
 
-/// Static shapes of a reduction.
+/// What a shape (sector dofs) [m] leaves of the load at a speed [rad/s]: the residual of spin_equilibrium(), 0 in
+/// balance. Costs the forces and two solves.
+double spin_imbalance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
+                      double speed, const Eigen::VectorXd& shape);
+
+/// [m s^2] The linear static shape over Omega^2, K(0)^-1 f; sector dofs. `at_rest` is K(0) of nodal diameter 0.
+Eigen::VectorXd linear_shape(const RotatingElasticity& elasticity, const CyclicSolver& at_rest);
+
+/// Static shapes at some speeds.
 struct SpinShapes {
   std::map<double, Eigen::VectorXd> at;  ///< [m] sector dofs, by speed [rad/s]
   int newton_steps = 0;                  ///< most of all speeds; none unless nonlinear

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
 #include "reduce/operators/sector_factor.h"
 #include "reduce/operators/speed_samples.h"
-#include "reduce/operators/spin_equilibrium.h"
+#include "reduce/operators/spin_shape.h"
 
 namespace tiprub {
 
@@ -15,37 +14,36 @@ namespace tiprub {
 class SpinningSector {
  public:
   /// All arguments must outlive the sector.
-  SpinningSector(const SectorMesh& mesh, const SectorDofs& dofs, const ReductionParameters& parameters,
-                 const SpeedSamples& samples);
+  SpinningSector(const SectorMesh& mesh, const SectorDofs& dofs, const ReductionParameters& parameters);
 
-  /// The shape at every sample, K there, and what assembles them released: it is large. `transform`
-  /// is that of nodal diameter 0. Raises RunError, with the speed.
-  void spin(const SectorFactor& factor_at_rest, const CyclicTransformation& transform);
+  /// The shape under spin; `transform` is that of nodal diameter 0. Returns at which speeds K is to be sampled.
+  /// Raises RunError, with the speed.
+  const SpeedSamples& spin(const SectorFactor& factor_at_rest, const CyclicTransformation& transform);
+  /// K there, and what assembles it released: it is large.
+  void sample();
 
   const SymmetricMatrix& mass() const { return mass_; }
-  /// K at the samples, in their order; only the first, at rest, before spin().
+  const SpeedSamples& samples() const { return samples_; }
+  /// K at the samples, in their order; only the first, at rest, before sample().
   const std::vector<SymmetricMatrix>& sampled_stiffness() const { return stiffness_; }
   /// K at any fraction of Omega_max.
   SymmetricMatrix stiffness(double fraction) const;
-  /// The factor of K at a sample. Raises RunError, with the speed, if the rotor is unstable there.
-  SectorFactor factorize(std::size_t sample) const;
-  /// s_1, s_2 [m s^2, m s^4] of the shape Omega^2 s_1 + Omega^4 s_2 through Omega_max/2 and Omega_max; s_2 is zero
-  /// unless prestress is nonlinear.
-  std::array<Eigen::VectorXcd, 2> static_shift() const;
-  /// The shapes under spin and what Newton's method took.
-  const SpinShapes& shapes() const { return shapes_; }
+  /// The factor of K at a fraction. Raises RunError, with the speed, if the rotor is unstable there.
+  SectorFactor factorize(double fraction) const;
+  /// The shape under spin and what Newton's method took.
+  const SpinShape& shape() const { return shape_; }
 
  private:
   double speed(double fraction) const { return fraction * parameters_.speed_max; }
-  SymmetricMatrix assemble_stiffness(double fraction) const;
+  SymmetricMatrix assemble_stiffness(double fraction, const Eigen::VectorXd& shape) const;
 
   const SectorMesh& mesh_;
   const SectorDofs& dofs_;
   const ReductionParameters& parameters_;
-  const SpeedSamples& samples_;
-  std::optional<RotatingElasticity> elasticity_;  // until spin() is done
+  SpeedSamples samples_;
+  std::optional<RotatingElasticity> elasticity_;  // until sample() is done
   SymmetricMatrix mass_;
-  SpinShapes shapes_;
+  SpinShape shape_;
   std::vector<SymmetricMatrix> stiffness_;
 };
 

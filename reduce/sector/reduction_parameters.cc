@@ -31,13 +31,12 @@ ReductionParameters read_reduction_parameters(CaseTable& table) {
   p.frequency_tolerance =
       table.number("frequency_tolerance", 5e-4, {0.0, 1.0, Range::LowEnd::excluded},
                    "of a frequency, at quarters of the top speed; what the basis misses joins it");
-  p.polynomial_speeds =
-      table.integer("polynomial_speeds", 0, Range::between(0, 9), "of eq. 7; 0: as many as it takes");
-  p.polynomial_tolerance = table.number("polynomial_tolerance", 1e-3, {0.0, 1.0, Range::LowEnd::excluded},
-                                        "of a frequency, by eq. 7 alone");
+  p.polynomial_speeds = table.integer("polynomial_speeds", 0, Range::between(0, 9),
+                                      "of the shape under nonlinear spin, rest among them; 0: as many as it takes");
+  p.polynomial_tolerance = table.number("polynomial_tolerance", 1e-4, {0.0, 1.0, Range::LowEnd::excluded},
+                                        "of the load, out of balance between these speeds");
   p.verification_modes = table.integer("verification_modes", 6, Range::between(1, 100), "a nodal diameter");
-  if (p.polynomial_speeds == 1 || p.polynomial_speeds == 2)
-    table.reject("polynomial_speeds", "must be 0 (as many as it takes) or at least 3");
+  if (p.polynomial_speeds == 1) table.reject("polynomial_speeds", "must be 0 (as many as it takes) or at least 2");
   if (!std::is_sorted(p.verification_speeds.begin(), p.verification_speeds.end()))
     table.reject("verification_speeds", "must increase");
   p.verification_tolerance =

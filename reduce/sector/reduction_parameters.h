@@ -24,8 +24,8 @@ struct ReductionParameters {
   int verification_modes = 0;               ///< a nodal diameter
   double verification_tolerance = 0;        ///< [1] of omega^2, estimated
   double frequency_tolerance = 0;           ///< [1] of the lowest frequencies between the speeds of the basis
-  int polynomial_speeds = 0;                ///< of eq. 7; 0: as many as `polynomial_tolerance` takes, 3 or 5
-  double polynomial_tolerance = 0;          ///< [1] of a frequency, by eq. 7 alone
+  int polynomial_speeds = 0;                ///< of SpinShape, rest among them; 0: as many as it takes
+  double polynomial_tolerance = 0;          ///< [1] of the load, that SpinShape may leave out of balance
   double cyclic_tolerance = 0;              ///< [1] over the largest radius
   int threads = 1;                          ///< for nodal diameters and the BLAS
 };

@@ -16,7 +16,8 @@ SCENES = ("plain", "rich", "open")
 MESH_FORMATS = {"msh22.msh": ("2.2", "text"), "msh40.msh": ("4.0", "text"), "binary.msh": ("4.1", "binary")}
 STAGES = (["mesh"], ["reduce", "sector.msh", "--fields", "fields.h5"], ["simulate", "model.h5"])
 RICH_TABLE = "\n[material]\nultimate_strength = 950e6\nendurance_limit = 400e6\n"
-RICH_SETTINGS = ["mesh.element=\"hex27\"", "reduce.prestress=\"nonlinear\"", "simulate.sweep=\"up\"", "simulate.speeds=\"adaptive\""]
+RICH_SETTINGS = ["mesh.element=\"hex27\"", "reduce.prestress=\"nonlinear\"", "reduce.polynomial_speeds=5",
+                 "simulate.sweep=\"up\"", "simulate.speeds=\"adaptive\""]
 
 
 def make_scene(programs, text, folder, settings):

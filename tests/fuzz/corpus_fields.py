@@ -9,10 +9,11 @@ SETS = ("clamped", "contact", "cyclic_low", "cyclic_high")
 
 
 def of_tables():
-    for name in ("nodes", "static/displacement_1", "static/displacement_2"):
+    for name in ("nodes", "static/displacement_1", "static/displacement_2", "static/displacement_3"):
         yield FIELDS.entry(f"{name.replace('/', '.')}.two_columns", replaced(name, lambda values: values[:, :2]), f"/{name} must have three columns")
-    for name in ("displacement_1", "displacement_2"):
+    for name in ("displacement_1", "displacement_2", "displacement_3"):
         yield FIELDS.entry(f"{name}.one_row_less", replaced(f"static/{name}", lambda values: values[1:]), "must have a row for each node")
+    yield FIELDS.entry("displacement_3.absent", without("static/displacement_3"), "/static must hold displacement_1, _2, and _3, _4, ... without a gap")
     yield FIELDS.entry("nodes.one_less", replaced("nodes", lambda values: values[1:]), "names node 234, of 0 .. 233")
     yield FIELDS.entry("cells.columns", replaced("cells", lambda values: values[:, :8]), "/cells must have 20 or 27 columns")
     yield FIELDS.entry("cells.node_beyond", replaced("cells", with_value(100000)), "/cells names node 100000, of 0 .. 234")

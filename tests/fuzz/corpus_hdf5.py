@@ -85,10 +85,11 @@ class Stage:
     def entry(self, name, change, phrase, code=1):
         return Entry(name, self.program, self.file, change, code, phrase, self.options)
 
-    def of_dataset(self, name, axes):
+    def of_dataset(self, name, axes, optional=False):
         """What is wrong with numbers of any shape."""
         path, said = name.strip("/").replace("/", "."), f"/{name}: "
-        yield self.entry(f"{path}.absent", without(name), said + "is missing")
+        if not optional:
+            yield self.entry(f"{path}.absent", without(name), said + "is missing")
         yield self.entry(f"{path}.group", group_in_place(name), said)
         yield self.entry(f"{path}.text", replaced(name, lambda values: "text"), said)
         yield self.entry(f"{path}.nan", replaced(name, with_value(numpy.nan)), "is not finite")

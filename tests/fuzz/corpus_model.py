@@ -2,7 +2,7 @@
 """model.h5."""
 import numpy
 
-from corpus_hdf5 import Stage, attribute, edit, replaced
+from corpus_hdf5 import Stage, attribute, edit, replaced, without
 
 MODEL = Stage("simulate", "model.h5")
 PAIRS = "nodal_diameter/1/M"
@@ -38,7 +38,6 @@ def of_matrices():
     yield MODEL.entry("M.empty", replaced(PAIRS, lambda values: values[:0, :0]), "but the contact nodes alone have 6 dofs")
     yield MODEL.entry("M.complex_at_0", replaced("nodal_diameter/0/M", lambda values: values + 1j * (numpy.tri(len(values)) - numpy.tri(len(values)).T)),
                       "must be real: this nodal diameter is a standing wave")
-    yield MODEL.entry("K2.of_another_name", renamed("nodal_diameter/1/K2", "nodal_diameter/1/K4"), "/nodal_diameter/1/K4 is not known")
     yield MODEL.entry("K2.name_of_two_lines", renamed("nodal_diameter/1/K2", "nodal_diameter/1/a\nb"), "/nodal_diameter/1/a\\nb is not known")
     yield MODEL.entry("one_diameter_less", renamed("nodal_diameter/3", "nodal_diameter/03"), "/nodal_diameter/3/M: is missing")
 
@@ -55,6 +54,15 @@ def of_contact():
         path = f"contact/{name}"
         yield MODEL.entry(f"{name}.two_columns", replaced(path, lambda values: values[:, :2]), f"/{path} must have three columns: r, theta, z")
         yield MODEL.entry(f"{name}.one_row", replaced(path, lambda values: values[:1]), "/contact: every table must have 2 rows")
+
+
+def of_higher_terms():
+    for path, phrase in (("contact/static_shift_3", "/contact: every table must have 2 rows"), ("nodal_diameter/1/K8", "/nodal_diameter/1/K8 is ")):
+        yield from MODEL.of_dataset(path, 2, optional=True)
+        yield MODEL.entry(f"{path.replace('/', '.')}.one_row", replaced(path, lambda values: values[:1]), phrase)
+    yield MODEL.entry("static_shift_3.other_unit", attribute("unit", b"mm", "contact/static_shift_3"), 'has the unit "mm", must be "m s^6"')
+    yield MODEL.entry("static_shift_3.absent", without("contact/static_shift_3"), "/contact/static_shift_4 is not known")
+    yield MODEL.entry("K8.of_another_name", renamed("nodal_diameter/1/K8", "nodal_diameter/1/K10"), "/nodal_diameter/1/K10 is not known")
 
 
 def of_verification():
@@ -79,4 +87,4 @@ def of_attributes():
 
 ENTRIES = [*MODEL.of_file("tiprub-model"), *MODEL.of_dataset("contact/arc_length", 1), *MODEL.of_dataset("contact/position", 2),
            *MODEL.of_dataset("contact/normal", 2), *MODEL.of_dataset("nodal_diameter/0/K0", 2), *MODEL.of_dataset(PAIRS, 2),
-           *MODEL.of_dataset("verification/nodal_diameter/0/reduced", 2), *of_matrices(), *of_contact(), *of_verification(), *of_attributes()]
+           *MODEL.of_dataset("verification/nodal_diameter/0/reduced", 2), *of_matrices(), *of_contact(), *of_higher_terms(), *of_verification(), *of_attributes()]

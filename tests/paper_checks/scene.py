@@ -102,10 +102,7 @@ class Model:
             count = self.sectors // 2 + 1
             self.matrices = []
             for n in range(count):
-                group = file[f"nodal_diameter/{n}"]
-                size = group["M"].shape
-                self.matrices.append({name: group[name][:] if name in group else numpy.zeros(size)
-                                      for name in ("K0", "K1", "K2", "M")})
+                self.matrices.append({name: dataset[:] for name, dataset in file[f"nodal_diameter/{n}"].items()})
             self.verified = []
             if "verification" in file:
                 self.verified_speeds = file["verification/speed"][:]
@@ -117,8 +114,7 @@ class Model:
         return 1 if n == 0 or 2 * n == self.sectors else 2
 
     def stiffness(self, n, speed):
-        m = self.matrices[n]
-        return m["K0"] + speed ** 2 * m["K1"] + speed ** 4 * m["K2"]
+        return sum(speed ** (2 * int(name[1:])) * matrix for name, matrix in self.matrices[n].items() if name != "M")
 
     def frequencies(self, n, speed):
         """[Hz], ascending."""

@@ -226,6 +226,7 @@ TEST(FieldsFile, ExpandsWhatItTook) {
   SectorFields sector = sector_of_bricks(20);
   sector.parts = {{"disc", {0}}, {"main_blade", {1}}};
   sector.static_displacement_1.setRandom();
+  sector.higher_displacements = {sector.static_displacement_1 / 3};
   const Eigen::Index dofs = 37, size = 3 * sector.nodes.cols();
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "tiprub_fields_test.h5";
   std::vector<Eigen::MatrixXcd> bases;
@@ -247,6 +248,9 @@ TEST(FieldsFile, ExpandsWhatItTook) {
   EXPECT_EQ(reader.sector().node_sets, sector.node_sets);
   EXPECT_EQ(reader.sector().parts, sector.parts);
   EXPECT_EQ(reader.sector().static_displacement_1, sector.static_displacement_1);
+  EXPECT_EQ(reader.sector().higher_displacements, sector.higher_displacements);
+  const Eigen::Matrix3Xd moved = (4 + 64.0 / 3) * sector.static_displacement_1;  // Omega^2 (1) + Omega^6 (3)
+  EXPECT_LT((reader.sector().static_displacement(2.0) - moved).norm(), 1e-14 * moved.norm());
   for (int n = 0; n <= sector_count / 2; ++n) {
     const Eigen::MatrixXcd amplitudes = Eigen::MatrixXcd::Random(dofs, 2), exact = bases[n] * amplitudes;
     EXPECT_EQ(reader.dofs(n), dofs);

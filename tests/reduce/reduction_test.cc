@@ -98,23 +98,53 @@ TEST(Reduction, CorrectsABasisThatMissesModesBetweenItsSpeeds) {
   EXPECT_LT(with, 0.3 * without);
 }
 
-TEST(Reduction, TakesMoreSpeedsWhereThreeDoNotHold) {
+/// A thin cone that spin flattens. Entry by entry, eq. 7 through K itself was off by 27 % between its speeds: the
+/// stiff directions turn with the sheet.
+TEST(Reduction, HoldsBetweenItsSpeedsHoweverFarAThinSheetTurns) {
+  test::Annulus cone;
+  cone.bricks = {4, 2, 1};
+  cone.height = 0.001;
+  cone.coning = 0.03;
+  ReductionParameters p = parameters();
+  p.prestress = Prestress::nonlinear;
+  p.polynomial_tolerance = 1e-4;
+  p.verification_speeds = {0.1, 0.2, 0.3, 0.45, 0.55, 0.65, 0.8, 0.9};
+  p.verification_modes = 8;
+  p.frequency_tolerance = 1e-4;
+  ReductionReport report;
+  const ReducedModel model = reduce(cone.sector(), p, Progress::Shown::never, report);
+  EXPECT_LT(model_error(model, 40).error, 1e-3);
+  EXPECT_LT(model.verification.polynomial_misfit.maxCoeff(), 1e-3);
+}
+
+TEST(Reduction, TakesAsManyTermsAsTheShapeUnderSpinAsksFor) {
   // A soft rotor that bends a lot under spin.
   ReductionParameters p = parameters();
   p.prestress = Prestress::nonlinear;
   p.material.young = 4e10;
   p.verification_speeds = {0.3, 0.6, 0.9};
+  double before = 1;
+  for (const int terms : {1, 2, 4}) {
+    ReductionReport report;
+    p.polynomial_speeds = terms + 1;
+    const ReducedModel model = reduced(p, report);
+    EXPECT_EQ(report.shape_terms, terms);
+    EXPECT_EQ(model.nodal_diameters[1].higher.size(), 2 * terms - 2u);  // 2 terms + 1
+    EXPECT_EQ(model.contact.higher_shifts.size(), std::max(0, terms - 2) + 0u);
+    EXPECT_NO_THROW(check(model, "model"));
+    const double misfit = model.verification.polynomial_misfit.maxCoeff();
+    EXPECT_LT(misfit, 0.2 * before);
+    before = misfit;
+  }
   ReductionReport report;
-  p.polynomial_tolerance = 1;
-  const ReducedModel three = reduced(p, report);
-  EXPECT_EQ(report.polynomial_speeds, 3);
-  EXPECT_TRUE(three.nodal_diameters[1].higher.empty());
-  p.polynomial_tolerance = 1e-12;
-  const ReducedModel five = reduced(p, report);
-  EXPECT_EQ(report.polynomial_speeds, 5);
-  EXPECT_EQ(five.nodal_diameters[1].higher.size(), 2u);
-  EXPECT_NO_THROW(check(five, "model"));
-  EXPECT_LT(five.verification.polynomial_misfit.maxCoeff(), 0.2 * three.verification.polynomial_misfit.maxCoeff());
+  p.polynomial_speeds = 0;
+  p.polynomial_tolerance = 1e-2;
+  reduced(p, report);
+  const int loose = report.shape_terms;
+  p.polynomial_tolerance = 1e-7;
+  reduced(p, report);
+  EXPECT_GT(report.shape_terms, loose);
+  EXPECT_LE(report.imbalance, 1e-7);
 }
 
 TEST(Reduction, ShiftsTheContactNodesAsTheStaticsSay) {

@@ -105,6 +105,44 @@ TEST_F(ModelFile, SaysWhatItsContactUnknownsAre) {
             path().string() + ": attribute `contact` is \"lines\", must be \"points\" or \"segments\"");
 }
 
+/// K and the static shift of large displacements go on with Omega^6, Omega^8, ...
+TEST_F(ModelFile, CarriesAnyNumberOfTerms) {
+  ReducedModel model = some_model();
+  for (NodalDiameterModel& matrices : model.nodal_diameters) matrices.higher = {1e-3 * matrices.K2, 1e-6 * matrices.K2};
+  model.contact.higher_shifts = {Eigen::RowVector3d(1e-27, 0.0, 2e-28), Eigen::RowVector3d(-1e-34, 3e-35, 0.0)};
+  write_model(model, path(), "test");
+  const ReducedModel read = read_model(path());
+  expect_same(read, model);
+  EXPECT_EQ(read.nodal_diameters[1].higher, model.nodal_diameters[1].higher);
+  EXPECT_EQ(read.contact.higher_shifts, model.contact.higher_shifts);
+  EXPECT_EQ(Hdf5File::open(path()).text_attribute("/contact/static_shift_4", "unit"), "m s^8");
+  const std::string name = digest(model);
+  model.contact.higher_shifts[1](0, 0) *= 2;
+  EXPECT_NE(digest(model), name);
+}
+
+TEST_F(ModelFile, RefusesAStaticShiftWithAGap) {
+  const Eigen::MatrixXd shift = Eigen::RowVector3d(1.0, 0.0, 0.0);
+  const auto complaint = [&](const std::string& name, const Eigen::MatrixXd& values, const std::string& unit) {
+    return complaint_about_file([&](Hdf5File& file) {
+      write_one_mass(file);
+      file.write("/contact/" + name, values, unit);
+    });
+  };
+  EXPECT_EQ(complaint("static_shift_3", shift, "m s^6"), "");
+  EXPECT_EQ(read_model(path()).contact.static_shift(2.0), Eigen::MatrixX3d(64.0 * shift));
+  EXPECT_EQ(complaint("static_shift_4", shift, "m s^8"),
+            path().string() + ": /contact/static_shift_4 is not known; the static shift is static_shift_1, _2, and "
+                              "_3, _4, ... without a gap");
+  EXPECT_EQ(complaint("static_shift_3", shift, "m"),
+            path().string() +
+                ": /contact/static_shift_3 has the unit \"m\", must be \"m s^6\" (SI), or no attribute `unit`");
+  EXPECT_EQ(complaint("static_shift_3", shift.leftCols(2), "m s^6"),
+            path().string() + ": /contact/static_shift_3 must have three columns: r, theta, z");
+  EXPECT_EQ(complaint("static_shift_3", shift.replicate(2, 1), "m s^6"),
+            path().string() + ": /contact: every table must have 1 rows");
+}
+
 /// An attribute holds 64 KB: a case with a long table lost the reduction that it had taken.
 TEST_F(ModelFile, CarriesACaseOfAnyLength) {
   ReducedModel model = some_model();

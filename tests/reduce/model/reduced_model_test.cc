@@ -94,6 +94,14 @@ TEST(NodalDiameterModel, ItsStiffnessIsAPolynomialOfTheSpeedSquared) {
   EXPECT_EQ(model.stiffness(2.0)(0, 0), 4.0 - 4.0 + 0.5 * 16 + 0.25 * 64);
 }
 
+TEST(ContactLine, IsShiftedByAPolynomialOfTheSpeedSquared) {
+  ContactLine line;
+  line.static_shift_1 = Eigen::RowVector3d(1.0, 0.0, 2.0);
+  line.static_shift_2 = Eigen::RowVector3d(0.0, -1.0, 0.5);
+  line.higher_shifts = {Eigen::RowVector3d(0.25, 0.0, 0.0), Eigen::RowVector3d(0.0, 0.125, 0.0)};
+  EXPECT_EQ(line.static_shift(2.0), Eigen::MatrixX3d(Eigen::RowVector3d(4 + 16, -16 + 32, 8 + 8)));
+}
+
 TEST(NodalDiameterModel, AnUnstableRotorHasANegativeFrequency) {
   const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(1, 1);
   const NodalDiameterModel model{4.0 * one, -1.0 * one, 0.0 * one, one};

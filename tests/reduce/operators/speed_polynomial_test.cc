@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "reduce/operators/speed_samples.h"
 #include "tests/reduce/dense_algebra.h"
 
 namespace tiprub {
@@ -48,7 +49,7 @@ TEST(SpeedPolynomial, FindsAPolynomialsOwnCoefficients) {
   exact[2] /= std::pow(top, 4);
   const std::vector<double> speeds = {0.0, top / 2, top};
   const std::vector<Eigen::MatrixXcd> terms =
-      SpeedPolynomial(speeds).coefficients({at(exact, 0.0), at(exact, top / 2), at(exact, top)});
+      SpeedPolynomial(speeds).coefficients(std::vector{at(exact, 0.0), at(exact, top / 2), at(exact, top)});
   for (int k = 0; k < 3; ++k) EXPECT_LT(difference(terms[k], exact[k]), 1e-13);
 }
 
@@ -62,6 +63,36 @@ TEST(SpeedPolynomial, WeighsItsSamplesAsItsCoefficientsDo) {
     for (int s = 1; s < 5; ++s) sum += weights[s] * samples[s];
     EXPECT_LT(difference(sum, at(terms, speed)), 1e-12);
   }
+}
+
+/// The inverse of 17 terms alone left 2e-5.
+TEST(SpeedPolynomial, LosesNoDigitsWithManyTerms) {
+  const Eigen::MatrixXcd matrix = arbitrary(4, 4);
+  const auto exact = [&](double speed) -> Eigen::MatrixXcd { return matrix / (1 + 3 * std::pow(speed / top, 2)); };
+  const std::vector<double> speeds = speeds_at(chebyshev_fractions(16), top);
+  std::vector<Eigen::MatrixXcd> samples;
+  for (const double speed : speeds) samples.push_back(exact(speed));
+  const SpeedPolynomial Y(speeds);
+  const std::vector<Eigen::MatrixXcd> terms = Y.coefficients(samples);
+  for (const double speed : speeds) EXPECT_LT(difference(at(terms, speed), exact(speed)), 1e-11);
+  for (const double speed : {0.03 * top, 0.4 * top, 0.77 * top, 0.99 * top}) {
+    EXPECT_LT(difference(at(terms, speed), exact(speed)), 1e-7);  // Chebyshev's series ends there: 3^-16
+    EXPECT_NEAR(Y.weights(speed).sum(), 1.0, 1e-11);
+  }
+}
+
+TEST(SpeedSamples, AreThePapersForOneTermAndKeepEquilibriaApart) {
+  ReductionParameters p;
+  p.verification_speeds = {0.0, 0.5, 0.7, 1.0};
+  EXPECT_EQ(SpeedSamples(p, 1).fractions(), (std::vector{0.0, 0.5, 1.0}));
+  p.prestress = Prestress::nonlinear;
+  const SpeedSamples samples(p, 1);
+  EXPECT_EQ(samples.fractions(), (std::vector{0.0, 0.5, 1.0, 0.5, 0.7}));
+  EXPECT_EQ(samples.polynomial_terms(), 3);
+  EXPECT_EQ(samples.weights(0.5), Eigen::VectorXd::Unit(5, 3));  // the equilibrium, not the polynomial's shape
+  EXPECT_EQ(samples.weights(1.0), Eigen::VectorXd::Unit(5, 2));
+  EXPECT_EQ(samples.weights(0.6).tail(2), Eigen::VectorXd::Zero(2));
+  EXPECT_EQ(SpeedSamples(p, 2).fractions().size(), 5u + 2u);
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ ReductionParameters nonlinear_parameters() {
   p.verification_speeds = {0.0, 0.5, 0.75, 1.0};
   p.verification_modes = 6;
   p.verification_tolerance = 1e-9;
-  p.polynomial_speeds = 3;
+  p.polynomial_tolerance = 1e-4;
   return p;
 }
 
@@ -130,28 +130,33 @@ TEST(NonlinearReduction, StatesTheMisfitOfItsPolynomial) {
   const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
   ASSERT_EQ(misfit.rows(), 4);
   ASSERT_EQ(misfit.cols(), 3);
-  for (const int fitted : {0, 1, 3}) EXPECT_LT(misfit.row(fitted).maxCoeff(), 1e-9) << fitted;
-  EXPECT_GT(misfit.row(2).maxCoeff(), 1e-7);
-  EXPECT_LT(misfit.row(2).maxCoeff(), 1e-2);
+  for (const int exact : {0, 3}) EXPECT_LT(misfit.row(exact).maxCoeff(), 1e-9) << exact;
+  for (const int between : {1, 2}) EXPECT_GT(misfit.row(between).maxCoeff(), 1e-11) << between;
+  EXPECT_LT(misfit.maxCoeff(), 1e-4);
+  EXPECT_LE(report.imbalance, 1e-4);
   EXPECT_GE(report.newton_steps, 3);
   EXPECT_LE(report.newton_residual, 1e-10);
 }
 
-TEST(NonlinearReduction, ShiftsTheContactNodesExactlyAtHalfAndFullSpeed) {
-  const ReductionParameters p = nonlinear_parameters();
+TEST(NonlinearReduction, ShiftsTheContactNodesAsTheEquilibriaDo) {
+  ReductionParameters p = nonlinear_parameters();
+  p.material.young /= 10;
+  p.polynomial_tolerance = 1e-6;
   ReductionReport report;
   const ReducedModel model = reduce(test::skewed_annulus(sectors).sector(), p, Progress::Shown::never, report);
+  EXPECT_GT(report.shape_terms, 2);
+  EXPECT_EQ(model.contact.higher_shifts.size(), report.shape_terms - 2u);
   TestRotor rotor = test::tip_rotor(test::skewed_annulus(sectors), p.material);
   const SectorFactor factor(rotor.at_rest(), rotor.dofs());
   const CyclicSolver at_rest(factor, CyclicTransformation(rotor.dofs(), sectors, 0));
-  for (const double fraction : {0.5, 1.0}) {
+  for (const double fraction : {0.2, 0.55, 0.9, 1.0}) {
     const Eigen::VectorXd exact = spin_equilibrium(rotor.elasticity(), rotor.mesh(), at_rest, fraction * top,
                                                    Eigen::VectorXd::Zero(rotor.dofs().sector()))
                                       .displacement;
     const Eigen::MatrixX3d shift = model.contact.static_shift(fraction * top);
     for (int k = 0; k < 2; ++k)
       EXPECT_LT((shift.row(k).transpose() - exact.segment<3>(rotor.dofs().first[rotor.dofs().contact[k]])).norm(),
-                1e-8 * shift.row(k).norm());
+                1e-6 * shift.row(k).norm());
   }
 }
 

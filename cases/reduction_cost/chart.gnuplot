@@ -32,13 +32,13 @@ set ylabel "worst error of the first 50 frequencies [%]"
 set title "Error over the size of the model"
 set xlabel "dofs of the whole wheel's model at any one speed"
 of(name) = sprintf("< grep '^%s' error.tsv", name)
-plot for [name in "stress_only linear nonlinear"] of(name) using 7:8 with points pt 7 ps 0.9 title name noenhanced, \
+plot for [name in "stress_only linear nonlinear"] of(name) using 6:7 with points pt 7 ps 0.9 title name noenhanced, \
      0.1 with lines lc "gray" title "0.1 %", 0.01 with lines dt 2 lc "gray" title "0.01 %"
 set title "Error over the time of the reduction"
 set xlabel "processor time [s]"
 set logscale x
 set xrange [3:30]
 set xtics (3, 5, 10, 20, 30)
-plot for [name in "stress_only linear nonlinear"] of(name) using 10:8 with points pt 7 ps 0.9 title name noenhanced, \
+plot for [name in "stress_only linear nonlinear"] of(name) using 9:7 with points pt 7 ps 0.9 title name noenhanced, \
      0.1 with lines lc "gray" title "0.1 %", 0.01 with lines dt 2 lc "gray" title "0.01 %"
 unset multiplot

@@ -28,12 +28,13 @@ TEST(Grading, ElementsThatAreAlikeStayWhereTheyAreToTheLastBit) {
 
 TEST(Grading, ElementsGrowByOneFactorFromBothEndsToTheMiddle) {
   for (const int count : {3, 4, 9, 14}) {
+    const int steps = (count - 1) / 2;  // from the smallest to the largest
     const std::vector<double> size = sizes(count, 5.0);
     EXPECT_NEAR(*std::max_element(size.begin(), size.end()) / size.front(), 5.0, 1e-12);
     EXPECT_NEAR(graded(2 * count, count, 5.0), 2.0 * count, 1e-12);
     for (int element = 0; element < count; ++element) EXPECT_NEAR(size[element], size[count - 1 - element], 1e-12);
     for (int element = 1; 2 * element < count - 1; ++element)
-      EXPECT_NEAR(size[element] / size[element - 1], std::pow(5.0, 1.0 / ((count - 1) / 2)), 1e-12);
+      EXPECT_NEAR(size[element] / size[element - 1], std::pow(5.0, 1.0 / steps), 1e-12);
   }
 }
 

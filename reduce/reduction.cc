@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <utility>
 
@@ -59,7 +60,9 @@ class Reducer {
     timed(report, "factor at full speed");
     ReducedModel model = describe(sector.shape());
     write_sector_fields(sector.shape());
-    const SampledStiffness stiffness = reduce_diameters({sector, at_rest, at_top}, model, report);
+    const SampledStiffness stiffness = blaming_shape(sector.shape(), [&] {
+      return reduce_diameters({sector, at_rest, at_top}, model, report);
+    });
     timed(report, "modes, bases, verification");
     fit_polynomial(stiffness, sector.samples(), parameters_, model);  // eq. 7
     find_reduced_frequencies(model);
@@ -97,6 +100,19 @@ class Reducer {
     const MemoryNeed need = memory_need_of(samples);
     if (need.total() > report.memory_needed) require_memory(need, available_at_start_, mappable_at_start_);
     report.memory_needed = std::max(report.memory_needed, need.total());
+  }
+
+  /// K of a polynomial that is far from the shape under spin may look like that of an unstable rotor: says so.
+  SampledStiffness blaming_shape(const SpinShape& shape, const std::function<SampledStiffness()>& body) const {
+    try {
+      return body();
+    } catch (const RunError& error) {
+      if (shape.imbalance <= parameters_.polynomial_tolerance) throw;
+      throw RunError(std::string(error.what()) +
+                     ", or its shape changes too much for eq. 7: " + std::to_string(100 * shape.imbalance) +
+                     " % of the load is out of balance between its speeds; lower speed_max_rpm, or take prestress = "
+                     "\"linear\"");
+    }
   }
 
   /// Complex vectors that one nodal diameter holds: its basis, and either the Lanczos vectors with their products or

@@ -118,6 +118,23 @@ double spin_imbalance(const RotatingElasticity& elasticity, const SectorMesh& me
   return balance.norm(balance.residual(shape)) / balance.load_norm();
 }
 
+SpinEquilibrium climb(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
+                      const KnownShape& from, double speed, int halvings) {
+  const double square = speed * speed;
+  try {
+    return at_speed(speed,
+                    [&] { return spin_equilibrium(elasticity, mesh, nearby, speed, square * from.over_square); });
+  } catch (const RunError&) {
+    if (halvings == 0) throw;
+  }
+  const double between = std::sqrt((from.speed * from.speed + square) / 2);
+  const SpinEquilibrium half = climb(elasticity, mesh, nearby, from, between, halvings - 1);
+  SpinEquilibrium found =
+      climb(elasticity, mesh, nearby, {between, half.displacement / (between * between)}, speed, halvings - 1);
+  found.iterations = std::max(found.iterations, half.iterations);
+  return found;
+}
+
 Eigen::VectorXd linear_shape(const RotatingElasticity& elasticity, const CyclicSolver& at_rest) {
   const Eigen::VectorXcd load = elasticity.centrifugal_load().cast<std::complex<double>>();
   return at_rest.transform().expand(at_rest.solve(at_rest.transform().gather(load), ContactNodes::free)).real();
@@ -125,18 +142,17 @@ Eigen::VectorXd linear_shape(const RotatingElasticity& elasticity, const CyclicS
 
 SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorMesh& mesh,
                              const CyclicSolver& at_rest, std::vector<double> speeds, Prestress prestress) {
-  Eigen::VectorXd over_square = linear_shape(elasticity, at_rest);
+  KnownShape known{0.0, linear_shape(elasticity, at_rest)};
   std::sort(speeds.begin(), speeds.end());
   SpinShapes shapes;
   for (const double speed : speeds) {
     const double square = speed * speed;
-    shapes.at[speed] = square * over_square;
+    shapes.at[speed] = square * known.over_square;
     if (prestress != Prestress::nonlinear || speed == 0.0) continue;
-    SpinEquilibrium found =
-        at_speed(speed, [&] { return spin_equilibrium(elasticity, mesh, at_rest, speed, square * over_square); });
+    SpinEquilibrium found = climb(elasticity, mesh, at_rest, known, speed);
     shapes.newton_steps = std::max(shapes.newton_steps, found.iterations);
     shapes.newton_residual = std::max(shapes.newton_residual, found.residual);
-    over_square = found.displacement / square;
+    known = {speed, found.displacement / square};
     shapes.at[speed] = std::move(found.displacement);
   }
   return shapes;

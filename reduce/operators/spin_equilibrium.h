@@ -33,6 +33,18 @@ SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const Sec
 double spin_imbalance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
                       double speed, const Eigen::VectorXd& shape);
 
+/// A shape that is known, to start from.
+struct KnownShape {
+  double speed = 0;             ///< [rad/s]
+  Eigen::VectorXd over_square;  ///< [m s^2] displacement over Omega^2; sector dofs
+};
+
+/// spin_equilibrium() from the shape at a lower speed, which grows with Omega^2; where Newton's method doesn't find
+/// the way from there, over one or more speeds in between. Raises RunError, with the first speed that it doesn't
+/// reach.
+SpinEquilibrium climb(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
+                      const KnownShape& from, double speed, int halvings = 3);
+
 /// [m s^2] The linear static shape over Omega^2, K(0)^-1 f; sector dofs. `at_rest` is K(0) of nodal diameter 0.
 Eigen::VectorXd linear_shape(const RotatingElasticity& elasticity, const CyclicSolver& at_rest);
 
@@ -44,7 +56,7 @@ struct SpinShapes {
 };
 
 /// The shapes under spin at these speeds [rad/s]. Linear and stress-only prestress: Omega^2 K(0)^-1 f. Nonlinear:
-/// spin_equilibrium(), upwards in speed, each from the one before it. `at_rest` is K(0) of nodal diameter 0. Raises
+/// climb(), each from the one before it. `at_rest` is K(0) of nodal diameter 0. Raises
 /// RunError, with the speed.
 SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorMesh& mesh,
                              const CyclicSolver& at_rest, std::vector<double> speeds, Prestress prestress);

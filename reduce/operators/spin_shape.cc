@@ -2,11 +2,9 @@
 #include "reduce/operators/spin_shape.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
-#include "reduce/operators/at_speed.h"
 #include "reduce/operators/speed_polynomial.h"
 #include "reduce/operators/speed_samples.h"
 
@@ -14,7 +12,7 @@ namespace tiprub {
 
 namespace {
 
-const std::vector<int> term_choices = {1, 2, 4, 8};  // 16 would lose K's 33 terms to rounding
+constexpr int most_terms = 8;  // 16 would lose K's 33 terms to rounding
 
 class ShapeFit {
  public:
@@ -24,49 +22,38 @@ class ShapeFit {
     std::vector<double> speeds = speeds_at(parameters.verification_speeds, parameters.speed_max);
     speeds.insert(speeds.end(), {0.0, parameters.speed_max});
     shape_.equilibria = shapes_under_spin(elasticity, mesh, at_rest, speeds, parameters.prestress);
-    shape_.terms = {shape_.equilibria.at.at(parameters.speed_max) / std::pow(parameters.speed_max, 2)};
   }
 
   SpinShape run() {
     const bool given = parameters_.polynomial_speeds > 0;
-    for (const int terms : given ? std::vector{parameters_.polynomial_speeds - 1} : term_choices) {
-      go_through(speeds_at(chebyshev_fractions(terms), parameters_.speed_max));
-      shape_.imbalance = imbalance(terms);
-      if (shape_.imbalance <= parameters_.polynomial_tolerance) break;
-    }
+    int terms = given ? parameters_.polynomial_speeds - 1 : 1;
+    fit(terms);
+    while (!given && shape_.imbalance > parameters_.polynomial_tolerance && terms < most_terms) fit(terms *= 2);
     return std::move(shape_);
   }
 
  private:
-  /// `speeds` from zero.
-  void go_through(const std::vector<double>& speeds) {
+  void fit(int terms) {
+    const std::vector<double> speeds = speeds_at(chebyshev_fractions(terms), parameters_.speed_max);
     std::vector<Eigen::VectorXd> shapes;
     for (const double speed : speeds) shapes.push_back(equilibrium(speed));
     shape_.terms = SpeedPolynomial(speeds).coefficients(shapes);
     shape_.terms.erase(shape_.terms.begin());  // at rest: zero
+    shape_.imbalance = imbalance(terms);
   }
 
   Eigen::VectorXd equilibrium(double speed) {
     SpinShapes& known = shape_.equilibria;
     if (const auto at = known.at.find(speed); at != known.at.end()) return at->second;
-    const SpinEquilibrium found =
-        at_speed(speed, [&] { return spin_equilibrium(elasticity_, mesh_, at_rest_, speed, guess(speed)); });
+    const auto& [below, shape] = *std::prev(known.at.upper_bound(speed));
+    const KnownShape from{below, below > 0 ? shape / (below * below) : linear_shape(elasticity_, at_rest_)};
+    const SpinEquilibrium found = climb(elasticity_, mesh_, at_rest_, from, speed);
     known.newton_steps = std::max(known.newton_steps, found.iterations);
     known.newton_residual = std::max(known.newton_residual, found.residual);
     return known.at[speed] = found.displacement;
   }
 
-  /// u / Omega^2 on a line between its neighbours.
-  Eigen::VectorXd guess(double speed) const {
-    const double square = speed * speed;
-    const auto above = shape_.equilibria.at.upper_bound(speed), below = std::prev(above);
-    const double top = above->first * above->first, bottom = below->first * below->first;
-    if (bottom == 0) return square / top * above->second;
-    const double share = (square - bottom) / (top - bottom);
-    return square * ((1 - share) / bottom * below->second + share / top * above->second);
-  }
-
-  /// Where a finer choice would have its new speeds.
+  /// Where twice as many terms would have their new speeds.
   double imbalance(int terms) const {
     double largest = 0;
     const std::vector<double> finer = speeds_at(chebyshev_fractions(2 * terms), parameters_.speed_max);

@@ -37,8 +37,9 @@ plot for [name in "stress_only linear nonlinear"] of(name) using 6:7 with points
 set title "Error over the time of the reduction"
 set xlabel "processor time [s]"
 set logscale x
-set xrange [3:30]
-set xtics (3, 5, 10, 20, 30)
+set xrange [3:40]
+set xtics (3, 5, 10, 20, 40)
+set key bottom left
 plot for [name in "stress_only linear nonlinear"] of(name) using 9:7 with points pt 7 ps 0.9 title name noenhanced, \
      0.1 with lines lc "gray" title "0.1 %", 0.01 with lines dt 2 lc "gray" title "0.01 %"
 unset multiplot

@@ -22,6 +22,7 @@ OrbitGroup::OrbitGroup(const Teuchos::RCP<LOCA::GlobalData>& global, MapFamily f
       family_(std::move(family)),
       map_(family_(speed)),
       solver_(std::move(solver)),
+      size_(start.norm()),
       x_(static_cast<int>(start.size())),
       f_(x_),
       newton_(x_) {
@@ -34,6 +35,8 @@ OrbitGroup::OrbitGroup(const OrbitGroup& other, NOX::CopyType type)
       family_(other.family_),
       map_(other.map_),
       solver_(other.solver_),
+      listener_(other.listener_),
+      size_(other.size_),
       parameters_(other.parameters_),
       x_(other.x_, type),
       f_(other.f_, type),
@@ -129,6 +132,15 @@ void OrbitGroup::setParam(int id, double value) {
 
 void OrbitGroup::setParam(std::string name, double value) {
   setParam(parameters_.getIndex(name), value);
+}
+
+void OrbitGroup::printSolution(double speed) const {
+  if (listener_) listener_(speed, numbers(getX()));
+}
+
+double OrbitGroup::computeScaledDotProduct(const NOX::Abstract::Vector& one,
+                                           const NOX::Abstract::Vector& other) const {
+  return one.innerProduct(other) / (size_ * size_);
 }
 
 }  // namespace tiprub

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "simulate/periodic/periodic_map.h"
 #include "simulate/periodic/recycled_gmres.h"
@@ -33,6 +34,10 @@ class OrbitGroup final : public LOCA::Abstract::Group {
   OrbitGroup(const Teuchos::RCP<LOCA::GlobalData>& global, MapFamily family, double speed,
              const Eigen::VectorXd& start, std::shared_ptr<RecycledGmres> solver);
   OrbitGroup(const OrbitGroup& other, NOX::CopyType type);
+
+  /// Who hears of each orbit that LOCA comes to: its speed and its state.
+  using Listener = std::function<void(double, const Eigen::VectorXd&)>;
+  void call_at_solutions(Listener listener) { listener_ = std::move(listener); }
 
   /// That the map met at the state; computeF() first.
   const std::shared_ptr<const ContactPattern>& pattern() const { return pattern_; }
@@ -70,6 +75,9 @@ class OrbitGroup final : public LOCA::Abstract::Group {
   const LOCA::ParameterVector& getParams() const override { return parameters_; }
   double getParam(int id) const override { return parameters_.getValue(id); }
   double getParam(std::string name) const override { return parameters_.getValue(name); }
+  void printSolution(double speed) const override;
+  /// By the size of the first state, so that a step's share of the state and of the speed are numbers of one kind.
+  double computeScaledDotProduct(const NOX::Abstract::Vector& one, const NOX::Abstract::Vector& other) const override;
 
  private:
   void forget() { is_f_ = is_jacobian_ = is_newton_ = false; }
@@ -77,6 +85,8 @@ class OrbitGroup final : public LOCA::Abstract::Group {
   MapFamily family_;
   std::shared_ptr<PeriodicMap> map_;
   std::shared_ptr<RecycledGmres> solver_;
+  Listener listener_;
+  double size_;  ///< of the first state
   LOCA::ParameterVector parameters_;
   NOX::LAPACK::Vector x_, f_, newton_;
   std::shared_ptr<const ContactPattern> pattern_;

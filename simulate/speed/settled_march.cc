@@ -35,17 +35,6 @@ constexpr double scatter = 1.6;            // the true error over the difference
 constexpr double useless_halving = 0.9;    // of the difference before it: the error doesn't fall
 constexpr int min_revolutions_again = 10;  // from a motion that has settled with twice the step
 
-/// [m] of a speed in rad/s. Raises RunError if spin closes it.
-Eigen::VectorXd open_clearance(const Scene& scene, double speed) {
-  Eigen::VectorXd clearance = scene.casing.running_clearance(scene.model.contact, speed);
-  Eigen::Index node = 0;
-  if (clearance.minCoeff(&node) >= 0) return clearance;
-  std::ostringstream text;
-  text << "spin closes the clearance: contact node " << node << " (from 0, leading edge first) is left with "
-       << clearance[node] << " m at " << speed << " rad/s; widen [casing] clearance, or give the running one";
-  throw RunError(text.str());
-}
-
 /// h < 2/omega_max, damping or not: the paper's eq. 13 damps at the middle instant. `omega_max` includes the springs
 /// of a penalty.
 void require_stable_step(const SimulateParameters& parameters, double omega_max, const SpeedResponse& response) {
@@ -245,6 +234,16 @@ std::unique_ptr<TimeMarch> refine(const Scene& scene, const RotorAtSpeed& rotor,
 }
 
 }  // namespace
+
+Eigen::VectorXd open_clearance(const Scene& scene, double speed) {
+  Eigen::VectorXd clearance = scene.casing.running_clearance(scene.model.contact, speed);
+  Eigen::Index node = 0;
+  if (clearance.minCoeff(&node) >= 0) return clearance;
+  std::ostringstream text;
+  text << "spin closes the clearance: contact node " << node << " (from 0, leading edge first) is left with "
+       << clearance[node] << " m at " << speed << " rad/s; widen [casing] clearance, or give the running one";
+  throw RunError(text.str());
+}
 
 RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others) {
   return rotor_at_speed(scene.model, speed, scene.scope.nodal_diameters, scene.parameters.damping,

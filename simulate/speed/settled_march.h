@@ -27,6 +27,9 @@ struct MarchPlan {
 /// The rotor of a scene at a speed [rad/s]. Raises RunError if it is unstable there.
 RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others = OtherDiameters::known);
 
+/// [m] what is left of the clearance at a speed in rad/s, at the contact nodes. Raises RunError if spin closes it.
+Eigen::VectorXd open_clearance(const Scene& scene, double speed);
+
 /// From a state to the settled motion with one step: the march at its end; its recording and all that is known of it
 /// in `response`, whose speed is given. `response.revolutions` counts on.
 /// Raises RunError with the reason of a failure: a clearance that spin closes, a step too long for its scheme, too

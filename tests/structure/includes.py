@@ -17,7 +17,7 @@ STOREYS = {
     "cases": ["text", "program"],
     "mesh": ["curves", "blades", "lattice", "wheels", "sector", ""],
     "reduce": ["model", "sector", "operators", "basis", ""],
-    "simulate": ["scene", "response", "march", "orbits", "periodic", "speed", "sweep", ""],
+    "simulate": ["scene", "response", "march", "orbits", "periodic", "speed", "branches", "sweep", ""],
     "postprocess": ["tables", "waves", "analysis", "fields", "effects", "records", "figures", "report", ""],
 }
 # What a room shows of itself to the rooms above it: its file, and nothing of how that is made.

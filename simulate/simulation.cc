@@ -67,6 +67,7 @@ void report_outcome(const StageArguments& arguments, const SimulateParameters& p
   std::ostringstream line;
   line << arguments.output.string() << ": " << outcome.speeds << " speeds: " << outcome.tally.text() << "; ";
   if (outcome.scanned > 0) line << outcome.scanned << " more scanned; ";
+  if (outcome.branches > 0) line << outcome.branches << " branches of orbits; ";
   line << outcome.computed << " computed now; " << std::fixed << std::setprecision(1) << spent.count() << " s"
        << outcome.tally.warnings(parameters.when_symmetry_breaks);
   say(arguments, line.str());

@@ -22,6 +22,7 @@ std::vector<Figure> study_figures(const Study& study) {
                                  engine_order_tracking_figure(study),
                                  waterfall_figure(study),
                                  casing_figure(study)};
+  if (!study.response.branches.empty()) figures.insert(figures.begin() + 1, branches_figure(study));
   if (!study.sweeps.empty()) figures.insert(figures.begin() + 1, sweeps_figure(study));
   return figures;
 }

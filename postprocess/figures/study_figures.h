@@ -19,6 +19,7 @@ Figure contact_map_figure(const Study& study, TipEdge edge);      ///< paper, fi
 // speeds/
 Figure response_figure(const Study& study);                 ///< tip amplitude over speed, peaks labelled
 Figure sweeps_figure(const Study& study);                   ///< where sweeps up and down differ
+Figure branches_figure(const Study& study);                 ///< orbits over speed, stable or not; needs branches
 Figure campbell_figure(const Study& study);                 ///< paper, fig. 8
 Figure interference_figure(const Study& study);             ///< paper, figs. 4, 13
 Figure nodal_diameter_tracking_figure(const Study& study);  ///< paper, fig. 25
@@ -33,7 +34,7 @@ Figure force_spectrum_figure(const Study& study);    ///< paper, fig. 17, made d
 Figure harmonic_bars_figure(const Study& study);     ///< paper, fig. 20
 Figure casing_figure(const Study& study);            ///< paper, fig. 21
 
-/// All of them, in the order of the page; without sweeps, theirs is left out.
+/// All of them, in the order of the page; without sweeps or branches, theirs is left out.
 std::vector<Figure> study_figures(const Study& study);
 
 }  // namespace tiprub

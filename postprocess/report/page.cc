@@ -7,6 +7,7 @@
 
 #include "cases/program/command_line.h"
 #include "embedded/page_files.h"
+#include "postprocess/records/branch_record.h"
 #include "postprocess/records/critical_speed_record.h"
 #include "postprocess/records/drift_record.h"
 #include "postprocess/records/exactness_record.h"
@@ -142,6 +143,9 @@ std::string record(const Study& study, const ReportSource& source) {
          (study.sweeps.empty()
               ? std::string()
               : folded("From rest, upwards, downwards", html::table(sweep_record(study)), "sweeps.csv")) +
+         (study.response.branches.empty()
+              ? std::string()
+              : folded("Branches of orbits", html::table(branch_record(study)), "branches.csv")) +
          folded("How the contact drifts with speed", html::table(drift_record(study)), "contact_drift.csv") +
          folded("The case file", listing(source.case_text), "case.toml") +
          folded("Where the response comes from", listing(study.response.scene.provenance)) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/report/report_folder.h"
 
+#include "postprocess/records/branch_record.h"
 #include "postprocess/records/critical_speed_record.h"
 #include "postprocess/records/drift_record.h"
 #include "postprocess/records/exactness_record.h"
@@ -26,6 +27,7 @@ void write_tables(const Study& study, const FieldResults& fields, const std::fil
   write_csv(speed_record(study), folder / "speeds.csv");
   write_csv(exactness_record(study), folder / "exactness.csv");
   write_csv(drift_record(study), folder / "contact_drift.csv");
+  if (!study.response.branches.empty()) write_csv(branch_record(study), folder / "branches.csv");
   if (!study.sweeps.empty()) write_csv(sweep_record(study), folder / "sweeps.csv");
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "postprocess/analysis/orbit_branches.h"
 #include "postprocess/tables/table.h"
 #include "postprocess/tables/units.h"
 #include "reduce/model/verification.h"
@@ -117,6 +118,18 @@ std::string sweep_sentence(const Study& study) {
          fixed(change(*largest) * mm_per_m, 3) + " mm of amplitude.";
 }
 
+/// "From 33,800 to 34,800 rpm 3 orbits exist, 1 of them attracts."
+std::string branch_sentence(const Study& study) {
+  std::string text;
+  for (const OrbitRange& range : ranges_of_many_orbits(study.response.branches))
+    text += (text.empty() ? "From " : " From ") + fixed(range.low * rpm_per_rad_s, 1) + " to " +
+            rpm_text(range.high) + " " + std::to_string(range.orbits) + " orbits exist, " +
+            (range.attracting == 0
+                 ? "none of them attracts."
+                 : std::to_string(range.attracting) + " of them attract" + (range.attracting == 1 ? "s." : "."));
+  return text;
+}
+
 std::string share_sentence(const Study& study) {
   constexpr double invisible = 5e-5;
   const Eigen::VectorXd shares = energy_shares(study.map);
@@ -175,7 +188,7 @@ std::vector<std::string> summary(const Study& study, const FieldResults& fields)
   std::vector<std::string> lines;
   for (const std::string& line :
        {stress_sentence(fields), rule_sentence(study), model_sentence(study), steadiness_sentence(study),
-        unusual_sentence(study), sweep_sentence(study), share_sentence(study)})
+        unusual_sentence(study), sweep_sentence(study), branch_sentence(study), share_sentence(study)})
     if (!line.empty()) lines.push_back(line);
   return lines;
 }

@@ -2,15 +2,20 @@
 #include "simulate/branches/branch.h"
 
 #include <LOCA_GlobalData.H>
+#include <LOCA_MultiContinuation_ExtendedVector.H>
 #include <LOCA_Stepper.H>
+#include <NOX_Solver_Generic.H>
 #include <NOX_StatusTest_Combo.H>
 #include <NOX_StatusTest_MaxIters.H>
-#include <NOX_StatusTest_NormF.H>
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 #include <cmath>
-#include <utility>
+#include <future>
+#include <string>
+#include <vector>
 
 #include "cases/program/errors.h"
+#include "simulate/branches/orbit_family.h"
 #include "simulate/periodic/multipliers.h"
 #include "simulate/periodic/orbit_group.h"
 
@@ -18,11 +23,13 @@ namespace tiprub {
 
 namespace {
 
-constexpr double residual = 1e-8;         // of the first state's size: |F(x) - x|
-constexpr int newton_iterations = 10;     // of a step that is not shortened
+constexpr double residual = 1e-8;      // of the state's size: |F(x) - x|
+constexpr int newton_iterations = 10;  // of a step that is not shortened
 constexpr double linear_tolerance = 1e-3;
-constexpr double longest_step = 8;        // first steps
+constexpr double longest_step = 8;  // first steps
 constexpr double shortest_step = 1e-4;
+constexpr double at_bound = 1e-9;        // of the speed
+constexpr double there_and_back = 1e-5;  // of the speed, between two folds
 
 Teuchos::RCP<Teuchos::ParameterList> settings(double speed, const BranchLimits& limits) {
   auto list = Teuchos::parameterList();
@@ -46,67 +53,156 @@ Teuchos::RCP<Teuchos::ParameterList> settings(double speed, const BranchLimits& 
   step.set("Max Step Size", longest_step * std::abs(first));
   step.set("Min Step Size", shortest_step * std::abs(first));
   Teuchos::ParameterList& nox = list->sublist("NOX");
-  nox.sublist("Printing").set("Output Information", 0);
+  be_quiet(nox.sublist("Printing"));
   nox.sublist("Direction").set("Method", "Newton");
   nox.sublist("Direction").sublist("Newton").sublist("Linear Solver").set("Tolerance", linear_tolerance);
   nox.sublist("Line Search").set("Method", "Full Step");
   return list;
 }
 
-Teuchos::RCP<NOX::StatusTest::Generic> test(double size) {
+/// Converged when the residual is small beside the state, which may grow a hundredfold along a branch.
+class SmallResidual final : public NOX::StatusTest::Generic {
+ public:
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& problem,
+                                          NOX::StatusTest::CheckType /*type*/) override {
+    const NOX::Abstract::Group& now = problem.getSolutionGroup();
+    const auto* extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedVector*>(&now.getX());
+    const double size = extended ? extended->getXVec()->norm() : now.getX().norm();
+    status_ =
+        now.isF() && now.getNormF() <= residual * size ? NOX::StatusTest::Converged : NOX::StatusTest::Unconverged;
+    return status_;
+  }
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int /*indent*/) const override { return stream; }
+
+ private:
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+};
+
+Teuchos::RCP<NOX::StatusTest::Generic> test() {
   auto any = Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR));
-  any->addStatusTest(
-      Teuchos::rcp(new NOX::StatusTest::NormF(residual * size, NOX::StatusTest::NormF::Unscaled)));
+  any->addStatusTest(Teuchos::rcp(new SmallResidual));
   any->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(newton_iterations)));
   return any;
 }
 
-void measure(OrbitFamily& family, BranchPoint& point) {
+/// One orbit.
+struct Point {
+  double speed;           ///< [rad/s]
+  Eigen::VectorXd state;  ///< of the family
+};
+
+/// One side of a branch, from its start.
+struct Side {
+  std::vector<Point> points;
+  std::string end;
+  Eigen::ArrayXXd measured;  ///< amplitude, multiplier, its uncertainty and angle; 4 x points
+};
+
+std::string reason_of_end(const std::vector<Point>& points, const BranchLimits& limits) {
+  const double last = points.back().speed;
+  if (last <= limits.speed_min * (1 + at_bound) || last >= limits.speed_max * (1 - at_bound))
+    return "end of the range";
+  return static_cast<int>(points.size()) > limits.steps ? "most steps" : "no orbit within the shortest step";
+}
+
+/// Amplitude, multiplier, its uncertainty and angle.
+Eigen::Array4d measure(OrbitFamily& family, const Point& point) {
   const std::shared_ptr<PeriodicMap> map = family.at(point.speed);
   const MapImage image = map->image(point.state);
-  point.amplitude = family.amplitude(point.speed, point.state);
   const Multiplier largest = largest_multiplier(
       [&](const Eigen::VectorXd& change) { return map->tangent(image.pattern, change); }, point.state.size());
   const double maps = family.maps_per_revolution(), magnitude = std::abs(largest.value);
-  point.multiplier = std::pow(magnitude, maps);
-  point.multiplier_uncertainty = maps * point.multiplier * largest.uncertainty / magnitude;
-  point.multiplier_angle = std::abs(std::arg(largest.value));
+  const double growth = std::pow(magnitude, maps);
+  const double uncertainty = magnitude > 0 ? maps * growth * largest.uncertainty / magnitude : largest.uncertainty;
+  return {family.amplitude(point.speed, point.state), growth, uncertainty, std::abs(std::arg(largest.value))};
 }
 
-}  // namespace
+Side follow_side(const Scene& scene, double speed, int steps_per_revolution, const Eigen::VectorXd& start,
+                 BranchLimits limits) {
+  OrbitFamily family(scene, speed, steps_per_revolution);
+  const auto list = settings(speed, limits);
+  const auto global = LOCA::createGlobalData(list);
+  const Eigen::VectorXd state = family.of_family(speed, start);
+  Side side;
+  const auto group = Teuchos::rcp(new OrbitGroup(
+      global, [&](double at) { return family.at(at); }, speed, state, std::make_shared<RecycledGmres>()));
+  group->call_at_solutions([&](double at, const Eigen::VectorXd& found) { side.points.push_back({at, found}); });
+  LOCA::Stepper stepper(global, group, test(), list);
+  stepper.run();
+  LOCA::destroyGlobalData(global);
+  // LOCA steps beyond the range, and then back to its bound.
+  std::erase_if(side.points, [&](const Point& point) {
+    return point.speed < limits.speed_min * (1 - at_bound) || point.speed > limits.speed_max * (1 + at_bound);
+  });
+  if (side.points.empty()) throw RunError("no orbit near the start");
+  const auto repeated = std::unique(side.points.begin(), side.points.end(), [](const Point& one, const Point& other) {
+    return std::abs(one.speed - other.speed) <= at_bound * one.speed;
+  });
+  side.points.erase(repeated, side.points.end());
+  side.end = reason_of_end(side.points, limits);
+  side.measured.resize(4, static_cast<Eigen::Index>(side.points.size()));
+  for (std::size_t i = 0; i < side.points.size(); ++i)
+    side.measured.col(static_cast<Eigen::Index>(i)) = measure(family, side.points[i]);
+  return side;
+}
 
-std::vector<double> Branch::folds() const {
+/// [rad/s] where a side turns back, but for what turns again at once (a kink): of the parabola over arc length
+/// through an orbit and its neighbours, the vertex.
+std::vector<double> folds_of(const std::vector<Point>& points) {
   std::vector<double> found;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const double before = points[i].speed - points[i - 1].speed, after = points[i + 1].speed - points[i].speed;
-    if (before * after >= 0) continue;
     const double left = (points[i].state - points[i - 1].state).norm(),
                  right = (points[i + 1].state - points[i].state).norm();
-    const double curve = (after / right - before / left) / (left + right), slope = before / left + curve * left;
-    found.push_back(points[i].speed - slope * slope / (4 * curve));
+    const double before = (points[i].speed - points[i - 1].speed) / left,
+                 after = (points[i + 1].speed - points[i].speed) / right;
+    if (before * after >= 0) continue;
+    const double curve = (after - before) / (left + right), slope = before + curve * left;
+    const double fold = points[i].speed - slope * slope / (4 * curve);
+    if (!found.empty() && std::abs(fold - found.back()) < there_and_back * fold)
+      found.pop_back();
+    else
+      found.push_back(fold);
   }
   return found;
 }
 
-Branch follow_branch(OrbitFamily& family, double speed, const Eigen::VectorXd& start, const BranchLimits& limits) {
-  const auto list = settings(speed, limits);
-  const auto global = LOCA::createGlobalData(list);
-  Branch branch;
-  const auto group = Teuchos::rcp(new OrbitGroup(
-      global, [&](double at) { return family.at(at); }, speed, start, std::make_shared<RecycledGmres>()));
-  group->call_at_solutions([&](double at, const Eigen::VectorXd& state) {
-    BranchPoint point;
-    point.speed = at;
-    point.state = state;
-    branch.points.push_back(std::move(point));
-  });
-  LOCA::Stepper stepper(global, group, test(start.norm()), list);
-  const LOCA::Abstract::Iterator::IteratorStatus status = stepper.run();
-  LOCA::destroyGlobalData(global);
-  if (branch.points.empty()) throw RunError("no orbit to follow at " + std::to_string(speed) + " rad/s");
-  branch.end = status == LOCA::Abstract::Iterator::Finished ? "end of the range of speeds, or of the steps"
-                                                            : "no orbit within the shortest step";
-  for (BranchPoint& point : branch.points) measure(family, point);
+/// From the end of one side over the start, which both have, to the end of the other.
+OrbitBranch joined(const Side& first, const Side& second) {
+  const auto back = static_cast<Eigen::Index>(first.points.size()),
+             ahead = static_cast<Eigen::Index>(second.points.size());
+  OrbitBranch branch;
+  branch.speed.resize(back + ahead - 1);
+  Eigen::ArrayXXd measured(4, branch.speed.size());
+  measured << first.measured.rowwise().reverse(), second.measured.rightCols(ahead - 1);
+  for (Eigen::Index i = 0; i < branch.speed.size(); ++i)
+    branch.speed[i] = i < back ? first.points[static_cast<std::size_t>(back - 1 - i)].speed
+                               : second.points[static_cast<std::size_t>(i - back + 1)].speed;
+  branch.amplitude = measured.row(0);
+  branch.multiplier = measured.row(1);
+  branch.multiplier_uncertainty = measured.row(2);
+  branch.multiplier_angle = measured.row(3);
+  std::vector<double> folds = folds_of(first.points);
+  const std::vector<double> further = folds_of(second.points);
+  folds.insert(folds.end(), further.begin(), further.end());
+  branch.folds = Eigen::Map<const Eigen::VectorXd>(folds.data(), static_cast<Eigen::Index>(folds.size()));
+  branch.ends[0] = first.end;
+  branch.ends[1] = second.end;
+  return branch;
+}
+
+}  // namespace
+
+OrbitBranch follow_branch(const Scene& scene, double speed, int steps_per_revolution, const Eigen::VectorXd& start,
+                          const BranchLimits& limits) {
+  BranchLimits down = limits;
+  down.first_step = -limits.first_step;
+  auto below =
+      std::async(std::launch::async, [&] { return follow_side(scene, speed, steps_per_revolution, start, down); });
+  const Side above = follow_side(scene, speed, steps_per_revolution, start, limits);
+  OrbitBranch branch = joined(below.get(), above);
+  branch.start = speed;
+  branch.steps_per_revolution = steps_per_revolution;
   return branch;
 }
 

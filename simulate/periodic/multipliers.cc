@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/periodic/multipliers.h"
 
+#include <AnasaziConfigDefs.hpp>
+// Its stopwatches are one set for all threads.
+#undef ANASAZI_TEUCHOS_TIME_MONITOR
+
 #include <AnasaziBasicEigenproblem.hpp>
 #include <AnasaziBlockKrylovSchurSolMgr.hpp>
+#include <Eigen/Eigenvalues>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "simulate/periodic/krylov_vectors.h"
 
@@ -13,7 +19,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr int most_vectors = 100;  // of a Krylov space
+constexpr Eigen::Index dense = 40;  // numbers of a state: fewer maps than a Krylov space
+constexpr int most_vectors = 100;   // of a Krylov space
 constexpr int vectors_a_look = 10;
 constexpr int restarts = 6;
 
@@ -29,9 +36,24 @@ Teuchos::ParameterList settings(Eigen::Index size, double tolerance) {
   return list;
 }
 
+std::complex<double> largest_of(const Eigen::VectorXcd& values) {
+  Eigen::Index place = 0;
+  values.cwiseAbs().maxCoeff(&place);
+  return values[place];
+}
+
+/// Column by column.
+Multiplier of_dense(const LinearMap& map, Eigen::Index size) {
+  Eigen::MatrixXd matrix(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) matrix.col(i) = map(Eigen::VectorXd::Unit(size, i));
+  const std::complex<double> largest = largest_of(Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues());
+  return {largest, static_cast<double>(size) * std::numeric_limits<double>::epsilon() * matrix.norm()};
+}
+
 }  // namespace
 
 Multiplier largest_multiplier(const LinearMap& map, Eigen::Index size, double tolerance) {
+  if (size <= dense) return of_dense(map, size);
   const auto block = Teuchos::rcp(new KrylovVectors(size, 1));
   Anasazi::MultiVecTraits<double, KrylovVectors>::MvRandom(*block);
   const auto problem =

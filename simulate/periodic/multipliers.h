@@ -15,8 +15,8 @@ struct Multiplier {
 };
 
 /// The multiplier of largest magnitude of a linear map of vectors of `size` numbers, by Anasazi's block Krylov-Schur
-/// method (Stewart 2001), to `tolerance` of its magnitude; where that isn't reached, its uncertainty is 1. Takes some
-/// eighty maps for a thousandth where slow modes are many.
+/// method (Stewart 2001; of few numbers by the matrix itself), to `tolerance` of its magnitude; where that isn't
+/// reached, its uncertainty is 1. Takes some eighty maps for a thousandth where slow modes are many.
 Multiplier largest_multiplier(const LinearMap& map, Eigen::Index size, double tolerance = 1e-3);
 
 }  // namespace tiprub

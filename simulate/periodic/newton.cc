@@ -46,7 +46,7 @@ class SmallNewtonStep final : public NOX::StatusTest::Generic {
 Teuchos::RCP<Teuchos::ParameterList> settings() {
   auto list = Teuchos::parameterList();
   list->set("Nonlinear Solver", "Line Search Based");
-  list->sublist("Printing").set("Output Information", 0);
+  be_quiet(list->sublist("Printing"));
   list->sublist("Direction").set("Method", "Newton");
   list->sublist("Direction").sublist("Newton").sublist("Linear Solver").set("Tolerance", linear_tolerance);
   Teuchos::ParameterList& search = list->sublist("Line Search");

@@ -2,6 +2,8 @@
 #include "simulate/periodic/orbit_group.h"
 
 #include <Teuchos_ParameterList.hpp>
+#include <Teuchos_TimeMonitor.hpp>
+#include <Teuchos_oblackholestream.hpp>
 #include <utility>
 
 namespace tiprub {
@@ -16,6 +18,22 @@ Eigen::Map<Eigen::VectorXd> numbers(NOX::Abstract::Vector& vector) {
   return {&values(0), static_cast<Eigen::Index>(values.length())};
 }
 
+void be_quiet(Teuchos::ParameterList& printing) {
+  const Teuchos::RCP<std::ostream> nowhere = Teuchos::rcp(new Teuchos::oblackholestream);
+  printing.set("Output Information", 0);
+  printing.set("Output Stream", nowhere);
+  printing.set("Error Stream", nowhere);
+}
+
+/// Trilinos keeps one book of times for all threads, in which they meet: it is closed.
+void close_book_of_times() {
+  static const bool is_closed = [] {
+    Teuchos::TimeMonitor::setStackedTimer(Teuchos::null);
+    return true;
+  }();
+  static_cast<void>(is_closed);
+}
+
 OrbitGroup::OrbitGroup(const Teuchos::RCP<LOCA::GlobalData>& global, MapFamily family, double speed,
                        const Eigen::VectorXd& start, std::shared_ptr<RecycledGmres> solver)
     : LOCA::Abstract::Group(global),
@@ -26,6 +44,7 @@ OrbitGroup::OrbitGroup(const Teuchos::RCP<LOCA::GlobalData>& global, MapFamily f
       x_(static_cast<int>(start.size())),
       f_(x_),
       newton_(x_) {
+  close_book_of_times();
   numbers(static_cast<NOX::Abstract::Vector&>(x_)) = start;
   parameters_.addParameter(parameter, speed);
 }

@@ -23,6 +23,9 @@ using MapFamily = std::function<std::shared_ptr<PeriodicMap>(double)>;
 Eigen::Map<const Eigen::VectorXd> numbers(const NOX::Abstract::Vector& vector);
 Eigen::Map<Eigen::VectorXd> numbers(NOX::Abstract::Vector& vector);
 
+/// NOX speaks of failures whatever it is told, to standard output: nobody hears it. Of its list "Printing".
+void be_quiet(Teuchos::ParameterList& printing);
+
 /// F(x; p) - x = 0 as NOX and LOCA see it: a state, its residual, and how to solve with the Jacobian DF - 1. Copies
 /// share the family and the solver. What the map raises passes through.
 class OrbitGroup final : public LOCA::Abstract::Group {

@@ -190,12 +190,29 @@ struct FrequencyTable {
   std::vector<Eigen::MatrixXd> by_nodal_diameter;
 };
 
+/// Orbits that hang together over speed, stable and unstable ones, in the order of their arc length. Arrays over the
+/// orbits.
+struct OrbitBranch {
+  double start = 0;                        ///< [rad/s] the speed at which it was met first
+  int steps_per_revolution = 0;            ///< of the march whose orbits they are
+  std::string ends[2];                     ///< why it ends at its first orbit, and at its last
+  Eigen::VectorXd speed;                   ///< [rad/s]
+  Eigen::VectorXd amplitude;               ///< [m] as SpeedResponse has it
+  Eigen::VectorXd multiplier;              ///< [1] magnitude of the largest Floquet multiplier per revolution
+  Eigen::VectorXd multiplier_uncertainty;  ///< [1]
+  Eigen::VectorXd multiplier_angle;        ///< [rad] a map, 0 .. pi
+  Eigen::VectorXd folds;                   ///< [rad/s] where it turns back in speed; may be empty
+
+  bool attracts(Eigen::Index orbit) const { return multiplier[orbit] < 1; }
+};
+
 /// response.h5 in memory. Schema "tiprub-response".
 struct Response {
   SimulatedScene scene;
   std::string key;  ///< names all that decides a speed's result (model, casing, scheme): equal keys, equal results
-  std::vector<SpeedResponse> speeds;  ///< ascending in speed
-  FrequencyTable frequencies = {};    ///< empty in the parts of an unfinished sweep
+  std::vector<SpeedResponse> speeds;       ///< ascending in speed
+  FrequencyTable frequencies = {};         ///< empty in the parts of an unfinished sweep
+  std::vector<OrbitBranch> branches = {};  ///< where they were asked for
 };
 
 }  // namespace tiprub

@@ -13,6 +13,7 @@
 
 #include "cases/program/available_memory.h"
 #include "reduce/model/hdf5_file.h"
+#include "simulate/response/branch_group.h"
 #include "simulate/response/named_axes.h"
 #include "simulate/response/sealed_file.h"
 #include "simulate/response/speed_group.h"
@@ -170,7 +171,7 @@ Hdf5File open_response(const std::filesystem::path& path) {
 struct ResponseWriter::State {
   Hdf5File file;
   SimulatedScene scene;
-  std::size_t count = 0;
+  std::size_t count = 0, branches = 0;
 };
 
 ResponseWriter::ResponseWriter(const std::filesystem::path& path, const SimulatedScene& scene, const std::string& key,
@@ -191,6 +192,10 @@ void ResponseWriter::add(const FrequencyTable& frequencies) {
   state_->file.write(frequency_group + "/speed", frequencies.speed, "rad/s");
   for (std::size_t n = 0; n < frequencies.by_nodal_diameter.size(); ++n)
     state_->file.write(frequencies_at(n), frequencies.by_nodal_diameter[n], "Hz");
+}
+
+void ResponseWriter::add(const OrbitBranch& branch) {
+  write_branch(state_->file, state_->branches++, branch);
 }
 
 void ResponseWriter::add_end(const RotorState& state) {
@@ -230,6 +235,7 @@ void write_response(const Response& response, const std::filesystem::path& path,
   ResponseWriter writer(path, response.scene, response.key, generator);
   if (response.frequencies.speed.size() > 0) writer.add(response.frequencies);
   for (const SpeedResponse& speed : response.speeds) writer.add(speed);
+  for (const OrbitBranch& branch : response.branches) writer.add(branch);
   writer.close();
 }
 
@@ -248,6 +254,7 @@ Response read_response(const std::filesystem::path& path) {
   response.key = file.text_attribute("/", "key");
   response.scene = read_scene(file, axes);
   response.frequencies = read_frequencies(file, response.scene.sector_count, axes);
+  response.branches = read_branches(file, axes);
   if (!file.exists("/speed")) return response;
   const std::vector<std::string> speeds = file.members("/speed");
   require_memory(file, speeds);

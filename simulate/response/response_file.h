@@ -23,6 +23,7 @@ class ResponseWriter {
   void add(const SpeedResponse& speed);
   /// Once, before or after the speeds.
   void add(const FrequencyTable& frequencies);
+  void add(const OrbitBranch& branch);
   /// The state at the end of the last one; for the parts of a sweep that carries it on.
   void add_end(const RotorState& state);
   /// The last step: raises RunError if the disk doesn't take all of it.

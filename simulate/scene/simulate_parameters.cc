@@ -87,10 +87,23 @@ void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
 void require_law_without_memory(CaseTable& table, const SimulateParameters& parameters) {
   const bool has_memory = parameters.scheme == Scheme::moreau_jean || parameters.scheme == Scheme::penalty ||
                           parameters.contact == ContactRule::paper;
-  if (parameters.steady_state == SteadyStateMethod::march || !has_memory) return;
-  table.reject("steady_state",
-               "= \"orbit\" holds only with contact = \"complementarity\" and neither scheme = \"moreau_jean\" "
-               "nor \"penalty\"; set another scheme, or steady_state = \"march\"");
+  if (!has_memory) return;
+  const std::string what =
+      " holds only with contact = \"complementarity\" and neither scheme = \"moreau_jean\" nor "
+      "\"penalty\"; set another scheme, or ";
+  if (parameters.steady_state == SteadyStateMethod::orbit)
+    table.reject("steady_state", "= \"orbit\"" + what + "steady_state = \"march\"");
+  if (parameters.branches == BranchChoice::critical_speeds)
+    table.reject("branches", "= \"critical_speeds\"" + what + "branches = \"none\"");
+}
+
+void read_branches(CaseTable& table, SimulateParameters& parameters) {
+  parameters.branches =
+      table.choice<BranchChoice>("branches", BranchChoice::none,
+                                 {{"none", BranchChoice::none}, {"critical_speeds", BranchChoice::critical_speeds}});
+  parameters.branch_range =
+      table.number("branch_range", 0.03, {0, 0.5, Range::LowEnd::excluded}, "of a speed, to either side");
+  parameters.branch_steps = table.integer("branch_steps", 60, Range::between(1, 10000), "to either side, at most");
 }
 
 void read_scheme(CaseTable& table, SimulateParameters& parameters) {
@@ -138,6 +151,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   parameters.samples_per_revolution =
       table.integer("samples_per_revolution", 240, Range::between(2, count_max), "at least");
   read_revolutions(table, parameters);
+  read_branches(table, parameters);
   require_law_without_memory(table, parameters);
   parameters.casing_areas = table.integer("casing_areas", 200, Range::between(1, count_max), "around the casing");
   parameters.threads = table.integer("threads", 0, Range::between(0, 1024), "0: as many as the machine has");

@@ -43,6 +43,12 @@ enum class SteadyStateMethod {
           ///< fails
 };
 
+/// Which orbits are followed over speed, once the sweep is done.
+enum class BranchChoice {
+  none,
+  critical_speeds,  ///< those at the speeds that were examined
+};
+
 /// What is done about speeds whose symmetric motion is unstable.
 enum class BrokenSymmetry {
   mark,      ///< they are named
@@ -81,7 +87,10 @@ struct SimulateParameters {
   int casing_areas = 0;
   int symmetry_check_revolutions = 0;  ///< after settling, with a small disturbance of what symmetry left out
   BrokenSymmetry when_symmetry_breaks = BrokenSymmetry::mark;
-  int threads = 0;  ///< 0: as many as the machine has
+  BranchChoice branches = BranchChoice::none;
+  double branch_range = 0;  ///< [1] of a speed, to either side of it
+  int branch_steps = 0;     ///< orbits to either side, at most
+  int threads = 0;          ///< 0: as many as the machine has
 };
 
 /// Reads [simulate]. Raises InputError.

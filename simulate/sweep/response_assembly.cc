@@ -8,8 +8,9 @@
 
 namespace tiprub {
 
-SweepTally assemble_response(const Scene& scene, const std::vector<double>& speeds, int threads,
-                             FinishedSpeeds& finished, const std::filesystem::path& output) {
+SweepTally assemble_response(const Scene& scene, const std::vector<double>& speeds,
+                             const std::vector<OrbitBranch>& branches, int threads, FinishedSpeeds& finished,
+                             const std::filesystem::path& output) {
   SweepTally tally;
   OutputFile file(output);
   ResponseWriter writer = finished.writer(file.scratch());
@@ -19,6 +20,7 @@ SweepTally assemble_response(const Scene& scene, const std::vector<double>& spee
     tally.add(response);
     writer.add(response);
   }
+  for (const OrbitBranch& branch : branches) writer.add(branch);
   writer.close();
   if (tally.failed < speeds.size()) file.commit();
   finished.remove();

@@ -39,6 +39,9 @@ const std::vector<ExemptKey>& exempt_keys() {
       {"peak_prominence", "as speed_min_rpm"},
       {"examine", "a finished speed tells how deep it was looked at, and is computed again if that is not enough"},
       {"when_symmetry_breaks", "what is done afterwards, into another file"},
+      {"branches", "what is done afterwards, of no speed's result"},
+      {"branch_range", "as branches"},
+      {"branch_steps", "as branches"},
       {"threads", "results don't depend on them"},
   };
   return keys;

@@ -7,6 +7,7 @@
 
 #include "cases/program/available_memory.h"
 #include "simulate/speed/memory_of_speed.h"
+#include "simulate/sweep/branch_runs.h"
 #include "simulate/sweep/finished_speeds.h"
 #include "simulate/sweep/response_assembly.h"
 #include "simulate/sweep/simulated_scene.h"
@@ -48,7 +49,12 @@ SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, cons
   outcome.speeds = found.speeds.size();
   outcome.scanned = found.scanned;
   group.together([&] {
-    if (group.leads()) outcome.tally = assemble_response(scene, found.speeds, threads, *finished, arguments.output);
+    if (!group.leads()) return;
+    const std::vector<OrbitBranch> branches = follow_branches(
+        scene, found.speeds, *finished,
+        arguments.verbosity == Verbosity::normal ? Progress::Shown::on_a_terminal : Progress::Shown::never);
+    outcome.branches = branches.size();
+    outcome.tally = assemble_response(scene, found.speeds, branches, threads, *finished, arguments.output);
   });
   outcome.breaking = outcome.tally.breaking;
   if (scene.parameters.when_symmetry_breaks == BrokenSymmetry::full_run) group.share(outcome.breaking);

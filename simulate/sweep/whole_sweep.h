@@ -19,6 +19,7 @@ struct SweepOutcome {
   SweepTally tally;              ///< the leader's
   std::size_t speeds = 0;        ///< the leader's: of the response
   std::size_t scanned = 0;       ///< the leader's: only for where to look
+  std::size_t branches = 0;      ///< the leader's: of orbits, that were followed
   std::size_t computed = 0;      ///< of both, that weren't there from before
   std::vector<double> breaking;  ///< [rad/s] speeds that break the symmetry; all processes know them
 };

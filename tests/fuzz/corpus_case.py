@@ -33,7 +33,7 @@ INTEGERS = {
 }
 CHOICES = {
     "mesh": ["family", "blade", "element", "clamped"], "reduce": ["prestress", "contact"], "casing": ["shape", "clearance_state"],
-    "simulate": ["speeds", "examine", "scheme", "contact", "nodal_diameters", "steady_state", "sweep", "when_symmetry_breaks"],
+    "simulate": ["speeds", "examine", "scheme", "contact", "nodal_diameters", "steady_state", "branches", "sweep", "when_symmetry_breaks"],
     "postprocess": ["component", "edge"],
 }
 POINTS = {"mesh": ["disc_profile", "thickness_root", "thickness_tip"], "casing": ["clearance"]}

@@ -57,6 +57,9 @@ expect_message(papers_rule_with_the_wrong_scheme OLD "damping_ratio" NEW "contac
 expect_message(orbit_with_a_law_that_remembers OLD "damping_ratio"
                NEW "steady_state = \"orbit\"\nscheme = \"penalty\"\ndamping_ratio" EXIT_CODE 2
                ERRORS "[simulate] steady_state = \"orbit\" holds only with contact = \"complementarity\" and neither")
+expect_message(branches_with_a_law_that_remembers OLD "damping_ratio"
+               NEW "branches = \"critical_speeds\"\nscheme = \"moreau_jean\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "[simulate] branches = \"critical_speeds\" holds only with contact = \"complementarity\" and neither")
 expect_message(unknown_scheme OLD "damping_ratio" NEW "scheme = \"newmark\"\ndamping_ratio" EXIT_CODE 2
                ERRORS "scheme = \"newmark\" must be one of: trigonometric, central_differences, residual_flexibility, \
 moreau_jean, penalty")

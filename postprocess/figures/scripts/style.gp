@@ -81,12 +81,14 @@ predicted_aliased = 26; set style line predicted_aliased pointtype 8 pointsize 1
 predicted_linear = 27; set style line predicted_linear pointtype 9 pointsize 1 linecolor rgb green
 contrast_line = 28; set style line contrast_line pointtype 7 pointsize 0.35 linewidth 1.2 linecolor rgb blue
 places_line = 29; set style line places_line linewidth 1.2 linecolor rgb vermilion
-sweep_from_rest = 31; set style line sweep_from_rest linewidth 1.2 linecolor rgb frame_colour
+sweep_from_rest = 31; set style line sweep_from_rest pointtype 7 pointsize 0.3 linewidth 1.2 linecolor rgb frame_colour
 sweep_up = 32; set style line sweep_up linewidth 1.2 linecolor rgb vermilion
 sweep_down = 33; set style line sweep_down linewidth 1.2 dashtype 2 linecolor rgb blue
 differs_up = 34; set style line differs_up pointtype 9 pointsize 1 linecolor rgb vermilion
 differs_down = 35; set style line differs_down pointtype 11 pointsize 1 linecolor rgb blue
 tracked_width = 1.6
+attracting_orbits = 38; set style line attracting_orbits linewidth 2.2 linecolor rgb '#31688e'
+repelling_orbits = 39; set style line repelling_orbits linewidth 1.8 dashtype 2 linecolor rgb '#c2185b'
 tracked_mean = 36; set style line tracked_mean linewidth 1 dashtype 3 linecolor rgb '#777777'
 
 # Natural frequencies.

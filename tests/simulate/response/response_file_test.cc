@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/response/response_file.h"
+#include "cases/program/errors.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -150,6 +151,53 @@ TEST_F(ResponseFile, GivesBackWhyASpeedFailed) {
   EXPECT_FALSE(back.speeds[1].snapshot.has_value());
   EXPECT_FALSE(back.speeds[1].cycle.has_value());
   EXPECT_EQ(back.speeds[1].audit.orbit.outcome, OrbitReport::Outcome::none);
+}
+
+OrbitBranch three_orbits() {
+  OrbitBranch branch;
+  branch.start = 150;
+  branch.steps_per_revolution = 1200;
+  branch.ends[0] = "end of the range";
+  branch.ends[1] = "most steps";
+  branch.speed = Eigen::Vector3d(100, 150, 140);
+  branch.amplitude = Eigen::Vector3d(1e-4, 2e-4, 3e-4);
+  branch.multiplier = Eigen::Vector3d(0.9, 0.99, 1.1);
+  branch.multiplier_uncertainty = Eigen::Vector3d(0.01, 0.02, 0.03);
+  branch.multiplier_angle = Eigen::Vector3d(0, 1, 3);
+  branch.folds = Eigen::VectorXd::Constant(1, 151);
+  return branch;
+}
+
+TEST_F(ResponseFile, GivesBackItsBranches) {
+  Response given = two_speeds();
+  given.branches = {three_orbits(), three_orbits()};
+  given.branches[1].folds.resize(0);
+  const Response back = written_and_read(given);
+  ASSERT_EQ(back.branches.size(), 2u);
+  const OrbitBranch &branch = back.branches[0], wanted = three_orbits();
+  EXPECT_EQ(branch.start, wanted.start);
+  EXPECT_EQ(branch.steps_per_revolution, wanted.steps_per_revolution);
+  EXPECT_EQ(branch.ends[0], wanted.ends[0]);
+  EXPECT_EQ(branch.ends[1], wanted.ends[1]);
+  EXPECT_EQ(branch.speed, wanted.speed);
+  EXPECT_EQ(branch.amplitude, wanted.amplitude);
+  EXPECT_EQ(branch.multiplier, wanted.multiplier);
+  EXPECT_EQ(branch.multiplier_uncertainty, wanted.multiplier_uncertainty);
+  EXPECT_EQ(branch.multiplier_angle, wanted.multiplier_angle);
+  EXPECT_EQ(branch.folds, wanted.folds);
+  EXPECT_TRUE(branch.attracts(1));
+  EXPECT_FALSE(branch.attracts(2));
+  EXPECT_EQ(back.branches[1].folds.size(), 0);
+}
+
+TEST_F(ResponseFile, RefusesABranchThatDoesNotFitTogether) {
+  Response given = two_speeds();
+  given.branches = {three_orbits()};
+  given.branches[0].amplitude.resize(2);
+  EXPECT_THROW(written_and_read(given), RunError);
+  given.branches = {three_orbits()};
+  given.branches[0].multiplier[1] = -1;
+  EXPECT_THROW(written_and_read(given), RunError);
 }
 
 TEST_F(ResponseFile, SaysWhatToDoWithAnOlderOne) {

@@ -69,6 +69,7 @@ TEST(RunKey, ComesFromTheCaseAsItIsRead) {
   EXPECT_EQ(key_of(read(casing, range + "damping_ratio = 5e-3 # the default\n")), key);
   EXPECT_EQ(key_of(read(casing, range + "threads = 3\nexamine = \"none\"\n")), key);
   EXPECT_EQ(key_of(read(casing, range + "when_symmetry_breaks = \"full_run\"\n")), key);
+  EXPECT_EQ(key_of(read(casing, range + "branches = \"critical_speeds\"\nbranch_steps = 9\n")), key);
   for (const char* change : {"damping_ratio = 6e-3\n", "step_tolerance = 1e-3\n", "scheme = \"moreau_jean\"\n",
                              "contact = \"paper\"\nscheme = \"central_differences\"\n", "modes = 12\n",
                              "nodal_diameters = \"all\"\n", "steady_state = \"orbit\"\n"})

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep/branch_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "cases/program/errors.h"
+#include "simulate/branches/branch.h"
+#include "simulate/periodic/marched_map.h"
+#include "simulate/periodic/newton.h"
+#include "simulate/periodic/orbit_search.h"
+#include "simulate/speed/settled_march.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr int first_try = 12, last_try = 96;  // revolutions after the casing has grown, twice as many each time
+constexpr double newton_step = 1e-4;          // of the state, the last one: a start, which is made exact
+constexpr double first_step = 1e-3;           // of a speed
+constexpr double same_amplitude = 0.03;       // an orbit of a branch, and the motion at a speed
+
+/// An orbit, whether it attracts or not, near to where a march from rest comes by.
+std::optional<Eigen::VectorXd> orbit_near(const Scene& scene, double speed, int steps) {
+  const RotorAtSpeed rotor = rotor_of(scene, speed, OtherDiameters::unknown);
+  TimeMarch march(rotor, scene.casing, scene.model.contact, open_clearance(scene, speed),
+                  {scene.parameters.scheme, scene.parameters.contact, steps, scene.scope.symmetry});
+  const auto solver = std::make_shared<RecycledGmres>();
+  for (int revolutions = first_try; revolutions <= last_try; revolutions *= 2) {
+    const std::int64_t until =
+        (static_cast<std::int64_t>(std::ceil(scene.casing.ramp_revolutions)) + revolutions) * steps;
+    while (march.step_count() < until) march.step();
+    const MarchState before(march);
+    MarchedMap map(march, rotor, scene.casing, scene.model.contact);
+    const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), {newton_step}, solver);
+    if (orbit.found == NewtonResult::Found::yes) return orbit.state;
+    before.restore(march);
+  }
+  return std::nullopt;
+}
+
+/// Whether a branch has an orbit of this amplitude [m] at this speed [rad/s].
+bool passes(const OrbitBranch& branch, double speed, double amplitude) {
+  for (Eigen::Index i = 1; i < branch.speed.size(); ++i) {
+    const double along = (speed - branch.speed[i - 1]) / (branch.speed[i] - branch.speed[i - 1]);
+    if (!(along >= 0 && along <= 1)) continue;
+    const double here = branch.amplitude[i - 1] + along * (branch.amplitude[i] - branch.amplitude[i - 1]);
+    if (std::abs(here - amplitude) <= same_amplitude * amplitude) return true;
+  }
+  return false;
+}
+
+std::optional<OrbitBranch> branch_from(const Scene& scene, double speed) {
+  const SimulateParameters& parameters = scene.parameters;
+  const BranchLimits limits{speed * (1 - parameters.branch_range),
+                            std::min(speed * (1 + parameters.branch_range), scene.model.speed_max), first_step,
+                            parameters.branch_steps};
+  try {
+    const RotorAtSpeed rotor = rotor_of(scene, speed);
+    const int steps = steps_per_revolution(scene.scope, parameters, rotor.first_frequency, speed);
+    const std::optional<Eigen::VectorXd> start = orbit_near(scene, speed, steps);
+    if (start) return follow_branch(scene, speed, steps, *start, limits);
+  } catch (const RunError&) {  // no orbit there
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<OrbitBranch> follow_branches(const Scene& scene, const std::vector<double>& speeds,
+                                         const FinishedSpeeds& finished, Progress::Shown shown) {
+  std::vector<OrbitBranch> branches;
+  if (scene.parameters.branches == BranchChoice::none || !has_symmetric_map(scene)) return branches;
+  std::vector<double> starts;
+  std::copy_if(speeds.begin(), speeds.end(), std::back_inserter(starts),
+               [&](double speed) { return finished.has(speed, Depth::examined); });
+  Progress progress("branches", starts.size(), shown);
+  for (const double speed : starts) {
+    const double amplitude = finished.read(speed, Depth::full).amplitude;
+    const bool is_known = std::any_of(branches.begin(), branches.end(),
+                                      [&](const OrbitBranch& branch) { return passes(branch, speed, amplitude); });
+    if (!is_known)
+      if (std::optional<OrbitBranch> branch = branch_from(scene, speed)) branches.push_back(std::move(*branch));
+    progress.advance();
+  }
+  return branches;
+}
+
+}  // namespace tiprub

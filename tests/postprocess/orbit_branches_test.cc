@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/analysis/orbit_branches.h"
+
+#include <gtest/gtest.h>
+
+namespace tiprub {
+namespace {
+
+/// Up to a fold at 110, back to one at 102, and up again; the middle repels.
+OrbitBranch folded() {
+  OrbitBranch branch;
+  branch.speed.resize(7);
+  branch.speed << 100, 105, 110, 106, 102, 108, 120;
+  branch.multiplier.resize(7);
+  branch.multiplier << 0.9, 0.9, 0.99, 1.2, 0.99, 0.9, 0.9;
+  branch.amplitude = branch.speed;
+  return branch;
+}
+
+TEST(OrbitBranches, TellWhereMoreThanOneOrbitExists) {
+  const std::vector<OrbitRange> ranges = ranges_of_many_orbits({folded()});
+  ASSERT_FALSE(ranges.empty());
+  EXPECT_EQ(ranges.front().low, 102);
+  EXPECT_EQ(ranges.back().high, 110);
+  for (const OrbitRange& range : ranges) {
+    EXPECT_EQ(range.orbits, 3);
+    EXPECT_EQ(range.attracting, 2);
+  }
+}
+
+TEST(OrbitBranches, AreSilentAboutASingleOne) {
+  OrbitBranch plain = folded();
+  plain.speed << 100, 101, 102, 103, 104, 105, 106;
+  EXPECT_TRUE(ranges_of_many_orbits({plain}).empty());
+  EXPECT_TRUE(ranges_of_many_orbits({}).empty());
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/branches/branch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "simulate/branches/orbit_family.h"
+#include "simulate/orbits/speed_audit.h"
+#include "simulate/periodic/marched_map.h"
+#include "simulate/periodic/newton.h"
+#include "simulate/speed/settled_march.h"
+#include "simulate/speed/speed_run.h"
+#include "tests/simulate/branches/one_sided_spring.h"
+#include "tests/simulate/synthetic_wheel.h"
+
+namespace tiprub {
+namespace {
+
+/// What a scene refers to, and an orbit to begin with.
+struct Bed {
+  ReducedModel model;
+  Casing casing;
+  SimulateParameters parameters;
+  SceneScope scope;
+
+  Bed(ReducedModel given, const Casing& around, double damping) : model(std::move(given)), casing(around), scope() {
+    parameters.damping = {damping};
+    parameters.samples_per_revolution = 240;
+    parameters.recorded_revolutions = 1;
+    parameters.min_revolutions = 20;
+    parameters.max_revolutions = 2000;
+    parameters.settle_tolerance = 1e-8;
+    parameters.casing_areas = 1;
+  }
+  Scene scene() {
+    scope = find_scope(model.sector_count, casing.lobes, parameters);
+    return {model, casing, parameters, scope};
+  }
+  /// From rest, some revolutions, then Newton's method.
+  Eigen::VectorXd orbit(double speed, int steps, int revolutions) {
+    const Scene at = scene();
+    const RotorAtSpeed rotor = rotor_of(at, speed, OtherDiameters::unknown);
+    TimeMarch march(rotor, casing, model.contact, open_clearance(at, speed),
+                    {parameters.scheme, parameters.contact, steps, scope.symmetry});
+    for (int i = 0; i < revolutions * steps; ++i) march.step();
+    MarchedMap map(march, rotor, casing, model.contact);
+    const NewtonResult found =
+        find_fixed_point(map, map.symmetric().state(), {1e-8}, std::make_shared<RecycledGmres>());
+    EXPECT_EQ(found.found, NewtonResult::Found::yes);
+    return found.state;
+  }
+};
+
+TEST(OrbitFamily, TurnsStatesThereAndBack) {
+  Bed bed(testing::synthetic_wheel({5, 2, 4}), testing::lobed_casing(3, 2e-4, 1e-4), 0.02);
+  const Eigen::VectorXd orbit = bed.orbit(2000, 1200, 20);
+  const Scene scene = bed.scene();
+  OrbitFamily family(scene, 2000, 1200);
+  const Eigen::VectorXd state = family.of_family(2000, orbit);
+  EXPECT_LT((family.of_march(2000, state) - orbit).norm(), 1e-12 * orbit.norm());
+  EXPECT_NEAR(state.norm(), orbit.norm(), 1e-9 * orbit.norm()) << "a turn at the reference speed";
+  EXPECT_LT((family.at(2000)->image(state).state - state).norm(), 1e-7 * state.norm()) << "a fixed point stays one";
+}
+
+/// Every orbit of a branch is what a march from rest settles to, where it attracts and nothing else does.
+TEST(Branch, HasTheMotionsOfTheSweepWhereTheyAttract) {
+  Bed bed(testing::synthetic_wheel({5, 2, 4}), testing::lobed_casing(3, 2e-4, 1e-4), 0.02);
+  const Eigen::VectorXd orbit = bed.orbit(2000, 1200, 20);
+  const Scene scene = bed.scene();
+  const OrbitBranch branch = follow_branch(scene, 2000, 1200, orbit, {1940, 2060, 2e-3, 40});
+  EXPECT_EQ(branch.ends[0], "end of the range");
+  EXPECT_EQ(branch.ends[1], "end of the range");
+  EXPECT_NEAR(branch.speed[0], 1940, 1e-6);
+  EXPECT_NEAR(branch.speed[branch.speed.size() - 1], 2060, 1e-6);
+  bed.parameters.steps_per_revolution = 1200;
+  for (Eigen::Index i = 0; i < branch.speed.size(); i += 4) {
+    const SpeedResponse marched = simulate_speed(bed.scene(), branch.speed[i]).response;
+    ASSERT_EQ(marched.motion, MotionClass::periodic);
+    ASSERT_TRUE(branch.attracts(i));
+    EXPECT_NEAR(branch.amplitude[i], marched.amplitude, 1e-6 * marched.amplitude) << branch.speed[i];
+  }
+}
+
+/// A mass with a one-sided spring, driven by the casing: the march's folds against harmonic balance with arc length.
+TEST(Branch, FoldsWhereHarmonicBalanceDoes) {
+  const testing::OneSidedSpring plan;
+  Bed bed(testing::one_sided_spring(plan), testing::lobed_casing(1, plan.amplitude, plan.clearance), plan.damping);
+  bed.parameters.scheme = Scheme::residual_flexibility;
+  bed.parameters.modes = 1;
+  const std::vector<double> exact = testing::folds_by_harmonic_balance(plan, 900, 1300);
+  ASSERT_EQ(exact.size(), 2u);
+  std::vector<double> errors;
+  for (const int steps : {2400, 9600}) {
+    const Scene scene = bed.scene();
+    const OrbitBranch branch = follow_branch(scene, 950, steps, bed.orbit(950, steps, 200), {900, 1300, 1e-3, 400});
+    ASSERT_EQ(branch.folds.size(), 2) << steps;
+    const auto [low, high] = std::minmax(branch.folds[0], branch.folds[1]);
+    errors.push_back(std::max(std::abs(low / exact[0] - 1), std::abs(high / exact[1] - 1)));
+    const Eigen::Index between = std::distance(branch.multiplier.begin(),
+                                               std::max_element(branch.multiplier.begin(), branch.multiplier.end()));
+    EXPECT_GT(branch.multiplier[between], 1) << "the middle branch repels";
+    EXPECT_LT(branch.multiplier_angle[between], 1e-3) << "as at a fold";
+  }
+  EXPECT_LT(errors[1], 1e-3);
+  EXPECT_LT(errors[1], errors[0]);
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -108,7 +108,8 @@ TEST_F(ModelFile, SaysWhatItsContactUnknownsAre) {
 /// K and the static shift of large displacements go on with Omega^6, Omega^8, ...
 TEST_F(ModelFile, CarriesAnyNumberOfTerms) {
   ReducedModel model = some_model();
-  for (NodalDiameterModel& matrices : model.nodal_diameters) matrices.higher = {1e-3 * matrices.K2, 1e-6 * matrices.K2};
+  for (NodalDiameterModel& matrices : model.nodal_diameters)
+    matrices.higher = {1e-3 * matrices.K2, 1e-6 * matrices.K2};
   model.contact.higher_shifts = {Eigen::RowVector3d(1e-27, 0.0, 2e-28), Eigen::RowVector3d(-1e-34, 3e-35, 0.0)};
   write_model(model, path(), "test");
   const ReducedModel read = read_model(path());
@@ -132,8 +133,9 @@ TEST_F(ModelFile, RefusesAStaticShiftWithAGap) {
   EXPECT_EQ(complaint("static_shift_3", shift, "m s^6"), "");
   EXPECT_EQ(read_model(path()).contact.static_shift(2.0), Eigen::MatrixX3d(64.0 * shift));
   EXPECT_EQ(complaint("static_shift_4", shift, "m s^8"),
-            path().string() + ": /contact/static_shift_4 is not known; the static shift is static_shift_1, _2, and "
-                              "_3, _4, ... without a gap");
+            path().string() +
+                ": /contact/static_shift_4 is not known; the static shift is static_shift_1, _2, and "
+                "_3, _4, ... without a gap");
   EXPECT_EQ(complaint("static_shift_3", shift, "m"),
             path().string() +
                 ": /contact/static_shift_3 has the unit \"m\", must be \"m s^6\" (SI), or no attribute `unit`");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <numeric>
 
 #include "cases/program/errors.h"
@@ -13,16 +14,11 @@ namespace tiprub {
 
 namespace {
 
-constexpr double first_try = 12;      // revolutions after the casing has grown: contact has found its place
-constexpr int most_tries = 4;         // each after twice the revolutions
+constexpr int tries[] = {12, 24, 48};  // revolutions after the casing has grown: contact has found its place
 constexpr double newton_step = 10;    // settle_tolerances: the last one; what is left after it is a hundredth of it
 constexpr double clear_distance = 5;  // uncertainties of a multiplier from 1: nearer, it is found more exactly
 constexpr double close_call = 0.98;   // a multiplier a revolution: with another step it may be beyond 1
 constexpr double exact = 1e-4;        // of a multiplier
-
-double revolutions(const TimeMarch& march) {
-  return static_cast<double>(march.step_count()) / march.steps_per_revolution();
-}
 
 /// A multiplier as a growth per revolution.
 Growth per_revolution(const Multiplier& multiplier, double maps) {
@@ -47,25 +43,27 @@ bool has_symmetric_map(const Scene& scene) {
          scene.scope.symmetry == std::gcd(scene.model.sector_count, scene.casing.lobes);
 }
 
-bool OrbitSearch::is_due(const TimeMarch& march) const {
-  if (has_given_up_) return false;
-  const double grown = std::ceil(scene_.casing.ramp_revolutions);
-  const bool is_known = orbit_.size() > 0;
-  return revolutions(march) >= grown + (is_known ? 0 : std::max(first_try, next_revolution_));
+bool OrbitSearch::approach(TimeMarch& coarse) {
+  const auto grown = static_cast<std::int64_t>(std::ceil(scene_.casing.ramp_revolutions));
+  for (const int revolutions : tries) {
+    while (coarse.step_count() < (grown + revolutions) * coarse.steps_per_revolution()) coarse.step();
+    if (jump(coarse)) return true;
+    if (report_.multiplier > 0) break;  // there is one, and it repels
+    report_.outcome = OrbitReport::Outcome::none;
+  }
+  give_up();
+  return false;
 }
 
 bool OrbitSearch::jump(TimeMarch& march) {
+  if (has_given_up()) return false;
   const MarchState before(march);
-  const double now = revolutions(march);
-  bool found = false;
   try {
-    found = find(march);
+    if (find(march)) return true;
   } catch (const RunError&) {  // a state that no march would come to
   }
-  if (found) return true;
   before.restore(march);
-  next_revolution_ = 2 * (now - std::ceil(scene_.casing.ramp_revolutions));
-  if (orbit_.size() > 0 || ++tries_ == most_tries) give_up();
+  give_up();
   return false;
 }
 
@@ -77,11 +75,8 @@ bool OrbitSearch::find(TimeMarch& march) {
   report_.revolutions += (solver_->steps() - steps + orbit.iterations + 1) / map.symmetric().maps_per_revolution();
   if (orbit.found == NewtonResult::Found::no) return false;
   const bool is_first = orbit_.size() == 0;
-  if ((is_first || report_.multiplier > close_call) && !attracts(map, orbit)) {
-    give_up();
-    return false;
-  }
-  if (is_first) follow_excluded(march, orbit);
+  if ((is_first || report_.multiplier > close_call) && !attracts(map, orbit)) return false;
+  if (is_first || (excluded_ && std::abs(excluded_->factor - 1) < 1 - close_call)) follow_excluded(march, orbit);
   map.put(orbit.state);
   orbit_ = orbit.state;
   report_.outcome = OrbitReport::Outcome::found;
@@ -119,7 +114,6 @@ double OrbitSearch::drift(TimeMarch& march) const {
 }
 
 void OrbitSearch::give_up() {
-  has_given_up_ = true;
   report_.outcome = OrbitReport::Outcome::marched;
 }
 

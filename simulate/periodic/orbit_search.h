@@ -19,22 +19,23 @@ namespace tiprub {
 /// has no memory, and all that moves is what symmetry needs.
 bool has_symmetric_map(const Scene& scene);
 
-/// Looks for the steady motion that a march is on its way to, instead of marching there, with one step size after
-/// another: Newton's method for a fixed point of the symmetric map. Orbits that repel are told from those that don't
-/// by their multiplier, and not taken. What was learnt with one step size makes the next one cheap.
+/// Looks for the steady motion that a march from rest is on its way to, instead of marching there: with a coarse step
+/// first, then with one step size after another from the orbit before, by Newton's method for a fixed point of the
+/// symmetric map. Orbits that repel are told from those that don't by their multiplier, and not taken. What was learnt
+/// with one step size makes the next one cheap.
 class OrbitSearch {
  public:
   /// Both are referred to. Raises nothing.
   OrbitSearch(const Scene& scene, const RotorAtSpeed& rotor) : scene_(scene), rotor_(rotor) {}
 
-  /// Whether it is time to look again: some revolutions after the casing has grown, and then ever more rarely; at
-  /// once where a march goes on from another one.
-  bool is_due(const TimeMarch& march) const;
-  /// Puts the march on a stable orbit near to it; else leaves it as it is, to the bit.
+  /// From rest with a coarse step: marches until the casing has grown and some revolutions more, then puts the march on
+  /// a stable orbit near to it; if there is none, after ever more revolutions. Whether it has found one.
+  bool approach(TimeMarch& coarse);
+  /// Puts a march that goes on from the orbit before onto its own; else leaves it as it is, to the bit, and gives up.
   bool jump(TimeMarch& march);
   /// [1] how far the march, whole revolutions later, has moved from its orbit, of the orbit's size.
   double drift(TimeMarch& march) const;
-  /// The march did not confirm the last orbit: from now on nothing is due.
+  /// The march did not confirm the last orbit, or nothing was found.
   void give_up();
 
   const OrbitReport& report() const { return report_; }
@@ -43,6 +44,7 @@ class OrbitSearch {
   const std::optional<Growth>& excluded() const { return excluded_; }
 
  private:
+  bool has_given_up() const { return report_.outcome == OrbitReport::Outcome::marched; }
   bool find(TimeMarch& march);
   bool attracts(MarchedMap& map, const NewtonResult& orbit);
   void follow_excluded(const TimeMarch& march, const NewtonResult& orbit);
@@ -51,9 +53,6 @@ class OrbitSearch {
   const RotorAtSpeed& rotor_;
   std::shared_ptr<RecycledGmres> solver_ = std::make_shared<RecycledGmres>();
   Eigen::VectorXd orbit_;
-  int tries_ = 0;
-  double next_revolution_ = 0;  ///< after which the next try is due
-  bool has_given_up_ = false;
   OrbitReport report_;
   std::optional<Growth> excluded_;
 };

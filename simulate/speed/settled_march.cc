@@ -101,14 +101,10 @@ int revolutions_to_record(const SimulateParameters& parameters, const SettlingSt
                  : parameters.recorded_revolutions;
 }
 
-/// Marches until the motion has settled or the allowed revolutions are spent, or jumps.
+/// Jumps, or marches until the motion has settled or the allowed revolutions are spent.
 void come_to_rest(OrbitSearch* search, int last_start, TimeMarch& march, Settling& settling) {
-  while (settling.revolutions() < last_start && !settling.settled()) {
-    if (search && search->is_due(march) && search->jump(march))
-      settling.stand_on_orbit(search->report().multiplier);
-    else
-      settling.advance();
-  }
+  if (search && search->jump(march)) settling.stand_on_orbit(search->report().multiplier);
+  while (settling.revolutions() < last_start && !settling.settled()) settling.advance();
 }
 
 /// Whether the revolutions just recorded bear out an orbit, if the march was put on one.
@@ -206,11 +202,17 @@ bool is_useless(const std::vector<double>& differences) {
          differences[count - 2] > useless_halving * differences[count - 3];
 }
 
-std::optional<OrbitSearch> search_of(const Scene& scene, const RotorAtSpeed& rotor) {
-  std::optional<OrbitSearch> search;
-  if (scene.parameters.steady_state == SteadyStateMethod::orbit && has_symmetric_map(scene))
-    search.emplace(scene, rotor);
-  return search;
+/// An orbit that a march from rest is on its way to, found with a coarse step, as a state to start from; at rest if
+/// there is none. `search` knows then, and is empty where nothing is to be looked for.
+RotorState approach(const Scene& scene, const RotorAtSpeed& rotor, double speed, std::optional<OrbitSearch>& search) {
+  if (scene.parameters.steady_state != SteadyStateMethod::orbit || !has_symmetric_map(scene)) return {};
+  SimulateParameters parameters = scene.parameters;
+  parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
+  const int steps = steps_per_revolution(scene.scope, parameters, rotor.first_frequency, speed);
+  TimeMarch march(rotor, scene.casing, scene.model.contact, open_clearance(scene, speed),
+                  setup_of(scene, rotor, {steps}));
+  search.emplace(scene, rotor);
+  return search->approach(march) ? state_of(march, rotor, scene.model) : RotorState{};
 }
 
 void report(const OrbitSearch& search, SpeedAudit& audit) {
@@ -274,10 +276,12 @@ std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const Rot
                                                    const RotorState& start, CycleChoice cycle,
                                                    SpeedResponse& response) {
   const SimulateParameters& parameters = scene.parameters;
-  std::optional<OrbitSearch> search = search_of(scene, rotor);
+  std::optional<OrbitSearch> search;
+  RotorState orbit;
+  if (start.at_rest()) orbit = approach(scene, rotor, response.speed, search);
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
                        parameters.min_revolutions, cycle, search ? &*search : nullptr};
-  std::unique_ptr<TimeMarch> march = settle(scene, rotor, start, plan, response);
+  std::unique_ptr<TimeMarch> march = settle(scene, rotor, orbit.at_rest() ? start : orbit, plan, response);
   if (parameters.steps_per_revolution == 0) march = refine(scene, rotor, plan, std::move(march), response);
   if (search) report(*search, response.audit);
   return march;
@@ -288,11 +292,12 @@ std::unique_ptr<TimeMarch> settle_roughly(const Scene& scene, const RotorAtSpeed
   parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
   parameters.settle_tolerance = std::max(parameters.settle_tolerance, coarse_settling);
   const Scene coarse{scene.model, scene.casing, parameters, scene.scope};
-  std::optional<OrbitSearch> search = search_of(coarse, rotor);
+  std::optional<OrbitSearch> search;
+  const RotorState orbit = approach(coarse, rotor, response.speed, search);
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
                        std::min(min_revolutions_again, parameters.min_revolutions), CycleChoice::left,
                        search ? &*search : nullptr};
-  return settle(coarse, rotor, {}, plan, response);
+  return settle(coarse, rotor, orbit, plan, response);
 }
 
 }  // namespace tiprub

@@ -6,7 +6,11 @@
 #undef ANASAZI_TEUCHOS_TIME_MONITOR
 
 #include <AnasaziBasicEigenproblem.hpp>
-#include <AnasaziBlockKrylovSchurSolMgr.hpp>
+#include <AnasaziBasicOrthoManager.hpp>
+#include <AnasaziBasicOutputManager.hpp>
+#include <AnasaziBasicSort.hpp>
+#include <AnasaziBlockKrylovSchur.hpp>
+#include <AnasaziStatusTestMaxIters.hpp>
 #include <Eigen/Eigenvalues>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
@@ -19,58 +23,75 @@ namespace tiprub {
 
 namespace {
 
-constexpr Eigen::Index dense = 40;  // numbers of a state: fewer maps than a Krylov space
-constexpr int most_vectors = 100;   // of a Krylov space
+constexpr Eigen::Index dense = 40;                      // numbers of a state: fewer maps than a Krylov space
+constexpr int fewest_vectors = 40, most_vectors = 200;  // of a Krylov space
 constexpr int vectors_a_look = 10;
-constexpr int restarts = 6;
 
-Teuchos::ParameterList settings(Eigen::Index size, double tolerance) {
+Teuchos::ParameterList settings(Eigen::Index vectors) {
   Teuchos::ParameterList list;
-  list.set("Which", "LM");
   list.set("Block Size", 1);
-  list.set("Num Blocks", static_cast<int>(std::min<Eigen::Index>(most_vectors, size - 2)));
-  list.set("Step Size", vectors_a_look);
-  list.set("Maximum Restarts", restarts);
-  list.set("Convergence Tolerance", tolerance);
-  list.set("Verbosity", static_cast<int>(Anasazi::Errors));
+  list.set("Num Blocks", static_cast<int>(vectors));
+  list.set("Step Size", static_cast<int>(vectors) + 1);  // no look of its own
   return list;
-}
-
-std::complex<double> largest_of(const Eigen::VectorXcd& values) {
-  Eigen::Index place = 0;
-  values.cwiseAbs().maxCoeff(&place);
-  return values[place];
 }
 
 /// Column by column.
 Multiplier of_dense(const LinearMap& map, Eigen::Index size) {
   Eigen::MatrixXd matrix(size, size);
   for (Eigen::Index i = 0; i < size; ++i) matrix.col(i) = map(Eigen::VectorXd::Unit(size, i));
-  const std::complex<double> largest = largest_of(Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues());
-  return {largest, static_cast<double>(size) * std::numeric_limits<double>::epsilon() * matrix.norm()};
+  const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues();
+  Eigen::Index largest = 0;
+  values.cwiseAbs().maxCoeff(&largest);
+  return {values[largest], static_cast<double>(size) * std::numeric_limits<double>::epsilon() * matrix.norm()};
+}
+
+using Solver = Anasazi::BlockKrylovSchur<double, KrylovVectors, LinearMap>;
+
+std::complex<double> largest_ritz_value(Solver& solver) {
+  solver.computeRitzValues();
+  std::complex<double> largest;
+  for (const Anasazi::Value<double>& value : solver.getRitzValues()) {
+    const std::complex<double> candidate(value.realpart, value.imagpart);
+    if (std::abs(candidate) > std::abs(largest)) largest = candidate;
+  }
+  return largest;
+}
+
+/// The largest Ritz value of a Krylov space that grows, until its magnitude stands over two looks. Of a march, which
+/// is nearly normal, it stands long before its vector does: many of nearly its size make that slow.
+Multiplier of_krylov(const LinearMap& map, Eigen::Index size, double tolerance) {
+  using Test = Anasazi::StatusTestMaxIters<double, KrylovVectors, LinearMap>;
+  const auto start = Teuchos::rcp(new KrylovVectors(size, 1));
+  Anasazi::MultiVecTraits<double, KrylovVectors>::MvRandom(*start);
+  const auto problem =
+      Teuchos::rcp(new Anasazi::BasicEigenproblem<double, KrylovVectors, LinearMap>(Teuchos::rcpFromRef(map), start));
+  problem->setHermitian(false);
+  problem->setNEV(1);
+  problem->setProblem();
+  const auto vectors = static_cast<int>(std::min<Eigen::Index>(most_vectors, size - 2));
+  Teuchos::ParameterList list = settings(vectors);
+  Solver solver(problem, Teuchos::rcp(new Anasazi::BasicSort<double>("LM")),
+                Teuchos::rcp(new Anasazi::BasicOutputManager<double>(Anasazi::Errors)),
+                Teuchos::rcp(new Test(vectors_a_look)),
+                Teuchos::rcp(new Anasazi::BasicOrthoManager<double, KrylovVectors, LinearMap>), list);
+  Multiplier largest{0, 1};
+  double change_before = 1;
+  for (int look = vectors_a_look; look <= vectors; look += vectors_a_look) {
+    solver.setStatusTest(Teuchos::rcp(new Test(look)));
+    solver.iterate();
+    const std::complex<double> now = largest_ritz_value(solver);
+    const double change = std::abs(std::abs(now) - std::abs(largest.value));
+    largest = {now, std::max(change, change_before)};
+    change_before = change;
+    if (look >= fewest_vectors && largest.uncertainty <= tolerance * std::abs(now)) break;
+  }
+  return largest;
 }
 
 }  // namespace
 
 Multiplier largest_multiplier(const LinearMap& map, Eigen::Index size, double tolerance) {
-  if (size <= dense) return of_dense(map, size);
-  const auto block = Teuchos::rcp(new KrylovVectors(size, 1));
-  Anasazi::MultiVecTraits<double, KrylovVectors>::MvRandom(*block);
-  const auto problem =
-      Teuchos::rcp(new Anasazi::BasicEigenproblem<double, KrylovVectors, LinearMap>(Teuchos::rcpFromRef(map), block));
-  problem->setHermitian(false);
-  problem->setNEV(1);
-  problem->setProblem();
-  Teuchos::ParameterList list = settings(size, tolerance);
-  Anasazi::BlockKrylovSchurSolMgr<double, KrylovVectors, LinearMap> solver(problem, list);
-  const bool converged = solver.solve() == Anasazi::Converged;
-  Multiplier largest;
-  for (const Anasazi::Value<double>& value : solver.getRitzValues()) {
-    const std::complex<double> candidate(value.realpart, value.imagpart);
-    if (std::abs(candidate) > std::abs(largest.value)) largest.value = candidate;
-  }
-  largest.uncertainty = converged ? tolerance * std::abs(largest.value) : 1;
-  return largest;
+  return size <= dense ? of_dense(map, size) : of_krylov(map, size, tolerance);
 }
 
 }  // namespace tiprub

@@ -15,10 +15,10 @@ namespace tiprub {
 namespace {
 
 constexpr int tries[] = {12, 24, 48};  // revolutions after the casing has grown: contact has found its place
-constexpr double newton_step = 10;    // settle_tolerances: the last one; what is left after it is a hundredth of it
-constexpr double clear_distance = 5;  // uncertainties of a multiplier from 1: nearer, it is found more exactly
-constexpr double close_call = 0.98;   // a multiplier a revolution: with another step it may be beyond 1
-constexpr double exact = 1e-4;        // of a multiplier
+constexpr double newton_step = 10;     // settle_tolerances: the last one; what is left after it is a hundredth of it
+constexpr double clear_distance = 5;   // uncertainties of a multiplier from 1: nearer, it is found more exactly
+constexpr double close_call = 0.98;    // a multiplier a revolution: with another step it may be beyond 1
+constexpr double exact = 2e-5;         // of a multiplier
 
 /// A multiplier as a growth per revolution.
 Growth per_revolution(const Multiplier& multiplier, double maps) {

@@ -21,15 +21,15 @@ bool has_symmetric_map(const Scene& scene);
 
 /// Looks for the steady motion that a march from rest is on its way to, instead of marching there: with a coarse step
 /// first, then with one step size after another from the orbit before, by Newton's method for a fixed point of the
-/// symmetric map. Orbits that repel are told from those that don't by their multiplier, and not taken. What was learnt
-/// with one step size makes the next one cheap.
+/// symmetric map. Orbits that repel are told from those that don't by their multiplier, and not taken. What was
+/// learnt with one step size makes the next one cheap.
 class OrbitSearch {
  public:
   /// Both are referred to. Raises nothing.
   OrbitSearch(const Scene& scene, const RotorAtSpeed& rotor) : scene_(scene), rotor_(rotor) {}
 
-  /// From rest with a coarse step: marches until the casing has grown and some revolutions more, then puts the march on
-  /// a stable orbit near to it; if there is none, after ever more revolutions. Whether it has found one.
+  /// From rest with a coarse step: marches until the casing has grown and some revolutions more, then puts the march
+  /// on a stable orbit near to it; if there is none, after ever more revolutions. Whether it has found one.
   bool approach(TimeMarch& coarse);
   /// Puts a march that goes on from the orbit before onto its own; else leaves it as it is, to the bit, and gives up.
   bool jump(TimeMarch& march);

@@ -72,7 +72,8 @@ std::optional<OrbitBranch> branch_from(const Scene& scene, double speed) {
 std::vector<OrbitBranch> follow_branches(const Scene& scene, const std::vector<double>& speeds,
                                          const FinishedSpeeds& finished, Progress::Shown shown) {
   std::vector<OrbitBranch> branches;
-  const bool asked = scene.parameters.branches != BranchChoice::none && scene.parameters.sweep == SweepDirection::rest;
+  const bool asked =
+      scene.parameters.branches != BranchChoice::none && scene.parameters.sweep == SweepDirection::rest;
   if (!asked || !has_symmetric_map(scene)) return branches;
   std::vector<double> starts;
   std::copy_if(speeds.begin(), speeds.end(), std::back_inserter(starts),

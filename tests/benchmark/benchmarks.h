@@ -24,6 +24,10 @@ void print_accuracy(const std::string& model);
 /// % or more of them.
 bool print_scheme_agreement(const std::string& model, int speeds);
 
+/// What the settled answer costs by marching and as an orbit (steady_state), with light and with high damping: each
+/// speed beside the other, in one run; a table to stdout.
+void print_orbit_cost(const std::string& model, int lobes, int speeds);
+
 /// Scheme over step, and penalty over stiffness: stable, inaccurate, refused or blown up; a table to stdout.
 void print_stability(const std::string& model);
 

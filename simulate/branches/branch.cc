@@ -112,10 +112,9 @@ Eigen::Array4d measure(OrbitFamily& family, const Point& point) {
   const MapImage image = map->image(point.state);
   const Multiplier largest = largest_multiplier(
       [&](const Eigen::VectorXd& change) { return map->tangent(image.pattern, change); }, point.state.size());
-  const double maps = family.maps_per_revolution(), magnitude = std::abs(largest.value);
-  const double growth = std::pow(magnitude, maps);
-  const double uncertainty = magnitude > 0 ? maps * growth * largest.uncertainty / magnitude : largest.uncertainty;
-  return {family.amplitude(point.speed, point.state), growth, uncertainty, std::abs(std::arg(largest.value))};
+  const Growth growth = per_revolution(largest, family.maps_per_revolution());
+  return {family.amplitude(point.speed, point.state), growth.factor, growth.uncertainty,
+          std::abs(std::arg(largest.value))};
 }
 
 Side follow_side(const Scene& scene, double speed, int steps_per_revolution, const Eigen::VectorXd& start,

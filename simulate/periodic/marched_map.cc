@@ -5,11 +5,8 @@
 
 namespace tiprub {
 
-MarchedMap::MarchedMap(TimeMarch& march, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
-                       int power)
-    : march_(march),
-      map_(march, casing.lobes, power),
-      tangent_(rotor, casing, contact, march, Disturbance::symmetric, power) {}
+MarchedMap::MarchedMap(TimeMarch& march, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact)
+    : march_(march), map_(march, casing.lobes), tangent_(rotor, casing, contact, march, Disturbance::symmetric) {}
 
 MapImage MarchedMap::image(const Eigen::VectorXd& state) {
   const std::int64_t start = march_.step_count();

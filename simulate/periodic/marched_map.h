@@ -9,12 +9,11 @@
 
 namespace tiprub {
 
-/// The k-th power of the symmetric map of a march, and its derivative.
+/// The symmetric map of a march, and its derivative.
 class MarchedMap final : public PeriodicMap {
  public:
   /// The march's clock is left where it is. All are referred to.
-  MarchedMap(TimeMarch& march, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
-             int power = 1);
+  MarchedMap(TimeMarch& march, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact);
 
   const SymmetricMap& symmetric() const { return map_; }
   /// Puts a state into the march.

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <complex>
 
+#include "simulate/orbits/excluded_growth.h"
 #include "simulate/periodic/linear_map.h"
 
 namespace tiprub {
@@ -19,5 +20,8 @@ struct Multiplier {
 /// Takes some sixty maps where slow modes are many; where it doesn't come to stand in some hundreds, its uncertainty
 /// says so.
 Multiplier largest_multiplier(const LinearMap& map, Eigen::Index size, double tolerance = 2e-4);
+
+/// The same as a growth per revolution, of so many maps.
+Growth per_revolution(const Multiplier& multiplier, int maps);
 
 }  // namespace tiprub

@@ -44,7 +44,6 @@ class OrbitGroup final : public LOCA::Abstract::Group {
 
   /// That the map met at the state; computeF() first.
   const std::shared_ptr<const ContactPattern>& pattern() const { return pattern_; }
-  PeriodicMap& map() const { return *map_; }
 
   // NOX
   NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override;

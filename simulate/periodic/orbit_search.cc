@@ -20,13 +20,6 @@ constexpr double clear_distance = 5;   // uncertainties of a multiplier from 1: 
 constexpr double close_call = 0.98;    // a multiplier a revolution: with another step it may be beyond 1
 constexpr double exact = 2e-5;         // of a multiplier
 
-/// A multiplier as a growth per revolution.
-Growth per_revolution(const Multiplier& multiplier, double maps) {
-  const double magnitude = std::abs(multiplier.value);
-  const double factor = std::pow(magnitude, maps);
-  return {factor, magnitude > 0 ? maps * factor * multiplier.uncertainty / magnitude : multiplier.uncertainty};
-}
-
 /// Once roughly; more exactly where that leaves open on which side of 1 it is.
 Multiplier clear_multiplier(const LinearMap& map, Eigen::Index size) {
   const Multiplier rough = largest_multiplier(map, size);
@@ -72,7 +65,8 @@ bool OrbitSearch::find(TimeMarch& march) {
   const int steps = solver_->steps();
   const NewtonLimits limits{newton_step * scene_.parameters.settle_tolerance};
   const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), limits, solver_);
-  report_.revolutions += (solver_->steps() - steps + orbit.iterations + 1) / map.symmetric().maps_per_revolution();
+  const double maps = solver_->steps() - steps + orbit.iterations + 1;
+  report_.revolutions += maps / map.symmetric().maps_per_revolution();
   if (orbit.found == NewtonResult::Found::no) return false;
   const bool is_first = orbit_.size() == 0;
   if ((is_first || report_.multiplier > close_call) && !attracts(map, orbit)) return false;
@@ -85,8 +79,8 @@ bool OrbitSearch::find(TimeMarch& march) {
 }
 
 bool OrbitSearch::attracts(MarchedMap& map, const NewtonResult& orbit) {
-  const double maps = map.symmetric().maps_per_revolution();
-  int applied = 0;
+  const int maps = map.symmetric().maps_per_revolution();
+  double applied = 0;
   const LinearMap tangent = [&](const Eigen::VectorXd& change) {
     ++applied;
     return map.tangent(orbit.pattern, change);
@@ -104,9 +98,7 @@ void OrbitSearch::follow_excluded(const TimeMarch& march, const NewtonResult& or
   if (rotor_.others.empty() || scene_.parameters.symmetry_check_revolutions == 0) return;
   TangentMarch tangent(rotor_, scene_.casing, scene_.model.contact, march, Disturbance::excluded);
   const LinearMap map = [&](const Eigen::VectorXd& change) { return tangent(orbit.pattern, change); };
-  const double maps =
-      static_cast<double>(march.steps_per_revolution()) / static_cast<double>(orbit.pattern->steps().size());
-  excluded_ = per_revolution(clear_multiplier(map, tangent.size()), maps);
+  excluded_ = per_revolution(clear_multiplier(map, tangent.size()), tangent.maps_per_revolution());
 }
 
 double OrbitSearch::drift(TimeMarch& march) const {

@@ -16,10 +16,9 @@ namespace tiprub {
 /// is a fixed point, found lcm(N, lobes) times as often a revolution as by the whole one. The shift is a phase,
 /// e^{-i n s alpha}, for nodal diameter n. Steps a revolution are a multiple of lcm(N, lobes); the casing must have
 /// grown to its full height. For laws of contact without memory, whose state is that of the modes at two instants.
-/// An orbit that comes back to itself after k of these is a fixed point of the k-th power.
 class SymmetricMap {
  public:
-  SymmetricMap(TimeMarch& march, int lobes, int power = 1);
+  SymmetricMap(TimeMarch& march, int lobes);
 
   /// [m/s sqrt(kg)] the modes at t_q and t_{q-1} as a vector whose square is twice the energy: frequencies times
   /// positions (not below the speed of rotation), then velocities; of a standing wave the real parts only.
@@ -30,7 +29,7 @@ class SymmetricMap {
 
   /// Of the march.
   int steps() const { return steps_; }
-  double maps_per_revolution() const { return static_cast<double>(march_.steps_per_revolution()) / steps_; }
+  int maps_per_revolution() const { return march_.steps_per_revolution() / steps_; }
 
  private:
   struct WaveFrame {

@@ -90,12 +90,12 @@ TEST(Branch, FoldsWhereHarmonicBalanceDoes) {
   Bed bed(testing::one_sided_spring(plan), testing::lobed_casing(1, plan.amplitude, plan.clearance), plan.damping);
   bed.parameters.scheme = Scheme::residual_flexibility;
   bed.parameters.modes = 1;
-  const std::vector<double> exact = testing::folds_by_harmonic_balance(plan, 900, 1300);
+  const std::vector<double> exact = testing::folds_by_harmonic_balance(plan, 940, 1200);
   ASSERT_EQ(exact.size(), 2u);
   std::vector<double> errors;
   for (const int steps : {2400, 9600}) {
     const Scene scene = bed.scene();
-    const OrbitBranch branch = follow_branch(scene, 950, steps, bed.orbit(950, steps, 200), {900, 1300, 1e-3, 400});
+    const OrbitBranch branch = follow_branch(scene, 950, steps, bed.orbit(950, steps, 200), {940, 1200, 1e-3, 400});
     ASSERT_EQ(branch.folds.size(), 2) << steps;
     const auto [low, high] = std::minmax(branch.folds[0], branch.folds[1]);
     errors.push_back(std::max(std::abs(low / exact[0] - 1), std::abs(high / exact[1] - 1)));

@@ -11,7 +11,7 @@ namespace tiprub::testing {
 namespace {
 
 constexpr double there_and_back = 1e-4;  // of the frequency: less is no fold, but the instants' roughness
-constexpr int harmonics = 30, instants = 256, unknowns = 2 * harmonics + 1;
+constexpr int harmonics = 20, instants = 128, unknowns = 2 * harmonics + 1;
 
 /// Fourier coefficients (mean, cosines, sines) of u over the clearance, and the speed over the mass's frequency.
 class HarmonicBalance {
@@ -100,7 +100,7 @@ ReducedModel one_sided_spring(const OneSidedSpring& plan) {
 
 std::vector<double> folds_by_harmonic_balance(const OneSidedSpring& plan, double low, double high) {
   const HarmonicBalance balance(plan);
-  const double frequency = std::sqrt(plan.stiffness / plan.mass), length = 0.02;
+  const double frequency = std::sqrt(plan.stiffness / plan.mass), length = 0.03;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns + 1), tangent = Eigen::VectorXd::Unit(unknowns + 1, unknowns);
   x[unknowns] = low / frequency;
   std::vector<double> folds;

@@ -67,7 +67,7 @@ OrbitGroup::OrbitGroup(const OrbitGroup& other, NOX::CopyType type)
   is_newton_ = other.is_newton_;
 }
 
-NOX::Abstract::Group& OrbitGroup::operator=(const NOX::Abstract::Group& source) {
+NOX::Abstract::Group& OrbitGroup::operator=(const NOX::Abstract::Group& source) {  // NOLINT(misc-unconventional-*)
   copy(source);
   return *this;
 }

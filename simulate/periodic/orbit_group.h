@@ -46,7 +46,7 @@ class OrbitGroup final : public LOCA::Abstract::Group {
   const std::shared_ptr<const ContactPattern>& pattern() const { return pattern_; }
 
   // NOX
-  NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override;
+  NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override;  // NOLINT(misc-unconventional-*)
   void copy(const NOX::Abstract::Group& source) override;
   Teuchos::RCP<NOX::Abstract::Group> clone(NOX::CopyType type) const override;
   void setX(const NOX::Abstract::Vector& state) override;

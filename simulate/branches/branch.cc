@@ -128,7 +128,11 @@ Side follow_side(const Scene& scene, double speed, int steps_per_revolution, con
       global, [&](double at) { return family.at(at); }, speed, state, std::make_shared<RecycledGmres>()));
   group->call_at_solutions([&](double at, const Eigen::VectorXd& found) { side.points.push_back({at, found}); });
   LOCA::Stepper stepper(global, group, test(), list);
-  stepper.run();
+  try {
+    stepper.run();
+  } catch (const RunError&) {  // beyond what the rotor or the clearance bears: the branch ends there
+  } catch (const char*) {      // LOCA's errors
+  }
   LOCA::destroyGlobalData(global);
   // LOCA steps beyond the range, and then back to its bound.
   std::erase_if(side.points, [&](const Point& point) {

@@ -79,7 +79,8 @@ NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, co
   result.found = converged ? NewtonResult::Found::yes : NewtonResult::Found::no;
   result.state = numbers(last.getX());
   result.pattern = last.pattern();
-  result.residual = last.getNormF() / result.state.norm();
+  const double size = result.state.norm();
+  result.residual = size > 0 ? last.getNormF() / size : last.getNormF();  // at rest
   result.iterations = newton->getNumIterations();
   LOCA::destroyGlobalData(global);
   return result;

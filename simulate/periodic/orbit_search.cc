@@ -38,11 +38,14 @@ bool has_symmetric_map(const Scene& scene) {
 
 bool OrbitSearch::approach(TimeMarch& coarse) {
   const auto grown = static_cast<std::int64_t>(std::ceil(scene_.casing.ramp_revolutions));
-  for (const int revolutions : tries) {
-    while (coarse.step_count() < (grown + revolutions) * coarse.steps_per_revolution()) coarse.step();
-    if (jump(coarse)) return true;
-    if (report_.multiplier > 0) break;  // there is one, and it repels
-    report_.outcome = OrbitReport::Outcome::none;
+  try {
+    for (const int revolutions : tries) {
+      while (coarse.step_count() < (grown + revolutions) * coarse.steps_per_revolution()) coarse.step();
+      if (jump(coarse)) return true;
+      if (report_.multiplier > 0) break;  // there is one, and it repels
+      report_.outcome = OrbitReport::Outcome::none;
+    }
+  } catch (const RunError&) {  // a step too coarse for its scheme
   }
   give_up();
   return false;
@@ -102,7 +105,8 @@ void OrbitSearch::follow_excluded(const TimeMarch& march, const NewtonResult& or
 }
 
 double OrbitSearch::drift(TimeMarch& march) const {
-  return (SymmetricMap(march, scene_.casing.lobes).state() - orbit_).norm() / orbit_.norm();
+  const double moved = (SymmetricMap(march, scene_.casing.lobes).state() - orbit_).norm(), size = orbit_.norm();
+  return size > 0 ? moved / size : moved;  // at rest
 }
 
 void OrbitSearch::give_up() {

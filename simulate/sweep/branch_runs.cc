@@ -61,7 +61,7 @@ std::optional<OrbitBranch> branch_from(const Scene& scene, double speed) {
     const RotorAtSpeed rotor = rotor_of(scene, speed);
     const int steps = steps_per_revolution(scene.scope, parameters, rotor.first_frequency, speed);
     const std::optional<Eigen::VectorXd> start = orbit_near(scene, speed, steps);
-    if (start) return follow_branch(scene, speed, steps, *start, limits);
+    if (start && start->norm() > 0) return follow_branch(scene, speed, steps, *start, limits);
   } catch (const RunError&) {  // no orbit there
   }
   return std::nullopt;

@@ -38,8 +38,10 @@ TEST(SymmetricMap, ReturnsTheSettledMotion) {
   EXPECT_EQ(bench.march.step_count(), 60 * 1200) << "the clock stands still";
 }
 
-SpeedResponse run(const ReducedModel& model, const Casing& casing, double speed, SteadyStateMethod method) {
+SpeedResponse run(const ReducedModel& model, const Casing& casing, double speed, SteadyStateMethod method,
+                  Scheme scheme = Scheme::trigonometric) {
   SimulateParameters parameters;
+  parameters.scheme = scheme;
   parameters.damping = {0.005};
   parameters.samples_per_revolution = 120;
   parameters.recorded_revolutions = 2;
@@ -102,6 +104,24 @@ TEST(OrbitSearch, FallsBackOnMarchingWhereNoSteadyOrbitIs) {
     EXPECT_EQ(tried.contact_force, plain.contact_force);
     EXPECT_EQ(tried.revolutions, plain.revolutions);
   }
+}
+
+/// A wheel that reaches no casing comes to rest: nothing is divided by its motion.
+TEST(OrbitSearch, TakesRestForAnOrbit) {
+  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
+  const SpeedResponse rest = run(model, testing::lobed_casing(2, 1e-4, 1.0), 2000, SteadyStateMethod::orbit);
+  EXPECT_EQ(rest.failure, "");
+  EXPECT_EQ(rest.amplitude, 0);
+}
+
+/// Central differences grow with the coarse step: the search fails, the speed is marched.
+TEST(OrbitSearch, SurvivesAStepBeyondTheLimitOfItsScheme) {
+  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
+  const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
+  const SpeedResponse plain = run(model, casing, 2000, SteadyStateMethod::march, Scheme::central_differences);
+  const SpeedResponse tried = run(model, casing, 2000, SteadyStateMethod::orbit, Scheme::central_differences);
+  EXPECT_EQ(tried.failure, plain.failure);
+  EXPECT_EQ(tried.settled(), plain.settled());
 }
 
 }  // namespace

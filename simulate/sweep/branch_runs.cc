@@ -23,9 +23,8 @@ constexpr double first_step = 1e-3;           // of a speed
 constexpr double same_amplitude = 0.03;       // an orbit of a branch, and the motion at a speed
 
 /// An orbit, whether it attracts or not, near to where a march from rest comes by.
-std::optional<Eigen::VectorXd> orbit_near(const Scene& scene, double speed, int steps) {
-  const RotorAtSpeed rotor = rotor_of(scene, speed, OtherDiameters::unknown);
-  TimeMarch march(rotor, scene.casing, scene.model.contact, open_clearance(scene, speed),
+std::optional<Eigen::VectorXd> orbit_near(const Scene& scene, const RotorAtSpeed& rotor, int steps) {
+  TimeMarch march(rotor, scene.casing, scene.model.contact, open_clearance(scene, rotor.speed),
                   {scene.parameters.scheme, scene.parameters.contact, steps, scene.scope.symmetry});
   const auto solver = std::make_shared<RecycledGmres>();
   for (int revolutions = first_try; revolutions <= last_try; revolutions *= 2) {
@@ -60,7 +59,7 @@ std::optional<OrbitBranch> branch_from(const Scene& scene, double speed) {
   try {
     const RotorAtSpeed rotor = rotor_of(scene, speed);
     const int steps = steps_per_revolution(scene.scope, parameters, rotor.first_frequency, speed);
-    const std::optional<Eigen::VectorXd> start = orbit_near(scene, speed, steps);
+    const std::optional<Eigen::VectorXd> start = orbit_near(scene, rotor, steps);
     if (start && start->norm() > 0) return follow_branch(scene, speed, steps, *start, limits);
   } catch (const RunError&) {  // no orbit there
   }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep/branch_runs.h"
+
+#include <gtest/gtest.h>
+
+#include "simulate/speed/speed_run.h"
+#include "simulate/sweep/simulated_scene.h"
+#include "tests/cases/temporary_folder.h"
+#include "tests/simulate/synthetic_wheel.h"
+
+namespace tiprub {
+namespace {
+
+/// Three speeds of a wheel, the first two examined.
+class BranchRuns : public test::TemporaryFolder {
+ protected:
+  std::vector<OrbitBranch> follow(BranchChoice choice, SweepDirection sweep) {
+    SimulateParameters parameters;
+    parameters.damping = {0.02};
+    parameters.samples_per_revolution = 240;
+    parameters.recorded_revolutions = 1;
+    parameters.min_revolutions = 20;
+    parameters.max_revolutions = 200;
+    parameters.settle_tolerance = 1e-4;
+    parameters.casing_areas = 1;
+    parameters.steps_per_period = 400;
+    parameters.branches = choice;
+    parameters.branch_range = 0.01;
+    parameters.branch_steps = 40;
+    parameters.sweep = sweep;
+    const SceneScope scope = find_scope(model_.sector_count, casing_.lobes, parameters);
+    const Scene scene{model_, casing_, parameters, scope};
+    FinishedSpeeds finished(path("r.h5"), simulated_scene(scene, {"", ""}), "key", "test");
+    for (const double speed : speeds_) {
+      SpeedResponse response = simulate_speed(scene, speed).response;
+      if (speed < speeds_.back()) response.depth = Depth::examined;
+      finished.keep(response);
+    }
+    return follow_branches(scene, speeds_, finished, Progress::Shown::never);
+  }
+
+  const ReducedModel model_ = testing::synthetic_wheel({5, 2, 4});
+  const Casing casing_ = testing::lobed_casing(3, 2e-4, 1e-4);
+  const std::vector<double> speeds_{1990, 2000, 2100};
+};
+
+/// The second examined speed lies on the branch of the first; the last speed was not examined.
+TEST_F(BranchRuns, FollowEachBranchOnce) {
+  const std::vector<OrbitBranch> branches = follow(BranchChoice::critical_speeds, SweepDirection::rest);
+  ASSERT_EQ(branches.size(), 1u);
+  EXPECT_EQ(branches[0].start, 1990);
+  EXPECT_NEAR(branches[0].speed.minCoeff(), 0.99 * 1990, 1e-6);
+  EXPECT_NEAR(branches[0].speed.maxCoeff(), 1.01 * 1990, 1e-6);
+}
+
+TEST_F(BranchRuns, FollowNoneUnlessAsked) {
+  EXPECT_TRUE(follow(BranchChoice::none, SweepDirection::rest).empty());
+  EXPECT_TRUE(follow(BranchChoice::critical_speeds, SweepDirection::up).empty());
+}
+
+}  // namespace
+}  // namespace tiprub

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+
 #include "mesh/meshing.h"
 
 int main(int argc, char** argv) {
-  const tiprub::Stage stage{.name = "tiprub-mesh",
-                            .summary = "Meshes one sector of a wheel with quadratic hexahedra.",
-                            .inputs = {{"case.toml", "the scene; only its table [mesh] is read"}},
-                            .output = "sector.msh",
-                            .tables = tiprub::mesh_tables};
-  return tiprub::run_stage(argc, argv, stage, tiprub::mesh_case);
+  std::string import;
+  const tiprub::Stage stage{
+      .name = "tiprub-mesh",
+      .summary = "Meshes one sector of a wheel with quadratic hexahedra, or takes a mesh of another code.",
+      .inputs = {{"case.toml", "the scene; only its table [mesh] is read"}},
+      .output = "sector.msh",
+      .tables = tiprub::mesh_tables,
+      .add_options = [&](CLI::App& app) {
+        app.add_option("--import", import,
+                       "take this mesh (.inp, .bdf, .cdb or .unv) as [mesh] mesh_file; [mesh] names its groups");
+      }};
+  return tiprub::run_stage(argc, argv, stage,
+                           [&](const tiprub::StageArguments& arguments) { tiprub::mesh_case(arguments, import); });
 }

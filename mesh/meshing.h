@@ -11,7 +11,7 @@ namespace tiprub {
 /// What is read of the case: [mesh].
 std::string mesh_tables(const CaseFile& file);
 
-/// tiprub-mesh case.toml -o sector.msh.
-void mesh_case(const StageArguments& arguments);
+/// tiprub-mesh case.toml -o sector.msh. `import`: a mesh of another code in place of [mesh] mesh_file, or empty.
+void mesh_case(const StageArguments& arguments, const std::string& import);
 
 }  // namespace tiprub

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/blades/number_lines.h"
+#include "cases/program/lines/number_lines.h"
 #include "mesh/curves/meridional_curve.h"
 
 namespace tiprub {

@@ -32,9 +32,7 @@ const std::array<std::array<int, 3>, hex27_nodes>& hex_reference_nodes();
 /// serves both kinds.
 void complete_hex20(HexCoordinates& coordinates);
 
-/// The derivatives of the 27 shape functions at one reference point, 27 x 3. They stand here and in
-/// postprocess/fields, for a mesher and a post-processor include nothing of each other, and in reduce they are
-/// deal.II's.
+/// The derivatives of the 27 shape functions at one reference point, 27 x 3.
 using HexGradients = Eigen::Matrix<double, hex27_nodes, 3>;
 HexGradients hex_gradients(const Eigen::Vector3d& reference);
 

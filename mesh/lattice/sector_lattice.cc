@@ -50,10 +50,11 @@ std::optional<Region> SectorLattice::region(const std::array<int, 3>& cell) cons
   return std::nullopt;
 }
 
-int SectorLattice::contact_half_column() const {
+int SectorLattice::contact_half_column(BladeKind blade) const {
+  const Block wanted = blade == BladeKind::main ? Block::main : Block::splitter;
   int first = 0;
   for (const Columns& columns : blocks_) {
-    if (columns.block == Block::main) return 2 * first + columns.count;
+    if (columns.block == wanted) return 2 * first + columns.count;
     first += columns.count;
   }
   return size_[0];

@@ -21,8 +21,8 @@ class SectorLattice {
   const std::array<int, 3>& size() const { return size_; }
   int hub_layer() const { return disc_layers_; }  ///< the first layer above the hub
   std::optional<Region> region(const std::array<int, 3>& cell) const;
-  /// The middle of what carries the contact (the main blade, or a bare disc's sector), in half columns.
-  int contact_half_column() const;
+  /// The middle of what carries contact (the main blade, or a bare disc's sector; the splitter), in half columns.
+  int contact_half_column(BladeKind blade) const;
 
   /// Angles of all half columns against the main blade's middle [rad], between the two cuts, or between the sides of
   /// a blade without a disc: even within each block.

@@ -173,8 +173,12 @@ std::string describe(const SectorReport& report, const MeshedSector& mesh, const
        << "\n"
        << report.clamped_nodes << " nodes clamped, " << report.clamped_cyclic_nodes
        << " of them on cyclic faces (the clamp wins)\n"
-       << mesh.contact.size() << " contact nodes, normal " << report.normal_angle_leading_deg
-       << " deg from radial at the leading edge, " << report.normal_angle_trailing_deg << " deg at the trailing edge";
+       << mesh.contact.size() << " contact nodes"
+       << (mesh.contact_splitter.empty()
+               ? ""
+               : " and " + std::to_string(mesh.contact_splitter.size()) + " on the splitter")
+       << ", normal " << report.normal_angle_leading_deg << " deg from radial at the leading edge, "
+       << report.normal_angle_trailing_deg << " deg at the trailing edge";
   return text.str();
 }
 

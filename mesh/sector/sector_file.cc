@@ -3,9 +3,11 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
 #include <fstream>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/program/errors.h"
@@ -33,18 +35,7 @@ class GmshSession {
   ~GmshSession() { gmsh::finalize(); }
 };
 
-std::vector<std::size_t> gmsh_tags(const std::size_t* begin, const std::size_t* end) {
-  std::vector<std::size_t> tags(begin, end);
-  for (std::size_t& tag : tags) ++tag;  // gmsh counts from 1
-  return tags;
-}
-
-void add_named_group(int dimension, const std::vector<int>& entities, const std::string& name) {
-  const int group = gmsh::model::addPhysicalGroup(dimension, entities);
-  gmsh::model::setPhysicalName(dimension, group, name);
-}
-
-void add_nodes(const MeshedSector& mesh, int entity) {
+void add_nodes(const NamedMesh& mesh, int entity) {
   std::vector<std::size_t> tags(mesh.nodes.size());
   std::iota(tags.begin(), tags.end(), std::size_t{1});
   std::vector<double> coordinates;
@@ -53,52 +44,29 @@ void add_nodes(const MeshedSector& mesh, int entity) {
   gmsh::model::mesh::addNodes(volume_dimension, entity, tags, coordinates);
 }
 
-std::vector<std::size_t> nodes_of(const MeshedSector& mesh, Region region) {
-  std::vector<std::size_t> nodes;
-  for (const SectorCell& cell : mesh.cells) {
-    if (cell.region != region) continue;
-    const auto tags = gmsh_tags(cell.nodes.data(), cell.nodes.data() + node_count(mesh.element));
-    nodes.insert(nodes.end(), tags.begin(), tags.end());
+/// All volumes first: gmsh counts them, then come the nodes, then elements.
+void add_entities(const NamedMesh& mesh) {
+  std::vector<int> tags;
+  for (const NamedMesh::Entity& entity : mesh.entities)
+    tags.push_back(gmsh::model::addDiscreteEntity(entity.dimension));
+  add_nodes(mesh, tags.front());
+  std::vector<std::pair<std::string, std::vector<int>>> groups;  // in the order of their first entities
+  std::map<std::string, int> dimension;
+  for (std::size_t e = 0; e < mesh.entities.size(); ++e) {
+    for (const auto& [type, nodes] : mesh.entities[e].elements) {
+      std::vector<std::size_t> counted = nodes;
+      for (std::size_t& node : counted) ++node;  // gmsh counts from 1
+      gmsh::model::mesh::addElementsByType(tags[e], type, {}, counted);
+    }
+    for (const std::string& name : mesh.entities[e].groups) {
+      dimension[name] = mesh.entities[e].dimension;
+      auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == name; });
+      if (known == groups.end()) known = groups.insert(groups.end(), {name, {}});
+      known->second.push_back(tags[e]);
+    }
   }
-  return nodes;
-}
-
-void add_volumes(const MeshedSector& mesh) {
-  struct Volume {
-    Region region;
-    const char* name;
-    int entity;
-  };
-  std::vector<Volume> volumes = {
-      {Region::disc, "disc", 0}, {Region::main_blade, "main_blade", 0}, {Region::splitter, "splitter", 0}};
-  std::erase_if(volumes, [&](const Volume& volume) { return nodes_of(mesh, volume.region).empty(); });
-  for (Volume& volume : volumes) volume.entity = gmsh::model::addDiscreteEntity(volume_dimension);
-  add_nodes(mesh, volumes.front().entity);
-  std::vector<int> all;
-  for (const Volume& volume : volumes) {
-    gmsh::model::mesh::addElementsByType(volume.entity, mesh.element == ElementKind::hex20 ? hex20 : hex27, {},
-                                         nodes_of(mesh, volume.region));
-    all.push_back(volume.entity);
-  }
-  add_named_group(volume_dimension, all, "sector");
-  for (const Volume& volume : volumes) add_named_group(volume_dimension, {volume.entity}, volume.name);
-}
-
-void add_surface(const MeshedSector& mesh, const SectorSurface& surface) {
-  const int entity = gmsh::model::addDiscreteEntity(surface_dimension);
-  const std::size_t* first = surface.face_nodes.data();
-  gmsh::model::mesh::addElementsByType(entity, mesh.element == ElementKind::hex20 ? quad8 : quad9, {},
-                                       gmsh_tags(first, first + surface.face_nodes.size()));
-  add_named_group(surface_dimension, {entity}, surface.name);
-}
-
-void add_contact_curve(const MeshedSector& mesh) {
-  const int entity = gmsh::model::addDiscreteEntity(curve_dimension);
-  std::vector<std::size_t> ends;
-  for (std::size_t n = 0; n + 1 < mesh.contact.size(); ++n)
-    ends.insert(ends.end(), {mesh.contact[n] + 1, mesh.contact[n + 1] + 1});
-  gmsh::model::mesh::addElementsByType(entity, line2, {}, ends);
-  add_named_group(curve_dimension, {entity}, "contact");
+  for (const auto& [name, entities] : groups)
+    gmsh::model::setPhysicalName(dimension[name], gmsh::model::addPhysicalGroup(dimension[name], entities), name);
 }
 
 // gmsh says nothing of a disk that is full; the last words of a whole file do.
@@ -110,19 +78,46 @@ void require_whole(const std::filesystem::path& path) {
   if (end != last_words) throw RunError(path.string() + ": can't be written whole; is the disk full?");
 }
 
+NamedMesh::Entity part_of(const MeshedSector& mesh, Region region, const char* name) {
+  NamedMesh::Entity part{volume_dimension, {"sector", name}, {}};
+  for (const SectorCell& cell : mesh.cells)
+    if (cell.region == region) {
+      std::vector<std::size_t>& nodes = part.elements[mesh.element == ElementKind::hex20 ? hex20 : hex27];
+      nodes.insert(nodes.end(), cell.nodes.data(), cell.nodes.data() + node_count(mesh.element));
+    }
+  return part;
+}
+
 }  // namespace
 
-void write_sector(const MeshedSector& mesh, const std::filesystem::path& path) {
+std::vector<std::size_t> pieces_of(const std::vector<std::size_t>& line) {
+  std::vector<std::size_t> ends;
+  for (std::size_t n = 0; n + 1 < line.size(); ++n) ends.insert(ends.end(), {line[n], line[n + 1]});
+  return ends;
+}
+
+void write_mesh(const NamedMesh& mesh, const std::filesystem::path& path) {
   try {
     const GmshSession session;
-    add_volumes(mesh);
-    for (const SectorSurface& surface : mesh.surfaces) add_surface(mesh, surface);
-    add_contact_curve(mesh);
+    add_entities(mesh);
     gmsh::write(path.string());
   } catch (const std::string& message) {  // what gmsh 4.8 throws
     throw RunError(path.string() + ": can't be written: gmsh says: " + message);
   }
   require_whole(path);
+}
+
+void write_sector(const MeshedSector& mesh, const std::filesystem::path& path) {
+  NamedMesh named{mesh.nodes, {}};
+  for (const auto& [region, name] :
+       {std::pair{Region::disc, "disc"}, {Region::main_blade, "main_blade"}, {Region::splitter, "splitter"}})
+    if (NamedMesh::Entity part = part_of(mesh, region, name); !part.elements.empty()) named.entities.push_back(part);
+  const int face = mesh.element == ElementKind::hex20 ? quad8 : quad9;
+  for (const SectorSurface& surface : mesh.surfaces)
+    named.entities.push_back({surface_dimension, {surface.name}, {{face, surface.face_nodes}}});
+  for (const auto& [name, line] : {std::pair{"contact", &mesh.contact}, {"contact_splitter", &mesh.contact_splitter}})
+    if (!line->empty()) named.entities.push_back({curve_dimension, {name}, {{line2, pieces_of(*line)}}});
+  write_mesh(named, path);
 }
 
 }  // namespace tiprub

@@ -1,14 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "mesh/sector/sector_mesher.h"
 
 namespace tiprub {
 
-/// Writes the sector as gmsh 4.1 in text, with the named groups that README.md lists. The same mesh gives the same
-/// bytes. Raises RunError if the file can't be written.
+/// What a file holds: nodes, and elements in named groups.
+struct NamedMesh {
+  struct Entity {
+    int dimension;                                     ///< 3 cells, 2 faces, 1 lines
+    std::vector<std::string> groups;                   ///< that it is in
+    std::map<int, std::vector<std::size_t>> elements;  ///< nodes from 0, by gmsh's type, in its order
+  };
+  std::vector<Eigen::Vector3d> nodes;  ///< [m]
+  std::vector<Entity> entities;        ///< cells first
+};
+
+/// The ends of the pieces of a line through these nodes: gmsh's elements of type 1.
+std::vector<std::size_t> pieces_of(const std::vector<std::size_t>& line);
+
+/// Writes a mesh as gmsh 4.1 in text. The same mesh gives the same bytes. Raises RunError if the file can't be
+/// written.
+void write_mesh(const NamedMesh& mesh, const std::filesystem::path& path);
+
+/// Writes the sector as gmsh 4.1 in text, with the named groups that README.md lists.
 void write_sector(const MeshedSector& mesh, const std::filesystem::path& path);
 
 }  // namespace tiprub

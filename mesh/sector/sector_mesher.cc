@@ -51,7 +51,8 @@ class Mesher {
     place_nodes();
     for_each_cell([&](const Index& cell, Region region) { add_cell(cell, region); });
     add_surfaces();
-    add_contact();
+    mesh_.contact = tip_line(BladeKind::main);
+    if (wheel_.plan.contact_blades == ContactBlades::both) mesh_.contact_splitter = tip_line(BladeKind::splitter);
     return std::move(mesh_);
   }
 
@@ -180,12 +181,14 @@ class Mesher {
     mesh_.surfaces.push_back(std::move(surface));
   }
 
-  void add_contact() {
-    const int middle = lattice_.contact_half_column();
+  std::vector<std::size_t> tip_line(BladeKind blade) const {
+    std::vector<std::size_t> line;
+    const int middle = lattice_.contact_half_column(blade);
     for (int i = 0; i < nodes_across_[1]; ++i) {
       const std::size_t number = number_[slot({middle, i, nodes_across_[2] - 1})];
-      if (number != no_node) mesh_.contact.push_back(number);
+      if (number != no_node) line.push_back(number);
     }
+    return line;
   }
 
   const Wheel& wheel_;

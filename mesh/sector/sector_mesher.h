@@ -34,6 +34,7 @@ struct MeshedSector {
   std::vector<SectorCell> cells;
   std::vector<SectorSurface> surfaces;
   std::vector<std::size_t> contact;                            ///< leading to trailing edge, on the main blade's tip
+  std::vector<std::size_t> contact_splitter;                   ///< likewise on the splitter's; none unless asked for
   std::vector<std::array<std::size_t, 2>> low_and_high_nodes;  ///< partners on cyclic_low and cyclic_high
 
   const SectorSurface& surface(const std::string& name) const;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "mesh/blades/curve_files.h"
+#include "mesh/blades/length_unit.h"
 #include "mesh/blades/meanline_file.h"
 #include "mesh/blades/section_surface.h"
 #include "mesh/blades/section_table.h"
@@ -20,13 +21,11 @@ namespace tiprub {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
-constexpr double metres_per_inch = 0.0254;
 constexpr double narrowest = 1e-3;  // of the hub's radius, a disc between its faces
 constexpr double printed = 1e-6;    // relative, of a number that a person copies from a file
 constexpr double usual_blunt_edge = 0.01, widest_blunt_edge = 0.2;
 
 enum class BladeFormat { sections, curve, rtzt };
-enum class LengthUnit { m, cm, mm, in };
 enum class AngleUnit { rad, deg };
 enum class Turning { positive, negative };
 
@@ -36,26 +35,6 @@ enum class Disc {
   back_face,  ///< a radial wheel's, by its bore and the back face
   none,       ///< nothing: the blade alone
 };
-
-double metres(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::m:
-      return 1.0;
-    case LengthUnit::cm:
-      return 1e-2;
-    case LengthUnit::mm:
-      return 1e-3;
-    case LengthUnit::in:
-      return metres_per_inch;
-  }
-  return 1.0;
-}
-
-double read_length_unit(CaseTable& table) {
-  return metres(table.choice<LengthUnit>(
-      "length_unit", std::nullopt,
-      {{"m", LengthUnit::m}, {"cm", LengthUnit::cm}, {"mm", LengthUnit::mm}, {"in", LengthUnit::in}}));
-}
 
 double read_angle_unit(CaseTable& table) {
   const auto unit =

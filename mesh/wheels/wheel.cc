@@ -59,6 +59,17 @@ void check_widths(const CaseTable& table, const Wheel& wheel) {
     for (double span : {0.0, 1.0}) check_widths_at(table, wheel, wheel.plan.station(half), span);
 }
 
+// A wheel without splitters may have the key, so that the message can say what is wrong.
+void read_contact_blades(CaseTable& table, SectorPlan& plan) {
+  const bool has_splitter = plan.blades == Blades::main_and_splitter;
+  if (!has_splitter && !table.has("contact_blades")) return;
+  plan.contact_blades = table.choice<ContactBlades>("contact_blades", ContactBlades::main,
+                                                    {{"main", ContactBlades::main}, {"both", ContactBlades::both}});
+  if (plan.contact_blades == ContactBlades::both && !has_splitter)
+    table.reject("contact_blades",
+                 "= \"both\" asks for contact on splitters, and this wheel has none; take \"main\"");
+}
+
 }  // namespace
 
 Wheel read_wheel(CaseTable& table) {
@@ -76,6 +87,7 @@ Wheel read_wheel(CaseTable& table) {
   } else {
     wheel.geometry = read_wheel_of_blade_file(table, wheel.plan);
   }
+  read_contact_blades(table, wheel.plan);
   if (wheel.plan.blades != Blades::none) {
     check_widths(table, wheel);
     if (wheel.plan.has_disc()) wheel.geometry = read_root_fillet(table, wheel.plan, std::move(wheel.geometry));

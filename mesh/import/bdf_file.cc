@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nastran's bulk data: free, small and large fields. Properties become cell sets "PID 3", constraints and sets of the
+// case control node sets "SPC 1", "SET 1".
+#include <array>
+#include <map>
+
+#include "mesh/cells/cell_kind.h"
+#include "mesh/import/foreign_mesh.h"
+#include "mesh/import/text_lines.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr std::size_t small_width = 8, large_width = 16;
+
+/// An entry with its continuations: fields[0] is its name.
+struct Card {
+  std::string name;
+  std::vector<std::string> fields;  ///< after the name
+  int line = 0;
+};
+
+class BdfReader {
+ public:
+  explicit BdfReader(const NamedText& file) : lines_(file) { mesh_.file = file.name; }
+
+  ForeignMesh read() {
+    Card card;
+    while (const auto line = lines_.next()) {
+      const std::string_view text = line->substr(0, line->find('$'));
+      if (trimmed(text).empty()) continue;
+      const std::vector<std::string> fields = fields_of(text);
+      const bool goes_on = fields[0].empty() || fields[0][0] == '+' || fields[0][0] == '*';
+      if (goes_on && !card.name.empty()) {
+        card.fields.insert(card.fields.end(), fields.begin() + 1, fields.end());
+        continue;
+      }
+      take(card);
+      card = {upper(fields[0]), {fields.begin() + 1, fields.end()}, lines_.number()};
+      if (card.name.ends_with('*')) card.name.pop_back();
+      if (card.name == "ENDDATA") break;
+      if (card.name.starts_with("SET ")) read_case_set(text, card);
+    }
+    take(card);
+    return std::move(mesh_);
+  }
+
+ private:
+  /// The name and eight fields (four large ones), whatever the line has.
+  std::vector<std::string> fields_of(std::string_view line) const {
+    std::vector<std::string> fields;
+    std::size_t data = 8;
+    if (line.find(',') != std::string_view::npos) {
+      for (const std::string_view field : comma_fields(line)) fields.emplace_back(field);
+      if (fields.size() > data + 1) fields.resize(data + 1);  // what follows names the next line
+    } else {
+      fields.emplace_back(trimmed(line.substr(0, small_width)));
+      const bool large = fields[0].find('*') != std::string::npos;
+      data = large ? 4 : 8;
+      const std::string_view rest = line.substr(std::min(small_width, line.size()));
+      for (const std::string_view field : column_fields(rest, large ? large_width : small_width))
+        if (fields.size() <= data) fields.emplace_back(field);
+    }
+    fields.resize(data + 1);
+    return fields;
+  }
+
+  void take(const Card& card) {
+    static const std::map<std::string, int> solids = {{"CTETRA", 4}, {"CPYRAM", 5}, {"CPENTA", 6}, {"CHEXA", 8}};
+    if (card.name == "GRID") add_grid(card);
+    if (const auto known = solids.find(card.name); known != solids.end()) add_solid(card, known->second);
+    if (card.name == "CTRIA6" || card.name == "CQUAD8" || card.name == "CTRIA3" || card.name == "CQUAD4")
+      add_shell(card);
+    if (card.name == "SPC1") add_set("SPC " + field(card, 0), card.fields, 2);
+    if (card.name == "SPC")
+      for (const std::size_t at : {1, 4})
+        if (!field(card, at).empty()) mesh_.node_sets["SPC " + field(card, 0)].push_back(whole(card, at, "a node"));
+  }
+
+  static std::string field(const Card& card, std::size_t at) {
+    return at < card.fields.size() ? card.fields[at] : "";
+  }
+  long whole(const Card& card, std::size_t at, const char* meaning) const {
+    return lines_.whole_in(field(card, at), meaning);
+  }
+
+  void add_grid(const Card& card) {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    if (const std::string system = field(card, 1); !system.empty() && system != "0")
+      lines_.refuse("the GRID before is given in coordinate system " + system +
+                    "; write the file in the basic system, 0");
+    for (std::size_t d = 0; d < 3; ++d)
+      if (const std::string value = field(card, d + 2); !value.empty())
+        at[static_cast<Eigen::Index>(d)] = lines_.number_in(value, "a coordinate");
+    add_node(mesh_, lines_.file(), card.line, whole(card, 0, "a node's number"), at);
+  }
+
+  /// Nastran has a brick's and a wedge's upright mid-sides before those of the upper face.
+  void add_solid(const Card& card, int corners) {
+    static const std::map<int, std::vector<std::size_t>> order = {
+        {4, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}},
+        {5, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}},
+        {6, {0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 9, 10, 11}},
+        {8, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15}}};
+    ForeignCell cell{whole(card, 0, "an element's number"), {}};
+    for (const std::size_t at : order.at(corners)) {
+      if (field(card, at + 2).empty()) refuse_linear(lines_.file(), card.line, card.name + " without mid-side nodes");
+      cell.nodes.push_back(whole(card, at + 2, "a node"));
+    }
+    mesh_.cell_sets["PID " + field(card, 1)].push_back(cell.number);
+    mesh_.cells.push_back(std::move(cell));
+  }
+
+  void add_shell(const Card& card) {
+    const long number = whole(card, 0, "an element's number");
+    const std::size_t count = card.name == "CQUAD8" ? 8 : card.name == "CTRIA6" ? 6 : card.name == "CQUAD4" ? 4 : 3;
+    for (std::size_t at = 2; at < count + 2; ++at)
+      if (!field(card, at).empty()) mesh_.others[number].push_back(whole(card, at, "a node"));
+    mesh_.cell_sets["PID " + field(card, 1)].push_back(number);
+  }
+
+  /// Numbers, or first THRU last.
+  void add_set(const std::string& name, const std::vector<std::string>& words, std::size_t first) {
+    constexpr long most = 10000000;
+    std::vector<long>& set = mesh_.node_sets[name];
+    for (std::size_t at = first; at < words.size(); ++at) {
+      if (words[at].empty()) continue;
+      if (upper(words[at]) != "THRU") {
+        set.push_back(lines_.whole_in(words[at], "a node"));
+        continue;
+      }
+      const long last = at + 1 < words.size() ? lines_.whole_in(words[++at], "a node") : -1;
+      if (set.empty() || last < set.back() || last - set.back() > most)
+        lines_.refuse("THRU stands between a number and a larger one");
+      for (long number = set.back() + 1; number <= last; ++number) set.push_back(number);
+    }
+  }
+
+  /// "SET 3 = 1, 2, THRU, 9", which goes on after a comma at the line's end.
+  void read_case_set(std::string_view text, Card& card) {
+    std::string all(text);
+    while (trimmed(all).ends_with(','))
+      if (const auto more = lines_.next())
+        all += more->substr(0, more->find('$'));
+      else
+        break;
+    const std::size_t equals = all.find('=');
+    card = {};
+    if (equals == std::string::npos) return;
+    std::vector<std::string> words;
+    for (const std::string_view part : comma_fields(std::string_view(all).substr(equals + 1)))
+      for (const std::string_view word : blank_fields(part)) words.emplace_back(word);
+    if (words.size() == 1 && (upper(words[0]) == "ALL" || upper(words[0]) == "NONE")) return;
+    add_set(upper(trimmed(std::string_view(all).substr(0, equals))), words, 0);
+  }
+
+  TextLines lines_;
+  ForeignMesh mesh_;
+};
+
+}  // namespace
+
+ForeignMesh read_bdf(const NamedText& file) {
+  return BdfReader(file).read();
+}
+
+}  // namespace tiprub

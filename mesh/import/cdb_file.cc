@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ansys' archive, as CDWRITE makes it: NBLOCK and EBLOCK in columns, components as CMBLOCK.
+#include <algorithm>
+#include <map>
+
+#include "mesh/cells/cell_kind.h"
+#include "mesh/import/foreign_mesh.h"
+#include "mesh/import/text_lines.h"
+
+namespace tiprub {
+
+namespace {
+
+/// "(3i9,6e21.13e3)" or "(19i10)".
+struct Columns {
+  std::size_t whole_count = 0, whole_width = 0, number_width = 0;
+};
+
+class CdbReader {
+ public:
+  explicit CdbReader(const NamedText& file) : lines_(file) { mesh_.file = file.name; }
+
+  ForeignMesh read() {
+    while (const auto line = lines_.next()) {
+      const std::vector<std::string_view> words = comma_fields(*line);
+      if (words.empty()) continue;
+      const std::string name = upper(words[0]);
+      if (name == "ET" && words.size() > 2) types_[whole(words[1])] = type_of(words[2]);
+      if (name == "NBLOCK") read_nodes();
+      if (name == "EBLOCK") read_elements(words);
+      if (name == "CMBLOCK") read_component(words);
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  long whole(std::string_view word) const { return lines_.whole_in(word, "a number of the archive"); }
+
+  /// "186" or "SOLID186".
+  long type_of(std::string_view word) const {
+    const std::size_t digit = word.find_first_of("0123456789");
+    return digit == std::string_view::npos ? 0 : whole(word.substr(digit));
+  }
+
+  Columns read_columns() {
+    const auto line = lines_.next();
+    Columns columns;
+    const std::string text = line ? upper(trimmed(*line)) : "";
+    const auto count_at = [&](std::size_t at) {
+      std::size_t value = 0;
+      for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at) value = 10 * value + (text[at] - '0');
+      return value;
+    };
+    const std::size_t i = text.find('I'), e = text.find_first_of("EG");
+    if (text.starts_with('(') && i != std::string::npos) {
+      columns = {count_at(1), count_at(i + 1), e == std::string::npos ? 0 : count_at(e + 1)};
+    }
+    constexpr std::size_t most = 1000;
+    if (columns.whole_count == 0 || columns.whole_width == 0 || columns.whole_count > most ||
+        columns.whole_width > most || columns.number_width > most)
+      lines_.refuse("must be the columns of the block, as (3i9,6e21.13e3) or (19i10)");
+    return columns;
+  }
+
+  void read_nodes() {
+    const Columns columns = read_columns();
+    if (columns.number_width == 0) lines_.refuse("names no columns of coordinates");
+    while (const auto line = lines_.next()) {
+      if (line->starts_with('N') || trimmed(*line).starts_with('-')) return;
+      const std::size_t wholes = columns.whole_count * columns.whole_width;
+      Eigen::Vector3d at = Eigen::Vector3d::Zero();
+      const std::string_view rest = line->substr(std::min(wholes, line->size()));
+      const std::vector<std::string_view> fields = column_fields(rest, columns.number_width);
+      for (std::size_t d = 0; d < std::min<std::size_t>(3, fields.size()); ++d)
+        if (!fields[d].empty()) at[static_cast<Eigen::Index>(d)] = lines_.number_in(fields[d], "a coordinate");
+      add_node(mesh_, lines_.file(), lines_.number(), whole(trimmed(line->substr(0, columns.whole_width))), at);
+    }
+    lines_.refuse("the block of nodes has no end; is the file cut off?");
+  }
+
+  void read_elements(const std::vector<std::string_view>& words) {
+    constexpr std::size_t head = 11, count_at = 8, number_at = 10, type_at = 1;
+    if (std::none_of(words.begin(), words.end(), [](std::string_view word) { return upper(word) == "SOLID"; }))
+      lines_.refuse("EBLOCK without SOLID isn't known; write it by CDWRITE,DB");
+    const Columns columns = read_columns();
+    while (const auto line = lines_.next()) {
+      std::vector<std::string_view> fields = column_fields(*line, columns.whole_width);
+      if (!fields.empty() && fields[0] == "-1") return;
+      if (fields.size() < head)
+        lines_.refuse("an element's line has " + std::to_string(fields.size()) + " numbers, of 11 or more");
+      const long count = whole(fields[count_at]), number = whole(fields[number_at]), type = whole(fields[type_at]);
+      if (count < 1 || count > 20)
+        lines_.refuse("an element has " + std::to_string(count) + " nodes; it must be 1 to 20");
+      std::vector<long> nodes;
+      for (std::size_t k = head; k < fields.size(); ++k) nodes.push_back(whole(fields[k]));
+      while (nodes.size() < static_cast<std::size_t>(count))
+        if (const auto more = lines_.next())
+          for (const std::string_view field : column_fields(*more, columns.whole_width))
+            nodes.push_back(whole(field));
+        else
+          lines_.refuse("the last element lacks nodes; is the file cut off?");
+      add_element(number, types_.contains(type) ? types_.at(type) : type, nodes);
+    }
+    lines_.refuse("the block of elements has no end; is the file cut off?");
+  }
+
+  void add_element(long number, long type, const std::vector<long>& nodes) {
+    constexpr long brick20 = 186, tetrahedron10 = 187, older_brick20 = 95, older_tetrahedron10 = 92, brick8 = 185,
+                   older_brick8 = 45, tetrahedron4 = 285;
+    if (type == brick8 || type == older_brick8 || type == tetrahedron4)
+      refuse_linear(lines_.file(), lines_.number(), "SOLID" + std::to_string(type));
+    if ((type == tetrahedron10 || type == older_tetrahedron10) && nodes.size() == 10)
+      mesh_.cells.push_back({number, nodes});
+    else if ((type == brick20 || type == older_brick20) && nodes.size() == 20)
+      mesh_.cells.push_back({number, collapsed(nodes)});
+    else
+      mesh_.others[number] = nodes;
+  }
+
+  /// A brick whose corners coincide is a wedge (K = L, O = P), a pyramid (M = N = O = P) or a tetrahedron (both).
+  static std::vector<long> collapsed(const std::vector<long>& nodes) {
+    static const std::vector<std::size_t> wedge = {0, 1, 2, 4, 5, 6, 8, 9, 11, 12, 13, 15, 16, 17, 18};
+    static const std::vector<std::size_t> pyramid = {0, 1, 2, 3, 4, 8, 9, 10, 11, 16, 17, 18, 19};
+    static const std::vector<std::size_t> tetrahedron = {0, 1, 2, 4, 8, 9, 11, 16, 17, 18};
+    const bool flat_below = nodes[2] == nodes[3], pointed = nodes[4] == nodes[5] && nodes[5] == nodes[6];
+    if (!flat_below && !pointed) return nodes;
+    std::vector<long> kept;
+    for (const std::size_t at : flat_below&& pointed ? tetrahedron : pointed ? pyramid : wedge)
+      kept.push_back(nodes[at]);
+    return kept;
+  }
+
+  /// A negative number ends a range that the number before began.
+  void read_component(const std::vector<std::string_view>& words) {
+    if (words.size() < 4) lines_.refuse("CMBLOCK takes a name, NODE or ELEM, and a count");
+    constexpr long most = 10000000;  // of a range
+    const std::string name(words[1]);
+    const bool nodes = upper(words[2]).starts_with("NODE");
+    const long count = whole(trimmed(words[3].substr(0, words[3].find('!'))));
+    const Columns columns = read_columns();
+    std::vector<long>& set = (nodes ? mesh_.node_sets : mesh_.cell_sets)[name];
+    for (long read = 0; read < count;) {
+      const auto line = lines_.next();
+      if (!line) lines_.refuse("the component " + name + " lacks numbers; is the file cut off?");
+      const std::vector<std::string_view> fields = column_fields(*line, columns.whole_width);
+      if (fields.empty()) lines_.refuse("the component " + name + " lacks numbers");
+      for (const std::string_view field : fields) {
+        const long number = whole(field);
+        if (number < 0 && (set.empty() || -number < set.back() || -number - set.back() > most))
+          lines_.refuse("a range of the component ends before it begins, or is longer than any");
+        for (long k = number < 0 ? set.back() + 1 : number; k <= std::abs(number); ++k) set.push_back(k);
+        ++read;
+      }
+    }
+  }
+
+  TextLines lines_;
+  ForeignMesh mesh_;
+  std::map<long, long> types_;  // Ansys' number of an element type (186), by its number in the archive
+};
+
+}  // namespace
+
+ForeignMesh read_cdb(const NamedText& file) {
+  return CdbReader(file).read();
+}
+
+}  // namespace tiprub

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mesh/import/foreign_mesh.h"
+
+namespace tiprub {
+
+/// A face that one cell alone has.
+struct FreeFace {
+  std::vector<int> nodes;  ///< corners around, seen from outside, then the mid-sides between them
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, outward, of its corners
+
+  std::size_t corners() const { return nodes.size() / 2; }
+};
+
+/// A foreign mesh in our terms: metres, axis z, nodes and cells counted from 0.
+struct CellMesh {
+  std::string file;
+  Eigen::Matrix3Xd nodes;               ///< [m]; those of solids alone
+  std::vector<std::vector<int>> cells;  ///< in VTK's order
+  std::vector<FreeFace> faces;
+  std::map<std::string, std::vector<int>> node_sets;  ///< nodes of sets of nodes, or of elements, in the file's order
+  std::map<std::string, std::vector<int>> cell_sets;  ///< solids of sets of elements
+
+  /// [m] from the axis.
+  double largest_radius() const { return nodes.topRows<2>().colwise().norm().maxCoeff(); }
+  /// "x y z = ... m".
+  std::string place_of(int node) const;
+};
+
+enum class Axis { x, y, z };
+
+/// `length` [m] is the file's unit. Raises InputError if there are no solids, if they name nodes that don't exist, or
+/// if two have the same number.
+CellMesh in_our_terms(const ForeignMesh& mesh, double length, Axis axis);
+
+}  // namespace tiprub

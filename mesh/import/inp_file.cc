@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CalculiX's and Abaqus' decks. Only what describes the mesh is read; steps, materials and the like are passed over.
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "mesh/cells/cell_kind.h"
+#include "mesh/import/foreign_mesh.h"
+#include "mesh/import/text_lines.h"
+
+namespace tiprub {
+
+namespace {
+
+/// "*NSET, NSET=low, GENERATE".
+struct Keyword {
+  std::string name;                           ///< "NSET"
+  std::map<std::string, std::string> values;  ///< "NSET": "low"; "GENERATE": ""
+
+  bool has(const char* key) const { return values.contains(key); }
+  std::string value(const char* key) const { return has(key) ? values.at(key) : ""; }
+};
+
+Keyword keyword_of(std::string_view line) {
+  Keyword keyword;
+  const std::vector<std::string_view> fields = comma_fields(line.substr(1));
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::size_t equals = fields[i].find('=');
+    const std::string key = upper(trimmed(fields[i].substr(0, equals)));
+    if (i == 0)
+      keyword.name = key;
+    else
+      keyword.values[key] =
+          equals == std::string_view::npos ? "" : std::string(trimmed(fields[i].substr(equals + 1)));
+  }
+  return keyword;
+}
+
+class InpReader {
+ public:
+  explicit InpReader(const NamedText& file) : lines_(file) { mesh_.file = file.name; }
+
+  ForeignMesh read() {
+    while (const auto line = lines_.next()) {
+      if (!line->starts_with('*') || line->starts_with("**")) continue;
+      const Keyword keyword = keyword_of(*line);
+      if (keyword.name == "INCLUDE")
+        lines_.refuse("*INCLUDE leads to another file; give the file that holds the mesh, or put both into one");
+      if (keyword.name == "NODE") read_nodes(keyword);
+      if (keyword.name == "ELEMENT") read_elements(keyword);
+      if (keyword.name == "NSET") read_set(keyword, keyword.value("NSET"), mesh_.node_sets);
+      if (keyword.name == "ELSET") read_set(keyword, keyword.value("ELSET"), mesh_.cell_sets);
+      if (keyword.name == "SURFACE") read_surface(keyword);
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  /// The next line of data before a keyword.
+  std::optional<std::string_view> data() {
+    while (const auto line = lines_.peek()) {
+      if (line->starts_with('*') && !line->starts_with("**")) return std::nullopt;
+      lines_.next();
+      if (!line->starts_with("**") && !trimmed(*line).empty()) return line;
+    }
+    return std::nullopt;
+  }
+
+  void read_nodes(const Keyword& keyword) {
+    while (const auto line = data()) {
+      const std::vector<std::string_view> fields = comma_fields(*line);
+      Eigen::Vector3d at = Eigen::Vector3d::Zero();
+      for (std::size_t d = 0; d < 3 && d + 1 < fields.size(); ++d)
+        if (!fields[d + 1].empty())
+          at[static_cast<Eigen::Index>(d)] = lines_.number_in(fields[d + 1], "a coordinate");
+      const long number = lines_.whole_in(fields.front(), "a node's number");
+      add_node(mesh_, lines_.file(), lines_.number(), number, at);
+      if (keyword.has("NSET")) mesh_.node_sets[keyword.value("NSET")].push_back(number);
+    }
+  }
+
+  /// Nodes of a solid with this name (C3D20R, C3D10M), 0 of any other element.
+  std::size_t nodes_of_type(const std::string& type) const {
+    if (!type.starts_with("C3D")) return 0;
+    const std::string rest = type.substr(3);
+    for (const char* linear : {"8", "6", "5", "4"})
+      if (rest.starts_with(linear)) refuse_linear(lines_.file(), lines_.number(), type);
+    for (const int nodes : {20, 15, 10})
+      if (rest.starts_with(std::to_string(nodes))) return static_cast<std::size_t>(nodes);
+    lines_.refuse("elements of type " + type + " are not known; C3D10, C3D15 and C3D20 (also C3D10M, C3D20R) are");
+  }
+
+  void read_elements(const Keyword& keyword) {
+    const std::string type = upper(keyword.value("TYPE"));
+    const std::size_t width = nodes_of_type(type);
+    const std::string set = keyword.value("ELSET");
+    std::vector<long> numbers;
+    bool goes_on = false;
+    while (const auto line = data()) {
+      for (const std::string_view field : comma_fields(*line))
+        if (!field.empty()) numbers.push_back(lines_.whole_in(field, "a number of an element or a node"));
+      goes_on = trimmed(*line).ends_with(',') || (width > 0 && numbers.size() <= width);
+      if (goes_on && numbers.size() <= width) continue;
+      if (width > 0 && numbers.size() != width + 1)
+        lines_.refuse("an element of type " + type + " has " + std::to_string(numbers.size() - 1) + " nodes");
+      add_element(numbers, width > 0, set);
+      numbers.clear();
+    }
+    if (!numbers.empty()) lines_.refuse("the last element of type " + type + " lacks nodes; is the file cut off?");
+  }
+
+  void add_element(const std::vector<long>& numbers, bool solid, const std::string& set) {
+    if (numbers.empty()) return;
+    const std::vector<long> nodes(numbers.begin() + 1, numbers.end());
+    if (solid)
+      mesh_.cells.push_back({numbers.front(), nodes});
+    else
+      mesh_.others[numbers.front()] = nodes;
+    if (!set.empty()) mesh_.cell_sets[set].push_back(numbers.front());
+  }
+
+  void add_range(const std::vector<std::string_view>& fields, std::vector<long>& set) {
+    constexpr long most = 10000000;
+    if (fields.size() < 2) lines_.refuse("GENERATE takes first, last, step");
+    const long first = lines_.whole_in(fields[0], "the first number"), last = lines_.whole_in(fields[1], "the last");
+    const long step = fields.size() > 2 && !fields[2].empty() ? lines_.whole_in(fields[2], "the step") : 1;
+    if (step <= 0 || last < first || (last - first) / step > most)
+      lines_.refuse("GENERATE takes first, last, step, with last after first");
+    for (long number = first; number <= last; number += step) set.push_back(number);
+  }
+
+  void read_set(const Keyword& keyword, const std::string& name, std::map<std::string, std::vector<long>>& sets) {
+    std::vector<long> set;
+    while (const auto line = data()) {
+      const std::vector<std::string_view> fields = comma_fields(*line);
+      if (keyword.has("GENERATE")) {
+        add_range(fields, set);
+        continue;
+      }
+      for (const std::string_view field : fields) {
+        if (field.empty()) continue;
+        const auto known = sets.find(std::string(field));  // a set may name others
+        if (known != sets.end())
+          set.insert(set.end(), known->second.begin(), known->second.end());
+        else
+          set.push_back(lines_.whole_in(field, "a number, or a set that stands before"));
+      }
+    }
+    sets[name].insert(sets[name].end(), set.begin(), set.end());
+  }
+
+  /// A set of nodes, or faces of elements: "12, S3" or "set, S3".
+  void read_surface(const Keyword& keyword) {
+    std::vector<long>& set = mesh_.node_sets[keyword.value("NAME")];
+    const bool nodes = upper(keyword.value("TYPE")) == "NODE";
+    while (const auto line = data()) {
+      const std::vector<std::string_view> fields = comma_fields(*line);
+      const std::string name(fields.front());
+      if (nodes) {
+        if (mesh_.node_sets.contains(name))
+          set.insert(set.end(), mesh_.node_sets[name].begin(), mesh_.node_sets[name].end());
+        else
+          set.push_back(lines_.whole_in(name, "a node, or a set that stands before"));
+        continue;
+      }
+      if (fields.size() < 2) lines_.refuse("a face of a surface is given as ELEMENT, S1 to S6");
+      const std::string face = upper(fields[1]);
+      const auto known = mesh_.cell_sets.find(name);
+      const std::vector<long> cells =
+          known != mesh_.cell_sets.end() ? known->second : std::vector{lines_.whole_in(name, "an element, or a set")};
+      for (const long cell : cells) add_face(cell, face, set);
+    }
+  }
+
+  void add_face(long cell, const std::string& face, std::vector<long>& set) {
+    if (cell_of_.size() != mesh_.cells.size())
+      for (std::size_t k = cell_of_.size(); k < mesh_.cells.size(); ++k) cell_of_.emplace(mesh_.cells[k].number, k);
+    const auto known = cell_of_.find(cell);
+    if (known == cell_of_.end()) return;  // of a shell
+    const std::vector<long>& nodes = mesh_.cells[known->second].nodes;
+    const CellKind& kind = cell_kind(static_cast<int>(nodes.size()));
+    // By the corners that make faces 1, 2, ... of a tetrahedron, a wedge, a brick.
+    static const std::map<int, std::vector<std::vector<int>>> faces = {
+        {4, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}}},
+        {6, {{0, 1, 2}, {3, 4, 5}, {0, 1, 3, 4}, {1, 2, 4, 5}, {0, 2, 3, 5}}},
+        {8, {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 4, 5}, {1, 2, 5, 6}, {2, 3, 6, 7}, {0, 3, 4, 7}}}};
+    const std::vector<std::vector<int>>& known_faces = faces.at(kind.corners);
+    const std::size_t at = face.size() == 2 && face[0] == 'S' ? static_cast<std::size_t>(face[1] - '1') : 99;
+    if (at >= known_faces.size()) lines_.refuse("\"" + face + "\" is no face of an element, S1 to S6");
+    const auto has = [&](int corner) {
+      return std::count(known_faces[at].begin(), known_faces[at].end(), corner) > 0;
+    };
+    for (const int corner : known_faces[at]) set.push_back(nodes[corner]);
+    for (std::size_t e = 0; e < kind.edges.size(); ++e)
+      if (has(kind.edges[e][0]) && has(kind.edges[e][1])) set.push_back(nodes[kind.corners + e]);
+  }
+
+  TextLines lines_;
+  ForeignMesh mesh_;
+  std::map<long, std::size_t> cell_of_;
+};
+
+}  // namespace
+
+ForeignMesh read_inp(const NamedText& file) {
+  return InpReader(file).read();
+}
+
+}  // namespace tiprub

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/import/sector_import.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "cases/program/errors.h"
+#include "mesh/cells/cell_kind.h"
+#include "mesh/import/foreign_mesh.h"
+#include "mesh/import/periodic_cuts.h"
+#include "mesh/import/selection.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr int triangle6 = 9, quadrangle8 = 16, line2 = 1;  // gmsh's types
+
+ForeignMesh read(const ImportParameters& parameters) {
+  switch (parameters.format) {
+    case MeshFormat::inp:
+      return read_inp(parameters.file);
+    case MeshFormat::bdf:
+      return read_bdf(parameters.file);
+    case MeshFormat::cdb:
+      return read_cdb(parameters.file);
+    case MeshFormat::unv:
+      return read_unv(parameters.file);
+  }
+  return {};
+}
+
+/// The solids that have a name, and the rest.
+class Parts {
+ public:
+  Parts(const CellMesh& mesh, const ImportParameters& parameters) : part_(mesh.cells.size()) {
+    for (const auto& [key, set] : {std::pair{"disc", &parameters.disc},
+                                   {"main_blade", &parameters.main_blade},
+                                   {"splitter", &parameters.splitter}})
+      if (!set->empty())
+        for (const int cell : select_cells(mesh, key, *set)) part_[static_cast<std::size_t>(cell)] = key;
+  }
+
+  std::vector<NamedMesh::Entity> entities(const CellMesh& mesh) const {
+    std::map<std::string, NamedMesh::Entity> by_part;
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+      NamedMesh::Entity& entity = by_part.try_emplace(part_[c], NamedMesh::Entity{3, {"sector"}, {}}).first->second;
+      const CellKind& kind = cell_kind(static_cast<int>(mesh.cells[c].size()));
+      std::vector<std::size_t> nodes(mesh.cells[c].size());
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        nodes[static_cast<std::size_t>(kind.gmsh_node[k])] = static_cast<std::size_t>(mesh.cells[c][k]);
+      std::vector<std::size_t>& all = entity.elements[kind.gmsh_type];
+      all.insert(all.end(), nodes.begin(), nodes.end());
+    }
+    std::vector<NamedMesh::Entity> entities;
+    for (auto& [part, entity] : by_part) {
+      if (!part.empty()) entity.groups.push_back(part);
+      entities.push_back(entity);
+    }
+    return entities;
+  }
+
+ private:
+  std::vector<std::string> part_;  // of each solid; may be empty
+};
+
+NamedMesh::Entity surface(const CellMesh& mesh, const std::string& name, const std::vector<int>& faces) {
+  NamedMesh::Entity entity{2, {name}, {}};
+  for (const int f : faces) {
+    const FreeFace& face = mesh.faces[static_cast<std::size_t>(f)];
+    std::vector<std::size_t>& nodes = entity.elements[face.corners() == 3 ? triangle6 : quadrangle8];
+    nodes.insert(nodes.end(), face.nodes.begin(), face.nodes.end());
+  }
+  return entity;
+}
+
+/// With which axis and count there would be cuts that pair; empty: with none.
+std::string where_cuts_pair(const ImportParameters& parameters) {
+  constexpr int any_count = 0;
+  const ForeignMesh given = read(parameters);
+  for (const int count : {parameters.sector_count, any_count})
+    for (const auto& [axis, name] : {std::pair{Axis::z, "z"}, {Axis::y, "y"}, {Axis::x, "x"}})
+      if (const PeriodicCuts cuts = find_cuts(in_our_terms(given, parameters.length, axis), count); !cuts.low.empty())
+        return "with axis = \"" + std::string(name) + "\" and sector_count = " + std::to_string(cuts.sector_count) +
+               " " + std::to_string(cuts.low.size()) + " faces are";
+  return "";
+}
+
+/// The cuts that the case names, or those that are found.
+PeriodicCuts cuts_of(const CellMesh& mesh, const ImportParameters& parameters) {
+  if (parameters.cyclic_low.empty()) {
+    PeriodicCuts cuts = find_cuts(mesh, parameters.sector_count);
+    if (cuts.low.empty() && parameters.sector_count > 1) {
+      const std::string other = where_cuts_pair(parameters);
+      throw InputError(mesh.file + ": no face, turned by 360/" + std::to_string(parameters.sector_count) +
+                       " degrees about the axis, is another one; " +
+                       (other.empty()
+                            ? "is axis right, is the mesh on both cuts the same, and sector_count the wheel's?"
+                            : other));
+    }
+    return cuts;
+  }
+  PeriodicCuts cuts = {0, select_faces(mesh, "cyclic_low", parameters.cyclic_low),
+                       select_faces(mesh, "cyclic_high", parameters.cyclic_high)};
+  const PeriodicCuts found = find_cuts(mesh, parameters.sector_count);
+  cuts.sector_count = found.sector_count;
+  const std::set<int> high(cuts.high.begin(), cuts.high.end());
+  const bool exchanged = !found.low.empty() && std::all_of(found.low.begin(), found.low.end(),
+                                                           [&](int face) { return high.contains(face); });
+  if (exchanged) std::swap(cuts.low, cuts.high);
+  return cuts;
+}
+
+/// The tip of one blade.
+struct Tip {
+  std::string faces_key, line_key;  ///< the names of its groups too
+  std::vector<int> faces, line;     ///< the line from leading to trailing edge; without one there is no contact
+};
+
+Tip tip_of(const CellMesh& mesh, Tip tip, const std::string& faces, const std::string& line, LeadingEdge leading) {
+  if (faces.empty() && line.empty()) return tip;
+  if (!faces.empty()) tip.faces = select_faces(mesh, tip.faces_key, faces);
+  tip.line = line.empty() ? line_along_tip(mesh, tip.faces, tip.faces_key, leading)
+                          : ordered_line(mesh, select_nodes(mesh, tip.line_key, line), leading);
+  if (tip.line.size() < 2)
+    throw InputError(mesh.file + ": [mesh] " + tip.line_key +
+                     " has one node in the meridional plane; it must run along the tip");
+  return tip;
+}
+
+/// Of the main blade and of the splitter.
+std::array<Tip, 2> tips_of(const CellMesh& mesh, const ImportParameters& p) {
+  return {
+      tip_of(mesh, {"blade_tip", "contact", {}, {}}, p.blade_tip, p.contact, p.leading_edge),
+      tip_of(mesh, {"splitter_tip", "contact_splitter", {}, {}}, p.splitter_tip, p.contact_splitter, p.leading_edge)};
+}
+
+std::string described(const CellMesh& mesh, const PeriodicCuts& cuts, const std::array<Tip, 2>& tips) {
+  std::map<std::string, int> kinds;
+  for (const std::vector<int>& cell : mesh.cells) ++kinds[cell_kind(static_cast<int>(cell.size())).name];
+  std::ostringstream text;
+  text << mesh.file << ": " << mesh.nodes.cols() << " nodes";
+  for (const auto& [name, count] : kinds) text << ", " << count << " " << name;
+  text << "\nradius up to " << mesh.largest_radius() << " m, z from " << mesh.nodes.row(2).minCoeff() << " to "
+       << mesh.nodes.row(2).maxCoeff() << " m\n";
+  if (cuts.low.empty())
+    text << "no cuts: one body";
+  else
+    text << cuts.low.size() << " faces on cyclic_low, " << cuts.high.size() << " on cyclic_high, one of "
+         << cuts.sector_count << " sectors";
+  for (const Tip& tip : tips)
+    if (!tip.line.empty())
+      text << "\n"
+           << tip.line_key << ": " << tip.line.size() << " nodes, from " << mesh.place_of(tip.line.front()) << " to "
+           << mesh.place_of(tip.line.back());
+  return text.str();
+}
+
+}  // namespace
+
+ImportedSector import_sector(const ImportParameters& parameters) {
+  const CellMesh mesh = in_our_terms(read(parameters), parameters.length, parameters.axis);
+  const PeriodicCuts cuts = cuts_of(mesh, parameters);
+  const std::array<Tip, 2> tips = tips_of(mesh, parameters);
+  ImportedSector sector;
+  for (const auto& node : mesh.nodes.colwise()) sector.mesh.nodes.emplace_back(node);
+  sector.mesh.entities = Parts(mesh, parameters).entities(mesh);
+  const auto add = [&](const std::string& name, const std::vector<int>& faces) {
+    if (!faces.empty()) sector.mesh.entities.push_back(surface(mesh, name, faces));
+  };
+  add("cyclic_low", cuts.low);
+  add("cyclic_high", cuts.high);
+  add("clamped", select_faces(mesh, "clamped", parameters.clamped));
+  for (const Tip& tip : tips) add(tip.faces_key, tip.faces);
+  for (const Tip& tip : tips)
+    if (!tip.line.empty())
+      sector.mesh.entities.push_back({1, {tip.line_key}, {{line2, pieces_of({tip.line.begin(), tip.line.end()})}}});
+  sector.description = described(mesh, cuts, tips);
+  return sector;
+}
+
+}  // namespace tiprub

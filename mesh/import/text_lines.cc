@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/import/text_lines.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+std::string quoted(std::string_view word) {
+  constexpr std::size_t shown = 40;
+  return '"' + std::string(word.substr(0, shown)) + '"';
+}
+
+}  // namespace
+
+std::optional<std::string_view> TextLines::peek() const {
+  if (rest_.empty()) return std::nullopt;
+  std::string_view line = rest_.substr(0, rest_.find('\n'));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+std::optional<std::string_view> TextLines::next() {
+  const std::optional<std::string_view> line = peek();
+  if (!line) return line;
+  ++number_;
+  const std::size_t end = rest_.find('\n');
+  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+  return line;
+}
+
+void TextLines::refuse(const std::string& message) const {
+  throw InputError(file_.name + ":" + std::to_string(number_) + ": " + message);
+}
+
+double TextLines::number_in(std::string_view word, const char* meaning) const {
+  std::string text(word);
+  for (char& letter : text)
+    if (letter == 'D' || letter == 'd') letter = 'E';
+  if (text.starts_with('+')) text.erase(0, 1);
+  // Nastran leaves out the E before an exponent's sign.
+  for (std::size_t i = 1; i < text.size(); ++i)
+    if ((text[i] == '+' || text[i] == '-') && text[i - 1] != 'E' && text[i - 1] != 'e') text.insert(i++, "E");
+  if (const std::size_t plus = text.find('+'); plus != std::string::npos) text.erase(plus, 1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    refuse(quoted(word) + " stands for " + meaning + ", which must be a finite number");
+  return value;
+}
+
+long TextLines::whole_in(std::string_view word, const char* meaning) const {
+  constexpr long most = 2000000000;
+  if (word.starts_with('+')) word.remove_prefix(1);
+  long value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size() || std::abs(value) > most)
+    refuse(quoted(word) + " stands for " + meaning + ", which must be a whole number");
+  return value;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+  return result;
+}
+
+std::vector<std::string_view> comma_fields(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (line = trimmed(line); !line.empty();) {
+    const std::size_t end = line.find(',');
+    fields.push_back(trimmed(line.substr(0, end)));
+    line.remove_prefix(end == std::string_view::npos ? line.size() : end + 1);
+  }
+  return fields;
+}
+
+std::vector<std::string_view> blank_fields(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+    const std::size_t end = std::min(line.size(), line.find_first_of(blanks));
+    fields.push_back(line.substr(0, end));
+    line.remove_prefix(end);
+  }
+  return fields;
+}
+
+std::vector<std::string_view> column_fields(std::string_view line, std::size_t width) {
+  std::vector<std::string_view> fields;
+  for (; !line.empty(); line.remove_prefix(std::min(width, line.size())))
+    fields.push_back(trimmed(line.substr(0, width)));
+  while (!fields.empty() && fields.back().empty()) fields.pop_back();
+  return fields;
+}
+
+}  // namespace tiprub

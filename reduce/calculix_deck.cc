@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/calculix_deck.h"
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <iomanip>
@@ -12,13 +11,11 @@
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
 #include "cases/program/units.h"
+#include "mesh/cells/cell_kind.h"
 
 namespace tiprub {
 
 namespace {
-
-// CalculiX numbers the mid-sides of its 20-node brick around the faces, gmsh by their lower corner.
-constexpr std::array<int, 20> calculix_order = {0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15};
 
 constexpr int number_digits = 13;  // CalculiX reads 20 characters of a number: sign, point, exponent and these
 
@@ -40,18 +37,27 @@ void write_cut_faces(std::ostream& out, const SectorMesh& mesh) {
       << "*CYCLIC SYMMETRY MODEL, N=" << mesh.sector_count << ", TIE=cut\n0, 0, 0, 0, 0, 1\n";
 }
 
+/// Those of one kind; CalculiX numbers their nodes as VTK does.
+void write_cells(std::ostream& out, const SectorMesh& mesh, const CellKind& kind) {
+  bool begun = false;
+  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = nodes_of(mesh.cells, cell);
+    if (nodes.size() != kind.nodes()) continue;
+    if (!begun) out << "*ELEMENT, TYPE=" << kind.calculix << ", ELSET=Eall\n";
+    begun = true;
+    out << cell + 1;
+    for (int i = 0; i < kind.nodes(); ++i)  // at most 16 numbers a line
+      out << (i == 10 ? ",\n" : ", ") << nodes[kind.gmsh_node[i]] + 1;
+    out << "\n";
+  }
+}
+
 void write_mesh(std::ostream& out, const SectorMesh& mesh, const ReductionParameters& parameters) {
   out << std::scientific << std::setprecision(number_digits) << "*NODE, NSET=Nall\n";
   for (int node = 0; node < mesh.node_count(); ++node)
     out << node + 1 << ", " << mesh.nodes(0, node) << ", " << mesh.nodes(1, node) << ", " << mesh.nodes(2, node)
         << "\n";
-  out << "*ELEMENT, TYPE=C3D20, ELSET=Eall\n";
-  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
-    out << cell + 1;
-    for (std::size_t i = 0; i < calculix_order.size(); ++i)  // at most 16 numbers a line
-      out << (i == 10 ? ",\n" : ", ") << mesh.cells(calculix_order[i], cell) + 1;
-    out << "\n";
-  }
+  for (const CellKind& kind : all_cell_kinds()) write_cells(out, mesh, kind);
   write_list(out, "*NSET, NSET=clamped", mesh.clamped, {});
   write_cut_faces(out, mesh);
   out << "*MATERIAL, NAME=metal\n*ELASTIC\n"
@@ -91,8 +97,10 @@ void write_deck(const std::filesystem::path& path, const std::function<void(std:
 
 void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& parameters,
                           const std::filesystem::path& folder) {
-  if (mesh.nodes_per_cell() != static_cast<int>(calculix_order.size()))
-    throw InputError(mesh.file + ": has 27-node bricks, which CalculiX doesn't have; mesh it with 20-node bricks");
+  for (int cell = 0; cell < mesh.cell_count(); ++cell)
+    if (const CellKind& kind = cell_kind(static_cast<int>(nodes_of(mesh.cells, cell).size())); kind.calculix.empty())
+      throw InputError(mesh.file + ": has cells of kind " + kind.name +
+                       ", which CalculiX doesn't have; mesh it with hex20, wedge15 or tet10");
   std::filesystem::create_directories(folder);
   write_deck(folder / "mesh.inp", [&](std::ostream& out) { write_mesh(out, mesh, parameters); });
   for (const double fraction : parameters.verification_speeds) {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "mesh/cells/cell_kind.h"
 #include "reduce/basis/cyclic_modes.h"
 #include "reduce/operators/at_speed.h"
 #include "reduce/operators/memory_need.h"
@@ -108,7 +109,7 @@ class LinearAnalysis {
     for (const auto& [name, cells] : parts_) {
       for (const int cell : cells) {
         results_.von_mises(row, part) = std::max(results_.von_mises(row, part), stress[cell]);
-        for (const int node : mesh_.cells.col(cell))
+        for (const int node : nodes_of(mesh_.cells, cell))
           results_.displacement(row, part) = std::max(results_.displacement(row, part), u.col(node).norm());
       }
       ++part;

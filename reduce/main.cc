@@ -11,7 +11,8 @@ int main(int argc, char** argv) {
   tiprub::Stage stage;
   stage.name = "tiprub-reduce";
   stage.summary = "Reduces a sector of a wheel to a small model that knows its speed.";
-  stage.inputs = {{"case.toml", "the scene; its table [reduce] is read"}, {"sector.msh", "one sector of the wheel"}};
+  stage.inputs = {{"case.toml", "the scene; its table [reduce] is read"},
+                  {"sector.msh", "one sector of the wheel", true}};
   stage.output = "model.h5";
   stage.tables = tiprub::reduce_tables;
   stage.add_options = [&](CLI::App& app) {
@@ -25,6 +26,12 @@ int main(int argc, char** argv) {
     app.add_option("--fields", options.fields_file,
                    "also write the basis on all nodes into this file (fields.h5), for displacement and stress of "
                    "the whole wheel");
+    app.add_option(
+           "--matrices", options.matrices,
+           "K, M (Matrix Market, or CalculiX's .sti and .mas) and nodes.csv of a sector in place of sector.msh")
+        ->expected(3);
+    app.add_option("--matrix-dofs", options.matrix_dofs, "what the matrices' rows are (CalculiX's .dof)");
+    app.add_option("--matrix-at", options.matrices_at, "a speed in rpm and K there; may be repeated")->expected(2, 4);
   };
   return tiprub::run_stage(argc, argv, stage,
                            [&](const tiprub::StageArguments& arguments) { tiprub::reduce_case(arguments, options); });

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/reducing.h"
 
-#include <cblas.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <iostream>
 #include <list>
 #include <optional>
@@ -15,8 +15,10 @@
 
 #include "cases/program/output_file.h"
 #include "cases/program/output_lock.h"
+#include "cases/program/units.h"
 #include "reduce/calculix_deck.h"
 #include "reduce/linear_results.h"
+#include "reduce/matrices/matrix_sector.h"
 #include "reduce/model/matrix_market.h"
 #include "reduce/model/model_digest.h"
 #include "reduce/model/nodal_diameter.h"
@@ -56,13 +58,48 @@ void require_metres(const SectorMesh& mesh, double speed_max) {
   throw InputError(message.str());
 }
 
-Inputs read(const StageArguments& arguments) {
+MatrixFiles matrix_files(const ReducingOptions& options) {
+  constexpr std::size_t most_speeds = 2;  // besides rest: eq. 7 has three terms
+  MatrixFiles files{options.matrices[0], options.matrices[1], options.matrices[2], options.matrix_dofs, {}};
+  for (std::size_t k = 0; k + 1 < options.matrices_at.size(); k += 2) {
+    double rpm = 0;
+    const std::string& word = options.matrices_at[k];
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), rpm);
+    if (error != std::errc() || end != word.data() + word.size() || !(rpm > 0 && rpm < 1e8))
+      throw InputError("--matrix-at " + word + ": must be a speed in rpm, more than 0, and a file");
+    files.stiffness_at.emplace_back(rpm / rpm_per_rad_s, options.matrices_at[k + 1]);
+    for (std::size_t other = 0; other < k; other += 2)
+      if (options.matrices_at[other] == word) throw InputError("--matrix-at " + word + ": is given twice");
+  }
+  if (files.stiffness_at.size() > most_speeds)
+    throw InputError("--matrix-at: K may be given at two speeds besides rest: K0 + Omega^2 K1 + Omega^4 K2");
+  return files;
+}
+
+/// The sector, as a mesh or by its matrices.
+SectorMesh read_sector(const StageArguments& arguments, const ReducingOptions& options, double cyclic_tolerance) {
+  const std::filesystem::path& mesh = arguments.inputs[1];
+  if (options.matrices.empty()) {
+    if (mesh.empty()) throw InputError("sector.msh is required; see tiprub-reduce --help");
+    if (!options.matrix_dofs.empty() || !options.matrices_at.empty())
+      throw InputError("--matrix-dofs and --matrix-at go with --matrices");
+    return read_sector_mesh(mesh, cyclic_tolerance);
+  }
+  if (!mesh.empty())
+    throw InputError(mesh.string() + ": a sector is given by its mesh or by --matrices, not by both");
+  if (!options.calculix_folder.empty() || !options.modes_file.empty() || !options.fields_file.empty())
+    throw InputError("--export-ccx, --modes and --fields need the sector's cells, which --matrices doesn't give");
+  return read_matrix_sector(matrix_files(options), cyclic_tolerance);
+}
+
+Inputs read(const StageArguments& arguments, const ReducingOptions& options) {
   const CaseFile case_file(arguments.inputs[0], arguments.settings);
   CaseTable table = case_file.table("reduce");
   ReductionParameters parameters = read_reduction_parameters(table);
-  if (arguments.verbosity == Verbosity::verbose)
-    say(arguments, "[reduce]\n" + table.resolved() + "BLAS: " + openblas_get_config());
-  SectorMesh mesh = read_sector_mesh(arguments.inputs[1], parameters.cyclic_tolerance);
+  if (arguments.verbosity == Verbosity::verbose) say(arguments, "[reduce]\n" + table.resolved());
+  say_blas(arguments);
+  SectorMesh mesh = read_sector(arguments, options, parameters.cyclic_tolerance);
+  if (mesh.matrices != nullptr) parameters.prestress = Prestress::linear;  // theirs is in K already
   require_metres(mesh, parameters.speed_max);
   return {std::move(parameters), std::move(mesh), case_file.source()};
 }
@@ -77,7 +114,9 @@ class Outputs {
     std::vector<std::filesystem::path> files;
     if (reduces) files = {arguments.output, options.fields_file};
     if (!reduces && options.calculix_folder.empty()) files = {options.modes_file};
-    refuse_overwriting(files, arguments.inputs);
+    std::vector<std::filesystem::path> inputs = arguments.inputs;
+    inputs.insert(inputs.end(), options.matrices.begin(), options.matrices.end());
+    refuse_overwriting(files, inputs);
     for (const std::filesystem::path& file : files)
       if (!file.empty()) locks_.emplace_back(file);
   }
@@ -101,8 +140,7 @@ void check(const StageArguments& arguments, const Inputs& inputs) {
   const SectorMesh& mesh = inputs.mesh;
   check_sector(mesh, inputs.parameters);
   tell(arguments, "the case and the sector are sound: " + sectors_in_words(mesh.sector_count) + ", " +
-                      std::to_string(mesh.node_count()) + " nodes, " + std::to_string(mesh.cell_count()) +
-                      " bricks of " + std::to_string(mesh.nodes_per_cell()) + " nodes");
+                      std::to_string(mesh.node_count()) + " nodes, " + mesh.kinds_in_words());
 }
 
 void export_decks(const StageArguments& arguments, const Inputs& inputs, const std::string& folder) {
@@ -177,7 +215,9 @@ std::string summary(const ReducedModel& model, const ReductionReport& report) {
 /// What it took: memory, times, and the shapes of each nodal diameter.
 void tell_details(const StageArguments& arguments, const ReductionReport& report) {
   say(arguments, "memory: " + std::to_string(report.memory_needed / bytes_per_gib) + " GiB expected");
-  for (const auto& [what, seconds] : report.seconds) say(arguments, what + ": " + std::to_string(seconds) + " s");
+  for (const PartOfWork& part : report.parts)
+    say(arguments, part.what + ": " + std::to_string(part.wall) + " s, " + std::to_string(part.processor) +
+                       " s of processor time");
   for (std::size_t n = 0; n < report.corrections.size(); ++n)
     say(arguments, "nodal diameter " + std::to_string(n) + ": " + std::to_string(report.generalized_dofs[n]) +
                        " generalized dofs, " + std::to_string(report.corrections[n]) +
@@ -206,7 +246,7 @@ std::string reduce_tables(const CaseFile& file) {
 }
 
 void reduce_case(const StageArguments& arguments, const ReducingOptions& options) {
-  const Inputs inputs = read(arguments);
+  const Inputs inputs = read(arguments, options);
   if (arguments.action == Action::check) return check(arguments, inputs);
   const Outputs outputs(arguments, options);
   if (!options.calculix_folder.empty()) return export_decks(arguments, inputs, options.calculix_folder);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cases/program/case_file.h"
 #include "cases/program/command_line.h"
@@ -10,10 +11,13 @@ namespace tiprub {
 
 /// What this stage may write besides model.h5, or instead of it; empty: not asked for.
 struct ReducingOptions {
-  std::string calculix_folder;       ///< instead
-  std::string modes_file;            ///< instead
-  std::string matrix_market_folder;  ///< besides
-  std::string fields_file;           ///< besides
+  std::string calculix_folder;           ///< instead
+  std::string modes_file;                ///< instead
+  std::string matrix_market_folder;      ///< besides
+  std::string fields_file;               ///< besides
+  std::vector<std::string> matrices;     ///< K, M, nodes.csv in place of sector.msh; none: a mesh
+  std::string matrix_dofs;               ///< what their rows are; may be empty
+  std::vector<std::string> matrices_at;  ///< "RPM", "K", ...: K at further speeds
 };
 
 /// What is read of the case: [reduce].

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <functional>
 #include <mutex>
 #include <utility>
@@ -129,8 +130,11 @@ class Reducer {
   /// Notes how long it took since the last note.
   void timed(ReductionReport& report, const char* what) {
     const auto now = std::chrono::steady_clock::now();
-    report.seconds.emplace_back(what, std::chrono::duration<double>(now - last_).count());
+    const std::clock_t processor = std::clock();
+    report.parts.push_back({what, std::chrono::duration<double>(now - last_).count(),
+                            static_cast<double>(processor - processor_) / CLOCKS_PER_SEC});
     last_ = now;
+    processor_ = processor;
   }
 
   ReducedModel describe(const SpinShape& shape) const {
@@ -139,7 +143,10 @@ class Reducer {
     model.speed_max = parameters_.speed_max;
     model.modes_at_speed = parameters_.modes_at_speed;
     model.prestress = name_of(parameters_.prestress);
-    if (parameters_.spin_softening == SpinSoftening::off) model.prestress += ", without spin softening";
+    if (mesh_.matrices != nullptr)
+      model.prestress = "given";
+    else if (parameters_.spin_softening == SpinSoftening::off)
+      model.prestress += ", without spin softening";
     model.contact = contact_.line;
     std::vector<Eigen::MatrixX3d> shift;
     for (const Eigen::VectorXd& term : shape.terms)
@@ -230,6 +237,7 @@ class Reducer {
   FieldsWriter* fields_;
   std::mutex writing_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  std::clock_t processor_ = std::clock();
   ContactUnknowns contact_;
   SectorDofs dofs_;
   std::vector<CyclicTransformation> transforms_;
@@ -248,6 +256,7 @@ ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameter
 void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {
   const SectorDofs dofs = number_dofs(mesh, choose_contact(mesh, parameters.contact, parameters.contact_nodes));
   start_threads(memory_need(mesh, dofs, {}), 1);
+  if (mesh.matrices != nullptr) return;
   RotatingElasticity(mesh, dofs, parameters.material).volume();
 }
 

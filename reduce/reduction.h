@@ -13,6 +13,13 @@
 
 namespace tiprub {
 
+/// What a part of the work took.
+struct PartOfWork {
+  std::string what;
+  double wall = 0;       ///< [s]
+  double processor = 0;  ///< [s] of all threads
+};
+
 /// What the reduction tells about itself.
 struct ReductionReport {
   int newton_steps = 0;        ///< most of all speeds, with nonlinear prestress
@@ -25,7 +32,7 @@ struct ReductionReport {
   std::vector<int> corrections;       ///< shapes that modes between the speeds gave; a nodal diameter
   int shape_terms = 0;                ///< of the shape under spin; see SpinShape
   double imbalance = 0;               ///< [1] of the load, between the speeds of the shape under spin
-  std::vector<std::pair<std::string, double>> seconds;  ///< what took how long
+  std::vector<PartOfWork> parts;
 };
 
 /// Section 3.4 of the paper: K and M of a sector (eq. 3, eq. 5), nodal diameter by nodal diameter (eq. 4, eq. 6) on

@@ -53,10 +53,11 @@ class KrylovSpace {
     if (width == 0) return false;
     Eigen::MatrixXcd next = stiffness_.solve(MQ_.middleCols(operated_, width), contact_);
     Eigen::MatrixXcd column = Eigen::MatrixXcd::Zero(old, width);
-    for (int pass = 0; pass < 2; ++pass) {  // once is not enough in finite precision
-      const Eigen::MatrixXcd part = MQ_.leftCols(old).adjoint() * next;
-      next -= Q_.leftCols(old) * part;
-      column += part;
+    // In exact arithmetic a block meets the last two only; what rounding adds is taken off all, in a second pass.
+    for (const Eigen::Index from : {std::max<Eigen::Index>(operated_ - block_size, 0), Eigen::Index{0}}) {
+      const Eigen::MatrixXcd part = MQ_.middleCols(from, old - from).adjoint() * next;
+      next -= Q_.middleCols(from, old - from) * part;
+      column.middleRows(from, old - from) += part;
     }
     projected_.conservativeResizeLike(Eigen::MatrixXcd::Zero(old, old));
     projected_.middleCols(operated_, width) = column;

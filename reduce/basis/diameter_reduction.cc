@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/basis/diameter_reduction.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "reduce/basis/cyclic_modes.h"
@@ -11,7 +10,9 @@ namespace tiprub {
 
 namespace {
 
-constexpr double mode_tolerance = 1e-4;  // of 1/omega^2, a residual; the error of a frequency goes with its square
+// Of 1/omega^2, a residual; the error of a frequency goes with its square, and it is the modes' span that the basis
+// wants.
+constexpr double mode_tolerance = 1e-2;
 // Of Omega_max: below, K, which goes with Omega^2, is nearer to rest than to full speed.
 constexpr double nearer_to_rest = 0.7;
 
@@ -46,27 +47,21 @@ CraigBamptonBasis DiameterReduction::start_basis() const {
 }
 
 int DiameterReduction::correct(CraigBamptonBasis& basis) const {
-  Eigen::Index corrections = 0;
   ModeFollowing modes = modes_between(basis, {corrected_speeds.begin(), corrected_speeds.end()});
-  for (const Eigen::MatrixXcd& block : modes.missing(2 * parameters_.frequency_tolerance)) {
-    basis.append(block);
-    corrections += block.cols();
-  }
+  // Of omega^2, whose error is twice that of omega: half of it is left to what the estimate is worth.
+  modes.correct(parameters_.frequency_tolerance);
+  basis.append(modes.corrections());
   basis.orthonormalise();
-  return static_cast<int>(corrections);
+  return static_cast<int>(modes.corrections().cols());
 }
 
 Eigen::MatrixXd DiameterReduction::unreduced_frequencies(const CraigBamptonBasis& basis) const {
   const std::vector<double>& fractions = parameters_.verification_speeds;
   Eigen::MatrixXd table(static_cast<Eigen::Index>(fractions.size()), parameters_.verification_modes);
-  const auto middle = std::find_if(fractions.begin(), fractions.end(), [](double f) { return f >= nearer_to_rest; });
+  ModeFollowing following = modes_between(basis, fractions);
+  following.converge(parameters_.verification_tolerance);
   Eigen::Index row = 0;
-  for (const std::vector<double>& half :
-       {std::vector(fractions.begin(), middle), std::vector(middle, fractions.end())}) {
-    ModeFollowing following = modes_between(basis, half);  // one factor at a time: half of the room
-    following.converge(parameters_.verification_tolerance);
-    for (const FollowedModes& modes : following.modes()) table.row(row++) = modes.frequencies().transpose();
-  }
+  for (const FollowedModes& modes : following.modes()) table.row(row++) = modes.frequencies().transpose();
   return table;
 }
 

@@ -2,8 +2,8 @@
 #include "reduce/basis/mode_following.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <utility>
 
@@ -17,22 +17,8 @@ namespace {
 constexpr int longest = 30;                     // rounds before giving up
 constexpr double dependence_tolerance = 1e-12;  // of a round's directions, in squared stiffness norm
 
-Eigen::Index columns_of(const std::vector<Eigen::MatrixXcd>& blocks) {
-  Eigen::Index columns = 0;
-  for (const Eigen::MatrixXcd& block : blocks) columns += block.cols();
-  return columns;
-}
-
-/// Side by side, for operators that are cheaper on many columns.
-Eigen::MatrixXcd join(const std::vector<Eigen::MatrixXcd>& blocks) {
-  Eigen::MatrixXcd all(blocks.front().rows(), columns_of(blocks));
-  Eigen::Index first = 0;
-  for (const Eigen::MatrixXcd& block : blocks) {
-    all.middleCols(first, block.cols()) = block;
-    first += block.cols();
-  }
-  return all;
-}
+// Of a tolerance: residuals whose compliance is only guessed must stay below.
+constexpr double of_a_guess = 0.1;
 
 /// Directions of unit length in the norm of the nearby stiffness. A residual is orthogonal to the basis, so what
 /// becomes of it is so as well in that norm: only the new block has to be made independent.
@@ -56,123 +42,98 @@ ModeFollowing::ModeFollowing(const CraigBamptonBasis& basis, const SymmetricMatr
       mass_(mass),
       speeds_(std::move(speeds)),
       count_(count),
-      spaces_(speeds_.size()),
+      corrections_(basis.transform().dofs().independent(), 0),
+      reduced_mass_(basis.mass()),
+      weights_(speeds_.size()),
       modes_(speeds_.size()) {
-  const Eigen::Index rows = basis.transform().dofs().independent();
   for (std::size_t s = 0; s < speeds_.size(); ++s) {
-    spaces_[s] = {speeds_[s].reduced, basis.mass(), Eigen::MatrixXcd(rows, 0), {}};
+    reduced_stiffness_.push_back(speeds_[s].reduced);
     modes_[s].error = Eigen::VectorXd::Ones(count);
     solve(s);
   }
 }
 
 void ModeFollowing::solve(std::size_t speed) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> ritz(spaces_[speed].K, spaces_[speed].M);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> ritz(reduced_stiffness_[speed], reduced_mass_);
   if (ritz.info() != Eigen::Success)
     throw RunError(speeds_[speed].where + ": the modes of a nodal diameter could not be followed");
   if (ritz.eigenvalues()[0] <= 0)
     throw RunError(speeds_[speed].where +
                    ": the stiffness of a nodal diameter is not positive definite: the rotor is unstable");
-  spaces_[speed].weights = ritz.eigenvectors().leftCols(count_);
+  weights_[speed] = ritz.eigenvectors().leftCols(count_);
   modes_[speed].eigenvalue = ritz.eigenvalues().head(count_);
 }
 
 Eigen::MatrixXcd ModeFollowing::shapes(std::size_t speed, const std::vector<Eigen::Index>& which) const {
-  const Space& space = spaces_[speed];
-  const Eigen::MatrixXcd weights = space.weights(Eigen::all, which);
+  const Eigen::MatrixXcd weights = weights_[speed](Eigen::all, which);
   Eigen::MatrixXcd shapes = basis_.combine(weights.topRows(basis_.size()));
-  if (space.corrections.cols() > 0) shapes += space.corrections * weights.bottomRows(space.corrections.cols());
+  if (corrections_.cols() > 0) shapes += corrections_ * weights.bottomRows(corrections_.cols());
   return shapes;
 }
 
-std::vector<Eigen::MatrixXcd> ModeFollowing::missing(double tolerance) {
+Eigen::MatrixXcd ModeFollowing::missing(std::size_t speed, double tolerance) {
   const CyclicTransformation& transform = basis_.transform();
-  std::vector<std::vector<Eigen::Index>> moving(speeds_.size());
-  std::vector<Eigen::MatrixXcd> blocks(speeds_.size());
-  for (std::size_t s = 0; s < speeds_.size(); ++s) {
-    for (Eigen::Index mode = 0; mode < count_; ++mode)
-      if (modes_[s].error[mode] > tolerance) moving[s].push_back(mode);
-    blocks[s] = shapes(s, moving[s]);
+  FollowedModes& modes = modes_[speed];
+  std::vector<Eigen::Index> moving, doubtful, wanted;
+  for (Eigen::Index mode = 0; mode < count_; ++mode)
+    if (modes.error[mode] > tolerance) moving.push_back(mode);
+  if (moving.empty()) return {corrections_.rows(), 0};
+  const Eigen::MatrixXcd moved = shapes(speed, moving);
+  Eigen::MatrixXcd residual = transform.apply(speeds_[speed].stiffness(), moved);
+  residual -= transform.apply(mass_, moved) * modes.eigenvalue(moving).asDiagonal();
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const double guess = compliance_ * residual.col(column).squaredNorm() / modes.eigenvalue[moving[k]];
+    if (guess <= of_a_guess * tolerance)
+      modes.error[moving[k]] = guess;
+    else
+      doubtful.push_back(column);
   }
-  if (columns_of(blocks) == 0) return blocks;
-  Eigen::MatrixXcd residual = -transform.apply(mass_, join(blocks));
-  Eigen::Index first = 0;
-  for (std::size_t s = 0; s < speeds_.size(); ++s) {
-    const Eigen::Index columns = blocks[s].cols();
-    if (columns > 0)
-      residual.middleCols(first, columns) =
-          residual.middleCols(first, columns) * modes_[s].eigenvalue(moving[s]).asDiagonal() +
-          transform.apply(speeds_[s].stiffness(), blocks[s]);
-    first += columns;
-  }
-  const Eigen::MatrixXcd directions = precondition(blocks, residual);
+  if (doubtful.empty()) return {corrections_.rows(), 0};
+  residual = residual(Eigen::all, doubtful).eval();
+  const Eigen::MatrixXcd directions = speeds_[speed].nearby->solve(residual, ContactNodes::fixed);
   const Eigen::VectorXd work = residual.conjugate().cwiseProduct(directions).colwise().sum().real();
-  first = 0;
-  for (std::size_t s = 0; s < speeds_.size(); ++s) {
-    const Eigen::Index columns = blocks[s].cols();
-    Eigen::VectorXd& error = modes_[s].error;
-    if (columns > 0) error(moving[s]) = work.segment(first, columns).cwiseQuotient(modes_[s].eigenvalue(moving[s]));
-    std::vector<Eigen::Index> wanted;
-    for (Eigen::Index k = 0; k < columns; ++k)
-      if (error[moving[s][k]] > tolerance) wanted.push_back(first + k);
-    blocks[s].resize(residual.rows(), 0);
-    if (!wanted.empty()) blocks[s] = independent(directions(Eigen::all, wanted), residual(Eigen::all, wanted));
-    first += columns;
+  const double compliance = work.cwiseQuotient(residual.colwise().squaredNorm().transpose()).maxCoeff();
+  compliance_ = std::isinf(compliance_) ? compliance : std::max(compliance_, compliance);
+  for (std::size_t k = 0; k < doubtful.size(); ++k) {
+    const Eigen::Index mode = moving[doubtful[k]];
+    modes.error[mode] = work[static_cast<Eigen::Index>(k)] / modes.eigenvalue[mode];
+    if (modes.error[mode] > tolerance) wanted.push_back(static_cast<Eigen::Index>(k));
   }
-  return blocks;
+  if (wanted.empty()) return {corrections_.rows(), 0};
+  return independent(directions(Eigen::all, wanted), residual(Eigen::all, wanted));
 }
 
-/// Columns of `residual` by speed, as many as each block has: those that share a factor are solved together.
-Eigen::MatrixXcd ModeFollowing::precondition(const std::vector<Eigen::MatrixXcd>& blocks,
-                                             const Eigen::MatrixXcd& residual) const {
-  std::map<const CyclicSolver*, std::vector<Eigen::Index>> columns;
-  Eigen::Index first = 0;
-  for (std::size_t s = 0; s < speeds_.size(); ++s)
-    for (Eigen::Index k = 0; k < blocks[s].cols(); ++k) columns[speeds_[s].nearby].push_back(first++);
-  Eigen::MatrixXcd directions(residual.rows(), residual.cols());
-  for (const auto& [nearby, which] : columns)
-    directions(Eigen::all, which) = nearby->solve(residual(Eigen::all, which), ContactNodes::fixed);
-  return directions;
+/// Inner products of the basis and the corrections with loads; size x columns.
+Eigen::MatrixXcd ModeFollowing::products(const Eigen::MatrixXcd& loads) const {
+  Eigen::MatrixXcd all(basis_.size() + corrections_.cols(), loads.cols());
+  all << basis_.inner_products(loads), corrections_.adjoint() * loads;
+  return all;
 }
 
-void ModeFollowing::add(const std::vector<Eigen::MatrixXcd>& blocks) {
+void ModeFollowing::add(const Eigen::MatrixXcd& block) {
   const CyclicTransformation& transform = basis_.transform();
-  const Eigen::MatrixXcd all = join(blocks), mass_loads = transform.apply(mass_, all);
-  Eigen::MatrixXcd stiffness_loads(all.rows(), all.cols());
-  Eigen::Index first = 0;
-  for (std::size_t s = 0; s < blocks.size(); ++s) {
-    if (blocks[s].cols() > 0)
-      stiffness_loads.middleCols(first, blocks[s].cols()) = transform.apply(speeds_[s].stiffness(), blocks[s]);
-    first += blocks[s].cols();
-  }
-  const Eigen::MatrixXcd mass_products = basis_.inner_products(mass_loads);
-  const Eigen::MatrixXcd stiffness_products = basis_.inner_products(stiffness_loads);
-  first = 0;
-  for (std::size_t s = 0; s < blocks.size(); ++s) {
-    const Eigen::Index columns = blocks[s].cols();
-    if (columns == 0) continue;
-    Space& space = spaces_[s];
-    const Eigen::Index old = space.corrections.cols();
-    space.corrections.conservativeResize(all.rows(), old + columns);
-    space.corrections.rightCols(columns) = blocks[s];
-    Eigen::MatrixXcd products(space.K.cols() + columns, columns);
-    products << stiffness_products.middleCols(first, columns),
-        space.corrections.adjoint() * stiffness_loads.middleCols(first, columns);
-    append_products(space.K, products);
-    products << mass_products.middleCols(first, columns),
-        space.corrections.adjoint() * mass_loads.middleCols(first, columns);
-    append_products(space.M, products);
+  corrections_.conservativeResize(block.rows(), corrections_.cols() + block.cols());
+  corrections_.rightCols(block.cols()) = block;
+  append_products(reduced_mass_, products(transform.apply(mass_, block)));
+  for (std::size_t s = 0; s < speeds_.size(); ++s) {
+    append_products(reduced_stiffness_[s], products(transform.apply(speeds_[s].stiffness(), block)));
     solve(s);
-    first += columns;
   }
+}
+
+bool ModeFollowing::correct(double tolerance) {
+  const Eigen::Index before = corrections_.cols();
+  for (std::size_t s = 0; s < speeds_.size(); ++s) {
+    const Eigen::MatrixXcd block = missing(s, tolerance);
+    if (block.cols() > 0) add(block);
+  }
+  return corrections_.cols() > before;
 }
 
 void ModeFollowing::converge(double tolerance) {
-  for (int round = 0; round < longest; ++round) {
-    const std::vector<Eigen::MatrixXcd> blocks = missing(tolerance);
-    if (columns_of(blocks) == 0) return;
-    add(blocks);
-  }
+  for (int round = 0; round < longest; ++round)
+    if (!correct(tolerance)) return;
   throw RunError(speeds_.front().where + ": the modes of a nodal diameter could not be followed");
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,46 +29,52 @@ struct FollowedModes {
 };
 
 /// From the modes of a basis to the modes of the unreduced sector at several speeds, with the factor of a speed
-/// nearby as preconditioner: generalized Davidson (Morgan and Scott 1986), without restart and on all speeds at once,
-/// because it is the passes through the factor that cost. With r = K x - omega^2 M x, a mode's omega^2 is too high by
-/// about r^H K^-1 r, and K^-1 r is what the basis lacks. What the basis doesn't contain at all can't be found. The
-/// basis must hold the constraint modes of rest and of the factors' speeds, so that contact nodes may be held in what
-/// is added. All raise RunError if a stiffness is not positive definite on the basis.
+/// nearby as preconditioner: generalized Davidson (Morgan and Scott 1986), without restart. With
+/// r = K x - omega^2 M x, a mode's omega^2 is too high by about r^H K^-1 r, and K^-1 r is what the basis lacks. What
+/// a mode lacks at one speed it lacks at all, but for little: the speeds come one after the other, and share what is
+/// found. It is passing through the factor that costs. So only residuals that count are taken through it: r^H K^-1 r
+/// of the others is at most about r^H r times the largest compliance, r^H K^-1 r / r^H r, that a residual has had so
+/// far. What the basis doesn't contain at all can't be found. The basis must hold the constraint modes of rest and of
+/// the factors' speeds, so that contact nodes may be held in what is added. All raise RunError if a stiffness is not
+/// positive definite on the basis.
 ///
-/// Why not Trilinos' Anasazi (it has a block Davidson): its space belongs to one operator, so that each speed would
-/// pass through the factor by itself, and it has no complex adapter here (see cyclic_modes.h).
+/// Why not Trilinos' Anasazi (it has a block Davidson): its space belongs to one operator, so that speeds
+/// could share nothing, and it has no complex adapter here (see cyclic_modes.h).
 class ModeFollowing {
  public:
   /// The lowest `count` modes; everything must outlive this object.
   ModeFollowing(const CraigBamptonBasis& basis, const SymmetricMatrix& mass, std::vector<SpeedToFollow> speeds,
                 int count);
 
-  /// Shapes that the basis misses, for each mode whose omega^2 errs by more than `tolerance`; one block a speed,
-  /// independent x any number, contact rows of zero.
-  std::vector<Eigen::MatrixXcd> missing(double tolerance);
+  /// Estimates the error of each mode at a speed that may err by more than `tolerance`. Shapes that are missing for
+  /// those that do; independent x any number, contact rows of zero.
+  Eigen::MatrixXcd missing(std::size_t speed, double tolerance);
+  /// One speed after the other, adds what is missing there for all of them. Returns whether anything was.
+  bool correct(double tolerance);
   /// Repeats until no mode errs by more. Raises RunError if it doesn't converge.
   void converge(double tolerance);
 
+  /// All that was added; independent x any number.
+  const Eigen::MatrixXcd& corrections() const { return corrections_; }
   /// By speed, in the given order.
   const std::vector<FollowedModes>& modes() const { return modes_; }
 
  private:
-  /// What is known of the basis and its corrections at one speed.
-  struct Space {
-    Eigen::MatrixXcd K, M;         ///< small matrices: the basis, then corrections
-    Eigen::MatrixXcd corrections;  ///< independent x any number
-    Eigen::MatrixXcd weights;      ///< of the modes; size of K x count
-  };
   void solve(std::size_t speed);
   Eigen::MatrixXcd shapes(std::size_t speed, const std::vector<Eigen::Index>& which) const;
-  Eigen::MatrixXcd precondition(const std::vector<Eigen::MatrixXcd>& blocks, const Eigen::MatrixXcd& residual) const;
-  void add(const std::vector<Eigen::MatrixXcd>& blocks);
+  Eigen::MatrixXcd products(const Eigen::MatrixXcd& loads) const;
+  void add(const Eigen::MatrixXcd& block);
 
   const CraigBamptonBasis& basis_;
   const SymmetricMatrix& mass_;
   std::vector<SpeedToFollow> speeds_;
   int count_;
-  std::vector<Space> spaces_;
+  double compliance_ = std::numeric_limits<double>::infinity();  ///< [m/N] the largest that a residual has had
+  Eigen::MatrixXcd corrections_;                                 ///< independent x any number
+  // Small matrices: the basis, then corrections.
+  Eigen::MatrixXcd reduced_mass_;
+  std::vector<Eigen::MatrixXcd> reduced_stiffness_;  ///< by speed
+  std::vector<Eigen::MatrixXcd> weights_;            ///< of the modes, by speed; size x count
   std::vector<FollowedModes> modes_;
 };
 

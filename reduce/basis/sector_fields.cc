@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/basis/sector_fields.h"
 
-#include <array>
+#include "mesh/cells/cell_kind.h"
 
 namespace tiprub {
-
-namespace {
-
-// Where VTK's node k of a quadratic hexahedron stands in gmsh's order: corners, mid-sides, face centres, centre.
-constexpr std::array<int, 27> gmsh_node = {0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 13, 9,  16, 18,
-                                           19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26};
-
-}  // namespace
 
 SectorFields describe_sector(const SectorMesh& mesh, const std::vector<int>& contact, const Material& material) {
   SectorFields sector;
   sector.sector_count = mesh.sector_count;
   sector.nodes = mesh.nodes;
-  sector.cells.resize(mesh.cells.rows(), mesh.cells.cols());
-  for (Eigen::Index k = 0; k < mesh.cells.rows(); ++k) sector.cells.row(k) = mesh.cells.row(gmsh_node[k]);
+  sector.cells = Eigen::MatrixXi::Constant(mesh.cells.rows(), mesh.cells.cols(), -1);
+  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = nodes_of(mesh.cells, cell);
+    sector.cells.col(cell).head(nodes.size()) = nodes(cell_kind(static_cast<int>(nodes.size())).gmsh_node);
+  }
   sector.node_sets = {{"clamped", mesh.clamped},
                       {"contact", contact},
                       {"contact_line", mesh.contact_line},

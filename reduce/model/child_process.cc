@@ -21,13 +21,14 @@ namespace tiprub {
 namespace {
 
 // The first letter of a child's answer.
-constexpr char made = 'm', wrong_input = 'i', failed = 'f';
+constexpr char made = 'm', wrong_input = 'i', failed = 'f', too_large = 'l';
 
-void lower_limit(__rlimit_resource resource, double most) {
+/// Whether the limit is the given one now, and not a tighter one that was there.
+bool lower_limit(__rlimit_resource resource, double most) {
   rlimit limit{};
-  if (getrlimit(resource, &limit) != 0 || static_cast<double>(limit.rlim_cur) <= most) return;
+  if (getrlimit(resource, &limit) != 0 || static_cast<double>(limit.rlim_cur) <= most) return false;
   limit.rlim_cur = static_cast<rlim_t>(most);
-  setrlimit(resource, &limit);
+  return setrlimit(resource, &limit) == 0;
 }
 
 /// [bytes] of address space that this process has.
@@ -38,23 +39,25 @@ double address_space() {
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-void confine(const ChildLimits& limits) {
-  lower_limit(RLIMIT_AS, address_space() + limits.bytes);
+/// Whether memory ends where the limits say, and not before.
+bool confine(const ChildLimits& limits) {
+  const bool all_memory = lower_limit(RLIMIT_AS, address_space() + limits.bytes);
   lower_limit(RLIMIT_CPU, limits.seconds);
   lower_limit(RLIMIT_CORE, 0);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) signal(number, SIG_DFL);  // the parent cleans up
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);  // "double free or corruption" is told by the parent, in its words
+  return all_memory;
 }
 
-std::string answer_of(const std::function<std::string()>& make) {
+std::string answer_of(const std::function<std::string()>& make, bool all_memory) {
   try {
     return made + make();
   } catch (const InputError& error) {
     return wrong_input + std::string(error.what());
   } catch (const std::bad_alloc&) {
-    return failed + std::string("not enough memory");
+    return all_memory ? std::string(1, too_large) : failed + std::string("not enough memory");
   } catch (const std::exception& error) {
     return failed + std::string(error.what());
   }
@@ -96,8 +99,8 @@ std::string made_by_a_child(const std::function<std::string()>& make, const Chil
   if (child < 0) throw RunError(std::string("can't start a process: ") + std::strerror(errno));
   if (child == 0) {
     close(pipe[0]);
-    confine(limits);
-    write_all(pipe[1], answer_of(make));
+    const bool all_memory = confine(limits);
+    write_all(pipe[1], answer_of(make, all_memory));
     _exit(0);
   }
   close(pipe[1]);
@@ -107,6 +110,7 @@ std::string made_by_a_child(const std::function<std::string()>& make, const Chil
   if (WIFSIGNALED(status)) throw ChildDied(strsignal(WTERMSIG(status)));
   if (WEXITSTATUS(status) != 0 || answer.empty()) throw ChildDied("it ended early");
   const std::string rest = answer.substr(1);
+  if (answer.front() == too_large) throw ChildDied("it takes more memory than it may");
   if (answer.front() == wrong_input) throw InputError(rest);
   if (answer.front() == failed) throw RunError(rest);
   return rest;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mesh/cells/cell_kind.h"
 #include "reduce/model/hdf5_file.h"
 
 namespace tiprub {
@@ -11,7 +12,6 @@ namespace {
 
 constexpr const char* schema = "tiprub-fields";
 constexpr int schema_version = 2;
-constexpr int serendipity_nodes = 20, lagrange_nodes = 27;
 constexpr Eigen::Index slices_at_once = 16;  // columns of a product
 constexpr const char* required_sets[] = {"clamped", "contact", "cyclic_low", "cyclic_high"};
 
@@ -54,13 +54,20 @@ Eigen::Matrix3Xd read_vectors(const Hdf5File& file, const std::string& name) {
 Eigen::MatrixXi read_cells(const Hdf5File& file, Eigen::Index nodes) {
   const std::string name = "/cells";
   const Array<std::int32_t> array = file.read_integers(name);
-  if (array.shape.size() != 2 || (array.shape[1] != serendipity_nodes && array.shape[1] != lagrange_nodes))
-    refuse(file, name, "must have 20 or 27 columns");
-  for (const std::int32_t node : array.values)
-    if (node < 0 || node >= nodes)
-      refuse(file, name, "names node " + std::to_string(node) + ", of 0 .. " + std::to_string(nodes - 1));
-  return Eigen::Map<const Eigen::MatrixXi>(array.values.data(), static_cast<Eigen::Index>(array.shape[1]),
-                                           static_cast<Eigen::Index>(array.shape[0]));
+  if (array.shape.size() != 2 || array.shape[1] > 27 || !is_cell_kind(static_cast<int>(array.shape[1])))
+    refuse(file, name, "must have " + cell_node_counts() + " columns");
+  Eigen::MatrixXi cells = Eigen::Map<const Eigen::MatrixXi>(
+      array.values.data(), static_cast<Eigen::Index>(array.shape[1]), static_cast<Eigen::Index>(array.shape[0]));
+  for (Eigen::Index cell = 0; cell < cells.cols(); ++cell) {
+    const auto listed = nodes_of(cells, cell);
+    if (!is_cell_kind(static_cast<int>(listed.size())))
+      refuse(file, name,
+             "has a cell of " + std::to_string(listed.size()) + " nodes; it must have " + cell_node_counts());
+    for (const int node : listed)
+      if (node < 0 || node >= nodes)
+        refuse(file, name, "names node " + std::to_string(node) + ", of 0 .. " + std::to_string(nodes - 1));
+  }
+  return cells;
 }
 
 void read_static_displacement(const Hdf5File& file, SectorFields& sector) {

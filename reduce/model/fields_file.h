@@ -15,7 +15,7 @@ namespace tiprub {
 struct SectorFields {
   int sector_count = 0;    ///< N
   Eigen::Matrix3Xd nodes;  ///< [m] x, y, z; 3 x nodes
-  Eigen::MatrixXi cells;  ///< node numbers in VTK's order of its quadratic hexahedra (types 25, 29); 20 or 27 x cells
+  Eigen::MatrixXi cells;   ///< node numbers in VTK's order, then -1 (see nodes_of()); most nodes x cells
   std::map<std::string, std::vector<int>> node_sets;  ///< `clamped`, `contact` (leading to trailing edge),
                                                       ///< `cyclic_low`, `cyclic_high` (partners, in the same order)
   std::map<std::string, std::vector<int>> parts;      ///< cells of `disc`, `main_blade`, ..., where the mesh has them

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hdf5_hl.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "reduce/model/hdf5_handle.h"
@@ -81,6 +84,27 @@ bool Hdf5File::has_attribute(const std::string& object, const std::string& name)
   } catch (const Hdf5Failure&) {
     return false;
   }
+}
+
+void Hdf5File::make_axis(const std::string& name) {
+  attempt(name, "can't be made an axis; is the disk full?", [&] {
+    Hdf5Id set = handle_->dataset(name);
+    hdf5_checked(H5DSset_scale(set, std::filesystem::path(name).filename().c_str()));
+    set.close();
+  });
+}
+
+void Hdf5File::describe(const std::string& name, const std::string& long_name, const std::vector<std::string>& axes) {
+  attempt(name, "can't be described; is the disk full?", [&] {
+    Hdf5Id set = handle_->dataset(name);
+    hdf5_add_attribute(set, "long_name", long_name);
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      Hdf5Id axis = handle_->dataset(axes[i]);
+      hdf5_checked(H5DSattach_scale(set, axis, static_cast<unsigned>(i)));
+      axis.close();
+    }
+    set.close();
+  });
 }
 
 }  // namespace tiprub

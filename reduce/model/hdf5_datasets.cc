@@ -55,6 +55,40 @@ bool is_complex(hid_t set) {
 
 }  // namespace
 
+Hdf5Id hdf5_packed_creation(hid_t type, const Hdf5Shape& shape) {
+  constexpr hsize_t least = 4096;  // bytes: what is smaller loses more by a chunk's table than it gains
+  constexpr hsize_t chunk_size = hsize_t{1} << 20;  // bytes: HDF5's cache holds one
+  constexpr unsigned fastest = 1;                   // more gains a fiftieth
+  Hdf5Id creation = hdf5_dataset_creation();
+  hsize_t row = H5Tget_size(type);
+  for (std::size_t i = 1; i < shape.size(); ++i) row *= shape[i];
+  const bool text = H5Tget_class(type) == H5T_STRING;  // elsewhere in the file: what stands here are pointers
+  if (text || shape.empty() || row * shape.front() < least) return creation;
+  const hsize_t chunks = std::min((row * shape.front() + chunk_size - 1) / chunk_size, shape.front());
+  Hdf5Shape chunk = shape;
+  chunk.front() = (shape.front() + chunks - 1) / chunks;
+  hdf5_checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
+  hdf5_checked(H5Pset_shuffle(creation));
+  hdf5_checked(H5Pset_deflate(creation, fastest));
+  return creation;
+}
+
+Hdf5Id Hdf5File::Handle::named(const std::string& name, Hdf5Id type) const {
+  if (hdf5_checked(H5Lexists(file, name.c_str(), H5P_DEFAULT)) > 0)
+    return {H5Topen2(file, name.c_str(), H5P_DEFAULT), H5Tclose};
+  const Hdf5Id creation(H5Pcreate(H5P_DATATYPE_CREATE), H5Pclose);
+  hdf5_checked(H5Pset_obj_track_times(creation, false));
+  hdf5_checked(H5Tcommit2(file, name.c_str(), type, H5P_DEFAULT, creation, H5P_DEFAULT));
+  return type;
+}
+
+void Hdf5File::Handle::write_texts(const std::string& name, const Hdf5Shape& shape,
+                                   const std::vector<const char*>& texts) const {
+  const Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose);
+  hdf5_checked(H5Tset_size(type, H5T_VARIABLE));
+  write(name, type, shape, texts.data(), "");
+}
+
 void Hdf5File::write(const std::string& name, const Array<double>& array, const std::string& unit) {
   attempt(name, unwritable, [&] {
     handle_->write(name, H5T_NATIVE_DOUBLE, {array.shape.begin(), array.shape.end()}, array.values.data(), unit);
@@ -84,11 +118,26 @@ void Hdf5File::write(const std::string& name, const Eigen::VectorXd& vector, con
 void Hdf5File::write(const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit) {
   const Eigen::MatrixXcd transposed = matrix.transpose();
   const Hdf5Shape shape = {static_cast<hsize_t>(matrix.rows()), static_cast<hsize_t>(matrix.cols())};
-  attempt(name, unwritable, [&] { handle_->write(name, complex_type(), shape, transposed.data(), unit); });
+  attempt(name, unwritable, [&] {
+    const Hdf5Id type =
+        handle_->storage == Storage::plain ? complex_type() : handle_->named("/complex", complex_type());
+    handle_->write(name, type, shape, transposed.data(), unit);
+  });
+}
+
+void Hdf5File::write(const std::string& name, const std::vector<std::string>& texts) {
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  attempt(name, unwritable, [&] { handle_->write_texts(name, {texts.size()}, pointers); });
 }
 
 void Hdf5File::write_text(const std::string& name, const std::string& text) {
-  attempt(name, unwritable, [&] { handle_->write(name, hdf5_text_type(text), {}, text.c_str(), "text"); });
+  attempt(name, unwritable, [&] {
+    if (handle_->storage == Storage::plain)
+      handle_->write(name, hdf5_text_type(text), {}, text.c_str(), "text");
+    else
+      handle_->write_texts(name, {}, {text.c_str()});
+  });
 }
 
 bool Hdf5File::has_text(const std::string& name) const {

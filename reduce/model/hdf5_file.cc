@@ -3,14 +3,18 @@
 
 #include <algorithm>
 
+#include "cases/program/available_memory.h"
 #include "reduce/model/hdf5_handle.h"
 
 namespace tiprub {
 
 namespace {
 
+constexpr std::size_t tables = std::size_t{16} << 20;  // bytes, of a file: refused them, HDF5 reads through null
+
 /// Silent, and without HDF5's own clean-up at exit: after a full disk that tries again to write, and crashes.
 void prepare_library() {
+  require_memory(tables);
   static const herr_t left_to_us = H5dont_atexit();  // counts only before the library's first use
   static_cast<void>(left_to_us);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -61,13 +65,14 @@ Hdf5Id Hdf5File::Handle::make(const std::string& name, hid_t type, const Hdf5Sha
   make_groups(name);
   const Hdf5Id space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
   Hdf5Id set(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
-  hdf5_add_attribute(set, "unit", unit);
+  if (!unit.empty()) hdf5_add_attribute(set, storage == Storage::plain ? "unit" : "units", unit);
   return set;
 }
 
 void Hdf5File::Handle::write(const std::string& name, hid_t type, const Hdf5Shape& shape, const void* values,
                              const std::string& unit) const {
-  Hdf5Id set = make(name, type, shape, hdf5_dataset_creation(), unit);
+  Hdf5Id set = make(name, type, shape,
+                    storage == Storage::netcdf ? hdf5_packed_creation(type, shape) : hdf5_dataset_creation(), unit);
   const bool empty = std::find(shape.begin(), shape.end(), 0U) != shape.end();
   if (!empty) hdf5_checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
   set.close();
@@ -83,11 +88,11 @@ void Hdf5File::fail(const std::string& object, const std::string& what) const {
   throw RunError(path_ + ": " + object + ": " + what);
 }
 
-Hdf5File Hdf5File::create(const std::filesystem::path& path) {
+Hdf5File Hdf5File::create(const std::filesystem::path& path, Storage storage) {
   prepare_library();
   try {
     Hdf5Id file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-    return {path.string(), std::make_unique<Handle>(Handle{std::move(file)})};
+    return {path.string(), std::make_unique<Handle>(Handle{std::move(file), storage})};
   } catch (const Hdf5Failure&) {
     throw RunError(path.string() + ": can't be written");
   }

@@ -25,7 +25,13 @@ struct Array {
 /// Everything raises RunError with "file: dataset: what is wrong".
 class Hdf5File {
  public:
-  static Hdf5File create(const std::filesystem::path& path);
+  /// How a file's datasets are stored.
+  enum class Storage {
+    plain,            ///< contiguous; the unit is the attribute `unit`
+    netcdf,           ///< as netCDF-4 tools expect: large ones in chunks, shuffled and deflated; the unit is `units`
+    netcdf_unpacked,  ///< the same, contiguous: for what is soon read and removed
+  };
+  static Hdf5File create(const std::filesystem::path& path, Storage storage = Storage::plain);
   static Hdf5File open(const std::filesystem::path& path);
   ~Hdf5File();
   Hdf5File(Hdf5File&&) noexcept;
@@ -48,12 +54,19 @@ class Hdf5File {
   std::string read_text(const std::string& name) const;
   bool has_text(const std::string& name) const;
 
-  /// Every dataset carries its unit ("m", "N", "1") as the attribute `unit`.
+  /// Every dataset carries its unit ("m", "N", "1") as the attribute `unit`, or `units`.
   void write(const std::string& name, const Eigen::MatrixXd& matrix, const std::string& unit);
   void write(const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit);
   void write(const std::string& name, const Eigen::VectorXd& vector, const std::string& unit);
   void write(const std::string& name, const Array<double>& array, const std::string& unit);
   void write(const std::string& name, const Array<std::int32_t>& array, const std::string& unit);
+  /// Texts along one axis.
+  void write(const std::string& name, const std::vector<std::string>& texts);
+
+  /// Makes a dataset of one axis the coordinate of that axis (a dimension scale), by its own name.
+  void make_axis(const std::string& name);
+  /// Tells what a dataset is, in words, and its axes by the datasets that make_axis() was told, slowest first.
+  void describe(const std::string& name, const std::string& long_name, const std::vector<std::string>& axes = {});
 
   /// Large single-precision datasets go in and out one slice at a time, the first index of `shape`; each slice is a
   /// chunk of its own in the file. Complex ones are {r, i} compounds of float32.

@@ -12,7 +12,7 @@
 
 #include "reduce/model/hdf5_file.h"
 
-// What the facade's own files share: HDF5's headers reach nobody else, and never a file that includes deal.II.
+// What the facade's own files share: HDF5's headers reach nobody else.
 namespace tiprub {
 
 using Hdf5Shape = std::vector<hsize_t>;
@@ -95,6 +95,7 @@ std::string hdf5_read_text(hid_t type, const Read& read) {
 
 struct Hdf5File::Handle {
   Hdf5Id file;
+  Storage storage = Storage::plain;
 
   /// A group or a dataset; "/" is the file itself.
   Hdf5Id object(const std::string& name) const { return {H5Oopen(file, name.c_str(), H5P_DEFAULT), H5Oclose}; }
@@ -108,12 +109,16 @@ struct Hdf5File::Handle {
     body(at);
     at.close();
   }
-  /// A new dataset, with nothing in it.
+  /// A type as the file has it by name, given to it if it hasn't: netCDF passes over compounds without one.
+  Hdf5Id named(const std::string& name, Hdf5Id type) const;
+  /// A new dataset, with nothing in it; with an empty unit none.
   Hdf5Id make(const std::string& name, hid_t type, const Hdf5Shape& shape, hid_t creation,
               const std::string& unit) const;
   /// The same, with all its values, closed.
   void write(const std::string& name, hid_t type, const Hdf5Shape& shape, const void* values,
              const std::string& unit) const;
+  /// Texts of any length, which netCDF reads; of those of fixed length it dies.
+  void write_texts(const std::string& name, const Hdf5Shape& shape, const std::vector<const char*>& texts) const;
 };
 
 /// Touches what a reader may touch, in a process of its own: HDF5 follows damaged tables to wherever they point, and
@@ -122,6 +127,8 @@ void hdf5_require_harmless(const std::string& path);
 
 /// Of a dataset whose times are not kept: same content, same bytes.
 Hdf5Id hdf5_dataset_creation();
+/// The same, in chunks, shuffled and deflated, if it is large enough to gain by it.
+Hdf5Id hdf5_packed_creation(hid_t type, const Hdf5Shape& shape);
 
 template <class Body>
 auto Hdf5File::attempt(const std::string& object, const std::string& complaint, const Body& body) const {

@@ -73,6 +73,7 @@ bool touch_attribute(hid_t object, const char* name) {
   const Hdf5Id attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
   const Hdf5Id type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
   if (!is_sound(type)) return false;
+  if (H5Tget_class(type) == H5T_VLEN) return true;  // an axis's references, which no reader follows
   const Hdf5Id read_type = type_in_memory(type);
   std::vector<char> value(std::max(H5Tget_size(type), H5Tget_size(read_type)));
   if (H5Sget_simple_extent_npoints(space) == 1) H5Aread(attribute, read_type, value.data());

@@ -34,6 +34,7 @@ std::string digest(const ReducedModel& model) {
   for (const Eigen::MatrixX3d& shift : model.contact.higher_shifts) add(digest, Eigen::MatrixXd(shift));
   add(digest, Eigen::MatrixXd(model.contact.arc_length));
   if (model.contact.kind != ContactKind::points) digest.add(model.contact.kind);
+  if (model.contact.splitter_nodes > 0) digest.add(model.contact.splitter_nodes);
   for (const NodalDiameterModel& matrices : model.nodal_diameters) {
     for (const auto* matrix : {&matrices.K0, &matrices.K1, &matrices.K2, &matrices.M}) add(digest, *matrix);
     for (const Eigen::MatrixXcd& matrix : matrices.higher) add(digest, matrix);

@@ -62,18 +62,22 @@ void check(const NodalDiameterModel& model, int contact_dofs, bool real, const s
 void check_step(const ContactLine& contact, Eigen::Index k, const std::string& name) {
   const double along = contact.arc_length[k] - contact.arc_length[k - 1];
   require(along > 0, name + ": /contact/arc_length must increase from the leading edge");
+  // A splitter's is that of the main blade's line beside it: the ways of the two differ where they bend.
+  const double tolerance = k > contact.trailing_edge() ? half_circle - 1 : arc_tolerance;
   const Eigen::RowVector3d step = contact.position.row(k) - contact.position.row(k - 1);
   const double across = std::hypot(step[0], step[2]);
   std::ostringstream text;
   text << name << ": /contact/arc_length grows by " << along << " m from node " << k - 1 << " to node " << k
        << ", but /contact/position has them " << across
        << " m apart in the meridional plane; both must be in metres, from leading to trailing edge";
-  require(across <= along * (1 + arc_tolerance) && along <= half_circle * across, text.str());
+  require(across <= along * (1 + tolerance) && along <= half_circle * across, text.str());
 }
 
 void check(const ContactLine& contact, const std::string& name) {
   const Eigen::Index count = contact.arc_length.size();
   require(count > 0, name + ": /contact holds no node");
+  require(contact.splitter_nodes >= 0 && contact.splitter_nodes < count,
+          name + ": /contact/blade must begin with 0, the main blade, and may go on with 1, the splitter");
   std::vector<const Eigen::MatrixX3d*> tables = {&contact.position, &contact.normal, &contact.static_shift_1,
                                                  &contact.static_shift_2};
   for (const Eigen::MatrixX3d& shift : contact.higher_shifts) tables.push_back(&shift);
@@ -82,7 +86,7 @@ void check(const ContactLine& contact, const std::string& name) {
   for (Eigen::Index k = 0; k < count; ++k) {
     require(std::abs(contact.normal.row(k).norm() - 1) < unit_tolerance,
             name + ": /contact/normal: row " + std::to_string(k) + " is not of unit length");
-    if (k > 0) check_step(contact, k, name);
+    if (k > 0 && k != contact.trailing_edge() + 1) check_step(contact, k, name);
   }
 }
 
@@ -125,6 +129,13 @@ Eigen::VectorXd NodalDiameterModel::natural_frequencies(double speed) const {
                                                                           Eigen::EigenvaluesOnly);
   return solver.eigenvalues().unaryExpr(
       [](double square) { return std::copysign(std::sqrt(std::abs(square)), square) / (2 * std::numbers::pi); });
+}
+
+std::string ContactLine::place_of(int node) const {
+  if (node == 0) return "leading edge";
+  if (node <= trailing_edge()) return node == trailing_edge() ? "trailing edge" : "";
+  if (node == trailing_edge() + 1) return "splitter's leading edge";
+  return node == size() - 1 ? "splitter's trailing edge" : "splitter";
 }
 
 Eigen::MatrixX3d ContactLine::static_shift(double speed) const {

@@ -32,18 +32,23 @@ enum class ContactKind {
 /// "contact node", "contact segment": for people.
 const char* name_of(ContactKind kind);
 
-/// The tip line of the main blade of sector 0, from leading to trailing edge; n_c nodes, or the centres of n_c
-/// segments.
+/// The tip line of the main blade of sector 0, from leading to trailing edge, and maybe that of its splitter after
+/// it; n_c nodes, or the centres of n_c segments.
 struct ContactLine {
   ContactKind kind = ContactKind::points;
+  int splitter_nodes = 0;           ///< of the n_c; these stand on the splitter, the others on the main blade
   Eigen::MatrixX3d position;        ///< [m, rad, m] r, theta, z; n_c x 3
   Eigen::MatrixX3d normal;          ///< unit, from the blade to the casing, components r, theta, z; n_c x 3
-  Eigen::VectorXd arc_length;       ///< [m] in the meridional plane, from the leading edge; n_c
+  Eigen::VectorXd arc_length;       ///< [m] in the meridional plane, from the main blade's leading edge; n_c
   Eigen::MatrixX3d static_shift_1;  ///< [m s^2] displacement under spin over Omega^2; n_c x 3 (r, theta, z)
   Eigen::MatrixX3d static_shift_2;  ///< [m s^4] its part with Omega^4; n_c x 3
   std::vector<Eigen::MatrixX3d> higher_shifts = {};  ///< [m s^6], ... its parts with Omega^6, Omega^8, ...; n_c x 3
 
   int size() const { return static_cast<int>(arc_length.size()); }
+  /// The node at the main blade's trailing edge; its leading edge is node 0.
+  int trailing_edge() const { return size() - splitter_nodes - 1; }
+  /// "leading edge", "trailing edge", "splitter", "splitter's leading edge", ..., or empty: for people.
+  std::string place_of(int node) const;
   /// [m] displacement under spin at a speed in rad/s; n_c x 3.
   Eigen::MatrixX3d static_shift(double speed) const;
 };

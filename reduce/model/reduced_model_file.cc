@@ -13,6 +13,7 @@ namespace {
 constexpr const char* schema = "tiprub-model";
 constexpr int schema_version = 1;
 constexpr const char* position_unit = "m, rad, m";
+constexpr const char* blade_name = "/contact/blade";
 constexpr const char *points = "points", *segments = "segments";
 
 std::string group_of(int nodal_diameter) {
@@ -106,6 +107,18 @@ ContactKind read_contact_kind(const Hdf5File& file) {
   throw RunError(file.path() + ": attribute `contact` is \"" + name + "\", must be \"points\" or \"segments\"");
 }
 
+/// How many of the contact nodes stand on the splitter: those after the main blade's.
+int read_splitter_nodes(const Hdf5File& file, int nodes) {
+  const Eigen::VectorXd blade = file.read_vector(blade_name);
+  const auto on_splitter = static_cast<int>((blade.array() == 1.0).count());
+  const bool in_order =
+      blade.size() == nodes && on_splitter < nodes && (blade.head(nodes - on_splitter).array() == 0.0).all();
+  if (!in_order)
+    throw RunError(file.path() + ": " + blade_name + " must hold, for each of the " + std::to_string(nodes) +
+                   " contact nodes, 0 for those of the main blade, which come first, and 1 for the splitter's");
+  return on_splitter;
+}
+
 ContactLine read_contact_line(const Hdf5File& file) {
   ContactLine contact;
   contact.kind = read_contact_kind(file);
@@ -114,6 +127,7 @@ ContactLine read_contact_line(const Hdf5File& file) {
   contact.position = read_triples(file, "/contact/position", position_unit);
   contact.normal = read_triples(file, "/contact/normal", "1");
   read_static_shift(file, contact);
+  if (file.exists(blade_name)) contact.splitter_nodes = read_splitter_nodes(file, contact.size());
   return contact;
 }
 
@@ -149,6 +163,11 @@ void write_contact_line(Hdf5File& file, const ContactLine& contact) {
   file.write("/contact/position", Eigen::MatrixXd(contact.position), position_unit);
   file.write("/contact/normal", Eigen::MatrixXd(contact.normal), "1");
   file.write("/contact/arc_length", contact.arc_length, "m");
+  if (contact.splitter_nodes > 0) {
+    Eigen::VectorXd blade = Eigen::VectorXd::Zero(contact.size());
+    blade.tail(contact.splitter_nodes).setOnes();
+    file.write(blade_name, blade, "1");
+  }
   const auto write_shift = [&](std::size_t power, const Eigen::MatrixX3d& shift) {
     file.write(shift_name(power), Eigen::MatrixXd(shift), shift_unit(power));
   };

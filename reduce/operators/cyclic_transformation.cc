@@ -5,6 +5,7 @@
 #include <cassert>
 #include <complex>
 #include <numbers>
+#include <type_traits>
 
 #include "reduce/model/nodal_diameter.h"
 
@@ -13,7 +14,6 @@ namespace tiprub {
 namespace {
 
 constexpr int strip_width = 16;
-using Strip = Eigen::Matrix<double, Eigen::Dynamic, strip_width, Eigen::RowMajor>;
 
 constexpr int node_dofs = 3;
 
@@ -59,22 +59,51 @@ __attribute__((target_clones("avx512f", "avx2,fma", "default"))) void multiply_s
 }
 
 /// Complex columns side by side in a strip, real and imaginary part in turn; a standing wave has real ones only.
-int columns_of_strip(bool standing) {
-  return standing ? strip_width : strip_width / 2;
+template <class Scalar>
+using Strip = Eigen::Matrix<Scalar, Eigen::Dynamic, strip_width * sizeof(double) / sizeof(Scalar), Eigen::RowMajor>;
+
+template <class Scalar, class Columns>
+auto parts(const Columns& columns) {
+  if constexpr (std::is_same_v<Scalar, double>)
+    return columns.real();
+  else
+    return columns;
 }
 
-void put(Strip& strip, Eigen::Index row, int column, std::complex<double> value, bool standing) {
-  if (standing) {
-    strip(row, column) = value.real();
-  } else {
-    strip(row, 2 * column) = value.real();
-    strip(row, 2 * column + 1) = value.imag();
+/// Calls body(first, count) for some rows at a time: in the cache the orders of a strip and of columns don't matter.
+template <class Body>
+void in_cache(Eigen::Index rows, const Body& body) {
+  constexpr Eigen::Index at_once = 256;
+  for (Eigen::Index first = 0; first < rows; first += at_once) body(first, std::min(at_once, rows - first));
+}
+
+/// T^H Y T x for real or complex x.
+template <class Scalar>
+void multiply(const SymmetricMatrix& matrix, const SectorDofs& dofs, std::complex<double> factor,
+              const Eigen::MatrixXcd& independent, Eigen::MatrixXcd& result) {
+  const Eigen::Index high = dofs.interior + dofs.face, below = dofs.boundary();
+  const Scalar phase = parts<Scalar>(factor);
+  constexpr Eigen::Index width = Strip<Scalar>::ColsAtCompileTime;
+  Strip<Scalar> moved = Strip<Scalar>::Zero(dofs.sector(), width), product(dofs.sector(), width);
+  for (Eigen::Index at = 0; at < independent.cols(); at += width) {
+    const Eigen::Index columns = std::min(width, independent.cols() - at);
+    const auto x = independent.middleCols(at, columns);
+    in_cache(high, [&](Eigen::Index row, Eigen::Index rows) {  // T x
+      moved.block(row, 0, rows, columns) = parts<Scalar>(x.middleRows(row, rows));
+    });
+    moved.block(high, 0, dofs.face, columns) = phase * moved.block(dofs.interior, 0, dofs.face, columns);
+    moved.block(high + dofs.face, 0, below, columns) = parts<Scalar>(x.bottomRows(below));
+    product.setZero();
+    multiply_strip(static_cast<int>(matrix.cols()), matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
+                   reinterpret_cast<const double*>(moved.data()), reinterpret_cast<double*>(product.data()));
+    product.middleRows(dofs.interior, dofs.face) +=  // T^H y
+        Eigen::numext::conj(phase) * product.middleRows(high, dofs.face);
+    auto y = result.middleCols(at, columns);
+    in_cache(high, [&](Eigen::Index row, Eigen::Index rows) {
+      y.middleRows(row, rows) = product.block(row, 0, rows, columns).template cast<std::complex<double>>();
+    });
+    y.bottomRows(below) = product.bottomRows(below).leftCols(columns).template cast<std::complex<double>>();
   }
-}
-
-std::complex<double> get(const Strip& strip, Eigen::Index row, int column, bool standing) {
-  if (standing) return strip(row, column);
-  return {strip(row, 2 * column), strip(row, 2 * column + 1)};
 }
 
 }  // namespace
@@ -118,29 +147,9 @@ Eigen::MatrixXcd CyclicTransformation::gather(const Eigen::MatrixXcd& sector) co
 Eigen::MatrixXcd CyclicTransformation::apply(const SymmetricMatrix& matrix,
                                              const Eigen::MatrixXcd& independent) const {
   assert(!is_real() || independent.imag().isZero(0.0));
-  const Eigen::Index interior = dofs_.interior, face = dofs_.face, high = interior + face;
   Eigen::MatrixXcd result(independent.rows(), independent.cols());
-  Strip moved = Strip::Zero(dofs_.sector(), strip_width), product(dofs_.sector(), strip_width);
-  const int width = columns_of_strip(is_real());
-  for (Eigen::Index first = 0; first < independent.cols(); first += width) {
-    const int count = static_cast<int>(std::min<Eigen::Index>(width, independent.cols() - first));
-    for (int k = 0; k < count; ++k) {  // T x
-      const auto x = independent.col(first + k);
-      for (Eigen::Index row = 0; row < high; ++row) put(moved, row, k, x[row], is_real());
-      for (Eigen::Index row = 0; row < face; ++row) put(moved, high + row, k, phase_ * x[interior + row], is_real());
-      for (Eigen::Index row = high; row < x.size(); ++row) put(moved, row + face, k, x[row], is_real());
-    }
-    product.setZero();
-    multiply_strip(static_cast<int>(matrix.cols()), matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
-                   moved.data(), product.data());
-    for (int k = 0; k < count; ++k) {  // T^H y
-      auto y = result.col(first + k);
-      for (Eigen::Index row = 0; row < high; ++row) y[row] = get(product, row, k, is_real());
-      for (Eigen::Index row = 0; row < face; ++row)
-        y[interior + row] += std::conj(phase_) * get(product, high + row, k, is_real());
-      for (Eigen::Index row = high; row < y.size(); ++row) y[row] = get(product, row + face, k, is_real());
-    }
-  }
+  is_real() ? multiply<double>(matrix, dofs_, phase_, independent, result)
+            : multiply<std::complex<double>>(matrix, dofs_, phase_, independent, result);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/program/errors.h"
+#include "reduce/operators/supernodal_solve.h"
 
 namespace tiprub {
 
@@ -63,7 +64,7 @@ struct SectorFactor::Cholmod {
   /// L_FF x and L_FF' x, straight from the supernodes.
   Eigen::MatrixXd multiply_interface(const Eigen::MatrixXd& x) const;
   Eigen::MatrixXd multiply_interface_transposed(const Eigen::MatrixXd& x) const;
-  Eigen::MatrixXd solve(int system, Eigen::MatrixXd& right) const;
+  Supernodes supernodes() const;
 };
 
 void SectorFactor::Cholmod::factorize(const SymmetricMatrix& stiffness, double shift) {
@@ -95,22 +96,24 @@ void SectorFactor::Cholmod::factorize(const SymmetricMatrix& stiffness, double s
     throw RunError("the sector falls into parts that the cut faces don't join; mesh it as one piece");
 }
 
+Supernodes SectorFactor::Cholmod::supernodes() const {
+  return {static_cast<int>(factor->nsuper),    static_cast<const int*>(factor->super),
+          static_cast<const int*>(factor->pi), static_cast<const int*>(factor->px),
+          static_cast<const int*>(factor->s),  static_cast<const double*>(factor->x)};
+}
+
 template <class Body>
 void SectorFactor::Cholmod::for_each_interface_block(const Body& body) const {
-  const int* super = static_cast<const int*>(factor->super);
-  const int* row_start = static_cast<const int*>(factor->pi);
-  const int* value_start = static_cast<const int*>(factor->px);
-  const int* rows = static_cast<const int*>(factor->s);
-  const double* values = static_cast<const double*>(factor->x);
-  for (std::size_t block = 0; block < factor->nsuper; ++block) {
-    const int first = std::max(super[block], interior), width = super[block + 1] - first;
+  const Supernodes of = supernodes();
+  for (int block = 0; block < of.count; ++block) {
+    const int first = std::max(of.first[block], interior), width = of.first[block + 1] - first;
     if (width <= 0) continue;
-    const int count = row_start[block + 1] - row_start[block], offset = first - super[block];
+    const int count = of.row_start[block + 1] - of.row_start[block], offset = first - of.first[block];
     const int below = count - offset - width;
-    const double* corner = values + value_start[block] + offset + static_cast<std::ptrdiff_t>(offset) * count;
+    const double* corner = of.values + of.value_start[block] + offset + static_cast<std::ptrdiff_t>(offset) * count;
     const Eigen::OuterStride<> stride(count);
     const Eigen::VectorXi below_rows =
-        Eigen::Map<const Eigen::VectorXi>(rows + row_start[block] + offset + width, below).array() - interior;
+        Eigen::Map<const Eigen::VectorXi>(of.rows + of.row_start[block] + offset + width, below).array() - interior;
     body(first - interior, below_rows, Supernode(corner, width, width, stride),
          Supernode(corner + width, below, width, stride));
   }
@@ -150,25 +153,6 @@ Eigen::MatrixXd SectorFactor::Cholmod::multiply_interface_transposed(const Eigen
   return product;
 }
 
-Eigen::MatrixXd SectorFactor::Cholmod::solve(int system, Eigen::MatrixXd& right) const {
-  cholmod_common scratch{};  // one a call: several threads may solve at once
-  cholmod_start(&scratch);
-  cholmod_dense view{};
-  view.nrow = view.d = static_cast<std::size_t>(right.rows());
-  view.ncol = static_cast<std::size_t>(right.cols());
-  view.nzmax = static_cast<std::size_t>(right.size());
-  view.x = right.data();
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* solution = cholmod_solve(system, factor, &view, &scratch);
-  if (solution == nullptr) throw RunError("not enough memory to solve with the factor of the sector");
-  Eigen::MatrixXd result =
-      Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution->x), right.rows(), right.cols());
-  cholmod_free_dense(&solution, &scratch);
-  cholmod_finish(&scratch);
-  return result;
-}
-
 SectorFactor::SectorFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs)
     : cholmod_(std::make_unique<Cholmod>()) {
   cholmod_->interior = dofs.interior;
@@ -191,10 +175,10 @@ SectorFactor::SectorFactor(SectorFactor&&) noexcept = default;
 
 SectorFactor::Eliminated SectorFactor::eliminate(const Eigen::MatrixXd& interior_load) const {
   const Cholmod& of = *cholmod_;
-  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(of.interior + of.interface, interior_load.cols());
-  for (int dof = 0; dof < of.interior; ++dof) load.row(of.position[dof]) = interior_load.row(dof);
   Eliminated result;
-  result.state = cholmod_->solve(CHOLMOD_L, load);
+  result.state.setZero(of.interior + of.interface, interior_load.cols());
+  for (int dof = 0; dof < of.interior; ++dof) result.state.row(of.position[dof]) = interior_load.row(dof);
+  solve_lower(of.supernodes(), result.state);
   const Eigen::MatrixXd reached =  // L_FF y_F = -L_FI y_I
       of.multiply_interface(result.state.bottomRows(of.interface));
   result.interface_load.resize(of.interface, interior_load.cols());
@@ -209,9 +193,9 @@ Eigen::MatrixXd SectorFactor::back_substitute(Eliminated&& eliminated, const Eig
   for (int dof = 0; dof < of.interface; ++dof)
     placed.row(of.position[of.interior + dof] - of.interior) = interface.row(dof);
   eliminated.state.bottomRows(of.interface) = of.multiply_interface_transposed(placed);
-  const Eigen::MatrixXd solved = cholmod_->solve(CHOLMOD_Lt, eliminated.state);
-  Eigen::MatrixXd result(solved.rows(), solved.cols());
-  for (Eigen::Index dof = 0; dof < solved.rows(); ++dof) result.row(dof) = solved.row(of.position[dof]);
+  solve_lower_transposed(of.supernodes(), eliminated.state);
+  Eigen::MatrixXd result(eliminated.state.rows(), eliminated.state.cols());
+  for (Eigen::Index dof = 0; dof < result.rows(); ++dof) result.row(dof) = eliminated.state.row(of.position[dof]);
   return result;
 }
 

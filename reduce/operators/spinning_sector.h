@@ -11,6 +11,7 @@
 namespace tiprub {
 
 /// A sector's M, its shape under spin, and K at any speed. First K at rest; with its factor, spin() gives the rest.
+/// Of a sector that is given by its matrices the shape under spin isn't known, and zero.
 class SpinningSector {
  public:
   /// All arguments must outlive the sector.
@@ -41,7 +42,7 @@ class SpinningSector {
   const SectorDofs& dofs_;
   const ReductionParameters& parameters_;
   SpeedSamples samples_;
-  std::optional<RotatingElasticity> elasticity_;  // until sample() is done
+  std::optional<RotatingElasticity> elasticity_;  // until sample() is done; none where matrices are given
   SymmetricMatrix mass_;
   SpinShape shape_;
   std::vector<SymmetricMatrix> stiffness_;

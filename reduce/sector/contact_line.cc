@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cases/program/errors.h"
+#include "reduce/sector/sector_dofs.h"
 
 namespace tiprub {
 
@@ -36,37 +37,34 @@ Eigen::Vector2d tangent(const SectorMesh& mesh, const std::vector<int>& line, co
          meridional(mesh.nodes.col(line[middle + 1])) * ((s - a) + (s - b)) / ((c - a) * (c - b));
 }
 
-/// Whether a normal at a node leads out of the blade: of the nodes of the cells around it, the one that lies best in
-/// line with the normal lies behind. Most of them may lie before it, where the tip bends towards the casing and the
-/// cells are flat.
-bool leads_outward(const SectorMesh& mesh, int node, const Eigen::Vector2d& normal) {
+/// Whether a normal at a node leads out of the blade: of the nodes that it shares cells with, the one that lies best
+/// in line with the normal lies behind. Most of them may lie before it, where the tip bends towards the casing and
+/// the cells are flat.
+bool leads_outward(const SectorMesh& mesh, int node, const std::vector<int>& neighbours,
+                   const Eigen::Vector2d& normal) {
   constexpr double round_the_axis = 1e-6;  // of the largest distance: that is no way in the meridional plane
-  double best = 0.0;                       // cosine
-  for (Eigen::Index cell = 0; cell < mesh.cells.cols(); ++cell) {
-    const auto nodes = mesh.cells.col(cell);
-    if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) continue;
-    Eigen::Matrix2Xd ways(2, nodes.size());
-    for (Eigen::Index k = 0; k < nodes.size(); ++k)
-      ways.col(k) = meridional(mesh.nodes.col(nodes[k])) - meridional(mesh.nodes.col(node));
-    const double largest = ways.colwise().norm().maxCoeff();
-    for (const auto& way : ways.colwise()) {
-      const double cosine = way.norm() > round_the_axis * largest ? way.dot(normal) / way.norm() : 0.0;
-      if (std::abs(cosine) > std::abs(best)) best = cosine;
-    }
+  Eigen::Matrix2Xd ways(2, neighbours.size());
+  for (std::size_t k = 0; k < neighbours.size(); ++k)
+    ways.col(static_cast<Eigen::Index>(k)) =
+        meridional(mesh.nodes.col(neighbours[k])) - meridional(mesh.nodes.col(node));
+  const double largest = ways.colwise().norm().maxCoeff();
+  double best = 0.0;  // cosine
+  for (const auto& way : ways.colwise()) {
+    const double cosine = way.norm() > round_the_axis * largest ? way.dot(normal) / way.norm() : 0.0;
+    if (std::abs(cosine) > std::abs(best)) best = cosine;
   }
   return best <= 0.0;
 }
 
-}  // namespace
+constexpr const char *main_group = "contact", *splitter_group = "contact_splitter";
 
-void require_one_way(const SectorMesh& mesh) {
-  const std::vector<int>& line = mesh.contact_line;
+void require_one_way(const SectorMesh& mesh, const std::vector<int>& line, const char* group) {
   const auto step_to = [&](std::size_t k) -> Eigen::Vector2d {
     return meridional(mesh.nodes.col(line[k])) - meridional(mesh.nodes.col(line[k - 1]));
   };
   const auto refuse = [&](std::size_t k, const std::string& what) {
     throw InputError(
-        mesh.file + ": the line \"contact\" " + what + " at its point " + std::to_string(k + 1) + " of " +
+        mesh.file + ": the line \"" + group + "\" " + what + " at its point " + std::to_string(k + 1) + " of " +
         std::to_string(line.size()) + ", " + mesh.place_of(line[k]) +
         "; it must run once from leading to trailing edge: put its points, or its curves, in that order");
   };
@@ -78,10 +76,9 @@ void require_one_way(const SectorMesh& mesh) {
   }
 }
 
-std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count) {
-  const std::vector<int>& line = mesh.contact_line;
+std::vector<int> chosen_nodes(const SectorMesh& mesh, const std::vector<int>& line, const char* group, int count) {
   if (static_cast<int>(line.size()) < count)
-    throw InputError(mesh.file + ": the line \"contact\" has " + std::to_string(line.size()) +
+    throw InputError(mesh.file + ": the line \"" + group + "\" has " + std::to_string(line.size()) +
                      " nodes, [reduce] contact_nodes = " + std::to_string(count) +
                      " asks for more; ask for fewer, or refine the mesh along the blade");
   if (count == 1) return {line.front()};
@@ -100,15 +97,63 @@ std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count) {
   return chosen;
 }
 
-Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int>& nodes) {
-  const std::vector<double> lengths = arc_lengths(mesh, mesh.contact_line);
+/// Unit normal of the casing at a line's node, components r and z.
+Eigen::Vector2d normal_at(const SectorMesh& mesh, const std::vector<int>& line, const std::vector<double>& lengths,
+                          std::size_t at, const std::vector<int>& neighbours) {
+  const Eigen::Vector2d along = tangent(mesh, line, lengths, at).normalized();
+  const Eigen::Vector2d normal(along.y(), -along.x());
+  return leads_outward(mesh, line[at], neighbours, normal) ? normal : Eigen::Vector2d(-normal);
+}
+
+/// Adds the nodes of one blade from row `first` on; their arc lengths are left to the caller.
+void describe_nodes(const SectorMesh& mesh, const std::vector<int>& line, const std::vector<int>& nodes,
+                    Eigen::Index first, ContactLine& described) {
+  const std::vector<double> lengths = arc_lengths(mesh, line);
+  const std::vector<std::vector<int>> neighbours = node_neighbours(mesh);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const auto k = first + static_cast<Eigen::Index>(n);
+    const auto at = static_cast<std::size_t>(std::find(line.begin(), line.end(), nodes[n]) - line.begin());
+    const Eigen::Vector3d position = mesh.nodes.col(nodes[n]);
+    const Eigen::Vector2d normal = normal_at(mesh, line, lengths, at, neighbours[nodes[n]]);
+    described.position.row(k) << position.head<2>().norm(), std::atan2(position.y(), position.x()), position.z();
+    described.normal.row(k) << normal.x(), 0.0, normal.y();
+    described.arc_length[k] = lengths[at];
+  }
+}
+
+void require_forward(const SectorMesh& mesh, const ContactLine& line, const std::vector<int>& nodes) {
+  for (int k = line.size() - line.splitter_nodes + 1; k < line.size(); ++k)
+    if (line.arc_length[k] <= line.arc_length[k - 1])
+      throw InputError(mesh.file + ": the line \"" + splitter_group + "\" doesn't go on along the line \"" +
+                       main_group + "\" at " + mesh.place_of(nodes[k]) +
+                       "; both must run from leading to trailing edge, below one casing");
+}
+
+}  // namespace
+
+void require_one_way(const SectorMesh& mesh) {
+  require_one_way(mesh, mesh.contact_line, main_group);
+  require_one_way(mesh, mesh.splitter_line, splitter_group);
+}
+
+std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count) {
+  std::vector<int> chosen = chosen_nodes(mesh, mesh.contact_line, main_group, count);
+  if (mesh.splitter_line.empty()) return chosen;
+  const std::vector<int> splitter = chosen_nodes(mesh, mesh.splitter_line, splitter_group, count);
+  chosen.insert(chosen.end(), splitter.begin(), splitter.end());
+  return chosen;
+}
+
+Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int>& line,
+                                   const std::vector<int>& nodes) {
+  const std::vector<double> lengths = arc_lengths(mesh, line);
   Eigen::VectorXd found = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const Eigen::Vector2d at = meridional(mesh.nodes.col(nodes[k]));
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < lengths.size(); ++i) {
-      const Eigen::Vector2d start = meridional(mesh.nodes.col(mesh.contact_line[i - 1]));
-      const Eigen::Vector2d step = meridional(mesh.nodes.col(mesh.contact_line[i])) - start;
+      const Eigen::Vector2d start = meridional(mesh.nodes.col(line[i - 1]));
+      const Eigen::Vector2d step = meridional(mesh.nodes.col(line[i])) - start;
       const double along = std::clamp((at - start).dot(step) / step.squaredNorm(), 0.0, 1.0);
       const double distance = (at - start - along * step).norm();
       if (distance >= nearest) continue;
@@ -120,24 +165,23 @@ Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int
 }
 
 ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& contact) {
-  const std::vector<double> lengths = arc_lengths(mesh, mesh.contact_line);
-  const Eigen::Index count = static_cast<Eigen::Index>(contact.size());
+  const auto first_of_splitter = std::find_if(contact.begin(), contact.end(), [&](int node) {
+    return std::find(mesh.contact_line.begin(), mesh.contact_line.end(), node) == mesh.contact_line.end();
+  });
+  const std::vector<int> main(contact.begin(), first_of_splitter), splitter(first_of_splitter, contact.end());
+  const auto count = static_cast<Eigen::Index>(contact.size()),
+             on_splitter = static_cast<Eigen::Index>(splitter.size());
   ContactLine line;
+  line.splitter_nodes = static_cast<int>(splitter.size());
   line.position.resize(count, 3);
   line.normal.resize(count, 3);
   line.arc_length.resize(count);
   line.static_shift_1 = line.static_shift_2 = Eigen::MatrixX3d::Zero(count, 3);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const auto found = std::find(mesh.contact_line.begin(), mesh.contact_line.end(), contact[k]);
-    const auto at = static_cast<std::size_t>(found - mesh.contact_line.begin());
-    const Eigen::Vector3d position = mesh.nodes.col(contact[k]);
-    const Eigen::Vector2d along = tangent(mesh, mesh.contact_line, lengths, at).normalized();
-    Eigen::Vector2d normal(along.y(), -along.x());
-    if (!leads_outward(mesh, contact[k], normal)) normal = -normal;
-    line.position.row(k) << position.head<2>().norm(), std::atan2(position.y(), position.x()), position.z();
-    line.normal.row(k) << normal.x(), 0.0, normal.y();
-    line.arc_length[k] = lengths[at];
-  }
+  describe_nodes(mesh, mesh.contact_line, main, 0, line);
+  if (splitter.empty()) return line;
+  describe_nodes(mesh, mesh.splitter_line, splitter, count - on_splitter, line);
+  line.arc_length.tail(on_splitter) = arc_lengths_beside(mesh, mesh.contact_line, splitter);
+  require_forward(mesh, line, contact);
   return line;
 }
 

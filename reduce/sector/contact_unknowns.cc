@@ -10,69 +10,69 @@
 #include <string>
 
 #include "cases/program/errors.h"
+#include "mesh/cells/cell_kind.h"
 #include "reduce/sector/contact_line.h"
 
 namespace tiprub {
 
 namespace {
 
-constexpr int face_centre = 8;
-constexpr std::array<std::array<int, 2>, 9> face_node = {
-    {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}}};  // gmsh's order
+struct FacePoint {
+  Eigen::MatrixX3d shape;  // N, dN/ds, dN/dt; nodes x 3
+  double weight;
+};
 
-/// Quadratic shape function of a line and its derivative, for the node at -1, 0 or 1.
-std::array<double, 2> on_line(int node, double x) {
-  if (node == 0) return {1 - x * x, -2 * x};
-  return {x * (x + node) / 2, x + node / 2.0};
+/// Hats have kinks inside faces: each face in parts, with 3 x 3 Gauss points; a triangle is a square of which one
+/// side is drawn together.
+std::vector<FacePoint> face_points(int nodes) {
+  constexpr int parts = 8, triangle_nodes = 6;
+  const std::array<double, 3> point = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)}, weight = {5 / 9.0, 8 / 9.0, 5 / 9.0};
+  const auto at = [&](int k) { return (2 * (k / 3) + 1 + point[k % 3]) / parts - 1; };
+  std::vector<FacePoint> points;
+  for (int i = 0; i < 3 * parts; ++i)
+    for (int j = 0; j < 3 * parts; ++j) {
+      const double share = weight[i % 3] * weight[j % 3] / (parts * parts), s = (1 + at(i)) / 2, t = (1 + at(j)) / 2;
+      if (nodes == triangle_nodes)
+        points.push_back({face_shape(nodes, s, (1 - s) * t), share * (1 - s) / 4});
+      else
+        points.push_back({face_shape(nodes, at(i), at(j)), share});
+    }
+  return points;
 }
 
-/// Shape functions N, dN/dxi, dN/deta of a face of 8 or 9 nodes; nodes x 3. With 8 the centre follows the
-/// serendipity formula, -1/4 corners + 1/2 mid-sides.
-Eigen::MatrixX3d shape_at(Eigen::Index nodes, double xi, double eta) {
-  Eigen::MatrixX3d shape(9, 3);
-  for (int i = 0; i < 9; ++i) {
-    const auto [f, df] = on_line(face_node[i][0], xi);
-    const auto [g, dg] = on_line(face_node[i][1], eta);
-    shape.row(i) << f * g, df * g, f * dg;
-  }
-  if (nodes == 9) return shape;
-  const Eigen::RowVector3d centre = shape.row(face_centre);
-  for (int i = 0; i < nodes; ++i) shape.row(i) += (i < 4 ? -0.25 : 0.5) * centre;
-  return shape.topRows(nodes);
-}
+/// The tip of one blade, and the names of its groups.
+struct BladeTip {
+  const char *faces_group, *line_group, *blade;
+  const Eigen::MatrixXi& faces;
+  const std::vector<int>& line;
+};
 
 /// The tip's nodes, and the weights of the segments on them before they are scaled: int N w_k dA.
 class TipIntegrals {
  public:
-  TipIntegrals(const SectorMesh& mesh, int count) : mesh_(mesh), count_(count) {
-    for (const int node : mesh.tip_faces.reshaped()) number_.try_emplace(node, 0);
+  TipIntegrals(const SectorMesh& mesh, const BladeTip& tip, int count) : mesh_(mesh), count_(count) {
+    for (const int node : tip.faces.reshaped())
+      if (node >= 0) number_.try_emplace(node, 0);
     for (auto& [node, number] : number_) {
       number = static_cast<int>(nodes.size());
       nodes.push_back(node);
     }
-    arc_length = arc_lengths_beside(mesh, nodes);
-    length_ = arc_lengths_beside(mesh, {mesh.contact_line.back()})[0];
+    arc_length = arc_lengths_beside(mesh, tip.line, nodes);
+    length_ = arc_lengths_beside(mesh, tip.line, {tip.line.back()})[0];
     loads = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(nodes.size()));
-    for (const auto& face : mesh.tip_faces.colwise()) add(face);
+    for (Eigen::Index face = 0; face < tip.faces.cols(); ++face) add(nodes_of(tip.faces, face));
   }
 
   std::vector<int> nodes;
-  Eigen::VectorXd arc_length;  ///< [m] of each node
+  Eigen::VectorXd arc_length;  ///< [m] of each node, along the blade's own line
   Eigen::MatrixXd loads;       ///< [m^2] segments x nodes
 
  private:
-  /// Hats have kinks inside faces: each face in parts, with 3 x 3 Gauss points.
   void add(const Eigen::VectorXi& face) {
-    constexpr int parts = 8;
-    const std::array<double, 3> point = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)}, weight = {5 / 9.0, 8 / 9.0, 5 / 9.0};
-    for (int i = 0; i < 3 * parts; ++i)
-      for (int j = 0; j < 3 * parts; ++j) {
-        const auto at = [&](int k) {
-          const int middle = 2 * (k / 3) + 1;
-          return (middle + point[k % 3]) / parts - 1;
-        };
-        add_point(face, shape_at(face.size(), at(i), at(j)), weight[i % 3] * weight[j % 3] / (parts * parts));
-      }
+    const int count = static_cast<int>(face.size());
+    std::vector<FacePoint>& points = points_[count];
+    if (points.empty()) points = face_points(count);
+    for (const FacePoint& point : points) add_point(face, point.shape, point.weight);
   }
 
   void add_point(const Eigen::VectorXi& face, const Eigen::MatrixX3d& shape, double weight) {
@@ -92,19 +92,21 @@ class TipIntegrals {
 
   const SectorMesh& mesh_;
   int count_;
-  double length_ = 0;          // [m] of the contact line
-  std::map<int, int> number_;  // of a node, in `nodes`
+  double length_ = 0;                             // [m] of the contact line
+  std::map<int, int> number_;                     // of a node, in `nodes`
+  std::map<int, std::vector<FacePoint>> points_;  // of a face with so many nodes
 };
 
 /// The weights, each row with the sum one.
-Eigen::MatrixXd scaled(const SectorMesh& mesh, const TipIntegrals& tip) {
+Eigen::MatrixXd scaled(const SectorMesh& mesh, const BladeTip& blade, const TipIntegrals& tip) {
   constexpr double least_share = 1e-3;  // of an even part of the tip
   const Eigen::VectorXd areas = tip.loads.rowwise().sum();
   for (Eigen::Index k = 0; k < areas.size(); ++k)
     if (!(areas[k] > least_share * areas.mean()))
-      throw InputError(mesh.file + ": the faces of the surface group \"blade_tip\" leave out a stretch of the line " +
-                       "\"contact\", segment " + std::to_string(k + 1) + " of " + std::to_string(areas.size()) +
-                       "; it must hold all of the main blade's tip, and no other surface");
+      throw InputError(mesh.file + ": the faces of the surface group \"" + blade.faces_group +
+                       "\" leave out a stretch of the line \"" + blade.line_group + "\", segment " +
+                       std::to_string(k + 1) + " of " + std::to_string(areas.size()) + "; it must hold all of the " +
+                       blade.blade + "'s tip, and no other surface");
   return areas.cwiseInverse().asDiagonal() * tip.loads;
 }
 
@@ -140,27 +142,69 @@ Eigen::MatrixX3d normals_beside(const ContactLine& line, const Eigen::VectorXd& 
   return normals;
 }
 
-ContactLine describe_segments(const SectorMesh& mesh, const TipIntegrals& tip, const Eigen::MatrixXd& weights) {
-  ContactLine segments;
-  segments.kind = ContactKind::segments;
-  segments.position = weights * cylindrical_places(mesh, tip.nodes);
-  segments.arc_length = weights * tip.arc_length;
-  const ContactLine line = describe_contact(mesh, mesh.contact_line);
-  segments.normal = (weights * normals_beside(line, tip.arc_length)).rowwise().normalized();
-  segments.static_shift_1 = segments.static_shift_2 = Eigen::MatrixX3d::Zero(weights.rows(), 3);
-  return segments;
-}
-
-/// The nodes of the contact line that stand next to some arc lengths.
-std::vector<int> nearest_nodes(const SectorMesh& mesh, const Eigen::VectorXd& arc_length) {
-  const Eigen::VectorXd lengths = arc_lengths_beside(mesh, mesh.contact_line);
+/// The nodes of a blade's contact line that stand next to some arc lengths beside the main blade's.
+std::vector<int> nearest_nodes(const SectorMesh& mesh, const std::vector<int>& line,
+                               const Eigen::VectorXd& arc_length) {
+  const Eigen::VectorXd lengths = arc_lengths_beside(mesh, mesh.contact_line, line);
   std::vector<int> nodes;
   for (const double s : arc_length) {
     Eigen::Index nearest = 0;
     (lengths.array() - s).abs().minCoeff(&nearest);
-    nodes.push_back(mesh.contact_line[nearest]);
+    nodes.push_back(line[nearest]);
   }
   return nodes;
+}
+
+void require_tip(const SectorMesh& mesh, const BladeTip& blade) {
+  if (blade.faces.size() == 0)
+    throw InputError(mesh.file + ": has no surface group \"" + blade.faces_group + "\" with the faces of the " +
+                     blade.blade + "'s tip (of the cells' own kind), over which [reduce] contact = " +
+                     "\"segments\" spreads its forces; name it in the mesher, or take \"points\"");
+  if (blade.line.size() < 2)
+    throw InputError(mesh.file + ": the line \"" + blade.line_group +
+                     "\" has one node, of which [reduce] contact = \"segments\" can't be made; name the whole tip "
+                     "line in the mesher, or take \"points\"");
+}
+
+ContactUnknowns segments_of(const SectorMesh& mesh, const BladeTip& blade, int count) {
+  require_tip(mesh, blade);
+  const TipIntegrals tip(mesh, blade, count);
+  const Eigen::MatrixXd weights = scaled(mesh, blade, tip);
+  if (!independent(weights))
+    throw InputError(mesh.file + ": [reduce] contact_nodes = " + std::to_string(count) +
+                     " asks for more segments than the " + std::to_string(tip.nodes.size()) +
+                     " nodes of the tip can tell apart; ask for fewer, or refine the mesh along the blade");
+  const Eigen::VectorXd beside = arc_lengths_beside(mesh, mesh.contact_line, tip.nodes);
+  ContactLine line;
+  line.kind = ContactKind::segments;
+  line.position = weights * cylindrical_places(mesh, tip.nodes);
+  line.arc_length = weights * beside;
+  const Eigen::MatrixX3d normals = normals_beside(describe_contact(mesh, blade.line), beside);
+  line.normal = (weights * normals).rowwise().normalized();
+  line.static_shift_1 = line.static_shift_2 = Eigen::MatrixX3d::Zero(count, 3);
+  return {nearest_nodes(mesh, blade.line, line.arc_length), line, tip.nodes, weights};
+}
+
+/// The segments of the main blade, then those of the splitter.
+ContactUnknowns joined(const ContactUnknowns& main, const ContactUnknowns& splitter) {
+  const auto below = [](const auto& first, const auto& second) {
+    Eigen::MatrixXd all(first.rows() + second.rows(), first.cols());
+    all << first, second;
+    return all;
+  };
+  ContactUnknowns all = main;
+  all.nodes.insert(all.nodes.end(), splitter.nodes.begin(), splitter.nodes.end());
+  all.tip.insert(all.tip.end(), splitter.tip.begin(), splitter.tip.end());
+  all.weights = Eigen::MatrixXd::Zero(main.weights.rows() + splitter.weights.rows(),
+                                      main.weights.cols() + splitter.weights.cols());
+  all.weights.topLeftCorner(main.weights.rows(), main.weights.cols()) = main.weights;
+  all.weights.bottomRightCorner(splitter.weights.rows(), splitter.weights.cols()) = splitter.weights;
+  all.line.splitter_nodes = splitter.line.size();
+  all.line.position = below(main.line.position, splitter.line.position);
+  all.line.normal = below(main.line.normal, splitter.line.normal);
+  all.line.arc_length = below(main.line.arc_length, splitter.line.arc_length);
+  all.line.static_shift_1 = all.line.static_shift_2 = Eigen::MatrixX3d::Zero(all.line.size(), 3);
+  return all;
 }
 
 }  // namespace
@@ -172,9 +216,9 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact) {
   for (Eigen::Index i = 0; i < contact.weights.cols(); ++i) {
     const int first = dofs.first[contact.tip[i]];
     if (first < 0 || first >= dofs.interior)
-      throw InputError(
-          mesh.file + ": the node at " + mesh.place_of(contact.tip[i]) + " of the surface group " +
-          "\"blade_tip\" is clamped or lies on a cyclic face; the tip must be free and inside the sector");
+      throw InputError(mesh.file + ": the node at " + mesh.place_of(contact.tip[i]) + " of the surface group \"" +
+                       ((mesh.splitter_faces.array() == contact.tip[i]).any() ? "splitter_tip" : "blade_tip") +
+                       "\" is clamped or lies on a cyclic face; the tip must be free and inside the sector");
     for (Eigen::Index k = 0; k < contact.weights.rows(); ++k)
       for (int d = 0; d < 3; ++d)
         if (const double weight = contact.weights(k, i); weight != 0)
@@ -187,24 +231,13 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact) {
 ContactUnknowns choose_contact(const SectorMesh& mesh, ContactKind kind, int count) {
   const std::vector<int> nodes = choose_contact_nodes(mesh, count);
   if (kind == ContactKind::points) return {nodes, describe_contact(mesh, nodes)};
-  if (mesh.tip_faces.size() == 0)
-    throw InputError(mesh.file +
-                     ": has no surface group \"blade_tip\" with the faces of the main blade's tip (8-node " +
-                     "ones of 20-node bricks, 9-node ones of 27-node bricks), over which [reduce] contact = " +
-                     "\"segments\" spreads its forces; name it in the mesher, or take \"points\"");
-  if (mesh.contact_line.size() < 2)
-    throw InputError(mesh.file +
-                     ": the line \"contact\" has one node, of which [reduce] contact = \"segments\" can't " +
-                     "be made; name the whole tip line in the mesher, or take \"points\"");
-  const TipIntegrals tip(mesh, count);
-  const Eigen::MatrixXd weights = scaled(mesh, tip);
-  if (!independent(weights))
-    throw InputError(mesh.file + ": [reduce] contact_nodes = " + std::to_string(count) +
-                     " asks for more segments than the " + std::to_string(tip.nodes.size()) +
-                     " nodes of the tip can tell apart; ask for fewer, or refine the mesh along the blade");
-  ContactLine line = describe_segments(mesh, tip, weights);
-  std::vector<int> centres = nearest_nodes(mesh, line.arc_length);
-  return {std::move(centres), std::move(line), tip.nodes, weights};
+  const ContactUnknowns main =
+      segments_of(mesh, {"blade_tip", "contact", "main blade", mesh.tip_faces, mesh.contact_line}, count);
+  if (mesh.splitter_line.empty()) return main;
+  return joined(
+      main,
+      segments_of(mesh, {"splitter_tip", "contact_splitter", "splitter", mesh.splitter_faces, mesh.splitter_line},
+                  count));
 }
 
 }  // namespace tiprub

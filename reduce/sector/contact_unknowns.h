@@ -21,10 +21,10 @@ struct ContactUnknowns {
 /// the tip is clamped or lies on a cut face.
 SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact);
 
-/// `count` contact unknowns. Points: choose_contact_nodes().
+/// `count` contact unknowns on each blade that has a contact line. Points: choose_contact_nodes().
 ///
-/// Segments: knots in equal steps of the contact line's arc length s, and a hat w_k(s) about each, constant through
-/// the blade's thickness, so that all hats together are one. With N_i the shape functions of the tip's faces,
+/// Segments: knots in equal steps of a blade's contact line's arc length s, and a hat w_k(s) about each, constant
+/// through the blade's thickness, so that all hats together are one. With N_i the shape functions of the tip's faces,
 ///     W_ki = int N_i w_k dA / int w_k dA,   q_k = sum_i W_ki u_i:
 /// a gap is the mean over its segment, and a force lambda_k is the traction lambda_k w_k / int w_k dA, consistently
 /// on the nodes. It stays the same traction on any mesh, so that its compliance converges, which that of a force at a

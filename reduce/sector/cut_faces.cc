@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -81,6 +82,42 @@ Pairing pair(const SectorMesh& mesh, double tolerance) {
   return found;
 }
 
+Eigen::Vector3d centre(const SectorMesh& mesh, const std::vector<int>& nodes) {
+  return mesh.nodes(Eigen::all, nodes).rowwise().mean();
+}
+
+std::string in_metres(double length) {
+  std::ostringstream text;
+  text << length;
+  return text.str();
+}
+
+/// [m] the largest distance from a node of cyclic_low, turned, to the nearest one of cyclic_high.
+double largest_mismatch(const SectorMesh& mesh, int sector_count) {
+  const Eigen::AngleAxisd turn(2 * std::numbers::pi / sector_count, Eigen::Vector3d::UnitZ());
+  const Eigen::Matrix3Xd high = mesh.nodes(Eigen::all, mesh.cyclic_high);
+  double largest = 0;
+  for (const int low : mesh.cyclic_low) {
+    const Eigen::Vector3d target = turn * mesh.nodes.col(low);
+    largest = std::max(largest, (high.colwise() - target).colwise().norm().minCoeff());
+  }
+  return largest;
+}
+
+/// That one face is shifted against the other, if it is.
+std::string shift(const SectorMesh& mesh, int sector_count, double tolerance) {
+  const Eigen::AngleAxisd turn(2 * std::numbers::pi / sector_count, Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d by = centre(mesh, mesh.cyclic_high) - turn * centre(mesh, mesh.cyclic_low);
+  SectorMesh other = mesh;
+  for (const int node : mesh.cyclic_high) other.nodes.col(node) -= by;
+  if (!pair(other, tolerance).holds(other)) return "";
+  std::ostringstream text;
+  text << "cyclic_high is cyclic_low turned by 360/" << sector_count << " degrees about z and then shifted by x "
+       << by.x() << ", y " << by.y() << ", z " << by.z()
+       << " m; the axis of rotation must be z through the origin: shift the mesh, or re-mesh the faces";
+  return text.str();
+}
+
 /// Why the faces don't pair, if they would in another frame or under other names; else empty.
 std::string cause(const SectorMesh& mesh, double tolerance) {
   SectorMesh other = mesh;
@@ -96,7 +133,8 @@ std::string cause(const SectorMesh& mesh, double tolerance) {
       if (pair(other, tolerance).holds(other))
         return std::string("the wheel turns about ") + axes[axis] + "; the axis of rotation must be z: turn the mesh";
   }
-  return "";
+  const int sector_count = pair(mesh, tolerance).sector_count;
+  return sector_count == 0 ? "" : shift(mesh, sector_count, tolerance);
 }
 
 }  // namespace
@@ -112,8 +150,9 @@ void pair_cut_faces(SectorMesh& mesh, double tolerance) {
     throw InputError(mesh.file + ": " + std::to_string(found.alone()) + " of " +
                      std::to_string(mesh.cyclic_low.size()) + " nodes on cyclic_low have no partner among the " +
                      std::to_string(mesh.cyclic_high.size()) + " on cyclic_high, turned by 360/" +
-                     std::to_string(found.sector_count) +
-                     " degrees, within tolerance; re-mesh, or raise [reduce] cyclic_tolerance");
+                     std::to_string(found.sector_count) + " degrees, within tolerance; the farthest is " +
+                     in_metres(largest_mismatch(mesh, found.sector_count)) +
+                     " m from the nearest; re-mesh, or raise [reduce] cyclic_tolerance");
   }
   mesh.sector_count = found.sector_count;
   mesh.cyclic_high = std::move(found.partners);

@@ -7,7 +7,7 @@ namespace tiprub {
 
 /// Finds N from the angle between the cut faces, and orders cyclic_high like cyclic_low. Partners may differ by
 /// `tolerance` over the largest radius. Raises InputError where they don't pair, and says whether they would with
-/// their names exchanged, or about another axis.
+/// their names exchanged, about another axis, or shifted; else by how much they miss.
 void pair_cut_faces(SectorMesh& mesh, double tolerance);
 
 }  // namespace tiprub

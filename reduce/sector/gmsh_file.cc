@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 
 #include "cases/program/errors.h"
@@ -151,8 +152,8 @@ std::string read_by_gmsh(const std::string& name) {
     if (const std::size_t at = reason.find(name); at != std::string::npos) reason.replace(at, name.size(), "it");
     if (reason == "Error loading 'it'") reason = "it is cut off or damaged";
     throw InputError("gmsh can't read it: " + reason);
-  } catch (const std::exception&) {  // bad_alloc, length_error
-    throw InputError("gmsh takes more memory for it than there is; do its counts fit what it holds?");
+  } catch (const std::length_error&) {
+    throw InputError("gmsh takes more memory for it than any machine has; its counts don't fit what it holds");
   }
 }
 

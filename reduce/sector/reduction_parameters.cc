@@ -2,6 +2,7 @@
 #include "reduce/sector/reduction_parameters.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cases/program/units.h"
 
@@ -11,8 +12,23 @@ std::string name_of(Prestress prestress) {
   return prestress == Prestress::linear ? "linear" : prestress == Prestress::nonlinear ? "nonlinear" : "stress_only";
 }
 
+namespace {
+
+constexpr double usual_accuracy = 0.02;
+constexpr int most_modes = 500;
+
+/// What the basis leaves out of a motion falls with the square of its size (cases/price_of_accuracy).
+int modes_for(double accuracy, int usual) {
+  const double more = std::sqrt(std::max(1.0, usual_accuracy / accuracy));
+  return std::min(static_cast<int>(std::lround(usual * more)), most_modes);
+}
+
+}  // namespace
+
 ReductionParameters read_reduction_parameters(CaseTable& table) {
   ReductionParameters p;
+  const double accuracy =
+      table.number("accuracy", usual_accuracy, Range::between(1e-5, 0.5), "of a critical speed's amplitude");
   p.material.young = table.number("young_modulus", std::nullopt, Range::between(1.0, 1e15), "Pa");
   p.material.poisson = table.number("poisson_ratio", std::nullopt, Range::between(0.0, 0.49), "1");
   p.material.density = table.number("density", std::nullopt, Range::between(1e-3, 1e6), "kg/m^3");
@@ -24,12 +40,14 @@ ReductionParameters read_reduction_parameters(CaseTable& table) {
   p.contact = table.choice<ContactKind>("contact", ContactKind::points,
                                         {{"points", ContactKind::points}, {"segments", ContactKind::segments}});
   p.contact_nodes = table.integer("contact_nodes", 10, Range::between(1, 200), "");
-  p.fixed_interface_modes = table.integer("fixed_interface_modes", 40, Range::between(1, 500), "a speed");
-  p.modes_at_speed = table.integer("modes_at_speed", 60, Range::between(0, 5000), "generalized dofs; 0: all");
+  p.fixed_interface_modes =
+      table.integer("fixed_interface_modes", modes_for(accuracy, 40), Range::between(1, most_modes), "a speed");
+  p.modes_at_speed =
+      table.integer("modes_at_speed", modes_for(accuracy, 60), Range::between(0, 5000), "generalized dofs; 0: all");
   p.verification_speeds = table.numbers("verification_speeds", {{0.0, 0.15, 0.35, 0.6, 0.85, 0.95}},
                                         Range::between(0.0, 2.0), "of speed_max_rpm");
   p.frequency_tolerance =
-      table.number("frequency_tolerance", 5e-4, {0.0, 1.0, Range::LowEnd::excluded},
+      table.number("frequency_tolerance", accuracy / 40, {0.0, 1.0, Range::LowEnd::excluded},
                    "of a frequency, at quarters of the top speed; what the basis misses joins it");
   p.polynomial_speeds = table.integer("polynomial_speeds", 0, Range::between(0, 9),
                                       "of the shape under nonlinear spin, rest among them; 0: as many as it takes");

@@ -44,11 +44,12 @@ void add_blocks(const Eigen::MatrixXd& scalar, const Eigen::Vector3d& diagonal, 
       for (int k = 0; k < 3; ++k) matrix(3 * a + k, 3 * b + k) += diagonal[k] * scalar(a, b);
 }
 
-Eigen::MatrixXd consistent_mass(const BrickPoints& points, double density) {
+Eigen::MatrixXd consistent_mass(const CellPoints& points, double density) {
   return density * points.shape * points.weight.asDiagonal() * points.shape.transpose();
 }
 
-/// The pattern of a symmetric matrix over the sector's dofs, lower triangle, with zeros in it.
+}  // namespace
+
 SymmetricMatrix zero_matrix(const SectorMesh& mesh, const SectorDofs& dofs) {
   const std::vector<std::vector<int>> neighbours = node_neighbours(mesh);
   std::vector<int> node_of(dofs.sector() / 3);
@@ -72,8 +73,6 @@ SymmetricMatrix zero_matrix(const SectorMesh& mesh, const SectorDofs& dofs) {
   matrix.makeCompressed();
   return matrix;
 }
-
-}  // namespace
 
 Eigen::Matrix<double, 6, 6> Material::elasticity() const {
   const double shear = young / (2 * (1 + poisson));
@@ -134,7 +133,7 @@ void RotatingElasticity::scatter(const Eigen::MatrixXd& cell_matrix, const std::
 }
 
 SymmetricMatrix RotatingElasticity::mass() const {
-  return assemble([&](const BrickPoints& points) {
+  return assemble([&](const CellPoints& points) {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * points.shape.rows(), 3 * points.shape.rows());
     add_blocks(consistent_mass(points, material_.density), Eigen::Vector3d::Ones(), matrix);
     return matrix;
@@ -146,7 +145,7 @@ SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3
   const Eigen::Matrix<double, 6, 6> C = material_.elasticity();
   const double square = softening == SpinSoftening::on ? speed * speed : 0.0;
   const Eigen::Vector3d softened(-square, -square, 0.0);
-  return assemble([&](const BrickPoints& points) {
+  return assemble([&](const CellPoints& points) {
     const Eigen::Index count = points.shape.rows(), gauss = points.weight.size();
     const Eigen::Matrix3Xd moved = displacement(Eigen::all, points.nodes);
     Eigen::MatrixXd B(6 * gauss, 3 * count), CB(6 * gauss, 3 * count);
@@ -170,7 +169,7 @@ SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3
 Eigen::VectorXd RotatingElasticity::assemble_forces(const CellForces& cell_forces) const {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(dofs_.sector());
   for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
-    const BrickPoints& points = quadrature_.at(cell);
+    const CellPoints& points = quadrature_.at(cell);
     const Eigen::Matrix3Xd nodal = cell_forces(points);
     for (std::size_t a = 0; a < points.nodes.size(); ++a)
       if (const int first = dofs_.first[points.nodes[a]]; first >= 0)
@@ -185,7 +184,7 @@ Eigen::VectorXd RotatingElasticity::centrifugal_load() const {
 }
 
 Eigen::VectorXd RotatingElasticity::centrifugal_load(const Eigen::Matrix3Xd& displacement) const {
-  return assemble_forces([&](const BrickPoints& points) -> Eigen::Matrix3Xd {
+  return assemble_forces([&](const CellPoints& points) -> Eigen::Matrix3Xd {
     Eigen::Matrix3Xd radius = points.position + displacement(Eigen::all, points.nodes) * points.shape;
     radius.row(2).setZero();
     return material_.density * radius * points.weight.asDiagonal() * points.shape.transpose();
@@ -193,7 +192,7 @@ Eigen::VectorXd RotatingElasticity::centrifugal_load(const Eigen::Matrix3Xd& dis
 }
 
 Eigen::VectorXd RotatingElasticity::internal_force(const Eigen::Matrix3Xd& displacement) const {
-  return assemble_forces([&](const BrickPoints& points) {
+  return assemble_forces([&](const CellPoints& points) {
     const Eigen::Matrix3Xd moved = displacement(Eigen::all, points.nodes);
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, moved.cols());
     for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
@@ -208,7 +207,7 @@ Eigen::VectorXd RotatingElasticity::internal_force(const Eigen::Matrix3Xd& displ
 
 SymmetricMatrix RotatingElasticity::stiffness_of(const std::vector<int>& cells) const {
   const Eigen::Matrix<double, 6, 6> C = material_.elasticity();
-  return assemble(cells, [&](const BrickPoints& points) {
+  return assemble(cells, [&](const CellPoints& points) {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * points.shape.rows(), 3 * points.shape.rows());
     Strain B(6, 3 * points.shape.rows());
     for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
@@ -222,7 +221,7 @@ SymmetricMatrix RotatingElasticity::stiffness_of(const std::vector<int>& cells) 
 Eigen::VectorXd RotatingElasticity::von_mises(const Eigen::Matrix3Xd& displacement, Prestress prestress) const {
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(quadrature_.cell_count());
   for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
-    const BrickPoints& points = quadrature_.at(cell);
+    const CellPoints& points = quadrature_.at(cell);
     for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
       const Eigen::Matrix3d H = displacement(Eigen::all, points.nodes) * points.gradient[q];
       const Eigen::Matrix3d F = Eigen::Matrix3d::Identity() + H;

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "reduce/sector/brick_quadrature.h"
+#include "reduce/sector/cell_quadrature.h"
 #include "reduce/sector/sector_dofs.h"
 #include "reduce/sector/sector_mesh.h"
 
@@ -37,9 +37,12 @@ enum class SpinSoftening { on, off };
 /// Lower triangle of a symmetric matrix over the sector's dofs.
 using SymmetricMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
+/// The pattern of a matrix over the sector's dofs, with zeros in it.
+SymmetricMatrix zero_matrix(const SectorMesh& mesh, const SectorDofs& dofs);
+
 /// K, M and the load of one sector in the rotating frame, on its own dofs (both cut faces free; Y_s of eq. 5, of
-/// which the blocks of eq. 3 are made, see CyclicTransformation), in cylindrical components. Assembly is by full 3 x
-/// 3 x 3 Gauss quadrature on 20- or 27-node bricks.
+/// which the blocks of eq. 3 are made, see CyclicTransformation), in cylindrical components. Assembly is by the
+/// quadrature of each kind of cell.
 class RotatingElasticity {
  public:
   /// Assembly runs on up to `threads` threads; the result doesn't depend on their number.
@@ -67,10 +70,10 @@ class RotatingElasticity {
   double volume() const;
 
  private:
-  using CellMatrix = std::function<Eigen::MatrixXd(const BrickPoints&)>;
+  using CellMatrix = std::function<Eigen::MatrixXd(const CellPoints&)>;
   SymmetricMatrix assemble(const CellMatrix& cell_matrix) const;
   SymmetricMatrix assemble(const std::vector<int>& cells, const CellMatrix& cell_matrix) const;
-  using CellForces = std::function<Eigen::Matrix3Xd(const BrickPoints&)>;  // x, y, z at the nodes of a brick
+  using CellForces = std::function<Eigen::Matrix3Xd(const CellPoints&)>;  // x, y, z at the nodes of a cell
   Eigen::VectorXd assemble_forces(const CellForces& cell_forces) const;
   void scatter(const Eigen::MatrixXd& cell_matrix, const std::vector<int>& nodes, SymmetricMatrix& into) const;
 
@@ -78,7 +81,7 @@ class RotatingElasticity {
   const SectorDofs& dofs_;
   Material material_;
   int threads_;
-  BrickQuadrature quadrature_;
+  CellQuadrature quadrature_;
   SymmetricMatrix zero_;  ///< the pattern
 };
 

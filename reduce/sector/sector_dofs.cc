@@ -9,6 +9,7 @@
 #include <string>
 
 #include "cases/program/errors.h"
+#include "mesh/cells/cell_kind.h"
 #include "reduce/model/child_process.h"
 
 namespace tiprub {
@@ -81,8 +82,13 @@ std::vector<int> dissect(const std::vector<int>& interior, const std::vector<std
 std::vector<std::vector<int>> node_neighbours(const SectorMesh& mesh) {
   std::vector<std::vector<int>> neighbours(mesh.node_count());
   for (Eigen::Index cell = 0; cell < mesh.cells.cols(); ++cell)
-    for (const int node : mesh.cells.col(cell))
-      neighbours[node].insert(neighbours[node].end(), mesh.cells.col(cell).begin(), mesh.cells.col(cell).end());
+    for (const int node : nodes_of(mesh.cells, cell))
+      for (const int other : nodes_of(mesh.cells, cell)) neighbours[node].push_back(other);
+  if (mesh.matrices != nullptr)
+    for (const Eigen::SparseMatrix<double>* matrix : {&mesh.matrices->mass, &mesh.matrices->stiffness.front()})
+      for (int column = 0; column < matrix->outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator at(*matrix, column); at; ++at)
+          neighbours[column / 3].push_back(static_cast<int>(at.row()) / 3);
   for (auto& list : neighbours) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());

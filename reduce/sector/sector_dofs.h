@@ -37,7 +37,7 @@ struct SectorDofs {
 /// lies on a cut face, or if a node on the axis is free (it has no cylindrical frame).
 SectorDofs number_dofs(const SectorMesh& mesh, const std::vector<int>& contact);
 
-/// Nodes that share a cell with each node, itself included, ascending.
+/// Nodes that share a cell, or an entry of the matrices, with each node, itself included, ascending.
 std::vector<std::vector<int>> node_neighbours(const SectorMesh& mesh);
 
 /// The frame of a node: columns e_r, e_theta, e_z in x, y, z.

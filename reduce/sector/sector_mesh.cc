@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "cases/program/digest.h"
+#include "mesh/cells/cell_kind.h"
 
 namespace tiprub {
 
@@ -17,7 +18,7 @@ std::string place_text(const Eigen::Vector3d& position) {
 std::string digest(const SectorMesh& mesh) {
   Digest digest;
   digest.add(mesh.sector_count);
-  digest.add(mesh.nodes_per_cell());
+  digest.add(static_cast<int>(mesh.cells.rows()));
   digest.add(mesh.nodes.data(), static_cast<std::size_t>(mesh.nodes.size()));
   digest.add(mesh.cells.data(), static_cast<std::size_t>(mesh.cells.size()));
   const auto add = [&](const std::vector<int>& members) {
@@ -26,11 +27,28 @@ std::string digest(const SectorMesh& mesh) {
   };
   for (const auto* group : {&mesh.cyclic_low, &mesh.cyclic_high, &mesh.clamped, &mesh.contact_line}) add(*group);
   digest.add(mesh.tip_faces.data(), static_cast<std::size_t>(mesh.tip_faces.size()));
+  if (!mesh.splitter_line.empty()) {
+    add(mesh.splitter_line);
+    digest.add(mesh.splitter_faces.data(), static_cast<std::size_t>(mesh.splitter_faces.size()));
+  }
+  if (mesh.matrices != nullptr)
+    for (const Eigen::SparseMatrix<double>* matrix : {&mesh.matrices->mass, &mesh.matrices->stiffness.front()})
+      digest.add(matrix->valuePtr(), static_cast<std::size_t>(matrix->nonZeros()));
   for (const auto& [name, cells] : mesh.parts) {
     digest.add(name);
     add(cells);
   }
   return digest.digits();
+}
+
+std::string SectorMesh::kinds_in_words() const {
+  if (matrices != nullptr) return "given by their matrices";
+  std::map<int, int> counts;
+  for (int cell = 0; cell < cell_count(); ++cell) ++counts[static_cast<int>(nodes_of(cells, cell).size())];
+  std::string words;
+  for (const auto& [size, count] : counts)
+    words += (words.empty() ? "" : ", ") + std::to_string(count) + " " + cell_kind(size).name;
+  return words;
 }
 
 std::string SectorMesh::place_of(int node) const {

@@ -2,31 +2,44 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace tiprub {
 
-/// One sector of a wheel, as it lies in sector.msh: quadratic bricks and the named groups. The axis of rotation is z.
+/// K and M of a sector as another code made them: x, y, z of each node, both triangles.
+struct SectorMatrices {
+  Eigen::SparseMatrix<double> mass;                    ///< [kg]
+  std::vector<double> speeds;                          ///< [rad/s] rest first
+  std::vector<Eigen::SparseMatrix<double>> stiffness;  ///< [N/m] at these
+};
+
+/// One sector of a wheel, as it lies in sector.msh: quadratic cells and the named groups. The axis of rotation is z.
 struct SectorMesh {
   std::string file = "the sector";     ///< where it comes from, for messages
   int sector_count = 0;                ///< N, found from the angle between the two cut faces; 1 without them
   Eigen::Matrix3Xd nodes;              ///< [m] x, y, z; 3 x nodes
-  Eigen::MatrixXi cells;               ///< node numbers in gmsh's order; 20 or 27 x cells
+  Eigen::MatrixXi cells;               ///< node numbers in gmsh's order, then -1 (see nodes_of()); most nodes x cells
   std::vector<std::size_t> cell_tags;  ///< gmsh's numbers of the cells, for messages; may be left empty
   std::vector<int> cyclic_low;         ///< nodes of the lower cut face
   std::vector<int> cyclic_high;        ///< the same turned by +2 pi/N: node k stands where cyclic_low[k] comes to lie
   std::vector<int> clamped;            ///< nodes that don't move
   std::vector<int> contact_line;       ///< nodes of the main blade's tip line, from leading to trailing edge
-  Eigen::MatrixXi tip_faces;  ///< node numbers of the faces of the main blade's tip, in gmsh's order; 8 or 9 x
-                              ///< faces, none if the mesh doesn't name them
-  std::map<std::string, std::vector<int>> parts;  ///< cells of `disc`, `main_blade`, `splitter`, where present
-  double pairing_mismatch = 0;                    ///< [m] largest distance between partners on the cut faces
+  std::vector<int> splitter_line;      ///< nodes of the splitter's, likewise; none unless contact is wanted there
+  Eigen::MatrixXi tip_faces;  ///< node numbers of the faces of the main blade's tip, in gmsh's order, then -1; none
+                              ///< if the mesh doesn't name them
+  Eigen::MatrixXi splitter_faces;                  ///< of the splitter's tip, likewise
+  std::map<std::string, std::vector<int>> parts;   ///< cells of `disc`, `main_blade`, `splitter`, where present
+  std::shared_ptr<const SectorMatrices> matrices;  ///< of a sector that is given by them, and then has no cells
+  double pairing_mismatch = 0;                     ///< [m] largest distance between partners on the cut faces
 
   int node_count() const { return static_cast<int>(nodes.cols()); }
   int cell_count() const { return static_cast<int>(cells.cols()); }
-  int nodes_per_cell() const { return static_cast<int>(cells.rows()); }
+  /// "1500 tet10, 96 wedge15", for people.
+  std::string kinds_in_words() const;
   /// "x y z = 0.1 0 0.02 m", for messages.
   std::string place_of(int node) const;
   /// "cell 12 (main_blade)": by gmsh's number, or by ours from 0 where there is none, and the part that it is in.

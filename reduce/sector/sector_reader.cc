@@ -2,11 +2,15 @@
 #include "reduce/sector/sector_reader.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 
 #include "cases/program/errors.h"
+#include "mesh/cells/cell_kind.h"
 #include "reduce/sector/contact_line.h"
 #include "reduce/sector/cut_faces.h"
 #include "reduce/sector/gmsh_file.h"
@@ -15,13 +19,16 @@ namespace tiprub {
 
 namespace {
 
-constexpr int line_2 = 1, line_3 = 8, point = 15, face_8 = 16, face_9 = 10, brick_20 = 17,
-              brick_27 = 12;  // gmsh's element types
+constexpr int line_2 = 1, line_3 = 8, point = 15;                                  // gmsh's element types
+constexpr std::array<std::array<int, 2>, 3> faces = {{{9, 6}, {16, 8}, {10, 9}}};  // those of faces, and their nodes
+
+using CellTags = std::vector<std::vector<std::size_t>>;  // gmsh's node tags, a list a cell
 
 /// gmsh's node tags to our numbers, 0 .. nodes-1 in the order of the tags; only nodes of cells are kept.
 class NodeNumbers {
  public:
-  explicit NodeNumbers(std::vector<std::size_t> tags) : tags_(std::move(tags)) {
+  explicit NodeNumbers(const CellTags& cells) {
+    for (const std::vector<std::size_t>& cell : cells) tags_.insert(tags_.end(), cell.begin(), cell.end());
     std::sort(tags_.begin(), tags_.end());
     tags_.erase(std::unique(tags_.begin(), tags_.end()), tags_.end());
   }
@@ -36,44 +43,61 @@ class NodeNumbers {
   std::vector<std::size_t> tags_;
 };
 
+/// The kind of cell of one of gmsh's types.
+const CellKind& kind_of(const GmshElements& elements, const std::string& mesh) {
+  for (const CellKind& kind : all_cell_kinds())
+    if (kind.gmsh_type == elements.type) return kind;
+  constexpr std::array<int, 4> linear = {4, 5, 6, 7}, complete = {13, 14};
+  const auto is_in = [&](const auto& types) {
+    return std::find(types.begin(), types.end(), elements.type) != types.end();
+  };
+  const std::string what = is_in(linear)
+                               ? "; its cells have corners only: make them quadratic, by gmsh FILE -order 2 -save "
+                                 "-o sector.msh, or Mesh.ElementOrder = 2"
+                           : is_in(complete) ? "; set Mesh.SecondOrderIncomplete = 1 in gmsh"
+                                             : "";
+  throw InputError(mesh + ": volume group \"sector\" holds elements of gmsh type " + std::to_string(elements.type) +
+                   "; it must hold tet10 (11), pyramid13 (19), wedge15 (18), hex20 (17), or hex27 (12) only" + what);
+}
+
 /// The cells in the file's order, entity by entity, which is the same in all of gmsh's formats: sums over them are
-/// the same to the last bit.
-std::vector<std::size_t> read_cells(const GmshFile& file, SectorMesh& mesh) {
-  std::vector<std::size_t> cells;
-  std::size_t width = 0;
+/// the same to the last bit. Node tags, a list a cell.
+CellTags read_cells(const GmshFile& file, SectorMesh& mesh) {
+  CellTags cells;
+  std::set<int> kinds;
   for (const GmshElements& elements : file.group(3, "sector")) {
-    const std::size_t wanted = elements.type == brick_20 ? 20 : elements.type == brick_27 ? 27 : 0;
-    if (wanted == 0 || (width != 0 && wanted != width))
-      throw InputError(mesh.file + ": volume group \"sector\" holds elements of gmsh type " +
-                       std::to_string(elements.type) +
-                       "; it must hold 20-node bricks (17) only, or 27-node bricks (12) only");
-    width = wanted;
-    cells.insert(cells.end(), elements.nodes.begin(), elements.nodes.end());
+    const int width = kind_of(elements, mesh.file).nodes();
+    kinds.insert(width);
+    for (auto at = elements.nodes.begin(); at != elements.nodes.end(); at += width)
+      cells.emplace_back(at, at + width);
     mesh.cell_tags.insert(mesh.cell_tags.end(), elements.tags.begin(), elements.tags.end());
   }
-  if (width == 0) throw InputError(mesh.file + ": has no volume group \"sector\" with cells; name it in the mesher");
-  mesh.cells.resize(static_cast<Eigen::Index>(width), static_cast<Eigen::Index>(cells.size() / width));
+  if (cells.empty())
+    throw InputError(mesh.file + ": has no volume group \"sector\" with cells; name it in the mesher");
+  constexpr int lagrange = 27;
+  if (kinds.contains(lagrange) && kinds.size() > 1)
+    throw InputError(mesh.file +
+                     ": hex27 beside other kinds of cells: their faces don't fit; mesh the bricks as hex20");
+  mesh.cells = Eigen::MatrixXi::Constant(*kinds.rbegin(), static_cast<Eigen::Index>(cells.size()), -1);
   return cells;
 }
 
 /// The cells of each part of the sector that has a name.
-std::map<std::string, std::vector<int>> read_parts(const GmshFile& file, const std::vector<std::size_t>& cells,
-                                                   std::size_t width) {
-  const auto key = [&](const std::vector<std::size_t>& nodes, std::size_t first) {
-    const auto begin = nodes.begin() + static_cast<std::ptrdiff_t>(first);
-    std::vector<std::size_t> sorted(begin, begin + static_cast<std::ptrdiff_t>(width));
-    std::sort(sorted.begin(), sorted.end());
-    return sorted;
+std::map<std::string, std::vector<int>> read_parts(const GmshFile& file, const CellTags& cells) {
+  const auto sorted = [](std::vector<std::size_t> nodes) {
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
   };
   std::map<std::vector<std::size_t>, int> cell_of;
-  for (std::size_t first = 0; first < cells.size(); first += width)
-    cell_of[key(cells, first)] = static_cast<int>(first / width);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) cell_of[sorted(cells[cell])] = static_cast<int>(cell);
   std::map<std::string, std::vector<int>> parts;
   for (const char* name : {"disc", "main_blade", "splitter"})
-    for (const GmshElements& elements : file.group(3, name))
-      for (std::size_t first = 0; first + width <= elements.nodes.size(); first += width)
-        if (const auto at = cell_of.find(key(elements.nodes, first)); at != cell_of.end())
+    for (const GmshElements& elements : file.group(3, name)) {
+      const auto width = static_cast<std::ptrdiff_t>(elements.nodes_per_element());
+      for (auto first = elements.nodes.begin(); first != elements.nodes.end(); first += width)
+        if (const auto at = cell_of.find(sorted({first, first + width})); at != cell_of.end())
           parts[name].push_back(at->second);
+    }
   return parts;
 }
 
@@ -111,14 +135,27 @@ void read_cut_faces(const GmshFile& file, const NodeNumbers& numbers, double tol
   pair_cut_faces(mesh, tolerance);
 }
 
-/// The main blade's tip, if the mesh names it, and by faces of its cells; not all reductions ask for it.
-Eigen::MatrixXi read_tip(const GmshFile& file, const NodeNumbers& numbers, int nodes_per_cell) {
-  std::vector<int> nodes;
-  const int type = nodes_per_cell == 20 ? face_8 : face_9, width = nodes_per_cell == 20 ? 8 : 9;
-  for (const GmshElements& elements : file.group(2, "blade_tip"))
-    for (const std::size_t tag : elements.nodes) nodes.push_back(elements.type == type ? numbers.find(tag) : -1);
-  if (std::count(nodes.begin(), nodes.end(), -1) > 0) nodes.clear();
-  return Eigen::Map<Eigen::MatrixXi>(nodes.data(), width, static_cast<Eigen::Index>(nodes.size()) / width);
+/// A blade's tip, if the mesh names it, and by faces of its cells; not all reductions ask for it.
+Eigen::MatrixXi read_tip(const GmshFile& file, const std::string& name, const NodeNumbers& numbers) {
+  std::vector<std::vector<int>> tip;
+  int most = 0;
+  for (const GmshElements& elements : file.group(2, name)) {
+    const auto known =
+        std::find_if(faces.begin(), faces.end(), [&](const auto& face) { return face[0] == elements.type; });
+    if (known == faces.end()) return {};
+    const int width = (*known)[1];
+    most = std::max(most, width);
+    for (auto at = elements.nodes.begin(); at != elements.nodes.end(); at += width) {
+      tip.emplace_back();
+      std::transform(at, at + width, std::back_inserter(tip.back()),
+                     [&](std::size_t tag) { return numbers.find(tag); });
+      if (std::count(tip.back().begin(), tip.back().end(), -1) > 0) return {};
+    }
+  }
+  Eigen::MatrixXi table = Eigen::MatrixXi::Constant(most, static_cast<Eigen::Index>(tip.size()), -1);
+  for (std::size_t face = 0; face < tip.size(); ++face)
+    std::copy(tip[face].begin(), tip[face].end(), table.col(static_cast<Eigen::Index>(face)).begin());
+  return table;
 }
 
 /// The nodes of each curve element (or point), in order along it.
@@ -139,7 +176,7 @@ std::vector<std::vector<std::size_t>> line_pieces(const GmshFile& file, const st
   return pieces;
 }
 
-/// The nodes of a chain of line elements (or of points) in order.
+/// The nodes of a chain of line elements (or of points) in order; none if the mesh doesn't name it.
 std::vector<int> read_line(const GmshFile& file, const std::string& name, const NodeNumbers& numbers,
                            const SectorMesh& mesh) {
   std::vector<int> nodes;
@@ -155,9 +192,6 @@ std::vector<int> read_line(const GmshFile& file, const std::string& name, const 
       if (!joins) nodes.push_back(node);
     }
   }
-  if (nodes.empty())
-    throw InputError(mesh.file + ": has no curve or points named \"" + name +
-                     "\" (the main blade's tip, from leading to trailing edge); name it in the mesher");
   return nodes;
 }
 
@@ -167,15 +201,24 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
   const GmshFile file = read_gmsh_file(path);
   SectorMesh mesh;
   mesh.file = path.string();
-  const std::vector<std::size_t> cells = read_cells(file, mesh);
+  const CellTags cells = read_cells(file, mesh);
   const NodeNumbers numbers(cells);
   mesh.nodes = read_positions(file, numbers, mesh.file);
-  for (std::size_t i = 0; i < cells.size(); ++i) mesh.cells.data()[i] = numbers.find(cells[i]);
-  mesh.parts = read_parts(file, cells, static_cast<std::size_t>(mesh.cells.rows()));
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    for (std::size_t k = 0; k < cells[cell].size(); ++k)
+      mesh.cells(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(cell)) = numbers.find(cells[cell][k]);
+  mesh.parts = read_parts(file, cells);
   read_cut_faces(file, numbers, tolerance, mesh);
   mesh.clamped = read_surface(file, "clamped", numbers, mesh.file);
-  mesh.tip_faces = read_tip(file, numbers, mesh.nodes_per_cell());
+  mesh.tip_faces = read_tip(file, "blade_tip", numbers);
   mesh.contact_line = read_line(file, "contact", numbers, mesh);
+  if (mesh.contact_line.empty())
+    throw InputError(
+        mesh.file +
+        ": has no curve or points named \"contact\" (the main blade's tip, from leading to trailing edge); "
+        "name it in the mesher");
+  mesh.splitter_line = read_line(file, "contact_splitter", numbers, mesh);
+  if (!mesh.splitter_line.empty()) mesh.splitter_faces = read_tip(file, "splitter_tip", numbers);
   require_one_way(mesh);
   return mesh;
 }

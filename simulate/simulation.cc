@@ -43,6 +43,7 @@ Inputs read_inputs(const StageArguments& arguments) {
   SimulateParameters parameters = read_simulate_parameters(simulate_table);
   ReducedModel model = read_model(arguments.inputs[1]);
   require_lengths_in_metres(casing_table, casing, model.contact);
+  require_blades_of_wheel(casing_table, casing, parameters, model.sector_count);
   require_speed_of_model(simulate_table, simulate_table.has("speeds_rpm") ? "speeds_rpm" : "speed_max_rpm",
                          parameters.speeds.back(), model, arguments.inputs[1]);
   require_speed_of_model(casing_table, "clearance_speed_rpm", casing.clearance_speed, model, arguments.inputs[1]);
@@ -121,6 +122,7 @@ void simulate(const StageArguments& arguments, int threads) {
     return;
   }
   ProcessGroup group;
+  if (group.leads()) say_blas(arguments);
   const std::vector<double> breaking = run(arguments, inputs, scope, threads, group);
   if (breaking.empty() || inputs.parameters.when_symmetry_breaks == BrokenSymmetry::mark) return;
   group.restart();

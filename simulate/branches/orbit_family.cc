@@ -164,7 +164,7 @@ double OrbitFamily::amplitude(double speed, const Eigen::VectorXd& state) {
   return map(speed)->amplitude(state);
 }
 
-int OrbitFamily::maps_per_revolution() const {
+double OrbitFamily::maps_per_revolution() const {
   return std::lcm(scene_.model.sector_count, scene_.casing.lobes);
 }
 

@@ -30,7 +30,7 @@ class OrbitFamily {
   std::shared_ptr<PeriodicMap> at(double speed);
   /// [m] half of the peak-to-peak normal displacement of the orbit through a state, as SpeedResponse has it.
   double amplitude(double speed, const Eigen::VectorXd& state);
-  int maps_per_revolution() const;
+  double maps_per_revolution() const;
   /// A state of SymmetricMap's, at a speed, as one of this family; and back.
   Eigen::VectorXd of_family(double speed, const Eigen::VectorXd& state);
   Eigen::VectorXd of_march(double speed, const Eigen::VectorXd& state);

@@ -10,14 +10,11 @@ namespace tiprub {
 
 namespace {
 
-constexpr double diagonal_shift = 1e-12;  // of W's diagonal
-constexpr double gap_tolerance = 1e-12;   // of the deepest penetration of the free step
+constexpr double diagonal_shift = 1e-12;    // of W's diagonal
+constexpr double gap_tolerance = 1e-12;     // of the deepest penetration of the free step
+constexpr double inverse_rounding = 1e-13;  // of the deepest gap of the closed nodes
 constexpr int active_set_rounds = 25;
 constexpr int least_index_rounds = 200;  // a node
-
-std::size_t whole_vectors(std::size_t size) {
-  return (size + kernels::Lines::doubles - 1) / kernels::Lines::doubles * kernels::Lines::doubles;
-}
 
 }  // namespace
 
@@ -27,13 +24,14 @@ ContactImpulses::ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule 
       correction_(multipliers_),
       free_gap_(multipliers_),
       gap_(multipliers_),
-      stride_(whole_vectors(static_cast<std::size_t>(compliance.rows()))),
+      stride_(kernels::whole_vectors(static_cast<std::size_t>(compliance.rows()))),
       compliance_(stride_ * stride_),
       lower_(stride_ * stride_),
       upper_(stride_ * stride_),
       inverse_pivots_(stride_),
       closed_forces_(stride_),
-      padded_correction_(stride_) {
+      padded_correction_(stride_),
+      inverse_(compliance_.data(), stride_, diagonal_shift) {
   for (Eigen::Index column = 0; column < compliance.cols(); ++column)
     for (Eigen::Index row = 0; row < compliance.rows(); ++row)
       compliance_[static_cast<std::size_t>(column) * stride_ + row] = compliance(row, column);
@@ -53,7 +51,7 @@ void ContactImpulses::factorize() {
     const double* from = compliance_.data() + stride_ * closed_[column];
     double* to = lower_.data() + stride_ * column;
     for (std::size_t row = column; row < size; ++row) to[row] = from[closed_[row]];
-    std::fill(to + size, to + whole_vectors(size), 0.0);
+    std::fill(to + size, to + kernels::whole_vectors(size), 0.0);
     to[column] *= 1 + diagonal_shift;
   }
   if (!kernels::factorize(factor(), closed_.size()))
@@ -63,17 +61,42 @@ void ContactImpulses::factorize() {
   ++factorizations_;
 }
 
-/// eq. 15: lambda on the closed set, W_cc lambda_c = -g_c, so that eq. 14 holds there, and what it does to all gaps.
-void ContactImpulses::solve_closed() {
+/// What the inverse gives, if it leaves the closed nodes as near to the wall as a factor would. Else the inverse is
+/// given up.
+bool ContactImpulses::solve_by_inverse() {
+  if (!inverse_.follow(closed_)) return false;
+  const std::vector<int>& nodes = inverse_.nodes();
+  const double* forces = inverse_.forces(free_gap_.data());
+  kernels::combine_columns({compliance_.data(), stride_, stride_}, nodes.data(), forces, nodes.size(),
+                           padded_correction_.data());
+  double deepest = 0, left = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int node = nodes[i];
+    const double shift = diagonal_shift * compliance_[stride_ * node + node] * forces[i];
+    multipliers_[node] = forces[i];
+    left = std::max(left, std::abs(free_gap_[node] + padded_correction_[node] + shift));
+    deepest = std::max(deepest, std::abs(free_gap_[node]));
+  }
+  if (left <= inverse_rounding * deepest) return true;
+  inverse_.clear();
+  return false;
+}
+
+void ContactImpulses::solve_by_factor() {
   factorize();
-  multipliers_.setZero();
   const std::size_t size = closed_.size();
   for (std::size_t i = 0; i < size; ++i) closed_forces_[i] = -free_gap_[closed_[i]];
-  std::fill(closed_forces_.data() + size, closed_forces_.data() + whole_vectors(size), 0.0);
+  std::fill(closed_forces_.data() + size, closed_forces_.data() + kernels::whole_vectors(size), 0.0);
   if (size > 0) kernels::solve(factor(), size, closed_forces_.data());
   for (std::size_t i = 0; i < size; ++i) multipliers_[closed_[i]] = closed_forces_[i];
-  kernels::combine_columns(compliance_.data(), stride_, closed_.data(), closed_forces_.data(), size,
+  kernels::combine_columns({compliance_.data(), stride_, stride_}, closed_.data(), closed_forces_.data(), size,
                            padded_correction_.data());
+}
+
+/// eq. 15: lambda on the closed set, W_cc lambda_c = -g_c, so that eq. 14 holds there, and what it does to all gaps.
+void ContactImpulses::solve_closed() {
+  multipliers_.setZero();
+  if (!solve_by_inverse()) solve_by_factor();
   std::copy_n(padded_correction_.data(), correction_.size(), correction_.data());
 }
 

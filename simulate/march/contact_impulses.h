@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulate/march/cache_lines.h"
+#include "simulate/march/closed_inverse.h"
 #include "simulate/march/contact_kernels.h"
 #include "simulate/scene/scheme.h"
 
@@ -14,8 +15,9 @@ namespace tiprub {
 /// The contact forces of one step. With g the gaps of the free step (positive open) and W the compliance of the
 /// contact nodes over one step (block circulant, built once a speed), finds lambda >= 0 with
 ///   g+ = g + W lambda >= 0,  lambda . g+ = 0
-/// by a primal-dual active set (Hintermueller, Ito, Kunisch 2003), warm-started from the last step's set: 1-2
-/// factorizations of the closed nodes' block, none if the set stands. If that doesn't settle, Murty's least-index
+/// by a primal-dual active set (Hintermueller, Ito, Kunisch 2003), warm-started from the last step's set. Each set is
+/// solved with the inverse of the closed nodes' block, kept from step to step, and where that leaves more than
+/// rounding with a factor. If no set stands, Murty's least-index
 /// method (1974), which is finite for a positive definite W. W gets a relative shift on its diagonal, so that tied
 /// or doubled nodes (a singular W) keep a solution; it leaves a closed node off the wall by 1e-12 W_ii lambda_i.
 ///
@@ -40,12 +42,15 @@ class ContactImpulses {
   /// Indices of closed nodes, ascending.
   const std::vector<int>& closed() const { return closed_; }
 
+  /// How often the inverse did not do.
   std::int64_t factorizations() const { return factorizations_; }
   std::int64_t fallbacks() const { return fallbacks_; }
 
  private:
   /// All of them work on free_gap_, gap_, closed_, multipliers_ and correction_.
   void solve_closed();
+  bool solve_by_inverse();
+  void solve_by_factor();
   bool set_stands(double tolerance);
   void factorize();
   kernels::Factor factor() { return {lower_.data(), upper_.data(), inverse_pivots_.data(), stride_}; }
@@ -59,6 +64,7 @@ class ContactImpulses {
   std::size_t stride_;
   kernels::Lines compliance_, lower_, upper_;  ///< W; the factor of the block of `factorized_`
   kernels::Lines inverse_pivots_, closed_forces_, padded_correction_;
+  ClosedInverse inverse_;
   std::vector<int> closed_, next_, factorized_, warm_;
   std::int64_t factorizations_ = 0;
   std::int64_t fallbacks_ = 0;

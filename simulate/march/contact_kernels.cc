@@ -28,20 +28,31 @@ TIPRUB_INLINE void combine_rows(const double* matrix, std::size_t stride, const 
   for (std::size_t v = 0; v < vectors; ++v) lanes8(sum + eight * v) = even[v] + odd[v];
 }
 
-std::size_t whole_vectors(std::size_t index) {
+std::size_t vector_of(std::size_t index) {
   return index / eight * eight;
 }
 
 }  // namespace
 
 TIPRUB_CLONES
-void combine_columns(const double* matrix, std::size_t stride, const int* columns, const double* weights,
-                     std::size_t count, double* sum) {
+void combine_columns(const Columns& matrix, const int* columns, const double* weights, std::size_t count,
+                     double* sum) {
   std::size_t offset = 0;
-  for (; offset + 5 * eight <= stride; offset += 5 * eight)
-    combine_rows<5>(matrix + offset, stride, columns, weights, count, sum + offset);
-  for (; offset < stride; offset += eight)
-    combine_rows<1>(matrix + offset, stride, columns, weights, count, sum + offset);
+  for (; offset + 5 * eight <= matrix.rows; offset += 5 * eight)
+    combine_rows<5>(matrix.values + offset, matrix.stride, columns, weights, count, sum + offset);
+  for (; offset + 2 * eight <= matrix.rows; offset += 2 * eight)
+    combine_rows<2>(matrix.values + offset, matrix.stride, columns, weights, count, sum + offset);
+  for (; offset < matrix.rows; offset += eight)
+    combine_rows<1>(matrix.values + offset, matrix.stride, columns, weights, count, sum + offset);
+}
+
+TIPRUB_CLONES
+void add_dyad(double* matrix, std::size_t stride, std::size_t size, const double* u, double factor) {
+  for (std::size_t j = 0; j < size; ++j) {
+    const double share = factor * u[j];
+    double* column = matrix + stride * j;
+    for (std::size_t i = 0; i < size; i += eight) lanes8(column + i) += lanes8(u + i) * share;
+  }
 }
 
 TIPRUB_CLONES
@@ -56,10 +67,10 @@ bool factorize(const Factor& factor, std::size_t size) {
       const double share = column[c] * inverse;
       factor.upper[stride * c + j] = share;
       double* later = factor.lower + stride * c;
-      for (std::size_t i = whole_vectors(c); i < size; i += eight) lanes8(later + i) -= lanes8(column + i) * share;
+      for (std::size_t i = vector_of(c); i < size; i += eight) lanes8(later + i) -= lanes8(column + i) * share;
     }
-    for (std::size_t i = whole_vectors(j); i < size; i += eight) lanes8(column + i) *= inverse;
-    for (std::size_t i = whole_vectors(j); i <= j; ++i) column[i] = 0;
+    for (std::size_t i = vector_of(j); i < size; i += eight) lanes8(column + i) *= inverse;
+    for (std::size_t i = vector_of(j); i <= j; ++i) column[i] = 0;
   }
   return true;
 }
@@ -69,7 +80,7 @@ void solve(const Factor& factor, std::size_t size, double* x) {
   const std::size_t stride = factor.stride;
   for (std::size_t j = 0; j + 1 < size; ++j) {
     const double value = x[j];
-    for (std::size_t i = whole_vectors(j + 1); i < size; i += eight)
+    for (std::size_t i = vector_of(j + 1); i < size; i += eight)
       lanes8(x + i) -= lanes8(factor.lower + stride * j + i) * value;
   }
   for (std::size_t i = 0; i < size; i += eight) lanes8(x + i) *= lanes8(factor.inverse_pivot + i);

@@ -39,8 +39,10 @@ TimeMarch::TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const Cont
   const auto size = static_cast<Eigen::Index>(sectors_ * width_);
   gap_ = gap_before_ = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
   for (Eigen::VectorXd& displacement : displacement_) displacement = Eigen::VectorXd::Zero(size);
-  clearance_ = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(width_), std::numeric_limits<double>::infinity());
-  clearance_.head(node_count_) = clearance;
+  clearance_ = gap_;
+  for (int j = 0; j < sectors_; ++j)
+    clearance_.segment(j * static_cast<Eigen::Index>(width_), node_count_) =
+        clearance.array() + casing.extra_clearance(j);
   build_distortion(casing, contact);
   compliance_ = waves_.compliance(rotor);
   contact_ = contact_law(setup, compliance_);
@@ -50,10 +52,11 @@ TimeMarch::TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const Cont
 void TimeMarch::build_distortion(const Casing& casing, const ContactLine& contact) {
   phases_ = setup_.steps_per_revolution / casing.lobes;
   distortion_.assign(phases_ * width_, 0.0);
+  const Eigen::VectorXd fractions = arc_fractions(contact);
   for (std::int64_t phase = 0; phase < phases_; ++phase)
     for (int k = 0; k < node_count_; ++k)
       distortion_[phase * width_ + k] = casing.distortion(
-          contact.position(k, 1) + two_pi * static_cast<double>(phase) / setup_.steps_per_revolution);
+          contact.position(k, 1) + two_pi * static_cast<double>(phase) / setup_.steps_per_revolution, fractions[k]);
 }
 
 void TimeMarch::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before) {
@@ -73,7 +76,7 @@ bool TimeMarch::measure_gaps() {
   for (int j = 0; j < sectors_; ++j) {
     const std::int64_t phase =
         (step_ + static_cast<std::int64_t>(j) * (setup_.steps_per_revolution / sector_count_)) % phases_;
-    penetrates |= kernels::gap_of_sector(clearance_.data(), distortion_.data() + phase * width_, ramp,
+    penetrates |= kernels::gap_of_sector(clearance_.data() + j * width_, distortion_.data() + phase * width_, ramp,
                                          displacement_[0].data() + j * width_, width_, gap_.data() + j * width_);
   }
   return penetrates;

@@ -37,7 +37,7 @@ struct MarchSetup {
 class TimeMarch {
  public:
   /// Everything raises RunError if the contact compliance is no such thing.
-  /// `clearance` [m]: at the contact nodes at this speed (Casing::running_clearance).
+  /// `clearance` [m]: at the contact nodes of the tightest blade at this speed (Casing::running_clearance).
   TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
             const Eigen::VectorXd& clearance, const MarchSetup& setup);
 
@@ -97,7 +97,7 @@ class TimeMarch {
   std::int64_t step_ = 0;
   Casing casing_;
   ModalWaves waves_;
-  Eigen::VectorXd clearance_;       ///< [m] one sector, padded with infinity
+  Eigen::VectorXd clearance_;       ///< [m] sector by sector, padded with infinity
   std::vector<double> distortion_;  ///< [m] by phase (one lobe of steps), then node
   std::int64_t phases_ = 1;
   Eigen::VectorXd gap_, gap_before_;

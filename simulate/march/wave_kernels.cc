@@ -35,7 +35,9 @@ TIPRUB_INLINE void travelling_group(const double* shapes, const double* q_re, co
       const Lanes8 re = lanes8(q_re + m + half), im = lanes8(q_im + m + half);
       for (std::size_t k = 0; k < count; ++k) {
         const double* own = shapes + 2 * mode_block * k + half;
-        const Lanes8 y_re = lanes8(own), y_im = lanes8(own + mode_block);
+        Lanes8 y_re, y_im;
+        read_once(own, y_re);
+        read_once(own + mode_block, y_im);
         sums[k] += y_re * re;
         sums[4 + k] += y_re * im;
         sums[k] -= y_im * im;
@@ -123,7 +125,9 @@ void add_force_travelling(const double* shapes, const double* c, const double* f
       const double* own = shapes + 2 * mode_block * k;
       const double force_re = f_re[k], force_im = f_im[k];
       for (std::size_t half = 0; half < 2; ++half) {
-        const Lanes8 y_re = lanes8(own + eight * half), y_im = lanes8(own + mode_block + eight * half);
+        Lanes8 y_re, y_im;
+        read_once(own + eight * half, y_re);
+        read_once(own + mode_block + eight * half, y_im);
         rr[half] += y_re * force_re;
         ii[half] += y_im * force_im;
         ri[half] += y_re * force_im;

@@ -70,8 +70,8 @@ void Settling::advance() {
   add(march_revolution(march_, scene_.scope.samples_per_revolution));
 }
 
-void Settling::stand_on_orbit(double rate) {
-  orbit_ = {SettlingState::Settled::yes, 1, 0, rate};
+void Settling::stand_on_orbit(int period_revolutions, double rate) {
+  orbit_ = {SettlingState::Settled::yes, period_revolutions, 0, rate};
   last_.clear();
 }
 

@@ -34,9 +34,9 @@ class Settling {
 
   /// Marches one revolution. Raises what add() raises.
   void advance();
-  /// The march stands on an orbit that is known to repeat itself each revolution, what disturbs it changing by the
-  /// factor `rate` a revolution: settled, whatever came before.
-  void stand_on_orbit(double rate);
+  /// The march stands on an orbit that is known to repeat itself after so many revolutions, what disturbs it changing
+  /// by the factor `rate` a revolution: settled, whatever came before.
+  void stand_on_orbit(int period_revolutions, double rate);
   bool stands_on_orbit() const { return orbit_.has_value(); }
   /// `drift` [1]: by how much a revolution has moved it.
   void confirm_orbit(double drift);

@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/periodic/marched_map.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace tiprub {
 
-MarchedMap::MarchedMap(TimeMarch& march, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact)
-    : march_(march), map_(march, casing.lobes), tangent_(rotor, casing, contact, march, Disturbance::symmetric) {}
+MarchedMap::MarchedMap(TimeMarch& march, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
+                       int power)
+    : march_(march),
+      map_(march, casing.lobes, power),
+      tangent_(rotor, casing, contact, march, Disturbance::symmetric, power) {
+  const auto has_mass = [](const WaveModes& wave) { return wave.moving == wave.omega.size(); };
+  all_have_mass_ = std::all_of(rotor.waves.begin(), rotor.waves.end(), has_mass);
+}
+
+void MarchedMap::put(const Eigen::VectorXd& state) {
+  map_.put(state);
+  if (all_have_mass_) return;
+  for (int i = 0; i < march_.steps_per_revolution(); ++i) march_.step();
+}
 
 MapImage MarchedMap::image(const Eigen::VectorXd& state) {
   const std::int64_t start = march_.step_count();

@@ -9,15 +9,17 @@
 
 namespace tiprub {
 
-/// The symmetric map of a march, and its derivative.
+/// The symmetric map of a march, or a power of it, and its derivative.
 class MarchedMap final : public PeriodicMap {
  public:
   /// The march's clock is left where it is. All are referred to.
-  MarchedMap(TimeMarch& march, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact);
+  MarchedMap(TimeMarch& march, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
+             int power = 1);
 
   const SymmetricMap& symmetric() const { return map_; }
-  /// Puts a state into the march.
-  void put(const Eigen::VectorXd& state) { map_.put(state); }
+  /// Puts an orbit's state into the march. Modes without mass have none, and follow the force: if there are any, a
+  /// whole revolution is marched from there.
+  void put(const Eigen::VectorXd& state);
 
   MapImage image(const Eigen::VectorXd& state) override;
   Eigen::VectorXd tangent(const std::shared_ptr<const ContactPattern>& pattern,
@@ -27,6 +29,7 @@ class MarchedMap final : public PeriodicMap {
   TimeMarch& march_;
   SymmetricMap map_;
   TangentMarch tangent_;
+  bool all_have_mass_;
 };
 
 }  // namespace tiprub

@@ -22,6 +22,6 @@ struct Multiplier {
 Multiplier largest_multiplier(const LinearMap& map, Eigen::Index size, double tolerance = 2e-4);
 
 /// The same as a growth per revolution, of so many maps.
-Growth per_revolution(const Multiplier& multiplier, int maps);
+Growth per_revolution(const Multiplier& multiplier, double maps);
 
 }  // namespace tiprub

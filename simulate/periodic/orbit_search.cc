@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "cases/program/errors.h"
+#include "simulate/orbits/motion_class.h"
 #include "simulate/periodic/multipliers.h"
 
 namespace tiprub {
@@ -15,9 +16,9 @@ namespace tiprub {
 namespace {
 
 constexpr int tries[] = {12, 24, 48};  // revolutions after the casing has grown: contact has found its place
+constexpr double come_back = 0.2;      // of the largest distance within the longest period: it nearly repeats itself
 constexpr double newton_step = 10;     // settle_tolerances: the last one; what is left after it is a hundredth of it
 constexpr double clear_distance = 5;   // uncertainties of a multiplier from 1: nearer, it is found more exactly
-constexpr double close_call = 0.98;    // a multiplier a revolution: with another step it may be beyond 1
 constexpr double exact = 2e-5;         // of a multiplier
 
 /// Once roughly; more exactly where that leaves open on which side of 1 it is.
@@ -42,9 +43,13 @@ bool OrbitSearch::approach(TimeMarch& coarse) {
     for (const int revolutions : tries) {
       while (coarse.step_count() < (grown + revolutions) * coarse.steps_per_revolution()) coarse.step();
       if (jump(coarse)) return true;
-      if (report_.multiplier > 0) break;  // there is one, and it repels
       report_.outcome = OrbitReport::Outcome::none;
+      if (report_.multiplier > 0) break;  // there is one, and it repels
     }
+    while (coarse.step_count() < (grown + std::end(tries)[-1]) * coarse.steps_per_revolution()) coarse.step();
+    report_.maps = recurrence(coarse);
+    solver_ = std::make_shared<RecycledGmres>();  // of another map
+    if (report_.maps > 1 && jump(coarse)) return true;
   } catch (const RunError&) {  // a step too coarse for its scheme
   }
   give_up();
@@ -63,26 +68,61 @@ bool OrbitSearch::jump(TimeMarch& march) {
   return false;
 }
 
+/// After how many maps a march nearly comes back, if that is whole revolutions which are recorded anyway; else 1.
+int OrbitSearch::recurrence(TimeMarch& march) const {
+  const int lobes = scene_.casing.lobes, maps = std::lcm(march.sector_count(), lobes);
+  const SymmetricMap one(march, lobes);
+  const Eigen::VectorXd start = one.state();
+  const MarchState before(march);
+  Eigen::ArrayXd away = Eigen::ArrayXd::Zero(ClassLimits::longest_period * maps / lobes + 1);
+  for (int k = 1; k < away.size(); ++k) {
+    for (int i = 0; i < one.steps(); ++i) march.step();
+    away[k] = (SymmetricMap(march, lobes, k).image() - start).norm();
+  }
+  before.restore(march);
+  for (int k = 2; k < away.size(); ++k)
+    if (away[k] <= come_back * away.maxCoeff() && k / std::gcd(k, maps) <= scene_.parameters.recorded_revolutions)
+      return k;
+  return 1;
+}
+
+int OrbitSearch::period_revolutions() const {
+  return report_.maps / std::gcd(report_.maps, std::lcm(scene_.model.sector_count, scene_.casing.lobes));
+}
+
 bool OrbitSearch::find(TimeMarch& march) {
-  MarchedMap map(march, rotor_, scene_.casing, scene_.model.contact);
+  MarchedMap map(march, rotor_, scene_.casing, scene_.model.contact, report_.maps);
   const int steps = solver_->steps();
   const NewtonLimits limits{newton_step * scene_.parameters.settle_tolerance};
   const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), limits, solver_);
   const double maps = solver_->steps() - steps + orbit.iterations + 1;
   report_.revolutions += maps / map.symmetric().maps_per_revolution();
   if (orbit.found == NewtonResult::Found::no) return false;
-  const bool is_first = orbit_.size() == 0;
-  if ((is_first || report_.multiplier > close_call) && !attracts(map, orbit)) return false;
-  if (is_first || (excluded_ && std::abs(excluded_->factor - 1) < 1 - close_call)) follow_excluded(march, orbit);
+  const bool is_first = orbit_.state.size() == 0;
+  if (is_first && !attracts(map, orbit)) return false;
   map.put(orbit.state);
-  orbit_ = orbit.state;
+  orbit_ = orbit;
   report_.outcome = OrbitReport::Outcome::found;
   report_.residual = orbit.residual;
   return true;
 }
 
+bool OrbitSearch::stands(TimeMarch& march) {
+  if (has_given_up()) return false;
+  try {
+    MarchedMap map(march, rotor_, scene_.casing, scene_.model.contact, report_.maps);
+    if (attracts(map, orbit_)) {
+      follow_excluded(march, orbit_);
+      return true;
+    }
+  } catch (const RunError&) {  // too many nodes closed together to be held
+  }
+  give_up();
+  return false;
+}
+
 bool OrbitSearch::attracts(MarchedMap& map, const NewtonResult& orbit) {
-  const int maps = map.symmetric().maps_per_revolution();
+  const double maps = map.symmetric().maps_per_revolution();
   double applied = 0;
   const LinearMap tangent = [&](const Eigen::VectorXd& change) {
     ++applied;
@@ -99,13 +139,14 @@ bool OrbitSearch::attracts(MarchedMap& map, const NewtonResult& orbit) {
 
 void OrbitSearch::follow_excluded(const TimeMarch& march, const NewtonResult& orbit) {
   if (rotor_.others.empty() || scene_.parameters.symmetry_check_revolutions == 0) return;
-  TangentMarch tangent(rotor_, scene_.casing, scene_.model.contact, march, Disturbance::excluded);
+  TangentMarch tangent(rotor_, scene_.casing, scene_.model.contact, march, Disturbance::excluded, report_.maps);
   const LinearMap map = [&](const Eigen::VectorXd& change) { return tangent(orbit.pattern, change); };
   excluded_ = per_revolution(clear_multiplier(map, tangent.size()), tangent.maps_per_revolution());
 }
 
 double OrbitSearch::drift(TimeMarch& march) const {
-  const double moved = (SymmetricMap(march, scene_.casing.lobes).state() - orbit_).norm(), size = orbit_.norm();
+  const double moved = (SymmetricMap(march, scene_.casing.lobes).state() - orbit_.state).norm(),
+               size = orbit_.state.norm();
   return size > 0 ? moved / size : moved;  // at rest
 }
 

@@ -21,8 +21,9 @@ bool has_symmetric_map(const Scene& scene);
 
 /// Looks for the steady motion that a march from rest is on its way to, instead of marching there: with a coarse step
 /// first, then with one step size after another from the orbit before, by Newton's method for a fixed point of the
-/// symmetric map. Orbits that repel are told from those that don't by their multiplier, and not taken. What was
-/// learnt with one step size makes the next one cheap.
+/// symmetric map; where there is none that attracts, of the power of it after which the march nearly comes back.
+/// Orbits that repel are told from those that don't by their multiplier, and not taken. What was learnt with one step
+/// size makes the next one cheap.
 class OrbitSearch {
  public:
   /// Both are referred to. Raises nothing.
@@ -35,16 +36,22 @@ class OrbitSearch {
   bool jump(TimeMarch& march);
   /// [1] how far the march, whole revolutions later, has moved from its orbit, of the orbit's size.
   double drift(TimeMarch& march) const;
+  /// Whether the orbit that the march is on attracts with this march's step: what does so with a coarse one may
+  /// repel. Looks also at what symmetry leaves out. No, if the search has given up since it put a march on an orbit.
+  bool stands(TimeMarch& march);
   /// The march did not confirm the last orbit, or nothing was found.
   void give_up();
 
   const OrbitReport& report() const { return report_; }
-  /// How disturbances grow that symmetry leaves out, along the first orbit found; none if there are none, or none
-  /// was found.
+  /// After which the orbit repeats itself.
+  int period_revolutions() const;
+  /// How disturbances grow that symmetry leaves out, along the orbit that stands; none if there are none, or none
+  /// stands.
   const std::optional<Growth>& excluded() const { return excluded_; }
 
  private:
   bool has_given_up() const { return report_.outcome == OrbitReport::Outcome::marched; }
+  int recurrence(TimeMarch& march) const;
   bool find(TimeMarch& march);
   bool attracts(MarchedMap& map, const NewtonResult& orbit);
   void follow_excluded(const TimeMarch& march, const NewtonResult& orbit);
@@ -52,7 +59,7 @@ class OrbitSearch {
   const Scene& scene_;
   const RotorAtSpeed& rotor_;
   std::shared_ptr<RecycledGmres> solver_ = std::make_shared<RecycledGmres>();
-  Eigen::VectorXd orbit_;
+  NewtonResult orbit_;  ///< the last one found
   OrbitReport report_;
   std::optional<Growth> excluded_;
 };

@@ -13,12 +13,13 @@ namespace tiprub {
 
 /// The march over 1/lcm(N, lobes) of a revolution, then a shift of sectors: an orbit that travels with the casing,
 ///   u_j(t + T/lcm(N, lobes)) = u_{j+s}(t),
-/// is a fixed point, found lcm(N, lobes) times as often a revolution as by the whole one. The shift is a phase,
-/// e^{-i n s alpha}, for nodal diameter n. Steps a revolution are a multiple of lcm(N, lobes); the casing must have
-/// grown to its full height. For laws of contact without memory, whose state is that of the modes at two instants.
+/// is a fixed point, found lcm(N, lobes) times as often a revolution as by the whole one; an orbit that does so after
+/// k of these times, of its k-th power. The shift is a phase, e^{-i n s alpha}, for nodal diameter n. Steps a
+/// revolution are a multiple of lcm(N, lobes); the casing must have grown to its full height. For laws of contact
+/// without memory, whose state is that of the modes at two instants.
 class SymmetricMap {
  public:
-  SymmetricMap(TimeMarch& march, int lobes);
+  SymmetricMap(TimeMarch& march, int lobes, int power = 1);
 
   /// [m/s sqrt(kg)] the modes at t_q and t_{q-1} as a vector whose square is twice the energy: frequencies times
   /// positions (not below the speed of rotation), then velocities; of a standing wave the real parts only.
@@ -29,7 +30,7 @@ class SymmetricMap {
 
   /// Of the march.
   int steps() const { return steps_; }
-  int maps_per_revolution() const { return march_.steps_per_revolution() / steps_; }
+  double maps_per_revolution() const { return static_cast<double>(march_.steps_per_revolution()) / steps_; }
 
  private:
   struct WaveFrame {

@@ -35,10 +35,10 @@ MarchSetup setup(const TimeMarch& orbit, Disturbance disturbance) {
 }  // namespace
 
 TangentMarch::TangentMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
-                           const TimeMarch& orbit, Disturbance disturbance)
+                           const TimeMarch& orbit, Disturbance disturbance, int power)
     : rotor_(disturbed(rotor, disturbance)),
       march_(rotor_, level(casing), contact, Eigen::VectorXd::Zero(contact.size()), setup(orbit, disturbance)),
-      map_(march_, casing.lobes),
+      map_(march_, casing.lobes, power),
       copies_(march_.sectors() / orbit.sectors()),
       nodes_a_copy_(orbit.sectors() * orbit.width()),
       compliance_(march_.compliance()),

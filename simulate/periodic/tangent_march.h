@@ -23,12 +23,12 @@ enum class Disturbance {
 class TangentMarch {
  public:
   /// `orbit` gives the step, the scheme and the clearance; `rotor` is its rotor. Excluded disturbances are those of
-  /// RotorAtSpeed::others, on all N sectors.
+  /// RotorAtSpeed::others, on all N sectors. `power`: of the symmetric map, whose pattern it follows.
   TangentMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact, const TimeMarch& orbit,
-               Disturbance disturbance);
+               Disturbance disturbance, int power);
 
   Eigen::Index size() const { return map_.state().size(); }
-  int maps_per_revolution() const { return map_.maps_per_revolution(); }
+  double maps_per_revolution() const { return map_.maps_per_revolution(); }
   /// DF times a change of the state, as SymmetricMap has it. Raises RunError if nodes that the pattern closes
   /// together can't be.
   Eigen::VectorXd operator()(const std::shared_ptr<const ContactPattern>& pattern, const Eigen::VectorXd& change);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cases/program/errors.h"
+#include "simulate/response/written_axes.h"
 
 namespace tiprub {
 
@@ -14,17 +15,19 @@ std::string group_of(std::size_t place) {
   return "/branch/" + std::to_string(place);
 }
 
-/// Name, unit and member of each array over the orbits.
+/// Name, unit, meaning and member of each array over the orbits.
 struct BranchArray {
   const char* name;
   const char* unit;
+  const char* long_name;
   Eigen::VectorXd OrbitBranch::*values;
 };
-constexpr BranchArray arrays[] = {{"speed", "rad/s", &OrbitBranch::speed},
-                                  {"amplitude", "m", &OrbitBranch::amplitude},
-                                  {"multiplier", "1", &OrbitBranch::multiplier},
-                                  {"multiplier_uncertainty", "1", &OrbitBranch::multiplier_uncertainty},
-                                  {"multiplier_angle", "rad", &OrbitBranch::multiplier_angle}};
+constexpr BranchArray arrays[] = {
+    {"speed", "rad/s", "speed of the rotor", &OrbitBranch::speed},
+    {"amplitude", "m", "half of the peak-to-peak normal displacement, the largest", &OrbitBranch::amplitude},
+    {"multiplier", "1", "magnitude in a revolution of the largest Floquet multiplier", &OrbitBranch::multiplier},
+    {"multiplier_uncertainty", "1", "uncertainty of that magnitude", &OrbitBranch::multiplier_uncertainty},
+    {"multiplier_angle", "rad", "angle of that multiplier, a map", &OrbitBranch::multiplier_angle}};
 
 /// None of a branch's numbers is below zero or without bound; its speeds are above zero.
 void require_sound(const Hdf5File& file, const std::string& dataset, const Eigen::VectorXd& values) {
@@ -58,8 +61,13 @@ OrbitBranch read_branch(const Hdf5File& file, std::size_t place, NamedAxes& axes
 
 void write_branch(Hdf5File& file, std::size_t place, const OrbitBranch& branch) {
   const std::string group = group_of(place);
-  for (const BranchArray& array : arrays) file.write(group + "/" + array.name, branch.*array.values, array.unit);
-  if (branch.folds.size() > 0) file.write(group + "/fold", branch.folds, "rad/s");
+  write_counting_axis(file, group + "/orbit", branch.speed.size(), "orbit in the order of arc length, from 0");
+  for (const BranchArray& array : arrays) {
+    const std::string dataset = group + "/" + array.name;
+    file.write(dataset, branch.*array.values, array.unit);
+    file.describe(dataset, array.long_name, {group + "/orbit"});
+  }
+  if (branch.folds.size() > 0) write_axis(file, group + "/fold", branch.folds, "rad/s", "speed of a fold");
   file.set_attribute(group, "start", branch.start);
   file.set_attribute(group, "steps_per_revolution", branch.steps_per_revolution);
   file.set_attribute(group, "first_end", branch.ends[0]);

@@ -3,11 +3,15 @@
 
 #include <numbers>
 
+#include "simulate/response/written_axes.h"
+
 namespace tiprub {
 
 namespace {
 
-constexpr const char* unit = "m in contact dofs";
+/// How a state's numbers are described; its contact dofs come first.
+constexpr const char* unit = "m";
+constexpr const char* meaning = "wave of the model's dofs; m in contact dofs";
 
 /// The model's dofs of a nodal diameter: as many in each state of each speed.
 std::string dofs_axis(int nodal_diameter) {
@@ -18,12 +22,29 @@ std::string at(const std::string& states, int nodal_diameter) {
   return states + "/" + std::to_string(nodal_diameter);
 }
 
-void write_snapshot(Hdf5File& file, const std::string& place, const RotorSnapshot& snapshot,
+/// The axes of states stand in the speed's group, beside the groups of states: these hold nothing but states.
+std::string dofs_of(const std::string& group, int nodal_diameter) {
+  return group + "/dof_" + std::to_string(nodal_diameter);
+}
+
+void write_dofs(Hdf5File& file, const std::string& group, int nodal_diameter, Eigen::Index count) {
+  if (const std::string axis = dofs_of(group, nodal_diameter); !file.exists(axis))
+    write_counting_axis(file, axis, count, "dof of the model, from 0");
+}
+
+void write_snapshot(Hdf5File& file, const std::string& group, const RotorSnapshot& snapshot,
                     const SpeedResponse& speed, const SimulatedScene& scene) {
-  for (std::size_t i = 0; i < snapshot.displacement.size(); ++i)
-    file.write(at(place, scene.nodal_diameters[i]), Eigen::MatrixXcd(snapshot.displacement[i]), unit);
+  const std::string place = group + "/snapshot", instant = group + "/snapshot_angle";
+  const double angle = 2 * std::numbers::pi * snapshot.sample / speed.samples_per_revolution;
+  write_axis(file, instant, Eigen::VectorXd::Constant(1, angle), "rad", "angle of the rotor at the snapshot");
+  for (std::size_t i = 0; i < snapshot.displacement.size(); ++i) {
+    const int n = scene.nodal_diameters[i];
+    write_dofs(file, group, n, snapshot.displacement[i].size());
+    file.write(at(place, n), Eigen::MatrixXcd(snapshot.displacement[i]), unit);
+    file.describe(at(place, n), meaning, {dofs_of(group, n), instant});
+  }
   file.set_attribute(place, "sample", snapshot.sample);
-  file.set_attribute(place, "angle", 2 * std::numbers::pi * snapshot.sample / speed.samples_per_revolution);
+  file.set_attribute(place, "angle", angle);
   file.set_attribute(place, "contact_force", snapshot.force);
 }
 
@@ -43,9 +64,21 @@ RotorSnapshot read_snapshot(const Hdf5File& file, const std::string& place, cons
   return snapshot;
 }
 
-void write_cycle(Hdf5File& file, const std::string& place, const RotorCycle& cycle, const SimulatedScene& scene) {
-  for (std::size_t i = 0; i < cycle.displacement.size(); ++i)
-    file.write(at(place, scene.nodal_diameters[i]), cycle.displacement[i], unit);
+void write_cycle(Hdf5File& file, const std::string& group, const RotorCycle& cycle, const SpeedResponse& speed,
+                 const SimulatedScene& scene) {
+  const std::string place = group + "/cycle", angles = group + "/cycle_angle";
+  const double spacing = 2 * std::numbers::pi / speed.samples_per_revolution;
+  const Eigen::Index samples = cycle.displacement.front().cols();
+  write_axis(file, angles,
+             spacing * Eigen::VectorXd::LinSpaced(samples, cycle.first_sample,
+                                                  static_cast<double>(cycle.first_sample + samples - 1)),
+             "rad", "angle of the rotor at the samples of the cycle");
+  for (std::size_t i = 0; i < cycle.displacement.size(); ++i) {
+    const int n = scene.nodal_diameters[i];
+    write_dofs(file, group, n, cycle.displacement[i].rows());
+    file.write(at(place, n), cycle.displacement[i], unit);
+    file.describe(at(place, n), meaning, {dofs_of(group, n), angles});
+  }
   file.set_attribute(place, "first_sample", cycle.first_sample);
 }
 
@@ -69,8 +102,8 @@ RotorCycle read_cycle(const Hdf5File& file, const std::string& place, const Simu
 
 void write_kept_states(Hdf5File& file, const std::string& group, const SpeedResponse& speed,
                        const SimulatedScene& scene) {
-  if (speed.snapshot) write_snapshot(file, group + "/snapshot", *speed.snapshot, speed, scene);
-  if (speed.cycle) write_cycle(file, group + "/cycle", *speed.cycle, scene);
+  if (speed.snapshot) write_snapshot(file, group, *speed.snapshot, speed, scene);
+  if (speed.cycle) write_cycle(file, group, *speed.cycle, speed, scene);
 }
 
 void read_kept_states(const Hdf5File& file, const std::string& group, const SimulatedScene& scene, NamedAxes& axes,

@@ -45,6 +45,7 @@ struct OrbitReport {
   };
 
   Outcome outcome = Outcome::none;
+  int maps = 1;            ///< of 1/lcm(N, lobes) of a revolution each, after which it repeats itself
   double revolutions = 0;  ///< that all maps come to, the linearised ones too
   double residual = 0;     ///< [1] change of the state by the map, of its size
   /// [1] of the largest Floquet multiplier, per revolution: its magnitude, and how exactly that is known; 0: not
@@ -164,8 +165,16 @@ struct SpeedResponse {
   std::vector<OtherStart> other_starts;  ///< of an examined speed
 };
 
+/// How exact a case asks motions to be; all [1].
+struct AskedAccuracy {
+  double critical_speeds = 0.02;  ///< of a critical speed's amplitude, beside what the mesh leaves open
+  double step = 5e-3;             ///< of a settled motion: what the last halving of the step may change
+  double settling = 1e-4;         ///< of a settled motion: what may still be to come
+};
+
 /// The casing and the scene as they were simulated, for drawing and for the record.
 struct SimulatedScene {
+  AskedAccuracy asked;                ///< how exact the motions were to be
   int sector_count = 0;               ///< N
   int independent_sectors = 0;        ///< N / g
   std::vector<int> nodal_diameters;   ///< those that move

@@ -16,14 +16,17 @@
 #include "simulate/response/branch_group.h"
 #include "simulate/response/named_axes.h"
 #include "simulate/response/sealed_file.h"
+#include "simulate/response/speed_axis.h"
 #include "simulate/response/speed_group.h"
+#include "simulate/response/written_axes.h"
 
 namespace tiprub {
 
 namespace {
 
 constexpr const char* schema = "tiprub-response";
-constexpr int schema_version = 4;
+constexpr int schema_version = 5;
+constexpr int oldest_version = 4;  // that is read: without axes and what is along that of speed
 const std::string frequency_group = "/frequencies";
 const std::string end_group = "/end";
 constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
@@ -41,13 +44,22 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.write_text("/provenance", scene.provenance);
   file.write_text("/casing/table", scene.casing);
   file.set_attribute("/", "scope", scene.scope);
-  file.write("/nodal_diameters",
+  file.set_attribute("/", "accuracy", scene.asked.critical_speeds);
+  file.set_attribute("/", "step_tolerance", scene.asked.step);
+  file.set_attribute("/", "settle_tolerance", scene.asked.settling);
+  const std::string moving = "/nodal_diameters", clearance = "/casing/clearance", distortion = "/casing/distortion";
+  file.write(moving,
              Array<std::int32_t>{{scene.nodal_diameters.size()},
                                  {scene.nodal_diameters.begin(), scene.nodal_diameters.end()}},
              "1");
-  file.write("/casing/angle", scene.casing_angle, "rad");
-  file.write("/casing/distortion", scene.casing_distortion, "m");
-  file.write("/casing/clearance", scene.clearance, "m");
+  file.make_axis(moving);
+  file.describe(moving, "nodal diameters that move");
+  write_axis(file, "/casing/angle", scene.casing_angle, "rad", "absolute angle");
+  file.write(distortion, scene.casing_distortion, "m");
+  file.describe(distortion, "how far the casing stands inward", {"/casing/angle"});
+  write_counting_axis(file, "/casing/contact_node", scene.clearance.size(), "contact node, from 0");
+  file.write(clearance, scene.clearance, "m");
+  file.describe(clearance, "clearance as the case gives it, of the tightest blade", {"/casing/contact_node"});
   file.set_attribute("/casing", "lobes", scene.lobes);
   if (std::isfinite(scene.resolved_frequency))
     file.set_attribute("/", "resolved_frequency", scene.resolved_frequency);
@@ -62,6 +74,12 @@ void require(bool holds, const Hdf5File& file, const std::string& must) {
 template <class Values>
 bool increases(const Values& values) {
   return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
+}
+
+/// An attribute of the file, if it is there.
+void read_positive(const Hdf5File& file, const std::string& name, double& value) {
+  if (file.has_attribute("/", name)) value = file.number_attribute("/", name);
+  require(value > 0, file, "attribute " + name + " must be above 0");
 }
 
 void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
@@ -102,9 +120,10 @@ SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes) {
   require(increases(scene.nodal_diameters) && scene.nodal_diameters.front() >= 0 &&
               scene.nodal_diameters.back() <= scene.sector_count / 2,
           file, "/nodal_diameters must increase within 0 .. sector_count/2");
-  if (file.has_attribute("/", "resolved_frequency"))
-    scene.resolved_frequency = file.number_attribute("/", "resolved_frequency");
-  require(scene.resolved_frequency > 0, file, "attribute resolved_frequency must be above 0");
+  read_positive(file, "accuracy", scene.asked.critical_speeds);
+  read_positive(file, "step_tolerance", scene.asked.step);
+  read_positive(file, "settle_tolerance", scene.asked.settling);
+  read_positive(file, "resolved_frequency", scene.resolved_frequency);
   read_casing(file, axes, scene);
   return scene;
 }
@@ -158,11 +177,13 @@ void require_memory(const Hdf5File& file, const std::vector<std::string>& speeds
 Hdf5File open_response(const std::filesystem::path& path) {
   Hdf5File file = Hdf5File::open(path);
   if (file.has_attribute("/", "schema") && file.text_attribute("/", "schema") == schema &&
-      file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") < schema_version)
+      file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") < oldest_version)
     throw RunError(file.path() + ": is " + schema + " version " +
                    std::to_string(file.integer_attribute("/", "schema_version")) +
                    ", made by an older tiprub-simulate; run it again");
-  file.require_schema(schema, schema_version);
+  const bool former =
+      file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") == oldest_version;
+  file.require_schema(schema, former ? oldest_version : schema_version);
   return file;
 }
 
@@ -171,12 +192,17 @@ Hdf5File open_response(const std::filesystem::path& path) {
 struct ResponseWriter::State {
   Hdf5File file;
   SimulatedScene scene;
+  ResponseUse use;
+  SpeedAxis axis = {};
   std::size_t count = 0, branches = 0;
 };
 
 ResponseWriter::ResponseWriter(const std::filesystem::path& path, const SimulatedScene& scene, const std::string& key,
-                               const std::string& generator)
-    : state_(std::make_unique<State>(State{Hdf5File::create(path), scene})) {
+                               const std::string& generator, ResponseUse use)
+    : state_(std::make_unique<State>(
+          State{Hdf5File::create(
+                    path, use == ResponseUse::kept ? Hdf5File::Storage::netcdf : Hdf5File::Storage::netcdf_unpacked),
+                scene, use})) {
   state_->file.set_schema(schema, schema_version, generator);
   state_->file.set_attribute("/", "key", key);
   write_scene(state_->file, scene);
@@ -186,12 +212,19 @@ ResponseWriter::~ResponseWriter() = default;
 
 void ResponseWriter::add(const SpeedResponse& speed) {
   write_speed_group(state_->file, group_of(state_->count++), speed, state_->scene);
+  state_->axis.add(speed);
 }
 
 void ResponseWriter::add(const FrequencyTable& frequencies) {
-  state_->file.write(frequency_group + "/speed", frequencies.speed, "rad/s");
-  for (std::size_t n = 0; n < frequencies.by_nodal_diameter.size(); ++n)
-    state_->file.write(frequencies_at(n), frequencies.by_nodal_diameter[n], "Hz");
+  Hdf5File& file = state_->file;
+  const std::string speed = frequency_group + "/speed";
+  write_axis(file, speed, frequencies.speed, "rad/s", "speed of the rotor");
+  for (std::size_t n = 0; n < frequencies.by_nodal_diameter.size(); ++n) {
+    const std::string mode = frequency_group + "/mode_" + std::to_string(n);
+    write_counting_axis(file, mode, frequencies.by_nodal_diameter[n].cols(), "mode, from 0");
+    file.write(frequencies_at(n), frequencies.by_nodal_diameter[n], "Hz");
+    file.describe(frequencies_at(n), "natural frequencies; negative: statically unstable", {speed, mode});
+  }
 }
 
 void ResponseWriter::add(const OrbitBranch& branch) {
@@ -208,6 +241,7 @@ void ResponseWriter::add_end(const RotorState& state) {
 }
 
 void ResponseWriter::close() {
+  if (state_->use == ResponseUse::kept) state_->axis.write(state_->file);
   state_->file.close();
   seal(state_->file.path());
 }

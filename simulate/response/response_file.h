@@ -10,14 +10,20 @@
 
 namespace tiprub {
 
-/// response.h5, schema "tiprub-response" version 4; the format is described in simulate/README.md.
+/// response.h5, schema "tiprub-response" version 5; the format is described in simulate/README.md.
 void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator);
+
+/// What a file is written for.
+enum class ResponseUse {
+  kept,     ///< by people
+  passing,  ///< a part of a sweep, soon read and removed: not packed, and without the axis of all speeds
+};
 
 /// The same file speed by speed, for sweeps that don't fit into memory. Speeds must come in ascending order.
 class ResponseWriter {
  public:
   ResponseWriter(const std::filesystem::path& path, const SimulatedScene& scene, const std::string& key,
-                 const std::string& generator);
+                 const std::string& generator, ResponseUse use = ResponseUse::kept);
   ~ResponseWriter();
 
   void add(const SpeedResponse& speed);
@@ -34,8 +40,8 @@ class ResponseWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Raises RunError if the file is missing, damaged, of another schema, its arrays don't fit together, or a number is
-/// out of its bounds.
+/// Reads version 4 too. Raises RunError if the file is missing, damaged, of another schema, its arrays don't fit
+/// together, or a number is out of its bounds.
 Response read_response(const std::filesystem::path& path);
 
 /// What add_end() wrote; at rest if there is none.

@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/response/speed_group.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <sstream>
 #include <type_traits>
-#include <utility>
 
 #include "simulate/response/kept_states.h"
+#include "simulate/response/speed_numbers.h"
+#include "simulate/response/written_axes.h"
 
 namespace tiprub {
 
 namespace {
-
-constexpr std::array<std::pair<MotionClass, const char*>, 5> motion_names = {{
-    {MotionClass::periodic, "periodic"},
-    {MotionClass::subharmonic, "subharmonic"},
-    {MotionClass::modulated, "modulated"},
-    {MotionClass::broadband, "broadband"},
-    {MotionClass::not_settled, "not settled"},
-}};
 
 /// The columns of a matrix seen as further axes of an array; rows first.
 Array<double> unfold(const Eigen::MatrixXd& matrix, const std::vector<std::size_t>& column_axes) {
@@ -41,88 +34,10 @@ Eigen::MatrixXd fold(const Array<double>& array) {
   return Eigen::Map<const RowMajor>(array.values.data(), rows, columns);
 }
 
-constexpr std::array<std::pair<SymmetryVerdict, const char*>, 5> symmetry_names = {{
-    {SymmetryVerdict::all_held, "all held"},
-    {SymmetryVerdict::unchecked, "unchecked"},
-    {SymmetryVerdict::holds, "holds"},
-    {SymmetryVerdict::breaking, "breaking"},
-    {SymmetryVerdict::undecided, "undecided"},
-}};
-
-constexpr std::array<std::pair<OrbitReport::Outcome, const char*>, 3> outcome_names = {{
-    {OrbitReport::Outcome::none, "none"},
-    {OrbitReport::Outcome::found, "found"},
-    {OrbitReport::Outcome::marched, "marched"},
-}};
-
-constexpr std::array<std::pair<Depth, const char*>, 3> depth_names = {{
-    {Depth::scanned, "scanned"},
-    {Depth::full, "full"},
-    {Depth::examined, "examined"},
-}};
-
-template <class Names, class Value>
-const char* name_of(const Names& names, Value value) {
-  for (const auto& [known, name] : names)
-    if (known == value) return name;
-  return "";
-}
-
-template <class Names>
-auto value_named(const Names& names, const std::string& name, const std::string& where) {
-  for (const auto& [value, known] : names)
-    if (name == known) return value;
-  throw RunError(where + " \"" + name + "\" is not known");
-}
-
-/// What a number of a speed that did not fail may be; ends included.
-struct Bounds {
-  double low, high;
-};
-constexpr double beyond_counting = 9007199254740992.0;  // 2^53: up to there a double tells whole numbers apart
-constexpr Bounds any = {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-constexpr Bounds not_negative = {0, any.high}, not_positive = {any.low, 0}, share = {0, 1};
-constexpr Bounds whole = {0, beyond_counting}, at_least_one = {1, beyond_counting},
-                 at_least_two = {2, beyond_counting};
-
-/// Every number of a speed with its name in the file and its bounds: one list for the writer and the reader.
-template <class Speed, class Visit>
-void visit_numbers(Speed& speed, Visit visit) {
-  visit("steps_per_revolution", speed.steps_per_revolution, at_least_one);
-  visit("samples_per_revolution", speed.samples_per_revolution, at_least_two);
-  visit("recorded_revolutions", speed.recorded_revolutions, at_least_one);
-  visit("revolutions", speed.revolutions, whole);
-  visit("amplitude", speed.amplitude, not_negative);
-  visit("period_revolutions", speed.period_revolutions, whole);
-  visit("period_beats", speed.period_beats, whole);
-  visit("off_beat_energy", speed.off_beat_energy, any);
-  visit("chatter", speed.chatter, any);
-  visit("chatter_node", speed.chatter_node, whole);
-  visit("change", speed.change, not_negative);
-  visit("change_rate", speed.change_rate, any);
-  visit("contact_work", speed.energy.contact_work, any);
-  visit("dissipated", speed.energy.dissipated, any);
-  visit("energy_change", speed.energy.energy_change, any);
-  visit("energy_closing_error", speed.energy.closing_error, any);
-  visit("step_ratio", speed.step_ratio, not_negative);
-  visit("largest_penetration", speed.largest_penetration, not_negative);
-  visit("smallest_multiplier", speed.smallest_multiplier, not_positive);
-  visit("contact_steps", speed.contact_steps, whole);
-  visit("tension_steps", speed.tension_steps, whole);
-  visit("solver_fallbacks", speed.solver_fallbacks, whole);
-  visit("halving_difference", speed.audit.halving_difference, not_negative);
-  visit("excluded_growth", speed.audit.excluded_growth, not_negative);
-  visit("excluded_growth_uncertainty", speed.audit.excluded_growth_uncertainty, not_negative);
-  visit("rest_difference", speed.audit.rest_difference, not_negative);
-  visit("left_out_energy", speed.audit.left_out_energy, any);
-  visit("compliance_condition", speed.audit.compliance_condition, not_negative);
-  visit("leftover_steps", speed.audit.leftover_steps, whole);
-  visit("tension_share", speed.audit.tension_share, share);
-}
-
 void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse& speed) {
-  visit_numbers(speed, [&](const char* name, const auto& value, Bounds) {
+  visit_numbers(speed, [&](const NumberMeaning& meaning, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
+    const char* const name = meaning.name;
     if constexpr (std::is_same_v<Value, std::optional<double>>) {
       if (value) file.set_attribute(group, name, *value);  // absent where it wasn't looked at
     } else if constexpr (std::is_same_v<Value, std::int64_t>) {
@@ -134,7 +49,7 @@ void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse
 }
 
 /// Raises RunError unless the attribute is within its bounds.
-double bounded(const Hdf5File& file, const std::string& group, const char* name, Bounds bounds) {
+double bounded(const Hdf5File& file, const std::string& group, const std::string& name, Bounds bounds) {
   const double value = file.number_attribute(group, name);
   if (value >= bounds.low && value <= bounds.high) return value;
   std::ostringstream must;
@@ -145,9 +60,10 @@ double bounded(const Hdf5File& file, const std::string& group, const char* name,
 }
 
 void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse& speed) {
-  visit_numbers(speed, [&](const char* name, auto& value, Bounds bounds) {
+  visit_numbers(speed, [&](const NumberMeaning& meaning, auto& value) {
     using Value = std::decay_t<decltype(value)>;
-    if (!speed.failure.empty()) bounds = any;
+    const char* const name = meaning.name;
+    const Bounds bounds = speed.failure.empty() ? meaning.bounds : any;
     if constexpr (std::is_same_v<Value, std::optional<double>>) {
       if (file.has_attribute(group, name)) value = bounded(file, group, name, bounds);
     } else if constexpr (std::is_same_v<Value, int>) {
@@ -162,22 +78,24 @@ void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse&
 /// Only where it was asked for; older files have none.
 void write_orbit(Hdf5File& file, const std::string& group, const OrbitReport& orbit) {
   if (orbit.outcome == OrbitReport::Outcome::none) return;
-  file.set_attribute(group, "orbit", std::string(name_of(outcome_names, orbit.outcome)));
-  file.set_attribute(group, "orbit_revolutions", orbit.revolutions);
-  file.set_attribute(group, "orbit_residual", orbit.residual);
-  file.set_attribute(group, "multiplier", orbit.multiplier);
-  file.set_attribute(group, "multiplier_uncertainty", orbit.multiplier_uncertainty);
-  file.set_attribute(group, "multiplier_angle", orbit.multiplier_angle);
+  file.set_attribute(group, "orbit", std::string(name_of(orbit.outcome)));
+  visit_orbit_numbers(orbit, [&](const NumberMeaning& meaning, const auto& value) {
+    file.set_attribute(group, meaning.name, value);
+  });
 }
 
 OrbitReport read_orbit(const Hdf5File& file, const std::string& group) {
-  if (!file.has_attribute(group, "orbit")) return {};
-  return {value_named(outcome_names, file.text_attribute(group, "orbit"), file.path() + ": " + group + ": orbit"),
-          bounded(file, group, "orbit_revolutions", not_negative),
-          bounded(file, group, "orbit_residual", not_negative),
-          bounded(file, group, "multiplier", not_negative),
-          bounded(file, group, "multiplier_uncertainty", not_negative),
-          bounded(file, group, "multiplier_angle", not_negative)};
+  OrbitReport orbit;
+  if (!file.has_attribute(group, "orbit")) return orbit;
+  orbit.outcome = outcome_named(file.text_attribute(group, "orbit"), file.path() + ": " + group + ": orbit");
+  visit_orbit_numbers(orbit, [&](const NumberMeaning& meaning, auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, int>) {
+      if (file.has_attribute(group, meaning.name)) value = file.integer_attribute(group, meaning.name);
+    } else {
+      value = bounded(file, group, meaning.name, meaning.bounds);
+    }
+  });
+  return orbit;
 }
 
 std::string start_at(const std::string& group, std::size_t place) {
@@ -197,12 +115,48 @@ OtherStart read_other_start(const Hdf5File& file, const std::string& group) {
   OtherStart start;
   start.start = file.text_attribute(group, "start");
   start.failure = file.text_attribute(group, "failure");
-  start.motion =
-      value_named(motion_names, file.text_attribute(group, "motion"), file.path() + ": " + group + ": motion");
+  start.motion = motion_named(file.text_attribute(group, "motion"), file.path() + ": " + group + ": motion");
   start.amplitude = file.number_attribute(group, "amplitude");
   start.period_beats = file.integer_attribute(group, "period_beats");
   start.difference = file.number_attribute(group, "difference");
   return start;
+}
+
+/// Of each speed its own: a netCDF group that can be opened alone.
+void write_axes(Hdf5File& file, const std::string& group, const SpeedResponse& speed, const SimulatedScene& scene) {
+  const double turn = 2 * std::numbers::pi;
+  const Eigen::Index samples = speed.displacement.rows(), areas = speed.contact_count.cols();
+  const Eigen::VectorXd angle = Eigen::VectorXd::LinSpaced(samples, 0, static_cast<double>(samples - 1));
+  const Eigen::VectorXd middle = Eigen::VectorXd::LinSpaced(areas, 0.5, static_cast<double>(areas) - 0.5);
+  write_axis(file, group + "/angle", Eigen::VectorXd(turn / speed.samples_per_revolution * angle), "rad",
+             "angle of the rotor since the start of the recording");
+  write_counting_axis(file, group + "/sector", scene.independent_sectors, "sector, from 0");
+  write_counting_axis(file, group + "/contact_node", scene.clearance.size(), "contact node, from 0");
+  file.write(group + "/component", {"r", "theta", "z"});
+  file.make_axis(group + "/component");
+  file.describe(group + "/component", "direction in the rotor frame");
+  write_axis(file, group + "/casing_angle", Eigen::VectorXd(turn / static_cast<double>(areas) * middle), "rad",
+             "absolute angle of the middle of the casing's area");
+}
+
+void write_arrays(Hdf5File& file, const std::string& group, const SpeedResponse& speed, const SimulatedScene& scene) {
+  const auto sectors = static_cast<std::size_t>(scene.independent_sectors);
+  const auto nodes = static_cast<std::size_t>(scene.clearance.size());
+  const std::string angle = group + "/angle", sector = group + "/sector", node = group + "/contact_node";
+  const std::string clearance = group + "/clearance", displacement = group + "/displacement",
+                    force = group + "/contact_force", count = group + "/contact_count";
+  file.write(clearance, speed.clearance, "m");
+  file.describe(clearance, "clearance at this speed, of the tightest blade", {node});
+  file.write(displacement, unfold(speed.displacement, {sectors, nodes, 3}), "m");
+  file.describe(displacement, "displacement without the static shift", {angle, sector, node, group + "/component"});
+  file.write(force, unfold(speed.contact_force, {sectors, nodes}), "N");
+  file.describe(force, "contact force against the normal, mean to the next sample", {angle, sector, node});
+  const Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> counts = speed.contact_count;
+  file.write(count,
+             Array<std::int32_t>{{sectors, nodes, static_cast<std::size_t>(counts.cols())},
+                                 {counts.data(), counts.data() + counts.size()}},
+             "1");
+  file.describe(count, "recorded steps in contact", {sector, node, group + "/casing_angle"});
 }
 
 /// The arrays of a speed, of the shapes that the scene and the speed's own numbers ask for.
@@ -228,14 +182,10 @@ void read_arrays(const Hdf5File& file, const std::string& group, NamedAxes& axes
 
 }  // namespace
 
-const char* name_of(MotionClass motion) {
-  return name_of(motion_names, motion);
-}
-
 bool is_finite(const SpeedResponse& speed) {
   bool finite = speed.displacement.allFinite() && speed.contact_force.allFinite() && speed.clearance.allFinite() &&
                 std::isfinite(speed.audit.orbit.residual) && std::isfinite(speed.audit.orbit.multiplier);
-  visit_numbers(speed, [&](const char*, const auto& value, Bounds) {
+  visit_numbers(speed, [&](const NumberMeaning&, const auto& value) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
       finite = finite && std::isfinite(value.value_or(0));
     else
@@ -253,26 +203,14 @@ bool is_finite(const SpeedResponse& speed) {
 void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& speed,
                        const SimulatedScene& scene) {
   file.set_attribute(group, "speed", speed.speed);
-  file.set_attribute(group, "failure", speed.failure);
-  file.set_attribute(group, "motion", std::string(name_of(speed.motion)));
-  file.set_attribute(group, "symmetry", std::string(name_of(symmetry_names, speed.audit.symmetry)));
-  file.set_attribute(group, "halving_measure", speed.audit.halving_measure);
-  file.set_attribute(group, "depth", std::string(name_of(depth_names, speed.depth)));
+  for (const SpeedText& text : texts_of(speed)) file.set_attribute(group, text.name, text.value);
   write_numbers(file, group, speed);
   for (std::size_t i = 0; i < speed.other_starts.size(); ++i)
     write_other_start(file, start_at(group, i), speed.other_starts[i]);
   write_orbit(file, group, speed.audit.orbit);
   if (!speed.failure.empty()) return;
-  const auto sectors = static_cast<std::size_t>(scene.independent_sectors);
-  const auto nodes = static_cast<std::size_t>(scene.clearance.size());
-  file.write(group + "/clearance", speed.clearance, "m");
-  file.write(group + "/displacement", unfold(speed.displacement, {sectors, nodes, 3}), "m");
-  file.write(group + "/contact_force", unfold(speed.contact_force, {sectors, nodes}), "N");
-  const Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> counts = speed.contact_count;
-  file.write(group + "/contact_count",
-             Array<std::int32_t>{{sectors, nodes, static_cast<std::size_t>(counts.cols())},
-                                 {counts.data(), counts.data() + counts.size()}},
-             "steps");
+  write_axes(file, group, speed, scene);
+  write_arrays(file, group, speed, scene);
   write_kept_states(file, group, speed, scene);
 }
 
@@ -282,10 +220,10 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   speed.speed = bounded(file, group, "speed", {std::numeric_limits<double>::min(), any.high});
   speed.failure = file.text_attribute(group, "failure");
   const std::string where = file.path() + ": " + group;
-  speed.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
-  speed.audit.symmetry = value_named(symmetry_names, file.text_attribute(group, "symmetry"), where + ": symmetry");
+  speed.motion = motion_named(file.text_attribute(group, "motion"), where + ": motion");
+  speed.audit.symmetry = symmetry_named(file.text_attribute(group, "symmetry"), where + ": symmetry");
   speed.audit.halving_measure = file.text_attribute(group, "halving_measure");
-  speed.depth = value_named(depth_names, file.text_attribute(group, "depth"), where + ": depth");
+  speed.depth = depth_named(file.text_attribute(group, "depth"), where + ": depth");
   read_numbers(file, group, speed);
   while (file.exists(start_at(group, speed.other_starts.size())))
     speed.other_starts.push_back(read_other_start(file, start_at(group, speed.other_starts.size())));

@@ -8,6 +8,7 @@
 
 #include "cases/program/units.h"
 #include "simulate/scene/linear_between.h"
+#include "simulate/scene/simulate_parameters.h"
 
 namespace tiprub {
 
@@ -22,6 +23,11 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
   if (points.front()[0] < 0 || points.back()[0] >= period)
     table.reject("distortion_table",
                  "must have its angles in 0 .. 360/lobes deg, that end excluded; it repeats `lobes` times");
+  const auto nearer = [&](const auto& one, const auto& next) {
+    return next[0] - one[0] <= PeriodicTable::closest * period;
+  };
+  if (std::adjacent_find(points.begin(), points.end(), nearer) != points.end())
+    table.reject("distortion_table", "must have its angles more than 1e-9 of 360/lobes deg apart");
   for (auto& [angle, inward] : points) {
     angle *= radians;
     casing.amplitude = std::max(casing.amplitude, std::abs(inward));
@@ -31,7 +37,7 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
 
 }  // namespace
 
-double Casing::distortion(double angle) const {
+double Casing::distortion(double angle, double fraction) const {
   const double period = two_pi / lobes;  // eq. 16: f = N_l Omega for an angle that grows with Omega t
   const double turned = angle - crest_angle;
   const double from_crest = turned - period * std::round(turned / period);
@@ -44,6 +50,8 @@ double Casing::distortion(double angle) const {
                  : amplitude * std::pow(std::cos(std::numbers::pi * from_crest / bump_width), 2);
     case CasingShape::table:
       return table(turned);
+    case CasingShape::profile:
+      return profile(turned, fraction);
   }
   return 0.0;
 }
@@ -54,13 +62,7 @@ double Casing::ramp(double revolutions) const {
 }
 
 Eigen::VectorXd Casing::given_clearance(const ContactLine& contact) const {
-  const Eigen::Index count = contact.arc_length.size();
-  const double start = contact.arc_length[0];
-  const double length = contact.arc_length[count - 1] - start;
-  Eigen::VectorXd values(count);
-  for (Eigen::Index k = 0; k < count; ++k)
-    values[k] = linear_between(clearance, length > 0 ? (contact.arc_length[k] - start) / length : 0.0);
-  return values;
+  return arc_fractions(contact).unaryExpr([&](double fraction) { return linear_between(clearance, fraction); });
 }
 
 Eigen::VectorXd Casing::running_clearance(const ContactLine& contact, double speed) const {
@@ -71,20 +73,55 @@ Eigen::VectorXd Casing::running_clearance(const ContactLine& contact, double spe
   return given - contact.normal.cwiseProduct(shift).rowwise().sum();
 }
 
-Casing read_casing(CaseTable& table) {
-  Casing casing;
-  casing.shape = table.choice<CasingShape>(
-      "shape", CasingShape::cosine,
-      {{"cosine", CasingShape::cosine}, {"bumps", CasingShape::bumps}, {"table", CasingShape::table}});
+Eigen::VectorXd arc_fractions(const ContactLine& contact) {
+  const Eigen::VectorXd from_start = contact.arc_length.array() - contact.arc_length[0];
+  const double length = from_start[contact.trailing_edge()];
+  return length > 0 ? Eigen::VectorXd(from_start / length) : Eigen::VectorXd::Zero(from_start.size());
+}
+
+namespace {
+
+void read_shape(CaseTable& table, Casing& casing) {
+  casing.shape = table.choice<CasingShape>("shape", CasingShape::cosine,
+                                           {{"cosine", CasingShape::cosine},
+                                            {"bumps", CasingShape::bumps},
+                                            {"table", CasingShape::table},
+                                            {"profile", CasingShape::profile}});
   casing.lobes = table.integer("lobes", 2, Range::between(1, 1000), "lobes around the casing");
   if (casing.shape == CasingShape::table) {
     read_distortion_table(table, casing);
+  } else if (casing.shape == CasingShape::profile) {
+    casing.profile = read_casing_profile(table.file("profile", "a casing's profile"), two_pi / casing.lobes);
+    casing.amplitude = casing.profile.largest();
   } else {
     casing.amplitude = table.number("amplitude", std::nullopt, Range::at_least(0), "m inward at the crest");
   }
   if (casing.shape == CasingShape::bumps)
     casing.bump_width =
         radians * table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
+}
+
+/// The smallest of them joins `clearance`.
+void read_blade_clearance(CaseTable& table, Casing& casing) {
+  if (!table.has("blade_clearance")) return;
+  casing.blade_clearance = table.numbers("blade_clearance", std::nullopt, Range::any(), "m more, blade by blade");
+  const double least = *std::min_element(casing.blade_clearance.begin(), casing.blade_clearance.end());
+  for (double& more : casing.blade_clearance) more -= least;
+  for (std::array<double, 2>& point : casing.clearance) point[1] += least;
+  if (std::any_of(casing.clearance.begin(), casing.clearance.end(), [](const auto& point) { return point[1] < 0; }))
+    table.reject("blade_clearance", "takes more from `clearance` than there is");
+}
+
+const char* key_of_shape(CasingShape shape) {
+  if (shape == CasingShape::table) return "distortion_table";
+  return shape == CasingShape::profile ? "profile" : "amplitude";
+}
+
+}  // namespace
+
+Casing read_casing(CaseTable& table) {
+  Casing casing;
+  read_shape(table, casing);
   casing.crest_angle = radians * table.number("crest_angle_deg", 0.0, Range::between(-360, 360), "deg");
   casing.ramp_revolutions = table.number("ramp_revolutions", 3.0, {0.0, 1e6, Range::LowEnd::excluded}, "revolutions");
   casing.clearance_state = table.choice<ClearanceState>(
@@ -96,8 +133,24 @@ Casing read_casing(CaseTable& table) {
   casing.clearance = table.points("clearance", std::nullopt, Range::at_least(0), "fraction of the chord, m");
   if (casing.clearance.front()[0] < 0 || casing.clearance.back()[0] > 1)
     table.reject("clearance", "must have its fractions of the arc length in 0 .. 1");
+  read_blade_clearance(table, casing);
   table.close();
   return casing;
+}
+
+void require_blades_of_wheel(const CaseTable& table, const Casing& casing, const SimulateParameters& parameters,
+                             int sector_count) {
+  if (casing.blade_clearance.empty()) return;
+  const std::string key = "blade_clearance";
+  if (casing.blade_clearance.size() != static_cast<std::size_t>(sector_count))
+    table.reject(key, "has " + std::to_string(casing.blade_clearance.size()) + " numbers, and the wheel has " +
+                          std::to_string(sector_count) + " blades; give one for each");
+  if (parameters.nodal_diameters != DiameterChoice::all)
+    table.reject(key, "makes the sectors differ; set [simulate] nodal_diameters = \"all\"");
+  if (parameters.steady_state == SteadyStateMethod::orbit || parameters.branches != BranchChoice::none)
+    table.reject(key,
+                 "leaves no motion that is the same in all sectors; set [simulate] steady_state = \"march\" and "
+                 "branches = \"none\"");
 }
 
 void require_lengths_in_metres(const CaseTable& table, const Casing& casing, const ContactLine& contact) {
@@ -110,8 +163,9 @@ void require_lengths_in_metres(const CaseTable& table, const Casing& casing, con
          << " m; it is in metres, not in millimetres";
     table.reject(key, text.str());
   };
-  require(casing.shape == CasingShape::table ? "distortion_table" : "amplitude", casing.amplitude);
+  require(key_of_shape(casing.shape), casing.amplitude);
   for (const std::array<double, 2>& point : casing.clearance) require("clearance", point[1]);
+  for (const double more : casing.blade_clearance) require("blade_clearance", more);
 }
 
 }  // namespace tiprub

@@ -12,7 +12,9 @@ namespace tiprub {
 class PeriodicTable {
  public:
   PeriodicTable() = default;
-  /// Points [x, y] with x increasing inside [x_0, x_0 + period).
+  /// [1] of the period, between two points: nearer ones would become one, a period on.
+  static constexpr double closest = 1e-9;
+  /// Points [x, y] with x increasing, by more than `closest`, inside [x_0, x_0 + period).
   PeriodicTable(const std::vector<std::array<double, 2>>& points, double period);
 
   double operator()(double x) const;

@@ -12,6 +12,7 @@ namespace tiprub {
 namespace {
 
 constexpr int count_max = 1'000'000;
+const Range accuracy_range = Range::between(1e-5, 0.5);
 
 /// Where a march begins: it is halved at least once, so that the first halving tells its error. On the wheels of
 /// cases/speed_accuracy 200 steps a period of the first family, halved, are within 4e-3; errors fall with the square
@@ -58,8 +59,8 @@ void read_revolutions(CaseTable& table, SimulateParameters& parameters) {
     table.reject("max_revolutions", "must be at least min_revolutions");
   if (parameters.max_revolutions <= parameters.recorded_revolutions)
     table.reject("max_revolutions", "must be above recorded_revolutions, which it includes");
-  parameters.settle_tolerance =
-      table.number("settle_tolerance", 1e-4, {0.0, 1.0, Range::LowEnd::excluded}, "of the motion's norm");
+  parameters.settle_tolerance = table.number("settle_tolerance", parameters.accuracy / 200,
+                                             {0.0, 1.0, Range::LowEnd::excluded}, "of the motion's norm");
   parameters.steady_state =
       table.choice<SteadyStateMethod>("steady_state", SteadyStateMethod::march,
                                       {{"march", SteadyStateMethod::march}, {"orbit", SteadyStateMethod::orbit}});
@@ -136,6 +137,7 @@ void read_scheme(CaseTable& table, SimulateParameters& parameters) {
 
 SimulateParameters read_simulate_parameters(CaseTable& table) {
   SimulateParameters parameters;
+  parameters.accuracy = table.number("accuracy", 0.02, accuracy_range, "of a critical speed's amplitude");
   read_speed_choice(table, parameters);
   read_scheme(table, parameters);
   read_damping_and_band(table, parameters);
@@ -143,7 +145,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
       table.choice<DiameterChoice>("nodal_diameters", DiameterChoice::symmetric,
                                    {{"symmetric", DiameterChoice::symmetric}, {"all", DiameterChoice::all}});
   parameters.step_tolerance =
-      table.number("step_tolerance", 5e-3, Range::between(1e-7, 0.5), "of the settled motion");
+      table.number("step_tolerance", parameters.accuracy / 4, Range::between(1e-7, 0.5), "of the settled motion");
   parameters.steps_per_period = table.number("steps_per_period", steps_for(parameters.step_tolerance),
                                              Range::between(4, count_max), "of the lowest frequency, at least");
   parameters.steps_per_revolution =

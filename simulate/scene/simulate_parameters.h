@@ -75,6 +75,7 @@ struct SimulateParameters {
   double resolved_frequency = std::numeric_limits<double>::infinity();
   DiameterChoice nodal_diameters = DiameterChoice::symmetric;
   double damping_ratio_beyond = 0;  ///< [1] of critical, of modes above the resolved frequency
+  double accuracy = 0.02;           ///< [1] of a critical speed's amplitude; the tolerances' defaults come from it
   double step_tolerance = 5e-3;     ///< [1] of the settled motion: the step is halved until that changes it by less
   double steps_per_period = 200;    ///< at least, of the lowest natural frequency, of the first march
   int steps_per_revolution = 0;     ///< at least, and never halved; 0: from steps_per_period

@@ -103,7 +103,8 @@ int revolutions_to_record(const SimulateParameters& parameters, const SettlingSt
 
 /// Jumps, or marches until the motion has settled or the allowed revolutions are spent.
 void come_to_rest(OrbitSearch* search, int last_start, TimeMarch& march, Settling& settling) {
-  if (search && search->jump(march)) settling.stand_on_orbit(search->report().multiplier);
+  if (search && search->jump(march))
+    settling.stand_on_orbit(search->period_revolutions(), search->report().multiplier);
   while (settling.revolutions() < last_start && !settling.settled()) settling.advance();
 }
 
@@ -242,7 +243,8 @@ Eigen::VectorXd open_clearance(const Scene& scene, double speed) {
   Eigen::Index node = 0;
   if (clearance.minCoeff(&node) >= 0) return clearance;
   std::ostringstream text;
-  text << "spin closes the clearance: contact node " << node << " (from 0, leading edge first) is left with "
+  text << "spin closes the clearance: contact node " << node << " (from 0, leading edge first"
+       << (node > scene.model.contact.trailing_edge() ? "; on the splitter" : "") << ") is left with "
        << clearance[node] << " m at " << speed << " rad/s; widen [casing] clearance, or give the running one";
   throw RunError(text.str());
 }
@@ -281,8 +283,15 @@ std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const Rot
   if (start.at_rest()) orbit = approach(scene, rotor, response.speed, search);
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
                        parameters.min_revolutions, cycle, search ? &*search : nullptr};
-  std::unique_ptr<TimeMarch> march = settle(scene, rotor, orbit.at_rest() ? start : orbit, plan, response);
-  if (parameters.steps_per_revolution == 0) march = refine(scene, rotor, plan, std::move(march), response);
+  const SpeedResponse blank = response;
+  const auto run = [&](const RotorState& from) {
+    response = blank;
+    std::unique_ptr<TimeMarch> march = settle(scene, rotor, from, plan, response);
+    const bool halves = parameters.steps_per_revolution == 0;
+    return halves ? refine(scene, rotor, plan, std::move(march), response) : std::move(march);
+  };
+  std::unique_ptr<TimeMarch> march = run(orbit.at_rest() ? start : orbit);
+  if (!orbit.at_rest() && !search->stands(*march)) march = run(start);
   if (search) report(*search, response.audit);
   return march;
 }

@@ -103,13 +103,13 @@ bool FinishedSpeeds::has(double speed, Depth depth) const {
   return place != speeds_.end() && place->second >= depth;
 }
 
-ResponseWriter FinishedSpeeds::writer(const fs::path& path) const {
-  return {path, scene_, key_, generator_};
+ResponseWriter FinishedSpeeds::writer(const fs::path& path, ResponseUse use) const {
+  return {path, scene_, key_, generator_, use};
 }
 
 void FinishedSpeeds::keep(const SpeedResponse& response, const RotorState& end) {
   OutputFile file(part(response.speed, response.depth));
-  ResponseWriter part_writer = writer(file.scratch());
+  ResponseWriter part_writer = writer(file.scratch(), ResponseUse::passing);
   part_writer.add(response);
   part_writer.add_end(end);
   part_writer.close();

@@ -33,7 +33,7 @@ class FinishedSpeeds {
   /// its speed, and counts as itself alone: what a sweep does next hangs on it.
   bool has(double speed, Depth depth) const;
   /// Of a file with this sweep's scene and key.
-  ResponseWriter writer(const std::filesystem::path& path) const;
+  ResponseWriter writer(const std::filesystem::path& path, ResponseUse use = ResponseUse::kept) const;
   /// Written beside, then renamed. Raises RunError if it can't be written.
   void keep(const SpeedResponse& response, const RotorState& end = {});
   /// As it was scanned, or as it was computed in full.

@@ -29,6 +29,7 @@ void add_settings(Digest& hash, const CaseSettings& settings) {
 
 const std::vector<ExemptKey>& exempt_keys() {
   static const std::vector<ExemptKey> keys = {
+      {"accuracy", "it sets defaults of keys that count themselves"},
       {"speed_min_rpm", "speeds are independent; a sweep that carries its state counts the speeds themselves"},
       {"speed_max_rpm", "as speed_min_rpm"},
       {"speed_count", "as speed_min_rpm"},

@@ -27,12 +27,15 @@ const char* name_of(ClearanceState state) {
 
 SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin) {
   SimulatedScene described;
+  described.asked = {scene.parameters.accuracy, scene.parameters.step_tolerance, scene.parameters.settle_tolerance};
   described.sector_count = scene.model.sector_count;
   described.independent_sectors = scene.scope.independent_sectors;
   described.nodal_diameters = scene.scope.nodal_diameters;
   described.casing_angle = Eigen::VectorXd::LinSpaced(casing_points, 0.0, 2 * std::numbers::pi);
-  described.casing_distortion =
-      described.casing_angle.unaryExpr([&](double angle) { return scene.casing.distortion(angle); });
+  const Eigen::VectorXd fractions = arc_fractions(scene.model.contact);
+  described.casing_distortion = described.casing_angle.unaryExpr([&](double angle) {
+    return fractions.unaryExpr([&](double fraction) { return scene.casing.distortion(angle, fraction); }).maxCoeff();
+  });
   described.lobes = scene.casing.lobes;
   described.resolved_frequency = scene.parameters.resolved_frequency;
   described.clearance = scene.casing.given_clearance(scene.model.contact);

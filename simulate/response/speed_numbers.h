@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "simulate/response/response.h"
+
+namespace tiprub {
+
+/// What a number of a speed that did not fail may be; ends included.
+struct Bounds {
+  double low, high;
+};
+constexpr double beyond_counting = 9007199254740992.0;  // 2^53: up to there a double tells whole numbers apart
+constexpr Bounds any = {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+constexpr Bounds not_negative = {0, any.high}, not_positive = {any.low, 0}, share = {0, 1};
+constexpr Bounds whole = {0, beyond_counting}, at_least_one = {1, beyond_counting},
+                 at_least_two = {2, beyond_counting};
+
+/// A number of a speed as response.h5 has it.
+struct NumberMeaning {
+  const char* name;
+  const char* units;
+  const char* long_name;
+  Bounds bounds;
+};
+
+template <class Speed, class Visit>
+void visit_motion(Speed& speed, Visit visit) {
+  visit({"steps_per_revolution", "1", "steps of the march in a revolution", at_least_one},
+        speed.steps_per_revolution);
+  visit({"samples_per_revolution", "1", "samples in a revolution", at_least_two}, speed.samples_per_revolution);
+  visit({"recorded_revolutions", "1", "revolutions recorded", at_least_one}, speed.recorded_revolutions);
+  visit({"revolutions", "1", "revolutions marched in all", whole}, speed.revolutions);
+  visit({"amplitude", "m", "half of the peak-to-peak normal displacement, the largest", not_negative},
+        speed.amplitude);
+  visit({"period_revolutions", "1", "revolutions after which the motion repeats itself; 0: not settled", whole},
+        speed.period_revolutions);
+  visit({"period_beats", "1", "beats after which the motion repeats itself; 0: it does not", whole},
+        speed.period_beats);
+  visit({"off_beat_energy", "1", "share of the mean square at no multiple of the beat's frequency", any},
+        speed.off_beat_energy);
+  visit({"chatter", "1", "share of the mean square above the resolved frequency", any}, speed.chatter);
+  visit({"chatter_node", "1", "contact node with most chatter, from 0", whole}, speed.chatter_node);
+  visit({"change", "1", "relative change of the motion over its period", not_negative}, speed.change);
+  visit({"change_rate", "1", "factor of that change in a revolution", any}, speed.change_rate);
+  visit({"step_ratio", "1", "h omega_max / 2", not_negative}, speed.step_ratio);
+}
+
+template <class Speed, class Visit>
+void visit_contact(Speed& speed, Visit visit) {
+  visit({"contact_work", "J", "work of the casing on the wheel, as recorded", any}, speed.energy.contact_work);
+  visit({"dissipated", "J", "energy taken by damping, as recorded", any}, speed.energy.dissipated);
+  visit({"energy_change", "J", "change of kinetic and elastic energy, as recorded", any}, speed.energy.energy_change);
+  visit({"energy_closing_error", "1", "what the three leave open, of the largest", any}, speed.energy.closing_error);
+  visit({"largest_penetration", "m", "largest penetration of a contact node", not_negative},
+        speed.largest_penetration);
+  visit({"smallest_multiplier", "N", "smallest contact force; negative: tensile", not_positive},
+        speed.smallest_multiplier);
+  visit({"contact_steps", "1", "recorded steps with contact", whole}, speed.contact_steps);
+  visit({"tension_steps", "1", "recorded steps with a tensile contact force", whole}, speed.tension_steps);
+  visit({"solver_fallbacks", "1", "steps in which the contact solver fell back", whole}, speed.solver_fallbacks);
+}
+
+template <class Speed, class Visit>
+void visit_audit(Speed& speed, Visit visit) {
+  auto& audit = speed.audit;
+  visit({"halving_difference", "1", "what the last halving of the step changed", not_negative},
+        audit.halving_difference);
+  visit({"excluded_growth", "1", "growth in a revolution of nodal diameters left out", not_negative},
+        audit.excluded_growth);
+  visit({"excluded_growth_uncertainty", "1", "uncertainty of that growth", not_negative},
+        audit.excluded_growth_uncertainty);
+  visit({"rest_difference", "1", "relative difference to the motion from rest", not_negative}, audit.rest_difference);
+  visit({"left_out_energy", "1", "elastic energy of modes left out, of all", any}, audit.left_out_energy);
+  visit({"compliance_condition", "1", "condition number of W", not_negative}, audit.compliance_condition);
+  visit({"leftover_steps", "1", "recorded steps that leave a node in the casing", whole}, audit.leftover_steps);
+  visit({"tension_share", "1", "share of tensile contact force", share}, audit.tension_share);
+}
+
+/// Every number of a speed, and what it means: one list for the writers and the reader. `visit(meaning, value)` is
+/// given an int, std::int64_t, double, or, of what may be absent, std::optional<double>.
+template <class Speed, class Visit>
+void visit_numbers(Speed& speed, Visit visit) {
+  visit_motion(speed, visit);
+  visit_contact(speed, visit);
+  visit_audit(speed, visit);
+}
+
+/// The same of an orbit that was looked for; older files have no `orbit_maps`.
+template <class Orbit, class Visit>
+void visit_orbit_numbers(Orbit& orbit, Visit visit) {
+  visit({"orbit_maps", "1", "maps after which the orbit repeats itself", at_least_one}, orbit.maps);
+  visit({"orbit_revolutions", "1", "revolutions that all maps come to", not_negative}, orbit.revolutions);
+  visit({"orbit_residual", "1", "relative change of the state by the map", not_negative}, orbit.residual);
+  visit({"multiplier", "1", "magnitude in a revolution of the largest Floquet multiplier", not_negative},
+        orbit.multiplier);
+  visit({"multiplier_uncertainty", "1", "uncertainty of that magnitude", not_negative}, orbit.multiplier_uncertainty);
+  visit({"multiplier_angle", "rad", "angle of that multiplier, a map", not_negative}, orbit.multiplier_angle);
+}
+
+/// A text of a speed as response.h5 has it.
+struct SpeedText {
+  const char* name;
+  const char* long_name;
+  std::string value;
+};
+
+std::vector<SpeedText> texts_of(const SpeedResponse& speed);
+
+const char* name_of(OrbitReport::Outcome outcome);
+
+/// What name_of() and texts_of() gave. Raise RunError, which begins with `where`, if there is none of that name.
+MotionClass motion_named(const std::string& name, const std::string& where);
+SymmetryVerdict symmetry_named(const std::string& name, const std::string& where);
+Depth depth_named(const std::string& name, const std::string& where);
+OrbitReport::Outcome outcome_named(const std::string& name, const std::string& where);
+
+}  // namespace tiprub

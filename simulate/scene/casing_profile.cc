@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/scene/casing_profile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <sstream>
+
+#include "cases/program/errors.h"
+#include "cases/program/lines/number_lines.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+
+std::vector<double> read_stations(const NamedText& file, const NumberLine& heading) {
+  std::vector<double> stations;
+  for (std::size_t word = 1; word < heading.words.size(); ++word) {
+    const double station = number_in(file, heading, word, "a fraction of the arc length");
+    if (station < 0 || station > 1 || (!stations.empty() && station <= stations.back()))
+      refuse_line(file, heading.number,
+                  "must be a word and then fractions of the arc length, increasing in 0 .. 1; \"" +
+                      std::string(heading.words[word]) + "\" isn't");
+    stations.push_back(station);
+  }
+  if (stations.empty())
+    refuse_line(file, heading.number, "must be \"angle_deg\" and the fractions of the arc length of the columns");
+  return stations;
+}
+
+}  // namespace
+
+CasingProfile::CasingProfile(std::vector<double> stations, const std::vector<double>& angles,
+                             const std::vector<std::vector<double>>& inward, double period)
+    : stations_(std::move(stations)) {
+  for (std::size_t column = 0; column < stations_.size(); ++column) {
+    std::vector<std::array<double, 2>> points;
+    for (std::size_t row = 0; row < angles.size(); ++row) {
+      points.push_back({angles[row], inward[row][column]});
+      largest_ = std::max(largest_, std::abs(inward[row][column]));
+    }
+    curves_.emplace_back(points, period);
+  }
+}
+
+double CasingProfile::operator()(double angle, double fraction) const {
+  const auto above = std::upper_bound(stations_.begin(), stations_.end(), fraction);
+  const auto next = static_cast<std::size_t>(above - stations_.begin());
+  if (next == 0) return curves_.front()(angle);
+  if (next == stations_.size()) return curves_.back()(angle);
+  const double share = (fraction - stations_[next - 1]) / (stations_[next] - stations_[next - 1]);
+  return (1 - share) * curves_[next - 1](angle) + share * curves_[next](angle);
+}
+
+CasingProfile read_casing_profile(const NamedText& file, double period) {
+  std::vector<NumberLine> lines = lines_of(file);
+  std::erase_if(lines, [](const NumberLine& line) { return line.words.empty(); });
+  if (lines.size() < 2)
+    refuse_line(file, 1, "must hold a line of fractions of the arc length, and one for each angle");
+  const std::vector<double> stations = read_stations(file, lines.front());
+  std::vector<double> angles;
+  std::vector<std::vector<double>> inward;
+  for (std::size_t row = 1; row < lines.size(); ++row) {
+    require_words(file, lines[row], 1 + stations.size(), "an angle [deg], and for each fraction how far inward [m]");
+    const double angle = radians * number_in(file, lines[row], 0, "an angle [deg]");
+    if (angle < 0 || angle >= period ||
+        (!angles.empty() && angle <= angles.back() + PeriodicTable::closest * period)) {
+      std::ostringstream text;
+      text << "angles must increase in 0 .. " << period / radians << " deg, that end excluded; "
+           << lines[row].words[0] << " doesn't";
+      refuse_line(file, lines[row].number, text.str());
+    }
+    angles.push_back(angle);
+    inward.emplace_back();
+    for (std::size_t word = 1; word <= stations.size(); ++word)
+      inward.back().push_back(number_in(file, lines[row], word, "how far inward [m]"));
+  }
+  return {stations, angles, inward, period};
+}
+
+}  // namespace tiprub

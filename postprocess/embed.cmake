@@ -17,7 +17,11 @@ set(TIPRUB_EMBED_SCRIPT "${CMAKE_CURRENT_LIST_FILE}")
 
 function(tiprub_embed target set_name)
   set(header "${CMAKE_CURRENT_BINARY_DIR}/embedded/${set_name}.h")
-  list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE files)
+  set(files "")
+  foreach(file IN LISTS ARGN)
+    get_filename_component(file "${file}" ABSOLUTE)
+    list(APPEND files "${file}")
+  endforeach()
   add_custom_command(
     OUTPUT "${header}"
     COMMAND "${CMAKE_COMMAND}" "-DSET_NAME=${set_name}" "-DHEADER=${header}" "-DFILES=${files}" -P
@@ -41,14 +45,14 @@ function(tiprub_write_embedded)
     if(NOT end EQUAL -1)
       message(FATAL_ERROR "${file}: holds )embedded\", which would end the string that it is put into")
     endif()
-    string(APPEND constants "inline constexpr std::string_view ${constant} = R\"embedded(${text})embedded\";\n")
+    string(APPEND constants "inline constexpr std::string_view ${constant} = R\"embedded(${text})embedded\"sv;\n")
     string(APPEND entries "    {\"${name}\", ${constant}},\n")
   endforeach()
   list(LENGTH FILES count)
   file(
     WRITE "${HEADER}"
     "// Written by embed.cmake; edit the files instead.\n#pragma once\n\n#include <array>\n#include <string_view>\n"
-    "#include <utility>\n\nnamespace tiprub::embedded::${SET_NAME} {\n\n${constants}\n"
+    "#include <utility>\n\nnamespace tiprub::embedded::${SET_NAME} {\n\nusing namespace std::string_view_literals;\n\n${constants}\n"
     "inline constexpr std::array<std::pair<std::string_view, std::string_view>, ${count}> files{{\n${entries}}};\n\n"
     "}  // namespace tiprub::embedded::${SET_NAME}\n")
 endfunction()

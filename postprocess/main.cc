@@ -5,7 +5,8 @@
 #include "postprocess/postprocess.h"
 
 int main(int argc, char** argv) {
-  std::string fields_file;
+  std::string fields_file, compared;
+  std::vector<std::filesystem::path> runs;
   tiprub::Stage stage;
   stage.name = "tiprub-postprocess";
   stage.summary = "Draws what a rub simulation found: interaction maps, contact maps, critical speeds, a report.";
@@ -19,8 +20,13 @@ int main(int argc, char** argv) {
         "--fields", fields_file,
         "full fields, from tiprub-reduce --fields: adds displacement and stress on the whole wheel, and the "
         "stress at every critical speed");
+    app.add_option("--compare", compared,
+                   "another report's folder, or another response of this model: lays its response, maps and critical "
+                   "speeds beside these");
+    app.add_option("--runs", runs, "what a stage before noted with --times, for the page; may be repeated")
+        ->allow_extra_args(false);
   };
   return tiprub::run_stage(argc, argv, stage, [&](const tiprub::StageArguments& arguments) {
-    tiprub::postprocess(arguments, fields_file);
+    tiprub::postprocess(arguments, {fields_file, compared, runs});
   });
 }

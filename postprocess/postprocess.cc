@@ -10,6 +10,7 @@
 #include "cases/program/progress.h"
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/analysis/input_check.h"
+#include "postprocess/compare/comparison.h"
 #include "postprocess/figures/drawing/gnuplot.h"
 #include "postprocess/figures/field_figures.h"
 #include "postprocess/figures/study_figures.h"
@@ -35,12 +36,18 @@ struct Inputs {
   Response response;
   SweepFiles sweeps;
   fs::path fields_file;  ///< empty: no full fields
+  fs::path compared;     ///< empty: nothing to compare with
+  RunRecord run{{}, {}};
 };
 
-Inputs read_inputs(const StageArguments& arguments, const fs::path& fields_file) {
+Inputs read_inputs(const StageArguments& arguments, const PostprocessOptions& options) {
   const CaseFile file(arguments.inputs[0], arguments.settings);
   CaseTable table = file.table("postprocess");
   Inputs inputs;
+  std::vector<fs::path> files = arguments.inputs;
+  for (const fs::path& other : {options.fields_file, options.compared})
+    if (!other.empty()) files.push_back(other);
+  inputs.run = RunRecord(files, options.runs);
   inputs.parameters = read_postprocess_parameters(table);
   inputs.strength = read_material_strength(file);
   if (arguments.verbosity == Verbosity::verbose) say(arguments, "[postprocess]\n" + table.resolved());
@@ -54,8 +61,11 @@ Inputs read_inputs(const StageArguments& arguments, const fs::path& fields_file)
     return name.empty() ? fs::path() : arguments.inputs[0].parent_path() / name;
   };
   inputs.sweeps = {beside_case(inputs.parameters.response_up), beside_case(inputs.parameters.response_down)};
-  inputs.fields_file = fields_file;
-  refuse_overwriting({arguments.output}, {fields_file, inputs.sweeps.up, inputs.sweeps.down});
+  inputs.fields_file = options.fields_file;
+  inputs.compared = options.compared;
+  std::vector<fs::path> others = options.runs;
+  others.insert(others.end(), {options.fields_file, inputs.sweeps.up, inputs.sweeps.down, options.compared});
+  refuse_overwriting({arguments.output}, others);
   require_gnuplot();
   return inputs;
 }
@@ -73,18 +83,29 @@ void print(const std::string& table) {
 void check(Inputs inputs) {
   if (!inputs.fields_file.empty()) check_fields(inputs.fields_file, inputs.model);
   const Study study = study_of(inputs);
+  if (!inputs.compared.empty()) read_other_report(inputs.compared, study);
   print(aligned_text(scene_needs_record(scene_needs(study, field_effects(inputs.fields_file, study)))));
 }
 
 ReportContents run(Inputs inputs) {
+  inputs.run.done("reading");
   ReportContents contents{.study = study_of(inputs), .source = std::move(inputs.source)};
   contents.figures = study_figures(contents.study);
+  inputs.run.done("study");
   if (!inputs.fields_file.empty()) {
     contents.fields = recover_fields(inputs.fields_file, contents.study, inputs.strength);
-    for (Figure& figure : field_figures(*contents.fields)) contents.figures.push_back(std::move(figure));
+    for (Figure& figure : field_figures(contents.study, *contents.fields))
+      contents.figures.push_back(std::move(figure));
+  }
+  if (!inputs.compared.empty()) {
+    contents.other = read_other_report(inputs.compared, contents.study);
+    contents.figures.push_back(comparison_figure(contents.study, *contents.other));
+    contents.figures.push_back(comparison_map_figure(contents.study, *contents.other));
   }
   contents.field_results = field_results(contents.fields, contents.study.critical);
   contents.needs = scene_needs(contents.study, field_effects(inputs.fields_file, contents.study));
+  inputs.run.done("fields");
+  contents.run = std::move(inputs.run);
   return contents;
 }
 
@@ -110,13 +131,13 @@ std::string postprocess_tables(const CaseFile& file) {
   return text;
 }
 
-void postprocess(const StageArguments& arguments, const fs::path& fields_file) try {
-  if (arguments.action == Action::check) return check(read_inputs(arguments, fields_file));
+void postprocess(const StageArguments& arguments, const PostprocessOptions& options) try {
+  if (arguments.action == Action::check) return check(read_inputs(arguments, options));
   const OutputLock lock(arguments.output);
   OutputFile output(arguments.output);
-  Inputs inputs = read_inputs(arguments, fields_file);
+  Inputs inputs = read_inputs(arguments, options);
   note_interruptions();
-  const ReportContents contents = run(std::move(inputs));
+  ReportContents contents = run(std::move(inputs));
   write_report_folder(
       contents, output.scratch(),
       arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal);

@@ -89,7 +89,7 @@ std::pair<double, double> most_alike(const Eigen::MatrixXd& late, const Eigen::M
 /// [s], and the likeness; NaN, 0 unless both edges touch.
 std::pair<double, double> lag_at(const SpeedResponse& speed, const SimulatedScene& scene,
                                  const ContactLine& contact) {
-  const int last = contact.size() - 1;
+  const int last = contact.trailing_edge();
   const Eigen::MatrixXd leading = tip_force(speed, scene, 0), trailing = tip_force(speed, scene, last);
   if (leading.norm() == 0 || trailing.norm() == 0) return {unknown, 0.0};
   const double samples_per_radian = speed.samples_per_revolution / turn;
@@ -124,7 +124,7 @@ ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds,
   std::tie(drift.intercept, drift.slope, drift.determination) = fitted_line(x, y);
   if (drift.slope == 0) return drift;
   const Eigen::VectorXd& arc = contact.arc_length;
-  drift.implied_wave_speed = (arc[arc.size() - 1] - arc[0]) / std::abs(drift.slope);
+  drift.implied_wave_speed = (arc[contact.trailing_edge()] - arc[0]) / std::abs(drift.slope);
   return drift;
 }
 

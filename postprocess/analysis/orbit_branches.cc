@@ -2,11 +2,17 @@
 #include "postprocess/analysis/orbit_branches.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <set>
 
 namespace tiprub {
 
 namespace {
+
+constexpr double flip_angle = 0.98 * std::numbers::pi;  // a multiplier as good as negative
+constexpr double fold_angle = 0.02 * std::numbers::pi;  // as good as positive
 
 /// Speeds at which the number of orbits may change: where branches end or turn back, and change their stability.
 std::set<double> limits_of(const std::vector<OrbitBranch>& branches) {
@@ -36,6 +42,32 @@ OrbitRange count(const std::vector<OrbitBranch>& branches, double low, double hi
 }
 
 }  // namespace
+
+Instability instability(double angle) {
+  if (angle > flip_angle) return Instability::flip;
+  return angle < fold_angle ? Instability::fold : Instability::torus;
+}
+
+const char* name_of(Instability kind) {
+  constexpr const char* names[] = {"fold", "flip", "torus"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::vector<StabilityChange> stability_changes(const std::vector<OrbitBranch>& branches) {
+  std::vector<StabilityChange> changes;
+  for (const OrbitBranch& branch : branches)
+    for (Eigen::Index i = 1; i < branch.speed.size(); ++i) {
+      if (branch.attracts(i) == branch.attracts(i - 1)) continue;
+      const double before = std::log(branch.multiplier[i - 1]), after = std::log(branch.multiplier[i]);
+      const double along = std::isfinite(before) && std::isfinite(after) ? before / (before - after) : 0.5;
+      const Eigen::Index repels = branch.attracts(i) ? i - 1 : i;
+      changes.push_back({branch.speed[i - 1] + along * (branch.speed[i] - branch.speed[i - 1]),
+                         instability(branch.multiplier_angle[repels])});
+    }
+  std::sort(changes.begin(), changes.end(),
+            [](const auto& one, const auto& other) { return one.speed < other.speed; });
+  return changes;
+}
 
 std::vector<OrbitRange> ranges_of_many_orbits(const std::vector<OrbitBranch>& branches) {
   const std::set<double> limits = limits_of(branches);

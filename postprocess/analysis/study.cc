@@ -51,7 +51,7 @@ void measure_amplitudes(Study& study) {
 
 void map_waves(Study& study) {
   const auto map_of = [&](TipEdge edge) {
-    const int node = edge == TipEdge::leading ? 0 : study.model.contact.size() - 1;
+    const int node = edge == TipEdge::leading ? 0 : study.model.contact.trailing_edge();
     return interaction_map(study.response, study.model.contact, node, study.parameters.component);
   };
   study.map = map_of(study.parameters.edge);
@@ -64,7 +64,7 @@ void map_contact(Study& study) {
   const int lobes = std::max(study.response.scene.lobes, 1);
   const Eigen::VectorXd speeds = speeds_of(study.response);
   study.leading_edge = contact_map(study.response, contact, 0);
-  study.trailing_edge = contact_map(study.response, contact, contact.size() - 1);
+  study.trailing_edge = contact_map(study.response, contact, contact.trailing_edge());
   study.leading_drift = contact_drift(study.leading_edge, speeds, lobes, contact);
   study.trailing_drift = contact_drift(study.trailing_edge, speeds, lobes, contact);
   study.edge_lag = edge_lag(study.response, contact);

@@ -8,9 +8,12 @@ namespace tiprub {
 
 namespace {
 
-/// [m] a node's share of the tip line.
+/// [m] a node's share of its blade's tip line.
 double width_of(const ContactLine& contact, int node) {
-  const int before = std::max(node - 1, 0), after = std::min(node + 1, contact.size() - 1);
+  const bool on_splitter = node > contact.trailing_edge();
+  const int first = on_splitter ? contact.trailing_edge() + 1 : 0;
+  const int last = on_splitter ? contact.size() - 1 : contact.trailing_edge();
+  const int before = std::max(node - 1, first), after = std::min(node + 1, last);
   return 0.5 * (contact.arc_length[after] - contact.arc_length[before]);
 }
 

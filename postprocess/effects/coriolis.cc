@@ -4,8 +4,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "postprocess/fields/brick_stress.h"
+#include "mesh/cells/cell_kind.h"
+#include "postprocess/fields/cell_stress.h"
 
 namespace tiprub {
 
@@ -13,13 +15,11 @@ namespace {
 
 constexpr int more_modes = 20;  // above the one asked for, that it couples with
 
-/// [1] of a brick's volume, at its node k: the integral of the shape function over the cube.
-double node_weight(Eigen::Index nodes, std::size_t k) {
-  constexpr Eigen::Index serendipity = 20;
-  if (nodes == serendipity) return k < 8 ? -1.0 / 8 : 1.0 / 6;
-  double weight = 1;  // Simpson's, in each direction
-  for (const int place : brick_reference_nodes()[k]) weight *= place == 0 ? 2.0 / 3 : 1.0 / 6;
-  return weight;
+/// [1] of a cell's volume, at its nodes: the integrals of the shape functions over the reference cell.
+Eigen::VectorXd node_weights(const CellKind& kind) {
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(kind.nodes());
+  for (const ReferencePoint& point : kind.integration) weights += point.weight * kind.shape(point.at);
+  return weights / weights.sum();
 }
 
 }  // namespace
@@ -34,30 +34,28 @@ Eigen::VectorXd gyroscopic_frequencies(const Eigen::VectorXd& modes, const Eigen
 }
 
 Eigen::VectorXd node_volumes(const SectorFields& sector) {
-  const Eigen::VectorXd bricks = BrickStress(sector).volumes();
+  const Eigen::VectorXd cells = CellStress(sector).volumes();
+  std::map<int, Eigen::VectorXd> weights;  // by number of nodes
+  for (const CellKind& kind : all_cell_kinds()) weights[kind.nodes()] = node_weights(kind);
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(sector.nodes.cols());
-  for (Eigen::Index cell = 0; cell < sector.cells.cols(); ++cell)
-    for (Eigen::Index k = 0; k < sector.cells.rows(); ++k)
-      volumes[sector.cells(k, cell)] += bricks[cell] * node_weight(sector.cells.rows(), static_cast<std::size_t>(k));
+  for (Eigen::Index cell = 0; cell < sector.cells.cols(); ++cell) {
+    const auto nodes = nodes_of(sector.cells, cell);
+    volumes(nodes) += cells[cell] * weights[static_cast<int>(nodes.size())];
+  }
   return volumes;
 }
 
-Eigen::MatrixXcd coriolis_coupling(const Eigen::MatrixXcd& shapes, const Eigen::VectorXd& volumes) {
-  const Eigen::Index nodes = volumes.size();
+Eigen::MatrixXcd coriolis_coupling(const Eigen::MatrixXcd& shapes, const Eigen::VectorXd& masses) {
+  const Eigen::Index nodes = masses.size();
   const auto component = [&](Eigen::Index c) -> Eigen::MatrixXcd {
     return shapes(Eigen::seqN(c, nodes, Eigen::fix<3>), Eigen::all);
   };
-  const Eigen::MatrixXcd r = component(0), theta = component(1), z = component(2);
-  const auto weight = volumes.asDiagonal();
-  const Eigen::VectorXd mass =
-      (r.adjoint() * weight * r + theta.adjoint() * weight * theta + z.adjoint() * weight * z).diagonal().real();
-  const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXcd coupling = theta.adjoint() * weight * r - r.adjoint() * weight * theta;
-  return scale.asDiagonal() * coupling * scale.asDiagonal();
+  const Eigen::MatrixXcd r = component(0), theta = component(1);
+  return theta.adjoint() * masses.asDiagonal() * r - r.adjoint() * masses.asDiagonal() * theta;
 }
 
 CoriolisTerms::CoriolisTerms(const FieldsReader& reader, const ReducedModel& model)
-    : reader_(reader), model_(model), volumes_(node_volumes(reader.sector())) {}
+    : reader_(reader), model_(model), masses_(reader.sector().density * node_volumes(reader.sector())) {}
 
 double CoriolisTerms::change(int nodal_diameter, int family, double speed) const {
   const NodalDiameterModel& matrices = model_.nodal_diameters[static_cast<std::size_t>(nodal_diameter)];
@@ -67,7 +65,7 @@ double CoriolisTerms::change(int nodal_diameter, int family, double speed) const
   const Eigen::VectorXd modes = solver.eigenvalues().head(count).cwiseMax(0.0).cwiseSqrt();
   if (!(modes[family] > 0)) return 0.0;
   const Eigen::MatrixXcd shapes = reader_.expand(nodal_diameter, solver.eigenvectors().leftCols(count));
-  const Eigen::VectorXd moved = gyroscopic_frequencies(modes, coriolis_coupling(shapes, volumes_), speed);
+  const Eigen::VectorXd moved = gyroscopic_frequencies(modes, coriolis_coupling(shapes, masses_), speed);
   return std::max(std::abs(moved[count + family] / modes[family] - 1),
                   std::abs(-moved[count - 1 - family] / modes[family] - 1));
 }

@@ -21,7 +21,7 @@ class CoriolisTerms {
  private:
   const FieldsReader& reader_;
   const ReducedModel& model_;
-  Eigen::VectorXd volumes_;  // of the sector's nodes
+  Eigen::VectorXd masses_;  // of the sector's nodes
 };
 
 /// [rad/s] Frequencies with Coriolis' terms, ascending: those below zero are waves that run the other way. `modes`
@@ -30,11 +30,13 @@ class CoriolisTerms {
 /// Hermitian eigenproblem of [0 W; W 2 Omega H], W = diag(modes).
 Eigen::VectorXd gyroscopic_frequencies(const Eigen::VectorXd& modes, const Eigen::MatrixXcd& coupling, double speed);
 
-/// [m^3] so much of the volume stands for each node in the integral of what is quadratic over a brick: exact in
-/// parallelepipeds (corners of 20-node bricks count negative). By sector node.
+/// [m^3] so much of the volume stands for each node in the integral of what is quadratic over a cell: exact in
+/// parallelepipeds (corners of 20-node bricks and of 10-node tetrahedra count negative). By sector node.
 Eigen::VectorXd node_volumes(const SectorFields& sector);
 
-/// Coupling of shapes (3 nodes x shapes; r, theta, z of node 0, then of node 1, ...), each scaled to unit modal mass.
-Eigen::MatrixXcd coriolis_coupling(const Eigen::MatrixXcd& shapes, const Eigen::VectorXd& volumes);
+/// Coupling of shapes of unit modal mass (3 nodes x shapes; r, theta, z of node 0, then of node 1, ...), with the
+/// masses [kg] that stand for the nodes. They are not scaled here: of what waves within a cell, masses below zero
+/// leave none.
+Eigen::MatrixXcd coriolis_coupling(const Eigen::MatrixXcd& shapes, const Eigen::VectorXd& masses);
 
 }  // namespace tiprub

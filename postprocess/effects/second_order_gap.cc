@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/cells/cell_kind.h"
+
 namespace tiprub {
 
 namespace {
@@ -46,7 +48,7 @@ Eigen::VectorXd tip_spans(const SectorFields& sector) {
   Eigen::VectorXd spans =
       Eigen::VectorXd::Constant(static_cast<Eigen::Index>(tips.size()), std::numeric_limits<double>::infinity());
   for (const int cell : disc->second)
-    for (const int node : sector.cells.col(cell))
+    for (const int node : nodes_of(sector.cells, cell))
       for (std::size_t k = 0; k < tips.size(); ++k) {
         double& span = spans[static_cast<Eigen::Index>(k)];
         span = std::min(span, (sector.nodes.col(node) - sector.nodes.col(tips[k])).norm());

@@ -5,19 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/cells/cell_kind.h"
+
 namespace tiprub {
 
 namespace {
 
-constexpr const char* disc = "disc";
 constexpr int lines = 101;
 constexpr double edge = 0.1, root_span = 0.1, low_span = 0.35, high_span = 0.65;  // shares that words begin at
-
-/// "main blade" for "main_blade".
-std::string spoken(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
 
 /// Points at even shares of a polyline's length.
 Eigen::Matrix2Xd even_points(const std::vector<Eigen::Vector2d>& line) {
@@ -42,6 +37,11 @@ std::string length_words(double length) {
 
 }  // namespace
 
+std::string spoken(std::string part) {
+  std::replace(part.begin(), part.end(), '_', ' ');
+  return part;
+}
+
 Eigen::Vector2d meridional(const Eigen::Vector3d& place) {
   return {std::hypot(place[0], place[1]), place[2]};
 }
@@ -56,13 +56,13 @@ BladePlaces::BladePlaces(const SectorFields& sector) : sector_(sector) {
     std::vector<int>& count = bricks_[part];
     count.resize(static_cast<std::size_t>(sector.nodes.cols()));
     for (const int cell : cells)
-      for (const int node : sector.cells.col(cell)) ++count[static_cast<std::size_t>(node)];
+      for (const int node : nodes_of(sector.cells, cell)) ++count[static_cast<std::size_t>(node)];
   }
   for (const auto& [part, cells] : sector.parts)
-    if (part != disc && bricks_of(part, tip_line(sector).front()) > 0) lay_lines(part);
+    if (part != disc_part && bricks_of(part, tip_line(sector).front()) > 0) lay_lines(part);
   if (tip_.cols() == 0) return;
   for (const auto& [part, cells] : sector.parts) {
-    if (part == disc) continue;
+    if (part == disc_part) continue;
     auto& [first, last] = length_ends_[part] = {1, 0};
     for (int node = 0; node < sector.nodes.cols(); ++node) {
       if (bricks_of(part, node) == 0) continue;
@@ -82,7 +82,8 @@ void BladePlaces::lay_lines(const std::string& blade) {
   std::vector<Eigen::Vector2d> tip, root;
   for (const int node : tip_line(sector_)) tip.push_back(meridional(sector_.nodes.col(node)));
   for (int node = 0; node < sector_.nodes.cols(); ++node)
-    if (bricks_of(blade, node) > 0 && bricks_of(disc, node) > 0) root.push_back(meridional(sector_.nodes.col(node)));
+    if (bricks_of(blade, node) > 0 && bricks_of(disc_part, node) > 0)
+      root.push_back(meridional(sector_.nodes.col(node)));
   if (tip.size() < 2 || root.size() < 2) return;
   const Eigen::Vector2d onwards = tip.back() - tip.front();
   std::sort(root.begin(), root.end(),
@@ -124,7 +125,7 @@ std::string BladePlaces::words(int node) const {
     const Share here = share(node);
     const double range = ends.second - ends.first;
     const std::string length = length_words(range > 0 ? (here.length - ends.first) / range : 0);
-    if (bricks_of(disc, node) > 0 || here.span < root_span) return "root of the " + spoken(blade) + length;
+    if (bricks_of(disc_part, node) > 0 || here.span < root_span) return "root of the " + spoken(blade) + length;
     const char* span = here.span < low_span    ? " near the root"
                        : here.span < high_span ? " at mid-span"
                                                : " near the tip";

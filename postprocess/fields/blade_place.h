@@ -13,6 +13,12 @@ namespace tiprub {
 /// [m] r and z of a place in x, y, z.
 Eigen::Vector2d meridional(const Eigen::Vector3d& place);
 
+/// The part that blades stand on.
+inline constexpr const char* disc_part = "disc";
+
+/// A part's name for people: "main blade" for "main_blade".
+std::string spoken(std::string part);
+
 /// The tip line's nodes, leading to trailing edge: all of them where the fields know them, else the contact nodes.
 const std::vector<int>& tip_line(const SectorFields& sector);
 

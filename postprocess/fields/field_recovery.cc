@@ -39,13 +39,13 @@ Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& 
   return displacement;
 }
 
-void add_stress(const SectorFields& sector, const BrickStress& bricks, WaveField& wave) {
+void add_stress(const SectorFields& sector, const CellStress& bricks, WaveField& wave) {
   const double alpha = sector_angle(1, sector.sector_count);
   const std::complex<double> next = phase(wave.nodal_diameter, 1, sector.sector_count);
   ComplexTensors stress = bricks.sum(wave.displacement.real()).cast<std::complex<double>>();
   if (!wave.displacement.imag().isZero(0.0))
     stress += std::complex<double>(0, 1) * bricks.sum(wave.displacement.imag()).cast<std::complex<double>>();
-  Eigen::VectorXd count = bricks.bricks_at_node().cast<double>();
+  Eigen::VectorXd count = bricks.cells_at_node().cast<double>();
   const std::vector<int>&low = sector.node_set("cyclic_low"), &high = sector.node_set("cyclic_high");
   for (std::size_t k = 0; k < low.size(); ++k) {
     if (low[k] == high[k]) continue;  // on the axis
@@ -58,7 +58,7 @@ void add_stress(const SectorFields& sector, const BrickStress& bricks, WaveField
   wave.stress = stress.array().rowwise() / count.transpose().cast<std::complex<double>>().array();
 }
 
-WaveField spin_field(const SectorFields& sector, const BrickStress& bricks, double speed) {
+WaveField spin_field(const SectorFields& sector, const CellStress& bricks, double speed) {
   const Eigen::Matrix3Xd moved = sector.static_displacement(speed);
   WaveField wave{0, cartesian(sector, moved.reshaped().cast<std::complex<double>>()), {}};
   add_stress(sector, bricks, wave);

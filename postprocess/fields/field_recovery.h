@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "postprocess/fields/brick_stress.h"
+#include "postprocess/fields/cell_stress.h"
 #include "reduce/model/fields_file.h"
 
 namespace tiprub {
@@ -36,10 +36,10 @@ Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& 
 
 /// A wave's stress from its displacement. Nodes of the cut faces are averaged over the bricks of both sectors that
 /// share them: the high face is the low face of the next sector, turned and with the wave's phase.
-void add_stress(const SectorFields& sector, const BrickStress& bricks, WaveField& wave);
+void add_stress(const SectorFields& sector, const CellStress& bricks, WaveField& wave);
 
 /// The static shape under spin [rad/s], the same in every sector: a wave of nodal diameter 0.
-WaveField spin_field(const SectorFields& sector, const BrickStress& bricks, double speed);
+WaveField spin_field(const SectorFields& sector, const CellStress& bricks, double speed);
 
 /// Sector j of a sum of waves.
 SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count);

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/fields/field_study.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <set>
 
 #include "cases/program/errors.h"
 #include "postprocess/tables/interruption.h"
 #include "postprocess/tables/table.h"
-#include "postprocess/waves/aliasing.h"
 #include "reduce/model/model_digest.h"
 
 namespace tiprub {
@@ -19,9 +16,9 @@ namespace tiprub {
 namespace {
 
 constexpr double same_place = 1e-6;                            // of the largest radius
-constexpr int mode_nodal_diameters = 3;                        // drawn
-constexpr int mode_families = 2;                               // drawn
 constexpr std::size_t recovery_memory = std::size_t{1} << 28;  // [bytes]
+constexpr double left_out_waves = 0.002;                       // [1] of the mean square of a motion
+constexpr std::size_t most_waves = 6;                          // of a motion, that are recovered
 constexpr double m_per_mm = 1e-3;
 constexpr double largest_radius = 1e3;  // [m] of any wheel
 
@@ -54,7 +51,7 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
              ", the model has " + std::to_string(model.nodal_diameters[static_cast<std::size_t>(n)].M.rows()));
 }
 
-void require_sound_bricks(const BrickStress& bricks, const std::string& name) {
+void require_sound_bricks(const CellStress& bricks, const std::string& name) {
   if (const auto& cell = bricks.degenerate_cell())
     throw InputError(name + ": /cells: cell " + std::to_string(*cell) +
                      " is flat or turned inside out; it has no stress. Look at the mesh, and at the order of its "
@@ -67,15 +64,6 @@ void require_sound_stress(const WaveField& wave, const std::string& name) {
   if (!(wave.stress.array().abs() < largest).all())
     throw RunError(name + ": the stress of nodal diameter " + std::to_string(wave.nodal_diameter) + " is beyond " +
                    significant(largest, 1) + " Pa or no number; the fields, or the response's states, are damaged");
-}
-
-/// Those that the casing's first harmonics drive (eq. 17), ascending.
-std::vector<int> drawn_nodal_diameters(const Study& study) {
-  std::set<int> chosen;
-  const int lobes = std::max(1, study.response.scene.lobes);
-  for (int k = 1; k <= study.model.sector_count && chosen.size() < mode_nodal_diameters; ++k)
-    chosen.insert(aliased_nodal_diameter(k * lobes, study.model.sector_count));
-  return {chosen.begin(), chosen.end()};
 }
 
 /// Speeds whose fields are recovered: the critical ones, or the one with the largest amplitude if there is none.
@@ -93,43 +81,11 @@ std::size_t worst_of(const std::vector<std::size_t>& speeds, const Study& study)
   });
 }
 
-struct Modes {
-  Eigen::VectorXd frequency;  ///< [Hz]
-  Eigen::MatrixXcd shapes;    ///< model dofs x families
-};
-
-Modes modes_of(const NodalDiameterModel& model, double speed, int families) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(model.stiffness(speed), model.M);
-  const Eigen::Index count = std::min<Eigen::Index>(families, model.M.rows());
-  return {solver.eigenvalues().head(count).cwiseMax(0.0).cwiseSqrt() / (2 * std::numbers::pi),
-          solver.eigenvectors().leftCols(count)};
-}
-
-/// A mode has any size and any phase: its largest component becomes 1.
-void normalise(Eigen::Matrix3Xcd& shape) {
-  Eigen::Index row = 0, column = 0;
-  shape.cwiseAbs().maxCoeff(&row, &column);
-  if (shape(row, column) != 0.0) shape /= shape(row, column);
-}
-
 Eigen::MatrixXd forces_at(const SpeedResponse& response, const SimulatedScene& scene, int nodes, int sample) {
   Eigen::MatrixXd forces(scene.sector_count, nodes);
   for (Eigen::Index j = 0; j < scene.sector_count; ++j)
     forces.row(j) = response.contact_force.row(sample).segment((j % scene.independent_sectors) * nodes, nodes);
   return forces;
-}
-
-void recover_modes(const FieldsReader& reader, const Study& study, FieldStudy& fields) {
-  const int families = std::min(mode_families, study.parameters.families);
-  for (const int n : drawn_nodal_diameters(study)) {
-    const Modes modes = modes_of(study.model.nodal_diameters[static_cast<std::size_t>(n)], fields.speed, families);
-    const Eigen::MatrixXcd found = reader.expand(n, modes.shapes);
-    for (int i = 0; i < found.cols(); ++i) {
-      WaveField wave{n, cartesian(fields.sector, found.col(i)), {}};
-      normalise(wave.displacement);
-      fields.modes.push_back({i, modes.frequency[i], std::move(wave)});
-    }
-  }
 }
 
 /// So many samples of recovered waves fit into `recovery_memory`.
@@ -141,7 +97,7 @@ int block_of_samples(const Study& study, const SectorFields& sector) {
   return static_cast<int>(std::max<std::size_t>(1, recovery_memory / sample));
 }
 
-WaveRecovery wave_recovery(const FieldsReader& reader, const BrickStress& bricks, const Study& study,
+WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks, const Study& study,
                            const std::string& name) {
   return [&, name](std::size_t diameter, const Eigen::MatrixXcd& states) {
     stop_if_interrupted();
@@ -155,6 +111,24 @@ WaveRecovery wave_recovery(const FieldsReader& reader, const BrickStress& bricks
     }
     return waves;
   };
+}
+
+/// What is moved and coloured in the page.
+MovingWheel moving_wheel(const FieldsReader& reader, const Study& study, const SpeedResponse& response,
+                         const CycleStress& stress) {
+  MovingWheel moving{response.speed,
+                     wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
+                     {},
+                     stress.displacement,
+                     stress.vibration,
+                     stress.both};
+  for (RotorWave& wave : moving.motion.waves) {
+    stop_if_interrupted();
+    const Eigen::MatrixXcd found = reader.expand(wave.nodal_diameter, wave.state);
+    moving.waves.push_back({wave.nodal_diameter, cartesian(reader.sector(), found.col(0)), {}});
+    wave.state.resize(0);
+  }
+  return moving;
 }
 
 /// All that is drawn at the snapshot of a speed.
@@ -180,7 +154,7 @@ void recover_instant(const Study& study, const SpeedResponse& response, const Wa
 void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model) {
   const FieldsReader reader(fields_file);
   check_together(reader, model, fields_file.string());
-  require_sound_bricks(BrickStress(reader.sector()), fields_file.string());
+  require_sound_bricks(CellStress(reader.sector()), fields_file.string());
 }
 
 FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study,
@@ -189,7 +163,7 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
   check_together(reader, study.model, fields_file.string());
   FieldStudy fields;
   fields.sector = reader.sector();
-  const BrickStress bricks(fields.sector);
+  const CellStress bricks(fields.sector);
   require_sound_bricks(bricks, fields_file.string());
   const BladePlaces places(fields.sector);
   const WaveRecovery recover = wave_recovery(reader, bricks, study, fields_file.string());
@@ -198,7 +172,7 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
   const std::size_t worst = worst_of(speeds, study);
   fields.zones = stress_zones(fields.sector, m_per_mm * study.parameters.tip_patch_mm);
   fields.speed = study.response.speeds[worst].speed;
-  recover_modes(reader, study, fields);
+  fields.modes = natural_modes(reader, study, fields.speed);
   for (const std::size_t index : speeds) {
     const SpeedResponse& response = study.response.speeds[index];
     if (!response.cycle && !response.snapshot) continue;
@@ -209,6 +183,7 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
     fields.peaks.push_back(field_peak(fields.sector, stress, fields.zones, places, strength));
     fields.peaks.back().speed = response.speed;
     fields.peaks.back().samples = cycle.whole ? cycle.recorded_samples : 0;
+    if (response.cycle) fields.moving.push_back(moving_wheel(reader, study, response, stress));
     if (index == worst && response.snapshot) recover_instant(study, response, recover, spin, fields);
   }
   return fields;

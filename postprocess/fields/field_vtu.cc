@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "postprocess/fields/field_study.h"
 #include "postprocess/fields/vtu_file.h"
@@ -20,7 +22,8 @@ VtuMesh wheel_mesh(const SectorFields& sector) {
                Eigen::MatrixXi(sector.cells.rows(), cells * sector.sector_count)};
   for (int j = 0; j < sector.sector_count; ++j) {
     mesh.points.middleCols(j * nodes, nodes) = nodes_of_sector(sector, j);
-    mesh.cells.middleCols(j * cells, cells) = sector.cells.array() + static_cast<int>(j * nodes);
+    mesh.cells.middleCols(j * cells, cells) =
+        (sector.cells.array() < 0).select(-1, sector.cells.array() + static_cast<int>(j * nodes));
   }
   return mesh;
 }
@@ -63,26 +66,68 @@ std::vector<VtuArray> instant_arrays(const std::vector<Eigen::Matrix3Xd>& moved,
           {"von_mises", joined(mises)}};
 }
 
+/// The wave a quarter of a period later: with it, the mode at any phase is cos(p) now + sin(p) then.
+WaveField quarter_later(WaveField wave) {
+  wave.displacement *= std::complex<double>(0, 1);
+  return wave;
+}
+
 void write_modes(const FieldStudy& fields, const std::filesystem::path& folder) {
+  std::vector<VtuNumber> numbers = {{"speed", fields.speed}};
   std::vector<VtuArray> sector_arrays = {{"node_set", node_set_numbers(fields.sector)}}, wheel_arrays;
-  for (const ModeField& mode : fields.modes) {
+  for (const ModeField& mode : fields.modes.lowest) {
     sector_arrays.push_back({name_of(mode) + "_cosine", mode.wave.displacement.real()});
     sector_arrays.push_back({name_of(mode) + "_sine", mode.wave.displacement.imag()});
-    wheel_arrays.push_back({name_of(mode), joined(on_wheel({mode.wave}, fields.sector.sector_count).displacement)});
+    const int sectors = fields.sector.sector_count;
+    wheel_arrays.push_back({name_of(mode), joined(on_wheel({mode.wave}, sectors).displacement)});
+    wheel_arrays.push_back(
+        {name_of(mode) + "_quarter", joined(on_wheel({quarter_later(mode.wave)}, sectors).displacement)});
+    numbers.push_back({name_of(mode) + "_frequency", mode.frequency});
   }
-  write_vtu({fields.sector.nodes, fields.sector.cells}, sector_arrays, folder / "modes_sector.vtu");
-  write_vtu(wheel_mesh(fields.sector), wheel_arrays, folder / "modes_wheel.vtu");
+  write_vtu({fields.sector.nodes, fields.sector.cells}, sector_arrays, numbers, folder / "modes_sector.vtu");
+  write_vtu(wheel_mesh(fields.sector), wheel_arrays, numbers, folder / "modes_wheel.vtu");
+}
+
+/// One sector over a revolution of the rotor, without stress.
+void write_motion(const FieldStudy& fields, const MovingWheel& moving, int sector,
+                  const std::filesystem::path& folder) {
+  constexpr int frames = 24;
+  const std::string name = "motion_sector";
+  std::filesystem::create_directories(folder / name);
+  const VtuMesh mesh{nodes_of_sector(fields.sector, sector), fields.sector.cells};
+  const Eigen::Matrix3d to_its_place(
+      Eigen::AngleAxisd(2 * std::numbers::pi * sector / fields.sector.sector_count, Eigen::Vector3d::UnitZ()));
+  std::vector<VtuFrame> written;
+  for (int frame = 0; frame < frames; ++frame) {
+    const double angle = 2 * std::numbers::pi * frame / frames;
+    std::vector<WaveField> waves = moving.waves;
+    for (std::size_t i = 0; i < waves.size(); ++i)
+      waves[i].displacement *= std::polar(1.0, moving.motion.waves[i].engine_order * angle);
+    const Eigen::Matrix3Xd moved = to_its_place * on_sector(waves, sector, fields.sector.sector_count).displacement;
+    const std::string file = name + "/" + (frame < 10 ? "0" : "") + std::to_string(frame) + ".vtu";
+    write_vtu(mesh, {{"displacement", moved}}, {{"speed", moving.speed}, {"rotor_angle", angle}}, folder / file);
+    written.push_back({angle / moving.speed, file});
+  }
+  write_pvd(written, folder / (name + ".pvd"));
 }
 
 }  // namespace
+
+const MovingWheel* moving_at_instant(const FieldStudy& fields) {
+  const auto found = std::find_if(fields.moving.begin(), fields.moving.end(),
+                                  [&](const MovingWheel& moving) { return moving.speed == fields.speed; });
+  return fields.has_instant && found != fields.moving.end() && !found->waves.empty() ? &*found : nullptr;
+}
 
 void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   write_modes(fields, folder);
   if (!fields.has_instant) return;
   const WheelField &vibration = fields.vibration, &spin = fields.spin;
+  const std::vector<VtuNumber> numbers = {
+      {"speed", fields.speed}, {"rotor_angle", fields.angle}, {"contact_force", fields.force}};
   write_vtu(wheel_mesh(fields.sector),
-            instant_arrays(vibration.displacement, spin.displacement, vibration.stress, spin.stress),
+            instant_arrays(vibration.displacement, spin.displacement, vibration.stress, spin.stress), numbers,
             folder / "contact_wheel.vtu");
   int worst = 0;
   double largest = 0;
@@ -95,7 +140,9 @@ void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& fold
   std::vector<VtuArray> arrays =
       instant_arrays({vibration.displacement[j]}, {spin.displacement[j]}, {vibration.stress[j]}, {spin.stress[j]});
   arrays.push_back({"node_set", node_set_numbers(fields.sector)});
-  write_vtu({nodes_of_sector(fields.sector, worst), fields.sector.cells}, arrays, folder / "contact_sector.vtu");
+  write_vtu({nodes_of_sector(fields.sector, worst), fields.sector.cells}, arrays, numbers,
+            folder / "contact_sector.vtu");
+  if (const MovingWheel* const moving = moving_at_instant(fields)) write_motion(fields, *moving, worst, folder);
 }
 
 }  // namespace tiprub

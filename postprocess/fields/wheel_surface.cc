@@ -3,31 +3,20 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+
+#include "mesh/cells/cell_kind.h"
 
 namespace tiprub {
 
 namespace {
 
-// Corners of the faces of VTK's bricks, around; the node in the middle of each edge.
-constexpr std::array<std::array<int, 4>, 6> face_corners = {
-    {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
-constexpr std::array<std::array<int, 2>, 12> edge_corners = {
-    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-constexpr int corners = 8;
-
-int middle_of(int a, int b) {
-  for (std::size_t e = 0; e < edge_corners.size(); ++e)
-    if ((edge_corners[e][0] == a && edge_corners[e][1] == b) || (edge_corners[e][0] == b && edge_corners[e][1] == a))
-      return corners + static_cast<int>(e);
-  return -1;
-}
-
-SurfaceFace face_of(const Eigen::MatrixXi& cells, Eigen::Index cell, const std::array<int, 4>& around) {
-  SurfaceFace face{};
-  for (int k = 0; k < 4; ++k) {
-    face.nodes[k] = cells(around[k], cell);
-    face.nodes[4 + k] = cells(middle_of(around[k], around[(k + 1) % 4]), cell);
-  }
+SurfaceFace face_of(const Eigen::MatrixXi& cells, Eigen::Index cell, const CellKind& kind,
+                    const std::vector<int>& around) {
+  SurfaceFace face;
+  for (const int corner : around) face.nodes.push_back(cells(corner, cell));
+  for (std::size_t k = 0; k < around.size(); ++k)
+    face.nodes.push_back(cells(kind.middle_of(around[k], around[(k + 1) % around.size()]), cell));
   return face;
 }
 
@@ -44,14 +33,22 @@ std::vector<char> marked(const SectorFields& sector, const char* name) {
 }  // namespace
 
 std::vector<SurfaceFace> sector_surface(const SectorFields& sector) {
-  std::map<std::array<int, 4>, std::pair<SurfaceFace, int>> faces;
-  for (Eigen::Index cell = 0; cell < sector.cells.cols(); ++cell)
-    for (const std::array<int, 4>& around : face_corners) {
-      const SurfaceFace face = face_of(sector.cells, cell, around);
-      std::array<int, 4> key = {face.nodes[0], face.nodes[1], face.nodes[2], face.nodes[3]};
+  std::vector<int> cells(static_cast<std::size_t>(sector.cells.cols()));
+  std::iota(cells.begin(), cells.end(), 0);
+  return surface_of_cells(sector, cells);
+}
+
+std::vector<SurfaceFace> surface_of_cells(const SectorFields& sector, const std::vector<int>& cells) {
+  std::map<std::vector<int>, std::pair<SurfaceFace, int>> faces;  // by their corners
+  for (const int cell : cells) {
+    const CellKind& kind = cell_kind(static_cast<int>(nodes_of(sector.cells, cell).size()));
+    for (const std::vector<int>& around : kind.faces) {
+      const SurfaceFace face = face_of(sector.cells, cell, kind, around);
+      std::vector<int> key(face.nodes.begin(), face.nodes.begin() + face.corners());
       std::sort(key.begin(), key.end());
       ++faces.try_emplace(key, face, 0).first->second.second;
     }
+  }
   const std::vector<char> low = marked(sector, "cyclic_low"), high = marked(sector, "cyclic_high");
   std::vector<SurfaceFace> surface;
   for (auto& [key, found] : faces) {
@@ -62,28 +59,6 @@ std::vector<SurfaceFace> sector_surface(const SectorFields& sector) {
     surface.push_back(face);
   }
   return surface;
-}
-
-FaceShape face_shape(double s, double t) {
-  constexpr std::array<std::array<int, 2>, 8> place = {
-      {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
-  FaceShape shape;
-  for (int k = 0; k < 8; ++k) {
-    const double a = place[k][0], b = place[k][1];
-    const double f = a == 0 ? 1 - s * s : 1 + a * s, df = a == 0 ? -2 * s : a;
-    const double g = b == 0 ? 1 - t * t : 1 + b * t, dg = b == 0 ? -2 * t : b;
-    if (k >= 4) {
-      shape.value[k] = 0.5 * f * g;
-      shape.along_s[k] = 0.5 * df * g;
-      shape.along_t[k] = 0.5 * f * dg;
-    } else {
-      const double slope = a * s + b * t - 1;
-      shape.value[k] = 0.25 * f * g * slope;
-      shape.along_s[k] = 0.25 * (df * g * slope + f * g * a);
-      shape.along_t[k] = 0.25 * (f * dg * slope + f * g * b);
-    }
-  }
-  return shape;
 }
 
 }  // namespace tiprub

@@ -23,6 +23,10 @@ Eigen::VectorXd rpm_of(const std::vector<SpeedResponse>& speeds) {
   return rpm;
 }
 
+std::string of_main_blade(const Study& study) {
+  return study.model.contact.splitter_nodes > 0 ? " of the main blade" : "";
+}
+
 Eigen::VectorXd speeds_rpm(const Study& study) {
   return rpm_of(study.response.speeds);
 }
@@ -35,28 +39,42 @@ SpeedAxis speed_axis(const Study& study) {
   return axis.widened();
 }
 
-Eigen::VectorXi nearest_speeds(const Study& study, int columns) {
-  const Eigen::VectorXd rpm = speeds_rpm(study), failed = rpm_of(study.failed);
-  const SpeedAxis axis = speed_axis(study);
+Eigen::VectorXi nearest_speeds(const Eigen::VectorXd& speeds, const Eigen::VectorXd& failed, const SpeedAxis& axis,
+                               int columns) {
+  const Eigen::Index last = speeds.size() - 1;
+  const double below = last > 0 ? 0.5 * (speeds[1] - speeds[0]) : axis.high,
+               above = last > 0 ? 0.5 * (speeds[last] - speeds[last - 1]) : axis.high,
+               slack = 1e-4 * axis.high;  // an axis of hardly any width is drawn wider
   Eigen::VectorXi nearest(columns);
   for (int column = 0; column < columns; ++column) {
     const double here = axis.low + (axis.high - axis.low) * (column + 0.5) / columns;
     Eigen::Index index = 0;
-    const double distance = (rpm.array() - here).abs().minCoeff(&index);
+    const double distance = (speeds.array() - here).abs().minCoeff(&index);
     const bool in_gap = failed.size() > 0 && (failed.array() - here).abs().minCoeff() < distance;
-    nearest[column] = in_gap ? -1 : static_cast<int>(index);
+    const bool beyond = here < speeds[0] - below - slack || here > speeds[last] + above + slack;
+    nearest[column] = in_gap || beyond ? -1 : static_cast<int>(index);
   }
   return nearest;
 }
 
+Eigen::VectorXi nearest_speeds(const Study& study, int columns) {
+  return nearest_speeds(speeds_rpm(study), rpm_of(study.failed), speed_axis(study), columns);
+}
+
+int drawn_families(const Study& study) {
+  int families = study.parameters.families;
+  for (const CriticalSpeed& critical : study.critical) families = std::max(families, critical.rising.family + 1);
+  return families;
+}
+
 int drawn_families(const Study& study, int nodal_diameter) {
-  return std::min(study.parameters.families, study.curves.families(nodal_diameter));
+  return std::min(drawn_families(study), study.curves.families(nodal_diameter));
 }
 
 std::vector<Crossing> drawn_crossings(const Study& study, const std::vector<Crossing>& crossings) {
   std::vector<Crossing> drawn;
   std::copy_if(crossings.begin(), crossings.end(), std::back_inserter(drawn), [&](const Crossing& crossing) {
-    return crossing.family < study.parameters.families && crossing.engine_order <= study.parameters.engine_order_max;
+    return crossing.family < drawn_families(study) && crossing.engine_order <= study.parameters.engine_order_max;
   });
   return drawn;
 }
@@ -71,8 +89,18 @@ void set_engine_orders(Drawing& drawing, const Study& study) {
   drawing.values.insert(drawing.values.end(), {{"engine_order_step", step}, {"engine_order_last", last}});
 }
 
+void set_critical_speeds(Drawing& drawing, const Study& study, double frequency_high) {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(study.critical.size()), 2);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const CriticalSpeed& critical = study.critical[static_cast<std::size_t>(i)];
+    const double frequency = critical.rising.engine_order * critical.speed * hz_per_rad_s;
+    rows.row(i) << critical.speed * rpm_per_rad_s, std::min(frequency, frequency_high);
+  }
+  drawing.tables.push_back({"critical", {rows}});
+}
+
 void set_modes(Drawing& drawing, const Study& study, const SpeedAxis& axis) {
-  const int nodal_diameters = study.model.nodal_diameter_max() + 1, families = study.parameters.families;
+  const int nodal_diameters = study.model.nodal_diameter_max() + 1, families = drawn_families(study);
   Eigen::MatrixXd rows = Eigen::MatrixXd::Constant(modal_line_points, 1 + nodal_diameters * families, std::nan(""));
   rows.col(0) = Eigen::VectorXd::LinSpaced(modal_line_points, axis.low, axis.high);
   for (int n = 0; n < nodal_diameters; ++n)

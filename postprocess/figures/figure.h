@@ -26,6 +26,7 @@ struct Figure {
   std::string caption;
   Table data{};  ///< what is drawn, as <name>.csv, which the drawing may read
   std::vector<Pixels> pixels{};
+  std::string seen{};  ///< what is seen, in words, for those who can't see it; empty: the caption says it
   std::vector<std::string> fields{};  ///< the same for ParaView, if there is: files in the report's folder
 };
 

@@ -3,23 +3,11 @@
 
 #include <numbers>
 
+#include "postprocess/analysis/orbit_branches.h"
 #include "postprocess/records/columns.h"
 #include "postprocess/tables/units.h"
 
 namespace tiprub {
-
-namespace {
-
-constexpr double flip_angle = 0.98 * std::numbers::pi;  // a multiplier as good as negative
-constexpr double fold_angle = 0.02 * std::numbers::pi;  // as good as positive
-
-/// By what an orbit repels, or would first.
-std::string instability(double angle) {
-  if (angle > flip_angle) return "flip";
-  return angle < fold_angle ? "fold" : "torus";
-}
-
-}  // namespace
 
 Table branch_record(const Study& study) {
   Table table{{"branch", "speed [rpm]", "amplitude [mm]", "multiplier [1]", "uncertainty [1]", "angle a map [deg]",
@@ -31,7 +19,7 @@ Table branch_record(const Study& study) {
       table.rows.push_back({static_cast<int>(b), branch.speed[i] * rpm_per_rad_s, branch.amplitude[i] * mm_per_m,
                             branch.multiplier[i], branch.multiplier_uncertainty[i],
                             branch.multiplier_angle[i] * 180 / std::numbers::pi, yes_or_no(branch.attracts(i)),
-                            instability(branch.multiplier_angle[i])});
+                            name_of(instability(branch.multiplier_angle[i]))});
   }
   return table;
 }

@@ -10,7 +10,7 @@ Table drift_record(const Study& study) {
                "median lag [s]", "lower quartile [s]", "upper quartile [s]"},
               {}};
   const Eigen::VectorXd& arc = study.model.contact.arc_length;
-  const double length = arc[arc.size() - 1] - arc[0];
+  const double length = arc[study.model.contact.trailing_edge()] - arc[0];
   const auto add = [&](const char* edge, const ContactDrift& drift) {
     const Cell none = std::string();
     table.rows.push_back({std::string(edge), drift.slope, drift.intercept, drift.determination, length,

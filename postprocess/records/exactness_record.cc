@@ -14,9 +14,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr double frequency_limit = 1e-3;    // what a model is reduced for
-constexpr double step_limit = 5e-3;         // the default of [simulate] step_tolerance
-constexpr double settling_limit = 1e-4;     // the default of [simulate] settle_tolerance
+constexpr double frequency_share = 0.05;    // of the accuracy asked for: a peak lies where its mode does
 constexpr double energy_limit = 1e-6;       // the ledger closes to rounding
 constexpr double penetration_limit = 0.01;  // of the smallest running clearance
 constexpr double left_out_limit = 0.01;     // of the elastic energy
@@ -49,41 +47,66 @@ Check check_speeds(const Study& study, const std::string& subject, const std::st
 }
 
 /// The model's own speeds are few; which of them are beyond the limit isn't told, only whether the worst is.
-Check check_model(const std::string& what, const Eigen::VectorXd& speeds, double worst, double speed) {
+Check check_model(const std::string& what, double limit, const Eigen::VectorXd& speeds, double worst, double speed) {
   const auto count = static_cast<int>(speeds.size());
   return {.subject = "model",
           .what = what,
-          .limit = frequency_limit,
+          .limit = limit,
           .worst = worst,
           .speed = speed,
           .looked_at = count,
           .speeds = count,
-          .beyond = worst <= frequency_limit ? 0 : 1,
-          .verdict = worst <= frequency_limit ? CheckVerdict::passed : CheckVerdict::failed};
+          .beyond = worst <= limit ? 0 : 1,
+          .verdict = worst <= limit ? CheckVerdict::passed : CheckVerdict::failed};
 }
 
-std::vector<Check> model_checks(const ReducedModel& model) {
+std::vector<Check> model_checks(const ReducedModel& model, double limit) {
   const ModelError error = model_error(model);
   const Verification& verification = model.verification;
   if (error.frequencies == 0)
-    return {{.subject = "model", .what = "frequencies against the unreduced sector [1]", .limit = frequency_limit}};
+    return {{.subject = "model", .what = "frequencies against the unreduced sector [1]", .limit = limit}};
   std::vector<Check> checks = {check_model(
       "the wheel's first " + std::to_string(error.frequencies) + " frequencies against the unreduced sector [1]",
-      verification.speeds, error.error, error.speed)};
+      limit, verification.speeds, error.error, error.speed)};
   const Eigen::MatrixXd& misfit = verification.polynomial_misfit;
   if (misfit.size() == 0) return checks;
   Eigen::Index row = 0, column = 0;
   const double largest = misfit.maxCoeff(&row, &column);
-  checks.push_back(check_model("frequencies by the polynomial stiffness (eq. 7) alone, between its speeds [1]",
+  checks.push_back(check_model("frequencies by the polynomial stiffness (eq. 7) alone, between its speeds [1]", limit,
                                verification.speeds, largest, verification.speeds[row]));
   return checks;
 }
 
+/// What step, settling and samples leave open of a critical speed's amplitude, of that amplitude.
+double left_open(const CriticalSpeed& critical, const SpeedResponse& response) {
+  const double range =
+      std::max(critical.amplitude_high - critical.amplitude, critical.amplitude - critical.amplitude_low);
+  return range / critical.amplitude + (response.settled() ? response.change : 0.0);
+}
+
+Check accuracy_check(const Study& study) {
+  Check check{.subject = "accuracy",
+              .what = "of the critical speeds' amplitudes, what step, settling and samples leave open [1]",
+              .limit = study.response.scene.asked.critical_speeds,
+              .speeds = static_cast<int>(study.critical.size())};
+  for (const CriticalSpeed& critical : study.critical) {
+    const double open = left_open(critical, study.response.speeds[static_cast<std::size_t>(critical.index)]);
+    ++check.looked_at;
+    if (!(open <= check.limit)) ++check.beyond;
+    if (check.worst && open <= *check.worst) continue;
+    check.worst = open;
+    check.speed = critical.speed;
+  }
+  check.verdict = verdict_of(check);
+  return check;
+}
+
 std::vector<Check> march_checks(const Study& study) {
+  const AskedAccuracy& asked = study.response.scene.asked;
   return {
-      check_speeds(study, "time step", "relative change by the last halving [1]", step_limit,
+      check_speeds(study, "time step", "relative change by the last halving [1]", asked.step,
                    [](const SpeedResponse& speed) { return speed.audit.halving_difference; }),
-      check_speeds(study, "settling", "relative change over the last period, of settled motions [1]", settling_limit,
+      check_speeds(study, "settling", "relative change over the last period, of settled motions [1]", asked.settling,
                    [](const SpeedResponse& speed) -> std::optional<double> {
                      if (!speed.settled()) return {};
                      return speed.change;
@@ -146,7 +169,8 @@ std::string name_of(CheckVerdict verdict) {
 }
 
 std::vector<Check> exactness_checks(const Study& study) {
-  std::vector<Check> checks = model_checks(study.model);
+  std::vector<Check> checks = model_checks(study.model, frequency_share * study.response.scene.asked.critical_speeds);
+  checks.push_back(accuracy_check(study));
   const auto append = [&](std::vector<Check> more) {
     std::move(more.begin(), more.end(), std::back_inserter(checks));
   };

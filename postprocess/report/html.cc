@@ -72,18 +72,35 @@ std::string definitions(const std::vector<std::pair<std::string, std::string>>& 
 }
 
 std::string table(const Table& table) {
-  std::string text = "<div class=\"scroll\"><table><thead><tr>";
-  for (const std::string& name : table.header) text += "<th>" + escaped(name) + "</th>";
+  std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table><thead><tr>";
+  for (const std::string& name : table.header) text += "<th scope=\"col\">" + escaped(name) + "</th>";
   text += "</tr></thead><tbody>\n";
   for (const auto& row : table.rows) {
     text += "<tr>";
     for (const Cell& cell : row) {
       const std::string value = shown(cell);
-      text += "<td" + class_of(value) + ">" + value + "</td>";
+      const bool names_the_row = &cell == &row.front();
+      text += (names_the_row ? "<th scope=\"row\"" : "<td") + class_of(value) + ">" + value +
+              (names_the_row ? "</th>" : "</td>");
     }
     text += "</tr>\n";
   }
   return text + "</tbody></table></div>\n";
+}
+
+std::string svg_url(const std::string& svg) {
+  std::string url = "data:image/svg+xml,";
+  for (const char letter : svg) {
+    const std::string_view replaced = "%#\"<>&\n\t";
+    if (replaced.find(letter) == std::string_view::npos) {
+      url += letter;
+      continue;
+    }
+    char code[4];
+    std::snprintf(code, sizeof code, "%%%02X", static_cast<unsigned>(static_cast<unsigned char>(letter)));
+    url += code;
+  }
+  return url;
 }
 
 std::string filled(std::string_view page, const std::map<std::string, std::string>& values) {

@@ -2,11 +2,17 @@
 #include "postprocess/report/page.h"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <string_view>
 
-#include "cases/program/command_line.h"
 #include "embedded/page_files.h"
+#include "embedded/page_scripts.h"
+#include "embedded/page_styles.h"
+#include "embedded/three_library.h"
+#include "postprocess/compare/comparison.h"
+#include "postprocess/explore/speed_data.h"
+#include "postprocess/explore/wheel_data.h"
 #include "postprocess/records/branch_record.h"
 #include "postprocess/records/critical_speed_record.h"
 #include "postprocess/records/drift_record.h"
@@ -18,6 +24,7 @@
 #include "postprocess/report/summary.h"
 #include "postprocess/report/verdict.h"
 #include "postprocess/tables/base64.h"
+#include "postprocess/tables/deflate.h"
 #include "postprocess/tables/units.h"
 
 namespace tiprub {
@@ -92,19 +99,21 @@ std::string scene_items(const Study& study, const FieldResults& fields) {
     if (!line.empty()) text += item(line);
   text += item(counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
                counted(static_cast<std::size_t>(study.model.contact.size()), name_of(study.model.contact.kind)) +
-               " a blade, " + counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " +
-               running_clearances(study.response) + "; stiffness under spin: " + study.model.prestress + ".");
+               (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter, " : " a blade, ") +
+               counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + running_clearances(study.response) +
+               "; stiffness under spin: " + study.model.prestress + ".");
   return text + item(std::string(left_out_always) + ".");
 }
 
-/// With its heading, so that neither stands alone on a printed page.
-std::string figure_section(const Figure& figure, const std::filesystem::path& folder) {
+/// With its heading, so that neither stands alone on a printed page. `live`: where the page's scripts draw instead.
+std::string figure_section(const Figure& figure, const std::filesystem::path& folder, const std::string& live = "") {
   const std::string &name = figure.drawing.name, file = "figures/" + name;
-  std::string text = "<section><h2 id=\"" + name + "\">" + html::escaped(figure.title) +
-                     "</h2>\n<figure><img alt=\"" + html::escaped(figure.title) +
-                     "\" src=\"data:image/svg+xml;base64," + base64(read_text(folder / (file + ".svg"))) +
-                     "\"><figcaption>" + html::escaped(figure.caption) + " " + link(file + ".csv", "data") + dot +
-                     link(file + ".svg", "SVG") + dot + link(file + ".png", "PNG");
+  std::string text =
+      "<section><h2 id=\"" + name + "\">" + html::escaped(figure.title) + "</h2>\n" + live + "<figure" +
+      (live.empty() ? "" : " class=\"twin\"") + "><img alt=\"" + html::escaped(figure.title) + ": " +
+      html::escaped(figure.seen.empty() ? figure.caption : figure.seen) + "\" src=\"" +
+      html::svg_url(read_text(folder / (file + ".svg"))) + "\"><figcaption>" + html::escaped(figure.caption) + " " +
+      link(file + ".csv", "data") + dot + link(file + ".svg", "SVG") + dot + link(file + ".png", "PNG");
   for (const std::string& field : figure.fields) text += dot + link(field);
   return text + "</figcaption></figure></section>\n";
 }
@@ -121,13 +130,23 @@ std::string response_section(const std::vector<Figure>& figures, const std::file
   const auto response = std::find_if(figures.begin(), figures.end(), [](const Figure& figure) {
     return figure.drawing.name == response_figure_name;
   });
-  return response == figures.end() ? "" : figure_section(*response, folder);
+  return response == figures.end()
+             ? ""
+             : figure_section(*response, folder, "<div id=\"live-response\" class=\"live-only\"></div>\n");
 }
 
 std::string figure_links(const std::vector<Figure>& figures) {
   std::string text;
   for (const Figure& figure : figures)
-    text += dot + ("<a href=\"#" + figure.drawing.name + "\">" + html::escaped(figure.title) + "</a>");
+    text += "<li><a href=\"#" + figure.drawing.name + "\">" + html::escaped(figure.title) + "</a></li>\n";
+  return text;
+}
+
+/// Small files, each with one task, one after the other.
+template <std::size_t count>
+std::string joined(const std::array<std::pair<std::string_view, std::string_view>, count>& files) {
+  std::string text;
+  for (const auto& [name, file] : files) text += without_first_line(file);
   return text;
 }
 
@@ -152,18 +171,50 @@ std::string record(const Study& study, const ReportSource& source) {
          folded("Where the model comes from", listing(study.model.provenance));
 }
 
+/// Critical speeds beside those of another report, where one was given.
+std::string comparison_section(const ReportContents& contents) {
+  if (!contents.other) return "";
+  return "<section><h2 id=\"compared\">Compared with " + html::escaped(contents.other->name) + "</h2>\n" +
+         html::table(comparison_record(contents.study, contents.field_results, *contents.other)) +
+         "<p class=\"sub\">Critical speeds that the same wave makes side by side, the others alone; shifts and "
+         "changes from "
+         "there to here. As a table: " +
+         link("comparison.csv") +
+         ". The other response is in the views above, and its maps can be chosen there; as pictures: " +
+         link("#comparison", "both responses") + ", " + link("#comparison_map", "both maps") + ".</p></section>\n";
+}
+
+/// The wheel in 3-D, where there is one to draw: its place in the page, and its data with the library that draws it.
+std::string wheel_section(const ReportContents& contents) {
+  if (!contents.fields) return "";
+  return "<section class=\"live-only\"><h2 id=\"in-motion\">The wheel in motion</h2>\n<p>Seen from the rotor: the "
+         "casing "
+         "turns, its lobes and the motion drawn as much larger as is told below. Balls: where the casing pushes, "
+         "the larger the harder. Drag to turn the wheel, or use the arrow keys.</p>\n<div "
+         "id=\"live-wheel\"></div></section>\n";
+}
+
+std::string wheel_data_section(const ReportContents& contents) {
+  if (!contents.fields) return "";
+  const auto& [three, controls] = embedded::three_library::files;
+  const auto data = [](const std::string& id, const std::string& text) {
+    return "<script type=\"text/plain\" id=\"" + id + "\">" + text + "</script>\n";
+  };
+  return data("wheel-data", wheel_data(contents.study, *contents.fields)) +
+         std::string(embedded::page_files::three_licence_html) +
+         data("three-library", base64(deflated(std::string(three.second) + "\n" + std::string(controls.second))));
+}
+
 }  // namespace
 
-std::string report_page(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs,
-                        const ReportSource& source, const std::vector<Figure>& figures,
-                        const std::filesystem::path& folder) {
-  namespace files = embedded::page_files;
+std::string report_page(const ReportContents& contents, const std::filesystem::path& folder) {
+  const auto& [study, source, full_fields, fields, needs, figures, other, run] = contents;
   const bool none = study.critical.empty();
   return html::filled(
-      without_first_line(files::page_html),
+      without_first_line(embedded::page_files::page_html),
       {{"title", html::escaped(source.title.empty() ? "Blade-tip rub" : source.title)},
-       {"style", without_first_line(files::style_css)},
-       {"script", without_first_line(files::page_js)},
+       {"style", joined(embedded::page_styles::files)},
+       {"script", joined(embedded::page_scripts::files)},
        {"speed_low", rpm_text(study.range.low)},
        {"speed_high", rpm_text(study.range.high)},
        {"verdict", answers(verdict(study, fields))},
@@ -179,7 +230,12 @@ std::string report_page(const Study& study, const FieldResults& fields, const st
        {"needs", html::table(scene_needs_record(needs))},
        {"figures", figure_sections(figures, folder)},
        {"record", record(study, source)},
-       {"program", program_version("tiprub-postprocess")}});
+       {"speed_data", speed_data(study, other)},
+       {"comparison", comparison_section(contents)},
+       {"wheel_section", wheel_section(contents)},
+       {"wheel_link", full_fields ? "<li class=\"live-only\"><a href=\"#in-motion\">3-D</a></li>" : ""},
+       {"wheel_data", wheel_data_section(contents)},
+       {"run", answers(run.in_words())}});
 }
 
 }  // namespace tiprub

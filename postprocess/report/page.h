@@ -2,13 +2,16 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "postprocess/analysis/study.h"
+#include "postprocess/compare/other_report.h"
 #include "postprocess/fields/field_results.h"
 #include "postprocess/figures/figure.h"
 #include "postprocess/records/scene_needs_record.h"
+#include "postprocess/report/run_record.h"
 
 namespace tiprub {
 
@@ -18,10 +21,20 @@ struct ReportSource {
   std::string case_text;  ///< the case file as it was read
 };
 
-/// The page: page.html filled in, style.css and page.js inside, self-contained: the figures' SVG are read from
+/// All that a report holds.
+struct ReportContents {
+  Study study;
+  ReportSource source;
+  std::optional<FieldStudy> fields{};  ///< if fields.h5 was given
+  FieldResults field_results{};
+  std::vector<SceneNeed> needs{};
+  std::vector<Figure> figures{};
+  std::optional<OtherReport> other{};  ///< to compare with, if one was given
+  RunRecord run{{}, {}};
+};
+
+/// The page: page.html filled in, styles, scripts and data inside, self-contained: the figures' SVG are read from
 /// `folder`/figures, links lead to the tables beside it.
-std::string report_page(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs,
-                        const ReportSource& source, const std::vector<Figure>& figures,
-                        const std::filesystem::path& folder);
+std::string report_page(const ReportContents& contents, const std::filesystem::path& folder);
 
 }  // namespace tiprub

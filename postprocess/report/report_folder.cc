@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/report/report_folder.h"
 
+#include "postprocess/compare/comparison.h"
 #include "postprocess/records/branch_record.h"
 #include "postprocess/records/critical_speed_record.h"
 #include "postprocess/records/drift_record.h"
@@ -8,6 +9,7 @@
 #include "postprocess/records/linear_criterion_record.h"
 #include "postprocess/records/speed_record.h"
 #include "postprocess/records/sweep_record.h"
+#include "postprocess/report/json_summary.h"
 
 namespace tiprub {
 
@@ -33,15 +35,17 @@ void write_tables(const Study& study, const FieldResults& fields, const std::fil
 
 }  // namespace
 
-void write_report_folder(const ReportContents& contents, const std::filesystem::path& folder, Progress::Shown shown) {
+void write_report_folder(ReportContents& contents, const std::filesystem::path& folder, Progress::Shown shown) {
   if (contents.fields) write_vtu_files(*contents.fields, folder / "fields");
   write_figures(contents.figures, folder / "figures", shown);
   write_tables(contents.study, contents.field_results, folder);
   write_csv(scene_needs_record(contents.needs), folder / "scene_needs.csv");
+  if (contents.other)
+    write_csv(comparison_record(contents.study, contents.field_results, *contents.other), folder / "comparison.csv");
   write_text(contents.source.case_text, folder / "case.toml");
-  write_text(
-      report_page(contents.study, contents.field_results, contents.needs, contents.source, contents.figures, folder),
-      folder / "report.html");
+  write_text(json_summary(contents), folder / "summary.json");
+  contents.run.done("pictures and tables");
+  write_text(report_page(contents, folder), folder / "report.html");
 }
 
 }  // namespace tiprub

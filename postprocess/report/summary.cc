@@ -7,6 +7,7 @@
 #include <map>
 
 #include "postprocess/analysis/orbit_branches.h"
+#include "postprocess/records/exactness_record.h"
 #include "postprocess/tables/table.h"
 #include "postprocess/tables/units.h"
 #include "reduce/model/verification.h"
@@ -118,7 +119,7 @@ std::string sweep_sentence(const Study& study) {
          fixed(change(*largest) * mm_per_m, 3) + " mm of amplitude.";
 }
 
-/// "From 33,800 to 34,800 rpm 3 orbits exist, 1 of them attracts."
+/// "From 33,800 to 34,800 rpm 3 orbits exist, 1 of them attracts. Stability changes at 33,900 rpm (flip)."
 std::string branch_sentence(const Study& study) {
   std::string text;
   for (const OrbitRange& range : ranges_of_many_orbits(study.response.branches))
@@ -127,7 +128,11 @@ std::string branch_sentence(const Study& study) {
             (range.attracting == 0
                  ? "none of them attracts."
                  : std::to_string(range.attracting) + " of them attract" + (range.attracting == 1 ? "s." : "."));
-  return text;
+  std::string changes;
+  for (const StabilityChange& change : stability_changes(study.response.branches))
+    changes += (changes.empty() ? " Stability changes at " : ", ") + rpm_text(change.speed) + " (" +
+               name_of(change.kind) + ")";
+  return text + (changes.empty() ? "" : changes + ".");
 }
 
 std::string share_sentence(const Study& study) {
@@ -178,6 +183,20 @@ std::string model_sentence(const Study& study) {
          counted(static_cast<std::size_t>(study.model.verification.speeds.size()), "speed") + ".";
 }
 
+std::string accuracy_sentence(const Study& study) {
+  const std::vector<Check> checks = exactness_checks(study);
+  const auto check =
+      std::find_if(checks.begin(), checks.end(), [](const Check& c) { return c.subject == "accuracy"; });
+  if (check == checks.end() || !check->worst) return "";
+  return "Accuracy: " + significant(percent * check->limit, 2) +
+         " % of the critical speeds' amplitudes was asked for; step, " + "settling and samples leave " +
+         significant(percent * *check->worst, 2) + " % open at most, at " + rpm_text(check->speed) +
+         (check->beyond > 0
+              ? "; " + std::to_string(check->beyond) + " of " + std::to_string(check->looked_at) + " are beyond"
+              : "") +
+         ". What the mesh and the kind of contact leave open comes on top.";
+}
+
 }  // namespace
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -186,9 +205,9 @@ std::string counted(std::size_t count, const std::string& what) {
 
 std::vector<std::string> summary(const Study& study, const FieldResults& fields) {
   std::vector<std::string> lines;
-  for (const std::string& line :
-       {stress_sentence(fields), rule_sentence(study), model_sentence(study), steadiness_sentence(study),
-        unusual_sentence(study), sweep_sentence(study), branch_sentence(study), share_sentence(study)})
+  for (const std::string& line : {stress_sentence(fields), rule_sentence(study), model_sentence(study),
+                                  accuracy_sentence(study), steadiness_sentence(study), unusual_sentence(study),
+                                  sweep_sentence(study), branch_sentence(study), share_sentence(study)})
     if (!line.empty()) lines.push_back(line);
   return lines;
 }

@@ -74,11 +74,10 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
 
 /// "contact node 9 of 0 .. 9 (trailing edge)", or "contact segment ...".
 std::string node_text(const Study& study, int node) {
-  const int last = study.model.contact.size() - 1;
-  return name_of(study.model.contact.kind) + (" " + std::to_string(node)) + " of 0 .. " + std::to_string(last) +
-         (node == 0      ? " (leading edge)"
-          : node == last ? " (trailing edge)"
-                         : "");
+  const ContactLine& contact = study.model.contact;
+  const std::string place = contact.place_of(node);
+  return name_of(contact.kind) + (" " + std::to_string(node)) + " of 0 .. " + std::to_string(contact.size() - 1) +
+         (place.empty() ? "" : " (" + place + ")");
 }
 
 std::string where(const Study& study, const FieldResults& fields) {
@@ -213,7 +212,7 @@ std::vector<Answer> scene_in_brief(const Study& study, const std::string& case_t
   return {
       {"Wheel", counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
                     counted(static_cast<std::size_t>(study.model.contact.size()), name_of(study.model.contact.kind)) +
-                    " a tip"},
+                    (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter" : " a tip")},
       {"Casing", counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + mm(crest) + " inward at the crest"},
       {"Clearance", running_clearances(study.response)},
       {"Interference", interference_text(study)},

@@ -28,13 +28,6 @@ std::string csv_text(const std::string& text) {
   return quoted + '"';
 }
 
-std::string csv_cell(const Cell& cell) {
-  if (const auto* value = std::get_if<double>(&cell)) return number(*value, "%.*g", file_digits);
-  if (std::holds_alternative<NoNumber>(cell)) return "NaN";
-  if (const auto* whole = std::get_if<int>(&cell)) return std::to_string(*whole);
-  return csv_text(std::get<std::string>(cell));
-}
-
 std::string shown(const Cell& cell) {
   constexpr int shown_digits = 6;
   if (const auto* value = std::get_if<double>(&cell))
@@ -72,6 +65,13 @@ std::string scientific(double value, int digits) {
 
 std::string significant(double value, int digits) {
   return std::isfinite(value) ? number(value, "%.*g", digits) : "";
+}
+
+std::string csv_cell(const Cell& cell) {
+  if (const auto* value = std::get_if<double>(&cell)) return number(*value, "%.*g", file_digits);
+  if (std::holds_alternative<NoNumber>(cell)) return "NaN";
+  if (const auto* whole = std::get_if<int>(&cell)) return std::to_string(*whole);
+  return csv_text(std::get<std::string>(cell));
 }
 
 Cell number_if_any(double value) {

@@ -30,6 +30,9 @@ std::string scientific(double value, int digits);
 /// "0.025": so many digits that count.
 std::string significant(double value, int digits);
 
+/// A cell as files have it.
+std::string csv_cell(const Cell& cell);
+
 /// Comma-separated, the header first; texts with a comma or quote in quotes. Raises RunError if it can't be written,
 /// or if a number is not finite, with its column and its row.
 void write_csv(const Table& table, const std::filesystem::path& path);

@@ -82,9 +82,9 @@ Figure contact_map_figure(const Study& study, TipEdge edge) {
                             .script = "contact_map",
                             .values = {{"places", DrawnRange{0, std::max(1.0, 1.1 * places)}},
                                        {"places_tics", std::max(1, (places + 3) / 4)}}},
-                .title = "Contact map, " + where + " edge",
-                .caption = "Where the " + where + " edge of sector 0 rubs: the casing in " +
-                           std::to_string(map.share.rows()) +
+                .title = "Contact map, " + where + " edge" + of_main_blade(study),
+                .caption = "Where the " + where + " edge" + of_main_blade(study) +
+                           " of sector 0 rubs: the casing in " + std::to_string(map.share.rows()) +
                            " areas, each coloured by the share of the steps over it that are in contact, from white "
                            "(never) to dark blue (always). Below: contrast, near 1 where the contact keeps to few "
                            "places, and the number of separate places. Grey: speeds without a response.",

@@ -28,14 +28,15 @@ Table map_table(const Study& study, const InteractionMap& map) {
 
 /// "node 9, the trailing edge", "node 4 of 0 .. 9".
 std::string node_name(const Study& study, int node) {
-  const int last = study.model.contact.size() - 1;
-  const std::string text = name_of(study.model.contact.kind) + (" " + std::to_string(node));
-  if (node == 0) return text + ", the leading edge";
-  return node == last ? text + ", the trailing edge" : text + " of 0 .. " + std::to_string(last);
+  const ContactLine& contact = study.model.contact;
+  const std::string place = contact.place_of(node);
+  return name_of(contact.kind) + (" " + std::to_string(node)) +
+         (place.empty() ? " of 0 .. " + std::to_string(contact.size() - 1) : ", the " + place);
 }
 
 std::string what_is_drawn(const Study& study, TipEdge edge) {
   return std::string("Amplitude of the ") + name_of(study.parameters.component) + " at the " + name_of(edge) +
+         of_main_blade(study) +
          ", the sum over the nodal diameters, rotor frame, logarithmic colours, the same for both edges. The largest "
          "amplitude of all speeds is at " +
          node_name(study, study.amplitudes.node[study.worst]) + ".";
@@ -80,10 +81,11 @@ Figure interaction_map_figure(const Study& study, TipEdge edge) {
                   .width = 1000,
                   .height = 640,
                   .script = "interaction_map"},
-      .title = "Interaction map, " + where + " edge",
+      .title = "Interaction map, " + where + " edge" + of_main_blade(study),
       .caption = what_is_drawn(study, edge) +
                  " White lines: engine orders f = k\xCE\xA9. Orange lines: natural frequencies of the first "
-                 "families, all nodal diameters. A ridge glows where an engine order meets a mode that its nodal "
+                 "families, all nodal diameters. Diamonds: the critical speeds. A ridge glows where an engine order "
+                 "meets a mode that its nodal "
                  "diameter can drive. Marks at the foot: speeds whose motion is not the same every revolution, or at "
                  "which a nodal diameter that was left out would grow. Grey: speeds without a response.",
       .data = map_table(study, map)};

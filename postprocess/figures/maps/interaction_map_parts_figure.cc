@@ -14,12 +14,12 @@ bool moves(const Study& study, int nodal_diameter) {
   return std::find(moving.begin(), moving.end(), nodal_diameter) != moving.end();
 }
 
-/// All nodal diameters as in the paper's figure if they are few, else those that move.
+/// Those that move: a map of one at rest is empty.
 std::vector<int> panel_nodal_diameters(const Study& study) {
-  constexpr int few = 6, most = 12;
+  constexpr int most = 12;
   std::vector<int> panels;
   for (int n = 0; n <= study.model.nodal_diameter_max(); ++n)
-    if (study.model.nodal_diameter_max() < few || moves(study, n)) panels.push_back(n);
+    if (moves(study, n)) panels.push_back(n);
   if (panels.size() > most) panels.resize(most);
   return panels;
 }
@@ -44,18 +44,20 @@ Figure interaction_map_parts_figure(const Study& study) {
   Figure figure{
       .drawing = {.name = "interaction_map_parts",
                   .width = 1100,
-                  .height = 70 + 330 * rows,
+                  .height = 100 + 330 * rows,
                   .script = "interaction_map_parts"},
       .title = "Interaction map by nodal diameter",
-      .caption = std::string("The parts whose sum is the interaction map of the ") + name_of(study.parameters.edge) +
-                 ", on the same colours; forward and backward waves of a "
-                 "nodal diameter are added. Orange lines: the natural frequencies of that nodal diameter. The table "
-                 "beside it lists the ridges: every wave's peaks over speed.",
+      .caption =
+          std::string("The parts whose sum is the interaction map of the ") + name_of(study.parameters.edge) +
+          ", on the same colours; forward and backward waves of a "
+          "nodal diameter are added; those at rest are left out. Orange lines: the natural frequencies of that nodal "
+          "diameter. The table "
+          "beside it lists the ridges: every wave's peaks over speed.",
       .data = ridge_table(study)};
   set_map_axes(figure.drawing, study);
   std::vector<std::string> titles;
   for (const int n : panels) {
-    titles.push_back("nodal diameter " + std::to_string(n) + (moves(study, n) ? "" : " (at rest)"));
+    titles.push_back("nodal diameter " + std::to_string(n));
     figure.pixels.push_back(
         {figure.drawing.name + "_" + std::to_string(n) + ".pixels", part_pixels(study, n, width, height)});
   }

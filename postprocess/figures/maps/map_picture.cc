@@ -35,13 +35,22 @@ int line_at(const TravellingSpectrum& spectrum, double engine_order) {
   return nearest > 0 && nearest < spectrum.lines() && std::abs(line - nearest) <= half_width ? nearest : -1;
 }
 
-/// `amplitude` [m] of a column's line on a grid [mm]; log scales don't know zero: the lowest colour stands for it.
-Eigen::MatrixXf gridded(const Study& study, const InteractionMap& map, int columns, int rows,
-                        const std::function<double(const MapColumn&, int line)>& amplitude) {
-  const Eigen::VectorXi nearest = nearest_speeds(study, columns);
-  const SpeedAxis axis = speed_axis(study);
-  const double top = map_frequency_high(study), lowest = colour_scale(study).low;
-  Eigen::MatrixXf pixels = Eigen::MatrixXf::Constant(rows, columns, static_cast<float>(lowest));
+MapFrame frame_of(const Study& study) {
+  return {speed_axis(study), map_frequency_high(study), colour_scale(study).low};
+}
+
+Eigen::VectorXd speeds_of(const InteractionMap& map) {
+  Eigen::VectorXd rpm(static_cast<Eigen::Index>(map.columns.size()));
+  for (Eigen::Index i = 0; i < rpm.size(); ++i)
+    rpm[i] = map.columns[static_cast<std::size_t>(i)].speed * rpm_per_rad_s;
+  return rpm;
+}
+
+/// `amplitude` [m] of a column's line on a grid [mm].
+Eigen::MatrixXf gridded(const InteractionMap& map, const Eigen::VectorXd& failed, const MapFrame& frame, int columns,
+                        int rows, const std::function<double(const MapColumn&, int line)>& amplitude) {
+  const Eigen::VectorXi nearest = nearest_speeds(speeds_of(map), failed, frame.speed, columns);
+  Eigen::MatrixXf pixels = Eigen::MatrixXf::Constant(rows, columns, static_cast<float>(frame.amplitude_low));
   for (int x = 0; x < columns; ++x) {
     if (nearest[x] < 0) {
       pixels.col(x).setConstant(std::nanf(""));
@@ -49,11 +58,12 @@ Eigen::MatrixXf gridded(const Study& study, const InteractionMap& map, int colum
     }
     const MapColumn& column = map.columns[static_cast<std::size_t>(nearest[x])];
     const double revolutions_per_second =
-        (axis.low + (axis.high - axis.low) * (x + 0.5) / columns) / seconds_per_minute;
+        (frame.speed.low + (frame.speed.high - frame.speed.low) * (x + 0.5) / columns) / seconds_per_minute;
     for (int y = 0; y < rows; ++y) {
-      const double frequency = top * (y + 0.5) / rows;
+      const double frequency = frame.frequency_high * (y + 0.5) / rows;
       const int line = line_at(column.spectrum, frequency / revolutions_per_second);
-      if (line >= 0) pixels(y, x) = static_cast<float>(std::max(amplitude(column, line) * mm_per_m, lowest));
+      if (line >= 0)
+        pixels(y, x) = static_cast<float>(std::max(amplitude(column, line) * mm_per_m, frame.amplitude_low));
     }
   }
   return pixels;
@@ -81,17 +91,24 @@ void set_map_axes(Drawing& drawing, const Study& study) {
   const Scale scale = colour_scale(study);
   set_speed_axis(drawing, speed_axis(study));
   set_engine_orders(drawing, study);
+  set_critical_speeds(drawing, study, map_frequency_high(study));
   set_modes(drawing, study, speed_axis(study));
   drawing.values.insert(drawing.values.end(), {{"frequency", DrawnRange{0, map_frequency_high(study)}},
                                                {"amplitude", DrawnRange{scale.low, scale.high}}});
 }
 
+Eigen::MatrixXf map_pixels(const InteractionMap& map, const Eigen::VectorXd& failed, const MapFrame& frame,
+                           int columns, int rows) {
+  return gridded(map, failed, frame, columns, rows,
+                 [](const MapColumn& column, int line) { return column.total[line]; });
+}
+
 Eigen::MatrixXf map_pixels(const Study& study, const InteractionMap& map, int columns, int rows) {
-  return gridded(study, map, columns, rows, [](const MapColumn& column, int line) { return column.total[line]; });
+  return map_pixels(map, rpm_of(study.failed), frame_of(study), columns, rows);
 }
 
 Eigen::MatrixXf part_pixels(const Study& study, int nodal_diameter, int columns, int rows) {
-  return gridded(study, study.map, columns, rows,
+  return gridded(study.map, rpm_of(study.failed), frame_of(study), columns, rows,
                  [&](const MapColumn& column, int line) { return column.parts(line, nodal_diameter); });
 }
 

@@ -22,7 +22,17 @@ double line_half_width(const TravellingSpectrum& spectrum);
 /// What scripts/map.gp reads, apart from the pixels.
 void set_map_axes(Drawing& drawing, const Study& study);
 
-/// [mm] the total over speed and frequency; NaN at speeds without a response.
+/// What a map is drawn over.
+struct MapFrame {
+  DrawnRange speed;           ///< [rpm]
+  double frequency_high = 0;  ///< [Hz]
+  double amplitude_low = 0;   ///< [mm] what is less has the lowest colour: log scales don't know zero
+};
+
+/// [mm] the total over speed and frequency; NaN where it has no speed, or one of `failed` [rpm] is nearer.
+Eigen::MatrixXf map_pixels(const InteractionMap& map, const Eigen::VectorXd& failed, const MapFrame& frame,
+                           int columns, int rows);
+/// The same of a study's own map, over its own axes.
 Eigen::MatrixXf map_pixels(const Study& study, const InteractionMap& map, int columns, int rows);
 /// Likewise, of the edge asked for, the part of one nodal diameter.
 Eigen::MatrixXf part_pixels(const Study& study, int nodal_diameter, int columns, int rows);

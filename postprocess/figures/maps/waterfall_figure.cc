@@ -34,12 +34,13 @@ Eigen::MatrixXd outline(const Study& study, const MapColumn& column) {
 }  // namespace
 
 Figure waterfall_figure(const Study& study) {
-  Figure figure{
-      .drawing = {.name = "waterfall", .width = 900, .height = 640, .script = "waterfall"},
-      .title = "Waterfall",
-      .caption = "The spectra of the interaction map one above the other, linear in amplitude; the largest line is " +
-                 fixed(study.map.largest() * mm_per_m, 3) + " mm high.",
-      .data = {{"speed [rpm]", "frequency [Hz]", "total [mm]"}, {}}};
+  Figure figure{.drawing = {.name = "waterfall", .width = 900, .height = 640, .script = "waterfall"},
+                .title = "Waterfall",
+                .caption =
+                    "The spectra of the interaction map one above the other, linear in amplitude, which the bar at "
+                    "the right measures; grey: engine orders. The largest line is " +
+                    fixed(study.map.largest() * mm_per_m, 3) + " mm high.",
+                .data = {{"speed [rpm]", "frequency [Hz]", "total [mm]"}, {}}};
   std::vector<double> speeds;
   ScriptTable spectra{"spectra", {}};
   for (auto column = study.map.columns.rbegin(); column != study.map.columns.rend(); ++column) {
@@ -50,6 +51,7 @@ Figure waterfall_figure(const Study& study) {
                                   column->total[line] * mm_per_m});
   }
   set_speed_axis(figure.drawing, speed_axis(study));
+  set_engine_orders(figure.drawing, study);
   figure.drawing.values.insert(
       figure.drawing.values.end(),
       {{"frequency", DrawnRange{0, map_frequency_high(study)}},

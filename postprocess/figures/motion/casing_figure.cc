@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "postprocess/figures/axes.h"
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/tables/units.h"
 
@@ -30,10 +31,11 @@ Figure casing_figure(const Study& study) {
       .title = "Casing",
       .caption = "Left: the shape, its largest distortion of " + fixed(largest * mm_per_m, 3) +
                  " mm drawn as a fifth of the radius; dashed: the round casing. Right: the gap between the casing "
-                 "and the tip that spins at " +
-                 rpm_text(study.shown_response().speed) + " without vibrating; below zero the blade has to bend.",
+                 "and the tip" +
+                 of_main_blade(study) + " that spins at " + rpm_text(study.shown_response().speed) +
+                 " without vibrating; below zero the blade has to bend.",
       .data = {{"angle [deg]", "gap at leading edge [mm]", "gap at trailing edge [mm]", "distortion [mm]"}, {}}};
-  const Eigen::VectorXd leading = gap(study, 0), trailing = gap(study, scene.clearance.size() - 1);
+  const Eigen::VectorXd leading = gap(study, 0), trailing = gap(study, study.model.contact.trailing_edge());
   for (Eigen::Index i = 0; i < scene.casing_angle.size(); ++i)
     figure.data.rows.push_back({scene.casing_angle[i] * 360.0 / (2 * std::numbers::pi), leading[i], trailing[i],
                                 scene.casing_distortion[i] * mm_per_m});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "postprocess/figures/axes.h"
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/tables/units.h"
 
@@ -25,7 +26,7 @@ Eigen::MatrixXd line_spectra(const Study& study, const Eigen::VectorXd& leading,
 Figure contact_force_figure(const Study& study) {
   const SpeedResponse& shown = study.shown_response();
   const SimulatedScene& scene = study.response.scene;
-  const int last_node = study.model.contact.size() - 1, samples = shown.samples_per_revolution;
+  const int last_node = study.model.contact.trailing_edge(), samples = shown.samples_per_revolution;
   const Eigen::VectorXd leading = tip_force(shown, scene, 0).col(0);
   const Eigen::VectorXd trailing = tip_force(shown, scene, last_node).col(0);
   Figure figure{.drawing = {.name = "contact_force",
@@ -34,7 +35,7 @@ Figure contact_force_figure(const Study& study) {
                             .script = "contact_force",
                             .values = {{"engine_order_max", study.parameters.engine_order_max}},
                             .tables = {{"lines", {line_spectra(study, leading, trailing)}}}},
-                .title = "Contact force",
+                .title = "Contact force" + of_main_blade(study),
                 .caption = "Sector 0 at " + fixed(shown.speed * rpm_per_rad_s, 0) +
                            " rpm, the first recorded revolution (above), and the spectrum over all recorded ones "
                            "(below). The force acts along the normal, from the casing on the blade.",

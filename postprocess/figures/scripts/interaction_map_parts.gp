@@ -2,7 +2,7 @@
 # The parts of the interaction map, one panel a nodal diameter.
 # Reads what map.gp does; panel_columns, panel_rows, panels, panel_nodal_diameter[], panel_title[].
 load 'scripts/map.gp'
-set multiplot layout panel_rows,panel_columns margins screen 0.07,0.875,0.09,0.95 spacing screen 0.035,0.10
+set multiplot layout panel_rows,panel_columns margins screen 0.07,0.875,0.09 + (panel_rows == 1 ? 0.1 : 0),0.95 - (panel_rows == 1 ? 0.03 : 0) spacing screen 0.035,0.10
 set xtics rotate by 35 right font tiny_font
 set ytics font tiny_font
 set cblabel 'amplitude [mm]'

@@ -33,7 +33,7 @@ Table mode_table(const Study& study, const Drawing& drawing) {
   for (int n = 0; n <= study.model.nodal_diameter_max(); ++n)
     for (int family = 0; family < drawn_families(study, n); ++family)
       for (Eigen::Index i = 0; i < modes.rows(); ++i)
-        table.rows.push_back({modes(i, 0), n, family + 1, modes(i, 1 + n * study.parameters.families + family)});
+        table.rows.push_back({modes(i, 0), n, family + 1, modes(i, 1 + n * drawn_families(study) + family)});
   return table;
 }
 
@@ -54,12 +54,15 @@ Figure campbell_figure(const Study& study) {
                              {"equation_2", {places(drawn_crossings(study, study.equation_2))}}}},
       .title = "Campbell diagram",
       .caption =
-          "Natural frequencies in the rotor frame over speed, the first families by nodal diameter, and "
+          "Natural frequencies in the rotor frame over speed by nodal diameter, all families that make critical "
+          "speeds, and "
           "engine-order lines. Shaded: the simulated speeds. Circles: crossings that the linear rule with "
           "aliasing lists (f = k \xC3\x97 lobes \xC3\x97 \xCE\xA9 on the nodal diameter of eq. 17); squares: "
-          "those of eq. 2."};
+          "those of eq. 2; diamonds: the critical speeds that were computed, at the frequency of the wave that makes "
+          "them (at the upper edge, where it is higher)."};
   set_speed_axis(figure.drawing, axis);
   set_engine_orders(figure.drawing, study);
+  set_critical_speeds(figure.drawing, study, headroom * highest_frequency(study));
   set_modes(figure.drawing, study, axis);
   figure.data = mode_table(study, figure.drawing);
   return figure;

@@ -15,7 +15,7 @@ Table amplitude_table(const Study& study) {
   Table table{{"speed [rpm]", "largest [mm]", "leading edge [mm]", "trailing edge [mm]", "node of the largest"}, {}};
   for (Eigen::Index i = 0; i < rpm.size(); ++i)
     table.rows.push_back({rpm[i], amplitudes.largest[i] * mm_per_m, amplitudes.by_node(0, i) * mm_per_m,
-                          amplitudes.by_node(amplitudes.by_node.rows() - 1, i) * mm_per_m, amplitudes.node[i]});
+                          amplitudes.by_node(study.model.contact.trailing_edge(), i) * mm_per_m, amplitudes.node[i]});
   return table;
 }
 

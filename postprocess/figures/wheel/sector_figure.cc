@@ -12,7 +12,7 @@ enum class Side {
 };
 
 View sector_view(const FieldStudy& fields, Side side) {
-  const Eigen::Vector3d axis(0, 0, wheel_view(fields, usual_tilt).towards_viewer.z() > 0 ? 1 : -1);
+  const Eigen::Vector3d axis(0, 0, inlet_below(fields.sector) ? -1 : 1);
   const Eigen::Vector3d middle = fields.sector.nodes.rowwise().mean();
   const Eigen::Vector3d outward = Eigen::Vector3d(middle.x(), middle.y(), 0).normalized();
   const Eigen::Vector3d across = axis.cross(outward);

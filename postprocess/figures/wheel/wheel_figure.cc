@@ -15,14 +15,14 @@ Figure wheel_figure(const FieldStudy& fields, const std::vector<SurfaceFace>& fa
       [&](int j) {
         return even(sector.nodes.cols(), j == 0 ? surface_colours::chosen_sector : surface_colours::metal);
       });
-  const int nodes = static_cast<int>(sector.nodes.cols()), bricks = static_cast<int>(sector.cells.cols());
+  const int nodes = static_cast<int>(sector.nodes.cols()), cells = static_cast<int>(sector.cells.cols());
   Figure figure{.drawing = {.name = "wheel", .width = width, .height = height, .script = "wheel"},
                 .title = "The wheel",
                 .caption = std::to_string(sector.sector_count) +
                            " sectors; in colour the one that was meshed and reduced (" + std::to_string(nodes) +
-                           " nodes, " + std::to_string(bricks) + " bricks). Seen from the inlet.",
-                .data = {{"sectors", "nodes a sector", "bricks a sector", "outer radius [m]"},
-                         {{sector.sector_count, nodes, bricks, outer_radius(sector)}}}};
+                           " nodes, " + std::to_string(cells) + " cells). Seen from the inlet.",
+                .data = {{"sectors", "nodes a sector", "cells a sector", "outer radius [m]"},
+                         {{sector.sector_count, nodes, cells, outer_radius(sector)}}}};
   set_picture(figure, picture);
   return figure;
 }

@@ -2,8 +2,12 @@
 #include "postprocess/figures/wheel/wheel_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+
+#include "mesh/cells/cell_kind.h"
 
 namespace tiprub {
 
@@ -12,21 +16,45 @@ namespace {
 constexpr int pieces = 3;       // of a face's edge: quadratic faces are drawn by triangles
 constexpr int edge_pieces = 4;  // of a line
 
-/// (pieces + 1)^2 points of a face.
-std::vector<FaceShape> face_grid() {
-  std::vector<FaceShape> grid;
-  for (int i = 0; i <= pieces; ++i)
-    for (int k = 0; k <= pieces; ++k) grid.push_back(face_shape(2.0 * i / pieces - 1, 2.0 * k / pieces - 1));
-  return grid;
-}
+/// The points at which a face of so many nodes is drawn, and the triangles between them.
+struct FaceGrid {
+  explicit FaceGrid(int nodes) {
+    const bool triangle = nodes == triangle_nodes;
+    std::map<std::pair<int, int>, std::size_t> number;
+    for (int i = 0; i <= pieces; ++i)
+      for (int k = 0; k <= (triangle ? pieces - i : pieces); ++k) {
+        number[{i, k}] = shapes.size();
+        const double s = static_cast<double>(i) / pieces, t = static_cast<double>(k) / pieces;
+        shapes.push_back(triangle ? face_shape(nodes, s, t) : face_shape(nodes, 2 * s - 1, 2 * t - 1));
+      }
+    for (const auto& [at, first] : number) {
+      const auto [i, k] = at;
+      const auto beyond = number.find({i + 1, k + 1});
+      if (const auto right = number.find({i + 1, k}); right != number.end() && number.contains({i, k + 1})) {
+        const std::size_t up = number[{i, k + 1}];
+        if (triangle) triangles.push_back({first, right->second, up});
+        if (triangle && beyond != number.end()) triangles.push_back({right->second, beyond->second, up});
+        if (!triangle) triangles.push_back({first, right->second, beyond->second});
+        if (!triangle) triangles.push_back({first, beyond->second, up});
+      }
+    }
+  }
+
+  static constexpr int triangle_nodes = 6, quadrangle_nodes = 8;
+  std::vector<Eigen::MatrixX3d> shapes;  // N, dN/ds, dN/dt; nodes x 3
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
 
 }  // namespace
 
+bool inlet_below(const SectorFields& sector) {
+  const std::vector<int>& contact = sector.node_set("contact");
+  return sector.nodes(2, contact.front()) <= sector.nodes(2, contact.back());
+}
+
 View wheel_view(const FieldStudy& fields, double tilt_deg) {
   const SectorFields& sector = fields.sector;
-  const std::vector<int>& contact = sector.node_set("contact");
-  const bool inlet_below = sector.nodes(2, contact.front()) <= sector.nodes(2, contact.back());
-  const Eigen::Vector3d axis(0, 0, inlet_below ? -1 : 1);
+  const Eigen::Vector3d axis(0, 0, inlet_below(sector) ? -1 : 1);
   const double tilt = tilt_deg * std::numbers::pi / 180;
   View view;
   view.towards_viewer = std::cos(tilt) * axis - std::sin(tilt) * Eigen::Vector3d::UnitY();
@@ -43,30 +71,20 @@ Eigen::Matrix3Xf even(Eigen::Index nodes, const Rgb& colour) {
 
 void draw_faces(SurfacePicture& picture, const std::vector<SurfaceFace>& faces, const Eigen::Matrix3Xd& nodes,
                 const Eigen::Matrix3Xf& colours, CutFaces cut_faces) {
-  static const std::vector<FaceShape> grid = face_grid();
-  Eigen::Matrix<double, 3, 8> place;
-  Eigen::Matrix<float, 3, 8> colour;
-  std::vector<SurfacePicture::Corner> corners(grid.size());
+  static const FaceGrid triangle(FaceGrid::triangle_nodes), quadrangle(FaceGrid::quadrangle_nodes);
+  std::vector<SurfacePicture::Corner> corners;
   for (const SurfaceFace& face : faces) {
     if (cut_faces == CutFaces::hidden && face.side != SurfaceFace::Side::free) continue;
-    for (int k = 0; k < 8; ++k) {
-      place.col(k) = nodes.col(face.nodes[k]);
-      colour.col(k) = colours.col(face.nodes[k]);
+    const FaceGrid& grid = face.corners() == 3 ? triangle : quadrangle;
+    const Eigen::Matrix3Xd place = nodes(Eigen::all, face.nodes);
+    const Eigen::Matrix3Xf colour = colours(Eigen::all, face.nodes);
+    corners.clear();
+    for (const Eigen::MatrixX3d& shape : grid.shapes) {
+      const Eigen::Matrix3d at = place * shape;  // the place, and along s and t
+      corners.push_back({at.col(0), at.col(1).cross(at.col(2)),
+                         (colour * shape.col(0).cast<float>()).cwiseMax(0.0f).cwiseMin(1.0f)});
     }
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const FaceShape& shape = grid[i];
-      const Eigen::Vector3d along = place * shape.along_s, across = place * shape.along_t;
-      corners[i] = {place * shape.value, along.cross(across),
-                    (colour * shape.value.cast<float>()).cwiseMax(0.0f).cwiseMin(1.0f)};
-    }
-    for (std::size_t i = 0; i < pieces; ++i)
-      for (std::size_t k = 0; k < pieces; ++k) {
-        const auto corner = [&](std::size_t a, std::size_t b) -> const SurfacePicture::Corner& {
-          return corners[(i + a) * (pieces + 1) + k + b];
-        };
-        picture.triangle(corner(0, 0), corner(1, 0), corner(1, 1));
-        picture.triangle(corner(0, 0), corner(1, 1), corner(0, 1));
-      }
+    for (const auto& [a, b, c] : grid.triangles) picture.triangle(corners[a], corners[b], corners[c]);
   }
 }
 
@@ -79,8 +97,9 @@ void draw_wheel(SurfacePicture& picture, const SectorFields& sector, const std::
 void draw_edges(SurfacePicture& picture, const std::vector<SurfaceFace>& faces, const Eigen::Matrix3Xd& nodes,
                 const Rgb& colour, double width_px) {
   for (const SurfaceFace& face : faces)
-    for (int edge = 0; edge < 4; ++edge) {
-      const int first = face.nodes[edge], last = face.nodes[(edge + 1) % 4], middle = face.nodes[4 + edge];
+    for (int edge = 0; edge < face.corners(); ++edge) {
+      const int first = face.nodes[edge], last = face.nodes[(edge + 1) % face.corners()],
+                middle = face.nodes[face.corners() + edge];
       const auto point = [&](double t) -> Eigen::Vector3d {  // t from -1 to 1
         return 0.5 * t * (t - 1) * nodes.col(first) + (1 - t * t) * nodes.col(middle) +
                0.5 * t * (t + 1) * nodes.col(last);
@@ -91,7 +110,7 @@ void draw_edges(SurfacePicture& picture, const std::vector<SurfaceFace>& faces, 
 }
 
 int in_pixels(double length) {
-  constexpr double picture_scale = 1.6;
+  constexpr double picture_scale = 1.25;
   return static_cast<int>(std::lround(picture_scale * length));
 }
 

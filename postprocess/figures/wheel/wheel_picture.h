@@ -12,6 +12,9 @@
 
 namespace tiprub {
 
+/// Whether the inlet is at the lower end of the axis.
+bool inlet_below(const SectorFields& sector);
+
 /// The usual look at a wheel: from its inlet's side, the axis tilted by so many degrees towards the viewer's right.
 View wheel_view(const FieldStudy& fields, double tilt_deg);
 inline constexpr double usual_tilt = 42;  ///< [deg]

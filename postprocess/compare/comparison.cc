@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/compare/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "postprocess/figures/axes.h"
+#include "postprocess/figures/maps/map_picture.h"
+#include "postprocess/records/columns.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+/// One here, one there, or both.
+struct PeakPair {
+  std::optional<ComparedPeak> here, there;
+
+  const ComparedPeak& any() const { return here ? *here : *there; }
+};
+
+std::vector<ComparedPeak> peaks_here(const Study& study, const FieldResults& fields) {
+  std::vector<ComparedPeak> peaks;
+  for (std::size_t i = 0; i < study.critical.size(); ++i) {
+    const CriticalSpeed& critical = study.critical[i];
+    peaks.push_back({critical.speed * rpm_per_rad_s, critical.amplitude * mm_per_m, critical.rising.engine_order,
+                     critical.rising.signed_nodal_diameter, critical.rising.family + 1,
+                     fields.peaks[i] ? std::optional(fields.peaks[i]->body.both * mpa_per_pa) : std::nullopt});
+  }
+  return peaks;
+}
+
+bool same_wave(const ComparedPeak& a, const ComparedPeak& b) {
+  return a.signed_nodal_diameter == b.signed_nodal_diameter && a.family == b.family &&
+         std::abs(a.engine_order - b.engine_order) < 1e-6;
+}
+
+/// The nearest two first.
+std::vector<PeakPair> pairs_of(const std::vector<ComparedPeak>& here, const std::vector<ComparedPeak>& there) {
+  std::vector<std::pair<std::size_t, std::size_t>> candidates;
+  for (std::size_t i = 0; i < here.size(); ++i)
+    for (std::size_t k = 0; k < there.size(); ++k)
+      if (same_wave(here[i], there[k])) candidates.emplace_back(i, k);
+  const auto apart = [&](const auto& pair) { return std::abs(here[pair.first].speed - there[pair.second].speed); };
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
+  std::vector<char> taken_here(here.size(), 0), taken_there(there.size(), 0);
+  std::vector<PeakPair> pairs;
+  for (const auto& [i, k] : candidates) {
+    if (taken_here[i] || taken_there[k]) continue;
+    taken_here[i] = taken_there[k] = 1;
+    pairs.push_back({here[i], there[k]});
+  }
+  for (std::size_t i = 0; i < here.size(); ++i)
+    if (!taken_here[i]) pairs.push_back({here[i], std::nullopt});
+  for (std::size_t k = 0; k < there.size(); ++k)
+    if (!taken_there[k]) pairs.push_back({std::nullopt, there[k]});
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const PeakPair& a, const PeakPair& b) { return a.any().speed < b.any().speed; });
+  return pairs;
+}
+
+std::string wave_of(const PeakPair& pair) {
+  const int n = pair.any().signed_nodal_diameter;
+  return "EO " + significant(pair.any().engine_order, 4) + " ND " + (n > 0 ? "+" : "") + std::to_string(n);
+}
+
+using Get = std::optional<double> (*)(const ComparedPeak&);
+
+Cell value_of(const std::optional<ComparedPeak>& peak, Get get) {
+  return optional_cell(peak ? get(*peak) : std::nullopt);
+}
+
+/// [%] of what is there; 0 if it is no more than the tables' last digits.
+Cell change_of(const PeakPair& pair, Get get) {
+  constexpr double same = 1e-8;
+  if (!pair.here || !pair.there) return optional_cell(std::nullopt);
+  const std::optional<double> here = get(*pair.here), there = get(*pair.there);
+  if (!here || !there || *there == 0) return optional_cell(std::nullopt);
+  const double change = *here / *there - 1;
+  return std::abs(change) < same ? 0.0 : percent * change;
+}
+
+std::optional<double> speed_of(const ComparedPeak& peak) {
+  return peak.speed;
+}
+std::optional<double> amplitude_of(const ComparedPeak& peak) {
+  return peak.amplitude;
+}
+std::optional<double> stress_of(const ComparedPeak& peak) {
+  return peak.stress;
+}
+
+/// As far as a report's tables reach.
+InteractionMap tabled(InteractionMap map, int engine_order_max) {
+  for (MapColumn& column : map.columns)
+    for (int line = 0; line < column.spectrum.lines(); ++line)
+      if (column.spectrum.engine_order(line) > engine_order_max) column.total[line] = 0;
+  return map;
+}
+
+/// [rpm] all speeds of either.
+DrawnRange speed_axis_of_both(const Study& study, const OtherReport& other) {
+  const Eigen::VectorXd rpm = speeds_rpm(study);
+  return DrawnRange{std::min(rpm.minCoeff(), other.speed.minCoeff()),
+                    std::max(rpm.maxCoeff(), other.speed.maxCoeff())}
+      .widened();
+}
+
+}  // namespace
+
+Table comparison_record(const Study& study, const FieldResults& fields, const OtherReport& other) {
+  const auto here = [](Get get) { return [get](const PeakPair& pair) { return value_of(pair.here, get); }; };
+  const auto there = [](Get get) { return [get](const PeakPair& pair) { return value_of(pair.there, get); }; };
+  const auto change = [](Get get) { return [get](const PeakPair& pair) { return change_of(pair, get); }; };
+  return table_of<PeakPair>({{"wave", [](const PeakPair& pair) { return Cell(wave_of(pair)); }},
+                             {"speed [rpm]", here(speed_of)},
+                             {"other speed [rpm]", there(speed_of)},
+                             {"shift [%]", change(speed_of)},
+                             {"amplitude [mm]", here(amplitude_of)},
+                             {"other amplitude [mm]", there(amplitude_of)},
+                             {"change of amplitude [%]", change(amplitude_of)},
+                             {"von Mises, both [MPa]", here(stress_of)},
+                             {"other von Mises, both [MPa]", there(stress_of)},
+                             {"change of stress [%]", change(stress_of)}},
+                            pairs_of(peaks_here(study, fields), other.peaks));
+}
+
+Figure comparison_map_figure(const Study& study, const OtherReport& other) {
+  constexpr int columns = 420, rows = 360;
+  const bool leading = study.parameters.edge == TipEdge::leading;
+  const InteractionMap here = tabled(study.map, study.parameters.engine_order_max),
+                       there = map_of(leading ? other.leading_map : other.trailing_map);
+  const double high = std::max(map_amplitude_high(study), there.largest() * mm_per_m);
+  const MapFrame frame{speed_axis_of_both(study, other), map_frequency_high(study),
+                       high * std::pow(10.0, -study.parameters.amplitude_decades)};
+  Figure figure{.drawing = {.name = "comparison_map", .width = 1000, .height = 480, .script = "comparison_map"},
+                .title = "Interaction maps compared",
+                .caption = std::string("Amplitude at the ") + name_of(study.parameters.edge) +
+                           ", the sum over the nodal diameters, with the same logarithmic colours: this report's at "
+                           "the left, that of " +
+                           other.name +
+                           " at the right. White lines: engine orders. Orange lines: this wheel's natural "
+                           "frequencies. Grey: no speeds. Engine orders above " +
+                           std::to_string(study.parameters.engine_order_max) + " are in no report's tables.",
+                .data = {{"report", "speed [rpm]", "engine order", "total [mm]"}, {}}};
+  set_map_axes(figure.drawing, study);  // and what is common to both, instead
+  set_speed_axis(figure.drawing, frame.speed);
+  figure.drawing.values.insert(figure.drawing.values.end(),
+                               {{"amplitude", DrawnRange{frame.amplitude_low, high}},
+                                {"map_title", std::vector<std::string>{"this report", other.name}}});
+  set_pixels(figure, map_pixels(here, rpm_of(study.failed), frame, columns, rows));
+  figure.pixels.front().file = "comparison_map_1.pixels";
+  figure.pixels.push_back({"comparison_map_2.pixels", map_pixels(there, {}, frame, columns, rows)});
+  for (const auto& [name, map] : {std::pair{"this", &here}, std::pair{"other", &there}})
+    for (const MapColumn& column : map->columns)
+      for (int line = 0; line < column.spectrum.lines(); ++line)
+        if (const double order = column.spectrum.engine_order(line); order <= study.parameters.engine_order_max)
+          figure.data.rows.push_back({name, column.speed * rpm_per_rad_s, order, column.total[line] * mm_per_m});
+  return figure;
+}
+
+Figure comparison_figure(const Study& study, const OtherReport& other) {
+  const Eigen::VectorXd rpm = speeds_rpm(study);
+  Eigen::MatrixXd here(rpm.size(), 2), there(other.speed.size(), 2);
+  here << rpm, study.amplitudes.largest * mm_per_m;
+  there << other.speed, other.amplitude;
+  Figure figure{.drawing = {.name = "comparison",
+                            .width = 1000,
+                            .height = 480,
+                            .script = "comparison",
+                            .values = {{"other_name", std::vector<std::string>{other.name}}},
+                            .tables = {{"here", {here}}, {"there", {there}}}},
+                .title = "Comparison",
+                .caption = "The largest tip amplitude over speed, of this report and of " + other.name +
+                           ". The table beside it has both, one after the other.",
+                .data = {{"response", "speed [rpm]", "amplitude [mm]"}, {}}};
+  const std::pair<std::string, const Eigen::MatrixXd*> both[] = {{"this", &here}, {"other", &there}};
+  for (const auto& [name, rows] : both)
+    for (const auto& row : rows->rowwise()) figure.data.rows.push_back({name, row[0], row[1]});
+  set_speed_axis(figure.drawing, speed_axis_of_both(study, other));
+  return figure;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/explore/speed_data.h"
+
+#include <algorithm>
+#include <array>
+
+#include "postprocess/explore/other_data.h"
+#include "postprocess/figures/axes.h"
+#include "postprocess/figures/maps/map_picture.h"
+#include "postprocess/records/columns.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+using nlohmann::json;
+
+struct Edge {
+  const char* name;
+  int node;
+  const InteractionMap& map;
+  const ContactMap& contact;
+};
+
+std::vector<Edge> edges_of(const Study& study) {
+  const bool leading_first = study.parameters.edge == TipEdge::leading;
+  const InteractionMap &leading = leading_first ? study.map : study.other_map,
+                       &trailing = leading_first ? study.other_map : study.map;
+  return {{"leading", leading.node, leading, study.leading_edge},
+          {"trailing", trailing.node, trailing, study.trailing_edge}};
+}
+
+/// As the case file has it.
+const char* key_of(Component component) {
+  return std::array{"normal", "radial", "tangential", "axial"}[static_cast<std::size_t>(component)];
+}
+
+/// Those of the response's own sectors; the others follow them.
+Eigen::MatrixXd held(const Study& study, const Eigen::MatrixXd& of_all_sectors) {
+  return of_all_sectors.leftCols(study.response.scene.independent_sectors);
+}
+
+void add_motion(PackedArrays& arrays, const Study& study, const SpeedResponse& speed, int node,
+                const std::string& place) {
+  const auto motion = [&](Component component) -> Eigen::MatrixXd {
+    return mm_per_m * held(study, tip_motion(speed, study.response.scene, study.model.contact, node, component));
+  };
+  arrays.add_coarse(place + "normal", motion(Component::normal));
+  arrays.add_coarse(place + "tangential", motion(Component::tangential));
+  if (study.parameters.component != Component::normal && study.parameters.component != Component::tangential)
+    arrays.add_coarse(place + key_of(study.parameters.component), motion(study.parameters.component));
+}
+
+/// Rows of a spectrum that are drawn: as high as the maps reach, and the engine orders asked for.
+int drawn_lines(const Study& study, const TravellingSpectrum& spectrum, double speed) {
+  const double orders =
+      std::max<double>(study.parameters.engine_order_max, map_frequency_high(study) / (speed * hz_per_rad_s));
+  return std::min(spectrum.lines(), static_cast<int>(orders * spectrum.revolutions) + 1);
+}
+
+json add_speed(PackedArrays& arrays, const Study& study, Eigen::Index i) {
+  const SpeedResponse& speed = study.response.speeds[static_cast<std::size_t>(i)];
+  const std::vector<Edge> edges = edges_of(study);
+  const TravellingSpectrum& spectrum = edges[0].map.columns[static_cast<std::size_t>(i)].spectrum;
+  const int lines = drawn_lines(study, spectrum, speed.speed);
+  for (const Edge& edge : edges) {
+    const std::string place = std::to_string(i) + "/" + edge.name + "/";
+    add_motion(arrays, study, speed, edge.node, place);
+    arrays.add_coarse(place + "force", held(study, tip_force(speed, study.response.scene, edge.node)));
+    const Eigen::MatrixXd& amplitude = edge.map.columns[static_cast<std::size_t>(i)].spectrum.amplitude;
+    arrays.add(place + "spectrum", mm_per_m * amplitude.topRows(lines));
+    arrays.add(place + "contact", edge.contact.share.col(i));
+  }
+  const Eigen::MatrixXd& by_node = study.amplitudes.by_node;
+  return {{"rpm", speed.speed * rpm_per_rad_s},
+          {"largest", study.amplitudes.largest[i] * mm_per_m},
+          {"leading", by_node(0, i) * mm_per_m},
+          {"trailing", by_node(study.model.contact.trailing_edge(), i) * mm_per_m},
+          {"motion", motion_text(speed.motion, speed.period_beats)},
+          {"samples", speed.samples_per_revolution},
+          {"revolutions", speed.recorded_revolutions},
+          {"period", speed.period_revolutions},
+          {"lines", lines},
+          {"clearance",
+           {speed.clearance[0] * mm_per_m, speed.clearance[study.model.contact.trailing_edge()] * mm_per_m}}};
+}
+
+json critical_of(const Study& study) {
+  json list = json::array();
+  for (const CriticalSpeed& critical : study.critical)
+    list.push_back({{"index", critical.index}, {"wave", wave_name(critical.rising)}});
+  return list;
+}
+
+/// [rpm] of the crossings that the linear rules list.
+json speeds_of(const Study& study, const std::vector<Crossing>& crossings) {
+  json speeds = json::array();
+  for (const Crossing& crossing : drawn_crossings(study, crossings)) speeds.push_back(crossing.speed * rpm_per_rad_s);
+  return speeds;
+}
+
+/// [Hz] of the drawn families over the speeds; every nodal diameter.
+json add_modes(PackedArrays& arrays, const Study& study) {
+  json list = json::array();
+  const auto& speeds = study.response.speeds;
+  for (int n = 0; n <= study.model.nodal_diameter_max(); ++n)
+    for (int family = 0; family < drawn_families(study, n); ++family) {
+      Eigen::VectorXd curve(static_cast<Eigen::Index>(speeds.size()));
+      for (Eigen::Index i = 0; i < curve.size(); ++i)
+        curve[i] = study.curves.frequency(n, family, speeds[static_cast<std::size_t>(i)].speed);
+      arrays.add("mode/" + std::to_string(list.size()), curve);
+      list.push_back({{"nodal_diameter", n}, {"family", family + 1}});
+    }
+  return list;
+}
+
+json axes_of(const Study& study) {
+  const SpeedAxis axis = speed_axis(study);
+  return {
+      {"speed", {axis.low, axis.high}},
+      {"frequency", map_frequency_high(study)},
+      {"amplitude", study.amplitudes.largest.maxCoeff() * mm_per_m},
+      {"map", study.parameters.amplitude_max_mm > 0 ? study.parameters.amplitude_max_mm : map_amplitude_high(study)},
+      {"decades", study.parameters.amplitude_decades},
+      {"engine_orders", study.parameters.engine_order_max}};
+}
+
+}  // namespace
+
+std::string speed_data(const Study& study, const std::optional<OtherReport>& other) {
+  PackedArrays arrays;
+  json speeds = json::array(), failed = json::array();
+  for (Eigen::Index i = 0; i < study.amplitudes.largest.size(); ++i) speeds.push_back(add_speed(arrays, study, i));
+  for (const SpeedResponse& speed : study.failed) failed.push_back(speed.speed * rpm_per_rad_s);
+  return arrays.packed(
+      {{"sectors", study.model.sector_count},
+       {"held", study.response.scene.independent_sectors},
+       {"lobes", study.response.scene.lobes},
+       {"component", key_of(study.parameters.component)},
+       {"edge", study.parameters.edge == TipEdge::leading ? "leading" : "trailing"},
+       {"shown", study.shown},
+       {"speeds", std::move(speeds)},
+       {"failed", std::move(failed)},
+       {"other", other ? add_other(arrays, *other) : json()},
+       {"critical", critical_of(study)},
+       {"predicted",
+        {{"aliased", speeds_of(study, study.aliased)}, {"equation_2", speeds_of(study, study.equation_2)}}},
+       {"modes", add_modes(arrays, study)},
+       {"axes", axes_of(study)}});
+}
+
+}  // namespace tiprub

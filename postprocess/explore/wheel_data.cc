@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/explore/wheel_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "postprocess/explore/packed_arrays.h"
+#include "postprocess/fields/wheel_surface.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_nodes = 5000;  // of a sector's surface, with those between its faces' corners
+
+/// The free surface of a sector in triangles.
+struct Triangles {
+  std::vector<int> nodes;              ///< of the sector that are on it
+  std::vector<std::uint32_t> corners;  ///< three a triangle: indices into `nodes`
+};
+
+Triangles triangles_of(const std::vector<SurfaceFace>& faces, Eigen::Index nodes, bool corners_only) {
+  // Of a face's nodes, by its corners: with the corners alone, and with the mid-sides.
+  static const std::map<int, std::vector<int>> coarse = {{3, {0, 1, 2}}, {4, {0, 1, 2, 0, 2, 3}}};
+  static const std::map<int, std::vector<int>> fine = {{3, {0, 3, 5, 1, 4, 3, 2, 5, 4, 3, 4, 5}},
+                                                       {4, {0, 4, 7, 1, 5, 4, 2, 6, 5, 3, 7, 6, 4, 5, 6, 4, 6, 7}}};
+  std::vector<int> place(static_cast<std::size_t>(nodes), -1);
+  Triangles triangles;
+  const auto add = [&](int node) {
+    int& at = place[static_cast<std::size_t>(node)];
+    if (at < 0) {
+      at = static_cast<int>(triangles.nodes.size());
+      triangles.nodes.push_back(node);
+    }
+    triangles.corners.push_back(static_cast<std::uint32_t>(at));
+  };
+  for (const SurfaceFace& face : faces) {
+    if (face.side != SurfaceFace::Side::free) continue;
+    for (const int k : (corners_only ? coarse : fine).at(face.corners()))
+      add(face.nodes[static_cast<std::size_t>(k)]);
+  }
+  return triangles;
+}
+
+Triangles surface_of(const SectorFields& sector) {
+  const std::vector<SurfaceFace> faces = sector_surface(sector);
+  Triangles triangles = triangles_of(faces, sector.nodes.cols(), false);
+  return triangles.nodes.size() > most_nodes ? triangles_of(faces, sector.nodes.cols(), true) : triangles;
+}
+
+void add_wave(PackedArrays& arrays, const std::string& place, const WaveField& wave, const std::vector<int>& nodes) {
+  const Eigen::Matrix3Xcd displacement = wave.displacement(Eigen::all, nodes);
+  arrays.add_coarse(place + "/re", displacement.real());
+  arrays.add_coarse(place + "/im", displacement.imag());
+}
+
+json add_modes(PackedArrays& arrays, const FieldStudy& fields, const std::vector<int>& nodes) {
+  json list = json::array();
+  for (const ModeField& mode : fields.modes.lowest) {
+    add_wave(arrays, "mode/" + std::to_string(list.size()), mode.wave, nodes);
+    list.push_back(
+        {{"nodal_diameter", mode.wave.nodal_diameter}, {"family", mode.family + 1}, {"hz", mode.frequency}});
+  }
+  return list;
+}
+
+/// [MPa] what all but the highest few nodes stay below: single ones, at corners of the clamp, may stand far above.
+double stress_limit(Eigen::VectorXd stress) {
+  constexpr double colour_quantile = 0.999;
+  const auto place =
+      stress.begin() + static_cast<std::ptrdiff_t>(colour_quantile * static_cast<double>(stress.size() - 1));
+  std::nth_element(stress.begin(), place, stress.end());
+  return std::max(*place * mpa_per_pa, 1e-9);
+}
+
+/// The drawn node that is nearest to each contact node.
+std::vector<std::uint32_t> nearest_nodes(const ContactLine& contact, const Eigen::Matrix3Xd& nodes) {
+  std::vector<std::uint32_t> nearest;
+  for (int k = 0; k < contact.size(); ++k) {
+    const Eigen::RowVector3d at = contact.position.row(k);
+    const Eigen::Vector3d there(at[0] * std::cos(at[1]), at[0] * std::sin(at[1]), at[2]);
+    Eigen::Index node = 0;
+    (nodes.colwise() - there).colwise().squaredNorm().minCoeff(&node);
+    nearest.push_back(static_cast<std::uint32_t>(node));
+  }
+  return nearest;
+}
+
+json add_motion(PackedArrays& arrays, const Study& study, const MovingWheel& moving, const std::vector<int>& nodes,
+                const std::string& place) {
+  const auto at = std::find_if(study.response.speeds.begin(), study.response.speeds.end(),
+                               [&](const SpeedResponse& speed) { return speed.speed == moving.speed; });
+  json waves = json::array();
+  for (std::size_t i = 0; i < moving.waves.size(); ++i) {
+    add_wave(arrays, place + "/" + std::to_string(i), moving.waves[i], nodes);
+    waves.push_back({{"nodal_diameter", moving.waves[i].nodal_diameter},
+                     {"order", moving.motion.waves[i].engine_order},
+                     {"share", moving.motion.waves[i].share}});
+  }
+  arrays.add_coarse(place + "/vibration", moving.vibration(nodes) * mpa_per_pa);
+  arrays.add_coarse(place + "/both", moving.both(nodes) * mpa_per_pa);
+  arrays.add_coarse(place + "/force",
+                    at->contact_force.middleRows(moving.motion.first_sample, moving.motion.samples));
+  arrays.add(place + "/clearance", at->clearance);
+  return {{"index", at - study.response.speeds.begin()},
+          {"rpm", moving.speed * rpm_per_rad_s},
+          {"first_sample", moving.motion.first_sample},
+          {"samples", moving.motion.samples},
+          {"samples_per_revolution", at->samples_per_revolution},
+          {"left_out", moving.motion.left_out},
+          {"largest", moving.displacement},
+          {"stress_limit", stress_limit(moving.both)},
+          {"waves", std::move(waves)}};
+}
+
+}  // namespace
+
+std::string wheel_data(const Study& study, const FieldStudy& fields) {
+  PackedArrays arrays;
+  const Triangles surface = surface_of(fields.sector);
+  arrays.add_coarse("nodes", fields.sector.nodes(Eigen::all, surface.nodes));
+  arrays.add("triangles", surface.corners);
+  const ContactLine& contact = study.model.contact;
+  arrays.add("contact/position", contact.position.transpose());
+  arrays.add("contact/node", nearest_nodes(contact, fields.sector.nodes(Eigen::all, surface.nodes)));
+  arrays.add("contact/normal", contact.normal.transpose());
+  arrays.add("casing/angle", study.response.scene.casing_angle);
+  arrays.add("casing/distortion", study.response.scene.casing_distortion);
+  json motions = json::array();
+  for (const MovingWheel& moving : fields.moving)
+    motions.push_back(add_motion(arrays, study, moving, surface.nodes, "motion/" + std::to_string(motions.size())));
+  return arrays.packed({{"sectors", fields.sector.sector_count},
+                        {"held", study.response.scene.independent_sectors},
+                        {"contacts", contact.size()},
+                        {"radius", outer_radius(fields.sector)},
+                        {"rpm", fields.speed * rpm_per_rad_s},
+                        {"modes", add_modes(arrays, fields, surface.nodes)},
+                        {"motions", std::move(motions)}});
+}
+
+}  // namespace tiprub

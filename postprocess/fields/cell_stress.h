@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <optional>
+#include <vector>
+
+#include "reduce/model/fields_file.h"
+
+namespace tiprub {
+
+/// Symmetric tensors at nodes: xx, yy, zz, xy, yz, zx; one a column.
+using Tensors = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+using ComplexTensors = Eigen::Matrix<std::complex<double>, 6, Eigen::Dynamic>;
+
+/// Stress at the nodes of a sector by linear elasticity, sigma = lambda tr(eps) I + 2 mu eps. Strains are taken at
+/// the points of each cell where they are exact to one order more (the 2 x 2 x 2 Gauss points of a brick: Barlow
+/// 1976), carried on to its nodes by the lowest polynomials through them (trilinear in a brick: Hinton and Campbell
+/// 1974), and averaged over the cells that share a node. Strains at the nodes themselves would be of the same order,
+/// and several times as wrong.
+class CellStress {
+ public:
+  explicit CellStress(const SectorFields& sector);
+
+  /// [Pa] of a displacement [m] in x, y, z: sums over the cells at each node.
+  Tensors sum(const Eigen::Matrix3Xd& displacement) const;
+  /// How many cells each node has.
+  const Eigen::VectorXi& cells_at_node() const { return cells_at_node_; }
+  /// [Pa] averages over the cells of the sector alone.
+  Tensors average(const Eigen::Matrix3Xd& displacement) const;
+  /// [m^3] by cell.
+  const Eigen::VectorXd& volumes() const { return volumes_; }
+  /// The first cell that is flat or turned inside out at a point, where it has no strain; none in a sound
+  /// mesh.
+  const std::optional<Eigen::Index>& degenerate_cell() const { return degenerate_; }
+
+ private:
+  using Gradient = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // of a cell's shape functions at one point [1/m]
+  const Eigen::MatrixXi& cells_;
+  double lambda_, mu_;
+  std::vector<std::vector<Gradient>> gradient_;  // by cell, then point
+  Eigen::VectorXi cells_at_node_;
+  Eigen::VectorXd volumes_;
+  std::optional<Eigen::Index> degenerate_;
+};
+
+/// [Pa]
+Eigen::VectorXd von_mises(const Tensors& stress);
+
+/// Tensors of a body that is turned about z by an angle [rad]: R sigma R'.
+ComplexTensors turned(const ComplexTensors& tensors, double angle);
+Tensors turned(const Tensors& tensors, double angle);
+
+}  // namespace tiprub

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/fields/modes/natural_modes.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "mesh/cells/cell_kind.h"
+#include "postprocess/fields/blade_place.h"
+#include "postprocess/fields/cell_stress.h"
+#include "postprocess/waves/aliasing.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr int most_nodal_diameters = 3;  // looked at
+constexpr int lowest_families = 2;       // drawn, of all that are looked at
+constexpr int most_families = 8;         // looked at, of those that the reduction was verified with
+
+/// Those that the casing's first harmonics drive (eq. 17), ascending.
+std::vector<int> driven_nodal_diameters(const Study& study) {
+  std::set<int> chosen;
+  const int lobes = std::max(1, study.response.scene.lobes);
+  for (int k = 1; k <= study.model.sector_count && chosen.size() < most_nodal_diameters; ++k)
+    chosen.insert(aliased_nodal_diameter(k * lobes, study.model.sector_count));
+  return {chosen.begin(), chosen.end()};
+}
+
+/// Of a nodal diameter.
+Eigen::Index families_of(const ReducedModel& model, int nodal_diameter) {
+  const auto n = static_cast<std::size_t>(nodal_diameter);
+  const Eigen::Index verified =
+      n < model.verification.unreduced.size() ? model.verification.unreduced[n].cols() : lowest_families;
+  return std::min({model.nodal_diameters[n].M.rows(), std::max<Eigen::Index>(verified, lowest_families),
+                   Eigen::Index{most_families}});
+}
+
+/// A mode has any size and any phase: its largest component becomes 1.
+void normalise(Eigen::Matrix3Xcd& shape) {
+  Eigen::Index row = 0, column = 0;
+  shape.cwiseAbs().maxCoeff(&row, &column);
+  if (shape(row, column) != 0.0) shape /= shape(row, column);
+}
+
+/// The modes of a nodal diameter, recovered on the sector.
+std::vector<ModeField> recovered(const FieldsReader& reader, const ReducedModel& model, int nodal_diameter,
+                                 double speed) {
+  const NodalDiameterModel& matrices = model.nodal_diameters[static_cast<std::size_t>(nodal_diameter)];
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(matrices.stiffness(speed), matrices.M);
+  const Eigen::MatrixXcd shapes =
+      reader.expand(nodal_diameter, solver.eigenvectors().leftCols(families_of(model, nodal_diameter)));
+  std::vector<ModeField> modes;
+  for (int family = 0; family < shapes.cols(); ++family) {
+    WaveField wave{nodal_diameter, cartesian(reader.sector(), shapes.col(family)), {}};
+    normalise(wave.displacement);
+    const double frequency = std::sqrt(std::max(0.0, solver.eigenvalues()[family])) / (2 * std::numbers::pi);
+    modes.push_back({family, frequency, std::move(wave)});
+  }
+  return modes;
+}
+
+double disc_share(const ModeShares& mode) {
+  const auto known = mode.share.find(disc_part);
+  return known == mode.share.end() ? 0 : known->second;
+}
+
+}  // namespace
+
+std::map<std::string, double> part_shares(const SectorFields& sector, const Eigen::VectorXd& volumes,
+                                          const Eigen::Matrix3Xcd& displacement) {
+  const Eigen::VectorXd square = displacement.colwise().squaredNorm();
+  const auto of_cell = [&](int cell) { return volumes[cell] * square(nodes_of(sector.cells, cell)).mean(); };
+  double whole = 0;
+  for (int cell = 0; cell < sector.cells.cols(); ++cell) whole += of_cell(cell);
+  std::map<std::string, double> shares;
+  for (const auto& [part, cells] : sector.parts)
+    for (const int cell : cells) shares[part] += whole > 0 ? of_cell(cell) / whole : 0;
+  return shares;
+}
+
+std::vector<std::size_t> disc_modes(const std::vector<ModeShares>& shares, int first) {
+  std::map<int, std::vector<std::size_t>> families;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (shares[i].family >= first) families[shares[i].family].push_back(i);
+  std::vector<std::size_t> best;
+  double most = 0;
+  for (auto& [family, modes] : families) {
+    std::stable_sort(modes.begin(), modes.end(),
+                     [&](std::size_t a, std::size_t b) { return disc_share(shares[a]) > disc_share(shares[b]); });
+    modes.resize(std::min<std::size_t>(2, modes.size()));
+    double sum = 0;
+    for (const std::size_t mode : modes) sum += disc_share(shares[mode]);
+    if (sum > most) best = modes;
+    most = std::max(most, sum);
+  }
+  std::sort(best.begin(), best.end());
+  return best;
+}
+
+NaturalModes natural_modes(const FieldsReader& reader, const Study& study, double speed) {
+  const int lowest = std::min(lowest_families, study.parameters.families);
+  const Eigen::VectorXd volumes = CellStress(reader.sector()).volumes();
+  NaturalModes modes;
+  std::vector<ModeField> all;
+  for (const int n : driven_nodal_diameters(study))
+    for (ModeField& mode : recovered(reader, study.model, n, speed)) {
+      modes.shares.push_back(
+          {n, mode.family, mode.frequency, part_shares(reader.sector(), volumes, mode.wave.displacement)});
+      all.push_back(std::move(mode));
+    }
+  for (const std::size_t i : disc_modes(modes.shares, lowest)) modes.disc.push_back(all[i]);
+  for (ModeField& mode : all)
+    if (mode.family < lowest) modes.lowest.push_back(std::move(mode));
+  return modes;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <set>
+
+#include "postprocess/fields/blade_place.h"
+#include "postprocess/figures/axes.h"
+#include "postprocess/figures/field_figures.h"
+#include "postprocess/figures/wheel/meridional_outline.h"
+#include "postprocess/figures/wheel/wheel_picture.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double drawn_gap = 0.02;  // of the outer radius, at least: how wide the mean gap is drawn
+
+/// r, z [m], 2 x points, by the name that people read.
+struct SectionLine {
+  std::string name;
+  Eigen::Matrix2Xd points;
+};
+
+/// Of the mesh's parts, of the whole sector where they are not told apart.
+std::vector<SectionLine> outlines(const SectorFields& sector, const std::vector<SurfaceFace>& faces) {
+  std::vector<SectionLine> lines;
+  const auto add = [&](const std::string& name, const std::vector<SurfaceFace>& of) {
+    for (Eigen::Matrix2Xd& points : meridional_outline(sector.nodes, of)) lines.push_back({name, std::move(points)});
+  };
+  for (const auto& [part, cells] : sector.parts) add(spoken(part), surface_of_cells(sector, cells));
+  if (sector.parts.empty()) add("wheel", faces);
+  return lines;
+}
+
+/// Nodes that lie on one circle around the axis are one point.
+Eigen::Matrix2Xd distinct(const SectorFields& sector, const std::vector<int>& nodes) {
+  const double grid = 1e-6 * outer_radius(sector);
+  std::set<std::pair<long, long>> seen;
+  std::vector<Eigen::Vector2d> found;
+  for (const int node : nodes) {
+    const Eigen::Vector2d place = meridional(sector.nodes.col(node));
+    if (seen.emplace(std::lround(place[0] / grid), std::lround(place[1] / grid)).second) found.push_back(place);
+  }
+  Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(found.size()));
+  for (std::size_t i = 0; i < found.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = found[i];
+  return points;
+}
+
+/// The round casing over the main blade's contact nodes, its gap so many times as wide.
+Eigen::Matrix2Xd casing(const Study& study, double times) {
+  const ContactLine& contact = study.model.contact;
+  Eigen::Matrix2Xd points(2, contact.trailing_edge() + 1);
+  for (int k = 0; k <= contact.trailing_edge(); ++k) {
+    const double gap = times * study.response.scene.clearance[k];
+    points.col(k) << contact.position(k, 0) + gap * contact.normal(k, 0),
+        contact.position(k, 2) + gap * contact.normal(k, 2);
+  }
+  return points;
+}
+
+/// A whole number with one digit that is not 0, 1 at least.
+double gap_factor(const Study& study, double radius) {
+  const double mean = study.response.scene.clearance.mean();
+  if (!(mean > 0)) return 1;
+  const double wanted = drawn_gap * radius / mean, tens = std::pow(10.0, std::floor(std::log10(wanted)));
+  return wanted > 1 ? std::ceil(wanted / tens) * tens : 1;
+}
+
+/// z, r [mm]: as it is drawn.
+Eigen::MatrixXd drawn(const Eigen::Matrix2Xd& points) {
+  return mm_per_m * points.colwise().reverse().transpose();
+}
+
+void set_outlines(Drawing& drawing, const std::vector<SectionLine>& lines) {
+  std::vector<std::string> titles;
+  ScriptTable sheets{"outlines", {}};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    titles.push_back(i > 0 && lines[i - 1].name == lines[i].name ? "" : lines[i].name);
+    sheets.sheets.push_back(drawn(lines[i].points));
+  }
+  drawing.values.emplace_back("outline_title", titles);
+  drawing.tables.push_back(std::move(sheets));
+}
+
+Table section_table(const std::vector<SectionLine>& lines) {
+  Table table{{"line", "piece", "r [mm]", "z [mm]"}, {}};
+  for (std::size_t i = 0, piece = 0; i < lines.size(); ++i) {
+    piece = i > 0 && lines[i - 1].name == lines[i].name ? piece + 1 : 0;
+    for (const auto& point : lines[i].points.colwise())
+      table.rows.push_back({lines[i].name, static_cast<int>(piece), point[0] * mm_per_m, point[1] * mm_per_m});
+  }
+  return table;
+}
+
+}  // namespace
+
+Figure meridional_section_figure(const Study& study, const FieldStudy& fields,
+                                 const std::vector<SurfaceFace>& faces) {
+  const SectorFields& sector = fields.sector;
+  const double radius = outer_radius(sector), times = gap_factor(study, radius);
+  std::vector<SectionLine> lines = outlines(sector, faces);
+  Figure figure{.drawing = {.name = "meridional_section",
+                            .width = 760,
+                            .height = 640,
+                            .script = "meridional_section",
+                            .values = {{"inlet_first", inlet_below(sector) ? 1 : 0}}},
+                .title = "Section of the wheel",
+                .caption =
+                    "The sector's mesh in the meridional plane: what each of its parts covers, turned about the "
+                    "axis. Blue: contact nodes" +
+                    of_main_blade(study) +
+                    "; red: clamped nodes. The line over the blade is the round "
+                    "casing, its clearance as the case gives it drawn " +
+                    fixed(times, 0) + " times as wide."};
+  set_outlines(figure.drawing, lines);
+  const std::vector<int>& tip = sector.node_set("contact");  // a splitter's nodes come last
+  const Eigen::Matrix2Xd contact = distinct(sector, {tip.begin(), tip.end() - study.model.contact.splitter_nodes}),
+                         clamped = distinct(sector, sector.node_set("clamped"));
+  figure.drawing.tables.push_back({"casing", {drawn(casing(study, times))}});
+  figure.drawing.tables.push_back({"contact", {drawn(contact)}});
+  figure.drawing.tables.push_back({"clamped", {drawn(clamped)}});
+  for (SectionLine& line :
+       std::vector<SectionLine>{{"casing", casing(study, 1)}, {"contact nodes", contact}, {"clamped nodes", clamped}})
+    lines.push_back(std::move(line));
+  figure.data = section_table(lines);
+  return figure;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A drawing with two axes, in SVG: it fills its host's width, tells the values under the pointer above it, zooms by dragging
+// a box or by its buttons, and passes clicks on. Colours come from the style sheet.
+//
+// options: name; x, y: {label, range: [low, high], ticks: [[place, words], ...] if not even}; height [px];
+//   paint(chart): appends what is drawn; read(x, y): the words under the pointer; pick(x, y): a click; step(-1 or 1): an
+//   arrow key; even: the same length on both axes.
+class Chart {
+  static margin = {left: 58, right: 14, top: 8, bottom: 42};
+
+  constructor(host, options) {
+    this.options = options;
+    this.range = {x: [...options.x.range], y: [...options.y.range]};
+    this.readout = make('output', {class: 'readout'});
+    this.svg = makeSvg('svg', {class: 'chart', role: 'img', tabindex: options.step ? 0 : null,
+      'aria-label': options.name});
+    this.tools = make('div', {class: 'tools'});
+    const zoom = factor => () => this.zoomBy(factor);
+    this.buttons = make('span', {class: 'zoom'}, button('+', `${options.name}: zoom in`, zoom(0.5)),
+      button('\u2212', `${options.name}: zoom out`, zoom(2)),
+      button('Whole', `${options.name}: show all of it`, () => this.reset()));
+    this.tools.append(this.readout, this.buttons);
+    host.append(this.tools, this.svg);
+    this.listen();
+    new ResizeObserver(() => this.draw()).observe(this.svg);
+  }
+
+  px(x) { return this.left + (x - this.range.x[0]) / (this.range.x[1] - this.range.x[0]) * this.width; }
+  py(y) { return this.top + (this.range.y[1] - y) / (this.range.y[1] - this.range.y[0]) * this.height; }
+
+  // Where an event is, in the numbers of the axes.
+  place(event) {
+    const box = this.svg.getBoundingClientRect();
+    const share = (at, first, size) => Math.min(1, Math.max(0, (at - first) / size));
+    const across = share(event.clientX - box.left, this.left, this.width);
+    const up = 1 - share(event.clientY - box.top, this.top, this.height);
+    const between = ([low, high], part) => low + part * (high - low);
+    return [between(this.range.x, across), between(this.range.y, up)];
+  }
+
+  listen() {
+    let from = null;
+    this.svg.addEventListener('pointerdown', event => { from = {place: this.place(event), x: event.clientX, y: event.clientY}; });
+    this.svg.addEventListener('pointermove', event => {
+      this.tell(...this.place(event));
+      if (from && event.buttons) this.drawBox(from.place, this.place(event));
+    });
+    this.svg.addEventListener('pointerleave', () => { this.readout.textContent = ''; });
+    this.svg.addEventListener('pointerup', event => {
+      if (!from) return;
+      const moved = Math.hypot(event.clientX - from.x, event.clientY - from.y), start = from.place;
+      from = null;
+      this.box?.remove();
+      if (moved > 8) this.zoomTo(start, this.place(event));
+      else this.options.pick?.(...this.place(event));
+    });
+    this.svg.addEventListener('dblclick', () => this.reset());
+    this.svg.addEventListener('keydown', event => {
+      const step = {ArrowLeft: -1, ArrowRight: 1}[event.key];
+      if (!step || !this.options.step) return;
+      event.preventDefault();
+      this.options.step(step);
+    });
+  }
+
+  tell(x, y) { this.readout.textContent = this.options.read?.(x, y) ?? ''; }
+
+  drawBox(a, b) {
+    this.box?.remove();
+    const [left, right] = [this.px(a[0]), this.px(b[0])].sort((p, q) => p - q);
+    const [top, bottom] = [this.py(a[1]), this.py(b[1])].sort((p, q) => p - q);
+    this.box = makeSvg('rect', {x: left, y: top, width: right - left, height: bottom - top, class: 'zoom-box'});
+    this.svg.append(this.box);
+  }
+
+  zoomTo(a, b) {
+    this.range = {x: [Math.min(a[0], b[0]), Math.max(a[0], b[0])], y: [Math.min(a[1], b[1]), Math.max(a[1], b[1])]};
+    this.draw();
+  }
+
+  // About the chosen place, or the middle; never beyond the whole.
+  zoomBy(factor) {
+    for (const axis of ['x', 'y']) {
+      const [low, high] = this.range[axis], [first, last] = this.options[axis].range;
+      const middle = axis === 'x' && this.options.middle ? this.options.middle() : (low + high) / 2;
+      const half = Math.min(factor * (high - low), last - first) / 2;
+      const start = Math.min(Math.max(middle - half, first), last - 2 * half);
+      this.range[axis] = [start, start + 2 * half];
+    }
+    this.draw();
+  }
+
+  reset() {
+    this.range = {x: [...this.options.x.range], y: [...this.options.y.range]};
+    this.draw();
+  }
+
+  // Other numbers on the axes from now on.
+  setRanges(x, y) {
+    this.options.x.range = x;
+    this.options.y.range = y;
+    this.reset();
+  }
+
+  draw() {
+    const full = this.svg.clientWidth;
+    if (!full) return;
+    const {left, right, top, bottom} = Chart.margin, height = this.options.height;
+    Object.assign(this, {left, top, width: Math.max(60, full - left - right), height: height - top - bottom});
+    if (this.options.even) this.makeEven();
+    this.svg.replaceChildren();
+    set(this.svg, {viewBox: `0 0 ${full} ${height}`, height});
+    this.clip = `clip-${Chart.count = (Chart.count ?? 0) + 1}`;
+    const clip = makeSvg('clipPath', {id: this.clip});
+    clip.append(makeSvg('rect', {x: left, y: top, width: this.width, height: this.height}));
+    this.axes = makeSvg('g', {class: 'axes'});
+    this.content = makeSvg('g', {'clip-path': `url(#${this.clip})`});
+    this.svg.append(clip, makeSvg('rect', {x: left, y: top, width: this.width, height: this.height, class: 'ground'}),
+      this.axes, this.content);
+    drawAxes(this);
+    this.options.paint(this);
+    this.svg.append(makeSvg('rect', {x: left, y: top, width: this.width, height: this.height, class: 'frame'}));
+  }
+
+  makeEven() {
+    const [[x0, x1], [y0, y1]] = [this.range.x, this.range.y];
+    const scale = Math.max((x1 - x0) / this.width, (y1 - y0) / this.height);
+    const about = (low, high, size) => [(low + high - scale * size) / 2, (low + high + scale * size) / 2];
+    this.range = {x: about(x0, x1, this.width), y: about(y0, y1, this.height)};
+  }
+
+  line(xs, ys, look, colour = null) {
+    let path = '', pen = 'M';
+    for (let i = 0; i < xs.length; ++i) {
+      if (!Number.isFinite(ys[i])) { pen = 'M'; continue; }
+      path += `${pen}${this.px(xs[i]).toFixed(1)} ${this.py(ys[i]).toFixed(1)}`;
+      pen = 'L';
+    }
+    this.content.append(makeSvg('path', {d: path, class: look, style: colour && `stroke:${colour}`}));
+  }
+
+  dot(x, y, radius, look) { this.content.append(makeSvg('circle', {cx: this.px(x), cy: this.py(y), r: radius, class: look})); }
+
+  // At the foot of the chart.
+  triangle(x, filled) {
+    const at = this.px(x), foot = this.top + this.height;
+    this.content.append(makeSvg('path', {d: `M${at - 5} ${foot - 2}h10l-5 -9z`, class: filled ? 'equation-2' : 'aliased'}));
+  }
+
+  upright(x, look) { this.line([x, x], this.range.y, look); }
+
+  text(x, y, words, attributes = {}) {
+    this.content.append(makeSvg('text', {x: this.px(x), y: this.py(y), ...attributes}, words));
+  }
+}

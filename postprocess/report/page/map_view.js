@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Amplitude over speed and frequency of one edge, in total or of one nodal diameter: the interaction map.
+const VIRIDIS = colourTable('viridis');
+const WIDEST_HALF_LINE = 0.1;  // of an engine order, as the pictures have it
+
+// What a map is drawn from: speeds with their lines, and a line's amplitude [mm] of a nodal diameter `part`, both directions
+// added, or of all ('total'). This report's own, or another one's.
+function ownMap(data, edge) {
+  return {speeds: data.speeds, failed: data.failed, amplitude: (index, line, part) => {
+    const {lines} = data.speeds[index], spectrum = data.array(`${index}/${edge}/spectrum`), count = data.sectors;
+    const at = n => spectrum[line + lines * n];
+    if (part === 'total') {
+      let sum = 0;
+      for (let n = 0; n < count; ++n) sum += at(n);
+      return sum;
+    }
+    const n = Number(part), mirror = (count - n) % count;
+    return mirror === n ? at(n) : at(n) + at(mirror);
+  }};
+}
+
+function otherMap(data, edge) {
+  const speeds = data.other[edge];
+  return {speeds, failed: [], amplitude: (index, line, part) => {
+    const name = `other/${edge}/${part}`;
+    return name in data.arrays ? data.array(name)[speeds[index].first + line] : 0;
+  }};
+}
+
+// The line of a speed's spectrum at an engine order, or -1 between lines.
+function lineAt(speed, order) {
+  const line = Math.round(order * speed.revolutions), half = Math.min(0.5 / speed.revolutions, WIDEST_HALF_LINE);
+  return line > 0 && line < speed.lines && Math.abs(order - line / speed.revolutions) <= half ? line : -1;
+}
+
+// Pixels of the map over the chart's ranges; grey where a failed speed is nearest.
+function mapImage(chart, {axes}, map, part) {
+  const width = Math.round(chart.width), height = Math.round(chart.height);
+  const canvas = make('canvas', {width, height}), context = canvas.getContext('2d');
+  const image = context.createImageData(width, height), pixels = new Uint32Array(image.data.buffer);
+  const colours = VIRIDIS.map(([r, g, b]) => (255 << 24 | b << 16 | g << 8 | r) >>> 0), missing = 0xffd9d9d9;
+  const top = Math.log10(axes.map), {decades} = axes, known = new Map();
+  const colourOf = (index, line) => {
+    const key = index * 65536 + line;
+    if (!known.has(key)) {
+      const level = (Math.log10(map.amplitude(index, line, part)) - top) / decades + 1;
+      known.set(key, colours[Math.round(255 * Math.min(1, Math.max(0, level)))]);
+    }
+    return known.get(key);
+  };
+  for (let x = 0; x < width; ++x) {
+    const rpm = chart.range.x[0] + (x + 0.5) / width * (chart.range.x[1] - chart.range.x[0]);
+    const index = nearestIn(map.speeds, rpm), off = Math.abs(map.speeds[index].rpm - rpm);
+    const none = map.failed.some(failed => Math.abs(failed - rpm) < off);
+    for (let y = 0; y < height; ++y) {
+      const frequency = chart.range.y[1] - (y + 0.5) / height * (chart.range.y[1] - chart.range.y[0]);
+      const line = lineAt(map.speeds[index], frequency * 60 / rpm);
+      pixels[y * width + x] = none ? missing : line < 0 ? colours[0] : colourOf(index, line);
+    }
+  }
+  context.putImageData(image, 0, 0);
+  return canvas.toDataURL();
+}
+
+function drawMap(chart, selection, map, part) {
+  const {data} = selection, rpm = data.speeds.map(speed => speed.rpm);
+  chart.content.append(makeSvg('image', {href: mapImage(chart, data, map, part), x: chart.left, y: chart.top,
+    width: chart.width, height: chart.height, preserveAspectRatio: 'none'}));
+  for (let k = 1; k <= data.axes.engine_orders; ++k) {
+    chart.line(chart.range.x, chart.range.x.map(x => k * x / 60), 'map-order');
+    const x = chart.range.x[1] - 0.02 * (chart.range.x[1] - chart.range.x[0]);
+    if (chart.py(k * x / 60) > chart.top + 12) chart.text(x, k * x / 60, `${k}`, {class: 'map-order-name', 'text-anchor': 'end', dy: -2});
+  }
+  data.modes.forEach((mode, k) => {
+    if (part === 'total' || Number(part) === mode.nodal_diameter) chart.line(rpm, data.array(`mode/${k}`), 'map-mode');
+  });
+  markSpeeds(chart, selection);
+}
+
+function readMap(map, part, rpm, frequency) {
+  const index = nearestIn(map.speeds, rpm), speed = map.speeds[index];
+  const line = Math.min(speed.lines - 1, Math.max(1, Math.round(frequency * 60 / speed.rpm * speed.revolutions)));
+  const order = line / speed.revolutions;
+  return `${speed.rpm.toFixed(0)} rpm, ${(order * speed.rpm / 60).toFixed(0)} Hz (EO ${digits(order)}): ${
+    digits(map.amplitude(index, line, part))} mm`;
+}
+
+function mapView(host, selection, edge) {
+  const {data} = selection, maps = {here: ownMap(data, edge), there: data.other && otherMap(data, edge)};
+  const shown = {part: 'total', whose: 'here'};
+  const chart = new Chart(host, {
+    name: `Interaction map, ${edge} edge`, height: 380, x: speedRange(data),
+    y: {label: 'frequency [Hz]', range: [0, data.axes.frequency]},
+    paint: drawn => drawMap(drawn, selection, maps[shown.whose], shown.part), step: by => selection.step(by),
+    pick: x => pickSpeed(chart, selection, x), middle: () => selection.speed.rpm,
+    read: (x, y) => readMap(maps[shown.whose], shown.part, x, y),
+  });
+  selection.onChange(() => chart.draw());
+  return {show(what) { Object.assign(shown, what); chart.draw(); }};
+}
+
+// Nodal diameters that move at all: an empty map tells nothing.
+function movingParts(data) {
+  const moving = new Set();
+  data.speeds.forEach((speed, index) => {
+    for (const edge of ['leading', 'trailing']) {
+      const spectrum = data.array(`${index}/${edge}/spectrum`);
+      for (let n = 0; n < data.sectors; ++n)
+        for (let line = 1; line < speed.lines; ++line)
+          if (spectrum[line + speed.lines * n] > data.axes.map * 10 ** -data.axes.decades)
+            moving.add(Math.min(n, data.sectors - n));
+    }
+  });
+  return [...moving].sort((a, b) => a - b);
+}
+
+function mapsView(host, selection) {
+  const {data} = selection, {map, decades} = data.axes;
+  const pair = make('div', {class: 'pair'}), maps = ['leading', 'trailing'].map(edge => {
+    const side = make('div', {}, make('h3', {}, `Interaction map, ${edge} edge`));
+    pair.append(side);
+    return mapView(side, selection, edge);
+  });
+  const labels = Array.from({length: 3}, (_, i) => digits(map * 10 ** (decades * (i / 2 - 1)), 2));
+  host.append(make('div', {class: 'tools'},
+    choice('Nodal diameters', [['total', 'all, their sum'], ...movingParts(data).map(n => [String(n), `${n} alone`])],
+      'total', part => maps.forEach(view => view.show({part}))),
+    ...(data.other ? [choice('Maps of', [['here', 'this report'], ['there', data.other.name]], 'here',
+      whose => maps.forEach(view => view.show({whose})))] : []),
+    colourBar('viridis', labels, 'mm, logarithmic')),
+    legend(['map-order', 'engine orders'], ['map-mode', 'natural frequencies'], ['critical', 'critical speeds'], ['chosen', 'shown speed']), pair);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Amplitude over speed; a click chooses a speed, a critical one if it is near.
+const NEAR_PIXELS = 14;
+
+function legend(...entries) {
+  return make('ul', {class: 'legend'}, ...entries.map(([look, words]) => make('li', {},
+    make('span', {class: `swatch ${look}`}), words)));
+}
+
+function speedRange(data) { return {label: 'speed [rpm]', range: [...data.axes.speed]}; }
+
+// Where the critical speeds are, and the one that is shown.
+function markSpeeds(chart, selection) {
+  const {data} = selection;
+  for (const peak of data.critical) {
+    const x = data.speeds[peak.index].rpm;
+    chart.upright(x, 'critical-mark');
+  }
+  chart.upright(selection.speed.rpm, 'chosen-mark');
+}
+
+function pickSpeed(chart, selection, x) {
+  selection.pick(x, NEAR_PIXELS * (chart.range.x[1] - chart.range.x[0]) / chart.width);
+}
+
+function drawResponse(chart, selection) {
+  const {data} = selection, {speeds} = data, rpm = speeds.map(speed => speed.rpm);
+  markSpeeds(chart, selection);
+  for (const name of ['largest', 'leading', 'trailing']) chart.line(rpm, speeds.map(speed => speed[name]), name);
+  if (data.other) chart.line(data.array('other/speed'), data.array('other/largest'), 'other');
+  for (const speed of speeds) {
+    chart.dot(speed.rpm, speed.largest, 2.2, 'largest-dot');
+    if (speed.motion !== 'periodic') chart.dot(speed.rpm, speed.largest, 5.5, 'unsteady');
+  }
+  for (const peak of data.critical) {
+    const {rpm: x, largest} = speeds[peak.index];
+    chart.text(x, largest, peak.wave, {class: 'wave-name', transform: `rotate(-90 ${chart.px(x)} ${chart.py(largest)})`, dx: 9, dy: -4});
+  }
+  for (const [rule, rpms] of Object.entries(data.predicted))
+    for (const x of rpms) chart.triangle(x, rule === 'equation_2');
+  chart.dot(selection.speed.rpm, selection.speed.largest, 6, 'chosen-dot');
+}
+
+function responseView(host, selection) {
+  const {data} = selection;
+  host.append(legend(['largest', 'largest on the tip line'], ['leading', 'leading edge'], ['trailing', 'trailing edge'],
+    ['unsteady', 'not periodic'], ['chosen', 'shown speed'],
+    ...(data.predicted.aliased.length ? [['aliased', 'rule with aliasing']] : []),
+    ...(data.predicted.equation_2.length ? [['equation-2', 'eq. 2']] : []), ...(data.other ? [['other', data.other.name]] : [])));
+  const chart = new Chart(host, {
+    name: 'Tip amplitude over speed', height: 400, x: speedRange(data),
+    y: {label: 'amplitude [mm]', range: [0, 1.32 * data.axes.amplitude]},
+    paint: drawn => drawResponse(drawn, selection),
+    pick: x => pickSpeed(chart, selection, x), step: by => selection.step(by), middle: () => selection.speed.rpm,
+    read: x => {
+      const speed = data.speeds[selection.nearest(x)];
+      return `${speed.rpm.toFixed(0)} rpm: ${digits(speed.largest)} mm; leading edge ${digits(speed.leading)}, trailing edge ${digits(speed.trailing)} mm; ${speed.motion}`;
+    },
+  });
+  selection.onChange(() => chart.draw());
+  return chart;
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/report/run_record.h"
+
+#include <ctime>
+
+#include "cases/program/command_line.h"
+#include "cases/program/errors.h"
+#include "postprocess/tables/read_csv.h"
+#include "postprocess/tables/table.h"
+
+namespace fs = std::filesystem;
+
+namespace tiprub {
+
+namespace {
+
+/// "2026-03-01 12:30 UTC"; empty if the file can't be asked.
+std::string date_of(const fs::path& file) {
+  std::error_code error;
+  const fs::file_time_type written = fs::last_write_time(file, error);
+  if (error) return "";
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(
+      std::chrono::time_point_cast<std::chrono::system_clock::duration>(std::chrono::file_clock::to_sys(written)));
+  std::tm parts{};
+  char text[32] = "";
+  if (gmtime_r(&seconds, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts);
+  return text;
+}
+
+/// "model: tiprub-reduce 0.1.0, 12.3 s, of processors 20.1 s, of which there were 2".
+std::string stage_in_words(const fs::path& note) {
+  const CsvTable table = read_csv(note);
+  const std::size_t program = table.column("program");
+  std::vector<double> numbers;
+  for (const char* column : {"wall time [s]", "processor time [s]", "processors"}) {
+    const Eigen::VectorXd values = table.numbers(column);
+    if (values.size() != 1 || !(values[0] >= 0))
+      throw InputError(note.string() + ": " + column + " must be one number, 0 or more, as --times notes it");
+    numbers.push_back(values[0]);
+  }
+  return note.stem().string() + ": " + table.rows.front()[program] + ", " + fixed(numbers[0], 1) + " s, " +
+         fixed(numbers[1], 1) + " s of processor time on " + fixed(numbers[2], 0) +
+         (numbers[2] == 1 ? " processor" : " processors");
+}
+
+}  // namespace
+
+RunRecord::RunRecord(std::vector<fs::path> inputs, const std::vector<fs::path>& stages) : inputs_(std::move(inputs)) {
+  for (const fs::path& stage : stages) stages_ += (stages_.empty() ? "" : "; ") + stage_in_words(stage);
+}
+
+void RunRecord::done(const std::string& part) {
+  const auto now = std::chrono::steady_clock::now();
+  parts_.emplace_back(part, std::chrono::duration<double>(now - last_).count());
+  last_ = now;
+}
+
+std::vector<Answer> RunRecord::in_words() const {
+  std::string inputs, times;
+  for (const fs::path& file : inputs_)
+    inputs += (inputs.empty() ? "" : "; ") + file.filename().string() + " of " + date_of(file);
+  for (const auto& [part, seconds] : parts_)
+    times += (times.empty() ? "" : ", ") + part + " " + fixed(seconds, 1) + " s";
+  const std::string commit = TIPRUB_COMMIT;
+  std::vector<Answer> answers = {
+      {"Program", program_version("tiprub-postprocess") + (commit.empty() ? "" : ", built of commit " + commit)},
+      {"Inputs", inputs},
+      {"Time taken", times}};
+  if (!stages_.empty()) answers.push_back({"The stages before", stages_});
+  return answers;
+}
+
+}  // namespace tiprub

@@ -10,14 +10,17 @@
 #   MESH := wheel.msh       a mesh of your own;  make neither writes nor cleans it
 #   MODEL := wheel.h5       a model of your own, likewise;  FIELDS := wheel_fields.h5, if there are any
 #   MODEL_OF := ../<case>   another case's sector.msh, model.h5 and fields.h5: one wheel, many casings
+#   CASE := ../case.toml    another folder's case
+#   SETTINGS := ...         options of all programs: --set casing.lobes=3
 #   SIMULATE_FLAGS := ...   further options of tiprub-simulate, such as --set simulate.speed_count=12
-#   BIN := ...              the folder of the programs; without it, build/bin of the source that this file is in
+#   LAUNCH := mpirun -n 4   what starts tiprub-simulate
+#   BIN := ...              the folder of the programs; without it, build/bin of the source that this file is in, or bin of where it is installed
 # [postprocess] response_up = "response_up.h5" asks for this case swept up as well, response_down = "response_down.h5" down; any
 # other name is a file of your own, which make neither makes nor watches.
 #
 # No text of a case reaches a shell or make: stages are asked what they read, and only digests and fixed names come back.
 TIPRUB ?= $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))/..
-BIN ?= $(abspath $(TIPRUB)/build/bin)
+BIN ?= $(abspath $(or $(wildcard $(TIPRUB)/build/bin),$(TIPRUB)/../../bin))
 export PATH := $(BIN):$(PATH)
 
 .PHONY: all clean look
@@ -38,13 +41,16 @@ MADE := $(MADE_FOR_MODEL) $(foreach sweep,response response_up response_down,$(s
 is_made = { test "$$(readlink $$file)" = $(call in_shell,$(MODEL_OF))/$$file || sha256sum --status -c .chain/$$file.sha256; } 2> /dev/null
 hint := make did not make it, and does not overwrite it; move it away, or name your own files as MESH and MODEL in the Makefile
 leave_others = for file in $1; do test ! -e $$file || $(is_made) || { echo "$$file: $(hint)" >&2; exit 1; }; done
+# How long a stage took, for the page; it is no file that anything hangs on.
+times = --times .chain/$(basename $1).csv
 note = for file in $1; do test ! -e $$file || sha256sum $$file > .chain/$$file.sha256; done
 
 ifneq ($(MAKECMDGOALS),clean)
 
 # A stage's stamp is named by the digest of what the stage reads of the case: where that changed, there is no such stamp.
 FLAGS_simulate = $(SIMULATE_FLAGS)
-tables = tiprub-$1 case.toml --tables $(FLAGS_$1)
+CASE_FILE := $(if $(CASE),$(call in_shell,$(CASE)),case.toml)
+tables = tiprub-$1 $(CASE_FILE) --tables $(SETTINGS) $(FLAGS_$1)
 ask = PATH=$(call in_shell,$(BIN)):"$$PATH" $(tables) 2> /dev/null
 stamp = .chain/$1-$(firstword $(shell $(ask) | sha256sum))
 STAMP_mesh := $(if $(MESH)$(MODEL)$(MODEL_OF),,$(call stamp,mesh))
@@ -89,10 +95,10 @@ else ifndef MODEL
 ifndef MESH
 sector.msh: $(STAMP_mesh)
 	@$(call leave_others,$@)
-	tiprub-mesh case.toml -o $@
+	tiprub-mesh $(CASE_FILE) -o $@ $(SETTINGS) $(call times,$@)
 	@$(call note,$@)
 endif
-REDUCE = tiprub-reduce case.toml $(if $(MESH),$(call in_shell,$(MESH)),sector.msh) -o model.h5 --fields fields.h5
+REDUCE = tiprub-reduce $(CASE_FILE) $(if $(MESH),$(call in_shell,$(MESH)),sector.msh) -o model.h5 --fields fields.h5 $(SETTINGS) $(call times,model.h5)
 fields.h5: $(STAMP_reduce) $(call as_prerequisite,$(or $(MESH),sector.msh))
 	@$(call leave_others,model.h5 fields.h5)
 	$(REDUCE)
@@ -107,20 +113,25 @@ ROTOR := $(if $(MODEL),$(call in_shell,$(MODEL)),model.h5)
 ROTOR_FIELDS := $(if $(MODEL),$(if $(FIELDS),--fields $(call in_shell,$(FIELDS))),--fields fields.h5)
 ROTOR_FILE := $(call as_prerequisite,$(or $(MODEL),model.h5))
 FIELDS_FILE := $(call as_prerequisite,$(if $(MODEL),$(FIELDS),fields.h5))
+SIMULATE = $(LAUNCH) tiprub-simulate $(CASE_FILE) $(ROTOR)
 response.h5 response_up.h5 response_down.h5: $(STAMP_simulate) $(ROTOR_FILE)
 
 response.h5:
 	@$(call leave_others,$@ response_full.h5)
-	tiprub-simulate case.toml $(ROTOR) -o $@ $(SIMULATE_FLAGS)
+	$(SIMULATE) -o $@ $(SETTINGS) $(SIMULATE_FLAGS) $(call times,$@)
 	@$(call note,$@ response_full.h5)
 
 response_up.h5 response_down.h5: response_%.h5:
 	@$(call leave_others,$@ response_$*_full.h5)
-	tiprub-simulate case.toml $(ROTOR) -o $@ --set 'simulate.sweep="$*"' $(SIMULATE_FLAGS)
+	$(SIMULATE) -o $@ --set 'simulate.sweep="$*"' $(SETTINGS) $(SIMULATE_FLAGS) $(call times,$@)
 	@$(call note,$@ response_$*_full.h5)
 
+# Of the stages that this make, or MODEL_OF's, has made; asked when the recipe runs.
+MADE_HERE := $(if $(STAMP_mesh),sector) $(if $(STAMP_reduce),model) response $(basename $(SWEEPS))
+RUNS := $(MADE_HERE:%=.chain/%.csv) $(if $(MODEL_OF),$(MODEL_OF)/.chain/sector.csv $(MODEL_OF)/.chain/model.csv)
+runs = $(addprefix --runs ,$(shell ls $(RUNS) 2> /dev/null))
 report/report.html: $(STAMPS) $(ROTOR_FILE) $(FIELDS_FILE) response.h5 $(SWEEPS)
-	tiprub-postprocess case.toml $(ROTOR) response.h5 $(ROTOR_FIELDS) -o report > /dev/null
+	tiprub-postprocess $(CASE_FILE) $(ROTOR) response.h5 $(ROTOR_FIELDS) -o report $(SETTINGS) $(runs) > /dev/null
 
 endif
 

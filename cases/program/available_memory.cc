@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <string>
 
 namespace tiprub {
@@ -51,6 +53,12 @@ double mappable_memory() {
 
 double available_memory(const std::filesystem::path& root) {
   return std::min({system_memory(root), control_group_memory(root), mappable_memory()});
+}
+
+void require_memory(std::size_t bytes) {
+  void* volatile memory = std::malloc(bytes);
+  if (memory == nullptr) throw std::bad_alloc();
+  std::free(memory);
 }
 
 }  // namespace tiprub

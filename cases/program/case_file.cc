@@ -11,6 +11,7 @@
 
 #include "cases/program/case_settings.h"
 #include "cases/program/digest.h"
+#include "cases/program/lines/number_lines.h"
 #include "cases/text/case_text.h"
 #include "cases/text/printable.h"
 
@@ -81,6 +82,7 @@ struct CaseTable::Node {
   std::vector<std::string> asked;
   struct Setting {
     std::string key, value, unit;
+    std::string digest = {};  ///< of the file that the value names
   };
   std::vector<Setting> settings;  ///< what was read, in the order of reading
   std::vector<std::pair<std::string, std::shared_ptr<Node>>> children;
@@ -106,13 +108,55 @@ struct CaseTable::Node {
     const auto value = node.value<double>();
     if (!node.is_number() || !value)
       throw InputError(where(&node) + "[" + path + "] " + std::string(key) + " is not a number");
-    if (!std::isfinite(*value))
-      throw InputError(where(&node) + "[" + path + "] " + std::string(key) + " = " + shortest(*value) +
-                       " must be a finite number");
-    if (!range.holds(*value))
-      throw InputError(where(&node) + "[" + path + "] " + std::string(key) + " = " + shortest(*value) + " must be " +
-                       range.describe() + (unit.empty() ? "" : " [" + std::string(unit) + "]"));
-    return *value;
+    return checked(*value, where(&node), key, range, unit);
+  }
+  /// The value that stands `at` ("case.toml:3:1: ").
+  double checked(double value, const std::string& at, std::string_view key, const Range& range,
+                 std::string_view unit) const {
+    const std::string said = at + "[" + path + "] " + std::string(key) + " = " + shortest(value) + " must be ";
+    if (!std::isfinite(value)) throw InputError(said + "a finite number");
+    if (!range.holds(value))
+      throw InputError(said + range.describe() + (unit.empty() ? "" : " [" + std::string(unit) + "]"));
+    return value;
+  }
+  NamedText file_beside(const std::string& name, const std::string& kind) const {
+    const std::filesystem::path file_path = std::filesystem::path(file).parent_path() / name;
+    return {file_path.string(), text_of(file_path, kind)};
+  }
+
+  /// Numbers of a list, and where they stand.
+  struct Row {
+    std::string at, at_last;  ///< the first of them; the last one
+    std::vector<double> numbers;
+  };
+  /// Those of the file that a key names in place of a list.
+  std::vector<Row> rows_of_file(const std::string& file_name, std::size_t columns, std::string_view meaning) const {
+    const NamedText text = file_beside(file_name, "a file of numbers");
+    std::vector<Row> rows;
+    for (const NumberLine& line : lines_below_heading(text)) {
+      require_words(text, line, columns, meaning);
+      const std::string at = text.name + ":" + std::to_string(line.number) + ": ";
+      Row row{at, at, {}};
+      for (std::size_t word = 0; word < columns; ++word) row.numbers.push_back(number_in(text, line, word, meaning));
+      rows.push_back(std::move(row));
+    }
+    if (rows.empty()) throw InputError(text.name + ": has no line of numbers");
+    return rows;
+  }
+  /// [x, y] pairs of a list; the range is that of y.
+  std::vector<Row> pairs_of_list(const toml::node& node, std::string_view key) const {
+    const std::string want = "[" + path + "] " + std::string(key) + " must be a list of [x, y] pairs";
+    const toml::array* list = node.as_array();
+    if (list == nullptr || list->empty()) throw InputError(where(&node) + want + ", or the name of a file");
+    std::vector<Row> rows;
+    for (const toml::node& item : *list) {
+      const toml::array* pair = item.as_array();
+      if (pair == nullptr || pair->size() != 2) throw InputError(where(&item) + want);
+      Row row{where(&item), where(pair->get(1)), {}};
+      for (const toml::node& number : *pair) row.numbers.push_back(number_at(number, key, Range::any(), ""));
+      rows.push_back(std::move(row));
+    }
+    return rows;
   }
 };
 
@@ -177,11 +221,10 @@ std::string CaseTable::text(std::string_view key, std::optional<std::string> fal
 }
 
 NamedText CaseTable::file(std::string_view key, std::string_view kind) {
-  const std::filesystem::path path = std::filesystem::path(node_->file).parent_path() / text(key, std::nullopt);
-  NamedText file{path.string(), text_of(path, std::string(kind))};
+  NamedText file = node_->file_beside(text(key, std::nullopt), std::string(kind));
   Digest digest;
   digest.add(file.text);
-  node_->settings.back().unit = "digest " + digest.digits();
+  node_->settings.back().digest = digest.digits();
   return file;
 }
 
@@ -189,11 +232,14 @@ std::vector<double> CaseTable::numbers(std::string_view key, std::optional<std::
                                        const Range& range, std::string_view unit) {
   const toml::node* node = node_->ask(key, !fallback);
   std::vector<double> values = std::move(fallback).value_or(std::vector<double>{});
-  if (node != nullptr) {
+  if (node != nullptr) values.clear();
+  if (node != nullptr && node->is_string()) {
+    for (const Node::Row& row : node_->rows_of_file(node->value<std::string>().value(), 1, key))
+      values.push_back(node_->checked(row.numbers[0], row.at, key, range, unit));
+  } else if (node != nullptr) {
     if (!node->is_array() || node->as_array()->empty())
       throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) +
-                       " must be a list of numbers");
-    values.clear();
+                       " must be a list of numbers, or the name of a file");
     for (const toml::node& item : *node->as_array()) values.push_back(node_->number_at(item, key, range, unit));
   }
   std::vector<std::string> words;
@@ -210,17 +256,15 @@ std::vector<std::array<double, 2>> CaseTable::points(std::string_view key,
   std::vector<std::array<double, 2>> values = std::move(fallback).value_or(std::vector<std::array<double, 2>>{});
   if (node != nullptr) {
     values.clear();
-    const toml::array* list = node->as_array();
-    const std::string want = "[" + node_->path + "] " + std::string(key) + " must be a list of [x, y] pairs";
-    if (list == nullptr || list->empty()) throw InputError(node_->where(node) + want);
-    for (const toml::node& item : *list) {
-      const toml::array* pair = item.as_array();
-      if (pair == nullptr || pair->size() != 2) throw InputError(node_->where(&item) + want);
-      const double x = node_->number_at(*pair->get(0), key, Range::any(), "");
+    for (const Node::Row& row :
+         node->is_string() ? node_->rows_of_file(node->value<std::string>().value(), 2, std::string(key) + ": x, y")
+                           : node_->pairs_of_list(*node, key)) {
+      const double x = row.numbers[0];
       if (!values.empty() && x <= values.back()[0])
-        throw InputError(node_->where(&item) + want + " with x increasing; " + shortest(x) + " follows " +
+        throw InputError(row.at + "[" + node_->path + "] " + std::string(key) +
+                         " must be a list of [x, y] pairs with x increasing; " + shortest(x) + " follows " +
                          shortest(values.back()[0]));
-      values.push_back({x, node_->number_at(*pair->get(1), key, range, unit)});
+      values.push_back({x, node_->checked(row.numbers[1], row.at_last, key, range, unit)});
     }
   }
   std::vector<std::string> words;
@@ -271,7 +315,7 @@ void CaseTable::close() const {
 
 CaseSettings CaseTable::settings() const {
   CaseSettings settings;
-  for (const auto& [key, value, unit] : node_->settings) settings.emplace_back(key, value);
+  for (const Node::Setting& one : node_->settings) settings.emplace_back(one.key, one.value + one.digest);
   return settings;
 }
 
@@ -283,8 +327,10 @@ std::string CaseTable::written() const {
 
 std::string CaseTable::resolved() const {
   std::string text;
-  for (const auto& [key, value, unit] : node_->settings)
-    text += key + " = " + value + (unit.empty() ? "" : "  # " + unit) + "\n";
+  for (const auto& [key, value, unit, digest] : node_->settings) {
+    const std::string remark = digest.empty() ? unit : "digest " + digest;
+    text += key + " = " + value + (remark.empty() ? "" : "  # " + remark) + "\n";
+  }
   for (const auto& [key, child] : node_->children) text += "[" + child->path + "]\n" + CaseTable(child).resolved();
   return text;
 }

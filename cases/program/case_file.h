@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cases/program/errors.h"
+#include "cases/program/lines/named_text.h"
 
 namespace tiprub {
 
@@ -36,12 +37,6 @@ struct Range {
 /// Keys and values, these as TOML writes them.
 using CaseSettings = std::vector<std::pair<std::string, std::string>>;
 
-/// A text file of the user's.
-struct NamedText {
-  std::string name;  ///< its path, for messages
-  std::string text;
-};
-
 /// One table of a case file, read as a closed world: every key is asked for by name, with its default, range and
 /// unit, and close() refuses whatever was never asked for. All readers raise InputError with file:line:column, or
 /// with the setting that gave the value.
@@ -60,9 +55,11 @@ class CaseTable {
   /// be ("a blade file"). Its digest is noted, so that what is made of it is out of date when it changes. Raises
   /// RunError if it can't be read.
   NamedText file(std::string_view key, std::string_view kind);
+  /// An array of numbers, or the name of a file beside the case with one a line, below a heading if there is one.
   std::vector<double> numbers(std::string_view key, std::optional<std::vector<double>> fallback, const Range& range,
                               std::string_view unit);
-  /// An array of [x, y] pairs with x strictly increasing; the range and the unit are those of y.
+  /// An array of [x, y] pairs with x strictly increasing, or the name of such a file; the range and the unit are
+  /// those of y.
   std::vector<std::array<double, 2>> points(std::string_view key,
                                             std::optional<std::vector<std::array<double, 2>>> fallback,
                                             const Range& range, std::string_view unit);

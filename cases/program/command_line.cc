@@ -12,9 +12,12 @@
 #include <iostream>
 #include <new>
 
+#include "cases/machine/blas_kernels.h"
+#include "cases/program/available_memory.h"
 #include "cases/program/case_file.h"
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
+#include "cases/program/record/run_times.h"
 #include "cases/program/signal_cleanup.h"
 #include "cases/text/printable.h"
 
@@ -53,6 +56,7 @@ int leave(const Stage& stage, int exit_code) {
 struct CommandLine {
   CLI::App app;
   StageArguments arguments;
+  std::filesystem::path times;  ///< empty: not noted
   bool check = false, tables = false, quiet = false, verbose = false;
 
   explicit CommandLine(const Stage& stage) : app(stage.summary, stage.name) {
@@ -65,6 +69,7 @@ struct CommandLine {
     app.add_option("--set", arguments.settings,
                    "a key of the case file instead of its own, TABLE.KEY=VALUE; may be repeated")
         ->allow_extra_args(false);
+    app.add_option("--times", times, "a file to note in how long the run took; tiprub-postprocess --runs shows it");
     app.add_flag("--check", check, "validate the inputs and stop");
     app.add_flag("--tables", tables,
                  "print what is read of the case, which is all the input that this needs, and stop");
@@ -77,10 +82,13 @@ struct CommandLine {
   void parse(const Stage& stage, int argc, char** argv) {
     app.parse(argc, argv);
     for (std::size_t i = 0; i < (tables ? 1 : stage.inputs.size()); ++i)
-      if (arguments.inputs[i].empty()) throw CLI::RequiredError(stage.inputs[i].name);
+      if (arguments.inputs[i].empty() && !stage.inputs[i].optional) throw CLI::RequiredError(stage.inputs[i].name);
     if (check) arguments.action = Action::check;
     if (quiet) arguments.verbosity = Verbosity::quiet;
     if (verbose) arguments.verbosity = Verbosity::verbose;
+    const BlasKernels kernels = choose_blas_kernels();
+    arguments.blas = kernels.description;
+    arguments.blas_warning = kernels.warning;
   }
 };
 
@@ -101,6 +109,7 @@ int run(const Stage& stage, const std::function<void()>& body) {
 }
 
 int parse_and_run(int argc, char** argv, const Stage& stage, const std::function<void(const StageArguments&)>& body) {
+  const RunTimes times;
   CommandLine line(stage);
   try {
     line.parse(stage, argc, argv);
@@ -115,8 +124,11 @@ int parse_and_run(int argc, char** argv, const Stage& stage, const std::function
       std::cout << stage.tables(CaseFile(arguments.inputs[0], arguments.settings));
       return;
     }
-    refuse_overwriting({arguments.output}, arguments.inputs);
+    require_memory(blas_working_space());
+    reserve_blas_space();
+    refuse_overwriting({arguments.output, line.times}, arguments.inputs);
     body(arguments);
+    if (!line.times.empty() && !line.check) times.write(program_version(stage.name), line.times);
   });
 }
 
@@ -135,6 +147,11 @@ std::string program_version(const std::string& program) {
 void say(const StageArguments& arguments, const std::string& text) {
   if (arguments.verbosity != Verbosity::quiet)
     std::fprintf(stderr, "%s\n", printable(text, LineBreaks::kept).c_str());
+}
+
+void say_blas(const StageArguments& arguments) {
+  if (arguments.verbosity == Verbosity::verbose && !arguments.blas.empty()) say(arguments, "BLAS: " + arguments.blas);
+  if (!arguments.blas_warning.empty()) say(arguments, "warning: " + arguments.blas_warning);
 }
 
 }  // namespace tiprub

@@ -24,6 +24,7 @@ struct Stage {
   struct Input {
     std::string name;  ///< "case.toml"
     std::string help;
+    bool optional = false;  ///< the stage says itself when it is missed
   };
   std::string name;     ///< "tiprub-mesh"
   std::string summary;  ///< one line
@@ -41,12 +42,15 @@ struct StageArguments {
   std::vector<std::string> settings;  ///< "TABLE.KEY=VALUE", over what the case file says
   Verbosity verbosity = Verbosity::normal;
   Action action = Action::run;
+  std::string blas = {};          ///< what OpenBLAS works with, in words; empty without it
+  std::string blas_warning = {};  ///< if that is slow
 };
 
 /// The one `main` of all stages: reads the command line (inputs in chain order, -o, --set, -q, -v, --check, --tables,
-/// --version, --help), runs the body, and turns what it throws into one line on stderr. Refuses an -o that is an
-/// input. Returns the exit code: 0; 1 for a computation that failed or a file, stdout too, that can't be read or
-/// written; 2 for wrong input. SIGINT, SIGTERM and SIGHUP end it with one line and 128 + their number.
+/// --times, --version, --help), chooses the kernels of the BLAS, runs the body, and turns what it throws into one
+/// line on stderr. Refuses an -o that is an input. Returns the exit code: 0; 1 for a computation that failed or a
+/// file, stdout too, that can't be read or written; 2 for wrong input. SIGINT, SIGTERM and SIGHUP end it with one
+/// line and 128 + their number.
 int run_stage(int argc, char** argv, const Stage& stage, const std::function<void(const StageArguments&)>& body);
 
 /// "tiprub-mesh 0.1.0", as --version prints it and as files carry it.
@@ -54,5 +58,8 @@ std::string program_version(const std::string& program);
 
 /// A line, or more, to stderr, unless quiet.
 void say(const StageArguments& arguments, const std::string& text);
+
+/// What OpenBLAS works with, if verbose; a warning, unless quiet, if that is slow.
+void say_blas(const StageArguments& arguments);
 
 }  // namespace tiprub

@@ -7,8 +7,8 @@ usage: reduction_cost.py cost|error|prestress PROGRAMS_FOLDER CASE
 cost: meshes of the case's wheel between 8,000 and 115,000 dofs; one line each; wall and processor time, peak memory.
 error: models of many sizes of the case's own mesh with each prestress model; one line each. The error is the worst of the
 wheel's first 50 frequencies against the unreduced sector at five speeds that the basis never saw.
-prestress: what nonlinear prestress adds to linear on the case's own mesh: the same figures, terms of K, the wall time of some of
-the steps, and the whole over that of the two factorizations.
+prestress: what nonlinear prestress adds to linear on the case's own mesh: the same figures, terms of K, the processor time of
+some of the steps, and that of the whole over that of the two factorizations.
 """
 import os
 import re
@@ -82,12 +82,13 @@ def error(programs, case, threads):
 
 
 def prestress(programs, case, threads):
-    print(f"# threads {threads}\nprestress\t{COLUMNS}\tterms\tfactors_s\tshape_s\tstiffness_s\tmodes_s\twall_over_factors")
+    print(f"# threads {threads}\nprestress\t{COLUMNS}\tterms\tfactors_s\tshape_s\tstiffness_s\tmodes_s\tover_factors")
     mesh_keys = {}
     for name in ("linear", "nonlinear"):
         line, output = reduce(programs, case, {"threads": threads, "prestress": f'"{name}"'}, mesh_keys)
         mesh_keys = None
-        seconds = {what: float(value) for what, value in re.findall(r"^([a-z, ]+): ([.\d]+) s$", output, flags=re.M)}
+        parts = re.findall(r"^([a-z, ]+): [.\d]+ s, ([.\d]+) s of processor time$", output, flags=re.M)
+        seconds = {what: float(value) for what, value in parts}
         factors = seconds["factor at rest"] + seconds["factor at full speed"]
         terms = re.search(r"eq. 7 of (\d+) terms", output)
         steps = (seconds[what] for what in ("shape under spin", "stiffness under spin", "modes, bases, verification"))

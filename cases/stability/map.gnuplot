@@ -1,18 +1,29 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Scheme over step; a square a run.
-set terminal svg size 900,560 font "sans,13" background "white"
+# The maps of stability.tsv, a panel each, a square a run.
+set terminal svg size 1500,1750 font "sans,12" background "white"
 set output "map.svg"
 set datafile separator "\t"
-set logscale x 2
-set xlabel "steps a revolution"
-set xtics (240, 480, 960, 1920, 3840, 7680, 15360)
-set xrange [180:22000]
-set ytics () noenhanced
-set yrange [-0.7:9.7] reverse
-names = "trigonometric residual_flexibility_20 moreau_jean central_differences paper penalty_10 penalty_100 penalty_1000 trigonometric_8_modes trigonometric_40_modes"
-do for [i = 1:10] { set ytics add (word(names, i) i - 1) }
-set key outside below horizontal font ",11" width -3
-set bmargin 5
-verdicts = "stable inaccurate refused blown_up"
-colours = "#109618 #ff9900 #999999 #dd181f"
-plot for [v = 1:4] "stability.tsv" using 3:(strcol(4) eq word(verdicts, v) ? $1 : NaN) with points pt 5 ps 2.4 lc rgb word(colours, v) title word(verdicts, v) noenhanced
+verdicts = "stable inaccurate chatters grows refused_grows refused_bounded refused"
+colours = "#4cae4f #f2b134 #a66bbe #dd181f #b08080 #b9b9b9 #8a8a8a"
+titles = "stable|inaccurate|chatters|grows|refused, and grows when marched all the same|refused, though bounded|refused, nothing to march"
+text(verdict, number) = verdict eq "refused" || verdict eq "refused_bounded" ? "" : \
+  verdict eq "grows" || verdict eq "refused_grows" ? sprintf("%+.2g", number) : \
+  number >= 0.1 ? sprintf("%.0f %%", 100 * number) : sprintf("%.2g %%", 100 * number)
+part(text, i) = i == 1 ? text[1:strstrt(text, "|") - 1] : part(text[strstrt(text, "|") + 1:*], i - 1)
+stats "stability.tsv" using 2 nooutput
+maps = STATS_blocks
+set multiplot layout 5,2 columnsfirst margins 0.16,0.99,0.07,0.975 spacing 0.17,0.055
+set key off
+do for [i = 0:maps - 1] {
+  set autoscale
+  stats "stability.tsv" index i using (name = strcol(1), $2):4 nooutput name "place"
+  set yrange [place_max_x + 0.5:-0.5]
+  set xrange [-0.5:place_max_y + 0.5]
+  set title name noenhanced offset 0,-0.6 font ",13"
+  if (i == maps - 1) { set key at screen 0.5,0.012 center bottom horizontal maxcols 4 font ",11" samplen 1 }
+  plot "stability.tsv" index i using 4:2:xtic(strcol(5)):ytic(strcol(3)) with points pt -1 notitle, \
+    for [v = 1:7] "" index i using (strcol(6) eq word(verdicts, v) ? $4 : NaN):2:(0.49):(0.46) \
+    with boxxyerror fs solid noborder lc rgb word(colours, v) title part(titles . "|", v), \
+    "" index i using 4:2:(text(strcol(6), $7)) with labels font ",10" notitle
+}
+unset multiplot

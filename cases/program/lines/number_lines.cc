@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/program/lines/number_lines.h"
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace tiprub {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r,";
+
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t from = text.find_first_not_of(blanks); from != std::string_view::npos;
+       from = text.find_first_not_of(blanks, from)) {
+    const std::size_t to = std::min(text.size(), text.find_first_of(blanks, from));
+    words.push_back(text.substr(from, to - from));
+    from = to;
+  }
+  return words;
+}
+
+/// Begins with a letter or a quote, and is no number in letters (nan, inf).
+bool is_name(std::string_view word) {
+  double number = 0;
+  const bool has_letter = word[0] == '"' || std::isalpha(static_cast<unsigned char>(word[0])) != 0;
+  return has_letter && std::from_chars(word.data(), word.data() + word.size(), number).ec != std::errc();
+}
+
+[[noreturn]] void refuse_word(const NamedText& file, const NumberLine& line, std::size_t word,
+                              const std::string& what) {
+  constexpr std::size_t shown = 40;  // letters of a word
+  const std::string found =
+      word < line.words.size() ? '"' + std::string(line.words[word].substr(0, shown)) + "\" stands for " : "no ";
+  refuse_line(file, line.number, found + what);
+}
+
+}  // namespace
+
+std::vector<NumberLine> lines_of(const NamedText& file) {
+  std::vector<NumberLine> lines;
+  std::string_view rest = file.text;
+  for (int number = 1; !rest.empty(); ++number) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    const std::size_t remark = std::min(line.size(), line.find('#'));
+    NumberLine found{number, words_of(line.substr(0, remark)), line.substr(remark)};
+    if (!found.words.empty() || !found.remark.empty()) lines.push_back(std::move(found));
+  }
+  return lines;
+}
+
+std::vector<NumberLine> lines_below_heading(const NamedText& file) {
+  std::vector<NumberLine> lines = lines_of(file);
+  std::erase_if(lines, [](const NumberLine& line) { return line.words.empty(); });
+  if (!lines.empty() && is_name(lines[0].words[0])) lines.erase(lines.begin());
+  return lines;
+}
+
+void require_words(const NamedText& file, const NumberLine& line, std::size_t count, std::string_view meaning) {
+  if (line.words.size() != count)
+    refuse_line(file, line.number,
+                "has " + std::to_string(line.words.size()) + " words, and must have " + std::to_string(count) + ": " +
+                    std::string(meaning));
+}
+
+void refuse_line(const NamedText& file, int line, const std::string& message) {
+  throw InputError(file.name + ":" + std::to_string(line) + ": " + message);
+}
+
+double number_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning) {
+  double value = 0.0;
+  if (word < line.words.size()) {
+    std::string_view text = line.words[word];
+    if (text.starts_with('+')) text.remove_prefix(1);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && std::isfinite(value)) return value;
+  }
+  refuse_word(file, line, word, std::string(meaning) + ", which must be a finite number");
+}
+
+double angle_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning,
+                double unit) {
+  constexpr double most = 100 * 2.0 * std::numbers::pi;
+  const double angle = unit * number_in(file, line, word, meaning);
+  if (std::abs(angle) > most)
+    refuse_word(file, line, word, std::string(meaning) + ", which must be within 100 turns");
+  return angle;
+}
+
+int count_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning, int least,
+             int most) {
+  int value = 0;
+  if (word < line.words.size()) {
+    const std::string_view text = line.words[word];
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value >= least && value <= most) return value;
+  }
+  refuse_word(file, line, word,
+              std::string(meaning) + ", which must be a whole number from " + std::to_string(least) + " to " +
+                  std::to_string(most));
+}
+
+}  // namespace tiprub

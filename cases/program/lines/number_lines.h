@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/program/errors.h"
+#include "cases/program/lines/named_text.h"
+
+namespace tiprub {
+
+/// A line of a file of numbers: its words, and what stands after a '#'.
+struct NumberLine {
+  int number;  ///< from 1
+  std::vector<std::string_view> words;
+  std::string_view remark;  ///< from the '#' on; empty if there is none
+};
+
+/// The lines of a text that hold anything. They point into it. Words are parted by blanks, tabs and commas.
+std::vector<NumberLine> lines_of(const NamedText& file);
+
+/// Those below a heading, which is a first line that begins with a letter.
+std::vector<NumberLine> lines_below_heading(const NamedText& file);
+
+/// Raises InputError unless the line holds as many words; `meaning` is what these should be ("angle, inward").
+void require_words(const NamedText& file, const NumberLine& line, std::size_t count, std::string_view meaning);
+
+/// Raises InputError: "FILE:LINE: message".
+[[noreturn]] void refuse_line(const NamedText& file, int line, const std::string& message);
+
+/// The word as a finite number; `meaning` is what it should be ("r"). Raises InputError.
+double number_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning);
+
+/// The word as an angle in units of `unit` [rad], in radians: within a hundred turns. Raises InputError.
+double angle_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning,
+                double unit);
+
+/// The word as a whole number from `least` to `most`. Raises InputError.
+int count_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning, int least,
+             int most);
+
+}  // namespace tiprub

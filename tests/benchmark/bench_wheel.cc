@@ -17,12 +17,11 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 }  // namespace
 
-BenchWheel made_wheel(int lobes) {
+BenchWheel made_wheel(int lobes, double tip_share) {
   constexpr double first_frequency = 900, speed = 1000;
   BenchWheel wheel{"made, 900 dofs", testing::synthetic_wheel({10, 10, 60}),
                    testing::lobed_casing(lobes, 3e-4, 1.5e-4), speed, 0.005};
   // light tips, as static shapes of contact dofs have them: they make omega_max, and the step of central differences
-  constexpr double tip_share = 0.04;
   for (NodalDiameterModel& at : wheel.model.nodal_diameters) {
     at.M.topRows(wheel.model.contact_dofs()) *= tip_share;
     at.M.leftCols(wheel.model.contact_dofs()) *= tip_share;

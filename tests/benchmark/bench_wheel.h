@@ -19,8 +19,9 @@ struct BenchWheel {
   double damping;  ///< [1] of critical, every mode
 };
 
-/// 900 dofs: 10 sectors, 10 contact nodes each, first family near 900 Hz; made up, always the same.
-BenchWheel made_wheel(int lobes);
+/// 900 dofs: 10 sectors, 10 contact nodes each, first family near 900 Hz; made up, always the same. `tip_share` of
+/// the contact dofs' mass is left.
+BenchWheel made_wheel(int lobes, double tip_share = 0.04);
 /// A model.h5 under the demo's casing. Raises RunError if it can't be read.
 BenchWheel given_wheel(const std::string& path, int lobes);
 

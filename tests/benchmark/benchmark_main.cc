@@ -4,14 +4,16 @@
 
 #include "cases/program/errors.h"
 #include "tests/benchmark/benchmarks.h"
+#include "tests/benchmark/growth.h"
 
-/// tiprub-benchmark [steps | sweep | accuracy | schemes | stability | orbits] [--model model.h5] [--speeds 20]
+/// tiprub-benchmark [steps | sweep | accuracy | schemes | stability | growth | orbits] [--model model.h5] [--speeds
+/// 20]
 int main(int argc, char** argv) {
   CLI::App app{"What the march in time costs, and what accuracy costs."};
   std::string what = "steps", model;
   int speeds = 20, lobes = 2;
-  app.add_option("what", what, "steps, sweep, accuracy, schemes, stability or orbits")
-      ->check(CLI::IsMember({"steps", "sweep", "accuracy", "schemes", "stability", "orbits"}));
+  app.add_option("what", what, "steps, sweep, accuracy, schemes, stability, growth or orbits")
+      ->check(CLI::IsMember({"steps", "sweep", "accuracy", "schemes", "stability", "growth", "orbits"}));
   app.add_option("--speeds", speeds, "of sweep, schemes and orbits")->check(CLI::PositiveNumber);
   app.add_option("--lobes", lobes, "of orbits")->check(CLI::PositiveNumber);
   app.add_option("--model", model, "a model.h5; without it, a made-up wheel of 900 dofs");
@@ -22,6 +24,7 @@ int main(int argc, char** argv) {
     if (what == "accuracy") tiprub::testing::print_accuracy(model);
     if (what == "schemes" && !tiprub::testing::print_scheme_agreement(model, speeds)) return 1;
     if (what == "orbits") tiprub::testing::print_orbit_cost(model, lobes, speeds);
+    if (what == "growth") tiprub::testing::print_growth();
     if (what == "stability") tiprub::testing::print_stability(model);
   } catch (const tiprub::RunError& error) {
     std::fprintf(stderr, "tiprub-benchmark: error: %s\n", error.what());

@@ -7,9 +7,9 @@
 
 namespace tiprub::testing {
 
-/// Microseconds a step and milliseconds a revolution: the dense reference (the paper's eq. 13, eq. 14, eq. 15), modal
-/// central differences and the default, whole and with two lobes' symmetry, with the share of contact steps; to
-/// stdout.
+/// What a step of the default costs in contact and in the air, with the bound by its bytes and flops (step_bound.h),
+/// and beside the dense form (the paper's eq. 13, eq. 14, eq. 15 as printed) and a plain modal transform of the whole
+/// wheel; to stdout.
 void print_step_costs(const std::string& model);
 
 /// What 400 speeds by 60 revolutions cost against three lobes, all of it (set-up, march, recording, audit): marches
@@ -28,7 +28,9 @@ bool print_scheme_agreement(const std::string& model, int speeds);
 /// speed beside the other, in one run; a table to stdout.
 void print_orbit_cost(const std::string& model, int lobes, int speeds);
 
-/// Scheme over step, and penalty over stiffness: stable, inaccurate, refused or blown up; a table to stdout.
+/// Maps of failure, scheme over step on the given wheel and the others on made-up ones: a cell says stable,
+/// inaccurate, chatters, grows, or refused, and what becomes of it when it is marched all the same; a table to
+/// stdout.
 void print_stability(const std::string& model);
 
 }  // namespace tiprub::testing

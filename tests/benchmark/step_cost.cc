@@ -7,6 +7,8 @@
 #include "simulate/march/time_march.h"
 #include "simulate/scene/scene_scope.h"
 #include "tests/benchmark/benchmarks.h"
+#include "tests/benchmark/step_bound.h"
+#include "tests/benchmark/whole_rotor.h"
 #include "tests/simulate/march/dense_ring.h"
 
 namespace tiprub::testing {
@@ -17,10 +19,9 @@ constexpr int repetitions = 5;  // of which the best counts: the machine has oth
 
 struct Cost {
   double microseconds = 0;  ///< a step
-  double contact = 0;       ///< [1] share of the steps
+  double closed = 0;        ///< nodes, on average
   int steps = 0;            ///< a revolution
-
-  double per_revolution() const { return microseconds * steps * 1e-3; }  ///< [ms]
+  double least = 0;         ///< [us] its bound, if it has one
 };
 
 /// Steps a revolution of the default, and those that central differences need.
@@ -38,28 +39,45 @@ int central_steps(const BenchWheel& wheel, const RotorAtSpeed& rotor) {
   return unit * static_cast<int>(std::ceil(margin * limit / unit));
 }
 
-Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, bool fine) {
-  const RotorAtSpeed rotor =
-      rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, symmetry), {wheel.damping});
-  Cost cost;
-  cost.steps = fine ? central_steps(wheel, rotor) : default_steps(wheel, rotor);
-  TimeMarch march(rotor, wheel.casing, wheel.model.contact,
-                  wheel.casing.running_clearance(wheel.model.contact, wheel.speed),
-                  {scheme, ContactRule::complementarity, cost.steps, symmetry});
-  const int settling = static_cast<int>(wheel.casing.ramp_revolutions + 8) * cost.steps;
+/// The best revolution, once the casing is there; of a march that has settled as far as cost goes.
+Cost timed(TimeMarch& march, double ramp_revolutions) {
+  constexpr int more_revolutions = 8;
+  Cost cost{HUGE_VAL, 0, march.steps_per_revolution()};
+  const int settling = static_cast<int>(ramp_revolutions + more_revolutions) * cost.steps;
   for (int i = 0; i < settling; ++i) march.step();
-  cost.microseconds = HUGE_VAL;
   for (int r = 0; r < repetitions; ++r) {
-    int contacts = 0;
+    std::size_t closed = 0;
     const double start = cpu_seconds();
     for (int i = 0; i < cost.steps; ++i) {
       march.step();
-      contacts += march.contact().closed().empty() ? 0 : 1;
+      closed += march.contact().closed().size();
     }
     cost.microseconds = std::min(cost.microseconds, (cpu_seconds() - start) / cost.steps * 1e6);
-    cost.contact = static_cast<double>(contacts) / cost.steps;
+    cost.closed = static_cast<double>(closed) / cost.steps;
   }
   return cost;
+}
+
+Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, const MachineRates& rates) {
+  const RotorAtSpeed rotor =
+      rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, symmetry), {wheel.damping});
+  const int steps = scheme == Scheme::central_differences ? central_steps(wheel, rotor) : default_steps(wheel, rotor);
+  TimeMarch march(rotor, wheel.casing, wheel.model.contact,
+                  wheel.casing.running_clearance(wheel.model.contact, wheel.speed),
+                  {scheme, ContactRule::complementarity, steps, symmetry});
+  Cost cost = timed(march, wheel.casing.ramp_revolutions);
+  cost.least = count_step(rotor, march.sectors(), cost.closed).least(rates);
+  return cost;
+}
+
+/// The whole wheel in its real modes, with the same kernels.
+Cost whole_cost(const BenchWheel& wheel, ContactRule rule) {
+  const RotorAtSpeed rotor = rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, 1), {wheel.damping});
+  const WholeRotor whole = whole_rotor(rotor, wheel.model.contact);
+  const Eigen::VectorXd clearance = wheel.casing.running_clearance(wheel.model.contact, wheel.speed);
+  TimeMarch march(whole.rotor, wheel.casing, whole.contact, clearance.replicate(rotor.sector_count, 1),
+                  {Scheme::central_differences, rule, central_steps(wheel, rotor), 1});
+  return timed(march, wheel.casing.ramp_revolutions);
 }
 
 /// The dense form, over as many steps as show its cost; the contact in it is that of the casing at rest in a crest.
@@ -71,22 +89,33 @@ Cost dense_cost(const BenchWheel& wheel, int steps) {
   for (int i = 0; i < counted; ++i) dense.step();
   Cost cost{HUGE_VAL, 0, steps};
   for (int r = 0; r < repetitions; ++r) {
-    int contacts = 0;
+    Eigen::Index closed = 0;
     const double start = cpu_seconds();
     for (int i = 0; i < counted; ++i) {
       dense.step();
-      contacts += dense.multipliers().cwiseAbs().maxCoeff() > 0 ? 1 : 0;
+      closed += (dense.multipliers().array() != 0).count();
     }
     cost.microseconds = std::min(cost.microseconds, (cpu_seconds() - start) / counted * 1e6);
-    cost.contact = static_cast<double>(contacts) / counted;
+    cost.closed = static_cast<double>(closed) / counted;
   }
   return cost;
 }
 
-void print(const char* name, const Cost& cost, const Cost& dense) {
-  std::printf("%-44s %8.2f us a step  %3.0f %% in contact  %6d steps  %9.2f ms a revolution  %6.1f  %6.1f\n", name,
-              cost.microseconds, 100 * cost.contact, cost.steps, cost.per_revolution(),
-              dense.microseconds / cost.microseconds, dense.per_revolution() / cost.per_revolution());
+/// What a step is compared with.
+struct References {
+  Cost dense, whole_paper, whole;
+};
+
+void print(const char* name, const Cost& cost, const References& over) {
+  std::printf("%-46s %8.2f us", name, cost.microseconds);
+  if (cost.least > 0)
+    std::printf(" %8.2f us %5.1f", cost.least, cost.microseconds / cost.least);
+  else
+    std::printf(" %8s    %5s", "", "");
+  std::printf(" %6.1f closed %6d steps %8.1f %8.1f %8.1f\n", cost.closed, cost.steps,
+              over.dense.microseconds / cost.microseconds, over.whole_paper.microseconds / cost.microseconds,
+              over.whole.microseconds / cost.microseconds);
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -94,15 +123,24 @@ void print(const char* name, const Cost& cost, const Cost& dense) {
 void print_step_costs(const std::string& model) {
   const auto wheel = [&](int lobes) { return model.empty() ? made_wheel(lobes) : given_wheel(model, lobes); };
   const BenchWheel three = wheel(3), two = wheel(2);
-  std::printf("%s: %d dofs at %.0f rad/s; the last columns: the dense form over this, a step and a revolution\n",
-              three.name.c_str(),
-              static_cast<int>(three.model.sector_count * three.model.nodal_diameters[0].M.rows()), three.speed);
-  const Cost central = march_cost(three, Scheme::central_differences, 1, true);
-  const Cost dense = dense_cost(three, central.steps);
-  print("dense eq. 13, eq. 14, eq. 15 (reference)", dense, dense);
-  print("modal central differences, three lobes", central, dense);
-  print("trigonometric, three lobes (no symmetry)", march_cost(three, Scheme::trigonometric, 1, false), dense);
-  print("trigonometric, two lobes (symmetry)", march_cost(two, Scheme::trigonometric, 2, false), dense);
+  const MachineRates rates = machine_rates();
+  std::printf("%s: %d dofs at %.0f rad/s; this processor now: %.0f Gflop/s, %.0f GB/s\n", three.name.c_str(),
+              static_cast<int>(three.model.sector_count * three.model.nodal_diameters[0].M.rows()), three.speed,
+              1e-9 * rates.flops, 1e-9 * rates.bytes);
+  std::printf("%-46s %11s %11s %5s %13s %12s   the three references over this, a step\n", "", "a step", "bound",
+              "ratio", "", "a revolution");
+  const Cost central = march_cost(three, Scheme::central_differences, 1, rates);
+  const References over{dense_cost(three, central.steps), whole_cost(three, ContactRule::paper),
+                        whole_cost(three, ContactRule::complementarity)};
+  print("dense eq. 13, eq. 14, eq. 15", over.dense, over);
+  print("whole wheel in its modes, eq. 14 as printed", over.whole_paper, over);
+  print("whole wheel in its modes, complementarity", over.whole, over);
+  print("modal central differences, three lobes", central, over);
+  print("trigonometric, three lobes (no symmetry)", march_cost(three, Scheme::trigonometric, 1, rates), over);
+  BenchWheel free = three;
+  free.casing.clearance = {{0.0, 1.0}, {1.0, 1.0}};
+  print("the same, in the air", march_cost(free, Scheme::trigonometric, 1, rates), over);
+  print("trigonometric, two lobes (symmetry)", march_cost(two, Scheme::trigonometric, 2, rates), over);
 }
 
 }  // namespace tiprub::testing

@@ -121,6 +121,56 @@ TEST_F(GoodCase, GivesItsValues) {
   EXPECT_NO_THROW(table.close());
 }
 
+TEST_F(GoodCase, TakesListsFromFilesBesideIt) {
+  write(path("speeds.csv"), "speed_rpm\n# first run\n1\n2.5\r\n");
+  write(path("curve.csv"), "\"frequency\", ratio\n0, 1\n1,2 # measured\n");
+  CaseTable table = file("[mesh]\nspeeds = \"speeds.csv\"\ncurve = \"curve.csv\"\n").table("mesh");
+  EXPECT_EQ(table.numbers("speeds", std::nullopt, Range::any(), "rpm"), (std::vector<double>{1.0, 2.5}));
+  const auto curve = table.points("curve", std::nullopt, Range::any(), "m");
+  EXPECT_EQ(curve, (std::vector<std::array<double, 2>>{{0.0, 1.0}, {1.0, 2.0}}));
+  EXPECT_EQ(table.resolved(), "speeds = [1, 2.5]  # rpm\ncurve = [[0, 1], [1, 2]]  # m\n");  // not the files' names
+}
+
+/// What a file that a list is taken from holds, and the message about it after its name.
+class WrongList : public test::TemporaryFolder, public ::testing::WithParamInterface<Wrong> {};
+
+TEST_P(WrongList, IsRefusedAtItsLine) {
+  write(path("case.toml"), "[mesh]\nlength = 1\ncurve = \"curve.csv\"\n");
+  write(path("curve.csv"), GetParam().text);
+  try {
+    CaseTable table = CaseFile(path("case.toml")).table("mesh");
+    read_all(table);
+    FAIL() << "nothing was refused";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), path("curve.csv").string() + GetParam().message);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Message, WrongList,
+    ::testing::Values(
+        Wrong{"empty", "x, y\n", ": has no line of numbers"},
+        Wrong{"three_columns", "x, y\n0, 1, 2\n", ":2: has 3 words, and must have 2: curve: x, y"},
+        Wrong{"decimal_comma", "0,5 1,0\n", ":1: has 4 words, and must have 2: curve: x, y"},
+        Wrong{"word", "0, 1\n1, much\n", ":2: \"much\" stands for curve: x, y, which must be a finite number"},
+        Wrong{"not_a_heading", "nan, 1\n", ":1: \"nan\" stands for curve: x, y, which must be a finite number"},
+        Wrong{"out_of_range", "0, 1\n1, -1\n", ":2: [mesh] curve = -1 must be more than 0 [m]"},
+        Wrong{"not_increasing", "0, 1\n\n0, 2\n",
+              ":3: [mesh] curve must be a list of [x, y] pairs with x increasing; 0 follows 0"}),
+    [](const auto& wrong) { return wrong.param.name; });
+
+TEST_F(GoodCase, NotesTheDigestOfAFile) {
+  const auto read = [&](const std::string& text) {
+    write(path("profile.csv"), text);
+    CaseTable table = file("[mesh]\nprofile = \"profile.csv\"\n").table("mesh");
+    table.file("profile", "a profile");
+    return std::pair(table.settings(), table.resolved());
+  };
+  EXPECT_EQ(read("one"), read("one"));
+  EXPECT_NE(read("one").first, read("other").first);  // or a sweep would take over speeds of another profile
+  EXPECT_NE(read("one").second, read("other").second);
+}
+
 TEST_F(GoodCase, FallsBackToDefaultsAndTellsThem) {
   const CaseFile scene = file("[mesh]\nlength = 0.1\n");
   CaseTable table = scene.table("mesh");

@@ -75,6 +75,28 @@ TEST(CommandLine, GivesTheBodyItsArguments) {
   EXPECT_EQ(ending.out + ending.err, "");
 }
 
+/// "program", then wall time and processor time [s], and processors.
+TEST(CommandLine, NotesHowLongARunTook) {
+  const std::filesystem::path note = std::filesystem::path(testing::TempDir()) / "times.csv";
+  std::filesystem::remove(note);
+  EXPECT_EQ(run(with({"--times", note.string()}), [](const StageArguments&) { throw InputError("wrong"); }).code, 2);
+  EXPECT_EQ(run(with({"--times", note.string(), "--check"}), [](const StageArguments&) {}).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(note)) << "of work that was not done";
+  const auto sleep = [](const StageArguments&) { usleep(20000); };
+  ASSERT_EQ(run(with({"--times", note.string()}), sleep).code, 0);
+  std::ifstream stream(note);
+  std::string header, program, wall, processor, processors;
+  std::getline(stream, header);
+  std::getline(stream, program, ',');
+  std::getline(stream, wall, ',');
+  std::getline(stream, processor, ',');
+  std::getline(stream, processors);
+  EXPECT_EQ(header, "program,wall time [s],processor time [s],processors");
+  EXPECT_EQ(program, program_version("tiprub-tiny"));
+  EXPECT_TRUE(std::stod(wall) >= 0.02 && std::stod(wall) < 60) << wall;
+  EXPECT_TRUE(std::stod(processor) > 0 && std::stoi(processors) >= 1) << processor << processors;
+}
+
 TEST(CommandLine, KnowsItsOptions) {
   StageArguments seen;
   const auto look = [&](const StageArguments& arguments) { seen = arguments; };

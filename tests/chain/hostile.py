@@ -34,6 +34,9 @@ echo '<svg></svg>' > "${1%.gp}.svg" && printf 'IEND\256B`\202' > "${1%.gp}.png"
 """
 
 
+RUN = re.compile(rb'<div id="run">.*?</div>', re.DOTALL)  # a page's only part that says when and how it was made
+
+
 class Bench:
     def __init__(self, programs, case, folder):
         self.programs, self.folder = programs, folder
@@ -62,7 +65,7 @@ class Bench:
         path = self.path(name)
         if os.path.isfile(path):
             with open(path, "rb") as file:
-                return file.read()
+                return RUN.sub(b"", file.read())
         return {found: self.contents(os.path.join(folder, found)) for folder, _, files in os.walk(path) for found in files} or None
 
     def remove(self, name):

@@ -115,13 +115,18 @@ def read_vtu(path):
     """Arrays of a VTK XML file by name; inline binary in base 64, its length in 8 bytes first."""
     types = {"Float32": numpy.float32, "Int32": numpy.int32, "UInt8": numpy.uint8}
     arrays = {}
-    for array in xml.etree.ElementTree.parse(path).iter("DataArray"):
+    for array in xml.etree.ElementTree.parse(path).find(".//Piece").iter("DataArray"):
         raw = base64.b64decode(array.text)
         values = numpy.frombuffer(raw[8:], types[array.get("type")])
         assert int.from_bytes(raw[:8], "little") == values.nbytes, array.get("Name")
         components = int(array.get("NumberOfComponents"))
         arrays[array.get("Name")] = values.reshape(-1, components) if components > 1 else values
     return arrays
+
+
+def numbers_of(path):
+    """The field data of a VTK XML file by name."""
+    return {array.get("Name"): float(array.text) for array in xml.etree.ElementTree.parse(path).find(".//FieldData")}
 
 
 def turned_about_z(vectors, angles):
@@ -178,6 +183,46 @@ def expect_same_stress(wheel, sectors):
     assert abs(mises - wheel["von_mises"]).max() < SINGLE_PRECISION * mises.max()
 
 
+def expect_phases(folder, response):
+    """The mode a quarter of a period later is the sector's sine, reversed; frequencies are those of the response's table."""
+    wheel, sector, numbers = (read(os.path.join(folder, name)) for read, name in
+                              ((read_vtu, "modes_wheel.vtu"), (read_vtu, "modes_sector.vtu"), (numbers_of, "modes_wheel.vtu")))
+    frequencies = [name for name in numbers if name.endswith("_frequency")]
+    assert frequencies and "speed" in numbers
+    for name in frequencies:
+        mode = name.removesuffix("_frequency")
+        later = wheel[mode + "_quarter"][:len(sector[mode + "_sine"])]
+        assert abs(later + sector[mode + "_sine"]).max() < SINGLE_PRECISION and wheel[mode].shape == wheel[mode + "_quarter"].shape
+        n, family = (int(word.strip("ndfamily")) for word in mode.split("_"))
+        table = response[f"frequencies/nodal_diameter/{n}"][:, family - 1]
+        expected = numpy.interp(numbers["speed"], response["frequencies/speed"][:], table)
+        assert abs(numbers[name] / expected - 1) < 1e-3, (name, numbers[name], expected)
+
+
+def expect_motion(folder, fields, response):
+    """The animation's contact nodes are where the response has them, but for the waves that are left out."""
+    frames = [(float(frame.get("timestep")), os.path.join(folder, frame.get("file")))
+              for frame in xml.etree.ElementTree.parse(os.path.join(folder, "motion_sector.pvd")).iter("DataSet")]
+    speed = numbers_of(frames[0][1])["speed"]
+    group = next(group for group in response["speed"].values() if abs(group.attrs["speed"] / speed - 1) < 1e-9)
+    sectors, held, contact = int(response.attrs["sector_count"]), int(response.attrs["independent_sectors"]), fields["node_set/contact"][:]
+    points = read_vtu(frames[0][1])["Points"][contact]
+    angles = numpy.arctan2(points[:, 1], points[:, 0])
+    at_rest = numpy.arctan2(fields["nodes"][contact[0], 1], fields["nodes"][contact[0], 0])
+    sector = round((angles[0] - at_rest) * sectors / (2 * numpy.pi)) % sectors
+    drawn, recorded = [], []
+    for time, path in frames:
+        angle = numbers_of(path)["rotor_angle"]
+        assert abs(angle - time * speed) < 1e-9
+        sample = angle * int(group.attrs["samples_per_revolution"]) / (2 * numpy.pi)
+        assert abs(sample - round(sample)) < 1e-6
+        drawn.append(read_vtu(path)["displacement"][contact])
+        recorded.append(turned_about_z(group["displacement"][round(sample) % len(group["displacement"]), sector % held], angles))
+    error = numpy.linalg.norm(numpy.subtract(drawn, recorded)) / numpy.linalg.norm(recorded)
+    print(f"{len(frames)} instants of sector {sector}: contact nodes differ by {error:.1e}")
+    assert len(frames) == 24 and error < 0.1
+
+
 def full_fields(programs, cases, work):
     """Snapshot, basis, response and VTU tell the same displacement; stress is the same after half a turn."""
     with open(os.path.join(work, "report", "critical_speeds.csv"), encoding="utf-8", newline="") as file:
@@ -186,6 +231,8 @@ def full_fields(programs, cases, work):
     with h5py.File(os.path.join(work, "fields.h5")) as fields, h5py.File(os.path.join(work, "response.h5")) as response:
         expect_same_displacement(fields, response, wheel, worst)
         expect_same_stress(wheel, int(response.attrs["sector_count"]))
+        expect_phases(os.path.join(work, "report", "fields"), response)
+        expect_motion(os.path.join(work, "report", "fields"), fields, response)
     assert wheel["connectivity"].max() < len(wheel["Points"]) and set(wheel["types"]) == {25}
 
 

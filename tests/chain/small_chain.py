@@ -7,6 +7,7 @@ usage: small_chain.py STEP PROGRAMS_FOLDER CASES_FOLDER SMALL_CASE WORK_FOLDER
 `make_it` makes WORK_FOLDER/made; each other step takes a copy of that and checks one thing.
 """
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -104,6 +105,10 @@ def make_it(bench):
     print(made.must_make("-j2"))
     for name in MODEL_FILES + ("response.h5", "report/report.html"):
         assert os.path.getsize(made.file(name)) > 0, name
+    with open(made.file("report/report.html"), encoding="utf-8") as page:
+        told = page.read().split('<div id="run">')[1]
+    for stage in ("sector: tiprub-mesh", "model: tiprub-reduce", "response: tiprub-simulate"):
+        assert re.search(stage + r" \d[\d.]*, \d[\d.]* s, \d[\d.]* s of processor time on \d+ processor", told), (stage, told[:2000])
 
 
 def values_not_spelling(bench):

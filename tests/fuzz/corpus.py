@@ -4,7 +4,7 @@
 
     corpus.py STAGE PROGRAMS_FOLDER SCENE_FOLDER WORK_FOLDER
 
-STAGE is case, mesh, model, fields or response; corpus_STAGE.py holds its ENTRIES.
+STAGE is case, mesh, matrices, model, fields or response; corpus_STAGE.py holds its ENTRIES.
 """
 import concurrent.futures
 import importlib
@@ -39,7 +39,8 @@ def wrong(entry, programs, scene, work):
     shutil.copy(os.path.join(scene, entry.file), folder)
     entry.change(os.path.join(folder, entry.file))
     before = set(os.listdir(folder))
-    run = subprocess.run([os.path.join(programs, f"tiprub-{entry.program}"), "case.toml", *INPUTS[entry.program], *entry.options, "--check"],
+    inputs = [] if "--matrices" in entry.options else INPUTS[entry.program]
+    run = subprocess.run([os.path.join(programs, f"tiprub-{entry.program}"), "case.toml", *inputs, *entry.options, "--check"],
                          cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60, check=False)
     said = run.stderr.decode(errors="backslashreplace")
     faults = [fault for holds, fault in (

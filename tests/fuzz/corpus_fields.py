@@ -15,9 +15,9 @@ def of_tables():
         yield FIELDS.entry(f"{name}.one_row_less", replaced(f"static/{name}", lambda values: values[1:]), "must have a row for each node")
     yield FIELDS.entry("displacement_3.absent", without("static/displacement_3"), "/static must hold displacement_1, _2, and _3, _4, ... without a gap")
     yield FIELDS.entry("nodes.one_less", replaced("nodes", lambda values: values[1:]), "names node 234, of 0 .. 233")
-    yield FIELDS.entry("cells.columns", replaced("cells", lambda values: values[:, :8]), "/cells must have 20 or 27 columns")
+    yield FIELDS.entry("cells.columns", replaced("cells", lambda values: values[:, :8]), "/cells must have 10, 13, 15, 20 or 27 columns")
     yield FIELDS.entry("cells.node_beyond", replaced("cells", with_value(100000)), "/cells names node 100000, of 0 .. 234")
-    yield FIELDS.entry("cells.negative", replaced("cells", with_value(-1)), "/cells names node -1, of 0 .. 234")
+    yield FIELDS.entry("cells.too_few", replaced("cells", with_value(-1)), "/cells has a cell of 26 nodes; it must have 10, 13, 15, 20 or 27")
     yield FIELDS.entry("cells.fraction", replaced("cells", lambda values: values + 0.5), "/cells: has a value that is not a whole number")
     yield FIELDS.entry("cells.text", replaced("cells", lambda values: "text"), "/cells: is not real numbers")
 

@@ -13,7 +13,10 @@ import time
 from bases import MESH_FORMATS, SCENES, make_bases
 
 FILES = {"case": "case.toml", "mesh": "sector.msh", "model": "model.h5", "fields": "fields.h5", "response": "response.h5"}
-BLADES = {"sections": "sections.txt", "profile": "profile.curve", "meanline": "meanline.rtzt"}  # in blades/
+# Files beside this one, of formats of others.
+FOREIGN = {"sections": "blades/sections.txt", "profile": "blades/profile.curve", "meanline": "blades/meanline.rtzt",
+           "stiffness": "matrices/stiffness.mtx", "mass": "matrices/mass.mtx", "nodes": "matrices/nodes.csv", "rows": "matrices/rows.dof",
+           **{name: f"meshes/brick.{name}" for name in ("inp", "bdf", "cdb", "unv")}}
 
 
 def main(programs, case, work, inputs, seed=None):
@@ -22,16 +25,16 @@ def main(programs, case, work, inputs, seed=None):
     make_bases(programs, case, bases)
 
     def fuzz(reader):
-        files = [os.path.join(os.path.dirname(__file__), "blades", BLADES[reader])] if reader in BLADES else []
+        files = [os.path.join(os.path.dirname(__file__), FOREIGN[reader])] if reader in FOREIGN else []
         files += [os.path.join(bases, scene, FILES[reader]) for scene in SCENES if reader in FILES]
         if reader == "mesh":
             files += [os.path.join(bases, "open", name) for name in MESH_FORMATS]
-        return subprocess.run([os.path.join(programs, "tiprub_fuzz"), reader, seed, str(int(inputs) // len(FILES | BLADES)), "0",
+        return subprocess.run([os.path.join(programs, "tiprub_fuzz"), reader, seed, str(int(inputs) // len(FILES | FOREIGN)), "0",
                                os.path.join(work, reader), *files],
                               env=dict(os.environ, OPENBLAS_NUM_THREADS="1"), stdout=subprocess.PIPE, text=True, check=False)
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        runs = list(pool.map(fuzz, FILES | BLADES))
+        runs = list(pool.map(fuzz, FILES | FOREIGN))
     print(f"seed {seed}")
     for number, run in enumerate(runs):
         print("\n".join(run.stdout.splitlines()[number > 0:]))

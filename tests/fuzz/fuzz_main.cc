@@ -3,7 +3,7 @@
 //
 // usage: tiprub_fuzz READER SEED COUNT SECONDS FOLDER BASE...
 //
-// READER is case, sections, profile, meanline, mesh, model, fields or response; the same SEED and bases give the same
+// READER is one of those in readers.cc; the same SEED and bases give the same
 // inputs. It stops after COUNT inputs or SECONDS (0: no limit). Inputs that a reader fails on are kept in FOLDER. A
 // BASE lies in the folder of its scene (case.toml, sector.msh, model.h5, fields.h5, response.h5).
 #include <cstdio>

@@ -9,15 +9,18 @@
 #include "mesh/blades/meanline_file.h"
 #include "mesh/blades/section_surface.h"
 #include "mesh/blades/section_table.h"
+#include "mesh/import/sector_import.h"
 #include "mesh/wheels/wheel.h"
 #include "postprocess/analysis/material_strength.h"
 #include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/postprocess.h"
+#include "reduce/matrices/matrix_sector.h"
 #include "reduce/model/fields_file.h"
 #include "reduce/reducing.h"
 #include "reduce/sector/reduction_parameters.h"
 #include "simulate/response/response_file.h"
 #include "simulate/scene/casing.h"
+#include "simulate/scene/damping.h"
 #include "simulate/scene/simulate_parameters.h"
 #include "simulate/simulation.h"
 
@@ -44,7 +47,12 @@ void read_material(const fs::path& file, const fs::path&) {
 
 /// What a stage does with --check.
 StageArguments check(const std::vector<fs::path>& inputs) {
-  return {inputs, "output", {}, Verbosity::quiet, Action::check};
+  StageArguments arguments;
+  arguments.inputs = inputs;
+  arguments.output = "output";
+  arguments.verbosity = Verbosity::quiet;
+  arguments.action = Action::check;
+  return arguments;
 }
 
 void read_mesh(const fs::path& file, const fs::path& beside) {
@@ -62,7 +70,8 @@ void read_fields(const fs::path& file, const fs::path&) {
 }
 
 void check_report_of_fields(const fs::path& file, const fs::path& beside) {
-  postprocess(check({beside / "case.toml", beside / "model.h5", beside / "response.h5"}), file);
+  postprocess(check({beside / "case.toml", beside / "model.h5", beside / "response.h5"}),
+              {.fields_file = file, .compared = {}, .runs = {}});
 }
 
 void read_response_file(const fs::path& file, const fs::path&) {
@@ -100,6 +109,54 @@ void read_meanline_file(const fs::path& file, const fs::path&) {
   shape(read_meanline(text_of(file), 1.0));
 }
 
+void read_profile(const fs::path& file, const fs::path&) {
+  const CasingProfile profile = read_casing_profile(text_of(file), 2.0);
+  for (const double angle : {-1.0, 0.0, 0.7, 1.999}) profile(angle, 0.3);
+}
+
+/// The file in place of a list of pairs, as [simulate] damping_table takes it.
+void read_pairs(const fs::path& file, const fs::path& beside) {
+  const std::string setting = "simulate.damping_table = '" + fs::absolute(file).string() + "'";
+  CaseTable table = CaseFile(beside / "case.toml", {setting}).table("simulate");
+  read_damping(table).ratio(0, 1000.0);
+}
+
+/// With selections that don't fit every damaged mesh, too.
+template <MeshFormat format>
+void read_foreign_mesh(const fs::path& file, const fs::path&) {
+  ImportParameters parameters;
+  parameters.file = text_of(file);
+  parameters.format = format;
+  parameters.length = 1e-3;
+  parameters.clamped = "plane x 0.04";
+  parameters.blade_tip = "normal 1 0 0";
+  import_sector(parameters);
+  parameters.blade_tip = "";
+  parameters.contact = format == MeshFormat::bdf ? "SET 7" : format == MeshFormat::cdb ? "CONTACT" : "contact";
+  import_sector(parameters);
+  parameters.sector_count = 6;
+  try {
+    import_sector(parameters);
+  } catch (const InputError&) {  // a block has no cuts that a sixth of a turn brings together
+  }
+}
+
+/// The file in the place of one of those that give a sector by its matrices.
+template <fs::path MatrixFiles::*place>
+void read_matrices(const fs::path& file, const fs::path& beside) {
+  constexpr double tolerance = 1e-6;
+  MatrixFiles files = {beside / "stiffness.mtx", beside / "mass.mtx", beside / "nodes.csv", beside / "rows.dof", {}};
+  files.*place = file;
+  read_matrix_sector(files, tolerance);
+}
+
+/// As K at a further speed; without a list of dofs the rows are the nodes' in their order.
+void read_further_stiffness(const fs::path& file, const fs::path& beside) {
+  constexpr double tolerance = 1e-6, speed = 100;
+  read_matrix_sector({beside / "stiffness.mtx", beside / "mass.mtx", beside / "nodes.csv", {}, {{speed, file}}},
+                     tolerance);
+}
+
 const std::vector<Reader> readers = {
     {"case",
      ".toml",
@@ -109,6 +166,16 @@ const std::vector<Reader> readers = {
     {"sections", ".txt", Format::text, {read_sections}},
     {"profile", ".curve", Format::text, {read_curves, read_path}},
     {"meanline", ".rtzt", Format::text, {read_meanline_file}},
+    {"casing", ".csv", Format::text, {read_profile}},
+    {"pairs", ".csv", Format::text, {read_pairs}},
+    {"stiffness", ".mtx", Format::text, {read_matrices<&MatrixFiles::stiffness>, read_further_stiffness}},
+    {"mass", ".mtx", Format::text, {read_matrices<&MatrixFiles::mass>}},
+    {"nodes", ".csv", Format::text, {read_matrices<&MatrixFiles::nodes>}},
+    {"rows", ".dof", Format::text, {read_matrices<&MatrixFiles::dofs>}},
+    {"inp", ".inp", Format::text, {read_foreign_mesh<MeshFormat::inp>}},
+    {"bdf", ".bdf", Format::text, {read_foreign_mesh<MeshFormat::bdf>}},
+    {"cdb", ".cdb", Format::text, {read_foreign_mesh<MeshFormat::cdb>}},
+    {"unv", ".unv", Format::text, {read_foreign_mesh<MeshFormat::unv>}},
     {"mesh", ".msh", Format::mesh, {read_mesh}},
     {"model", ".h5", Format::hdf5, {read_model_file}},
     {"fields", ".h5", Format::hdf5, {read_fields, check_report_of_fields}},
@@ -121,7 +188,8 @@ const Reader& reader(const std::string& name) {
   for (const Reader& one : readers)
     if (one.name == name) return one;
   throw std::out_of_range("no reader " + name +
-                          "; there are: case, sections, profile, meanline, mesh, model, fields, response");
+                          "; there are: case, sections, profile, meanline, casing, pairs, stiffness, mass, nodes, "
+                          "rows, inp, bdf, cdb, unv, mesh, model, fields, response");
 }
 
 }  // namespace tiprub::fuzz

@@ -19,8 +19,10 @@ namespace {
 using test::sector_from;
 using test::wheel_from;
 
+/// A file of the test that runs: others run beside it.
 std::filesystem::path written(const std::string& name, const std::string& text) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / name;
+  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto path = std::filesystem::path(::testing::TempDir()) / (test + "_" + name);
   std::ofstream(path) << text;
   return path;
 }

@@ -29,6 +29,12 @@ expect_message(fillet_closes_the_passage KEY splitter_start LINE "splitter_start
                ERRORS "fillet_radius makes blades cross: at")
 expect_message(reversed_grading KEY splitter_start LINE "splitter_start = 0.45\ngrading_along_span = 0.5" EXIT_CODE 2
                ERRORS "grading_along_span = 0.5 must be at least 1 and at most 100")
+expect_message(contact_on_both KEY splitter_start LINE "splitter_start = 0.45\ncontact_blades = \"both\""
+               ERRORS "contact nodes and " " on the splitter" "wrote sector.msh" WRITES sector.msh)
+expect_message(contact_on_no_splitter KEY splitter_start LINE "splitter = false\ncontact_blades = \"both\"" EXIT_CODE 2
+               ERRORS "contact_blades = \"both\" asks for contact on splitters, and this wheel has none; take \"main\"")
+expect_message(contact_on_other_blades KEY splitter_start LINE "splitter_start = 0.45\ncontact_blades = \"all\"" EXIT_CODE 2
+               ERRORS "contact_blades = \"all\" must be one of: main, both")
 expect_message(odd_passage KEY elements_between_blades LINE "elements_between_blades = 3" EXIT_CODE 2 ERRORS "must be even")
 expect_message(inverted_element KEY back_profile LINE "back_profile = [[0.028, 0.092], [0.09, 0.04], [0.122, 0.0705]]"
                EXIT_CODE 2 ERRORS "inverted element in the disc, at" "look at [mesh] back_profile")

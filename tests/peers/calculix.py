@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frequencies of an unreduced sector against CalculiX's C3D20 on the same mesh.
+"""Frequencies of an unreduced sector against CalculiX's C3D20, C3D15 or C3D10 on the same mesh.
 
-usage: calculix.py TIPRUB_MESH TIPRUB_REDUCE CASE PRESTRESS WORK_FOLDER [KEY=VALUE...]
+usage: calculix.py TIPRUB_MESH TIPRUB_REDUCE CASE PRESTRESS WORK_FOLDER [--split SPLIT_SECTOR KIND] [KEY=VALUE...]
 
-Meshes the case, with other values of these keys of [mesh] if there are any, reduces it with this prestress (linear or nonlinear) at rest, half and full speed, exports the CalculiX
+Meshes the case, with other values of these keys of [mesh] if there are any, and cut into cells of another kind if there is one, reduces it with this prestress (linear or nonlinear) at rest, half and full speed, exports the CalculiX
 decks, runs them, and compares every verification frequency of every nodal diameter. Exit 77 (skipped) if there is no
 CalculiX.
 """
@@ -44,7 +44,12 @@ def main(mesh, reduce, case, prestress, work, *mesh_keys):
     keys = {"prestress": f'"{prestress}"', "verification_speeds": "[0.0, 0.5, 1.0]", "verification_modes": "10",
             "verification_tolerance": "1e-9"}
     settings = [word for key, value in keys.items() for word in ("--set", f"reduce.{key}={value}")]
+    split = None
+    if mesh_keys and mesh_keys[0] == "--split":
+        split, mesh_keys = mesh_keys[1:3], (*mesh_keys[3:], 'element="hex27"')
     subprocess.run([mesh, "-q", case, "-o", sector, *(word for key in mesh_keys for word in ("--set", f"mesh.{key}"))], check=True)
+    if split:
+        subprocess.run([split[0], sector, split[1], sector], check=True)
     subprocess.run([reduce, "-q", case, sector, "-o", model, *settings], check=True)
     subprocess.run([reduce, "-q", case, sector, "--export-ccx", decks, *settings], check=True)
     worst, compared = 0.0, 0

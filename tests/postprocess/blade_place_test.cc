@@ -8,7 +8,8 @@
 #include <map>
 
 #include "cases/program/errors.h"
-#include "postprocess/fields/brick_stress.h"
+#include "mesh/cells/cell_kind.h"
+#include "postprocess/fields/cell_stress.h"
 #include "postprocess/fields/stress_zones.h"
 
 namespace tiprub {
@@ -27,7 +28,7 @@ void add_bricks(Made& made, const std::string& part, int from, int to, int below
     for (int up = below; up < above; up += 2) {
       Eigen::VectorXi cell(20);
       for (int k = 0; k < 20; ++k) {
-        const std::array<int, 3>& corner = brick_reference_nodes()[static_cast<std::size_t>(k)];
+        const Eigen::Vector3i corner = cell_kind(20).places[static_cast<std::size_t>(k)].cast<int>();
         const std::array<int, 3> at = {along + 1 + corner[0], 1 + corner[1], up + 1 + corner[2]};
         cell[k] = made.node.try_emplace(at, static_cast<int>(made.node.size())).first->second;
       }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "mesh/cells/cell_kind.h"
 #include "postprocess/fields/vtu_file.h"
 #include "postprocess/fields/wheel_surface.h"
 #include "postprocess/tables/table.h"
@@ -31,8 +32,8 @@ SectorFields sector_of_bricks(int nodes_per_brick) {
   sector.cells.resize(nodes_per_brick, 2);
   for (int brick = 0; brick < 2; ++brick)
     for (int k = 0; k < nodes_per_brick; ++k) {
-      std::array<int, 3> at = brick_reference_nodes()[k];
-      at[1] += 1 + 2 * brick;  // 0 .. 4 around
+      const Eigen::Vector3i place = cell_kind(nodes_per_brick).places[k].cast<int>();
+      const std::array<int, 3> at = {place[0], place[1] + 1 + 2 * brick, place[2]};  // 0 .. 4 around
       auto known = std::find(lattice.begin(), lattice.end(), at);
       if (known == lattice.end()) {
         const double r = 0.1 + 0.02 * at[0] + 0.004 * at[2], t = alpha * at[1] / 4;
@@ -82,14 +83,14 @@ TEST_P(Bricks, RigidMotionHasNoStress) {
   Eigen::Matrix3Xd moved(3, sector.nodes.cols());
   for (Eigen::Index i = 0; i < moved.cols(); ++i) moved.col(i) = shift + spin.cross(sector.nodes.col(i));
   const double strain_like = sector.young * spin.norm();
-  EXPECT_LT(BrickStress(sector).average(moved).cwiseAbs().maxCoeff(), 1e-11 * strain_like);
+  EXPECT_LT(CellStress(sector).average(moved).cwiseAbs().maxCoeff(), 1e-11 * strain_like);
 }
 
 TEST_P(Bricks, ConstantStrainIsExactOnDistortedBricks) {
   const SectorFields sector = sector_of_bricks(GetParam());
   Eigen::Matrix3d slope;
   slope << 1e-3, 4e-4, -2e-4, -3e-4, 5e-4, 6e-4, 7e-4, -8e-4, -9e-4;
-  const Tensors stress = BrickStress(sector).average(slope * sector.nodes);
+  const Tensors stress = CellStress(sector).average(slope * sector.nodes);
   const Eigen::Matrix3d exact = stress_of(sector, slope);
   for (Eigen::Index i = 0; i < stress.cols(); ++i)
     EXPECT_LT((tensor(stress.col(i)) - exact).norm(), 1e-11 * exact.norm()) << "node " << i;
@@ -98,18 +99,18 @@ TEST_P(Bricks, ConstantStrainIsExactOnDistortedBricks) {
 INSTANTIATE_TEST_SUITE_P(Nodes, Bricks, ::testing::Values(20, 27));
 
 /// A brick whose sides are straight: a displacement of second order gives a stress of first order, exactly.
-TEST(BrickStress, LinearStressIsExactOnAStraightBrick) {
+TEST(CellStress, LinearStressIsExactOnAStraightBrick) {
   SectorFields sector = sector_of_bricks(20);
   sector.cells = Eigen::VectorXi::LinSpaced(20, 0, 19);
   sector.nodes.resize(3, 20);
   for (int k = 0; k < 20; ++k)
-    for (int d = 0; d < 3; ++d) sector.nodes(d, k) = (1 + 0.3 * d) * brick_reference_nodes()[k][d];
+    for (int d = 0; d < 3; ++d) sector.nodes(d, k) = (1 + 0.3 * d) * cell_kind(20).places[k][d];
   Eigen::Matrix3Xd moved(3, 20);
   for (int k = 0; k < 20; ++k) {
     const Eigen::Vector3d x = sector.nodes.col(k);
     moved.col(k) = 1e-3 * Eigen::Vector3d(x[0] * x[1], x[1] * x[2], x[0] * x[0]);
   }
-  const Tensors stress = BrickStress(sector).average(moved);
+  const Tensors stress = CellStress(sector).average(moved);
   for (int k = 0; k < 20; ++k) {
     const Eigen::Vector3d x = sector.nodes.col(k);
     Eigen::Matrix3d slope;
@@ -149,7 +150,7 @@ TEST(OnWheel, HomogeneousStressIsTheSameInEverySector) {
       2,
       (slope * sector.nodes).cast<std::complex<double>>() + i * (shear * sector.nodes).cast<std::complex<double>>(),
       {}};
-  add_stress(sector, BrickStress(sector), wave);
+  add_stress(sector, CellStress(sector), wave);
   const WheelField wheel = on_wheel({wave}, sector_count);
   const Eigen::Matrix3d exact = stress_of(sector, slope);
   for (int j = 0; j < sector_count; ++j) {
@@ -174,7 +175,7 @@ Eigen::VectorXcd cyclic_motion(const SectorFields& sector, int n) {
 /// The sum of waves meets itself on the faces between sectors, in displacement and in stress.
 TEST(OnWheel, NeighboursAgreeOnTheirCommonFace) {
   const SectorFields sector = sector_of_bricks(27);
-  const BrickStress bricks(sector);
+  const CellStress bricks(sector);
   std::vector<WaveField> waves;
   for (const int n : {0, 1, 2}) {
     waves.push_back({n, cartesian(sector, cyclic_motion(sector, n)), {}});
@@ -194,7 +195,7 @@ TEST(OnWheel, NeighboursAgreeOnTheirCommonFace) {
 /// Even nodal diameters repeat after half a turn, odd ones change their sign.
 TEST(TurnDifference, OfTwoLobesUnderHalfATurn) {
   const SectorFields sector = sector_of_bricks(20);
-  const BrickStress bricks(sector);
+  const CellStress bricks(sector);
   std::vector<WaveField> waves;
   for (const int n : {0, 2}) {
     waves.push_back({n, cartesian(sector, cyclic_motion(sector, n)), {}});
@@ -269,13 +270,16 @@ std::size_t count(const std::string& text, const std::string& word) {
 TEST(VtuFile, NamesItsArraysAndCells) {
   const SectorFields sector = sector_of_bricks(20);
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "tiprub_vtu_test.vtu";
-  write_vtu({sector.nodes, sector.cells}, {{"displacement", sector.nodes}, {"stress", Tensors::Zero(6, 32)}}, path);
+  write_vtu({sector.nodes, sector.cells}, {{"displacement", sector.nodes}, {"stress", Tensors::Zero(6, 32)}},
+            {{"speed", 0.1}}, path);
   const std::string text = read_text(path);
   std::filesystem::remove(path);
   EXPECT_NE(text.find("NumberOfPoints=\"32\" NumberOfCells=\"2\""), std::string::npos);
   EXPECT_NE(text.find("Name=\"stress\" type=\"Float32\" NumberOfComponents=\"6\""), std::string::npos);
   // 2 bytes of types after 8 of their length: 0200000000000000 19 19
   EXPECT_NE(text.find("AgAAAAAAAAAZGQ=="), std::string::npos);
+  EXPECT_NE(text.find("<DataArray Name=\"speed\" type=\"Float64\" NumberOfTuples=\"1\" format=\"ascii\">0.1"),
+            std::string::npos);
   EXPECT_EQ(count(text, "<DataArray"), count(text, "</DataArray>"));
 }
 

@@ -20,6 +20,10 @@ expect_message(no_case ARGUMENTS nowhere.toml model.h5 response.h5 -o report EXI
 expect_message(no_response ARGUMENTS case.toml model.h5 nowhere.h5 -o report EXIT_CODE 1 ERRORS "nowhere.h5")
 expect_message(no_fields ARGUMENTS case.toml model.h5 response.h5 --fields none.h5 -o report EXIT_CODE 1
                ERRORS "none.h5: no such file")
+expect_message(no_times ARGUMENTS case.toml model.h5 response.h5 --runs none.csv -o report EXIT_CODE 1
+               ERRORS "none.csv: can't be read")
+expect_message(times_of_something_else ARGUMENTS case.toml model.h5 response.h5 --runs case.toml -o report EXIT_CODE 2
+               ERRORS "case.toml: ")
 expect_message(files_exchanged ARGUMENTS case.toml response.h5 model.h5 -o report EXIT_CODE 1 ERRORS "response.h5")
 expect_message(model_for_fields ARGUMENTS case.toml model.h5 response.h5 --fields model.h5 -o report EXIT_CODE 1
                ERRORS "expected tiprub-fields version 2")

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace tiprub {
 namespace {
 
@@ -26,6 +28,20 @@ TEST(OrbitBranches, TellWhereMoreThanOneOrbitExists) {
     EXPECT_EQ(range.orbits, 3);
     EXPECT_EQ(range.attracting, 2);
   }
+}
+
+TEST(OrbitBranches, TellWhereStabilityChanges) {
+  OrbitBranch branch = folded();
+  branch.multiplier << 0.9, 0.9, 0.81, 1 / 0.81, 1.1, 0.9, 0.9;
+  branch.multiplier_angle = Eigen::VectorXd::Constant(7, std::numbers::pi);
+  branch.multiplier_angle[4] = 1.5;
+  const std::vector<StabilityChange> changes = stability_changes({branch});
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_NEAR(changes[1].speed, 108, 1e-9) << "half-way from 110 to 106";
+  EXPECT_EQ(changes[1].kind, Instability::flip);
+  EXPECT_GT(changes[0].speed, 102);
+  EXPECT_LT(changes[0].speed, 108);
+  EXPECT_EQ(changes[0].kind, Instability::torus);
 }
 
 TEST(OrbitBranches, AreSilentAboutASingleOne) {

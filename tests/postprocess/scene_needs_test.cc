@@ -8,11 +8,13 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <tuple>
 
+#include "mesh/cells/cell_kind.h"
 #include "postprocess/effects/casing_wear.h"
 #include "postprocess/effects/coriolis.h"
 #include "postprocess/effects/second_order_gap.h"
-#include "postprocess/fields/brick_stress.h"
+#include "postprocess/fields/cell_stress.h"
 #include "synthetic_fields.h"
 #include "synthetic_scene.h"
 
@@ -109,32 +111,37 @@ TEST(Coriolis, SplitsAPairOfModes) {
 TEST(Coriolis, CouplesTheRadialWithTheTangential) {
   const SectorFields sector = synthetic::sector_fields(synthetic::model());
   const Eigen::VectorXd volumes = node_volumes(sector);
-  EXPECT_NEAR(volumes.sum(), BrickStress(sector).volumes().sum(), 1e-12 * volumes.sum());
+  EXPECT_NEAR(volumes.sum(), CellStress(sector).volumes().sum(), 1e-12 * volumes.sum());
   Eigen::MatrixXcd shapes = Eigen::MatrixXcd::Zero(3 * sector.nodes.cols(), 2);
   for (Eigen::Index node = 0; node < sector.nodes.cols(); ++node) {
     const std::complex<double> wave = std::polar(sector.nodes.col(node).head<2>().norm(), 0.3 * double(node));
     shapes.block(3 * node, 0, 2, 1) << wave, std::complex<double>(0, 1) * wave;
     shapes(3 * node + 2, 1) = wave;
   }
+  Eigen::VectorXd three(shapes.rows());
+  for (int axis = 0; axis < 3; ++axis) three(Eigen::seqN(axis, volumes.size(), 3)) = volumes;
+  for (int mode = 0; mode < 2; ++mode)
+    shapes.col(mode) /= std::sqrt(shapes.col(mode).cwiseAbs2().dot(three));  // to unit modal mass, of unit density
   const Eigen::MatrixXcd coupling = coriolis_coupling(shapes, volumes);
   EXPECT_LT(std::abs(coupling(0, 0) - std::complex<double>(0, -1)), 1e-12);
   EXPECT_LT(std::abs(coupling(0, 1)) + std::abs(coupling(1, 1)), 1e-12);
 }
 
-/// x^2 over a box, 20 and 27 nodes.
+/// x^2 over a box, a wedge and a tetrahedron.
 TEST(Coriolis, VolumesOfNodesIntegrateSquares) {
-  for (const int nodes : {20, 27}) {
+  for (const auto& [nodes, volume, square] :
+       {std::tuple{10, 1 / 6.0, 1 / 60.0}, {15, 1.0, 1 / 6.0}, {20, 8.0, 8 / 3.0}, {27, 8.0, 8 / 3.0}}) {
     SectorFields sector;
     sector.cells = Eigen::VectorXi::LinSpaced(nodes, 0, nodes - 1);
     sector.young = sector.density = 1;
     sector.nodes.resize(3, nodes);
     for (int k = 0; k < nodes; ++k) {
-      const auto& at = brick_reference_nodes()[static_cast<std::size_t>(k)];
+      const auto& at = cell_kind(nodes).places[static_cast<std::size_t>(k)];
       sector.nodes.col(k) << 2.0 * at[0], 0.5 * at[1], 3.0 * at[2];
     }
     const Eigen::VectorXd volumes = node_volumes(sector), x = sector.nodes.row(0).transpose();
-    EXPECT_NEAR(volumes.sum(), 24, 1e-12);
-    EXPECT_NEAR(volumes.dot(x.cwiseAbs2()), 32, 1e-11);
+    EXPECT_NEAR(volumes.sum(), 3 * volume, 1e-12);
+    EXPECT_NEAR(volumes.dot(x.cwiseAbs2()), 12 * square, 1e-11);
   }
 }
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "postprocess/fields/brick_stress.h"
+#include "mesh/cells/cell_kind.h"
 #include "reduce/model/model_digest.h"
 #include "reduce/model/nodal_diameter.h"
 
@@ -45,7 +45,7 @@ Ring ring() {
   for (int i = 1; i < along; i += 2)
     for (int k = 1; k < around; k += 2, ++cell)
       for (int node = 0; node < made.cells.rows(); ++node) {
-        const std::array<int, 3>& corner = brick_reference_nodes()[static_cast<std::size_t>(node)];
+        const Eigen::Vector3i corner = cell_kind(20).places[static_cast<std::size_t>(node)].cast<int>();
         const Place at = {i + corner[0], k + corner[1], 1 + corner[2]};
         const auto [known, is_new] = made.number.try_emplace(at, static_cast<int>(made.places.size()));
         if (is_new) made.places.push_back(at);

@@ -85,11 +85,21 @@ void write_wrong_files(const std::filesystem::path& folder) {
   write_odd_responses(folder);
 }
 
+/// The scene's response with the rotor's state over a cycle at every speed.
+void write_response_with_cycles(const std::filesystem::path& path) {
+  const ReducedModel rotor = model();
+  Response response = resonant_sweep(rotor);
+  add_snapshots(rotor, response);
+  add_cycles(rotor, response);
+  write_response(response, path, "test");
+}
+
 }  // namespace
 }  // namespace tiprub::synthetic
 
 int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 1 ? argv[1] : "synthetic";
   tiprub::synthetic::write_scene(folder);
+  tiprub::synthetic::write_response_with_cycles(folder / "cycles_response.h5");
   tiprub::synthetic::write_wrong_files(folder);
 }

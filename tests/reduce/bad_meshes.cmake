@@ -43,6 +43,8 @@ expect_message(contact_jumps OLD "38 135 139 \n39 139 143" NEW "38 139 143 \n39 
                ERRORS "sector.msh: the curve \"contact\" jumps from x y z = ")
 expect_message(contact_turns_back OLD "38 135 139 \n39 139 143 \n40 143 147" NEW "38 135 143 \n39 143 139 \n40 139 147" EXIT_CODE 2
                ERRORS "sector.msh: the line \"contact\" turns back at its point 3 of 5, x y z = ")
+expect_message(contact_on_the_splitter_alone OLD "\"contact\"" NEW "\"contact_splitter\"" EXIT_CODE 2
+               ERRORS "sector.msh: has no curve or points named \"contact\" (the main blade's tip, from leading to trailing edge)")
 # Contact by segments takes the faces of the tip; contact at points doesn't ask for them.
 set(segments ARGUMENTS case.toml sector.msh --check --set "reduce.contact=\"segments\"")
 expect_message(segments ${segments} ERRORS "${sound}")

@@ -107,7 +107,7 @@ TEST(RotatingDisc, IsStressedAsInPlaneStress) {
   TestRotor rotor(mesh, {mesh.contact_line.front()});
   const double speed = 600.0, scale = test::steel().density * speed * speed;
   const Eigen::VectorXd found = rotor.elasticity().von_mises(rotor.static_displacement(speed), Prestress::linear);
-  const BrickQuadrature quadrature(rotor.mesh());
+  const CellQuadrature quadrature(rotor.mesh());
   const Disc disc(annulus.inner, annulus.outer, test::steel().poisson);
   int compared = 0;
   for (int cell = 0; cell < quadrature.cell_count(); ++cell) {

@@ -28,7 +28,10 @@ def unstable(file):
 
 folder = sys.argv[1]
 os.makedirs(folder, exist_ok=True)
-for name, text in (("case.toml", CASE), ("text.h5", "text")):
+TEXTS = {"case.toml": CASE, "text.h5": "text", "profile.csv": "angle_deg, 0.0, 1.0\n0, 2e-4, 1e-4\n90, -2e-4, wide\n",
+         "long.csv": "angle_deg, 0.0\n0, 0.2\n", "damping.csv": "Hz, ratio\n100, 0.001\n2e3, 0.002\n", "overdamped.csv": "100, 0.001\n2e3, 2\n",
+         "speeds.csv": "9000\n10000\n9500\n"}
+for name, text in TEXTS.items():
     with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
         file.write(text)
 write_model(os.path.join(folder, "model.h5"))

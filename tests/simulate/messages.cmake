@@ -39,6 +39,33 @@ expect_message(table_beyond_a_lobe OLD "shape = \"cosine\"\nlobes = 2\namplitude
 expect_message(amplitude_of_a_table OLD "shape = \"cosine\""
                NEW "shape = \"table\"\ndistortion_table = [[0, 0], [90, 1e-4]]" EXIT_CODE 2
                ERRORS "unknown key \"amplitude\" in [casing]")
+foreach(file profile long damping overdamped speeds)
+  set(with_${file} INPUTS ${made}/case.toml ${made}/model.h5 ${made}/${file}.csv)
+endforeach()
+expect_message(word_in_a_profile ${with_profile} OLD "shape = \"cosine\"" NEW "shape = \"profile\"\nprofile = \"profile.csv\""
+               EXIT_CODE 2 ERRORS "profile.csv:3: \"wide\" stands for how far inward [m], which must be a finite number")
+expect_message(profile_in_millimetres ${with_long} OLD "shape = \"cosine\"\nlobes = 2\namplitude = 2.0e-4"
+               NEW "shape = \"profile\"\nlobes = 2\nprofile = \"long.csv\"" EXIT_CODE 2
+               ERRORS "[casing] profile has 0.2 m, more than a tenth of the tip's radius")
+expect_message(no_profile OLD "shape = \"cosine\"" NEW "shape = \"profile\"\nprofile = \"absent.csv\"" EXIT_CODE 1
+               ERRORS "absent.csv: can't be read")
+expect_message(lists_from_files ${with_damping} OLD "damping_ratio = 0.005" NEW "damping_table = \"damping.csv\""
+               ARGUMENTS case.toml --tables OUTPUTS "damping_table = [[100, 0.001], [2000, 0.002]]")
+expect_message(overdamped_in_a_file ${with_overdamped} OLD "damping_ratio = 0.005" NEW "damping_table = \"overdamped.csv\"" EXIT_CODE 2
+               ERRORS "overdamped.csv:2: [simulate] damping_table = 2 must be at least 0 and at most 0.9 [Hz, of critical]")
+expect_message(speeds_from_a_file ${with_speeds} OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40"
+               NEW "speeds_rpm = \"speeds.csv\"" ARGUMENTS case.toml --tables OUTPUTS "speeds_rpm = [9000, 10000, 9500]")
+set(blades "blade_clearance = [0, 1e-5, 2e-5, 0, 0, 0]")
+expect_message(blades_that_differ OLD "lobes = 2" NEW "lobes = 2\n${blades}" EXIT_CODE 2
+               ERRORS "[casing] blade_clearance makes the sectors differ; set [simulate] nodal_diameters = \"all\"")
+expect_message(blades_of_another_wheel OLD "lobes = 2" NEW "lobes = 2\nblade_clearance = [0, 1e-5]" EXIT_CODE 2
+               ERRORS "[casing] blade_clearance has 2 numbers, and the wheel has 6 blades; give one for each")
+expect_message(blades_longer_than_the_clearance OLD "lobes = 2" NEW "lobes = 2\nblade_clearance = [0, -1e-3, 0, 0, 0, 0]" EXIT_CODE 2
+               ERRORS "[casing] blade_clearance takes more from `clearance` than there is")
+expect_message(orbit_of_blades_that_differ OLD "damping_ratio" NEW "steady_state = \"orbit\"\nnodal_diameters = \"all\"\ndamping_ratio"
+               ARGUMENTS case.toml model.h5 -o response.h5 --set "casing.${blades}" EXIT_CODE 2
+               ERRORS "[casing] blade_clearance leaves no motion that is the same in all sectors; set [simulate] steady_state = \"march\"")
+
 expect_message(cold_clearance_closed_by_spin OLD "clearance =" NEW "clearance_state = \"cold\"\nclearance =" EXIT_CODE 1
                ERRORS "spin closes the clearance: contact node 0")
 

@@ -14,16 +14,16 @@ import source_tree
 
 # From the ground up; "" is the room's own folder, where its main.cc is.
 STOREYS = {
-    "cases": ["text", "program"],
-    "mesh": ["curves", "blades", "lattice", "wheels", "sector", ""],
-    "reduce": ["model", "sector", "operators", "basis", ""],
+    "cases": ["text", "machine", "program"],
+    "mesh": ["cells", "curves", "blades", "lattice", "wheels", "sector", "import", ""],
+    "reduce": ["model", "sector", "matrices", "operators", "basis", ""],
     "simulate": ["scene", "response", "march", "orbits", "periodic", "speed", "branches", "sweep", ""],
-    "postprocess": ["tables", "waves", "analysis", "fields", "effects", "records", "figures", "report", ""],
+    "postprocess": ["tables", "waves", "analysis", "fields", "effects", "records", "figures", "compare", "explore", "report", ""],
 }
 # What a room shows of itself to the rooms above it: its file, and nothing of how that is made.
-FILE_HEADERS = {"cases": "cases/program", "reduce": "reduce/model", "simulate": "simulate/response"}
-STANDS_ON = {"cases": [], "mesh": ["cases"], "reduce": ["cases"], "simulate": ["cases", "reduce"],
-             "postprocess": ["cases", "reduce", "simulate"]}
+FILE_HEADERS = {"cases": "cases/program", "mesh": "mesh/cells", "reduce": "reduce/model", "simulate": "simulate/response"}
+STANDS_ON = {"cases": [], "mesh": ["cases"], "reduce": ["cases", "mesh"], "simulate": ["cases", "reduce"],
+             "postprocess": ["cases", "mesh", "reduce", "simulate"]}
 # A header of a file that is split over several .cc: its own folder's .cc files alone may include it.
 PRIVATE = {"reduce/model/hdf5_handle.h"}
 # What no file header brings to who includes it.

@@ -66,13 +66,15 @@ FAULTS = [
     ("sizes", lambda copy: put(copy, "tests/chain/planted.py", "def planted():\n" + long_body("    pass", 40)),
      "a function of 41 lines, at most 40: def planted"),
     ("sizes", lambda copy: put(copy, "mesh/curves/planted.h", long_body("// long", 401)), "has 401 lines, at most 400"),
+    ("versions", lambda copy: put(copy, ".github/CITATION.cff", "version: 9.9.9\n", "w"), "CITATION.cff: says version 9.9.9"),
     ("sizes", lambda copy: [put(copy, f"tests/planted/{i}.cc", "") for i in range(26)], "tests/planted: holds 26 files"),
 ]
 
 
 def copy_of(root, copy):
     shutil.rmtree(copy, ignore_errors=True)
-    documents = [f"{room}/README.md" for room in source_tree.ROOMS] + ["cases/equations.md"]
+    documents = [f"{room}/README.md" for room in source_tree.ROOMS] + ["cases/equations.md", "CMakeLists.txt"]
+    documents += [".github/CHANGELOG.md", ".github/CITATION.cff"]
     cases = [f"cases/{name}/{file}" for name in os.listdir(os.path.join(root, "cases")) for file in ("README.md", "case.toml")]
     for path in source_tree.files(root) + documents + cases:
         if os.path.isfile(os.path.join(root, path)):

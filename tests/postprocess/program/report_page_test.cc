@@ -72,9 +72,8 @@ std::vector<std::map<std::string, std::string>> rows_of(const fs::path& path) {
 
 TEST_F(Page, PageStandsAlone) {
   const std::string page = text_of(folder_ / "without" / "report.html");
-  EXPECT_EQ(page.find("http:"), std::string::npos);
-  EXPECT_EQ(page.find("https:"), std::string::npos);
-  EXPECT_EQ(page.find("//cdn"), std::string::npos);
+  for (const char* outside : {"src=\"http", "href=\"http", "src=\"//", "href=\"//", "url(http", "@import", "fetch("})
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
   EXPECT_NE(page.find("A made wheel &amp; an &lt;oval&gt; casing"), std::string::npos);
   EXPECT_EQ(page.find("<oval>"), std::string::npos);
   for (const char* phrase :
@@ -108,7 +107,8 @@ std::string without(const std::string& text, const std::string& first, const std
 
 /// Every link leads to a file or a heading, every file is linked, and no file's name stands there as bare text.
 void expect_working_links(const fs::path& report) {
-  const std::string page = without(without(text_of(report / "report.html"), "src=\"data:", "\""), "<pre>", "</pre>");
+  const std::string all = without(without(text_of(report / "report.html"), "src=\"data:", "\""), "<pre>", "</pre>");
+  const std::string page = without(all, "<div id=\"run\">", "</div>");  // which names the inputs
   const std::vector<std::string> ids = found_in(page, "id=\"([^\"]+)\"");
   std::set<fs::path> linked = {"report.html", "critical_speeds.txt", ".tiprub-files"};
   for (const std::string& link : found_in(page, "href=\"([^\"]+)\"")) {
@@ -117,11 +117,15 @@ void expect_working_links(const fs::path& report) {
     } else {
       EXPECT_TRUE(fs::is_regular_file(report / link)) << link;
       linked.insert(link);
+      if (link.ends_with(".pvd"))
+        for (const std::string& frame : found_in(text_of(report / link), "file=\"([^\"]+)\""))
+          linked.insert(fs::path(link).parent_path() / frame);
     }
   }
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(report))
     EXPECT_TRUE(entry.is_directory() || linked.count(entry.path().lexically_relative(report)) == 1) << entry.path();
-  EXPECT_EQ(found_in(without(page, "<a href", "</a>"), "([a-z_]+\\.(vtu|csv|svg|png|toml)\\b)"),
+  EXPECT_EQ(found_in(without(without(page, "<script", "</script>"), "<a href", "</a>"),
+                     "([a-z_]+\\.(vtu|csv|svg|png|toml)\\b)"),
             std::vector<std::string>());
 }
 
@@ -189,6 +193,26 @@ TEST_F(Page, MarksWhatFails) {
   EXPECT_EQ(rows["model"]["passed"], "not looked at");
   EXPECT_EQ(rows["energy"]["passed"], "no");  // the made ledgers close to 2e-4
   EXPECT_EQ(rows["penetration"]["passed"], "yes");
+}
+
+TEST_F(Page, SaysHowExactTheCriticalSpeedsAreBesideWhatWasAskedFor) {
+  Response response = synthetic::resonant_sweep(synthetic::model());
+  response.scene.asked = {.critical_speeds = 0.004, .step = 1e-3, .settling = 2e-5};
+  for (SpeedResponse& speed : response.speeds) speed.audit.halving_difference = 5e-3;
+  write_response(response, folder_ / "asked.h5", "test");
+  ASSERT_EQ(run("case.toml model.h5 asked.h5 -o asked").exit_code, 0);
+  std::map<std::string, std::map<std::string, std::string>> rows;
+  for (const auto& row : rows_of(folder_ / "asked" / "exactness.csv"))
+    rows[row.at("check").substr(0, row.at("check").find(':'))] = row;
+  EXPECT_EQ(rows["accuracy"]["limit"], "0.004");
+  EXPECT_EQ(rows["accuracy"]["passed"], "no");
+  EXPECT_GE(std::stod(rows["accuracy"]["worst of those looked at"]), 5e-3);
+  EXPECT_EQ(rows["time step"]["limit"], "0.001");
+  EXPECT_EQ(rows["settling"]["limit"], "2e-05");
+  EXPECT_EQ(rows["model"]["limit"], "0.0002");
+  EXPECT_NE(text_of(folder_ / "asked" / "report.html")
+                .find("Accuracy: 0.4 % of the critical speeds' amplitudes was asked for"),
+            std::string::npos);
 }
 
 /// What was left out has a size where one is cheap to find, and says how to find one where not.
@@ -265,7 +289,8 @@ TEST_F(Page, TellsTheStressAtEveryPeak) {
   }
   for (const char* column : {"vibration [MPa]", "spin [MPa]", "both [MPa]"}) {
     EXPECT_NE(with_.out.find(column), std::string::npos);
-    EXPECT_NE(text_of(folder_ / "with" / "report.html").find(std::string("<th>") + column), std::string::npos);
+    EXPECT_NE(text_of(folder_ / "with" / "report.html").find(std::string("<th scope=\"col\">") + column),
+              std::string::npos);
   }
 }
 

@@ -105,6 +105,33 @@ TEST_F(ModelFile, SaysWhatItsContactUnknownsAre) {
             path().string() + ": attribute `contact` is \"lines\", must be \"points\" or \"segments\"");
 }
 
+TEST_F(ModelFile, SaysWhichNodesStandOnTheSplitter) {
+  ReducedModel model = some_model();
+  ContactLine& contact = model.contact;
+  contact.splitter_nodes = 1;
+  for (Eigen::MatrixX3d* table :
+       {&contact.position, &contact.normal, &contact.static_shift_1, &contact.static_shift_2})
+    *table = table->replicate(2, 1).eval();
+  contact.arc_length = Eigen::VectorXd::Zero(2);
+  const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(6, 6);
+  for (NodalDiameterModel& matrices : model.nodal_diameters) matrices = {1e6 * one, one, one, one};
+  write_model(model, path(), "test");
+  expect_same(read_model(path()), model);
+  EXPECT_EQ(read_model(path()).contact.splitter_nodes, 1);
+  const std::string name = digest(model);
+  contact.splitter_nodes = 0;
+  EXPECT_NE(digest(model), name);
+  for (const auto& blade : {Eigen::VectorXd::Constant(1, 1.0).eval(), Eigen::VectorXd::Constant(1, 2.0).eval(),
+                            Eigen::VectorXd::Zero(2).eval()})
+    EXPECT_EQ(complaint_about_file([&](Hdf5File& file) {
+                write_one_mass(file);
+                file.write("/contact/blade", blade, "1");
+              }),
+              path().string() +
+                  ": /contact/blade must hold, for each of the 1 contact nodes, 0 for those of the main "
+                  "blade, which come first, and 1 for the splitter's");
+}
+
 /// K and the static shift of large displacements go on with Omega^6, Omega^8, ...
 TEST_F(ModelFile, CarriesAnyNumberOfTerms) {
   ReducedModel model = some_model();

@@ -54,13 +54,15 @@ TEST(SectorFactor, EliminatesAndSubstitutesBack) {
   const SymmetricMatrix stiffness = rotor.at_rest();
   const Blocks K(stiffness, rotor.dofs());
   const SectorFactor factor(stiffness, rotor.dofs());
-  const Eigen::MatrixXd b = test::arbitrary(rotor.dofs().interior, 3).real();
-  const Eigen::MatrixXd moved = test::arbitrary(rotor.dofs().interface(), 3).imag() * 1e-9;
-  SectorFactor::Eliminated eliminated = factor.eliminate(b);
-  EXPECT_LT(difference(eliminated.interface_load, -K.FI * K.II.llt().solve(b)), 1e-11);
-  const Eigen::MatrixXd x = factor.back_substitute(std::move(eliminated), moved);
-  EXPECT_LT(difference(x.bottomRows(rotor.dofs().interface()), moved), 1e-11);
-  EXPECT_LT(difference(K.II * x.topRows(rotor.dofs().interior), b - K.FI.transpose() * moved), 1e-11);
+  for (const int columns : {1, 3, 8, 16, 19, 27}) {  // one strip of right sides, wide or narrow, and more
+    const Eigen::MatrixXd b = test::arbitrary(rotor.dofs().interior, columns).real();
+    const Eigen::MatrixXd moved = test::arbitrary(rotor.dofs().interface(), columns).imag() * 1e-9;
+    SectorFactor::Eliminated eliminated = factor.eliminate(b);
+    EXPECT_LT(difference(eliminated.interface_load, -K.FI * K.II.llt().solve(b)), 1e-11);
+    const Eigen::MatrixXd x = factor.back_substitute(std::move(eliminated), moved);
+    EXPECT_LT(difference(x.bottomRows(rotor.dofs().interface()), moved), 1e-11);
+    EXPECT_LT(difference(K.II * x.topRows(rotor.dofs().interior), b - K.FI.transpose() * moved), 1e-11);
+  }
 }
 
 TEST(SectorFactor, RefusesAnInteriorThatIsNotStable) {

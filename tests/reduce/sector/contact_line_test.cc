@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,6 +25,14 @@ SectorMesh quarter_circle_blade(int bricks_along_chord, double height = 0.03) {
     return {r * std::cos(theta), r * std::sin(theta), distance * std::sin(phi)};
   });
   for (int k = 0; k <= 2 * bricks_along_chord; ++k) mesh.contact_line.push_back(grid.node(4, 0, k));
+  return mesh;
+}
+
+/// The same with a splitter: the other side of the tip, from the middle of the chord on.
+SectorMesh with_splitter(int bricks_along_chord) {
+  const test::BrickGrid grid({2, 1, bricks_along_chord}, 20, test::Around::open);
+  SectorMesh mesh = quarter_circle_blade(bricks_along_chord);
+  for (int k = bricks_along_chord; k <= 2 * bricks_along_chord; ++k) mesh.splitter_line.push_back(grid.node(4, 2, k));
   return mesh;
 }
 
@@ -146,6 +155,41 @@ TEST(ContactLine, MayBendButNotTurnBackOrStandStill) {
   EXPECT_NE(test::complaint<InputError>([&] { require_one_way(mesh); }), "");
   mesh.contact_line = {mesh.contact_line[0], mesh.contact_line[0]};
   EXPECT_NE(test::complaint<InputError>([&] { require_one_way(mesh); }).find("the same radius and z at its point 2"),
+            std::string::npos);
+}
+
+TEST(ContactLine, OfASplitterFollowsTheMainBladesBelowOneCasing) {
+  const SectorMesh mesh = with_splitter(8);
+  EXPECT_NO_THROW(require_one_way(mesh));
+  const std::vector<int> chosen = choose_contact_nodes(mesh, 9);
+  ASSERT_EQ(chosen.size(), 18U);
+  const ContactLine line = describe_contact(mesh, chosen);
+  EXPECT_EQ(line.splitter_nodes, 9);
+  EXPECT_EQ(line.trailing_edge(), 8);
+  const ContactLine main = describe_contact(mesh, mesh.contact_line);
+  for (int k = 0; k < 9; ++k) {  // its node k stands beside node 8 + k of the whole line, 0.02 rad further round
+    EXPECT_NEAR(line.arc_length[9 + k], main.arc_length[8 + k], 1e-15);
+    EXPECT_NEAR(line.position(9 + k, 1), main.position(8 + k, 1) + 0.02, 1e-15);
+    EXPECT_NEAR((line.normal.row(9 + k) - main.normal.row(8 + k)).norm(), 0.0, k == 0 ? 1e-2 : 1e-12);  // one-sided
+  }
+  EXPECT_EQ(line.place_of(0), "leading edge");
+  EXPECT_EQ(line.place_of(4), "");
+  EXPECT_EQ(line.place_of(8), "trailing edge");
+  EXPECT_EQ(line.place_of(9), "splitter's leading edge");
+  EXPECT_EQ(line.place_of(12), "splitter");
+  EXPECT_EQ(line.place_of(17), "splitter's trailing edge");
+}
+
+TEST(ContactLine, OfASplitterThatRunsBackIsRefused) {
+  SectorMesh mesh = with_splitter(8);
+  std::reverse(mesh.splitter_line.begin(), mesh.splitter_line.end());
+  EXPECT_EQ(test::complaint<InputError>([&] { describe_contact(mesh, choose_contact_nodes(mesh, 3)); }),
+            "the sector: the line \"contact_splitter\" doesn't go on along the line \"contact\" at " +
+                mesh.place_of(choose_contact_nodes(mesh, 3)[4]) +
+                "; both must run from leading to trailing edge, below one casing");
+  EXPECT_NE(test::complaint<InputError>([&] {
+              choose_contact_nodes(mesh, 10);
+            }).find("the line \"contact_splitter\" has 9"),
             std::string::npos);
 }
 

@@ -110,10 +110,21 @@ std::string refusal(const SectorMesh& mesh, int count = 5) {
 TEST(ContactSegments, RefuseAMeshThatDoesNotNameTheTip) {
   SectorMesh mesh = blade(8, 20);
   mesh.tip_faces.resize(8, 0);
-  EXPECT_EQ(refusal(mesh),
-            "the sector: has no surface group \"blade_tip\" with the faces of the main blade's tip (8-node ones of "
-            "20-node bricks, 9-node ones of 27-node bricks), over which [reduce] contact = \"segments\" spreads its "
-            "forces; name it in the mesher, or take \"points\"");
+  EXPECT_EQ(
+      refusal(mesh),
+      "the sector: has no surface group \"blade_tip\" with the faces of the main blade's tip (of the cells' own "
+      "kind), over which [reduce] contact = \"segments\" spreads its forces; name it in the mesher, or take "
+      "\"points\"");
+}
+
+TEST(ContactSegments, RefuseASplitterWhoseTipHasNoName) {
+  SectorMesh mesh = blade(8, 20);
+  mesh.splitter_line = mesh.contact_line;
+  EXPECT_EQ(
+      refusal(mesh),
+      "the sector: has no surface group \"splitter_tip\" with the faces of the splitter's tip (of the cells' own "
+      "kind), over which [reduce] contact = \"segments\" spreads its forces; name it in the mesher, or take "
+      "\"points\"");
 }
 
 TEST(ContactSegments, RefuseATipWithAGap) {

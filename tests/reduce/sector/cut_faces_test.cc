@@ -49,6 +49,17 @@ TEST(CutFaces, SayHowManyNodesStandAlone) {
   SectorMesh mesh = test::skewed_annulus(7).sector();
   mesh.nodes.col(mesh.cyclic_high.front()).z() += 1e-3;
   EXPECT_EQ(complaint(mesh).rfind("the sector: 1 of ", 0), 0u) << complaint(mesh);
+  EXPECT_NE(complaint(mesh).find("within tolerance; the farthest is 0.001 m from the nearest;"), std::string::npos)
+      << complaint(mesh);
+}
+
+TEST(CutFaces, SayThatOneIsShifted) {
+  SectorMesh mesh = test::skewed_annulus(7).sector();
+  for (const int node : mesh.cyclic_high) mesh.nodes.col(node).z() += 1e-3;
+  EXPECT_NE(complaint(mesh).find("turned by 360/7 degrees about z and then shifted by x "), std::string::npos)
+      << complaint(mesh);
+  EXPECT_NE(complaint(mesh).find("z 0.001 m; the axis of rotation must be z through the origin"), std::string::npos)
+      << complaint(mesh);
 }
 
 }  // namespace

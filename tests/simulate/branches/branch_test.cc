@@ -10,9 +10,11 @@
 #include "simulate/branches/orbit_family.h"
 #include "simulate/orbits/speed_audit.h"
 #include "simulate/periodic/marched_map.h"
+#include "simulate/periodic/multipliers.h"
 #include "simulate/periodic/newton.h"
 #include "simulate/speed/settled_march.h"
 #include "simulate/speed/speed_run.h"
+#include "tests/simulate/branches/exact_orbit.h"
 #include "tests/simulate/branches/one_sided_spring.h"
 #include "tests/simulate/synthetic_wheel.h"
 
@@ -48,7 +50,7 @@ struct Bed {
     for (int i = 0; i < revolutions * steps; ++i) march.step();
     MarchedMap map(march, rotor, casing, model.contact);
     const NewtonResult found =
-        find_fixed_point(map, map.symmetric().state(), {1e-8}, std::make_shared<RecycledGmres>());
+        find_fixed_point(map, map.symmetric().state(), {1e-9}, std::make_shared<RecycledGmres>());
     EXPECT_EQ(found.found, NewtonResult::Found::yes);
     return found.state;
   }
@@ -84,28 +86,79 @@ TEST(Branch, HasTheMotionsOfTheSweepWhereTheyAttract) {
   }
 }
 
-/// A mass with a one-sided spring, driven by the casing: the march's folds against harmonic balance with arc length.
-TEST(Branch, FoldsWhereHarmonicBalanceDoes) {
+/// Two references that share nothing but the equation.
+TEST(Branch, HasReferencesThatAgree) {
   const testing::OneSidedSpring plan;
-  Bed bed(testing::one_sided_spring(plan), testing::lobed_casing(1, plan.amplitude, plan.clearance), plan.damping);
-  bed.parameters.scheme = Scheme::residual_flexibility;
-  bed.parameters.modes = 1;
-  const std::vector<double> exact = testing::folds_by_harmonic_balance(plan, 940, 1200);
+  const std::vector<double> exact = testing::exact_folds(plan, 940, 1200),
+                            balance = testing::folds_by_harmonic_balance(plan, 940, 1200);
   ASSERT_EQ(exact.size(), 2u);
-  std::vector<double> errors;
-  for (const int steps : {2400, 9600}) {
+  ASSERT_EQ(balance.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(balance[i], exact[i], 1e-3 * exact[i]);
+}
+
+/// A mass with a one-sided spring that the casing pushes. Forces act from the step in which they are found on: the
+/// march is of first order.
+struct OneSidedBed : Bed {
+  testing::OneSidedSpring plan;
+  OneSidedBed() : OneSidedBed(testing::OneSidedSpring{}) {}
+
+ private:
+  explicit OneSidedBed(const testing::OneSidedSpring& given)
+      : Bed(testing::one_sided_spring(given), testing::lobed_casing(1, given.amplitude, given.clearance),
+            given.damping) {
+    parameters.scheme = Scheme::residual_flexibility;
+    parameters.modes = 1;
+  }
+};
+
+void expect_first_order(const std::vector<double>& errors, const char* what) {
+  EXPECT_LT(errors.back(), 1e-3) << what;
+  for (std::size_t i = 1; i < errors.size(); ++i) EXPECT_NEAR(errors[i - 1] / errors[i], 2, 0.2) << what;
+}
+
+constexpr int finer_and_finer[] = {2400, 4800, 9600};
+
+TEST(Branch, HasOrbitsThatConvergeToTheExactOnes) {
+  OneSidedBed bed;
+  for (const double speed : {950.0, 1100.0}) {
+    const testing::ExactOrbit exact =
+        testing::exact_orbit(bed.plan, speed, Eigen::Vector2d::Zero(), bed.parameters.samples_per_revolution);
+    std::vector<double> amplitude, multiplier;
+    for (const int steps : finer_and_finer) {
+      const Eigen::VectorXd orbit = bed.orbit(speed, steps, 200);
+      const Scene scene = bed.scene();
+      OrbitFamily family(scene, speed, steps);
+      const std::shared_ptr<PeriodicMap> map = family.at(speed);
+      const Eigen::VectorXd state = family.of_family(speed, orbit);
+      const MapImage image = map->image(state);
+      const Multiplier largest = largest_multiplier(
+          [&](const Eigen::VectorXd& change) { return map->tangent(image.pattern, change); }, state.size());
+      amplitude.push_back(std::abs(family.amplitude(speed, state) / exact.amplitude - 1));
+      multiplier.push_back(std::abs(std::abs(largest.value) / exact.multiplier - 1));
+    }
+    expect_first_order(amplitude, "amplitude");
+    expect_first_order(multiplier, "multiplier");
+  }
+}
+
+TEST(Branch, HasFoldsThatConvergeToTheExactOnes) {
+  OneSidedBed bed;
+  const std::vector<double> exact = testing::exact_folds(bed.plan, 940, 1200);
+  std::vector<double> lower, upper;
+  for (const int steps : finer_and_finer) {
     const Scene scene = bed.scene();
     const OrbitBranch branch = follow_branch(scene, 950, steps, bed.orbit(950, steps, 200), {940, 1200, 1e-3, 400});
     ASSERT_EQ(branch.folds.size(), 2) << steps;
     const auto [low, high] = std::minmax(branch.folds[0], branch.folds[1]);
-    errors.push_back(std::max(std::abs(low / exact[0] - 1), std::abs(high / exact[1] - 1)));
+    lower.push_back(std::abs(low / exact[0] - 1));
+    upper.push_back(std::abs(high / exact[1] - 1));
     const Eigen::Index between = std::distance(branch.multiplier.begin(),
                                                std::max_element(branch.multiplier.begin(), branch.multiplier.end()));
     EXPECT_GT(branch.multiplier[between], 1) << "the middle branch repels";
     EXPECT_LT(branch.multiplier_angle[between], 1e-3) << "as at a fold";
   }
-  EXPECT_LT(errors[1], 1e-3);
-  EXPECT_LT(errors[1], errors[0]);
+  expect_first_order(lower, "lower fold");
+  expect_first_order(upper, "upper fold");
 }
 
 }  // namespace

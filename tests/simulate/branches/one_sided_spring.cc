@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/simulate/one_sector.h"
+
 namespace tiprub::testing {
 
 namespace {
@@ -77,17 +79,10 @@ bool correct(const HarmonicBalance& balance, const Eigen::VectorXd& tangent, Eig
 }  // namespace
 
 ReducedModel one_sided_spring(const OneSidedSpring& plan) {
-  constexpr double nearly_none = 1e-9, stiff = 1e3;
-  ReducedModel model;
-  model.sector_count = 1;
-  model.speed_max = 2000;
-  model.prestress = "given";
-  model.contact.position = Eigen::RowVector3d(0.1, 0, 0);
-  model.contact.normal = Eigen::RowVector3d(1, 0, 0);
-  model.contact.arc_length = Eigen::VectorXd::Zero(1);
-  model.contact.static_shift_1 = model.contact.static_shift_2 = Eigen::MatrixX3d::Zero(1, 3);
+  constexpr double nearly_none = 1e-7;
+  ReducedModel model = testing::one_sector();
   NodalDiameterModel only;
-  only.K0 = stiff * plan.stiffness * Eigen::MatrixXcd::Identity(4, 4);
+  only.K0 = plan.stiffness * Eigen::MatrixXcd::Identity(4, 4);
   only.K0(0, 0) = plan.one_sided;
   only.K0(0, 3) = only.K0(3, 0) = -plan.one_sided;
   only.K0(3, 3) = plan.stiffness + plan.one_sided;

@@ -58,6 +58,7 @@ DenseRing::DenseRing(const ReducedModel& model, const Casing& casing, double spe
   push_ = inverse * C_;
   W_ = C_.transpose() * push_;
   clearance_ = casing.running_clearance(model.contact, speed).replicate(N, 1);
+  for (int j = 0; j < N; ++j) clearance_.segment(j * nodes, nodes).array() += casing.extra_clearance(j);
   u_ = before_ = Eigen::VectorXd::Zero(M.rows());
   lambda_ = gap_ = Eigen::VectorXd::Zero(N * nodes);
 }
@@ -95,10 +96,13 @@ void DenseRing::step() {
   const double ramp = casing_.ramp(static_cast<double>(step_) / steps_);
   const int nodes = model_.contact.size();
   const Eigen::VectorXd normal = C_.transpose() * free;
+  const Eigen::VectorXd& arc = model_.contact.arc_length;
+  const auto fraction = [&](int k) { return (arc[k] - arc[0]) / (arc[nodes - 1] - arc[0]); };
   for (int j = 0; j < model_.sector_count; ++j)
     for (int k = 0; k < nodes; ++k) {
       const double angle = model_.contact.position(k, 1) + two_pi * j / model_.sector_count + turned;
-      gap_[j * nodes + k] = clearance_[j * nodes + k] - ramp * casing_.distortion(angle) - normal[j * nodes + k];
+      gap_[j * nodes + k] =
+          clearance_[j * nodes + k] - ramp * casing_.distortion(angle, fraction(k)) - normal[j * nodes + k];
     }
   lambda_.setZero();
   if (gap_.minCoeff() < 0) {  // eq. 14: penetrations are to be cancelled

@@ -38,13 +38,17 @@ TEST(SymmetricMap, ReturnsTheSettledMotion) {
   EXPECT_EQ(bench.march.step_count(), 60 * 1200) << "the clock stands still";
 }
 
+struct Kept {
+  int revolutions;
+};
+
 SpeedResponse run(const ReducedModel& model, const Casing& casing, double speed, SteadyStateMethod method,
-                  Scheme scheme = Scheme::trigonometric) {
+                  Scheme scheme = Scheme::trigonometric, Kept kept = {2}) {
   SimulateParameters parameters;
   parameters.scheme = scheme;
   parameters.damping = {0.005};
   parameters.samples_per_revolution = 120;
-  parameters.recorded_revolutions = 2;
+  parameters.recorded_revolutions = kept.revolutions;
   parameters.min_revolutions = 10;
   parameters.max_revolutions = 80;
   parameters.settle_tolerance = 1e-5;
@@ -104,6 +108,24 @@ TEST(OrbitSearch, FallsBackOnMarchingWhereNoSteadyOrbitIs) {
     EXPECT_EQ(tried.contact_force, plain.contact_force);
     EXPECT_EQ(tried.revolutions, plain.revolutions);
   }
+}
+
+/// The same motion of five revolutions, if so many are kept: fifteen maps of a sixth of a revolution, half of them,
+/// sectors shifted.
+TEST(OrbitSearch, FindsOrbitsOfManyMaps) {
+  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
+  const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
+  const Kept kept{6};
+  const SpeedResponse plain = run(model, casing, 2500, SteadyStateMethod::march, Scheme::trigonometric, kept);
+  const SpeedResponse found = run(model, casing, 2500, SteadyStateMethod::orbit, Scheme::trigonometric, kept);
+  ASSERT_EQ(plain.period_revolutions, 5);
+  ASSERT_EQ(found.audit.orbit.outcome, Outcome::found);
+  EXPECT_EQ(found.period_revolutions, 5);
+  EXPECT_EQ(found.audit.orbit.maps, 15);
+  EXPECT_LT(found.audit.orbit.multiplier, 1);
+  EXPECT_EQ(found.motion, plain.motion);
+  EXPECT_EQ(found.period_beats, plain.period_beats);
+  EXPECT_LT(difference(found, plain, casing.lobes).value, 1e-4);
 }
 
 /// A wheel that reaches no casing comes to rest: nothing is divided by its motion.

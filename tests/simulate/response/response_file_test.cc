@@ -33,7 +33,7 @@ SpeedResponse settled_speed() {
   speed.contact_steps = 123456789012;
   speed.snapshot = RotorSnapshot{5, 12.5, {Eigen::VectorXcd::Random(4), Eigen::VectorXcd::Random(7)}};
   speed.cycle = RotorCycle{4, {Eigen::MatrixXcd::Random(4, 4), Eigen::MatrixXcd::Random(7, 4)}};
-  speed.audit.orbit = {OrbitReport::Outcome::marched, 25, 1e-3, 1.1, 0.01, 2};
+  speed.audit.orbit = {OrbitReport::Outcome::marched, 4, 25, 1e-3, 1.1, 0.01, 2};
   return speed;
 }
 
@@ -137,6 +137,7 @@ TEST_F(ResponseFile, GivesBackASpeed) {
   EXPECT_EQ(speed.cycle->first_sample, 4);
   EXPECT_EQ(speed.cycle->displacement, given.cycle->displacement);
   EXPECT_EQ(speed.audit.orbit.outcome, OrbitReport::Outcome::marched);
+  EXPECT_EQ(speed.audit.orbit.maps, 4);
   EXPECT_EQ(speed.audit.orbit.revolutions, 25);
   EXPECT_EQ(speed.audit.orbit.residual, 1e-3);
   EXPECT_EQ(speed.audit.orbit.multiplier, 1.1);

@@ -18,8 +18,8 @@ TEST(Casing, HasItsCrestsInward) {
   Casing casing = testing::lobed_casing(3, 2e-4, 1e-3);
   casing.crest_angle = 0.2;
   for (int lobe = -3; lobe < 4; ++lobe) {
-    EXPECT_NEAR(casing.distortion(0.2 + lobe * 2 * pi / 3), 2e-4, 1e-18);
-    EXPECT_NEAR(casing.distortion(0.2 + pi / 3 + lobe * 2 * pi / 3), -2e-4, 1e-18);
+    EXPECT_NEAR(casing.distortion(0.2 + lobe * 2 * pi / 3, 0), 2e-4, 1e-18);
+    EXPECT_NEAR(casing.distortion(0.2 + pi / 3 + lobe * 2 * pi / 3, 0), -2e-4, 1e-18);
   }
 }
 
@@ -30,7 +30,8 @@ TEST(Casing, MeetsABladeWithTheFrequencyOfItsLobes) {
   for (int order = 0; order <= 2 * lobes; ++order) {
     std::complex<double> amplitude = 0;
     for (int s = 0; s < samples; ++s)
-      amplitude += casing.distortion(2 * pi * s / samples) * std::polar(2.0 / samples, -2 * pi * order * s / samples);
+      amplitude +=
+          casing.distortion(2 * pi * s / samples, 0) * std::polar(2.0 / samples, -2 * pi * order * s / samples);
     EXPECT_NEAR(std::abs(amplitude), order == lobes ? 2e-4 : 0.0, 1e-17) << "engine order " << order;
   }
 }
@@ -39,10 +40,10 @@ TEST(Casing, IsRoundBetweenItsBumps) {
   Casing casing = testing::lobed_casing(2, 1e-4, 1e-3);
   casing.shape = CasingShape::bumps;
   casing.bump_width = 0.4;
-  EXPECT_NEAR(casing.distortion(pi), 1e-4, 1e-18);
-  EXPECT_NEAR(casing.distortion(0.1), 0.5e-4, 1e-18);
-  EXPECT_EQ(casing.distortion(0.2), 0.0);
-  EXPECT_EQ(casing.distortion(1.5), 0.0);
+  EXPECT_NEAR(casing.distortion(pi, 0), 1e-4, 1e-18);
+  EXPECT_NEAR(casing.distortion(0.1, 0), 0.5e-4, 1e-18);
+  EXPECT_EQ(casing.distortion(0.2, 0), 0.0);
+  EXPECT_EQ(casing.distortion(1.5, 0), 0.0);
 }
 
 TEST(Casing, GrowsSmoothly) {

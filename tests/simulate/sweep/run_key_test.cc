@@ -46,6 +46,16 @@ bool is_exempt(const std::string& key) {
                      [&](const ExemptKey& exempt) { return key == exempt.key; });
 }
 
+TEST(RunKey, CountsAccuracyByTheTolerancesThatItSets) {
+  const std::string usual = key_of(read(casing, range)), fine = key_of(read(casing, range + "accuracy = 0.005\n"));
+  EXPECT_EQ(key_of(read(casing, range + "accuracy = 0.02\n")), usual);
+  EXPECT_NE(fine, usual);
+  EXPECT_EQ(key_of(read(casing, range + "step_tolerance = 1.25e-3\nsettle_tolerance = 2.5e-5\n")), fine);
+  EXPECT_EQ(key_of(read(casing, range + "accuracy = 0.005\nstep_tolerance = 5e-3\nsettle_tolerance = 1e-4\n" +
+                                    "steps_per_period = 200\n")),
+            usual);  // keys of their own go first
+}
+
 /// Whatever the readers ask for: a key that is new to them is looked at here as well.
 TEST(RunKey, ChangesWithEveryResolvedSettingThatIsNotExempt) {
   for (const std::string& speeds : {range, list}) {

@@ -38,7 +38,7 @@ TEST(SweepTally, IsSilentWhereNothingIsWrong) {
 
 TEST(SweepTally, CountsSpeedsWithoutAStableOrbit) {
   SpeedResponse at = held(9000);
-  at.audit.orbit = {OrbitReport::Outcome::marched, 25, 1e-2, 1.2};
+  at.audit.orbit = {OrbitReport::Outcome::marched, 1, 25, 1e-2, 1.2};
   SweepTally tally;
   tally.add(at);
   EXPECT_NE(tally.text().find("marched, for want of a stable orbit, at 1"), std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/sector/brick_quadrature.h"
+#include "reduce/sector/cell_quadrature.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,19 @@
 #include <numbers>
 
 #include "tests/reduce/complaint.h"
+#include "tests/reduce/split_cells.h"
 #include "tests/reduce/test_rotor.h"
 
 namespace tiprub {
 namespace {
 
 using test::Annulus;
+
+Eigen::Matrix3d parallelepiped() {
+  Eigen::Matrix3d edges;
+  edges << 0.3, 0.1, 0.0, -0.1, 0.4, 0.05, 0.02, 0.1, 0.2;
+  return edges;
+}
 
 class BothBricks : public ::testing::TestWithParam<int> {
  protected:
@@ -23,20 +30,40 @@ class BothBricks : public ::testing::TestWithParam<int> {
   }
   /// A parallelepiped: straight bricks, on which the map is affine.
   SectorMesh straight_bricks() const {
-    Eigen::Matrix3d edges;
-    edges << 0.3, 0.1, 0.0, -0.1, 0.4, 0.05, 0.02, 0.1, 0.2;
     return test::BrickGrid({2, 1, 2}, GetParam(), test::Around::open)
-        .place([=](const Eigen::Vector3d& at) -> Eigen::Vector3d { return Eigen::Vector3d(1, 0, 0) + edges * at; });
+        .place([](const Eigen::Vector3d& at) -> Eigen::Vector3d {
+          return Eigen::Vector3d(1, 0, 0) + parallelepiped() * at;
+        });
   }
 };
 INSTANTIATE_TEST_SUITE_P(Nodes, BothBricks, ::testing::Values(20, 27));
 
+/// The same of any cells, cut from 27-node bricks.
+class EveryKind : public ::testing::TestWithParam<test::Split> {
+ protected:
+  SectorMesh skewed_sector() const {
+    Annulus annulus = test::skewed_annulus(5);
+    annulus.nodes_per_brick = 27;
+    return test::split(annulus.sector(), GetParam());
+  }
+  SectorMesh straight_cells() const {
+    return test::split(
+        test::BrickGrid({2, 1, 2}, 27, test::Around::open).place([](const Eigen::Vector3d& at) -> Eigen::Vector3d {
+          return Eigen::Vector3d(1, 0, 0) + parallelepiped() * at;
+        }),
+        GetParam());
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind,
+                         ::testing::Values(test::Split::tet10, test::Split::wedge15, test::Split::pyramid13,
+                                           test::Split::hex20, test::Split::mixed));
+
 /// Largest errors over all points of a field known in space: sum N_a f(x_a) = f(x), sum grad N_a f(x_a) = grad f(x).
 template <class Field, class Gradient>
 void expect_reproduced(const SectorMesh& mesh, const Field& f, const Gradient& grad_f) {
-  BrickQuadrature quadrature(mesh);
+  CellQuadrature quadrature(mesh);
   for (int cell = 0; cell < quadrature.cell_count(); ++cell) {
-    const BrickPoints& points = quadrature.at(cell);
+    const CellPoints& points = quadrature.at(cell);
     Eigen::VectorXd nodal(points.nodes.size());
     for (std::size_t a = 0; a < points.nodes.size(); ++a)
       nodal[a] = f(Eigen::Vector3d(mesh.nodes.col(points.nodes[a])));
@@ -70,12 +97,38 @@ TEST_P(BothBricks, ReproduceQuadraticFieldsOnStraightCells) {
 }
 
 TEST_P(BothBricks, FillAParallelepiped) {
-  BrickQuadrature quadrature(straight_bricks());
+  CellQuadrature quadrature(straight_bricks());
   double volume = 0;
   for (int cell = 0; cell < quadrature.cell_count(); ++cell) volume += quadrature.at(cell).weight.sum();
-  Eigen::Matrix3d edges;
-  edges << 0.3, 0.1, 0.0, -0.1, 0.4, 0.05, 0.02, 0.1, 0.2;
-  EXPECT_NEAR(volume, edges.determinant(), 1e-15);
+  EXPECT_NEAR(volume, parallelepiped().determinant(), 1e-15);
+}
+
+TEST_P(EveryKind, AreAPartitionOfUnity) {
+  expect_reproduced(
+      skewed_sector(), [](const Eigen::Vector3d&) { return 1.0; },
+      [](const Eigen::Vector3d&) -> Eigen::Vector3d { return Eigen::Vector3d::Zero(); });
+}
+
+TEST_P(EveryKind, ReproduceLinearFieldsOnCurvedCells) {
+  const Eigen::Vector3d slope(1.0, -2.0, 3.0);
+  expect_reproduced(
+      skewed_sector(), [=](const Eigen::Vector3d& x) { return slope.dot(x); },
+      [=](const Eigen::Vector3d&) { return slope; });
+}
+
+TEST_P(EveryKind, ReproduceQuadraticFieldsOnStraightCells) {
+  Eigen::Matrix3d form;
+  form << 1, 2, -1, 2, 3, 0.5, -1, 0.5, -2;
+  expect_reproduced(
+      straight_cells(), [=](const Eigen::Vector3d& x) { return x.dot(form * x); },
+      [=](const Eigen::Vector3d& x) -> Eigen::Vector3d { return 2 * form * x; });
+}
+
+TEST_P(EveryKind, FillAParallelepiped) {
+  CellQuadrature quadrature(straight_cells());
+  double volume = 0;
+  for (int cell = 0; cell < quadrature.cell_count(); ++cell) volume += quadrature.at(cell).weight.sum();
+  EXPECT_NEAR(volume, parallelepiped().determinant(), 1e-15);
 }
 
 TEST_P(BothBricks, FillAnAnnulusWithTheFourthOrder) {
@@ -87,7 +140,7 @@ TEST_P(BothBricks, FillAnAnnulusWithTheFourthOrder) {
   double errors[2];
   for (int refined : {0, 1}) {
     annulus.bricks[1] = refined == 0 ? 2 : 4;
-    BrickQuadrature quadrature(annulus.sector());
+    CellQuadrature quadrature(annulus.sector());
     double volume = 0;
     for (int cell = 0; cell < quadrature.cell_count(); ++cell) volume += quadrature.at(cell).weight.sum();
     errors[refined] = std::abs(volume / exact - 1);
@@ -100,7 +153,7 @@ TEST_P(BothBricks, RefuseAnInvertedCellWithItsNumberAndPlace) {
   SectorMesh mesh = skewed_sector();
   mesh.nodes.col(mesh.cells(0, 3)) = mesh.nodes.col(mesh.cells(6, 3));  // a corner pushed through its brick
   const std::string message = test::complaint<InputError>([&] {
-    BrickQuadrature quadrature(mesh);
+    CellQuadrature quadrature(mesh);
     for (int cell = 0; cell < quadrature.cell_count(); ++cell) quadrature.at(cell);
   });
   EXPECT_EQ(message.rfind("the sector: cell ", 0), 0u) << message;
@@ -115,17 +168,17 @@ TEST_P(BothBricks, RefuseACellThatIsInvertedAtACornerOnly) {
   mesh.cell_tags = {11, 12, 13, 14};
   const Eigen::Vector3d corner = mesh.nodes.col(mesh.cells(1, 1)), other = mesh.nodes.col(mesh.cells(0, 1));
   mesh.nodes.col(mesh.cells(8, 1)) = 0.8 * corner + 0.2 * other;
-  EXPECT_EQ(test::complaint<InputError>([&] { BrickQuadrature quadrature(mesh); }),
+  EXPECT_EQ(test::complaint<InputError>([&] { CellQuadrature quadrature(mesh); }),
             "the sector: cell 12 (main_blade) is inverted or flat near " + place_text(corner) + "; re-mesh");
 }
 
 TEST_P(BothBricks, RefuseAMirroredMesh) {
   SectorMesh mesh = skewed_sector();
   mesh.nodes.row(2) *= -1;
-  EXPECT_NE(test::complaint<InputError>([&] { BrickQuadrature(mesh).at(0); }), "");
+  EXPECT_NE(test::complaint<InputError>([&] { CellQuadrature(mesh).at(0); }), "");
 }
 
-TEST(BrickQuadrature, RefusesNeighboursThatDisagreeAboutAMidSide) {
+TEST(CellQuadrature, RefusesNeighboursThatDisagreeAboutAMidSide) {
   // A mesh with a double node in the middle of a shared edge was reduced without a word: the last brick read won, and
   // the other brick followed a node that none of its own names. It must be refused.
   SectorMesh mesh = Annulus().sector();
@@ -133,8 +186,27 @@ TEST(BrickQuadrature, RefusesNeighboursThatDisagreeAboutAMidSide) {
   mesh.nodes.conservativeResize(Eigen::NoChange, mesh.node_count() + 1);
   mesh.nodes.rightCols(1) = mesh.nodes.col(shared);
   mesh.cells(11, 0) = mesh.node_count() - 1;
-  EXPECT_NE(test::complaint<InputError>([&] { BrickQuadrature quadrature(mesh); }).find("mid-side"),
+  EXPECT_NE(test::complaint<InputError>([&] { CellQuadrature quadrature(mesh); }).find("mid-side"),
             std::string::npos);
+}
+
+TEST(CellQuadrature, RefusesQuadranglesThatMeetTriangles) {
+  // Bricks and tetrahedra side by side without pyramids share corners, and come apart between them.
+  const SectorMesh bricks = test::BrickGrid({2, 1, 1}, 27, test::Around::open).place([](const Eigen::Vector3d& at) {
+    return Eigen::Vector3d(1 + at[0], at[1], at[2]);
+  });
+  SectorMesh mesh = test::split(bricks, test::Split::tet10);
+  const SectorMesh whole = test::split(bricks, test::Split::hex20);
+  Eigen::MatrixXi cells = Eigen::MatrixXi::Constant(20, 7, -1);
+  cells.topLeftCorner(10, 6) = mesh.cells.leftCols(6);
+  for (int k = 0; k < 20; ++k)
+    for (int node = 0; node < mesh.node_count(); ++node)
+      if ((mesh.nodes.col(node) - whole.nodes.col(whole.cells(k, 1))).norm() < 1e-9) cells(k, 6) = node;
+  mesh.cells = cells;
+  EXPECT_EQ(test::complaint<InputError>([&] {
+              CellQuadrature quadrature(mesh);
+            }).rfind("the sector: the cells don't make a mesh: a quadrangle meets triangles at x y z = ", 0),
+            0u);
 }
 
 }  // namespace

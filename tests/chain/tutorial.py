@@ -1,0 +1,45 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The commands of the tutorial, as its text has them, in one shell that stops at the first that fails.
+
+usage: tutorial.py PROGRAMS_FOLDER SOURCE_FOLDER WORK_FOLDER
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+
+def commands(case):
+    """The blocks of commands in a case's text, one below the other."""
+    with open(os.path.join(case, "README.md"), encoding="utf-8") as file:
+        blocks = re.findall(r"^```sh\n(.*?)^```", file.read(), re.S | re.M)
+    assert blocks, f"{case}: no block of commands"
+    return "".join(blocks)
+
+
+def run(script, programs, source, folder):
+    """In a folder, with the programs on the PATH; what was said."""
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
+    environment.update(PATH=programs + os.pathsep + os.environ["PATH"], TIPRUB=source)
+    done = subprocess.run(["bash", "-eux", "-c", script], cwd=folder, env=environment, text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT)
+    assert done.returncode == 0, done.stdout
+    return done.stdout
+
+
+def main(programs, source, work):
+    shutil.rmtree(work, ignore_errors=True)
+    os.makedirs(work)
+    here = os.path.join(source, "cases", "your_blade")
+    told = run(commands(here), programs, source, work)
+    for name in ("blade.txt", "case.toml"):
+        with open(os.path.join(here, name), encoding="utf-8") as theirs, open(os.path.join(work, "my_blade", name), encoding="utf-8") as ours:
+            assert theirs.read().replace("# SPDX-License-Identifier: GPL-3.0-or-later\n", "") == ours.read(), f"{name} is not what the text writes"
+    assert re.search(r"^ +10500 .*EO 10 ND -2", told, re.M), told
+    assert os.path.getsize(os.path.join(work, "my_blade", "report", "report.html")) > 0
+
+
+if __name__ == "__main__":
+    main(*map(os.path.abspath, sys.argv[1:]))

@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is installed works where there is no source: a case by make, the manual, completion in bash, and a program of somebody else's.
+
+usage: installed.py CMAKE BUILD_FOLDER SMALL_CASE READER_FOLDER WORK_FOLDER
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+STAGES = ("mesh", "reduce", "simulate", "postprocess")
+
+
+def run(*command, **options):
+    done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    assert done.returncode == 0, f"{command}:\n{done.stdout}"
+    return done.stdout
+
+
+def case_by_make(prefix, case, work):
+    """Cases begin as copies of one; make finds the programs beside the cases."""
+    folder = os.path.join(work, "my case")
+    shutil.copytree(os.path.join(prefix, "share/tiprub/cases/impeller_quick"), folder)
+    shutil.copy(case, os.path.join(folder, "case.toml"))
+    said = run("make", f"TIPRUB={prefix}/share/tiprub", cwd=folder, env={"PATH": "/usr/bin:/bin", "HOME": work})
+    assert "tiprub-mesh case.toml" in said, said
+    for name in ("model.h5", "response.h5", "report/report.html"):
+        assert os.path.getsize(os.path.join(folder, name)) > 0, name
+    return folder
+
+
+def only_sources(prefix):
+    """Cases are installed without what their runs made."""
+    for folder, _, names in os.walk(os.path.join(prefix, "share/tiprub")):
+        parts = folder.split(os.sep)
+        assert "report" not in parts and ".chain" not in parts, folder
+        assert not [name for name in names if name.endswith((".h5", ".msh", ".part", ".cc", ".h"))], (folder, names)
+    assert os.path.exists(os.path.join(prefix, "share/tiprub/cases/impeller_quick/expected/interaction_map.png"))
+
+
+def manual(prefix):
+    """Each option of each program."""
+    for stage in STAGES:
+        program = os.path.join(prefix, "bin", f"tiprub-{stage}")
+        with open(os.path.join(prefix, f"share/man/man1/tiprub-{stage}.1"), encoding="utf-8") as file:
+            page = file.read().replace("\\-", "-")
+        options = set(re.findall(r"--[a-z][a-z-]+", run(program, "--help")))
+        assert len(options) >= 8 and all(option in page for option in options), (stage, options)
+        assert "EXIT STATUS" in page and run(program, "--version").split()[1] in page
+
+
+def completed(prefix, folder, *words):
+    """What bash offers for the last of the words."""
+    script = (f"source '{prefix}/share/bash-completion/completions/tiprub-simulate'; compopt() {{ :; }}; COMP_WORDS=(\"$@\"); "
+              '_tiprub "$1" "${@: -1}" "${@: -2:1}"; printf "%s\\n" "${COMPREPLY[@]}"')
+    return run("bash", "-c", script, "bash", os.path.join(prefix, "bin/tiprub-simulate"), *words, cwd=folder).split()
+
+
+def completion(prefix, folder):
+    assert completed(prefix, folder, "--thr") == ["--threads"]
+    assert {"--help", "--output", "--check", "-q"} <= set(completed(prefix, folder, "-"))
+    assert completed(prefix, folder, "case.toml", "--set", "casing.lo") == ["casing.lobes="]
+    assert completed(prefix, folder, "case.toml", "--set", "simulate.sw") == ["simulate.sweep="]
+
+
+def reader(cmake, prefix, source, folder, work):
+    built = os.path.join(work, "reader")
+    run(cmake, "-S", source, "-B", built, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Debug")
+    run(cmake, "--build", built)
+    printed = run(os.path.join(built, "reader"), os.path.join(folder, "model.h5"), os.path.join(folder, "response.h5"))
+    assert printed.split() == ["6", "4"], printed
+
+
+def main(cmake, build, case, source, work):
+    shutil.rmtree(work, ignore_errors=True)
+    os.makedirs(work)
+    prefix = os.path.join(work, "prefix")
+    run(cmake, "--install", build, "--prefix", prefix)
+    folder = case_by_make(prefix, case, work)
+    only_sources(prefix)
+    manual(prefix)
+    completion(prefix, folder)
+    reader(cmake, prefix, source, folder, work)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], *map(os.path.abspath, sys.argv[2:]))

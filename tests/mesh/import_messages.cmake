@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Meshes of other codes that are wrong, and what is said of them.
+set(bricks ${PROJECT_SOURCE_DIR}/tests/fuzz/meshes)
+set(importing INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/import.toml=case.toml ${bricks}/brick.inp ${bricks}/brick.bdf ${bricks}/brick.cdb ${bricks}/brick.unv
+              ARGUMENTS case.toml -o sector.msh FILE brick.inp)
+set(message_defaults PROGRAM $<TARGET_FILE:tiprub-mesh> ${importing})
+expect_message(import_works ERRORS "brick.inp: 20 nodes, 1 hex20" "no cuts: one body" "contact: 3 nodes" "wrote sector.msh" WRITES sector.msh)
+foreach(format bdf cdb unv)
+  expect_message(import_of_${format} ARGUMENTS case.toml --import brick.${format} --check --set "mesh.clamped='plane x 0.04'"
+                 --set "mesh.blade_tip='plane x 0.06'" --set "mesh.contact=''" ERRORS "20 nodes, 1 hex20" "no cuts: one body")
+endforeach()
+expect_message(import_without_a_unit FILE case.toml OLD "length_unit = \"mm\"\n" NEW "" EXIT_CODE 2
+               ERRORS "[mesh] has no length_unit, and it has no default; add it")
+expect_message(import_of_no_format ARGUMENTS case.toml --import case.toml --check EXIT_CODE 2
+               ERRORS "[mesh] has no mesh_format, and it has no default; add it")
+expect_message(import_of_a_wheel FILE case.toml OLD "contact = " NEW "family = \"impeller\"\ncontact = " EXIT_CODE 2 ERRORS "unknown key \"family\" in [mesh]")
+expect_message(import_of_no_file FILE case.toml OLD "brick.inp" NEW "nowhere.inp" EXIT_CODE 1 ERRORS "nowhere.inp")
+expect_message(import_unknown_set FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"bore\"" EXIT_CODE 2
+               ERRORS "brick.inp: [mesh] clamped = \"bore\": there is no set of this name with nodes of solids; there are: all, clamped, contact, solid")
+expect_message(import_selects_nothing FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"cylinder 40\"" EXIT_CODE 2
+               ERRORS "clamped = \"cylinder 40\" selects no face of the surface, of a radius up to 0.06" "is length_unit right?")
+expect_message(import_lacks_a_number FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"plane x\"" EXIT_CODE 2
+               ERRORS "clamped = \"plane x\" lacks a number")
+expect_message(import_of_no_plane FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"plane r 1\"" EXIT_CODE 2
+               ERRORS "must be plane x, y or z and a place")
+expect_message(import_one_cut FILE case.toml OLD "contact = " NEW "cyclic_low = \"contact\"\ncontact = " EXIT_CODE 2
+               ERRORS "cyclic_low needs the other cut beside it")
+expect_message(import_no_tip FILE case.toml OLD "contact = \"contact\"" NEW "" EXIT_CODE 2 ERRORS "needs beside it blade_tip")
+expect_message(import_no_such_sectors FILE case.toml OLD "contact = " NEW "sector_count = 6\ncontact = " EXIT_CODE 2
+               ERRORS "brick.inp: no face, turned by 360/6 degrees about the axis, is another one; is axis right")
+expect_message(import_tip_without_an_edge FILE case.toml OLD "contact = \"contact\"" NEW "blade_tip = \"all\"" EXIT_CODE 2
+               ERRORS "brick.inp: [mesh] blade_tip selects faces that have no single edge round them")
+expect_message(import_of_corners_only OLD "type=C3D20R" NEW "type=C3D8" EXIT_CODE 2
+               ERRORS "brick.inp:25: C3D8: elements that have corners only bend too stiffly; mesh again with quadratic ones")
+expect_message(import_of_27_nodes OLD "type=C3D20R" NEW "type=C3D27" EXIT_CODE 2 ERRORS "brick.inp:25: elements of type C3D27 are not known; C3D10")
+expect_message(import_without_a_node OLD "20, 40.0, 10.0, 0.0\n" NEW "" EXIT_CODE 2 ERRORS "brick.inp: element 7 names node 20, which isn't there")
+expect_message(import_of_a_node_twice OLD "20, 40.0, 10.0, 0.0\n" NEW "20, 40.0, 10.0, 0.0\n20, 0, 0, 0\n" EXIT_CODE 2
+               ERRORS "brick.inp:25: node 20 is there twice; does the file hold several parts? Write one")
+expect_message(import_of_no_number OLD "20, 40.0, 10.0, 0.0\n" NEW "20, 40.0, inf, 0.0\n" EXIT_CODE 2
+               ERRORS "brick.inp:24: \"inf\" stands for a coordinate, which must be a finite number")
+expect_message(import_of_an_include OLD "*NSET, NSET=clamped" NEW "*INCLUDE, INPUT=other.inp\n*NSET, NSET=clamped" EXIT_CODE 2
+               ERRORS "brick.inp:28: *INCLUDE leads to another file; give the file that holds the mesh")
+expect_message(import_cut_off_inp OLD ",\n12, 13, 14, 15, 16, 17, 18, 19, 20" NEW ", 12" EXIT_CODE 2
+               ERRORS "the last element of type C3D20R lacks nodes; is the file cut off?")
+expect_message(import_in_metres FILE case.toml OLD "\"mm\"" NEW "\"m\"" ERRORS "radius up to 60" WRITES sector.msh)
+expect_message(import_of_a_node_far_away OLD "20, 40.0, 10.0, 0.0" NEW "20, 4e7, 10.0, 0.0" EXIT_CODE 2
+               ERRORS "brick.inp: node 20 stands more than 1000 m from the origin; is length_unit right?")
+expect_message(import_of_nothing OLD "*ELEMENT" NEW "*OTHER" EXIT_CODE 2 ERRORS "brick.inp: holds no quadratic solid elements; is it the file of the mesh?")
+set(other --set "mesh.contact=''" --set "mesh.blade_tip='plane x 0.06'" --set "mesh.clamped='plane x 0.04'" --check)
+set(bdf ARGUMENTS case.toml --import brick.bdf ${other} FILE brick.bdf EXIT_CODE 2)
+expect_message(import_bdf_of_another_system ${bdf} OLD "GRID*                  1               0" NEW "GRID*                  1               2"
+               ERRORS "is given in coordinate system 2; write the file in the basic system, 0")
+expect_message(import_bdf_of_corners_only ${bdf} OLD "+              7       8       9      10" NEW "+              7       8                " ERRORS "CHEXA without mid-side nodes: elements that have corners only")
+set(cdb ARGUMENTS case.toml --import brick.cdb ${other} FILE brick.cdb EXIT_CODE 2)
+expect_message(import_cdb_without_columns ${cdb} OLD "(19i9)" NEW "(free)" ERRORS "must be the columns of the block, as (3i9,6e21.13e3) or (19i10)")
+expect_message(import_cdb_of_corners_only ${cdb} OLD "ET,1,186" NEW "ET,1,185" ERRORS "SOLID185: elements that have corners only")
+expect_message(import_cdb_cut_off ${cdb} OLD "N,R5.3" NEW "" ERRORS "brick.cdb:")
+set(unv ARGUMENTS case.toml --import brick.unv ${other} FILE brick.unv EXIT_CODE 2)
+expect_message(import_unv_of_corners_only ${unv} OLD "         7       116" NEW "         7       115" ERRORS "descriptor 115: elements that have corners only")
+expect_message(import_unv_of_few_nodes ${unv} OLD "         7       116" NEW "         7       118" ERRORS "an element of descriptor 118 has 20 nodes")

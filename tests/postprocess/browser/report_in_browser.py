@@ -1,0 +1,276 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A report's page in headless Chromium: the first screen of 1440 x 900 holds verdict, scene and response; a click on a peak
+changes all views to that speed, the wheel moves, values under the pointer are the tables'; pictures load, one is enlarged, tables are copied and
+seen whole, on the screen, on a telephone and on paper; without scripts pictures and tables are there; nothing comes from a network,
+and nothing complains.
+
+usage: report_in_browser.py PROGRAM SCENE_WRITER WORK_FOLDER
+Exit code 77 (skipped) without Chromium.
+"""
+import csv
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import chromium
+
+SKIPPED = 77
+WIDTH, HEIGHT = 1440, 900
+PAPER_WIDTH, PAPER_HEIGHT = 277 / 25.4 * 96, 190 / 25.4 * 96  # px: A4 on its side, margins of 10 mm
+LIVE = "document.documentElement.classList.contains('live')"
+VIEWS = "[...document.querySelectorAll('svg.chart')]"
+
+
+def opened(browser, page, width=WIDTH, height=HEIGHT, medium="screen", scheme="light"):
+    browser.size(width, height, mobile=width < 600)
+    browser.media(medium, scheme)
+    seconds = browser.open(page) + browser.wait(LIVE + " && document.querySelectorAll('svg.chart .frame').length >= 8")
+    assert browser.value("performance.getEntriesByType('resource').map(e => e.name).filter(n => !/^(data|blob):/.test(n))") == []
+    return seconds
+
+
+def check_first_screen(browser):
+    bottoms = browser.value("['.lead', '#brief', '#live-response svg', '.first figcaption'].map(name => "
+                            "document.querySelector(name).getBoundingClientRect().bottom)")
+    assert max(bottoms) <= HEIGHT, bottoms
+    lead, scene = (browser.value(f"document.querySelector('{name}').textContent") for name in (".lead", "#brief"))
+    for question in ("How bad", "Where", "Why", "Margin", "Trust"):
+        assert question in lead, question
+    for word in ("lobe", "clearance", "Interference", "Damping", "Speeds"):
+        assert word in scene, word
+
+
+def rows_of(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def shown(browser):
+    return browser.value("document.querySelector('#shown-speed').textContent")
+
+
+def click_peak(browser, number):
+    """In the response, where a peak's name stands, far above the curve."""
+    x, y = browser.value(f"(() => {{ const svg = document.querySelector('#live-response svg'); svg.scrollIntoView({{block: 'center'}});"
+                         f"const box = svg.getBoundingClientRect(), name = svg.querySelectorAll('.wave-name')[{number}];"
+                         "return [box.left + Number(name.getAttribute('x')), box.top + 60]; })()")
+    browser.click(x, y)
+
+
+def check_peaks(browser, report):
+    """A click on each critical speed: all views are of that speed."""
+    for number, peak in enumerate(rows_of(os.path.join(report, "critical_speeds.csv"))):
+        before = browser.value(VIEWS + ".map(view => view.innerHTML)")
+        click_peak(browser, number)
+        assert shown(browser).startswith(f"{float(peak['speed [rpm]']):.0f} rpm, critical: EO"), (shown(browser), peak)
+        after = browser.value(VIEWS + ".map(view => view.innerHTML)")
+        assert number == 0 or all(a != b for a, b in zip(before, after)), [a != b for a, b in zip(before, after)]
+
+
+def readout(browser, view, across, up):
+    """What is told above view `view` at shares of its width and height."""
+    x, y = browser.value(f"(() => {{ const view = {VIEWS}[{view}]; view.scrollIntoView({{block: 'center'}});"
+                         "const box = view.querySelector('.frame').getBoundingClientRect();"
+                         f"return [box.left + {across} * box.width, box.bottom - {up} * box.height]; }})()")
+    browser.hover(x, y)
+    return browser.value(f"{VIEWS}[{view}].previousSibling.querySelector('output').textContent")
+
+
+def check_values(browser, report):
+    """Under the pointer: the maps' tables, in total and of one nodal diameter."""
+    for view, edge in ((1, "leading"), (2, "trailing")):
+        rows = rows_of(os.path.join(report, "figures", f"interaction_map_{edge}_edge.csv"))
+        for part, column in (("total", "total [mm]"), ("4", "nodal diameter 4 [mm]")):
+            browser.value("(() => { const choice = document.querySelector('select[aria-label=\"Nodal diameters\"]');"
+                          f"choice.value = '{part}'; choice.dispatchEvent(new Event('change')); }})()")
+            for across, up in ((0.3, 0.3), (0.6, 0.5), (0.8, 0.7)):
+                told = readout(browser, view, across, up)
+                rpm, order, value = (float(found) for found in re.fullmatch(r"(\S+) rpm, \S+ Hz \(EO (\S+)\): (\S+) mm", told).groups())
+                row = min(rows, key=lambda row: (abs(float(row["speed [rpm]"]) - rpm), abs(float(row["engine order"]) - order)))
+                assert abs(float(row[column]) - value) <= 6e-4 * value + 1e-12, (told, row)
+    assert re.fullmatch(r"\d+ rpm: \S+ mm; .*", readout(browser, 0, 0.5, 0.5))
+    assert "sector" in readout(browser, 3, 0.5, 0.5) and "EO" in readout(browser, 5, 0.5, 0.5)
+
+
+def check_zoom_and_keys(browser):
+    ticks = "document.querySelector('#live-response svg .axes').textContent"
+    whole = browser.value(ticks)
+    browser.value("document.querySelector('button[aria-label=\"Tip amplitude over speed: zoom in\"]').click()")
+    assert browser.value(ticks) != whole
+    browser.value("document.querySelector('button[aria-label=\"Tip amplitude over speed: show all of it\"]').click()")
+    assert browser.value(ticks) == whole
+    before = shown(browser)
+    browser.value("document.querySelector('#live-response svg').focus()")
+    browser.call("Input.dispatchKeyEvent", type="keyDown", key="ArrowRight")
+    assert shown(browser) != before
+    edge = browser.value(VIEWS + "[3].innerHTML")
+    browser.value("(() => { const edge = document.querySelector('select[aria-label=\"Edge\"]'); edge.value = 'trailing';"
+                  "edge.dispatchEvent(new Event('change')); })()")
+    assert browser.value(VIEWS + "[3].innerHTML") != edge
+
+
+def check_pictures_and_tables(browser, report):
+    images, loaded = browser.value("(images => [images.length, images.filter(i => i.naturalWidth > 0).length])([...document.images])")
+    assert images >= 23 and loaded == images, (images, loaded)
+    assert browser.value("[...document.images].every(image => image.alt.length > 30)")
+    made = browser.value("document.querySelector('#run').textContent")
+    assert re.search(r"tiprub-postprocess \d.*case.toml of \d{4}-\d\d-\d\d.*pictures and tables [\d.]+ s", made, re.S), made
+    with open(os.path.join(report, "summary.json"), encoding="utf-8") as file:
+        summary = json.load(file)
+    assert [peak["speed [rpm]"] for peak in summary["critical_speeds"]] and summary["verdict"]["How bad"] in browser.value(
+        "document.querySelector('.lead').textContent")
+    assert browser.value("[...document.querySelectorAll('th')].every(cell => cell.scope)")
+    figure = "document.querySelectorAll('figure')[1]"
+    browser.value(f"{figure}.querySelector('button').click()")
+    assert browser.value(f"{figure}.classList.contains('large')")
+    browser.value("document.dispatchEvent(new KeyboardEvent('keydown', {key: 'Escape'}))")
+    assert not browser.value(f"{figure}.classList.contains('large')")
+    assert browser.value("document.querySelectorAll('button.copy').length == document.querySelectorAll('table').length")
+    copied = browser.value("(() => { let copied; document.execCommand = () => { copied = document.querySelector('body > textarea').value;"
+                           "return true; }; document.querySelector('button.copy').click(); return copied; })()")
+    assert copied.count("\n") + 1 == browser.value("document.querySelector('table').rows.length") and "\t" in copied
+    assert browser.value("[...document.querySelectorAll('.scroll')].every(box => box.closest('details') || box.scrollWidth <= box.clientWidth)")
+
+
+def check_sizes(browser, page):
+    """Nothing wider than the window, by day and by night."""
+    for width, scheme in ((390, "light"), (390, "dark"), (1024, "dark"), (WIDTH, "light")):
+        opened(browser, page, width, HEIGHT, scheme=scheme)
+        assert browser.value("document.documentElement.scrollWidth") <= width, width
+        ground, ink = browser.value("(style => [style.backgroundColor, style.color])(getComputedStyle(document.body))")
+        brightness = [sum(map(int, re.findall(r"\d+", colour)[:3])) for colour in (ground, ink)]
+        assert (brightness[0] > brightness[1]) == (scheme == "light") and abs(brightness[0] - brightness[1]) > 400, (ground, ink)
+
+
+def check_paper(browser, work, page):
+    """Columns and figures by layout, and by what a reader of the PDF finds, where there is one."""
+    opened(browser, page)
+    browser.media("print")
+    browser.size(round(PAPER_WIDTH), round(PAPER_HEIGHT))
+    found = browser.value("""(() => {
+      const seen = element => element.getClientRects().length > 0, tables = [...document.querySelectorAll('table')].filter(seen);
+      const sections = [...document.images].map(image => image.closest('section'));
+      return {pictures: [...document.images].every(seen), live: [...document.querySelectorAll('svg.chart')].some(seen),
+        right: Math.max(...tables.map(table => table.getBoundingClientRect().right)),
+        torn: sections.filter(section => getComputedStyle(section).breakInside !== 'avoid' || !section.querySelector('h2')).length,
+        tallest: Math.max(...sections.map(section => section.getBoundingClientRect().height)),
+        heads: tables.every(table => getComputedStyle(table.tHead).display === 'table-header-group'),
+        columns: tables.flatMap(table => [...table.rows[0].cells].map(cell => cell.textContent))}; })()""")
+    assert found["pictures"] and not found["live"] and found["torn"] == 0 and found["heads"], found
+    assert found["right"] <= PAPER_WIDTH + 1 and found["tallest"] <= PAPER_HEIGHT, found
+    paper = os.path.join(work, "report.pdf")
+    with open(paper, "wb") as file:
+        file.write(browser.pdf())
+    if shutil.which("pdftotext"):
+        text = subprocess.run(["pdftotext", "-layout", paper, "-"], stdout=subprocess.PIPE, text=True, check=True).stdout
+        missing = {word for column in found["columns"] for word in column.split() if word not in text}
+        assert not missing, missing
+
+
+def check_wheel(browser, page):
+    """Pixels change over a period, and with the colours; nothing moves in a pause; a click on another peak shows its motion."""
+    opened(browser, page)
+    pixels = "document.querySelector('canvas.wheel').toDataURL()"
+    browser.value("document.querySelector('#in-motion').scrollIntoView()")
+    browser.wait("document.querySelector('canvas.wheel')")
+    angle = "parseFloat(document.querySelector('#live-wheel output').textContent.match(/at (\\d+) deg/)[1])"
+    frames = []
+    for turned in (10, 100, 190):
+        browser.wait(f"{angle} >= {turned}")
+        frames.append(browser.value(pixels))
+    assert len(set(frames)) == 3 and min(map(len, frames)) > 5000, [len(frame) for frame in frames]
+    browser.value("document.querySelector('button[aria-label=\"Play or pause the motion\"]').click()")
+    browser.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    still = browser.value(pixels)
+    browser.value("new Promise(done => setTimeout(done, 300))")
+    assert browser.value(pixels) == still
+    seen = {still}
+    for label, chosen in (("Shown", "mode/2"), ("Shown", "motion/0"), ("Colours", "both")):
+        browser.value(f"(choice => {{ choice.value = '{chosen}'; choice.dispatchEvent(new Event('change')); }})"
+                      f"(document.querySelector('select[aria-label=\"{label}\"]'))")
+        seen.add(browser.value(pixels))
+    browser.value("document.querySelector('canvas.wheel').focus()")
+    browser.call("Input.dispatchKeyEvent", type="keyDown", key="ArrowLeft")
+    browser.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    seen.add(browser.value(pixels))
+    assert len(seen) >= 4, len(seen)  # the motion chosen may be the one that was there
+    shown_motion = "document.querySelector('select[aria-label=\"Shown\"]').value"
+    click_peak(browser, 1)
+    assert browser.value(shown_motion) == "motion/1"
+
+
+def check_comparison(browser, program, work):
+    """With another response of the same model: its curve, its maps, its critical speeds beside these."""
+    subprocess.run([program, "-q", "case.toml", "model.h5", "response.h5", "--compare", os.path.join(work, "report"), "-o", "compared"], check=True, cwd=work,
+                   stdout=subprocess.DEVNULL)
+    compared = os.path.join(work, "compared")
+    rows = rows_of(os.path.join(compared, "comparison.csv"))
+    assert len(rows) == len(rows_of(os.path.join(compared, "critical_speeds.csv")))
+    assert all(abs(float(row["shift [%]"])) < 1e-6 for row in rows), rows
+    opened(browser, os.path.join(compared, "report.html"))
+    assert browser.value("document.querySelector('#live-response path.other').getAttribute('d').length > 100")
+    assert browser.value("document.querySelector('#compared + div tbody, #compared ~ div tbody').rows.length") == len(rows)
+    own = readout(browser, 1, 0.6, 0.5)
+    browser.value("(choice => { choice.value = 'there'; choice.dispatchEvent(new Event('change')); })"
+                  "(document.querySelector('select[aria-label=\"Maps of\"]'))")
+    assert readout(browser, 1, 0.6, 0.5) == own != ""
+    check_sizes(browser, os.path.join(compared, "report.html"))  # the other's path is long
+
+
+def check_without_webgl(browser, page):
+    script = browser.call("Page.addScriptToEvaluateOnNewDocument", source="HTMLCanvasElement.prototype.getContext = (get => function(kind, ...more) {"
+                          "return kind === 'webgl' ? null : get.call(this, kind, ...more); })(HTMLCanvasElement.prototype.getContext)")
+    opened(browser, page)
+    assert browser.value("document.querySelector('#live-wheel img').naturalWidth") > 0
+    browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
+
+
+def check_without_scripts(browser, page):
+    browser.media()
+    browser.size(WIDTH, HEIGHT)
+    browser.scripts(False)
+    browser.open(page)
+    browser.scripts(True)
+    found = browser.value("[[...document.images].every(image => image.getClientRects().length > 0), "
+                          "[...document.querySelectorAll('.live-only')].some(element => element.getClientRects().length > 0), "
+                          "document.querySelectorAll('table').length, document.images[0].getBoundingClientRect().bottom]")
+    assert found[0] and not found[1] and found[2] > 5 and found[3] <= HEIGHT, found
+
+
+def main(program, writer, work):
+    if chromium.installed() is None:
+        print("skipped: no Chromium on this machine; .ci/install-packages packages-gate.txt brings it")
+        return SKIPPED
+    shutil.rmtree(work, ignore_errors=True)
+    os.makedirs(work)
+    subprocess.run([writer, work], check=True, cwd=work)
+    subprocess.run([program, "-q", "case.toml", "model.h5", "cycles_response.h5", "--fields", "fields.h5", "-o", "report"],
+                   check=True, cwd=work, stdout=subprocess.DEVNULL)
+    report = os.path.join(work, "report")
+    page = os.path.join(report, "report.html")
+    with chromium.Chromium(work) as browser:
+        opened(browser, page)
+        seconds = min(opened(browser, page) for _ in range(4))  # other tests may run beside this one
+        print(f"opened in {seconds:.2f} s")
+        assert seconds < 2, seconds
+        check_first_screen(browser)
+        check_peaks(browser, report)
+        check_values(browser, report)
+        check_zoom_and_keys(browser)
+        check_pictures_and_tables(browser, report)
+        check_sizes(browser, page)
+        check_wheel(browser, page)
+        check_without_webgl(browser, page)
+        check_comparison(browser, program, work)
+        check_paper(browser, work, page)
+        check_without_scripts(browser, page)
+        assert browser.errors == [], browser.errors
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*map(os.path.abspath, sys.argv[1:4])))

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/sector/reduction_parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace tiprub {
+namespace {
+
+ReductionParameters read(const std::string& keys) {
+  const auto path = std::filesystem::path(::testing::TempDir()) / "reduction_parameters.toml";
+  std::ofstream(path) << "[reduce]\nyoung_modulus = 2e11\npoisson_ratio = 0.3\ndensity = 7800\nspeed_max_rpm = 1e4\n"
+                      << keys;
+  CaseFile file(path);
+  CaseTable table = file.table("reduce");
+  return read_reduction_parameters(table);
+}
+
+TEST(ReductionParameters, AccuracySetsTheSizeOfTheBasis) {
+  const ReductionParameters usual = read(""), fine = read("accuracy = 0.005\n"), coarse = read("accuracy = 0.1\n");
+  EXPECT_EQ(read("accuracy = 0.02\n").modes_at_speed, usual.modes_at_speed);
+  EXPECT_EQ(fine.fixed_interface_modes, 2 * usual.fixed_interface_modes);
+  EXPECT_EQ(fine.modes_at_speed, 2 * usual.modes_at_speed);
+  EXPECT_DOUBLE_EQ(fine.frequency_tolerance, usual.frequency_tolerance / 4);
+  EXPECT_EQ(coarse.modes_at_speed, usual.modes_at_speed);  // fewer save next to nothing
+  EXPECT_DOUBLE_EQ(coarse.frequency_tolerance, 5 * usual.frequency_tolerance);
+  EXPECT_LE(read("accuracy = 1e-5\n").fixed_interface_modes, 500);
+  EXPECT_EQ(read("accuracy = 0.005\nmodes_at_speed = 50\n").modes_at_speed, 50);  // a key of its own goes first
+}
+
+}  // namespace
+}  // namespace tiprub

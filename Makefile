@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #   make demo       installs what is missing, builds, and runs the quick impeller from its case to its report
+#   make install PREFIX=/opt/tiprub   programs, manual, completion, cases, and the files' libraries;  make deb  makes Debian packages of them
 #   make test       installs what is missing, builds, and tests;  make test-all takes the slow tests in
 #   make test-sanitized   the unit tests in a Debug build with address and undefined-behaviour sanitizers
 #   make fuzz       5,000 damaged inputs of a new seed for the readers of all files;  FUZZ_INPUTS, FUZZ_SEED; BUILD=build-sanitized
@@ -9,11 +10,12 @@
 #   make format     formats the code;  make check-format and make lint check it
 BUILD ?= build
 JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
 DEMO := cases/impeller_quick
 PAPER_CASES ?= cases/impeller cases/impeller_three_lobes
 FUZZ_INPUTS ?= 5000
 
-.PHONY: all packages configure programs tests demo test test-all test-sanitized fuzz paper-checks bench format check-format lint clean
+.PHONY: all packages configure programs manual tests demo install deb test test-all test-sanitized fuzz paper-checks bench format check-format lint clean
 all: programs
 
 packages:
@@ -25,6 +27,16 @@ configure: packages
 
 programs: configure
 	ninja -C $(BUILD) -j $(JOBS) programs
+
+manual: programs
+	ninja -C $(BUILD) -j $(JOBS) manual
+
+install: manual
+	cmake --install $(BUILD) --prefix $(PREFIX)
+
+deb: manual
+	cd $(BUILD) && cpack
+	@echo "As root: apt-get install $(abspath $(BUILD))/tiprub_*.deb"
 
 tests: configure
 	ninja -C $(BUILD) -j $(JOBS)
@@ -44,8 +56,8 @@ test-all: tests
 # operands' end into what the sanitizers leave unmapped; the older kernels don't.
 # The unit tests of all rooms, but not what runs long numerics again (slow; stability, chain, peers), nor what counts on the time
 # or the memory that a program takes, nor the comparison with Trilinos' eigensolver.
-SANITIZED := programs write-synthetic-scene gmsh_sector cases_test mesh_test model_file_test reduce_test reduce_linear_test \
-  simulate_test postprocess-test postprocess-program-test planted_fault convert_sector tiprub_fuzz
+SANITIZED := programs write-synthetic-scene gmsh_sector cases_test blas_kernels_test mesh_test model_file_test reduce_test reduce_linear_test \
+  split_sector simulate_test postprocess-test postprocess-program-test planted_fault convert_sector tiprub_fuzz
 SANITIZERS := LSAN_OPTIONS=suppressions=$(CURDIR)/.ci/leaks.supp:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1 \
   ASAN_OPTIONS=detect_container_overflow=0 OPENBLAS_CORETYPE=Nehalem
 

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the readers and writers of Tiprub's files stand on.
+include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(Threads)
+find_dependency(CLI11 2.1)
+find_dependency(PkgConfig)
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+set(HDF5_PREFER_PARALLEL OFF)
+find_dependency(HDF5 1.10 COMPONENTS C HL)
+include(${CMAKE_CURRENT_LIST_DIR}/TiprubTargets.cmake)

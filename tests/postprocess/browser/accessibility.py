@@ -54,7 +54,7 @@ def check(browser, page, axe):
         browser.open(page)
         browser.wait(LIVE)
         browser.value("document.querySelector('#in-motion').scrollIntoView()")
-        browser.wait("document.querySelector('canvas.wheel')")
+        browser.wait("document.querySelector('canvas.wheel, #live-wheel img')")
         browser.value(axe + "; 0")
         passed, found = browser.value("axe.run().then(found => [found.passes.length, found.violations.map(rule => [rule.impact, rule.id, "
                                       "rule.nodes.slice(0, 3).map(node => node.html.slice(0, 200) + ': ' + node.failureSummary)])])")

@@ -23,7 +23,7 @@ def installed():
 class Chromium:
     """One page. `errors`: what its console and its exceptions said."""
 
-    def __init__(self, folder, timeout=60):
+    def __init__(self, folder, timeout=110):
         self.folder, self.timeout, self.errors, self.number = folder, timeout, [], 0
 
     def __enter__(self):

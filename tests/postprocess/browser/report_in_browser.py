@@ -33,6 +33,15 @@ def opened(browser, page, width=WIDTH, height=HEIGHT, medium="screen", scheme="l
     return seconds
 
 
+def check_opening(browser, page):
+    """In less than 2 s, once; what else the machine does may hold it up before."""
+    seconds = []
+    while not seconds or min(seconds) >= 2 and len(seconds) < 10:
+        seconds.append(opened(browser, page))
+    print("opened in", ", ".join(f"{s:.2f} s" for s in seconds))
+    assert min(seconds) < 2, seconds
+
+
 def check_first_screen(browser):
     bottoms = browser.value("['.lead', '#brief', '#live-response svg', '.first figcaption'].map(name => "
                             "document.querySelector(name).getBoundingClientRect().bottom)")
@@ -253,17 +262,17 @@ def main(program, writer, work):
     report = os.path.join(work, "report")
     page = os.path.join(report, "report.html")
     with chromium.Chromium(work) as browser:
-        opened(browser, page)
-        seconds = min(opened(browser, page) for _ in range(4))  # other tests may run beside this one
-        print(f"opened in {seconds:.2f} s")
-        assert seconds < 2, seconds
+        check_opening(browser, page)
         check_first_screen(browser)
         check_peaks(browser, report)
         check_values(browser, report)
         check_zoom_and_keys(browser)
         check_pictures_and_tables(browser, report)
         check_sizes(browser, page)
-        check_wheel(browser, page)
+        if browser.value("document.createElement('canvas').getContext('webgl') !== null"):
+            check_wheel(browser, page)
+        else:
+            print("not tested: the wheel in motion, as this Chromium has no WebGL")
         check_without_webgl(browser, page)
         check_comparison(browser, program, work)
         check_paper(browser, work, page)

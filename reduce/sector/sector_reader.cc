@@ -195,6 +195,19 @@ std::vector<int> read_line(const GmshFile& file, const std::string& name, const 
   return nodes;
 }
 
+/// The line along the splitter's tip, which may be absent, but not by mistake.
+std::vector<int> read_splitter_line(const GmshFile& file, const NodeNumbers& numbers, const SectorMesh& mesh) {
+  const std::string name = "contact_splitter";
+  std::vector<int> nodes = read_line(file, name, numbers, mesh);
+  const bool named = std::any_of(file.elements.begin(), file.elements.end(),
+                                 [&](const GmshElements& elements) { return elements.group == name; });
+  if (named && nodes.empty())
+    throw InputError(mesh.file + ": \"" + name +
+                     "\" names neither a curve nor points; name the line along the splitter's tip so, from leading "
+                     "to trailing edge");
+  return nodes;
+}
+
 }  // namespace
 
 SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance) {
@@ -217,7 +230,7 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
         mesh.file +
         ": has no curve or points named \"contact\" (the main blade's tip, from leading to trailing edge); "
         "name it in the mesher");
-  mesh.splitter_line = read_line(file, "contact_splitter", numbers, mesh);
+  mesh.splitter_line = read_splitter_line(file, numbers, mesh);
   if (!mesh.splitter_line.empty()) mesh.splitter_faces = read_tip(file, "splitter_tip", numbers);
   require_one_way(mesh);
   return mesh;

@@ -4,7 +4,8 @@
 
 usage: foreign.py PROGRAMS_FOLDER TESTS_FOLDER SMALL_CASE WORK_FOLDER
 
-A wheel of gmsh's in msh 2.2, CalculiX's deck, and K and M in Matrix Market; cad_blade.py has a STEP file.
+A wheel of gmsh's in msh 2.2, CalculiX's deck, a model of another code's by h5py, and K and M in Matrix Market; cad_blade.py
+has a STEP file.
 """
 import os
 import re
@@ -50,9 +51,10 @@ class Chain:
 
 
 def main(programs, tests, case, work):
-    sys.path[:0] = [os.path.join(tests, "mesh"), os.path.join(tests, "peers")]
+    sys.path[:0] = [os.path.join(tests, room) for room in ("mesh", "peers", "simulate")]
     import foreign_formats
     import matrices
+    import small_wheel
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
     chain = Chain(programs, case, work)
@@ -67,6 +69,10 @@ def main(programs, tests, case, work):
     chain.run("tiprub-mesh", "-q", "case.toml", "-o", "sector.msh")
     chain.reduce("sector.msh")
     chain.report("calculix")
+    small_wheel.write_model(os.path.join(work, "model.h5"))
+    with open(os.path.join(work, "case.toml"), "w", encoding="utf-8") as file:
+        file.write(small_wheel.CASE + "[postprocess]\n")
+    chain.report("h5py", fields=())
     if shutil.which("ccx") is None:
         print("SKIPPED: K and M are made by CalculiX (ccx), which is not installed")
         return

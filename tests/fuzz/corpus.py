@@ -4,7 +4,7 @@
 
     corpus.py STAGE PROGRAMS_FOLDER SCENE_FOLDER WORK_FOLDER
 
-STAGE is case, mesh, matrices, model, fields or response; corpus_STAGE.py holds its ENTRIES.
+STAGE is case, mesh, matrices, model, fields, response or splitters; corpus_STAGE.py holds its ENTRIES.
 """
 import concurrent.futures
 import importlib

@@ -9,8 +9,8 @@ GROUPS = {"sector": "has no volume group", "cyclic_low": "has no surface group",
           "clamped": "has no surface group", "contact": "has no curve or points named"}
 
 
-def entry(name, change, phrase, code=2):
-    return Entry(name, "reduce", "sector.msh", edit(change), code, phrase)
+def entry(name, change, phrase, options=()):
+    return Entry(name, "reduce", "sector.msh", edit(change), 2, phrase, options)
 
 
 def without_section(name):

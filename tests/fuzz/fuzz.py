@@ -16,6 +16,7 @@ FILES = {"case": "case.toml", "mesh": "sector.msh", "model": "model.h5", "fields
 # Files beside this one, of formats of others.
 FOREIGN = {"sections": "blades/sections.txt", "profile": "blades/profile.curve", "meanline": "blades/meanline.rtzt",
            "stiffness": "matrices/stiffness.mtx", "mass": "matrices/mass.mtx", "nodes": "matrices/nodes.csv", "rows": "matrices/rows.dof",
+           "casing": "tables/casing.csv", "pairs": "tables/pairs.csv",
            **{name: f"meshes/brick.{name}" for name in ("inp", "bdf", "cdb", "unv")}}
 
 

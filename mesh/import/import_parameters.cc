@@ -22,6 +22,22 @@ std::optional<MeshFormat> usual_format(const std::string& name) {
   return std::nullopt;
 }
 
+/// What can't be read here may still be read by gmsh.
+void require_format(const CaseTable& table, const std::string& name) {
+  if (table.has("mesh_format") || usual_format(name)) return;
+  const std::filesystem::path path(name);
+  const std::string end = path.extension().string();
+  const std::string unv = std::filesystem::path(path).replace_extension(".unv").string();
+  if (end == ".msh")
+    table.reject("mesh_file",
+                 "is gmsh's: tiprub-reduce takes it as it is, if it is in metres and its groups are named; "
+                 "else write it as a format that is read here: gmsh " +
+                     name + " -save -o " + unv);
+  for (const char* cad : {".step", ".stp", ".iges", ".igs", ".brep", ".geo"})
+    if (end == cad) table.reject("mesh_file", "has no mesh yet: gmsh " + name + " -3 -order 2 -o " + unv);
+  table.reject("mesh_file", "doesn't end as a format that is known; name it: mesh_format = inp, bdf, cdb or unv");
+}
+
 }  // namespace
 
 bool is_import(const CaseTable& table) {
@@ -31,6 +47,7 @@ bool is_import(const CaseTable& table) {
 ImportParameters read_import_parameters(CaseTable& table) {
   ImportParameters parameters;
   parameters.file = table.file("mesh_file", "a mesh of another code");
+  require_format(table, parameters.file.name);
   parameters.format = table.choice<MeshFormat>(
       "mesh_format", usual_format(parameters.file.name),
       {{"inp", MeshFormat::inp}, {"bdf", MeshFormat::bdf}, {"cdb", MeshFormat::cdb}, {"unv", MeshFormat::unv}});

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <functional>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -102,34 +103,32 @@ Map tips() {
   });
 }
 
-Map penalty() {
-  static const std::vector<double> springs = {1, 10, 100, 1000, 10000};
-  return {"penalty",
+/// One number of a scheme against the steps.
+Map number_of(Scheme scheme, const char* name, double SimulateParameters::*number, const std::vector<double>& values,
+              const std::vector<double>& steps) {
+  std::vector<std::string> rows;
+  for (const double value : values) rows.push_back((std::ostringstream() << value).str());
+  return {name,
           "steps a revolution",
-          {"1", "10", "100", "1000", "10000"},
-          {1920, 3840, 7680, 15360, 30720, 61440},
-          [](std::size_t row, double steps) {
-            Trial trial = stepped(made_wheel(2), steps);
-            trial.parameters.scheme = Scheme::penalty;
-            trial.parameters.penalty_stiffness = springs[row];
+          rows,
+          steps,
+          [=](std::size_t row, double count) {
+            Trial trial = stepped(made_wheel(2), count);
+            trial.parameters.scheme = scheme;
+            trial.parameters.*number = values[row];
             return trial;
           },
           false};
 }
 
+Map penalty() {
+  return number_of(Scheme::penalty, "penalty", &SimulateParameters::penalty_stiffness, {1, 10, 100, 1000, 10000},
+                   {1920, 3840, 7680, 15360, 30720, 61440});
+}
+
 Map theta() {
-  static const std::vector<double> thetas = {0.4, 0.48, 0.5, 0.6, 1};
-  return {"Moreau-Jean's theta",
-          "steps a revolution",
-          {"0.4", "0.48", "0.5", "0.6", "1"},
-          steps_a_revolution,
-          [](std::size_t row, double steps) {
-            Trial trial = stepped(made_wheel(2), steps);
-            trial.parameters.scheme = Scheme::moreau_jean;
-            trial.parameters.theta = thetas[row];
-            return trial;
-          },
-          false};
+  return number_of(Scheme::moreau_jean, "Moreau-Jean's theta", &SimulateParameters::theta, {0.4, 0.48, 0.5, 0.6, 1},
+                   steps_a_revolution);
 }
 
 Map modes() {

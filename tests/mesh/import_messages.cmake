@@ -12,7 +12,11 @@ endforeach()
 expect_message(import_without_a_unit FILE case.toml OLD "length_unit = \"mm\"\n" NEW "" EXIT_CODE 2
                ERRORS "[mesh] has no length_unit, and it has no default; add it")
 expect_message(import_of_no_format ARGUMENTS case.toml --import case.toml --check EXIT_CODE 2
-               ERRORS "[mesh] has no mesh_format, and it has no default; add it")
+               ERRORS "[mesh] mesh_file doesn't end as a format that is known; name it: mesh_format = inp, bdf, cdb or unv")
+expect_message(import_of_gmshs_own INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/import.toml=case.toml ${bricks}/brick.inp=brick.msh FILE case.toml OLD "brick.inp"
+               NEW "brick.msh" EXIT_CODE 2 ERRORS "[mesh] mesh_file is gmsh's: tiprub-reduce takes it" "gmsh brick.msh -save -o brick.unv")
+expect_message(import_of_cad INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/import.toml=case.toml ${bricks}/brick.inp=brick.step FILE case.toml OLD "brick.inp"
+               NEW "brick.step" EXIT_CODE 2 ERRORS "[mesh] mesh_file has no mesh yet: gmsh brick.step -3 -order 2 -o brick.unv")
 expect_message(import_of_a_wheel FILE case.toml OLD "contact = " NEW "family = \"impeller\"\ncontact = " EXIT_CODE 2 ERRORS "unknown key \"family\" in [mesh]")
 expect_message(import_of_no_file FILE case.toml OLD "brick.inp" NEW "nowhere.inp" EXIT_CODE 1 ERRORS "nowhere.inp")
 expect_message(import_unknown_set FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"bore\"" EXIT_CODE 2

@@ -126,31 +126,32 @@ def responses(results):
 
 
 PAGE = """<!doctype html>
-<html lang="en"><meta charset="utf-8"><title>{title}</title>
-<style>body {{ font: 15px sans-serif; margin: 2em auto; max-width: 1150px }} td, th {{ padding: .2em .7em; text-align: left; border-bottom: 1px solid #ddd }}
-table {{ border-collapse: collapse }} svg {{ max-width: 100%; height: auto }}</style>
+<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>{title}</title>
+<style>body {{ font: 15px sans-serif; margin: 2em auto; padding: 0 1em; max-width: 1150px }}
+td, th {{ padding: .2em .7em; text-align: left; border-bottom: 1px solid #ddd }} td:first-child {{ white-space: nowrap }}
+td:last-child {{ min-width: 22em }} table {{ border-collapse: collapse }} .wide, figure {{ margin: 0; overflow-x: auto }}
+svg {{ min-width: 640px; max-width: 100%; height: auto }}</style>
 <h1>{title}</h1>
 <p>{counts} All critical speeds with all their labels: <a href="study.csv">study.csv</a>.</p>
-<table>{table}</table>
+<div class="wide" tabindex="0" role="region" aria-label="The points"><table>{table}</table></div>
 {figures}
 </html>
 """
 
 
 def page(results, summary):
-    def cells(kind, row):
-        return "<tr>" + "".join(f"<{kind}>{cell}</{kind}>" for cell in row) + "</tr>"
     heading, *rows = summary
-    table = cells("th", map(html.escape, heading))
+    table = "<tr>" + "".join(f'<th scope="col">{html.escape(name)}</th>' for name in heading) + "</tr>"
     for row in rows:
         link = os.path.join(os.path.relpath(results.runs, results.report), "points", row[0], "report", "report.html")
         name = row[0] if NOTE in row else f'<a href="{html.escape(link)}">{row[0]}</a>'
-        table += cells("td", [name, *map(html.escape, row[1:])])
+        table += "<tr>" + "".join(f"<td>{cell}</td>" for cell in [name, *map(html.escape, row[1:])]) + "</tr>"
     figures = [(f"Critical speeds over {axis}", over_axis(results, i)) for i, axis in enumerate(results.axes)]
     figures.append(("Amplitude over speed", responses(results)))
     there = sum(NOTE not in row for row in rows)
     return PAGE.format(title=html.escape(results.study.title), table=table, counts=f"{there} of {len(rows)} points have a report.",
-                       figures="\n".join(f"<h2>{html.escape(title)}</h2>{picture}" for title, picture in figures if picture))
+                       figures="\n".join(f'<h2>{html.escape(title)}</h2><figure role="img" aria-label="{html.escape(title)}; its numbers are in the table">{picture}</figure>'
+                                         for title, picture in figures if picture))
 
 
 def main(path, runs, report):

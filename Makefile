@@ -54,8 +54,8 @@ test-all: tests
 # detect_container_overflow: vectors pass between our code and libraries that are built without it, which it takes for wrong.
 # OPENBLAS_CORETYPE: zgemv of OpenBLAS 0.3.21 for Sandy Bridge, Haswell and Skylake crashes on a read there, as if it read past its
 # operands' end into what the sanitizers leave unmapped; the older kernels don't.
-# The unit tests of all rooms, but not what runs long numerics again (slow; stability, chain, peers; orders of branches), nor what counts on the time
-# or the memory that a program takes, nor the comparison with Trilinos' eigensolver.
+# The unit tests of all rooms, but not what runs long numerics again (slow; stability, chain, peers; orders of branches), nor what
+# counts on the time or the memory that a program takes, nor the comparison with Trilinos' eigensolver.
 SANITIZED := programs write-synthetic-scene gmsh_sector cases_test blas_kernels_test mesh_test model_file_test reduce_test reduce_linear_test \
   split_sector simulate_test postprocess-test postprocess-program-test planted_fault convert_sector tiprub_fuzz
 SANITIZERS := LSAN_OPTIONS=suppressions=$(CURDIR)/.ci/leaks.supp:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1 \

@@ -2,11 +2,8 @@
 #include "cases/program/case_file.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <sstream>
 
 #include "cases/program/case_settings.h"
@@ -21,8 +18,6 @@ namespace {
 
 constexpr std::array<std::string_view, 6> program_tables = {"mesh",     "reduce",      "casing",
                                                             "simulate", "postprocess", "material"};
-
-constexpr std::uintmax_t largest_text = 4 << 20;  // [byte]
 
 /// In as few digits as it takes to read the same number again; 6, or 17.
 std::string shortest(double value) {
@@ -41,25 +36,6 @@ std::string shortest(double value) {
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-/// A folder, a device or a pipe is none: they might never end.
-std::string text_of(const std::filesystem::path& path, const std::string& kind) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    throw RunError(path.string() + ": can't be read: it is " + (fs::is_directory(status) ? "a folder" : "no file") +
-                   "; name " + kind);
-  if (fs::exists(status) && fs::file_size(path, ignored) > largest_text)
-    throw InputError(path.string() + ": is larger than " + std::to_string(largest_text >> 20) + " MiB; name " + kind);
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream.is_open() || stream.bad())
-    throw RunError(path.string() + ": can't be read" + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
-  if (const TextFault fault = fault_of_letters(text)) throw InputError(path.string() + *fault);
   return text;
 }
 
@@ -121,7 +97,7 @@ struct CaseTable::Node {
   }
   NamedText file_beside(const std::string& name, const std::string& kind) const {
     const std::filesystem::path file_path = std::filesystem::path(file).parent_path() / name;
-    return {file_path.string(), text_of(file_path, kind)};
+    return read_named_text(file_path, kind);
   }
 
   /// Numbers of a list, and where they stand.
@@ -336,7 +312,7 @@ std::string CaseTable::resolved() const {
 }
 
 CaseFile::CaseFile(const std::filesystem::path& path, const std::vector<std::string>& settings)
-    : source_(text_of(path, "a case file")), root_(std::make_shared<CaseTable::Node>()) {
+    : source_(read_named_text(path, "a case file").text), root_(std::make_shared<CaseTable::Node>()) {
   root_->file = path.string();
   toml::table values = parse_case(source_, root_->file);
   if (!settings.empty() && !source_.ends_with('\n')) source_ += '\n';

@@ -201,7 +201,8 @@ std::string summary(const ReducedModel& model, const ReductionReport& report) {
   const ModelError verified = model_error(model);
   std::ostringstream line;
   line << sectors_in_words(model.sector_count) << " of " << report.sector_dofs << " dofs -> " << dofs << " dofs, "
-       << dofs_at_speed << " at any one speed (" << model.sector_count * contact << " of contact); first "
+       << dofs_at_speed << " at any one speed (" << model.sector_count * contact << " of contact, "
+       << (model.contact.kind == ContactKind::points ? "at points" : "by segments") << "); first "
        << verified.frequencies << " frequencies within " << 100 * verified.error << " % at "
        << model.verification.speeds.size() << " speeds";
   if (model.verification.polynomial_misfit.size() > 0)

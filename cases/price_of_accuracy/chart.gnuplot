@@ -27,16 +27,16 @@ do for [q = 1:3] {
   set xrange [20:300]
   set xtics (20, 50, 100, 200)
   set yrange [0.02:100]
-  if (q == 3) { set key at screen 0.81,0.95 left top Left reverse } else { unset key }
+  if (q == 3) { set key at screen 0.81,0.95 left top Left reverse spacing 1.5 } else { unset key }
   plot frontier(q) using 1:(100*$2) with steps linewidth 2 linecolor rgb "#0072b2" title "frontier of whole settings", \
     rows("mesh.tsv", "combination") using 8:(per_cent(12 + q)) with points pointtype 7 pointsize 0.9 linecolor rgb "#0072b2" title "a whole setting", \
     "" using 8:(per_cent(12 + q)):(strstrt(strcol(2), "the case") ? "" : word(strcol(2), 1)[1:strstrt(word(strcol(2)."", 1).",", ",") - 1]) with labels offset 0.8,0.6 font ",10" textcolor rgb "#0072b2" notitle, \
-    rows("mesh.tsv", "combination") using (strcol(2)[1:16] eq "the case: points" ? $8 : NaN):(per_cent(12 + q)) with points pointtype 6 pointsize 2.2 linewidth 2 linecolor rgb "#000000" title "the case as it is", \
-    rows("mesh.tsv", "combination") using (strcol(2)[1:18] eq "the case, segments" ? $8 : NaN):(per_cent(12 + q)) with points pointtype 4 pointsize 2.2 linewidth 2 linecolor rgb "#000000" title "the case, by segments", \
+    rows("mesh.tsv", "combination") using (strcol(2)[1:16] eq "the case: points" ? $8 : NaN):(per_cent(12 + q)) with points pointtype 6 pointsize 2.2 linewidth 2 linecolor rgb "#000000" title "the case: at points", \
+    rows("mesh.tsv", "combination") using (strcol(2)[1:20] eq "the case, by default" ? $8 : NaN):(per_cent(12 + q)) with points pointtype 4 pointsize 2.2 linewidth 2 linecolor rgb "#000000" title "the default: by segments", \
     rows("mesh.tsv", "finest") using (column(12 + q) > 0 ? $8 : NaN):(per_cent(12 + q)) with linespoints pointtype 8 linecolor rgb "#d55e00" title "the finest on each mesh"
   set tmargin at screen 0.45
   set bmargin at screen 0.08
-  set ylabel (q == 1 ? "one knob at a time: error" : "")
+  set ylabel (q == 1 ? "one knob at a time: error" : "") offset 1,0
   set xrange [25:300]
   set xtics (30, 50, 100, 200)
   set yrange [least:100]

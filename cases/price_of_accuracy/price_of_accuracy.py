@@ -58,7 +58,7 @@ KNOBS = {  # group: name: what differs from the base
 }
 
 
-SEGMENTS = {"reduce.contact": '"segments"'}
+SEGMENTS = {"reduce.contact": '"segments"'}  # the default, which the cases with published tables don't take
 
 
 def asked(accuracy):
@@ -71,7 +71,7 @@ def meshed(name):
 
 
 COMBINATIONS = {  # beside the reference of mesh.tsv; the first is the case as it is
-    "the case: points, accuracy 0.02": {}, "the case, segments": SEGMENTS,
+    "the case: points, accuracy 0.02": {}, "the case, by default: segments": SEGMENTS,
     "8 along the chord, accuracy 0.1": {**meshed("8"), **asked(0.1)}, "8, accuracy 0.02": meshed("8"),
     "12, accuracy 0.1": {**meshed("12"), **asked(0.1)}, "12, accuracy 0.02": meshed("12"),
     "16, accuracy 0.1": {**meshed("16"), **asked(0.1)}, "16, accuracy 0.02": meshed("16"), "16, accuracy 0.005": {**meshed("16"), **asked(0.005)},

@@ -207,6 +207,13 @@ ContactUnknowns joined(const ContactUnknowns& main, const ContactUnknowns& split
   return all;
 }
 
+ContactKind usual_kind(const SectorMesh& mesh) {
+  const bool main = mesh.tip_faces.size() > 0 && mesh.contact_line.size() > 1;
+  const bool splitter =
+      mesh.splitter_line.empty() || (mesh.splitter_faces.size() > 0 && mesh.splitter_line.size() > 1);
+  return main && splitter ? ContactKind::segments : ContactKind::points;
+}
+
 }  // namespace
 
 SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact) {
@@ -228,9 +235,9 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact) {
   return dofs;
 }
 
-ContactUnknowns choose_contact(const SectorMesh& mesh, ContactKind kind, int count) {
+ContactUnknowns choose_contact(const SectorMesh& mesh, std::optional<ContactKind> kind, int count) {
   const std::vector<int> nodes = choose_contact_nodes(mesh, count);
-  if (kind == ContactKind::points) return {nodes, describe_contact(mesh, nodes)};
+  if (kind.value_or(usual_kind(mesh)) == ContactKind::points) return {nodes, describe_contact(mesh, nodes)};
   const ContactUnknowns main =
       segments_of(mesh, {"blade_tip", "contact", "main blade", mesh.tip_faces, mesh.contact_line}, count);
   if (mesh.splitter_line.empty()) return main;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 #include <vector>
 
 #include "reduce/model/reduced_model.h"
@@ -21,7 +22,8 @@ struct ContactUnknowns {
 /// the tip is clamped or lies on a cut face.
 SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact);
 
-/// `count` contact unknowns on each blade that has a contact line. Points: choose_contact_nodes().
+/// `count` contact unknowns on each blade that has a contact line, of the kind that is asked for; of none: segments
+/// if the mesh names the tips' faces, and a line has more than a node, else points. Points: choose_contact_nodes().
 ///
 /// Segments: knots in equal steps of a blade's contact line's arc length s, and a hat w_k(s) about each, constant
 /// through the blade's thickness, so that all hats together are one. With N_i the shape functions of the tip's faces,
@@ -31,6 +33,6 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact);
 /// point doesn't. Places, arc lengths and normals (made unit again) are the same means of the nodes'. Raises
 /// InputError if the mesh doesn't name the tip's faces, if they leave out a stretch of the line, or if there are more
 /// segments than the mesh can tell apart.
-ContactUnknowns choose_contact(const SectorMesh& mesh, ContactKind kind, int count);
+ContactUnknowns choose_contact(const SectorMesh& mesh, std::optional<ContactKind> kind, int count);
 
 }  // namespace tiprub

@@ -23,6 +23,13 @@ int modes_for(double accuracy, int usual) {
   return std::min(static_cast<int>(std::lround(usual * more)), most_modes);
 }
 
+std::optional<ContactKind> read_contact(CaseTable& table) {
+  using Contact = std::optional<ContactKind>;
+  return table.choice<Contact>(
+      "contact", std::optional<Contact>(std::in_place),
+      {{"automatic", Contact()}, {"points", ContactKind::points}, {"segments", ContactKind::segments}});
+}
+
 }  // namespace
 
 ReductionParameters read_reduction_parameters(CaseTable& table) {
@@ -37,8 +44,7 @@ ReductionParameters read_reduction_parameters(CaseTable& table) {
       "prestress", Prestress::linear,
       {{"linear", Prestress::linear}, {"stress_only", Prestress::stress_only}, {"nonlinear", Prestress::nonlinear}});
   p.spin_softening = table.flag("spin_softening", true) ? SpinSoftening::on : SpinSoftening::off;
-  p.contact = table.choice<ContactKind>("contact", ContactKind::points,
-                                        {{"points", ContactKind::points}, {"segments", ContactKind::segments}});
+  p.contact = read_contact(table);
   p.contact_nodes = table.integer("contact_nodes", 10, Range::between(1, 200), "");
   p.fixed_interface_modes =
       table.integer("fixed_interface_modes", modes_for(accuracy, 40), Range::between(1, most_modes), "a speed");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ struct ReductionParameters {
   double speed_max = 0;  ///< [rad/s] Omega_max of eq. 7
   Prestress prestress = Prestress::linear;
   SpinSoftening spin_softening = SpinSoftening::on;
-  ContactKind contact = ContactKind::points;
+  std::optional<ContactKind> contact;       ///< none: what the mesh has, see contact_unknowns.h
   int contact_nodes = 10;                   ///< points, or segments
   int fixed_interface_modes = 0;            ///< at each of the two speeds that give modes, 0 and Omega_max
   int modes_at_speed = 0;                   ///< generalized dofs that do at any one speed; 0: all

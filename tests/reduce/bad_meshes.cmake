@@ -54,7 +54,7 @@ expect_message(segments_of_the_hub ${segments} OLD "2 7 \"hub\"\n2 8 \"blade_tip
                ERRORS "sector.msh: the node at x y z = " "of the surface group \"blade_tip\" is clamped or lies on a cyclic face")
 expect_message(points_without_a_tip OLD "\"blade_tip\"" NEW "\"end\"" ERRORS "${sound}")
 expect_message(unknown_contact ARGUMENTS case.toml sector.msh --check --set "reduce.contact=\"lines\"" EXIT_CODE 2
-               ERRORS "contact = \"lines\" must be one of: points, segments")
+               ERRORS "contact = \"lines\" must be one of: automatic, points, segments")
 # In millimetres the wheel would be a thousand times as large, and its tip as fast.
 expect_message(millimetres FILE case.toml OLD "speed_max_rpm = 30000.0" NEW "speed_max_rpm = 3e7" EXIT_CODE 2
                ERRORS "sector.msh: a wheel of radius 0.1 m has a tip speed of 314159 m/s at [reduce] speed_max_rpm" "is the mesh in millimetres?")

@@ -103,6 +103,26 @@ TEST(ContactPoints, AreNodesOfTheLine) {
                                              mesh.contact_line[12], mesh.contact_line[16]}));
 }
 
+TEST(ContactUnknowns, AreSegmentsWhereAllTipsHaveNamesElsePoints) {
+  const auto chosen = [](const SectorMesh& mesh, int count) {
+    return choose_contact(mesh, std::nullopt, count).line;
+  };
+  const SectorMesh named = blade(8, 20);
+  EXPECT_EQ(chosen(named, 5).kind, ContactKind::segments);
+  EXPECT_EQ(chosen(named, 5).position, choose_contact(named, ContactKind::segments, 5).line.position);
+  SectorMesh unnamed = named;
+  unnamed.tip_faces.resize(8, 0);
+  EXPECT_EQ(chosen(unnamed, 5).kind, ContactKind::points);
+  SectorMesh one_node = named;
+  one_node.contact_line.resize(1);
+  EXPECT_EQ(chosen(one_node, 1).kind, ContactKind::points);
+  SectorMesh splitter = named;
+  splitter.splitter_line = named.contact_line;
+  EXPECT_EQ(chosen(splitter, 5).kind, ContactKind::points);
+  splitter.splitter_faces = named.tip_faces;
+  EXPECT_EQ(chosen(splitter, 5).kind, ContactKind::segments);
+}
+
 std::string refusal(const SectorMesh& mesh, int count = 5) {
   return complaint<InputError>([&] { choose_contact(mesh, ContactKind::segments, count); });
 }

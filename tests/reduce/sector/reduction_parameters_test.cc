@@ -30,5 +30,12 @@ TEST(ReductionParameters, AccuracySetsTheSizeOfTheBasis) {
   EXPECT_EQ(read("accuracy = 0.005\nmodes_at_speed = 50\n").modes_at_speed, 50);  // a key of its own goes first
 }
 
+TEST(ReductionParameters, LeaveTheKindOfContactToTheMesh) {
+  EXPECT_EQ(read("").contact, std::nullopt);
+  EXPECT_EQ(read("contact = \"automatic\"\n").contact, std::nullopt);
+  EXPECT_EQ(read("contact = \"points\"\n").contact, ContactKind::points);
+  EXPECT_EQ(read("contact = \"segments\"\n").contact, ContactKind::segments);
+}
+
 }  // namespace
 }  // namespace tiprub

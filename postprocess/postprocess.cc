@@ -87,13 +87,13 @@ void check(Inputs inputs) {
   print(aligned_text(scene_needs_record(scene_needs(study, field_effects(inputs.fields_file, study)))));
 }
 
-ReportContents run(Inputs inputs) {
+ReportContents run(Inputs inputs, Progress::Shown shown) {
   inputs.run.done("reading");
   ReportContents contents{.study = study_of(inputs), .source = std::move(inputs.source)};
   contents.figures = study_figures(contents.study);
   inputs.run.done("study");
   if (!inputs.fields_file.empty()) {
-    contents.fields = recover_fields(inputs.fields_file, contents.study, inputs.strength);
+    contents.fields = recover_fields(inputs.fields_file, contents.study, inputs.strength, shown);
     for (Figure& figure : field_figures(contents.study, *contents.fields))
       contents.figures.push_back(std::move(figure));
   }
@@ -137,10 +137,10 @@ void postprocess(const StageArguments& arguments, const PostprocessOptions& opti
   OutputFile output(arguments.output);
   Inputs inputs = read_inputs(arguments, options);
   note_interruptions();
-  ReportContents contents = run(std::move(inputs));
-  write_report_folder(
-      contents, output.scratch(),
-      arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal);
+  const Progress::Shown shown =
+      arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal;
+  ReportContents contents = run(std::move(inputs), shown);
+  write_report_folder(contents, output.scratch(), shown);
   stop_if_interrupted();
   output.commit();
   report(arguments, contents);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/fields/cell_stress.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -10,7 +11,10 @@ namespace tiprub {
 
 namespace {
 
+using Gradient = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // of a cell's shape functions at one point
+
 constexpr double flat = 1e-12;  // Jacobian determinant, of its norm cubed: rounding, far from the thinnest cell
+constexpr std::size_t most_points = 27;
 
 }  // namespace
 
@@ -31,9 +35,11 @@ CellStress::CellStress(const SectorFields& sector)
     const Eigen::Matrix3Xd place = sector.nodes(Eigen::all, nodes);
     const CellKind& kind = cell_kind(static_cast<int>(nodes.size()));
     const std::vector<Gradient>& reference = references[kind.nodes()];
+    Eigen::MatrixXd& gradient = gradient_[static_cast<std::size_t>(cell)];
+    gradient.resize(nodes.size(), 3 * static_cast<Eigen::Index>(reference.size()));
     for (std::size_t g = 0; g < reference.size(); ++g) {
       const Eigen::Matrix3d jacobian = place * reference[g];  // dx/dxi
-      gradient_[static_cast<std::size_t>(cell)].emplace_back(reference[g] * jacobian.inverse());
+      gradient.middleCols<3>(3 * static_cast<Eigen::Index>(g)) = reference[g] * jacobian.inverse();
       volumes_[cell] += kind.stress_points[g].weight * jacobian.determinant();
       const bool sound = jacobian.determinant() > flat * std::pow(jacobian.norm(), 3);
       if (!sound && !degenerate_) degenerate_ = cell;
@@ -41,25 +47,50 @@ CellStress::CellStress(const SectorFields& sector)
   }
 }
 
-Tensors CellStress::sum(const Eigen::Matrix3Xd& displacement) const {
-  Tensors stress = Tensors::Zero(6, displacement.cols());
-  Eigen::Matrix<double, 6, Eigen::Dynamic> at_points;
+/// Of `parts` displacements at once, whose numbers of a component stand beside each other, as those of stress do.
+/// Cells are too small for Eigen's blocked products.
+template <int parts>
+void CellStress::add_cells(const double* displacement, double* stress) const {
+  using Moved = Eigen::Vector<double, 3 * parts>;
+  using Stress = Eigen::Vector<double, 6 * parts>;
+  std::array<Stress, most_points> at_points;
   for (Eigen::Index cell = 0; cell < cells_.cols(); ++cell) {
     const auto nodes = nodes_of(cells_, cell);
-    const Eigen::Matrix3Xd moved = displacement(Eigen::all, nodes);
-    const std::vector<Gradient>& gradients = gradient_[static_cast<std::size_t>(cell)];
-    at_points.resize(6, static_cast<Eigen::Index>(gradients.size()));
-    for (Eigen::Index g = 0; g < at_points.cols(); ++g) {
-      const Eigen::Matrix3d slope = moved * gradients[static_cast<std::size_t>(g)];
-      const double pressure = lambda_ * slope.trace();
-      at_points.col(g) << pressure + 2 * mu_ * slope(0, 0), pressure + 2 * mu_ * slope(1, 1),
-          pressure + 2 * mu_ * slope(2, 2), mu_ * (slope(0, 1) + slope(1, 0)), mu_ * (slope(1, 2) + slope(2, 1)),
-          mu_ * (slope(2, 0) + slope(0, 2));
+    const Eigen::MatrixXd& gradient = gradient_[static_cast<std::size_t>(cell)];
+    const Eigen::Index count = gradient.cols() / 3;
+    for (Eigen::Index g = 0; g < count; ++g) {
+      std::array<Moved, 3> slope = {Moved::Zero(), Moved::Zero(), Moved::Zero()};
+      for (Eigen::Index k = 0; k < nodes.size(); ++k) {
+        const Eigen::Map<const Moved> moved(displacement + 3 * parts * nodes[k]);
+        for (int d = 0; d < 3; ++d) slope[d] += gradient(k, 3 * g + d) * moved;
+      }
+      const auto by = [&](int of, int d) { return slope[d].template segment<parts>(of * parts); };
+      const Eigen::Vector<double, parts> pressure = lambda_ * (by(0, 0) + by(1, 1) + by(2, 2));
+      for (int d = 0; d < 3; ++d) {
+        const int next = (d + 1) % 3;
+        at_points[g].template segment<parts>(d * parts) = pressure + 2 * mu_ * by(d, d);
+        at_points[g].template segment<parts>((3 + d) * parts) = mu_ * (by(d, next) + by(next, d));
+      }
     }
-    const Eigen::Matrix<double, 6, Eigen::Dynamic> at_nodes =
-        at_points * cell_kind(static_cast<int>(nodes.size())).stress_at_nodes.transpose();
-    for (Eigen::Index k = 0; k < nodes.size(); ++k) stress.col(nodes[k]) += at_nodes.col(k);
+    const Eigen::MatrixXd& to_nodes = cell_kind(static_cast<int>(nodes.size())).stress_at_nodes;
+    for (Eigen::Index k = 0; k < nodes.size(); ++k) {
+      Eigen::Map<Stress> sum(stress + 6 * parts * nodes[k]);
+      Stress here = sum;
+      for (Eigen::Index g = 0; g < count; ++g) here += to_nodes(k, g) * at_points[g];
+      sum = here;
+    }
   }
+}
+
+Tensors CellStress::sum(const Eigen::Matrix3Xd& displacement) const {
+  Tensors stress = Tensors::Zero(6, displacement.cols());
+  add_cells<1>(displacement.data(), stress.data());
+  return stress;
+}
+
+ComplexTensors CellStress::sum(const Eigen::Matrix3Xcd& displacement) const {
+  ComplexTensors stress = ComplexTensors::Zero(6, displacement.cols());
+  add_cells<2>(reinterpret_cast<const double*>(displacement.data()), reinterpret_cast<double*>(stress.data()));
   return stress;
 }
 

@@ -24,6 +24,7 @@ class CellStress {
 
   /// [Pa] of a displacement [m] in x, y, z: sums over the cells at each node.
   Tensors sum(const Eigen::Matrix3Xd& displacement) const;
+  ComplexTensors sum(const Eigen::Matrix3Xcd& displacement) const;
   /// How many cells each node has.
   const Eigen::VectorXi& cells_at_node() const { return cells_at_node_; }
   /// [Pa] averages over the cells of the sector alone.
@@ -35,10 +36,13 @@ class CellStress {
   const std::optional<Eigen::Index>& degenerate_cell() const { return degenerate_; }
 
  private:
-  using Gradient = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // of a cell's shape functions at one point [1/m]
+  template <int parts>
+  void add_cells(const double* displacement, double* stress) const;
+
   const Eigen::MatrixXi& cells_;
   double lambda_, mu_;
-  std::vector<std::vector<Gradient>> gradient_;  // by cell, then point
+  /// [1/m] by cell: of its shape functions by x, y, z at the first point, then at the second, ...; nodes x columns.
+  std::vector<Eigen::MatrixXd> gradient_;
   Eigen::VectorXi cells_at_node_;
   Eigen::VectorXd volumes_;
   std::optional<Eigen::Index> degenerate_;

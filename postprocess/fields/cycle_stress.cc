@@ -33,6 +33,8 @@ std::vector<Tensors> mean_stress(const WheelCycle& cycle, const Tensors& spin, i
   return stress;
 }
 
+constexpr Eigen::Index nodes_at_once = 256;  // their waves fit into a processor's second cache
+
 /// Goes through the states and keeps the largest values.
 class Maxima {
  public:
@@ -48,26 +50,39 @@ class Maxima {
       found.mean.col(h) = von_mises(mean_[static_cast<std::size_t>(h)]);
   }
 
-  void add(const SectorField& now, int sector, int sample) {
-    found.displacement = std::max(found.displacement, now.displacement.colwise().norm().maxCoeff());
-    const Eigen::VectorXd vibration = von_mises(now.stress);
-    for (Eigen::Index node = 0; node < vibration.size(); ++node) {
-      if (vibration[node] <= found.vibration[node]) continue;
-      found.vibration[node] = vibration[node];
-      found.sector[node] = sector;
-      found.sample[node] = sample;
+  /// All sectors at some samples.
+  void add(const std::vector<std::vector<WaveField>>& by_sample, int first_sample, int sectors, int sector_count) {
+    for (Eigen::Index first = 0; first < spin_.cols(); first += nodes_at_once) {
+      const Eigen::Index count = std::min(nodes_at_once, spin_.cols() - first);
+      for (std::size_t s = 0; s < by_sample.size(); ++s)
+        for (int j = 0; j < sectors; ++j)
+          add(on_sector(by_sample[s], j, sector_count, first, count), first, j, first_sample + static_cast<int>(s));
     }
-    const Tensors both = now.stress + spin_;
-    found.both = found.both.cwiseMax(von_mises(both));
-    if (mean_.empty()) return;
-    const std::size_t history = static_cast<std::size_t>(sector) % mean_.size();
-    auto alternating = found.alternating.col(static_cast<Eigen::Index>(history));
-    alternating = alternating.cwiseMax(von_mises(both - mean_[history]));
   }
 
   CycleStress found;
 
  private:
+  /// The nodes from `first` on.
+  void add(const SectorField& now, Eigen::Index first, int sector, int sample) {
+    found.displacement = std::max(found.displacement, now.displacement.colwise().norm().maxCoeff());
+    const Eigen::VectorXd vibration = von_mises(now.stress);
+    const Eigen::Index count = vibration.size();
+    for (Eigen::Index k = 0; k < count; ++k) {
+      if (vibration[k] <= found.vibration[first + k]) continue;
+      found.vibration[first + k] = vibration[k];
+      found.sector[first + k] = sector;
+      found.sample[first + k] = sample;
+    }
+    const Tensors both = now.stress + spin_.middleCols(first, count);
+    auto largest = found.both.segment(first, count);
+    largest = largest.cwiseMax(von_mises(both));
+    if (mean_.empty()) return;
+    const std::size_t history = static_cast<std::size_t>(sector) % mean_.size();
+    auto alternating = found.alternating.col(static_cast<Eigen::Index>(history)).segment(first, count);
+    alternating = alternating.cwiseMax(von_mises(both - mean_[history].middleCols(first, count)));
+  }
+
   const Tensors& spin_;
   std::vector<Tensors> mean_;
 };
@@ -75,14 +90,13 @@ class Maxima {
 }  // namespace
 
 CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int sector_count, const WaveRecovery& recover,
-                         int block) {
+                         int block, Progress& progress) {
   Maxima maxima(spin, cycle.whole ? mean_stress(cycle, spin, sector_count, recover) : std::vector<Tensors>());
   for (int first = 0; first < cycle.samples(); first += block) {
     const int count = std::min(block, cycle.samples() - first);
     const std::vector<std::vector<WaveField>> waves = recovered(cycle, first, count, recover);
-    for (int s = 0; s < count; ++s)
-      for (int j = 0; j < cycle.sectors; ++j)
-        maxima.add(on_sector(waves[static_cast<std::size_t>(s)], j, sector_count), j, cycle.first_sample + first + s);
+    maxima.add(waves, cycle.first_sample + first, cycle.sectors, sector_count);
+    for (int s = 0; s < count; ++s) progress.advance();
   }
   return std::move(maxima.found);
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "cases/program/progress.h"
 #include "postprocess/fields/field_recovery.h"
 #include "postprocess/fields/wheel_cycle.h"
 
@@ -26,8 +27,8 @@ struct CycleStress {
 using WaveRecovery = std::function<std::vector<WaveField>(std::size_t diameter, const Eigen::MatrixXcd& states)>;
 
 /// Costs the recovery of each of the cycle's samples once; takes as much memory as `block` samples of the recovered
-/// waves, at least one.
+/// waves, at least one. `progress` advances by each sample.
 CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int sector_count, const WaveRecovery& recover,
-                         int block);
+                         int block, Progress& progress);
 
 }  // namespace tiprub

@@ -33,18 +33,19 @@ WheelField& WheelField::operator+=(const WheelField& other) {
 
 Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& cylindrical) {
   Eigen::Matrix3Xcd displacement(3, sector.nodes.cols());
-  for (Eigen::Index node = 0; node < sector.nodes.cols(); ++node)
-    displacement.col(node) =
-        rotation(std::atan2(sector.nodes(1, node), sector.nodes(0, node))) * cylindrical.segment<3>(3 * node);
+  for (Eigen::Index node = 0; node < sector.nodes.cols(); ++node) {
+    const double x = sector.nodes(0, node), y = sector.nodes(1, node), r = std::sqrt(x * x + y * y);
+    const double cosine = r > 0 ? x / r : 1.0, sine = r > 0 ? y / r : 0.0;
+    const auto moved = cylindrical.segment<3>(3 * node);
+    displacement.col(node) << cosine * moved[0] - sine * moved[1], sine * moved[0] + cosine * moved[1], moved[2];
+  }
   return displacement;
 }
 
 void add_stress(const SectorFields& sector, const CellStress& bricks, WaveField& wave) {
   const double alpha = sector_angle(1, sector.sector_count);
   const std::complex<double> next = phase(wave.nodal_diameter, 1, sector.sector_count);
-  ComplexTensors stress = bricks.sum(wave.displacement.real()).cast<std::complex<double>>();
-  if (!wave.displacement.imag().isZero(0.0))
-    stress += std::complex<double>(0, 1) * bricks.sum(wave.displacement.imag()).cast<std::complex<double>>();
+  ComplexTensors stress = bricks.sum(wave.displacement);
   Eigen::VectorXd count = bricks.cells_at_node().cast<double>();
   const std::vector<int>&low = sector.node_set("cyclic_low"), &high = sector.node_set("cyclic_high");
   for (std::size_t k = 0; k < low.size(); ++k) {
@@ -55,7 +56,7 @@ void add_stress(const SectorFields& sector, const CellStress& bricks, WaveField&
     stress.col(high[k]) = next * turned(both, alpha);
     count[low[k]] = count[high[k]] = count[low[k]] + count[high[k]];
   }
-  wave.stress = stress.array().rowwise() / count.transpose().cast<std::complex<double>>().array();
+  wave.stress = stress * count.cwiseInverse().asDiagonal();
 }
 
 WaveField spin_field(const SectorFields& sector, const CellStress& bricks, double speed) {
@@ -72,6 +73,19 @@ SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_cou
     const std::complex<double> here = phase(wave.nodal_diameter, j, sector_count);
     sector.displacement += here.real() * wave.displacement.real() - here.imag() * wave.displacement.imag();
     sector.stress += here.real() * wave.stress.real() - here.imag() * wave.stress.imag();
+  }
+  return sector;
+}
+
+SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count, Eigen::Index first_node,
+                      Eigen::Index nodes) {
+  SectorField sector{Eigen::Matrix3Xd::Zero(3, nodes), Tensors::Zero(6, nodes)};
+  for (const WaveField& wave : waves) {
+    const std::complex<double> here = phase(wave.nodal_diameter, j, sector_count);
+    const auto displacement = wave.displacement.middleCols(first_node, nodes);
+    const auto stress = wave.stress.middleCols(first_node, nodes);
+    sector.displacement += here.real() * displacement.real() - here.imag() * displacement.imag();
+    sector.stress += here.real() * stress.real() - here.imag() * stress.imag();
   }
   return sector;
 }

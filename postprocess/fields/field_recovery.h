@@ -44,6 +44,10 @@ WaveField spin_field(const SectorFields& sector, const CellStress& bricks, doubl
 /// Sector j of a sum of waves.
 SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count);
 
+/// Some nodes of it; of waves with stress.
+SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count, Eigen::Index first_node,
+                      Eigen::Index nodes);
+
 /// All N sectors of a sum of waves.
 WheelField on_wheel(const std::vector<WaveField>& waves, int sector_count);
 

@@ -16,7 +16,7 @@ namespace tiprub {
 namespace {
 
 constexpr double same_place = 1e-6;                            // of the largest radius
-constexpr std::size_t recovery_memory = std::size_t{1} << 28;  // [bytes]
+constexpr std::size_t recovery_memory = std::size_t{1} << 30;  // [bytes]
 constexpr double left_out_waves = 0.002;                       // [1] of the mean square of a motion
 constexpr std::size_t most_waves = 6;                          // of a motion, that are recovered
 constexpr double m_per_mm = 1e-3;
@@ -61,7 +61,7 @@ void require_sound_bricks(const CellStress& bricks, const std::string& name) {
 /// Squares of the stress are taken; what is beyond this came from damaged numbers.
 void require_sound_stress(const WaveField& wave, const std::string& name) {
   constexpr double largest = 1e100;  // [Pa]
-  if (!(wave.stress.array().abs() < largest).all())
+  if (!(wave.stress.array().abs2() < largest * largest).all())
     throw RunError(name + ": the stress of nodal diameter " + std::to_string(wave.nodal_diameter) + " is beyond " +
                    significant(largest, 1) + " Pa or no number; the fields, or the response's states, are damaged");
 }
@@ -72,6 +72,28 @@ std::vector<std::size_t> recovered_speeds(const Study& study) {
   for (const CriticalSpeed& critical : study.critical) speeds.push_back(static_cast<std::size_t>(critical.index));
   if (speeds.empty()) speeds.push_back(static_cast<std::size_t>(study.worst));
   return speeds;
+}
+
+struct CycleAtSpeed {
+  std::size_t index;
+  WheelCycle cycle;
+};
+
+/// Of the speeds whose states the response holds.
+std::vector<CycleAtSpeed> cycles_at(const std::vector<std::size_t>& speeds, const Study& study) {
+  std::vector<CycleAtSpeed> cycles;
+  for (const std::size_t index : speeds) {
+    const SpeedResponse& response = study.response.speeds[index];
+    if (response.cycle || response.snapshot)
+      cycles.push_back({index, wheel_cycle(response, study.response.scene, study.model)});
+  }
+  return cycles;
+}
+
+std::size_t samples_of(const std::vector<CycleAtSpeed>& cycles) {
+  std::size_t samples = 0;
+  for (const CycleAtSpeed& at : cycles) samples += static_cast<std::size_t>(at.cycle.samples());
+  return samples;
 }
 
 std::size_t worst_of(const std::vector<std::size_t>& speeds, const Study& study) {
@@ -158,7 +180,7 @@ void check_fields(const std::filesystem::path& fields_file, const ReducedModel& 
 }
 
 FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study,
-                          const std::optional<MaterialStrength>& strength) {
+                          const std::optional<MaterialStrength>& strength, Progress::Shown shown) {
   const FieldsReader reader(fields_file);
   check_together(reader, study.model, fields_file.string());
   FieldStudy fields;
@@ -173,13 +195,14 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
   fields.zones = stress_zones(fields.sector, m_per_mm * study.parameters.tip_patch_mm);
   fields.speed = study.response.speeds[worst].speed;
   fields.modes = natural_modes(reader, study, fields.speed);
-  for (const std::size_t index : speeds) {
+  const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study);
+  Progress progress("stress over cycles, by samples", samples_of(cycles), shown);
+  for (const auto& [index, cycle] : cycles) {
     const SpeedResponse& response = study.response.speeds[index];
-    if (!response.cycle && !response.snapshot) continue;
-    const WheelCycle cycle = wheel_cycle(response, study.response.scene, study.model);
     const WaveField spin = spin_field(fields.sector, bricks, response.speed);
     require_sound_stress(spin, fields_file.string());
-    const CycleStress stress = cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, block);
+    const CycleStress stress =
+        cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, block, progress);
     fields.peaks.push_back(field_peak(fields.sector, stress, fields.zones, places, strength));
     fields.peaks.back().speed = response.speed;
     fields.peaks.back().samples = cycle.whole ? cycle.recorded_samples : 0;

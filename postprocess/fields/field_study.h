@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/program/progress.h"
 #include "postprocess/analysis/study.h"
 #include "postprocess/fields/field_peak.h"
 #include "postprocess/fields/field_recovery.h"
@@ -42,7 +43,7 @@ struct FieldStudy {
 
 /// Recovers everything. Raises InputError if the fields are of another model.
 FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study,
-                          const std::optional<MaterialStrength>& strength);
+                          const std::optional<MaterialStrength>& strength, Progress::Shown shown);
 
 /// Only looks whether the fields are those of the model; raises as recover_fields() does.
 void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model);

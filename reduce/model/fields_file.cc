@@ -206,19 +206,27 @@ Eigen::MatrixXcd FieldsReader::expand(int nodal_diameter, const Eigen::MatrixXcd
     refuse(state_->file, name,
            "has " + std::to_string(dofs(nodal_diameter)) + " dofs, the model has " +
                std::to_string(amplitudes.rows()) + "; give the fields that were written with the model");
-  const Eigen::Index size = 3 * state_->sector.nodes.cols();
-  Eigen::MatrixXcd fields = Eigen::MatrixXcd::Zero(size, amplitudes.cols());
-  Eigen::MatrixXcd shapes(size, slices_at_once);
+  // Real and imaginary parts beside each other: products of real numbers are twice as fast as of complex ones.
+  const Eigen::Index size = 3 * state_->sector.nodes.cols(), columns = amplitudes.cols();
+  Eigen::MatrixXd fields = Eigen::MatrixXd::Zero(size, 2 * columns), shapes(size, 2 * slices_at_once);
   for (Eigen::Index first = 0; first < amplitudes.rows(); first += slices_at_once) {
     const Eigen::Index count = std::min(slices_at_once, amplitudes.rows() - first);
     for (Eigen::Index k = 0; k < count; ++k) {
       const std::vector<std::complex<float>> slice =
           state_->file.read_slice(name, static_cast<std::size_t>(first + k));
-      shapes.col(k) = Eigen::Map<const Eigen::VectorXcf>(slice.data(), size).cast<std::complex<double>>();
+      const Eigen::Map<const Eigen::VectorXcf> shape(slice.data(), size);
+      shapes.col(k) = shape.real().cast<double>();
+      shapes.col(count + k) = shape.imag().cast<double>();
     }
-    fields += shapes.leftCols(count) * amplitudes.middleRows(first, count);
+    const auto factors = amplitudes.middleRows(first, count);
+    Eigen::MatrixXd both(2 * count, 2 * columns);
+    both << factors.real(), factors.imag(), -factors.imag(), factors.real();
+    fields.noalias() += shapes.leftCols(2 * count) * both;
   }
-  return fields;
+  Eigen::MatrixXcd whole(size, columns);
+  whole.real() = fields.leftCols(columns);
+  whole.imag() = fields.rightCols(columns);
+  return whole;
 }
 
 }  // namespace tiprub

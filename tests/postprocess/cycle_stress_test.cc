@@ -65,7 +65,8 @@ class Cycle : public ::testing::Test {
   CycleStress stress_of(const WheelCycle& cycle, int block = 1000) const {
     Tensors spin(6, nodes);
     for (Eigen::Index k = 0; k < spin.size(); ++k) spin.data()[k] = 20 * std::sin(0.7 * static_cast<double>(k));
-    return cycle_stress(cycle, spin, sector_count, made_recovery(scene_.nodal_diameters), block);
+    Progress progress("", 0, Progress::Shown::never);
+    return cycle_stress(cycle, spin, sector_count, made_recovery(scene_.nodal_diameters), block, progress);
   }
 
   ReducedModel model_;
@@ -139,7 +140,8 @@ class Tension : public ::testing::Test {
       }
       return waves;
     };
-    return cycle_stress(cycle, of_spin, 1, recover, 3);
+    Progress progress("", 0, Progress::Shown::never);
+    return cycle_stress(cycle, of_spin, 1, recover, 3, progress);
   }
 };
 

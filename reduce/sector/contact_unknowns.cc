@@ -27,7 +27,10 @@ struct FacePoint {
 std::vector<FacePoint> face_points(int nodes) {
   constexpr int parts = 8, triangle_nodes = 6;
   const std::array<double, 3> point = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)}, weight = {5 / 9.0, 8 / 9.0, 5 / 9.0};
-  const auto at = [&](int k) { return (2 * (k / 3) + 1 + point[k % 3]) / parts - 1; };
+  const auto at = [&](int k) {
+    const int part = k / 3;
+    return (2 * part + 1 + point[k % 3]) / parts - 1;
+  };
   std::vector<FacePoint> points;
   for (int i = 0; i < 3 * parts; ++i)
     for (int j = 0; j < 3 * parts; ++j) {

@@ -20,7 +20,7 @@ struct WaveField {
 /// Displacement and stress of one sector at one instant, in the x, y, z of sector 0.
 struct SectorField {
   Eigen::Matrix3Xd displacement;  ///< [m]
-  Tensors stress;                 ///< [Pa]; zero where the waves came without
+  Tensors stress;                 ///< [Pa]; empty where the waves came without
 };
 
 /// Displacement and stress of all sectors at one instant, in the wheel's x, y, z.
@@ -44,7 +44,7 @@ WaveField spin_field(const SectorFields& sector, const CellStress& bricks, doubl
 /// Sector j of a sum of waves.
 SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count);
 
-/// Some nodes of it; of waves with stress.
+/// Some nodes of it.
 SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count, Eigen::Index first_node,
                       Eigen::Index nodes);
 

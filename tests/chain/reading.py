@@ -13,7 +13,7 @@ import numpy as np
 
 
 def condensed(model, n, speed):
-    """As reduce/README.md has it: K(Omega) and M on the contact dofs, and on the lowest modes with these held."""
+    """As reduce/format.md has it: K(Omega) and M on the contact dofs, and on the lowest modes with these held."""
     group, contact = model[f"nodal_diameter/{n}"], 3 * len(model["contact/arc_length"])
     K, M = group["K0"][:] + speed**2 * group["K1"][:] + speed**4 * group["K2"][:], group["M"][:]
     L = np.linalg.cholesky(M[contact:, contact:])

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One mass on a spring, from the READMEs alone: writes model.h5 and case.toml, runs tiprub-simulate, reads response.h5.
+"""One mass on a spring: writes model.h5 and case.toml, runs tiprub-simulate, reads response.h5. Written from reduce/format.md and
+simulate/keys.md, format.md and theory.md alone.
 
     one_mass.py <tiprub-simulate> <folder> [tolerance]
 
@@ -85,7 +86,7 @@ recorded_revolutions = 1
     free = u[last + 1:]
     require(len(free) > 1500, f"free for {len(free)} steps")
     root = np.exp(complex(-RATIO * OMEGA, DAMPED) * h)
-    # discrete: the recurrence of simulate/README.md, from two samples on
+    # discrete: the free step of simulate/theory.md, from two samples on
     a, b = 2 * root.real, abs(root)**2
     discrete = list(free[:2])
     while len(discrete) < len(free):

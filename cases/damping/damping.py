@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Response, class of motion and cost over damping.
 
-usage: damping.py PROGRAMS_FOLDER QUICK_CASE_FOLDER
+usage: damping.py PROGRAMS_FOLDER CASE_FOLDER
 
 Each damping ratio twice: on every mode, and with 2 % above the resolved frequency. Writes speeds.tsv (a line a speed) and
 damping.tsv (a line a run: speeds of each class, and the rest). The cost is the processor time of tiprub-simulate, in one thread.

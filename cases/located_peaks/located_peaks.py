@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Peaks and cost of the adaptive sweep, and of an even grid ten times finer than its first one.
 
-usage: located_peaks.py PROGRAMS_FOLDER QUICK_CASE_FOLDER [SCENE...]
+usage: located_peaks.py PROGRAMS_FOLDER CASE_FOLDER [SCENE...]
 
 Both sweeps run here, one after the other, in one thread; the cost is the processor time of tiprub-simulate. A peak is one of the
 amplitude over speed; its prominence is its height above the higher of its two valleys, over its height. A peak of the even grid is
@@ -21,7 +21,7 @@ import numpy
 RPM = 30 / numpy.pi
 PROMINENCES = (0.10, 0.25)
 FINER = 10
-# Name, what it changes in the quick impeller's case, range [rev/min], speeds of the first grid.
+# Name, what it changes in the case, range [rev/min], speeds of the first grid.
 SCENES = {
     "two_lobes": ({}, (9000, 55000), 93),
     "three_lobes": ({"casing.lobes": 3}, (9000, 25000), 33),

@@ -120,10 +120,22 @@ def circles(includes):
         seen |= set(chain)
 
 
+def circles_of_folders(includes):
+    """Folders at any depth: what lies in an inner folder stands beneath the outer one, or on it, but not both."""
+    stands_on = {}
+    for path, (own, _) in includes.items():
+        folders = {os.path.dirname(other) for other in own} - {os.path.dirname(path)}
+        stands_on.setdefault(os.path.dirname(path), set()).update(folders)
+    for folder in sorted(stands_on):
+        for other in sorted(stands_on[folder]):
+            if folder < other and folder in stands_on.get(other, ()):
+                yield f"folders include each other: {folder} -> {other} -> {folder}"
+
+
 def main(root):
     includes = includes_of(root)
     faults = [*unknown_places(includes), *steps_upwards(includes), *file_headers_that_reach_too_far(includes),
-              *circles(includes)]
+              *circles(includes), *circles_of_folders(includes)]
     source_tree.report(faults, f"the includes of {len(includes)} files hold to their storeys")
 
 

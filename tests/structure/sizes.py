@@ -1,17 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Folders, files and functions stay small enough to read.   sizes.py ROOT"""
+"""Files and functions stay small enough to read.   sizes.py ROOT"""
 import ast
-import collections
-import os
 import sys
 
 import cpp_functions
 import source_tree
 
-FOLDER_FILES = 25
 FILE_LINES = 400
-SMALL_FILE_LINES = 100  # of half of the headers and their .cc
 FUNCTION_LINES = 40
 
 
@@ -21,19 +17,10 @@ def python_functions(text):
             yield node.lineno, node.end_lineno, f"def {node.name}"
 
 
-def full_folders(paths):
-    for folder, count in sorted(collections.Counter(os.path.dirname(path) for path in paths).items()):
-        if count > FOLDER_FILES:
-            yield f"{folder}: holds {count} files, at most {FOLDER_FILES}; give it storeys"
-
-
 def long_files(texts):
     for path, text in texts.items():
         if text.count("\n") > FILE_LINES:
             yield f"{path}: has {text.count(chr(10))} lines, at most {FILE_LINES}"
-    lengths = sorted(text.count("\n") for path, text in texts.items() if path.endswith((".h", ".cc")))
-    if lengths[(len(lengths) - 1) // 2] >= SMALL_FILE_LINES:
-        yield f"half of the headers and .cc files must have under {SMALL_FILE_LINES} lines, the median has {lengths[len(lengths) // 2]}"
 
 
 def long_functions(texts):
@@ -48,7 +35,7 @@ def long_functions(texts):
 def main(root):
     paths = source_tree.files(root)
     texts = {path: source_tree.read(root, path) for path in paths}
-    source_tree.report([*full_folders(paths), *long_files(texts), *long_functions(texts)],
+    source_tree.report([*long_files(texts), *long_functions(texts)],
                        f"{len(paths)} files are of readable size")
 
 

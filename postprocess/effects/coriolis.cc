@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/effects/coriolis.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "mesh/cells/cell_kind.h"
 #include "postprocess/fields/cell_stress.h"
+#include "reduce/model/dense_eigen.h"
 
 namespace tiprub {
 
@@ -30,7 +30,7 @@ Eigen::VectorXd gyroscopic_frequencies(const Eigen::VectorXd& modes, const Eigen
   matrix.topRightCorner(n, n).diagonal() = modes.cast<std::complex<double>>();
   matrix.bottomLeftCorner(n, n).diagonal() = modes.cast<std::complex<double>>();
   matrix.bottomRightCorner(n, n) = std::complex<double>(0, 2 * speed) * coupling;
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+  return eigenvalues(matrix);
 }
 
 Eigen::VectorXd node_volumes(const SectorFields& sector) {
@@ -59,12 +59,12 @@ CoriolisTerms::CoriolisTerms(const FieldsReader& reader, const ReducedModel& mod
 
 double CoriolisTerms::change(int nodal_diameter, int family, double speed) const {
   const NodalDiameterModel& matrices = model_.nodal_diameters[static_cast<std::size_t>(nodal_diameter)];
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(matrices.stiffness(speed), matrices.M);
+  const auto [squares, vectors] = eigenpairs(matrices.stiffness(speed), matrices.M);
   const Eigen::Index count = std::min<Eigen::Index>(family + 1 + more_modes, matrices.M.rows());
   // An unstable rotor's modes below zero have no frequency.
-  const Eigen::VectorXd modes = solver.eigenvalues().head(count).cwiseMax(0.0).cwiseSqrt();
+  const Eigen::VectorXd modes = squares.head(count).cwiseMax(0.0).cwiseSqrt();
   if (!(modes[family] > 0)) return 0.0;
-  const Eigen::MatrixXcd shapes = reader_.expand(nodal_diameter, solver.eigenvectors().leftCols(count));
+  const Eigen::MatrixXcd shapes = reader_.expand(nodal_diameter, vectors.leftCols(count));
   const Eigen::VectorXd moved = gyroscopic_frequencies(modes, coriolis_coupling(shapes, masses_), speed);
   return std::max(std::abs(moved[count + family] / modes[family] - 1),
                   std::abs(-moved[count - 1 - family] / modes[family] - 1));

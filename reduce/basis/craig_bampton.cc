@@ -2,11 +2,11 @@
 #include "reduce/basis/craig_bampton.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <utility>
 
 #include "reduce/basis/hermitian_products.h"
+#include "reduce/model/dense_eigen.h"
 
 namespace tiprub {
 
@@ -45,12 +45,11 @@ void CraigBamptonBasis::append(const Eigen::MatrixXcd& shapes) {
       stiffness_products_.front().bottomRightCorner(known.cols(), known.cols()).llt().solve(overlap);
   const Eigen::MatrixXcd gram =
       scale.asDiagonal() * hermitian_part(shapes.adjoint() * loads - overlap.adjoint() * shadow) * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> directions(gram);
-  const Eigen::VectorXd& lengths = directions.eigenvalues();
+  const auto& [lengths, directions] = eigenpairs(gram);
   const Eigen::Index kept = (lengths.array() > dependence_tolerance).count();
   dropped_ += static_cast<int>(shapes.cols() - kept);
-  const Eigen::MatrixXcd weights = scale.asDiagonal() * directions.eigenvectors().rightCols(kept) *
-                                   lengths.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::MatrixXcd weights =
+      scale.asDiagonal() * directions.rightCols(kept) * lengths.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
   Eigen::MatrixXcd fresh = shapes * weights;
   fresh -= known * (shadow * weights);
   join(fresh);
@@ -72,10 +71,10 @@ void CraigBamptonBasis::join(const Eigen::MatrixXcd& shapes) {
 void CraigBamptonBasis::orthonormalise() {
   const Eigen::Index count = raw_.cols() - contact_dofs_;
   // M z = K z / omega^2, largest last; K is nearly the identity.
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> modes(
-      mass_products_.bottomRightCorner(count, count), stiffness_products_.front().bottomRightCorner(count, count));
-  const Eigen::MatrixXcd ascending = modes.eigenvectors().rowwise().reverse();
-  weights_ = ascending * modes.eigenvalues().reverse().cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::MatrixXcd mass = mass_products_.bottomRightCorner(count, count);
+  const ComplexEigenpairs modes = eigenpairs(mass, stiffness_products_.front().bottomRightCorner(count, count));
+  const Eigen::MatrixXcd ascending = modes.vectors.rowwise().reverse();
+  weights_ = ascending * modes.values.reverse().cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 Eigen::MatrixXcd CraigBamptonBasis::combine(const Eigen::MatrixXcd& coefficients) const {

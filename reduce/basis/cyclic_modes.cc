@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/basis/cyclic_modes.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "cases/program/errors.h"
+#include "reduce/model/dense_eigen.h"
 
 namespace tiprub {
 
@@ -80,14 +80,13 @@ class KrylovSpace {
     coupling_ = Eigen::MatrixXcd::Identity(block.cols(), block.cols());
     Eigen::MatrixXcd moved = stiffness_.transform().apply(mass_, block);
     for (int pass = 0; pass < 2 && block.cols() > 0; ++pass, floor = 0) {
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> gram(block.adjoint() * moved);
-      if (gram.info() != Eigen::Success || !gram.eigenvalues().allFinite())
+      const auto [squares, directions] = eigenpairs(Eigen::MatrixXcd(block.adjoint() * moved));
+      if (!squares.allFinite())
         throw RunError(
             "the modes of a nodal diameter can't be found: its stiffness or its mass is out of all bounds");
-      const Eigen::VectorXd& squares = gram.eigenvalues();
       const double least = std::max(floor, rank_tolerance * squares[squares.size() - 1]);
       const Eigen::Index kept = std::min<Eigen::Index>((squares.array() > least).count(), room);
-      const Eigen::MatrixXcd basis = gram.eigenvectors().rightCols(kept);
+      const Eigen::MatrixXcd basis = directions.rightCols(kept);
       const Eigen::VectorXd norms = squares.tail(kept).cwiseSqrt();
       coupling_ = norms.asDiagonal() * (basis.adjoint() * coupling_);
       const Eigen::MatrixXcd scaled = basis * norms.cwiseInverse().asDiagonal();
@@ -126,10 +125,10 @@ CyclicModes lowest_modes(const CyclicSolver& stiffness, const SymmetricMatrix& m
     const Eigen::MatrixXcd& projected = space.projected();
     const Eigen::Index size = projected.cols();
     // Only the blocks on and above the diagonal are filled in; the solver reads the lower triangle.
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> ritz(projected.adjoint());
+    const ComplexEigenpairs ritz = eigenpairs(Eigen::MatrixXcd(projected.adjoint()));
     const Eigen::Index wanted = std::min<Eigen::Index>(count, size);
-    const Eigen::VectorXd theta = ritz.eigenvalues().tail(wanted).reverse();
-    const Eigen::MatrixXcd weights = ritz.eigenvectors().rightCols(wanted).rowwise().reverse();
+    const Eigen::VectorXd theta = ritz.values.tail(wanted).reverse();
+    const Eigen::MatrixXcd weights = ritz.vectors.rightCols(wanted).rowwise().reverse();
     const Eigen::Index width = space.coupling().cols();
     Eigen::VectorXd residual = Eigen::VectorXd::Zero(wanted);
     if (more) residual = (space.coupling() * weights.bottomRows(width)).colwise().norm().transpose();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/basis/mode_following.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +8,7 @@
 
 #include "cases/program/errors.h"
 #include "reduce/basis/hermitian_products.h"
+#include "reduce/model/dense_eigen.h"
 
 namespace tiprub {
 
@@ -23,11 +23,9 @@ constexpr double of_a_guess = 0.1;
 /// Directions of unit length in the norm of the nearby stiffness. A residual is orthogonal to the basis, so what
 /// becomes of it is so as well in that norm: only the new block has to be made independent.
 Eigen::MatrixXcd independent(const Eigen::MatrixXcd& directions, const Eigen::MatrixXcd& residual) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> gram(hermitian_part(directions.adjoint() * residual));
-  const Eigen::VectorXd& squares = gram.eigenvalues();
+  const auto [squares, vectors] = eigenpairs(hermitian_part(directions.adjoint() * residual));
   const Eigen::Index kept = (squares.array() > dependence_tolerance * squares[squares.size() - 1]).count();
-  return directions * gram.eigenvectors().rightCols(kept) *
-         squares.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  return directions * vectors.rightCols(kept) * squares.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 }  // namespace
@@ -54,14 +52,14 @@ ModeFollowing::ModeFollowing(const CraigBamptonBasis& basis, const SymmetricMatr
 }
 
 void ModeFollowing::solve(std::size_t speed) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> ritz(reduced_stiffness_[speed], reduced_mass_);
-  if (ritz.info() != Eigen::Success)
+  const ComplexEigenpairs ritz = eigenpairs(reduced_stiffness_[speed], reduced_mass_);
+  if (!ritz.values.allFinite())
     throw RunError(speeds_[speed].where + ": the modes of a nodal diameter could not be followed");
-  if (ritz.eigenvalues()[0] <= 0)
+  if (ritz.values[0] <= 0)
     throw RunError(speeds_[speed].where +
                    ": the stiffness of a nodal diameter is not positive definite: the rotor is unstable");
-  weights_[speed] = ritz.eigenvectors().leftCols(count_);
-  modes_[speed].eigenvalue = ritz.eigenvalues().head(count_);
+  weights_[speed] = ritz.vectors.leftCols(count_);
+  modes_[speed].eigenvalue = ritz.values.head(count_);
 }
 
 Eigen::MatrixXcd ModeFollowing::shapes(std::size_t speed, const std::vector<Eigen::Index>& which) const {

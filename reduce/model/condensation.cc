@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/model/condensation.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "reduce/model/dense_eigen.h"
 #include "reduce/model/hermitian_part.h"
 
 namespace tiprub {
@@ -21,18 +21,18 @@ CondensedModel in_second_basis(const Matrix<Scalar>& K, const Matrix<Scalar>& M,
   const Eigen::Index inner = K.rows() - contact, all = contact + modes;
   const Matrix<Scalar> inner_mass = M.bottomRightCorner(inner, inner),
                        inner_contact = M.bottomLeftCorner(inner, contact);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix<Scalar>> fixed(K.bottomRightCorner(inner, inner), inner_mass);
+  const Eigenpairs<Scalar> fixed = eigenpairs(Matrix<Scalar>(K.bottomRightCorner(inner, inner)), inner_mass);
   const Matrix<Scalar> constraint =
       -K.bottomRightCorner(inner, inner).partialPivLu().solve(K.bottomLeftCorner(inner, contact));
   const Matrix<Scalar> moved = inner_contact + inner_mass * constraint;
 
   Matrix<Scalar> basis = Matrix<Scalar>::Identity(K.rows(), all);
   basis.bottomLeftCorner(inner, contact) = constraint;
-  basis.bottomRightCorner(inner, modes) = fixed.eigenvectors().leftCols(modes);
+  basis.bottomRightCorner(inner, modes) = fixed.vectors.leftCols(modes);
   Matrix<Scalar> stiffness = Matrix<Scalar>::Zero(all, all), mass = Matrix<Scalar>::Identity(all, all);
   stiffness.topLeftCorner(contact, contact) =
       K.topLeftCorner(contact, contact) + K.topRightCorner(contact, inner) * constraint;
-  stiffness.diagonal().tail(modes) = fixed.eigenvalues().head(modes).template cast<Scalar>();
+  stiffness.diagonal().tail(modes) = fixed.values.head(modes).template cast<Scalar>();
   mass.topLeftCorner(contact, contact) =
       M.topLeftCorner(contact, contact) + inner_contact.adjoint() * constraint + constraint.adjoint() * moved;
   mass.bottomLeftCorner(modes, contact) = basis.bottomRightCorner(inner, modes).adjoint() * moved;

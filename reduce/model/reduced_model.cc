@@ -2,12 +2,12 @@
 #include "reduce/model/reduced_model.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
 #include "cases/program/errors.h"
+#include "reduce/model/dense_eigen.h"
 #include "reduce/model/nodal_diameter.h"
 
 namespace tiprub {
@@ -125,10 +125,9 @@ Eigen::MatrixXcd NodalDiameterModel::stiffness(double speed) const {
 }
 
 Eigen::VectorXd NodalDiameterModel::natural_frequencies(double speed) const {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(stiffness(speed), M,
-                                                                          Eigen::EigenvaluesOnly);
-  return solver.eigenvalues().unaryExpr(
-      [](double square) { return std::copysign(std::sqrt(std::abs(square)), square) / (2 * std::numbers::pi); });
+  return eigenvalues(stiffness(speed), M).unaryExpr([](double square) {
+    return std::copysign(std::sqrt(std::abs(square)), square) / (2 * std::numbers::pi);
+  });
 }
 
 std::string ContactLine::place_of(int node) const {

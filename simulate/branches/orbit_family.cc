@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/branches/orbit_family.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 
+#include "reduce/model/dense_eigen.h"
 #include "simulate/march/time_march.h"
 #include "simulate/orbits/recording.h"
 #include "simulate/periodic/marched_map.h"
@@ -19,7 +19,8 @@ constexpr std::size_t most_kept = 4;  // speeds: a step of continuation goes to 
 
 /// The unitary part of a matrix O, O (O^H O)^-1/2.
 Eigen::MatrixXcd unitary_part(const Eigen::MatrixXcd& matrix) {
-  return matrix * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(matrix.adjoint() * matrix).operatorInverseSqrt();
+  const auto [squares, vectors] = eigenpairs(Eigen::MatrixXcd(matrix.adjoint() * matrix));
+  return matrix * (vectors * squares.cwiseInverse().cwiseSqrt().asDiagonal() * vectors.adjoint());
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/march/rotor_at_speed.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include "cases/program/errors.h"
 #include "reduce/model/condensation.h"
+#include "reduce/model/dense_eigen.h"
 
 namespace tiprub {
 
@@ -75,26 +75,23 @@ WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kin
   return wave;
 }
 
+/// Of real matrices, or of complex ones.
+template <class Matrix>
+ModesAtSpeed modes_of(const Matrix& K, const Matrix& M, const Eigen::MatrixXcd& basis, ModeParts parts) {
+  if (parts == ModeParts::frequencies) return {eigenvalues(K, M), {}};
+  const auto [squares, shapes] = eigenpairs(K, M);
+  return {squares, basis * shapes.template cast<std::complex<double>>()};
+}
+
 }  // namespace
 
 ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, double speed, ModeParts parts) {
-  const int options =
-      Eigen::Ax_lBx | (parts == ModeParts::frequencies ? Eigen::EigenvaluesOnly : Eigen::ComputeEigenvectors);
   // eq. 11: K(Omega) of this nodal diameter
   const CondensedModel condensed =
       condense(model.nodal_diameters[nodal_diameter], speed, model.contact_dofs(), model.modes_at_speed);
-  ModesAtSpeed modes;
-  if (is_standing(nodal_diameter, model.sector_count)) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(condensed.K.real(), condensed.M.real(),
-                                                                           options);
-    modes.omega_squared = solver.eigenvalues();
-    if (parts == ModeParts::all) modes.shapes = condensed.basis * solver.eigenvectors().cast<std::complex<double>>();
-  } else {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(condensed.K, condensed.M, options);
-    modes.omega_squared = solver.eigenvalues();
-    if (parts == ModeParts::all) modes.shapes = condensed.basis * solver.eigenvectors();
-  }
-  return modes;
+  if (is_standing(nodal_diameter, model.sector_count))
+    return modes_of<Eigen::MatrixXd>(condensed.K.real(), condensed.M.real(), condensed.basis, parts);
+  return modes_of(condensed.K, condensed.M, condensed.basis, parts);
 }
 
 RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/orbits/excluded_growth.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <random>
 #include <vector>
+
+#include "reduce/model/dense_eigen.h"
 
 namespace tiprub {
 
@@ -114,10 +115,10 @@ class WholeWheel {
 
 /// The largest eigenvalue of the Hessenberg matrix, and how far it is from an eigenvalue of the map.
 Growth largest_ritz_value(const Eigen::MatrixXd& hessenberg, double next) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(hessenberg);
+  const GeneralEigenpairs ritz = general_eigenpairs(hessenberg);
   Eigen::Index largest = 0;
-  const double factor = solver.eigenvalues().cwiseAbs().maxCoeff(&largest);
-  const Eigen::VectorXcd vector = solver.eigenvectors().col(largest).normalized();
+  const double factor = ritz.values.cwiseAbs().maxCoeff(&largest);
+  const Eigen::VectorXcd vector = ritz.vectors.col(largest).normalized();
   return {factor, next * std::abs(vector[vector.size() - 1])};
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/orbits/speed_audit.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
+
+#include "reduce/model/dense_eigen.h"
 
 namespace tiprub {
 
@@ -52,8 +53,7 @@ double compliance_condition(const TimeMarch& march) {
     for (int column = 0; column < march.sectors(); ++column)
       dense.block(row * nodes, column * nodes, nodes, nodes) =
           march.compliance().block(row * march.width(), column * march.width(), nodes, nodes);
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd values = eigenvalues(dense);
   const double floor = std::numeric_limits<double>::epsilon() * values.maxCoeff();
   return values.maxCoeff() / std::max(values.minCoeff(), floor);
 }

@@ -11,12 +11,12 @@
 #include <AnasaziBasicSort.hpp>
 #include <AnasaziBlockKrylovSchur.hpp>
 #include <AnasaziStatusTestMaxIters.hpp>
-#include <Eigen/Eigenvalues>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "reduce/model/dense_eigen.h"
 #include "simulate/periodic/krylov_vectors.h"
 
 namespace tiprub {
@@ -39,7 +39,7 @@ Teuchos::ParameterList settings(Eigen::Index vectors) {
 Multiplier of_dense(const LinearMap& map, Eigen::Index size) {
   Eigen::MatrixXd matrix(size, size);
   for (Eigen::Index i = 0; i < size; ++i) matrix.col(i) = map(Eigen::VectorXd::Unit(size, i));
-  const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues();
+  const Eigen::VectorXcd values = general_eigenvalues(matrix);
   Eigen::Index largest = 0;
   values.cwiseAbs().maxCoeff(&largest);
   return {values[largest], static_cast<double>(size) * std::numeric_limits<double>::epsilon() * matrix.norm()};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/fields/modes/natural_modes.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +10,7 @@
 #include "postprocess/fields/blade_place.h"
 #include "postprocess/fields/cell_stress.h"
 #include "postprocess/waves/aliasing.h"
+#include "reduce/model/dense_eigen.h"
 
 namespace tiprub {
 
@@ -49,14 +49,13 @@ void normalise(Eigen::Matrix3Xcd& shape) {
 std::vector<ModeField> recovered(const FieldsReader& reader, const ReducedModel& model, int nodal_diameter,
                                  double speed) {
   const NodalDiameterModel& matrices = model.nodal_diameters[static_cast<std::size_t>(nodal_diameter)];
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(matrices.stiffness(speed), matrices.M);
-  const Eigen::MatrixXcd shapes =
-      reader.expand(nodal_diameter, solver.eigenvectors().leftCols(families_of(model, nodal_diameter)));
+  const auto [squares, vectors] = eigenpairs(matrices.stiffness(speed), matrices.M);
+  const Eigen::MatrixXcd shapes = reader.expand(nodal_diameter, vectors.leftCols(families_of(model, nodal_diameter)));
   std::vector<ModeField> modes;
   for (int family = 0; family < shapes.cols(); ++family) {
     WaveField wave{nodal_diameter, cartesian(reader.sector(), shapes.col(family)), {}};
     normalise(wave.displacement);
-    const double frequency = std::sqrt(std::max(0.0, solver.eigenvalues()[family])) / (2 * std::numbers::pi);
+    const double frequency = std::sqrt(std::max(0.0, squares[family])) / (2 * std::numbers::pi);
     modes.push_back({family, frequency, std::move(wave)});
   }
   return modes;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/march/integrators/penalty.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "reduce/model/dense_eigen.h"
 #include "simulate/march/integrators/contact_law.h"
 
 namespace tiprub {
@@ -14,8 +14,7 @@ double penalised_omega_max(const RotorAtSpeed& rotor, double stiffness) {
   for (const WaveModes& wave : rotor.waves) {
     Eigen::MatrixXcd sprung = stiffness * wave.normal_rows.adjoint() * wave.normal_rows;
     sprung.diagonal() += wave.omega.square().matrix().cast<std::complex<double>>();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(sprung, Eigen::EigenvaluesOnly);
-    square = std::max(square, solver.eigenvalues().maxCoeff());
+    square = std::max(square, eigenvalues(sprung).maxCoeff());
   }
   return std::sqrt(square);
 }

@@ -50,7 +50,7 @@ class Reducer {
     const SectorFactor at_rest = sector.factorize(0.0);
     timed(report, "factor at rest");
     require_room(sector.spin(at_rest, transforms_[0]), report);
-    report.shape_terms = static_cast<int>(sector.shape().terms.size());
+    report.shape_terms = static_cast<int>(sector.shape().displacement.terms.size());
     report.imbalance = sector.shape().imbalance;
     report.newton_steps = sector.shape().equilibria.newton_steps;
     report.newton_residual = sector.shape().equilibria.newton_residual;
@@ -148,27 +148,19 @@ class Reducer {
     else if (parameters_.spin_softening == SpinSoftening::off)
       model.prestress += ", without spin softening";
     model.contact = contact_.line;
-    std::vector<Eigen::MatrixX3d> shift;
-    for (const Eigen::VectorXd& term : shape.terms)
+    std::vector<Eigen::MatrixX3d>& shift = model.contact.static_shift.terms;
+    shift.clear();
+    for (const Eigen::VectorXd& term : shape.displacement.terms)
       shift.emplace_back((dofs_.contact_loads.transpose() * term).reshaped(3, model.contact.size()).transpose());
-    if (shift.size() == 1) shift.emplace_back(Eigen::MatrixX3d::Zero(model.contact.size(), 3));
-    model.contact.static_shift_1 = shift[0];
-    model.contact.static_shift_2 = shift[1];
-    model.contact.higher_shifts.assign(shift.begin() + 2, shift.end());
     return model;
   }
 
   void write_sector_fields(const SpinShape& shape) const {
     if (fields_ == nullptr) return;
     SectorFields sector = describe_sector(mesh_, contact_.nodes, parameters_.material);
-    std::vector<Eigen::Matrix3Xd> displacement;
-    for (const Eigen::VectorXd& term : shape.terms)
-      displacement.emplace_back(
+    for (const Eigen::VectorXd& term : shape.displacement.terms)
+      sector.static_displacement.terms.emplace_back(
           on_nodes(dofs_, term.cast<std::complex<double>>()).real().reshaped(3, mesh_.node_count()));
-    if (displacement.size() == 1) displacement.emplace_back(Eigen::Matrix3Xd::Zero(3, mesh_.node_count()));
-    sector.static_displacement_1 = displacement[0];
-    sector.static_displacement_2 = displacement[1];
-    sector.higher_displacements.assign(displacement.begin() + 2, displacement.end());
     fields_->write_sector(sector);
   }
 

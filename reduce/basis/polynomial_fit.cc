@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/basis/polynomial_fit.h"
 
-#include <iterator>
-#include <utility>
-
-#include "reduce/operators/speed_polynomial.h"
+#include "reduce/operators/polynomial_fit.h"
 #include "reduce/sector/parallel_for.h"
 
 namespace tiprub {
@@ -22,7 +19,7 @@ Eigen::MatrixXd misfit(const SampledStiffness& stiffness, const SpeedSamples& sa
     for (Eigen::Index row = 0; row < rows; ++row) {
       const double fraction = parameters.verification_speeds[row];
       const Eigen::MatrixXcd K = samples.combine(stiffness[n], fraction);
-      const Eigen::VectorXd exact = NodalDiameterModel{K, 0 * K, 0 * K, fitted.M}.natural_frequencies(0.0);
+      const Eigen::VectorXd exact = NodalDiameterModel{{{K}}, fitted.M}.natural_frequencies(0.0);
       const Eigen::VectorXd by_polynomial = fitted.natural_frequencies(fraction * parameters.speed_max);
       table(row, n) =
           (by_polynomial.array() / exact.array() - 1).head(parameters.verification_modes).abs().maxCoeff();
@@ -35,16 +32,10 @@ Eigen::MatrixXd misfit(const SampledStiffness& stiffness, const SpeedSamples& sa
 
 void fit_polynomial(const SampledStiffness& stiffness, const SpeedSamples& samples,
                     const ReductionParameters& parameters, ReducedModel& model) {
-  const SpeedPolynomial polynomial(speeds_at(samples.polynomial_fractions(), parameters.speed_max));
-  for (std::size_t n = 0; n < stiffness.size(); ++n) {
-    std::vector<Eigen::MatrixXcd> terms =
-        polynomial.coefficients(std::vector(stiffness[n].begin(), stiffness[n].begin() + samples.polynomial_terms()));
-    NodalDiameterModel& to = model.nodal_diameters[n];
-    to.K0 = std::move(terms[0]);
-    to.K1 = std::move(terms[1]);
-    to.K2 = std::move(terms[2]);
-    to.higher.assign(std::make_move_iterator(terms.begin() + 3), std::make_move_iterator(terms.end()));
-  }
+  const PolynomialFit fit(speeds_at(samples.polynomial_fractions(), parameters.speed_max));
+  for (std::size_t n = 0; n < stiffness.size(); ++n)
+    model.nodal_diameters[n].K =
+        fit.through(std::vector(stiffness[n].begin(), stiffness[n].begin() + samples.polynomial_terms()));
   if (parameters.prestress == Prestress::nonlinear)
     model.verification.polynomial_misfit = misfit(stiffness, samples, parameters, model);
 }

@@ -45,7 +45,7 @@ CondensedModel in_second_basis(const Matrix<Scalar>& K, const Matrix<Scalar>& M,
 }  // namespace
 
 Eigen::VectorXd CondensedModel::natural_frequencies() const {
-  return NodalDiameterModel{K, 0 * K, 0 * K, M}.natural_frequencies(0.0);
+  return NodalDiameterModel{{{K}}, M}.natural_frequencies(0.0);
 }
 
 CondensedModel condense(const NodalDiameterModel& model, double speed, int contact_dofs, int modes) {

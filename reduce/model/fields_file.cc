@@ -19,7 +19,7 @@ std::string basis_of(int nodal_diameter) {
   return "/nodal_diameter/" + std::to_string(nodal_diameter) + "/basis";
 }
 
-std::string displacement_name(std::size_t power) {
+std::string displacement_name(int power) {
   return "/static/displacement_" + std::to_string(power);
 }
 
@@ -71,17 +71,13 @@ Eigen::MatrixXi read_cells(const Hdf5File& file, Eigen::Index nodes) {
 }
 
 void read_static_displacement(const Hdf5File& file, SectorFields& sector) {
-  const auto term = [&](std::size_t power) {
-    Eigen::Matrix3Xd displacement = read_vectors(file, displacement_name(power));
-    if (displacement.cols() != sector.nodes.cols())
-      refuse(file, displacement_name(power), "must have a row for each node");
-    return displacement;
-  };
-  sector.static_displacement_1 = term(1);
-  sector.static_displacement_2 = term(2);
-  for (std::size_t power = 3; file.exists(displacement_name(power)); ++power)
-    sector.higher_displacements.push_back(term(power));
-  if (file.members("/static").size() != 2 + sector.higher_displacements.size())
+  std::vector<Eigen::Matrix3Xd>& terms = sector.static_displacement.terms;
+  for (int k = 1; k <= 2 || file.exists(displacement_name(k)); ++k) {
+    terms.push_back(read_vectors(file, displacement_name(k)));
+    if (terms.back().cols() != sector.nodes.cols())
+      refuse(file, displacement_name(k), "must have a row for each node");
+  }
+  if (file.members("/static").size() != terms.size())
     refuse(file, "/static", "must hold displacement_1, _2, and _3, _4, ... without a gap, and nothing else");
 }
 
@@ -112,14 +108,6 @@ SectorFields read_sector(const Hdf5File& file) {
 
 }  // namespace
 
-Eigen::Matrix3Xd SectorFields::static_displacement(double speed) const {
-  const double square = speed * speed;
-  Eigen::Matrix3Xd moved = square * static_displacement_1 + square * square * static_displacement_2;
-  double power = square * square;
-  for (const Eigen::Matrix3Xd& term : higher_displacements) moved += (power *= square) * term;
-  return moved;
-}
-
 struct FieldsWriter::State {
   Hdf5File file;
   std::size_t nodes = 0;
@@ -148,13 +136,9 @@ void FieldsWriter::write_sector(const SectorFields& sector) {
   file.write("/cells", table(sector.cells), "1");
   for (const auto& [name, nodes] : sector.node_sets) file.write("/node_set/" + name, list(nodes), "1");
   for (const auto& [name, cells] : sector.parts) file.write("/part/" + name, list(cells), "1");
-  const auto write_displacement = [&](std::size_t power, const Eigen::Matrix3Xd& term) {
-    file.write(displacement_name(power), Eigen::MatrixXd(term.transpose()), "m s^" + std::to_string(2 * power));
-  };
-  write_displacement(1, sector.static_displacement_1);
-  write_displacement(2, sector.static_displacement_2);
-  for (std::size_t k = 0; k < sector.higher_displacements.size(); ++k)
-    write_displacement(3 + k, sector.higher_displacements[k]);
+  for (int k = 1; k <= sector.static_displacement.highest(); ++k)
+    file.write(displacement_name(k), Eigen::MatrixXd(sector.static_displacement.coefficient(k).transpose()),
+               "m s^" + std::to_string(2 * k));
 }
 
 void FieldsWriter::write_basis(int nodal_diameter, Eigen::Index dofs, bool standing, const Shape& shape) {

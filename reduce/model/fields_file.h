@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "reduce/model/speed_polynomial.h"
+
 namespace tiprub {
 
 /// What fields.h5 holds beside the basis: one sector of the wheel, its material, its shape under spin.
@@ -23,12 +25,7 @@ struct SectorFields {
   double young = 0;                                   ///< [Pa]
   double poisson = 0;                                 ///< [1]
   double density = 0;                                 ///< [kg/m^3]
-  Eigen::Matrix3Xd static_displacement_1;             ///< [m s^2] under spin over Omega^2; r, theta, z; 3 x nodes
-  Eigen::Matrix3Xd static_displacement_2;             ///< [m s^4] its part with Omega^4; 3 x nodes
-  std::vector<Eigen::Matrix3Xd> higher_displacements = {};  ///< [m s^6], ... its parts with Omega^6, Omega^8, ...
-
-  /// [m] displacement under spin at a speed in rad/s; r, theta, z; 3 x nodes.
-  Eigen::Matrix3Xd static_displacement(double speed) const;
+  SpeedPolynomial<Eigen::Matrix3Xd, 1> static_displacement;  ///< [m] under spin; r, theta, z; 3 x nodes
 
   const std::vector<int>& node_set(const std::string& name) const { return node_sets.at(name); }
 };

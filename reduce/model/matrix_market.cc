@@ -47,12 +47,11 @@ void write_matrix_market(const ReducedModel& model, const std::filesystem::path&
     const std::string about = "nodal diameter " + std::to_string(n) +
                               ", K = K0 + Omega^2 K1 + Omega^4 K2 + ..., rad/s; the first " +
                               std::to_string(model.contact_dofs()) + " dofs are r, theta, z of the contact nodes; ";
-    write_matrix(folder / (stem + "K0.mtx"), matrices.K0, standing, about + "K0 in N/m");
-    write_matrix(folder / (stem + "K1.mtx"), matrices.K1, standing, about + "K1 in N/m s^2");
-    write_matrix(folder / (stem + "K2.mtx"), matrices.K2, standing, about + "K2 in N/m s^4");
-    for (std::size_t k = 0; k < matrices.higher.size(); ++k)
-      write_matrix(folder / (stem + "K" + std::to_string(3 + k) + ".mtx"), matrices.higher[k], standing,
-                   about + "K" + std::to_string(3 + k) + " in N/m s^" + std::to_string(2 * (3 + k)));
+    for (int k = 0; k <= matrices.K.highest(); ++k) {
+      const std::string name = "K" + std::to_string(k);
+      write_matrix(folder / (stem + name + ".mtx"), matrices.K.coefficient(k), standing,
+                   about + name + " in N/m" + (k == 0 ? "" : " s^" + std::to_string(2 * k)));
+    }
     write_matrix(folder / (stem + "M.mtx"), matrices.M, standing, about + "M in kg");
   }
 }

@@ -28,16 +28,18 @@ std::string digest(const ReducedModel& model) {
   digest.add(model.speed_max);
   digest.add(model.modes_at_speed);
   digest.add(model.prestress);
-  for (const auto* table :
-       {&model.contact.position, &model.contact.normal, &model.contact.static_shift_1, &model.contact.static_shift_2})
-    add(digest, Eigen::MatrixXd(*table));
-  for (const Eigen::MatrixX3d& shift : model.contact.higher_shifts) add(digest, Eigen::MatrixXd(shift));
-  add(digest, Eigen::MatrixXd(model.contact.arc_length));
-  if (model.contact.kind != ContactKind::points) digest.add(model.contact.kind);
-  if (model.contact.splitter_nodes > 0) digest.add(model.contact.splitter_nodes);
+  const ContactLine& contact = model.contact;
+  add(digest, Eigen::MatrixXd(contact.position));
+  add(digest, Eigen::MatrixXd(contact.normal));
+  for (int k = 1; k <= contact.static_shift.highest(); ++k)
+    add(digest, Eigen::MatrixXd(contact.static_shift.coefficient(k)));
+  add(digest, Eigen::MatrixXd(contact.arc_length));
+  if (contact.kind != ContactKind::points) digest.add(contact.kind);
+  if (contact.splitter_nodes > 0) digest.add(contact.splitter_nodes);
   for (const NodalDiameterModel& matrices : model.nodal_diameters) {
-    for (const auto* matrix : {&matrices.K0, &matrices.K1, &matrices.K2, &matrices.M}) add(digest, *matrix);
-    for (const Eigen::MatrixXcd& matrix : matrices.higher) add(digest, matrix);
+    for (int k = 0; k <= 2; ++k) add(digest, matrices.K.coefficient(k));
+    add(digest, matrices.M);
+    for (int k = 3; k <= matrices.K.highest(); ++k) add(digest, matrices.K[k]);
   }
   add(digest, Eigen::MatrixXd(model.verification.speeds));
   add(digest, model.verification.polynomial_misfit);

@@ -41,10 +41,9 @@ void check(const NodalDiameterModel& model, int contact_dofs, bool real, const s
   require(size > 0 && size >= contact_dofs, where + "/M is " + shape(model.M) +
                                                 ", but the contact nodes alone have " + std::to_string(contact_dofs) +
                                                 " dofs");
-  std::vector<std::pair<std::string, const Eigen::MatrixXcd&>> all = {
-      {"/K0", model.K0}, {"/K1", model.K1}, {"/K2", model.K2}, {"/M", model.M}};
-  for (std::size_t k = 0; k < model.higher.size(); ++k)
-    all.emplace_back("/K" + std::to_string(3 + k), model.higher[k]);
+  require(!model.K.terms.empty(), where + " has no K0");
+  std::vector<std::pair<std::string, const Eigen::MatrixXcd&>> all = {{"/M", model.M}};
+  for (std::size_t k = 0; k < model.K.terms.size(); ++k) all.emplace_back("/K" + std::to_string(k), model.K.terms[k]);
   for (const auto& [name, matrix] : all) {
     require(matrix.rows() == size && matrix.cols() == size, where + name + " is " + shape(matrix) + ", must be " +
                                                                 std::to_string(size) + " x " + std::to_string(size));
@@ -78,9 +77,9 @@ void check(const ContactLine& contact, const std::string& name) {
   require(count > 0, name + ": /contact holds no node");
   require(contact.splitter_nodes >= 0 && contact.splitter_nodes < count,
           name + ": /contact/blade must begin with 0, the main blade, and may go on with 1, the splitter");
-  std::vector<const Eigen::MatrixX3d*> tables = {&contact.position, &contact.normal, &contact.static_shift_1,
-                                                 &contact.static_shift_2};
-  for (const Eigen::MatrixX3d& shift : contact.higher_shifts) tables.push_back(&shift);
+  require(!contact.static_shift.terms.empty(), name + ": /contact has no static shift");
+  std::vector<const Eigen::MatrixX3d*> tables = {&contact.position, &contact.normal};
+  for (const Eigen::MatrixX3d& shift : contact.static_shift.terms) tables.push_back(&shift);
   for (const auto* table : tables)
     require(table->rows() == count, name + ": /contact: every table must have " + std::to_string(count) + " rows");
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -116,14 +115,6 @@ const char* name_of(ContactKind kind) {
   return kind == ContactKind::points ? "contact node" : "contact segment";
 }
 
-Eigen::MatrixXcd NodalDiameterModel::stiffness(double speed) const {
-  const double square = speed * speed;
-  Eigen::MatrixXcd K = K0 + square * K1 + square * square * K2;  // eq. 11
-  double power = square * square;
-  for (const Eigen::MatrixXcd& term : higher) K += (power *= square) * term;
-  return K;
-}
-
 Eigen::VectorXd NodalDiameterModel::natural_frequencies(double speed) const {
   return eigenvalues(stiffness(speed), M).unaryExpr([](double square) {
     return std::copysign(std::sqrt(std::abs(square)), square) / (2 * std::numbers::pi);
@@ -135,14 +126,6 @@ std::string ContactLine::place_of(int node) const {
   if (node <= trailing_edge()) return node == trailing_edge() ? "trailing edge" : "";
   if (node == trailing_edge() + 1) return "splitter's leading edge";
   return node == size() - 1 ? "splitter's trailing edge" : "splitter";
-}
-
-Eigen::MatrixX3d ContactLine::static_shift(double speed) const {
-  const double square = speed * speed;
-  Eigen::MatrixX3d shift = square * static_shift_1 + square * square * static_shift_2;
-  double power = square * square;
-  for (const Eigen::MatrixX3d& term : higher_shifts) shift += (power *= square) * term;
-  return shift;
 }
 
 void check(const ReducedModel& model, const std::string& name) {

@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "reduce/model/speed_polynomial.h"
+
 namespace tiprub {
 
 /// The reduced matrices of one nodal diameter n (eq. 10): a travelling wave u_j = Re(u e^{i n j alpha}) over the
 /// sectors j, alpha = 2 pi / N (the paper's eq. 6 in half the size). Rows: r, theta, z of each contact node from
 /// leading to trailing edge, then the generalized dofs. All n x n and Hermitian; real for n = 0 and n = N/2.
 struct NodalDiameterModel {
-  Eigen::MatrixXcd K0;                        ///< [N/m in contact rows] stiffness at rest (eq. 7)
-  Eigen::MatrixXcd K1;                        ///< [N/m s^2] its part with Omega^2
-  Eigen::MatrixXcd K2;                        ///< [N/m s^4] its part with Omega^4
-  Eigen::MatrixXcd M;                         ///< [kg in contact rows] mass, positive definite
-  std::vector<Eigen::MatrixXcd> higher = {};  ///< K3, K4, ... with Omega^6, Omega^8, ...; eq. 7 has none
+  /// [N/m in contact rows] stiffness, K0 + Omega^2 K1 + Omega^4 K2 (eq. 7), and with more terms on to Omega^6, ...
+  SpeedPolynomial<Eigen::MatrixXcd, 0> K;
+  Eigen::MatrixXcd M;  ///< [kg in contact rows] mass, positive definite
 
-  /// eq. 11, one block: K0 + Omega^2 K1 + Omega^4 K2 + ..., Omega in rad/s.
-  Eigen::MatrixXcd stiffness(double speed) const;
+  /// eq. 11, one block; at a speed in rad/s.
+  Eigen::MatrixXcd stiffness(double speed) const { return K(speed); }
   /// [Hz], ascending, at a speed in rad/s. A negative eigenvalue (an unstable rotor) gives a negative frequency.
   Eigen::VectorXd natural_frequencies(double speed) const;
 };
@@ -36,21 +36,17 @@ const char* name_of(ContactKind kind);
 /// it; n_c nodes, or the centres of n_c segments.
 struct ContactLine {
   ContactKind kind = ContactKind::points;
-  int splitter_nodes = 0;           ///< of the n_c; these stand on the splitter, the others on the main blade
-  Eigen::MatrixX3d position;        ///< [m, rad, m] r, theta, z; n_c x 3
-  Eigen::MatrixX3d normal;          ///< unit, from the blade to the casing, components r, theta, z; n_c x 3
-  Eigen::VectorXd arc_length;       ///< [m] in the meridional plane, from the main blade's leading edge; n_c
-  Eigen::MatrixX3d static_shift_1;  ///< [m s^2] displacement under spin over Omega^2; n_c x 3 (r, theta, z)
-  Eigen::MatrixX3d static_shift_2;  ///< [m s^4] its part with Omega^4; n_c x 3
-  std::vector<Eigen::MatrixX3d> higher_shifts = {};  ///< [m s^6], ... its parts with Omega^6, Omega^8, ...; n_c x 3
+  int splitter_nodes = 0;      ///< of the n_c; these stand on the splitter, the others on the main blade
+  Eigen::MatrixX3d position;   ///< [m, rad, m] r, theta, z; n_c x 3
+  Eigen::MatrixX3d normal;     ///< unit, from the blade to the casing, components r, theta, z; n_c x 3
+  Eigen::VectorXd arc_length;  ///< [m] in the meridional plane, from the main blade's leading edge; n_c
+  SpeedPolynomial<Eigen::MatrixX3d, 1> static_shift;  ///< [m] displacement under spin, r, theta, z; n_c x 3
 
   int size() const { return static_cast<int>(arc_length.size()); }
   /// The node at the main blade's trailing edge; its leading edge is node 0.
   int trailing_edge() const { return size() - splitter_nodes - 1; }
   /// "leading edge", "trailing edge", "splitter", "splitter's leading edge", ..., or empty: for people.
   std::string place_of(int node) const;
-  /// [m] displacement under spin at a speed in rad/s; n_c x 3.
-  Eigen::MatrixX3d static_shift(double speed) const;
 };
 
 /// Frequencies of the unreduced sector that verify the reduction, with those of the model beside them.

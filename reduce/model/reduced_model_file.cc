@@ -21,18 +21,18 @@ std::string group_of(int nodal_diameter) {
 }
 
 /// "N/m s^2" of K1, with Omega^2.
-std::string stiffness_unit(std::size_t power) {
+std::string stiffness_unit(int power) {
   return power == 0 ? "N/m" : "N/m s^" + std::to_string(2 * power);
 }
 
 /// "m s^2" of the shape's part with Omega^2, the first.
-std::string shift_unit(std::size_t power) {
+std::string shift_unit(int power) {
   return "m s^" + std::to_string(2 * power);
 }
 
 constexpr const char* shift_stem = "/contact/static_shift_";
 
-std::string shift_name(std::size_t power) {
+std::string shift_name(int power) {
   return shift_stem + std::to_string(power);
 }
 
@@ -53,14 +53,12 @@ Eigen::MatrixX3d read_triples(const Hdf5File& file, const std::string& name, con
 
 /// A model by hand may leave out what is zero.
 void read_static_shift(const Hdf5File& file, ContactLine& contact) {
-  const auto term = [&](std::size_t power) { return read_triples(file, shift_name(power), shift_unit(power)); };
   const Eigen::MatrixX3d zero = Eigen::MatrixX3d::Zero(contact.arc_length.size(), 3);
-  contact.static_shift_1 = file.exists(shift_name(1)) ? term(1) : zero;
-  contact.static_shift_2 = file.exists(shift_name(2)) ? term(2) : zero;
-  std::set<std::string> known = {shift_name(1), shift_name(2)};
-  for (std::size_t power = 3; file.exists(shift_name(power)); ++power) {
-    contact.higher_shifts.push_back(term(power));
-    known.insert(shift_name(power));
+  std::set<std::string> known;
+  for (int k = 1; k <= 2 || file.exists(shift_name(k)); ++k) {
+    const std::string name = shift_name(k);
+    contact.static_shift.terms.push_back(file.exists(name) ? read_triples(file, name, shift_unit(k)) : zero);
+    known.insert(name);
   }
   for (const std::string& member : file.members("/contact"))
     if (const std::string name = "/contact/" + member; name.starts_with(shift_stem) && !known.contains(name))
@@ -89,13 +87,9 @@ NodalDiameterModel read_nodal_diameter(const Hdf5File& file, const std::string& 
   NodalDiameterModel matrices;
   matrices.M = read_matrix(file, group + "/M", "kg");
   const Eigen::MatrixXcd zero = Eigen::MatrixXcd::Zero(matrices.M.rows(), matrices.M.cols());
-  const auto term = [&](std::size_t power) {
-    return read_matrix(file, group + "/K" + std::to_string(power), stiffness_unit(power));
-  };
-  matrices.K0 = term(0);
-  matrices.K1 = file.exists(group + "/K1") ? term(1) : zero;
-  matrices.K2 = file.exists(group + "/K2") ? term(2) : zero;
-  for (std::size_t k = 3; file.exists(group + "/K" + std::to_string(k)); ++k) matrices.higher.push_back(term(k));
+  const auto name = [&](int k) { return group + "/K" + std::to_string(k); };
+  for (int k = 0; k <= 2 || file.exists(name(k)); ++k)
+    matrices.K.terms.push_back(k == 0 || file.exists(name(k)) ? read_matrix(file, name(k), stiffness_unit(k)) : zero);
   return matrices;
 }
 
@@ -168,12 +162,8 @@ void write_contact_line(Hdf5File& file, const ContactLine& contact) {
     blade.tail(contact.splitter_nodes).setOnes();
     file.write(blade_name, blade, "1");
   }
-  const auto write_shift = [&](std::size_t power, const Eigen::MatrixX3d& shift) {
-    file.write(shift_name(power), Eigen::MatrixXd(shift), shift_unit(power));
-  };
-  write_shift(1, contact.static_shift_1);
-  write_shift(2, contact.static_shift_2);
-  for (std::size_t k = 0; k < contact.higher_shifts.size(); ++k) write_shift(3 + k, contact.higher_shifts[k]);
+  for (int k = 1; k <= contact.static_shift.highest(); ++k)
+    file.write(shift_name(k), Eigen::MatrixXd(contact.static_shift.coefficient(k)), shift_unit(k));
 }
 
 void write_verification(Hdf5File& file, const Verification& verification) {
@@ -205,13 +195,8 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   for (std::size_t n = 0; n < model.nodal_diameters.size(); ++n) {
     const NodalDiameterModel& matrices = model.nodal_diameters[n];
     const std::string group = group_of(static_cast<int>(n));
-    const auto write_term = [&](std::size_t power, const Eigen::MatrixXcd& K) {
-      write_matrix(file, group + "/K" + std::to_string(power), K, stiffness_unit(power));
-    };
-    write_term(0, matrices.K0);
-    write_term(1, matrices.K1);
-    write_term(2, matrices.K2);
-    for (std::size_t k = 0; k < matrices.higher.size(); ++k) write_term(3 + k, matrices.higher[k]);
+    for (int k = 0; k <= matrices.K.highest(); ++k)
+      write_matrix(file, group + "/K" + std::to_string(k), matrices.K.coefficient(k), stiffness_unit(k));
     write_matrix(file, group + "/M", matrices.M, "kg");
   }
   write_verification(file, model.verification);

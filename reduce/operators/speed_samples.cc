@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reduce/operators/speed_polynomial.h"
+#include "reduce/operators/polynomial_fit.h"
 
 namespace tiprub {
 
@@ -37,7 +37,7 @@ Eigen::VectorXd SpeedSamples::weights(double fraction) const {
   if (sample != fractions_.rend())
     weights[fractions_.rend() - sample - 1] = 1;
   else
-    weights.head(terms_) = SpeedPolynomial(polynomial_fractions()).weights(fraction);
+    weights.head(terms_) = PolynomialFit(polynomial_fractions()).weights(fraction);
   return weights;
 }
 

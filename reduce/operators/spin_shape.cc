@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "reduce/operators/speed_polynomial.h"
+#include "reduce/operators/polynomial_fit.h"
 #include "reduce/operators/speed_samples.h"
 
 namespace tiprub {
@@ -37,8 +37,8 @@ class ShapeFit {
     const std::vector<double> speeds = speeds_at(chebyshev_fractions(terms), parameters_.speed_max);
     std::vector<Eigen::VectorXd> shapes;
     for (const double speed : speeds) shapes.push_back(equilibrium(speed));
-    shape_.terms = SpeedPolynomial(speeds).coefficients(shapes);
-    shape_.terms.erase(shape_.terms.begin());  // at rest: zero
+    shape_.displacement.terms = PolynomialFit(speeds).through(shapes).terms;
+    shape_.displacement.terms.erase(shape_.displacement.terms.begin());  // at rest: zero
     shape_.imbalance = imbalance(terms);
   }
 
@@ -58,7 +58,8 @@ class ShapeFit {
     double largest = 0;
     const std::vector<double> finer = speeds_at(chebyshev_fractions(2 * terms), parameters_.speed_max);
     for (std::size_t k = 1; k < finer.size(); k += 2)
-      largest = std::max(largest, spin_imbalance(elasticity_, mesh_, at_rest_, finer[k], shape_.at(finer[k])));
+      largest =
+          std::max(largest, spin_imbalance(elasticity_, mesh_, at_rest_, finer[k], shape_.displacement(finer[k])));
     return largest;
   }
 
@@ -71,17 +72,10 @@ class ShapeFit {
 
 }  // namespace
 
-Eigen::VectorXd SpinShape::at(double speed) const {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(terms.front().size());
-  double power = 1;
-  for (const Eigen::VectorXd& term : terms) sum += (power *= speed * speed) * term;
-  return sum;
-}
-
 SpinShape spin_shape(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& at_rest,
                      const ReductionParameters& parameters) {
   if (parameters.prestress == Prestress::nonlinear) return ShapeFit(elasticity, mesh, at_rest, parameters).run();
-  return {.terms = {linear_shape(elasticity, at_rest)}, .imbalance = 0, .equilibria = {}};
+  return {.displacement = {{linear_shape(elasticity, at_rest)}}, .imbalance = 0, .equilibria = {}};
 }
 
 }  // namespace tiprub

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "reduce/model/speed_polynomial.h"
 #include "reduce/operators/spin_equilibrium.h"
 #include "reduce/sector/reduction_parameters.h"
 
@@ -19,12 +20,9 @@ namespace tiprub {
 /// (St Venant-Kirchhoff), so that K at all of these shapes is K0 + Omega^2 K1 + ... of 2m + 1 terms, exactly: eq. 7,
 /// which has three, is the case of m = 1.
 struct SpinShape {
-  std::vector<Eigen::VectorXd> terms;  ///< s_1, s_2, ... [m s^2, m s^4, ...]; sector dofs
-  double imbalance = 0;                ///< [1] see spin_imbalance(); largest in the middle between its speeds
-  SpinShapes equilibria;               ///< at the verification speeds, and at those that it goes through
-
-  /// [m]; speed in rad/s.
-  Eigen::VectorXd at(double speed) const;
+  SpeedPolynomial<Eigen::VectorXd, 1> displacement;  ///< u; s_1, s_2, ... [m s^2, m s^4, ...]; sector dofs
+  double imbalance = 0;   ///< [1] see spin_imbalance(); largest in the middle between its speeds
+  SpinShapes equilibria;  ///< at the verification speeds, and at those that it goes through
 };
 
 /// As many terms as `polynomial_speeds` says or, with 0, as it takes: 1, 2, 4 or 8, the first that leaves less than

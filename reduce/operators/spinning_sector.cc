@@ -30,12 +30,12 @@ SpinningSector::SpinningSector(const SectorMesh& mesh, const SectorDofs& dofs, c
 
 const SpeedSamples& SpinningSector::spin(const SectorFactor& factor_at_rest, const CyclicTransformation& transform) {
   if (!elasticity_) {
-    shape_ = {.terms = {Eigen::VectorXd::Zero(dofs_.sector())}, .imbalance = 0, .equilibria = {}};
+    shape_ = {.displacement = {{Eigen::VectorXd::Zero(dofs_.sector())}}, .imbalance = 0, .equilibria = {}};
     return samples_;
   }
   const CyclicSolver at_rest = at_speed(0.0, [&] { return CyclicSolver(factor_at_rest, transform); });
   shape_ = spin_shape(*elasticity_, mesh_, at_rest, parameters_);
-  samples_ = SpeedSamples(parameters_, static_cast<int>(shape_.terms.size()));
+  samples_ = SpeedSamples(parameters_, static_cast<int>(shape_.displacement.terms.size()));
   return samples_;
 }
 
@@ -43,8 +43,8 @@ void SpinningSector::sample() {
   const std::vector<double>& fractions = samples_.fractions();
   for (std::size_t s = stiffness_.size(); s < fractions.size(); ++s) {
     const bool equilibrium = s >= static_cast<std::size_t>(samples_.polynomial_terms());
-    stiffness_.push_back(assemble_stiffness(
-        fractions[s], equilibrium ? shape_.equilibria.at.at(speed(fractions[s])) : shape_.at(speed(fractions[s]))));
+    stiffness_.push_back(assemble_stiffness(fractions[s], equilibrium ? shape_.equilibria.at.at(speed(fractions[s]))
+                                                                      : shape_.displacement(speed(fractions[s]))));
   }
   elasticity_.reset();
 }

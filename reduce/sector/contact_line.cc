@@ -176,7 +176,7 @@ ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& con
   line.position.resize(count, 3);
   line.normal.resize(count, 3);
   line.arc_length.resize(count);
-  line.static_shift_1 = line.static_shift_2 = Eigen::MatrixX3d::Zero(count, 3);
+  line.static_shift.terms = {Eigen::MatrixX3d::Zero(count, 3)};
   describe_nodes(mesh, mesh.contact_line, main, 0, line);
   if (splitter.empty()) return line;
   describe_nodes(mesh, mesh.splitter_line, splitter, count - on_splitter, line);

@@ -184,7 +184,7 @@ ContactUnknowns segments_of(const SectorMesh& mesh, const BladeTip& blade, int c
   line.arc_length = weights * beside;
   const Eigen::MatrixX3d normals = normals_beside(describe_contact(mesh, blade.line), beside);
   line.normal = (weights * normals).rowwise().normalized();
-  line.static_shift_1 = line.static_shift_2 = Eigen::MatrixX3d::Zero(count, 3);
+  line.static_shift.terms = {Eigen::MatrixX3d::Zero(count, 3)};
   return {nearest_nodes(mesh, blade.line, line.arc_length), line, tip.nodes, weights};
 }
 
@@ -206,7 +206,7 @@ ContactUnknowns joined(const ContactUnknowns& main, const ContactUnknowns& split
   all.line.position = below(main.line.position, splitter.line.position);
   all.line.normal = below(main.line.normal, splitter.line.normal);
   all.line.arc_length = below(main.line.arc_length, splitter.line.arc_length);
-  all.line.static_shift_1 = all.line.static_shift_2 = Eigen::MatrixX3d::Zero(all.line.size(), 3);
+  all.line.static_shift.terms = {Eigen::MatrixX3d::Zero(all.line.size(), 3)};
   return all;
 }
 

@@ -199,7 +199,7 @@ Map softening() {
           [](std::size_t /*row*/, double share) {
             BenchWheel wheel = made_wheel(2);
             const double ratio = 2 * std::numbers::pi * lowest_frequency(wheel) / wheel.speed;
-            for (NodalDiameterModel& at : wheel.model.nodal_diameters) at.K1 = -ratio * ratio * at.M;
+            for (NodalDiameterModel& at : wheel.model.nodal_diameters) at.K[1] = -ratio * ratio * at.M;
             wheel.speed *= share;
             Trial trial = stepped(wheel, default_steps);
             trial.own_reference = true;

@@ -32,7 +32,7 @@ BenchWheel made_wheel(int lobes, double tip_share) {
     lowest = std::min(lowest, at.natural_frequencies(0)[0]);
   const double factor = first_frequency * first_frequency / (lowest * lowest);
   for (NodalDiameterModel& at : wheel.model.nodal_diameters)
-    for (Eigen::MatrixXcd* matrix : {&at.K0, &at.K1, &at.K2}) *matrix *= factor;
+    for (Eigen::MatrixXcd& term : at.K.terms) term *= factor;
   return wheel;
 }
 

@@ -218,7 +218,7 @@ def _(c):
 
 # --- 3.4 reduction -----------------------------------------------------------------------------------------------------------
 
-by_test(22, "eq. 7 gives back its three matrices to 1e-12", ("reduce_test", "SpeedPolynomial.*"))
+by_test(22, "eq. 7 gives back its three matrices to 1e-12", ("reduce_test", "PolynomialFit.*"))
 
 
 @check(23, "at a speed that the basis never saw, frequencies within 0.1 % (first 50; model against unreduced sector)")

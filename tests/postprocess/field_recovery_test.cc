@@ -55,7 +55,7 @@ SectorFields sector_of_bricks(int nodes_per_brick) {
     high.push_back(static_cast<int>(std::find(lattice.begin(), lattice.end(), partner) - lattice.begin()));
   }
   sector.node_sets = {{"clamped", {}}, {"contact", {0}}, {"cyclic_low", low}, {"cyclic_high", high}};
-  sector.static_displacement_1 = sector.static_displacement_2 = Eigen::Matrix3Xd::Zero(3, sector.nodes.cols());
+  sector.static_displacement.terms = {Eigen::Matrix3Xd::Zero(3, sector.nodes.cols())};
   return sector;
 }
 
@@ -226,8 +226,9 @@ TEST(SectorSurface, IsWhatBricksDontShare) {
 TEST(FieldsFile, ExpandsWhatItTook) {
   SectorFields sector = sector_of_bricks(20);
   sector.parts = {{"disc", {0}}, {"main_blade", {1}}};
-  sector.static_displacement_1.setRandom();
-  sector.higher_displacements = {sector.static_displacement_1 / 3};
+  std::vector<Eigen::Matrix3Xd>& terms = sector.static_displacement.terms;
+  terms[0].setRandom();
+  terms.insert(terms.end(), {0 * terms[0], terms[0] / 3});
   const Eigen::Index dofs = 37, size = 3 * sector.nodes.cols();
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "tiprub_fields_test.h5";
   std::vector<Eigen::MatrixXcd> bases;
@@ -248,9 +249,8 @@ TEST(FieldsFile, ExpandsWhatItTook) {
   EXPECT_EQ(reader.sector().nodes, sector.nodes);
   EXPECT_EQ(reader.sector().node_sets, sector.node_sets);
   EXPECT_EQ(reader.sector().parts, sector.parts);
-  EXPECT_EQ(reader.sector().static_displacement_1, sector.static_displacement_1);
-  EXPECT_EQ(reader.sector().higher_displacements, sector.higher_displacements);
-  const Eigen::Matrix3Xd moved = (4 + 64.0 / 3) * sector.static_displacement_1;  // Omega^2 (1) + Omega^6 (3)
+  EXPECT_EQ(reader.sector().static_displacement.terms, terms);
+  const Eigen::Matrix3Xd moved = (4 + 64.0 / 3) * terms[0];  // Omega^2 (1) + Omega^6 (3)
   EXPECT_LT((reader.sector().static_displacement(2.0) - moved).norm(), 1e-14 * moved.norm());
   for (int n = 0; n <= sector_count / 2; ++n) {
     const Eigen::MatrixXcd amplitudes = Eigen::MatrixXcd::Random(dofs, 2), exact = bases[n] * amplitudes;

@@ -14,7 +14,7 @@ TEST(InputCheck, RefusesTheResponseOfAnotherModelOfTheSameSize) {
   ReducedModel model = synthetic::model();
   const Response response = synthetic::resonant_sweep(model);
   EXPECT_EQ(test::complaint<InputError>([&] { check_together(model, response, "r.h5"); }), "");
-  model.nodal_diameters[1].K0 *= 1.001;
+  model.nodal_diameters[1].K[0] *= 1.001;
   EXPECT_EQ(test::complaint<InputError>([&] { check_together(model, response, "r.h5"); }),
             "r.h5: was made with another model of the same size; give that one, or run tiprub-simulate");
 }

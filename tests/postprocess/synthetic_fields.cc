@@ -96,14 +96,14 @@ SectorFields sector_fields(const ReducedModel& model) {
   sector.density = 4400;
   sector.cells = made.cells;
   sector.nodes.resize(3, nodes);
-  sector.static_displacement_1 = sector.static_displacement_2 = Eigen::Matrix3Xd::Zero(3, nodes);
+  sector.static_displacement.terms.assign(2, Eigen::Matrix3Xd::Zero(3, nodes));
   for (const char* name : {"clamped", "contact", "cyclic_low", "cyclic_high"}) sector.node_sets[name];
   for (int node = 0; node < nodes; ++node) {
     const Place& at = made.places[static_cast<std::size_t>(node)];
     const Eigen::Vector3d place = position(at, pitch(model));
     sector.nodes.col(node) << place[0] * std::cos(place[1]), place[0] * std::sin(place[1]), place[2];
-    sector.static_displacement_1(0, node) = widening_1 * place[0];
-    sector.static_displacement_2(0, node) = widening_2 * place[0];
+    sector.static_displacement[1](0, node) = widening_1 * place[0];
+    sector.static_displacement[2](0, node) = widening_2 * place[0];
     if (at[2] == inward) sector.node_sets["clamped"].push_back(node);
     if (at[1] != 0) continue;
     sector.node_sets["cyclic_low"].push_back(node);

@@ -37,8 +37,7 @@ ContactLine tip_line() {
   line.position.resize(contact_nodes, 3);
   line.normal.resize(contact_nodes, 3);
   line.arc_length.resize(contact_nodes);
-  line.static_shift_1 = Eigen::MatrixX3d::Zero(contact_nodes, 3);
-  line.static_shift_2 = Eigen::MatrixX3d::Zero(contact_nodes, 3);
+  line.static_shift.terms = {Eigen::MatrixX3d::Zero(contact_nodes, 3)};
   for (int k = 0; k < contact_nodes; ++k) {
     const double turn = 0.5 * std::numbers::pi * k / (contact_nodes - 1), radius = 0.04;
     line.position.row(k) << 0.1 - radius * std::cos(turn), 0.15 * k, radius * std::sin(turn);
@@ -141,9 +140,8 @@ ReducedModel model(int sector_count) {
     NodalDiameterModel matrices;
     Eigen::MatrixXd stiffness = nodal_mass * mix * squares.asDiagonal() * mix.transpose();
     stiffness = 0.5 * (stiffness + stiffness.transpose()).eval();
-    matrices.K0 = stiffness.cast<std::complex<double>>();
-    matrices.K1 = stiffening * nodal_mass * Eigen::MatrixXcd::Identity(dofs, dofs);
-    matrices.K2 = Eigen::MatrixXcd::Zero(dofs, dofs);
+    matrices.K.terms = {stiffness.cast<std::complex<double>>(),
+                        stiffening * nodal_mass * Eigen::MatrixXcd::Identity(dofs, dofs)};
     matrices.M = nodal_mass * Eigen::MatrixXcd::Identity(dofs, dofs);
     model.nodal_diameters.push_back(matrices);
   }

@@ -18,7 +18,7 @@ void write_fields_of_one_sector(const std::filesystem::path& path) {
   sector.nodes = Eigen::Matrix3Xd::Random(3, 20);
   sector.cells = Eigen::VectorXi::LinSpaced(20, 0, 19);
   sector.node_sets = {{"clamped", {}}, {"contact", {0}}, {"cyclic_low", {}}, {"cyclic_high", {}}};
-  sector.static_displacement_1 = sector.static_displacement_2 = Eigen::Matrix3Xd::Zero(3, 20);
+  sector.static_displacement.terms = {Eigen::Matrix3Xd::Zero(3, 20)};
   FieldsWriter writer(path, "test");
   writer.write_sector(sector);
   writer.write_basis(0, 1, true, [](Eigen::Index) { return Eigen::VectorXcd(Eigen::VectorXcd::Ones(60)); });
@@ -57,7 +57,7 @@ void write_fields_without_stress(const std::filesystem::path& folder) {
   sector.cells.col(1).setConstant(sector.cells(0, 1));
   write_fields(rotor, sector, folder / "flat_fields.h5");
   sector = sound;
-  sector.static_displacement_1 *= 1e250;
+  sector.static_displacement[1] *= 1e250;
   write_fields(rotor, sector, folder / "huge_fields.h5");
 }
 

@@ -69,7 +69,7 @@ TEST(Segments, AreAsSoftAsTheUnreducedSector) {
   for (int n = 0; n <= sectors / 2; ++n) {
     const Eigen::MatrixXcd K = cyclic(rotor.at_rest(), rotor.dofs(), sectors, n);
     const Eigen::MatrixXcd exact = loads.adjoint() * K.llt().solve(loads);
-    const Eigen::MatrixXcd& K0 = model.nodal_diameters[n].K0;
+    const Eigen::MatrixXcd& K0 = model.nodal_diameters[n].K[0];
     const Eigen::MatrixXcd unit = Eigen::MatrixXcd::Identity(K0.rows(), 9);
     EXPECT_LT(test::difference(K0.llt().solve(unit).topRows(9), exact), 1e-9);
   }
@@ -172,7 +172,7 @@ TEST(Segments, StretchABarAsItsUniformPressureDoes) {
   p.speed_max = 1.0;
   ReductionReport report;
   const ReducedModel model = reduce(mesh, p, Progress::Shown::never, report);  // no cut faces, no contact nodes
-  const Eigen::MatrixXcd& K0 = model.nodal_diameters[0].K0;
+  const Eigen::MatrixXcd& K0 = model.nodal_diameters[0].K[0];
   const Eigen::VectorXcd answer = K0.llt().solve(Eigen::VectorXcd::Unit(K0.rows(), 0));
   EXPECT_NEAR(answer[0].real() * material.young * width * thickness / length, 1.0, 1e-8);
   // Uniform pressure stretches every fibre alike.

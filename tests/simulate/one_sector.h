@@ -14,7 +14,7 @@ inline ReducedModel one_sector() {
   model.contact.position = Eigen::RowVector3d(0.1, 0, 0);
   model.contact.normal = Eigen::RowVector3d(1, 0, 0);
   model.contact.arc_length = Eigen::VectorXd::Zero(1);
-  model.contact.static_shift_1 = model.contact.static_shift_2 = Eigen::MatrixX3d::Zero(1, 3);
+  model.contact.static_shift.terms = {Eigen::MatrixX3d::Zero(1, 3)};
   return model;
 }
 

@@ -24,13 +24,13 @@ ContactLine make_contact(int count) {
   contact.position.resize(count, 3);
   contact.normal.resize(count, 3);
   contact.arc_length.resize(count);
-  contact.static_shift_1 = contact.static_shift_2 = Eigen::MatrixX3d::Zero(count, 3);
+  contact.static_shift.terms = {Eigen::MatrixX3d::Zero(count, 3)};
   for (int k = 0; k < count; ++k) {
     const double tilt = 0.3 * k;
     contact.position.row(k) << 0.1 + 0.005 * k, 0.03 * k, 0.005 * k;
     contact.normal.row(k) << std::cos(tilt), 0.0, std::sin(tilt);
     contact.arc_length[k] = 0.01 * k;
-    contact.static_shift_1.row(k) << 1e-11, 0.0, 2e-11;
+    contact.static_shift[1].row(k) << 1e-11, 0.0, 2e-11;
   }
   return contact;
 }
@@ -56,11 +56,10 @@ ReducedModel synthetic_wheel(const WheelPlan& plan) {
     const std::complex<double> phase = std::polar(1.0, 2 * std::numbers::pi * n / plan.sectors);
     NodalDiameterModel at;
     const Eigen::MatrixXcd wave = next.cast<std::complex<double>>() * phase;
-    at.K0 = own.cast<std::complex<double>>() + wave + wave.adjoint();
-    at.K1 = (1e-7 * own).cast<std::complex<double>>();
-    at.K2 = Eigen::MatrixXcd::Zero(size, size);
+    at.K.terms = {own.cast<std::complex<double>>() + wave + wave.adjoint(),
+                  (1e-7 * own).cast<std::complex<double>>()};
     at.M = mass.cast<std::complex<double>>();
-    if (is_standing(n, plan.sectors)) at.K0 = at.K0.real().cast<std::complex<double>>().eval();
+    if (is_standing(n, plan.sectors)) at.K[0] = at.K[0].real().cast<std::complex<double>>().eval();
     model.nodal_diameters.push_back(at);
   }
   check(model, "synthetic wheel");
@@ -73,11 +72,10 @@ ReducedModel uncoupled_blades(int sectors, double mass, double stiffness) {
   model.speed_max = 3000;
   model.prestress = "given";
   model.contact = make_contact(1);
-  model.contact.static_shift_1.setZero();
+  model.contact.static_shift[1].setZero();
   NodalDiameterModel at;
   at.M = Eigen::MatrixXcd::Identity(3, 3) * mass;
-  at.K0 = Eigen::MatrixXcd::Identity(3, 3) * stiffness;
-  at.K1 = at.K2 = Eigen::MatrixXcd::Zero(3, 3);
+  at.K.terms = {Eigen::MatrixXcd::Identity(3, 3) * stiffness};
   model.nodal_diameters.assign(model.nodal_diameter_max() + 1, at);
   return model;
 }

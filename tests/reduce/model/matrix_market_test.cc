@@ -45,14 +45,14 @@ TEST(MatrixMarket, ReadsBackBitByBit) {
   model.contact.arc_length = Eigen::VectorXd::Zero(1);
   for (const double phase : {0.0, 1.0})
     model.nodal_diameters.push_back(
-        {some_matrix(phase), 2 * some_matrix(phase), 3 * some_matrix(phase), 4 * some_matrix(phase)});
+        {{{some_matrix(phase), 2 * some_matrix(phase), 3 * some_matrix(phase)}}, 4 * some_matrix(phase)});
   const auto folder = std::filesystem::path(::testing::TempDir()) / "matrix_market";
   std::filesystem::remove_all(folder);
   write_matrix_market(model, folder);
   for (int n = 0; n < 2; ++n) {
     const NodalDiameterModel& of = model.nodal_diameters[n];
     const std::pair<const char*, const Eigen::MatrixXcd&> all[] = {
-        {"K0", of.K0}, {"K1", of.K1}, {"K2", of.K2}, {"M", of.M}};
+        {"K0", of.K[0]}, {"K1", of.K[1]}, {"K2", of.K[2]}, {"M", of.M}};
     for (const auto& [name, matrix] : all) {
       std::string header;
       EXPECT_EQ(read_back(folder / ("n" + std::to_string(n) + "_" + name + ".mtx"), header), matrix) << n << name;

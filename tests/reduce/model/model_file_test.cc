@@ -73,13 +73,10 @@ void expect_same(const ReducedModel& a, const ReducedModel& b) {
   EXPECT_EQ(a.contact.position, b.contact.position);
   EXPECT_EQ(a.contact.normal, b.contact.normal);
   EXPECT_EQ(a.contact.arc_length, b.contact.arc_length);
-  EXPECT_EQ(a.contact.static_shift_1, b.contact.static_shift_1);
-  EXPECT_EQ(a.contact.static_shift_2, b.contact.static_shift_2);
+  EXPECT_EQ(a.contact.static_shift.terms, b.contact.static_shift.terms);
   ASSERT_EQ(a.nodal_diameters.size(), b.nodal_diameters.size());
   for (std::size_t n = 0; n < a.nodal_diameters.size(); ++n) {
-    EXPECT_EQ(a.nodal_diameters[n].K0, b.nodal_diameters[n].K0);
-    EXPECT_EQ(a.nodal_diameters[n].K1, b.nodal_diameters[n].K1);
-    EXPECT_EQ(a.nodal_diameters[n].K2, b.nodal_diameters[n].K2);
+    EXPECT_EQ(a.nodal_diameters[n].K.terms, b.nodal_diameters[n].K.terms);
     EXPECT_EQ(a.nodal_diameters[n].M, b.nodal_diameters[n].M);
   }
   EXPECT_EQ(a.verification.speeds, b.verification.speeds);
@@ -110,11 +107,11 @@ TEST_F(ModelFile, SaysWhichNodesStandOnTheSplitter) {
   ContactLine& contact = model.contact;
   contact.splitter_nodes = 1;
   for (Eigen::MatrixX3d* table :
-       {&contact.position, &contact.normal, &contact.static_shift_1, &contact.static_shift_2})
+       {&contact.position, &contact.normal, &contact.static_shift[1], &contact.static_shift[2]})
     *table = table->replicate(2, 1).eval();
   contact.arc_length = Eigen::VectorXd::Zero(2);
   const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(6, 6);
-  for (NodalDiameterModel& matrices : model.nodal_diameters) matrices = {1e6 * one, one, one, one};
+  for (NodalDiameterModel& matrices : model.nodal_diameters) matrices = {{{1e6 * one, one, one}}, one};
   write_model(model, path(), "test");
   expect_same(read_model(path()), model);
   EXPECT_EQ(read_model(path()).contact.splitter_nodes, 1);
@@ -136,16 +133,16 @@ TEST_F(ModelFile, SaysWhichNodesStandOnTheSplitter) {
 TEST_F(ModelFile, CarriesAnyNumberOfTerms) {
   ReducedModel model = some_model();
   for (NodalDiameterModel& matrices : model.nodal_diameters)
-    matrices.higher = {1e-3 * matrices.K2, 1e-6 * matrices.K2};
-  model.contact.higher_shifts = {Eigen::RowVector3d(1e-27, 0.0, 2e-28), Eigen::RowVector3d(-1e-34, 3e-35, 0.0)};
+    for (const double factor : {1e-3, 1e-6}) matrices.K.terms.push_back(factor * matrices.K[2]);
+  model.contact.static_shift.terms.emplace_back(Eigen::RowVector3d(1e-27, 0.0, 2e-28));
+  model.contact.static_shift.terms.emplace_back(Eigen::RowVector3d(-1e-34, 3e-35, 0.0));
   write_model(model, path(), "test");
   const ReducedModel read = read_model(path());
   expect_same(read, model);
-  EXPECT_EQ(read.nodal_diameters[1].higher, model.nodal_diameters[1].higher);
-  EXPECT_EQ(read.contact.higher_shifts, model.contact.higher_shifts);
+  EXPECT_EQ(read.nodal_diameters[1].K.terms.size(), 5u);
   EXPECT_EQ(Hdf5File::open(path()).text_attribute("/contact/static_shift_4", "unit"), "m s^8");
   const std::string name = digest(model);
-  model.contact.higher_shifts[1](0, 0) *= 2;
+  model.contact.static_shift[4](0, 0) *= 2;
   EXPECT_NE(digest(model), name);
 }
 
@@ -222,7 +219,7 @@ TEST_F(ModelFile, MayLeaveOutWhatIsZero) {
   EXPECT_EQ(complaint_about_file([](Hdf5File& file) { write_one_mass(file); }), "");
   const ReducedModel model = read_model(path());
   EXPECT_EQ(model.prestress, "given");
-  EXPECT_EQ(model.nodal_diameters[0].K2, Eigen::MatrixXcd::Zero(3, 3));
+  EXPECT_EQ(model.nodal_diameters[0].K[2], Eigen::MatrixXcd::Zero(3, 3));
   EXPECT_EQ(model.contact.static_shift(50.0), Eigen::MatrixX3d::Zero(1, 3));
   EXPECT_NEAR(model.nodal_diameters[0].natural_frequencies(50.0)[0], 1 / std::numbers::pi, 1e-15);  // 2 rad/s
 }
@@ -338,7 +335,7 @@ TEST_F(ModelFile, RefusesAMissingDataset) {
 TEST_F(ModelFile, RefusesValuesThatAreNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   ReducedModel model = some_model();
-  model.nodal_diameters[0].K0(1, 2) = nan;  // written real
+  model.nodal_diameters[0].K[0](1, 2) = nan;  // written real
   EXPECT_EQ(complaint_about(model),
             path().string() + ": /nodal_diameter/0/K0: value 7 (row-major, from 0) is not finite");
   model = some_model();

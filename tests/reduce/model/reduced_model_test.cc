@@ -37,15 +37,15 @@ TEST_P(WrongModel, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     Message, WrongModel,
     ::testing::Values(
-        Wrong{"not_hermitian", [](ReducedModel& m) { m.nodal_diameters[1].K1(0, 1) = 1e-3; },
+        Wrong{"not_hermitian", [](ReducedModel& m) { m.nodal_diameters[1].K[1](0, 1) = 1e-3; },
               "/nodal_diameter/1/K1 is not Hermitian"},
         Wrong{"transpose_only",
-              [](ReducedModel& m) { m.nodal_diameters[1].K0(4, 0) = m.nodal_diameters[1].K0(0, 4); },
+              [](ReducedModel& m) { m.nodal_diameters[1].K[0](4, 0) = m.nodal_diameters[1].K[0](0, 4); },
               "/nodal_diameter/1/K0 is not Hermitian"},
         Wrong{"complex_standing_wave",
               [](ReducedModel& m) {
-                m.nodal_diameters[2].K0(0, 1) = {0.0, 1e3};
-                m.nodal_diameters[2].K0(1, 0) = {0.0, -1e3};
+                m.nodal_diameters[2].K[0](0, 1) = {0.0, 1e3};
+                m.nodal_diameters[2].K[0](1, 0) = {0.0, -1e3};
               },
               "/nodal_diameter/2/K0 must be real: this nodal diameter is a standing wave"},
         Wrong{"no_contact_mass", [](ReducedModel& m) { m.nodal_diameters[0].M(1, 1) = 0.0; },
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
               "/nodal_diameter/0/M is not positive definite"},
         Wrong{"too_small", [](ReducedModel& m) { m.nodal_diameters[0].M = Eigen::MatrixXcd::Identity(2, 2); },
               "/nodal_diameter/0/M is 2 x 2, but the contact nodes alone have 3 dofs"},
-        Wrong{"shapes_differ", [](ReducedModel& m) { m.nodal_diameters[2].K2 = Eigen::MatrixXcd::Zero(4, 5); },
+        Wrong{"shapes_differ", [](ReducedModel& m) { m.nodal_diameters[2].K[2] = Eigen::MatrixXcd::Zero(4, 5); },
               "/nodal_diameter/2/K2 is 4 x 5, must be 5 x 5"},
         Wrong{"long_normal", [](ReducedModel& m) { m.contact.normal *= 2; },
               "/contact/normal: row 0 is not of unit length"},
@@ -65,11 +65,11 @@ INSTANTIATE_TEST_SUITE_P(
               [](ReducedModel& m) {
                 const Eigen::RowVector3d normal = m.contact.normal;
                 for (auto* table :
-                     {&m.contact.position, &m.contact.normal, &m.contact.static_shift_1, &m.contact.static_shift_2})
+                     {&m.contact.position, &m.contact.normal, &m.contact.static_shift[1], &m.contact.static_shift[2]})
                   *table = normal.replicate(2, 1);
                 m.contact.arc_length = Eigen::Vector2d(0.1, 0.0);
                 for (auto& n : m.nodal_diameters)
-                  for (auto* matrix : {&n.K0, &n.K1, &n.K2, &n.M}) *matrix = Eigen::MatrixXcd::Identity(6, 6);
+                  for (auto* matrix : {&n.K[0], &n.K[1], &n.K[2], &n.M}) *matrix = Eigen::MatrixXcd::Identity(6, 6);
               },
               "/contact/arc_length must increase from the leading edge"},
         Wrong{"no_sectors", [](ReducedModel& m) { m.sector_count = 0; }, "sector_count must be at least 1"},
@@ -89,22 +89,21 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(NodalDiameterModel, ItsStiffnessIsAPolynomialOfTheSpeedSquared) {
   // eq. 11, one block, and a term more than the paper has.
   const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(1, 1);
-  const NodalDiameterModel model{4.0 * one, -1.0 * one, 0.5 * one, one, {0.25 * one}};
+  const NodalDiameterModel model{{{4.0 * one, -1.0 * one, 0.5 * one, 0.25 * one}}, one};
   EXPECT_EQ(model.stiffness(0.0)(0, 0), 4.0);
   EXPECT_EQ(model.stiffness(2.0)(0, 0), 4.0 - 4.0 + 0.5 * 16 + 0.25 * 64);
 }
 
 TEST(ContactLine, IsShiftedByAPolynomialOfTheSpeedSquared) {
   ContactLine line;
-  line.static_shift_1 = Eigen::RowVector3d(1.0, 0.0, 2.0);
-  line.static_shift_2 = Eigen::RowVector3d(0.0, -1.0, 0.5);
-  line.higher_shifts = {Eigen::RowVector3d(0.25, 0.0, 0.0), Eigen::RowVector3d(0.0, 0.125, 0.0)};
+  line.static_shift.terms = {Eigen::RowVector3d(1.0, 0.0, 2.0), Eigen::RowVector3d(0.0, -1.0, 0.5),
+                             Eigen::RowVector3d(0.25, 0.0, 0.0), Eigen::RowVector3d(0.0, 0.125, 0.0)};
   EXPECT_EQ(line.static_shift(2.0), Eigen::MatrixX3d(Eigen::RowVector3d(4 + 16, -16 + 32, 8 + 8)));
 }
 
 TEST(NodalDiameterModel, AnUnstableRotorHasANegativeFrequency) {
   const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(1, 1);
-  const NodalDiameterModel model{4.0 * one, -1.0 * one, 0.0 * one, one};
+  const NodalDiameterModel model{{{4.0 * one, -1.0 * one}}, one};
   EXPECT_NEAR(model.natural_frequencies(0.0)[0], 2 / (2 * std::numbers::pi), 1e-15);
   EXPECT_NEAR(model.natural_frequencies(3.0)[0], -std::sqrt(5.0) / (2 * std::numbers::pi), 1e-15);
 }

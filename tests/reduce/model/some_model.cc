@@ -13,8 +13,8 @@ ReducedModel some_model() {
   model.contact.position = Eigen::RowVector3d(0.1, -0.2, 1.0 / 3);
   model.contact.normal = Eigen::RowVector3d(0.6, 0.0, -0.8);
   model.contact.arc_length = Eigen::VectorXd::Zero(1);
-  model.contact.static_shift_1 = Eigen::RowVector3d(1e-12, 2e-13, -3e-14);
-  model.contact.static_shift_2 = Eigen::RowVector3d(1e-20, 0.0, 7e-21);
+  model.contact.static_shift.terms = {Eigen::RowVector3d(1e-12, 2e-13, -3e-14),
+                                      Eigen::RowVector3d(1e-20, 0.0, 7e-21)};
   for (int n = 0; n <= 2; ++n) {
     Eigen::MatrixXcd skew = Eigen::MatrixXcd::Zero(5, 5);
     if (n == 1) {
@@ -23,7 +23,7 @@ ReducedModel some_model() {
     }
     const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(5, 5);
     model.nodal_diameters.push_back(
-        {1e6 * (n + 2) * one + 1e5 * skew, 0.1 * one + 0.01 * skew, 1e-9 * one, one + skew});
+        {{{1e6 * (n + 2) * one + 1e5 * skew, 0.1 * one + 0.01 * skew, 1e-9 * one}}, one + skew});
   }
   model.verification.speeds = Eigen::Vector2d(0.0, 1234.5);
   model.verification.unreduced.assign(3, Eigen::MatrixXd::Constant(2, 4, 100.0 / 3));

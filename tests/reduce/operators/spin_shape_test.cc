@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reduce/operators/speed_polynomial.h"
+#include "reduce/operators/polynomial_fit.h"
 #include "reduce/operators/speed_samples.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
@@ -40,7 +40,8 @@ class SpinningShape : public ::testing::Test {
   }
   Eigen::MatrixXd tangent(const SpinShape& shape, double speed) {
     return dense(rotor_.elasticity().stiffness(
-        speed, cartesian_displacement(rotor_.mesh(), rotor_.dofs(), shape.at(speed)), Prestress::nonlinear));
+        speed, cartesian_displacement(rotor_.mesh(), rotor_.dofs(), shape.displacement(speed)),
+        Prestress::nonlinear));
   }
 
   TestRotor rotor_;
@@ -54,9 +55,9 @@ TEST_F(SpinningShape, HasATangentOfTwiceItsTermsAndOne) {
   for (const int terms : {1, 2, 4}) {
     p.polynomial_speeds = terms + 1;
     const SpinShape found = shape(p);
-    ASSERT_EQ(found.terms.size(), static_cast<std::size_t>(terms));
+    ASSERT_EQ(found.displacement.terms.size(), static_cast<std::size_t>(terms));
     const std::vector<double> speeds = speeds_at(chebyshev_fractions(2 * terms), top);
-    const Eigen::VectorXd weights = SpeedPolynomial(speeds).weights(0.37 * top);
+    const Eigen::VectorXd weights = PolynomialFit(speeds).weights(0.37 * top);
     Eigen::MatrixXd sum = 0 * tangent(found, 0.0);
     for (std::size_t s = 0; s < speeds.size(); ++s)
       sum += weights[static_cast<Eigen::Index>(s)] * tangent(found, speeds[s]);
@@ -67,22 +68,23 @@ TEST_F(SpinningShape, HasATangentOfTwiceItsTermsAndOne) {
 
 TEST_F(SpinningShape, IsInBalanceBetweenItsSpeeds) {
   const SpinShape found = shape(parameters());
-  EXPECT_GT(found.terms.size(), 1u);
+  EXPECT_GT(found.displacement.terms.size(), 1u);
   EXPECT_LE(found.imbalance, 1e-4);
   for (const double fraction : {0.1, 0.33, 0.52, 0.78, 0.97})
-    EXPECT_LT(spin_imbalance(rotor_.elasticity(), rotor_.mesh(), at_rest_, fraction * top, found.at(fraction * top)),
+    EXPECT_LT(spin_imbalance(rotor_.elasticity(), rotor_.mesh(), at_rest_, fraction * top,
+                             found.displacement(fraction * top)),
               2e-4)
         << fraction;
-  EXPECT_LT((found.at(top) - found.equilibria.at.at(top)).norm(), 1e-12 * found.at(top).norm());
+  EXPECT_LT((found.displacement(top) - found.equilibria.at.at(top)).norm(), 1e-12 * found.displacement(top).norm());
 }
 
 TEST_F(SpinningShape, GoesWithTheSquareOfSpeedIfItIsLinear) {
   ReductionParameters p = parameters();
   p.prestress = Prestress::linear;
   const SpinShape found = shape(p);
-  ASSERT_EQ(found.terms.size(), 1u);
+  ASSERT_EQ(found.displacement.terms.size(), 1u);
   const Eigen::Matrix3Xd exact = rotor_.static_displacement(0.4 * top);
-  EXPECT_LT((cartesian_displacement(rotor_.mesh(), rotor_.dofs(), found.at(0.4 * top)) - exact).norm(),
+  EXPECT_LT((cartesian_displacement(rotor_.mesh(), rotor_.dofs(), found.displacement(0.4 * top)) - exact).norm(),
             1e-9 * exact.norm());
 }
 

@@ -82,11 +82,11 @@ ReducedModel one_sided_spring(const OneSidedSpring& plan) {
   constexpr double nearly_none = 1e-7;
   ReducedModel model = testing::one_sector();
   NodalDiameterModel only;
-  only.K0 = plan.stiffness * Eigen::MatrixXcd::Identity(4, 4);
-  only.K0(0, 0) = plan.one_sided;
-  only.K0(0, 3) = only.K0(3, 0) = -plan.one_sided;
-  only.K0(3, 3) = plan.stiffness + plan.one_sided;
-  only.K1 = only.K2 = Eigen::MatrixXcd::Zero(4, 4);
+  Eigen::MatrixXcd K = plan.stiffness * Eigen::MatrixXcd::Identity(4, 4);
+  K(0, 0) = plan.one_sided;
+  K(0, 3) = K(3, 0) = -plan.one_sided;
+  K(3, 3) = plan.stiffness + plan.one_sided;
+  only.K.terms = {K};
   only.M = nearly_none * plan.mass * Eigen::MatrixXcd::Identity(4, 4);
   only.M(3, 3) = plan.mass;
   model.nodal_diameters = {only};

@@ -31,9 +31,8 @@ ReducedModel bar(int elements) {
   M(0, 0) = M(size - 1, size - 1) = node / 2;
   ReducedModel model = testing::one_mass(1, 1);
   NodalDiameterModel& at = model.nodal_diameters[0];
-  at.K0 = K.cast<std::complex<double>>();
+  at.K.terms = {K.cast<std::complex<double>>()};
   at.M = M.cast<std::complex<double>>();
-  at.K1 = at.K2 = Eigen::MatrixXcd::Zero(size, size);
   return model;
 }
 

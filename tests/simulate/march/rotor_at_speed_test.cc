@@ -37,7 +37,7 @@ TEST(RotorAtSpeed, HasTheModelsFrequenciesAndNormalRows) {
 
 TEST(RotorAtSpeed, RefusesAnUnstableOneAndSaysWhere) {
   ReducedModel model = testing::uncoupled_blades(4, 1.0, 1e4);
-  model.nodal_diameters[2].K1 = -Eigen::MatrixXcd::Identity(3, 3);
+  model.nodal_diameters[2].K[1] = -Eigen::MatrixXcd::Identity(3, 3);
   EXPECT_NO_THROW(rotor_at_speed(model, 99, {0}, {0.0}));
   try {
     rotor_at_speed(model, 101, {0}, {0.0});  // nodal diameter 2 is looked at although it isn't asked for

@@ -71,7 +71,7 @@ TEST(Symmetry, ScalesInLengthAndInMatrices) {
   Bench here = make_bench(model, testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.01, setup);
   Bench longer = make_bench(model, testing::lobed_casing(2, 4e-4, 3e-4), 900, 0.01, setup);
   for (NodalDiameterModel& at : model.nodal_diameters)
-    for (Eigen::MatrixXcd* matrix : {&at.K0, &at.K1, &at.K2, &at.M}) *matrix *= 4.0;
+    for (Eigen::MatrixXcd* matrix : {&at.K[0], &at.K[1], &at.M}) *matrix *= 4.0;
   Bench heavier = make_bench(model, testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.01, setup);
   for (int i = 0; i < 3 * steps; ++i)
     for (Bench* bench : {&here, &longer, &heavier}) bench->march.step();

@@ -85,9 +85,8 @@ ReducedModel one_mass(double frequency) {
   ReducedModel model = testing::one_sector();
   NodalDiameterModel only;
   only.M = mass * Eigen::MatrixXcd::Identity(3, 3);
-  only.K0 = frequency * frequency * only.M;
-  only.K0(1, 1) = only.K0(2, 2) = stiff * only.K0(0, 0);
-  only.K1 = only.K2 = Eigen::MatrixXcd::Zero(3, 3);
+  only.K.terms = {frequency * frequency * only.M};
+  only.K[0](1, 1) = only.K[0](2, 2) = stiff * only.K[0](0, 0);
   model.nodal_diameters = {only};
   return model;
 }

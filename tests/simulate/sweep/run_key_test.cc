@@ -102,7 +102,7 @@ TEST(RunKey, CountsTheModelsNumbers) {
   model.modes_at_speed = 2;
   EXPECT_NE(key_of(original, model), key);
   model = testing::synthetic_wheel({});
-  model.nodal_diameters[1].K1(0, 0) *= 1 + 1e-15;
+  model.nodal_diameters[1].K[1](0, 0) *= 1 + 1e-15;
   EXPECT_NE(key_of(original, model), key);
 }
 

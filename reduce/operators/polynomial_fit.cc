@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/operators/speed_polynomial.h"
+#include "reduce/operators/polynomial_fit.h"
 
 #include <Eigen/LU>
 
 namespace tiprub {
 
-SpeedPolynomial::SpeedPolynomial(const std::vector<double>& speeds) : speeds_(speeds) {
+PolynomialFit::PolynomialFit(const std::vector<double>& speeds) : speeds_(speeds) {
   const auto terms = static_cast<Eigen::Index>(speeds.size());
   vandermonde_.resize(terms, terms);
   for (Eigen::Index row = 0; row < terms; ++row)
@@ -14,7 +14,7 @@ SpeedPolynomial::SpeedPolynomial(const std::vector<double>& speeds) : speeds_(sp
   inverse_ = vandermonde_.inverse();
 }
 
-Eigen::VectorXd SpeedPolynomial::weights(double speed) const {
+Eigen::VectorXd PolynomialFit::weights(double speed) const {
   Eigen::RowVectorXd powers(inverse_.rows());
   for (Eigen::Index term = 0; term < powers.size(); ++term)
     powers[term] = std::pow(speed / speeds_.back(), 2.0 * static_cast<double>(term));

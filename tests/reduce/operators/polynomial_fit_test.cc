@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/operators/speed_polynomial.h"
+#include "reduce/operators/polynomial_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,7 @@ using test::difference;
 
 constexpr double top = 3000.0;  // [rad/s]
 
-Eigen::MatrixXcd at(const std::vector<Eigen::MatrixXcd>& terms, double speed) {
-  Eigen::MatrixXcd sum = terms[0];
-  for (std::size_t k = 1; k < terms.size(); ++k) sum += std::pow(speed, 2.0 * static_cast<double>(k)) * terms[k];
-  return sum;
-}
+using Polynomial = SpeedPolynomial<Eigen::MatrixXcd, 0>;
 
 /// Arbitrary matrices that change as much as they are large.
 std::vector<Eigen::MatrixXcd> some_matrices(int count) {
@@ -31,53 +27,53 @@ std::vector<Eigen::MatrixXcd> some_matrices(int count) {
   return matrices;
 }
 
-TEST(SpeedPolynomial, GoesThroughItsSpeeds) {
+TEST(PolynomialFit, GoesThroughItsSpeeds) {
   // eq. 7 (check 22).
   for (const std::vector<double>& speeds :
        {std::vector{0.0, top / 2, top}, {0.0, top / 4, top / 2, 0.75 * top, top}}) {
     const std::vector<Eigen::MatrixXcd> samples = some_matrices(static_cast<int>(speeds.size()));
-    const std::vector<Eigen::MatrixXcd> terms = SpeedPolynomial(speeds).coefficients(samples);
-    ASSERT_EQ(terms.size(), speeds.size());
-    EXPECT_EQ(at(terms, 0.0), samples[0]);
-    for (std::size_t s = 1; s < speeds.size(); ++s) EXPECT_LT(difference(at(terms, speeds[s]), samples[s]), 1e-12);
+    const Polynomial Y = PolynomialFit(speeds).through(samples);
+    ASSERT_EQ(Y.terms.size(), speeds.size());
+    EXPECT_EQ(Y(0.0), samples[0]);
+    for (std::size_t s = 1; s < speeds.size(); ++s) EXPECT_LT(difference(Y(speeds[s]), samples[s]), 1e-12);
   }
 }
 
-TEST(SpeedPolynomial, FindsAPolynomialsOwnCoefficients) {
-  std::vector<Eigen::MatrixXcd> exact = some_matrices(3);
+TEST(PolynomialFit, FindsAPolynomialsOwnCoefficients) {
+  Polynomial exact{some_matrices(3)};
   exact[1] /= top * top;
   exact[2] /= std::pow(top, 4);
   const std::vector<double> speeds = {0.0, top / 2, top};
-  const std::vector<Eigen::MatrixXcd> terms =
-      SpeedPolynomial(speeds).coefficients(std::vector{at(exact, 0.0), at(exact, top / 2), at(exact, top)});
-  for (int k = 0; k < 3; ++k) EXPECT_LT(difference(terms[k], exact[k]), 1e-13);
+  const Polynomial Y = PolynomialFit(speeds).through(std::vector{exact(0.0), exact(top / 2), exact(top)});
+  for (int k = 0; k < 3; ++k) EXPECT_LT(difference(Y[k], exact[k]), 1e-13);
 }
 
-TEST(SpeedPolynomial, WeighsItsSamplesAsItsCoefficientsDo) {
+TEST(PolynomialFit, WeighsItsSamplesAsItsCoefficientsDo) {
   const std::vector<double> speeds = {0.0, top / 4, top / 2, 0.75 * top, top};
-  const SpeedPolynomial Y(speeds);
-  const std::vector<Eigen::MatrixXcd> samples = some_matrices(5), terms = Y.coefficients(samples);
+  const PolynomialFit fit(speeds);
+  const std::vector<Eigen::MatrixXcd> samples = some_matrices(5);
+  const Polynomial Y = fit.through(samples);
   for (const double speed : {0.0, 0.3 * top, 0.9 * top, top}) {
-    const Eigen::VectorXd weights = Y.weights(speed);
+    const Eigen::VectorXd weights = fit.weights(speed);
     Eigen::MatrixXcd sum = weights[0] * samples[0];
     for (int s = 1; s < 5; ++s) sum += weights[s] * samples[s];
-    EXPECT_LT(difference(sum, at(terms, speed)), 1e-12);
+    EXPECT_LT(difference(sum, Y(speed)), 1e-12);
   }
 }
 
 /// The inverse of 17 terms alone left 2e-5.
-TEST(SpeedPolynomial, LosesNoDigitsWithManyTerms) {
+TEST(PolynomialFit, LosesNoDigitsWithManyTerms) {
   const Eigen::MatrixXcd matrix = arbitrary(4, 4);
   const auto exact = [&](double speed) -> Eigen::MatrixXcd { return matrix / (1 + 3 * std::pow(speed / top, 2)); };
   const std::vector<double> speeds = speeds_at(chebyshev_fractions(16), top);
   std::vector<Eigen::MatrixXcd> samples;
   for (const double speed : speeds) samples.push_back(exact(speed));
-  const SpeedPolynomial Y(speeds);
-  const std::vector<Eigen::MatrixXcd> terms = Y.coefficients(samples);
-  for (const double speed : speeds) EXPECT_LT(difference(at(terms, speed), exact(speed)), 1e-11);
+  const PolynomialFit fit(speeds);
+  const Polynomial Y = fit.through(samples);
+  for (const double speed : speeds) EXPECT_LT(difference(Y(speed), exact(speed)), 1e-11);
   for (const double speed : {0.03 * top, 0.4 * top, 0.77 * top, 0.99 * top}) {
-    EXPECT_LT(difference(at(terms, speed), exact(speed)), 1e-7);  // Chebyshev's series ends there: 3^-16
-    EXPECT_NEAR(Y.weights(speed).sum(), 1.0, 1e-11);
+    EXPECT_LT(difference(Y(speed), exact(speed)), 1e-7);  // Chebyshev's series ends there: 3^-16
+    EXPECT_NEAR(fit.weights(speed).sum(), 1.0, 1e-11);
   }
 }
 

@@ -6,28 +6,28 @@
 #include <cmath>
 #include <vector>
 
+#include "reduce/model/speed_polynomial.h"
+
 namespace tiprub {
 
 /// eq. 7: Y(Omega) = Y0 + Omega^2 Y1 + Omega^4 Y2 + ... through as many speeds as it has terms (the paper takes
 /// three: 0, Omega_max/2, Omega_max; Sternchuess and Balmes 2006). With three terms exact for linear and stress-only
 /// prestress, with 2m + 1 for a shape under spin of m terms (see SpinShape).
-class SpeedPolynomial {
+class PolynomialFit {
  public:
   /// Speeds [rad/s], ascending from zero.
-  explicit SpeedPolynomial(const std::vector<double>& speeds);
+  explicit PolynomialFit(const std::vector<double>& speeds);
 
-  /// Y0, Y1, ... from Y, matrices or vectors, at the speeds. With many terms the inverse of their matrix loses
+  /// From Y, matrices or vectors, at the speeds. With many terms the inverse of their matrix loses
   /// digits: what the sum then misses of Y at the speeds is taken for Y once more (iterative refinement).
   template <class Matrix>
-  std::vector<Matrix> coefficients(const std::vector<Matrix>& samples) const;
+  SpeedPolynomial<Matrix, 0> through(const std::vector<Matrix>& samples) const;
   /// Y(Omega) as a sum of Y at the speeds: the weight of each.
   Eigen::VectorXd weights(double speed) const;
 
  private:
   template <class Matrix>
   std::vector<Matrix> solve(const std::vector<Matrix>& samples) const;
-  template <class Matrix>
-  Matrix sum(const std::vector<Matrix>& terms, double speed) const;
 
   static constexpr double tolerance = 1e-13;  // of what a refinement may leave
   static constexpr int refinements = 2;       // of 17 terms; three need none
@@ -37,7 +37,7 @@ class SpeedPolynomial {
 };
 
 template <class Matrix>
-std::vector<Matrix> SpeedPolynomial::solve(const std::vector<Matrix>& samples) const {
+std::vector<Matrix> PolynomialFit::solve(const std::vector<Matrix>& samples) const {
   std::vector<Matrix> result = {samples.front()};  // as it is: the first speed is zero
   for (Eigen::Index term = 1; term < inverse_.rows(); ++term) {
     Matrix sum = inverse_(term, 0) * samples.front();
@@ -47,29 +47,23 @@ std::vector<Matrix> SpeedPolynomial::solve(const std::vector<Matrix>& samples) c
   return result;
 }
 
-template <class Matrix>
-Matrix SpeedPolynomial::sum(const std::vector<Matrix>& terms, double speed) const {
-  Matrix sum = terms.front();
-  for (std::size_t k = 1; k < terms.size(); ++k) sum += std::pow(speed, 2.0 * static_cast<double>(k)) * terms[k];
-  return sum;
-}
-
 // eq. 7, for any number of speeds.
 template <class Matrix>
-std::vector<Matrix> SpeedPolynomial::coefficients(const std::vector<Matrix>& samples) const {
-  std::vector<Matrix> terms = solve(samples), missed = samples;
+SpeedPolynomial<Matrix, 0> PolynomialFit::through(const std::vector<Matrix>& samples) const {
+  SpeedPolynomial<Matrix, 0> Y{solve(samples)};
+  std::vector<Matrix> missed = samples;
   for (int round = 0; round < refinements; ++round) {
     double largest = 0, scale = 0;
     for (std::size_t s = 0; s < samples.size(); ++s) {
-      missed[s] = samples[s] - sum(terms, speeds_[s]);
+      missed[s] = samples[s] - Y(speeds_[s]);
       largest = std::max(largest, missed[s].cwiseAbs().maxCoeff());
       scale = std::max(scale, samples[s].cwiseAbs().maxCoeff());
     }
     if (largest <= tolerance * scale) break;
     const std::vector<Matrix> more = solve(missed);
-    for (std::size_t k = 0; k < terms.size(); ++k) terms[k] += more[k];
+    for (std::size_t k = 0; k < more.size(); ++k) Y.terms[k] += more[k];
   }
-  return terms;
+  return Y;
 }
 
 }  // namespace tiprub

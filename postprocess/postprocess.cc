@@ -12,7 +12,7 @@
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/compare/comparison.h"
 #include "postprocess/figures/drawing/gnuplot.h"
-#include "postprocess/figures/field_figures.h"
+#include "postprocess/figures/meridional_section.h"
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/records/critical_speed_record.h"
 #include "postprocess/report/report_folder.h"
@@ -94,8 +94,7 @@ ReportContents run(Inputs inputs, Progress::Shown shown) {
   inputs.run.done("study");
   if (!inputs.fields_file.empty()) {
     contents.fields = recover_fields(inputs.fields_file, contents.study, inputs.strength, shown);
-    for (Figure& figure : field_figures(contents.study, *contents.fields))
-      contents.figures.push_back(std::move(figure));
+    contents.figures.push_back(meridional_section_figure(contents.study, contents.fields->sector));
   }
   if (!inputs.compared.empty()) {
     contents.other = read_other_report(inputs.compared, contents.study);

@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "mesh/cells/cell_kind.h"
 #include "postprocess/explore/packed_arrays.h"
+#include "postprocess/fields/blade_place.h"
 #include "postprocess/fields/wheel_surface.h"
 #include "postprocess/tables/units.h"
 
@@ -19,38 +22,64 @@ using nlohmann::json;
 constexpr std::size_t most_nodes = 5000;  // of a sector's surface, with those between its faces' corners
 
 /// The free surface of a sector in triangles.
-struct Triangles {
+struct Surface {
   std::vector<int> nodes;              ///< of the sector that are on it
   std::vector<std::uint32_t> corners;  ///< three a triangle: indices into `nodes`
+  std::vector<std::uint32_t> edges;    ///< two a straight piece of an edge of a face, likewise
 };
 
-Triangles triangles_of(const std::vector<SurfaceFace>& faces, Eigen::Index nodes, bool corners_only) {
+Surface surface_of(const std::vector<SurfaceFace>& faces, Eigen::Index nodes, bool corners_only) {
   // Of a face's nodes, by its corners: with the corners alone, and with the mid-sides.
   static const std::map<int, std::vector<int>> coarse = {{3, {0, 1, 2}}, {4, {0, 1, 2, 0, 2, 3}}};
   static const std::map<int, std::vector<int>> fine = {{3, {0, 3, 5, 1, 4, 3, 2, 5, 4, 3, 4, 5}},
                                                        {4, {0, 4, 7, 1, 5, 4, 2, 6, 5, 3, 7, 6, 4, 5, 6, 4, 6, 7}}};
   std::vector<int> place(static_cast<std::size_t>(nodes), -1);
-  Triangles triangles;
-  const auto add = [&](int node) {
+  Surface surface;
+  const auto drawn = [&](int node) {
     int& at = place[static_cast<std::size_t>(node)];
     if (at < 0) {
-      at = static_cast<int>(triangles.nodes.size());
-      triangles.nodes.push_back(node);
+      at = static_cast<int>(surface.nodes.size());
+      surface.nodes.push_back(node);
     }
-    triangles.corners.push_back(static_cast<std::uint32_t>(at));
+    return static_cast<std::uint32_t>(at);
   };
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const SurfaceFace& face : faces) {
     if (face.side != SurfaceFace::Side::free) continue;
-    for (const int k : (corners_only ? coarse : fine).at(face.corners()))
-      add(face.nodes[static_cast<std::size_t>(k)]);
+    const auto at = [&](int k) { return drawn(face.nodes[static_cast<std::size_t>(k)]); };
+    for (const int k : (corners_only ? coarse : fine).at(face.corners())) surface.corners.push_back(at(k));
+    for (int k = 0; k < face.corners(); ++k) {
+      const std::uint32_t first = at(k), last = at((k + 1) % face.corners()),
+                          middle = corners_only ? last : at(face.corners() + k);
+      edges.insert(std::minmax(first, middle));
+      if (!corners_only) edges.insert(std::minmax(middle, last));
+    }
   }
-  return triangles;
+  for (const auto& [from, to] : edges) surface.edges.insert(surface.edges.end(), {from, to});
+  return surface;
 }
 
-Triangles surface_of(const SectorFields& sector) {
+Surface surface_of(const SectorFields& sector) {
   const std::vector<SurfaceFace> faces = sector_surface(sector);
-  Triangles triangles = triangles_of(faces, sector.nodes.cols(), false);
-  return triangles.nodes.size() > most_nodes ? triangles_of(faces, sector.nodes.cols(), true) : triangles;
+  Surface surface = surface_of(faces, sector.nodes.cols(), false);
+  return surface.nodes.size() > most_nodes ? surface_of(faces, sector.nodes.cols(), true) : surface;
+}
+
+/// Those of some nodes of the sector that are drawn, as indices into the surface's.
+std::vector<std::uint32_t> drawn_of(const Surface& surface, const std::set<int>& nodes) {
+  std::vector<std::uint32_t> drawn;
+  for (std::size_t i = 0; i < surface.nodes.size(); ++i)
+    if (nodes.contains(surface.nodes[i])) drawn.push_back(static_cast<std::uint32_t>(i));
+  return drawn;
+}
+
+/// Empty where the mesh doesn't tell its disc from its blades.
+std::set<int> disc_nodes(const SectorFields& sector) {
+  std::set<int> nodes;
+  if (const auto disc = sector.parts.find(disc_part); disc != sector.parts.end() && sector.parts.size() > 1)
+    for (const int cell : disc->second)
+      for (const int node : nodes_of(sector.cells, cell)) nodes.insert(node);
+  return nodes;
 }
 
 void add_wave(PackedArrays& arrays, const std::string& place, const WaveField& wave, const std::vector<int>& nodes) {
@@ -61,7 +90,7 @@ void add_wave(PackedArrays& arrays, const std::string& place, const WaveField& w
 
 json add_modes(PackedArrays& arrays, const FieldStudy& fields, const std::vector<int>& nodes) {
   json list = json::array();
-  for (const ModeField& mode : fields.modes.lowest) {
+  for (const ModeField& mode : fields.modes.drawn) {
     add_wave(arrays, "mode/" + std::to_string(list.size()), mode.wave, nodes);
     list.push_back(
         {{"nodal_diameter", mode.wave.nodal_diameter}, {"family", mode.family + 1}, {"hz", mode.frequency}});
@@ -103,6 +132,7 @@ json add_motion(PackedArrays& arrays, const Study& study, const MovingWheel& mov
                      {"share", moving.motion.waves[i].share}});
   }
   arrays.add_coarse(place + "/vibration", moving.vibration(nodes) * mpa_per_pa);
+  arrays.add_coarse(place + "/spin", moving.spin(nodes) * mpa_per_pa);
   arrays.add_coarse(place + "/both", moving.both(nodes) * mpa_per_pa);
   arrays.add_coarse(place + "/force",
                     at->contact_force.middleRows(moving.motion.first_sample, moving.motion.samples));
@@ -122,9 +152,14 @@ json add_motion(PackedArrays& arrays, const Study& study, const MovingWheel& mov
 
 std::string wheel_data(const Study& study, const FieldStudy& fields) {
   PackedArrays arrays;
-  const Triangles surface = surface_of(fields.sector);
+  const Surface surface = surface_of(fields.sector);
   arrays.add_coarse("nodes", fields.sector.nodes(Eigen::all, surface.nodes));
   arrays.add("triangles", surface.corners);
+  arrays.add("edges", surface.edges);
+  const std::vector<int>& clamped = fields.sector.node_set("clamped");
+  arrays.add("clamped", drawn_of(surface, {clamped.begin(), clamped.end()}));
+  const std::vector<std::uint32_t> disc = drawn_of(surface, disc_nodes(fields.sector));
+  arrays.add("disc", disc);
   const ContactLine& contact = study.model.contact;
   arrays.add("contact/position", contact.position.transpose());
   arrays.add("contact/node", nearest_nodes(contact, fields.sector.nodes(Eigen::all, surface.nodes)));
@@ -134,7 +169,8 @@ std::string wheel_data(const Study& study, const FieldStudy& fields) {
   json motions = json::array();
   for (const MovingWheel& moving : fields.moving)
     motions.push_back(add_motion(arrays, study, moving, surface.nodes, "motion/" + std::to_string(motions.size())));
-  return arrays.packed({{"sectors", fields.sector.sector_count},
+  return arrays.packed({{"has_disc", !disc.empty()},
+                        {"sectors", fields.sector.sector_count},
                         {"held", study.response.scene.independent_sectors},
                         {"contacts", contact.size()},
                         {"radius", outer_radius(fields.sector)},

@@ -104,27 +104,4 @@ double outer_radius(const SectorFields& sector) {
   return sector.nodes.topRows<2>().colwise().norm().maxCoeff();
 }
 
-double largest_displacement(const WheelField& field) {
-  double largest = 0;
-  for (const Eigen::Matrix3Xd& moved : field.displacement)
-    largest = std::max(largest, moved.colwise().norm().maxCoeff());
-  return largest;
-}
-
-TurnDifference turn_difference(const WheelField& field, int sectors) {
-  const int count = static_cast<int>(field.displacement.size());
-  const double angle = sector_angle(sectors, count);
-  double moved = 0, displacement = 0, stressed = 0, stress = 0;
-  for (int j = 0; j < count; ++j) {
-    const auto here = static_cast<std::size_t>(j), there = static_cast<std::size_t>((j + sectors) % count);
-    moved = std::max(moved, field.displacement[here].cwiseAbs().maxCoeff());
-    displacement = std::max(
-        displacement, (field.displacement[there] - rotation(angle) * field.displacement[here]).cwiseAbs().maxCoeff());
-    if (field.stress[here].cols() == 0) continue;
-    stressed = std::max(stressed, field.stress[here].cwiseAbs().maxCoeff());
-    stress = std::max(stress, (field.stress[there] - turned(field.stress[here], angle)).cwiseAbs().maxCoeff());
-  }
-  return {moved > 0 ? displacement / moved : 0, stressed > 0 ? stress / stressed : 0};
-}
-
 }  // namespace tiprub

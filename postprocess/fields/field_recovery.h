@@ -57,14 +57,4 @@ Eigen::Matrix3Xd nodes_of_sector(const SectorFields& sector, int j);
 /// [m] from the axis to the outermost node.
 double outer_radius(const SectorFields& sector);
 
-/// [m] the farthest that any node of the wheel moves.
-double largest_displacement(const WheelField& field);
-
-/// How far a field is from itself turned by so many sectors, over its largest value; displacement, then stress.
-struct TurnDifference {
-  double displacement = 0;
-  double stress = 0;
-};
-TurnDifference turn_difference(const WheelField& field, int sectors);
-
 }  // namespace tiprub

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "cases/program/errors.h"
 #include "postprocess/tables/interruption.h"
@@ -103,13 +102,6 @@ std::size_t worst_of(const std::vector<std::size_t>& speeds, const Study& study)
   });
 }
 
-Eigen::MatrixXd forces_at(const SpeedResponse& response, const SimulatedScene& scene, int nodes, int sample) {
-  Eigen::MatrixXd forces(scene.sector_count, nodes);
-  for (Eigen::Index j = 0; j < scene.sector_count; ++j)
-    forces.row(j) = response.contact_force.row(sample).segment((j % scene.independent_sectors) * nodes, nodes);
-  return forces;
-}
-
 /// So many samples of recovered waves fit into `recovery_memory`.
 int block_of_samples(const Study& study, const SectorFields& sector) {
   const std::size_t numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
@@ -143,6 +135,7 @@ MovingWheel moving_wheel(const FieldsReader& reader, const Study& study, const S
                      {},
                      stress.displacement,
                      stress.vibration,
+                     stress.spin,
                      stress.both};
   for (RotorWave& wave : moving.motion.waves) {
     stop_if_interrupted();
@@ -153,9 +146,9 @@ MovingWheel moving_wheel(const FieldsReader& reader, const Study& study, const S
   return moving;
 }
 
-/// All that is drawn at the snapshot of a speed.
-void recover_instant(const Study& study, const SpeedResponse& response, const WaveRecovery& recover,
-                     const WaveField& spin, FieldStudy& fields) {
+/// The whole wheel at the snapshot of a speed.
+void recover_instant(const SpeedResponse& response, const WaveRecovery& recover, const WaveField& spin,
+                     FieldStudy& fields) {
   const RotorSnapshot& snapshot = *response.snapshot;
   const int count = fields.sector.sector_count;
   std::vector<WaveField> waves;
@@ -166,9 +159,6 @@ void recover_instant(const Study& study, const SpeedResponse& response, const Wa
   fields.has_instant = true;
   fields.angle = 2 * std::numbers::pi * snapshot.sample / response.samples_per_revolution;
   fields.force = snapshot.force;
-  fields.contact_force = forces_at(response, study.response.scene, study.model.contact.size(), snapshot.sample);
-  fields.invariant_sectors = count / std::gcd(count, study.response.scene.lobes);
-  fields.invariance = turn_difference(fields.vibration, fields.invariant_sectors);
 }
 
 }  // namespace
@@ -207,7 +197,7 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
     fields.peaks.back().speed = response.speed;
     fields.peaks.back().samples = cycle.whole ? cycle.recorded_samples : 0;
     if (response.cycle) fields.moving.push_back(moving_wheel(reader, study, response, stress));
-    if (index == worst && response.snapshot) recover_instant(study, response, recover, spin, fields);
+    if (index == worst && response.snapshot) recover_instant(response, recover, spin, fields);
   }
   return fields;
 }

@@ -9,7 +9,7 @@
 #include "postprocess/analysis/study.h"
 #include "postprocess/fields/field_peak.h"
 #include "postprocess/fields/field_recovery.h"
-#include "postprocess/fields/modes/natural_modes.h"
+#include "postprocess/fields/natural_modes.h"
 #include "postprocess/fields/wheel_motion.h"
 
 namespace tiprub {
@@ -21,7 +21,8 @@ struct MovingWheel {
   std::vector<WaveField> waves;  ///< the same on the nodes
   double displacement = 0;       ///< [m] the farthest that any node moves
   Eigen::VectorXd vibration;     ///< [Pa] the largest von Mises stress over the cycle and the sectors; by node
-  Eigen::VectorXd both;          ///< [Pa] the same with spin
+  Eigen::VectorXd spin;          ///< [Pa] of the static shape under spin alone
+  Eigen::VectorXd both;          ///< [Pa] the largest of their sum
 };
 
 /// Full fields of a study.
@@ -33,12 +34,9 @@ struct FieldStudy {
   double angle = 0;                 ///< [rad] of the rotor at the contact instant, from the start of the recording
   double force = 0;                 ///< [N] all contact forces then
   WheelField vibration, spin;       ///< at the contact instant
-  Eigen::MatrixXd contact_force;    ///< [N] sectors x contact nodes, then
   StressZones zones;                ///< where stress is read
   std::vector<FieldPeak> peaks;     ///< at every critical speed, and at the speed of the instant
   std::vector<MovingWheel> moving;  ///< at every critical speed that has a cycle
-  TurnDifference invariance;        ///< of the vibration under the turn that the casing and the wheel share
-  int invariant_sectors = 0;        ///< that turn, in sectors; N if they share none
 };
 
 /// Recovers everything. Raises InputError if the fields are of another model.

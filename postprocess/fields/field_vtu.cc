@@ -75,7 +75,7 @@ WaveField quarter_later(WaveField wave) {
 void write_modes(const FieldStudy& fields, const std::filesystem::path& folder) {
   std::vector<VtuNumber> numbers = {{"speed", fields.speed}};
   std::vector<VtuArray> sector_arrays = {{"node_set", node_set_numbers(fields.sector)}}, wheel_arrays;
-  for (const ModeField& mode : fields.modes.lowest) {
+  for (const ModeField& mode : fields.modes.drawn) {
     sector_arrays.push_back({name_of(mode) + "_cosine", mode.wave.displacement.real()});
     sector_arrays.push_back({name_of(mode) + "_sine", mode.wave.displacement.imag()});
     const int sectors = fields.sector.sector_count;

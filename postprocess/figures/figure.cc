@@ -26,10 +26,9 @@ void write_pixels(const Pixels& pixels, const fs::path& folder) {
 
 }  // namespace
 
-void set_pixels(Figure& figure, Eigen::MatrixXf values, int components) {
-  figure.drawing.values.insert(figure.drawing.values.end(),
-                               {{"pixel_columns", static_cast<int>(values.cols()) / components},
-                                {"pixel_rows", static_cast<int>(values.rows())}});
+void set_pixels(Figure& figure, Eigen::MatrixXf values) {
+  figure.drawing.values.insert(figure.drawing.values.end(), {{"pixel_columns", static_cast<int>(values.cols())},
+                                                             {"pixel_rows", static_cast<int>(values.rows())}});
   figure.pixels.push_back({figure.drawing.name + ".pixels", std::move(values)});
 }
 

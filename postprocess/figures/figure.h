@@ -27,12 +27,10 @@ struct Figure {
   Table data{};  ///< what is drawn, as <name>.csv, which the drawing may read
   std::vector<Pixels> pixels{};
   std::string seen{};  ///< what is seen, in words, for those who can't see it; empty: the caption says it
-  std::vector<std::string> fields{};  ///< the same for ParaView, if there is: files in the report's folder
 };
 
-/// Gives the figure its pixels, as <name>.pixels; the script finds their counts in pixel_columns and pixel_rows. A
-/// pixel has so many `components`, which are neighbours in a row of `values` (red, green, blue).
-void set_pixels(Figure& figure, Eigen::MatrixXf values, int components = 1);
+/// Gives the figure its pixels, as <name>.pixels; the script finds their counts in pixel_columns and pixel_rows.
+void set_pixels(Figure& figure, Eigen::MatrixXf values);
 
 /// Writes the tables and draws the pictures in the folder, two processes at a time.
 void draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,

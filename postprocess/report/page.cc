@@ -108,14 +108,12 @@ std::string scene_items(const Study& study, const FieldResults& fields) {
 /// With its heading, so that neither stands alone on a printed page. `live`: where the page's scripts draw instead.
 std::string figure_section(const Figure& figure, const std::filesystem::path& folder, const std::string& live = "") {
   const std::string &name = figure.drawing.name, file = "figures/" + name;
-  std::string text =
-      "<section><h2 id=\"" + name + "\">" + html::escaped(figure.title) + "</h2>\n" + live + "<figure" +
-      (live.empty() ? "" : " class=\"twin\"") + "><img alt=\"" + html::escaped(figure.title) + ": " +
-      html::escaped(figure.seen.empty() ? figure.caption : figure.seen) + "\" src=\"" +
-      html::svg_url(read_text(folder / (file + ".svg"))) + "\"><figcaption>" + html::escaped(figure.caption) + " " +
-      link(file + ".csv", "data") + dot + link(file + ".svg", "SVG") + dot + link(file + ".png", "PNG");
-  for (const std::string& field : figure.fields) text += dot + link(field);
-  return text + "</figcaption></figure></section>\n";
+  return "<section><h2 id=\"" + name + "\">" + html::escaped(figure.title) + "</h2>\n" + live + "<figure" +
+         (live.empty() ? "" : " class=\"twin\"") + "><img alt=\"" + html::escaped(figure.title) + ": " +
+         html::escaped(figure.seen.empty() ? figure.caption : figure.seen) + "\" src=\"" +
+         html::svg_url(read_text(folder / (file + ".svg"))) + "\"><figcaption>" + html::escaped(figure.caption) +
+         " " + link(file + ".csv", "data") + dot + link(file + ".svg", "SVG") + dot + link(file + ".png", "PNG") +
+         "</figcaption></figure></section>\n";
 }
 
 /// All but the response, which stands at the top of the page.
@@ -184,16 +182,21 @@ std::string comparison_section(const ReportContents& contents) {
          link("#comparison", "both responses") + ", " + link("#comparison_map", "both maps") + ".</p></section>\n";
 }
 
-/// The wheel in 3-D, where there is one to draw: its place in the page, and its data with the library that draws it.
-std::string wheel_section(const ReportContents& contents) {
-  if (!contents.fields) return "";
-  return "<section class=\"live-only\"><h2 id=\"in-motion\">The wheel in motion</h2>\n<p>Seen from the rotor: the "
-         "casing "
-         "turns, its lobes and the motion drawn as much larger as is told below. Balls: where the casing pushes, "
-         "the larger the harder. Drag to turn the wheel, or use the arrow keys.</p>\n<div "
-         "id=\"live-wheel\"></div></section>\n";
+/// The wheel in 3-D, where there is one to draw: its place in the page.
+std::string wheel_section(const std::optional<FieldStudy>& fields) {
+  if (!fields) return "";
+  std::vector<std::string> files = {"modes_wheel.vtu", "modes_sector.vtu"};
+  if (fields->has_instant) files.insert(files.end(), {"contact_wheel.vtu", "contact_sector.vtu"});
+  if (moving_at_instant(*fields)) files.emplace_back("motion_sector.pvd");
+  std::string links;
+  for (const std::string& file : files) links += (links.empty() ? "" : dot) + link("fields/" + file);
+  const std::string peaks =
+      fields->peaks.empty() ? "" : " Where the stress is largest, in full: " + link("stress_peaks.csv") + ".";
+  return html::filled(without_first_line(embedded::page_files::wheel_html),
+                      {{"vtu_links", links}, {"stress_peaks_link", peaks}});
 }
 
+/// Its data, with the library that draws it.
 std::string wheel_data_section(const ReportContents& contents) {
   if (!contents.fields) return "";
   const auto& [three, controls] = embedded::three_library::files;
@@ -232,7 +235,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"record", record(study, source)},
        {"speed_data", speed_data(study, other)},
        {"comparison", comparison_section(contents)},
-       {"wheel_section", wheel_section(contents)},
+       {"wheel_section", wheel_section(full_fields)},
        {"wheel_link", full_fields ? "<li class=\"live-only\"><a href=\"#in-motion\">3-D</a></li>" : ""},
        {"wheel_data", wheel_data_section(contents)},
        {"run", answers(run.in_words())}});

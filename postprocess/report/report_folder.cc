@@ -6,6 +6,7 @@
 #include "postprocess/records/critical_speed_record.h"
 #include "postprocess/records/drift_record.h"
 #include "postprocess/records/exactness_record.h"
+#include "postprocess/records/field_record.h"
 #include "postprocess/records/linear_criterion_record.h"
 #include "postprocess/records/speed_record.h"
 #include "postprocess/records/sweep_record.h"
@@ -36,7 +37,11 @@ void write_tables(const Study& study, const FieldResults& fields, const std::fil
 }  // namespace
 
 void write_report_folder(ReportContents& contents, const std::filesystem::path& folder, Progress::Shown shown) {
-  if (contents.fields) write_vtu_files(*contents.fields, folder / "fields");
+  if (contents.fields) {
+    write_vtu_files(*contents.fields, folder / "fields");
+    write_csv(mode_record(*contents.fields), folder / "modes.csv");
+    if (!contents.fields->peaks.empty()) write_csv(stress_peak_record(*contents.fields), folder / "stress_peaks.csv");
+  }
   write_figures(contents.figures, folder / "figures", shown);
   write_tables(contents.study, contents.field_results, folder);
   write_csv(scene_needs_record(contents.needs), folder / "scene_needs.csv");

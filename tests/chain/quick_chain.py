@@ -6,7 +6,6 @@ usage: quick_chain.py STEP PROGRAMS_FOLDER CASES_FOLDER WORK_FOLDER
 
 `run` makes a copy of the case with fewer speeds; each other step checks one thing about what was made.
 """
-import base64
 import csv
 import os
 import shutil
@@ -16,6 +15,8 @@ import xml.etree.ElementTree
 
 import h5py
 import numpy
+
+from vtu import numbers_of, read_vtu
 
 SPEED_COUNT = 12
 REDUCTION_TOLERANCE = 0.001  # of the first 50 frequencies of the wheel
@@ -109,24 +110,6 @@ def critical_speeds(programs, cases, work):
             folded = int(order) % 10
             assert int(row["nodal diameter"]) == min(folded, 10 - folded)
         assert int(row["family"]) >= 1 and row["wave"] in ("forward", "backward", "standing")
-
-
-def read_vtu(path):
-    """Arrays of a VTK XML file by name; inline binary in base 64, its length in 8 bytes first."""
-    types = {"Float32": numpy.float32, "Int32": numpy.int32, "UInt8": numpy.uint8}
-    arrays = {}
-    for array in xml.etree.ElementTree.parse(path).find(".//Piece").iter("DataArray"):
-        raw = base64.b64decode(array.text)
-        values = numpy.frombuffer(raw[8:], types[array.get("type")])
-        assert int.from_bytes(raw[:8], "little") == values.nbytes, array.get("Name")
-        components = int(array.get("NumberOfComponents"))
-        arrays[array.get("Name")] = values.reshape(-1, components) if components > 1 else values
-    return arrays
-
-
-def numbers_of(path):
-    """The field data of a VTK XML file by name."""
-    return {array.get("Name"): float(array.text) for array in xml.etree.ElementTree.parse(path).find(".//FieldData")}
 
 
 def turned_about_z(vectors, angles):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks 34 to 62: the contact algorithm, aliasing, post-processing."""
-import re
+import os
 
 import numpy
 
 from registry import ByConstruction, CannotBeMade, by_test, check, percent
-from scene import signed
+from scene import read_vtu, signed
 
 
 # --- 3.5 contact algorithm ---------------------------------------------------------------------------------------------------
@@ -267,10 +267,12 @@ def _(c):
 @check(62, "displacement and stress recovered on the wheel; half a turn leaves a two-lobe field as it is")
 def _(c):
     two = c.lobed(2)
-    with open(two.path("report", "report.html"), encoding="utf-8") as file:
-        said = re.search(r"Turned by (\d+) of \d+ sectors, the displacement is itself within ([-+.e0-9]+) of its largest value, "
-                         r"the stress within ([-+.e0-9]+?)\.\s", file.read())
-    if said is None:
-        raise CannotBeMade(f"{two.name} was post-processed without fields.h5")
-    displacement, stress = float(said.group(2)), float(said.group(3))
-    return displacement < 1e-6 and stress < 1e-6, f"turned by {said.group(1)} sectors: displacement {displacement:.1e}, stress {stress:.1e} of the largest"
+    path = two.path("report", "fields", "contact_wheel.vtu")
+    if not os.path.exists(path) or two.sectors % 2 != 0:
+        raise CannotBeMade(f"{two.name} was post-processed without fields.h5, or has no half turn")
+    wheel = read_vtu(path)
+    # R u and R sigma R' of half a turn; a file for ParaView is in single precision
+    vector, tensor = numpy.array([-1, -1, 1]), numpy.array([1, 1, 1, 1, -1, -1])
+    displacement, stress = (abs(numpy.roll(field, two.sectors // 2, axis=0) - field * turn).max() / abs(field).max() for field, turn in (
+        (wheel[name].reshape(two.sectors, -1, len(turn)), turn) for name, turn in (("displacement_vibration", vector), ("stress_vibration", tensor))))
+    return displacement < 1e-6 and stress < 1e-6, f"after half a turn: displacement {displacement:.1e}, stress {stress:.1e} of the largest"

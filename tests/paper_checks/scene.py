@@ -5,11 +5,15 @@ import functools
 import os
 import re
 import subprocess
+import sys
 
 import h5py
 import numpy
 
 from registry import CannotBeMade
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "chain"))
+from vtu import read_vtu
 
 RPM = 30 / numpy.pi           # rev/min in a rad/s
 HIGHEST_ORDER = 30            # engine orders held of each spectrum

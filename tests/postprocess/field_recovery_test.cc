@@ -192,23 +192,6 @@ TEST(OnWheel, NeighboursAgreeOnTheirCommonFace) {
     }
 }
 
-/// Even nodal diameters repeat after half a turn, odd ones change their sign.
-TEST(TurnDifference, OfTwoLobesUnderHalfATurn) {
-  const SectorFields sector = sector_of_bricks(20);
-  const CellStress bricks(sector);
-  std::vector<WaveField> waves;
-  for (const int n : {0, 2}) {
-    waves.push_back({n, cartesian(sector, cyclic_motion(sector, n)), {}});
-    add_stress(sector, bricks, waves.back());
-  }
-  const TurnDifference even = turn_difference(on_wheel(waves, sector_count), sector_count / 2);
-  EXPECT_LT(even.displacement, 1e-13);
-  EXPECT_LT(even.stress, 1e-13);
-  waves.push_back({1, cartesian(sector, cyclic_motion(sector, 1)), {}});
-  add_stress(sector, bricks, waves.back());
-  EXPECT_GT(turn_difference(on_wheel(waves, sector_count), sector_count / 2).displacement, 0.1);
-}
-
 TEST(SectorSurface, IsWhatBricksDontShare) {
   const SectorFields sector = sector_of_bricks(27);
   const std::vector<SurfaceFace> faces = sector_surface(sector);

@@ -43,12 +43,8 @@ map_family_text = '#ffb482'
 map_key_colour = '#31688e'
 map_key_text = '#ffffff'
 rotation_text = '#555555'
-# Words in the colours of the painted pictures (wheel/surface_colours.h), darker where letters need it.
-sector_text = '#c96f10'
-clamped_text = '#d91a1f'
-contact_text = '#0d4dd9'
-lower_cut_text = '#3f8a4c'
-upper_cut_text = '#7d5fa8'
+clamped_colour = '#d91a1f'
+contact_colour = '#0d4dd9'
 
 # Viridis, a perceptually even map for amplitudes: dark is small. Shares of contact: white never, dark blue always.
 amplitude_palette = "0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725'"
@@ -122,8 +118,8 @@ zero_width = 1
 array section_colours[4] = ['#c3ccd5', '#9ecae9', '#f7cf8b', '#b7dfc9']
 section_colour(i) = section_colours[(int(i) + 3)%4 + 1]
 section_casing = 64; set style line section_casing linewidth 2.5 linecolor rgb night
-section_leading = 67; set style line section_leading pointtype 9 pointsize 1.7 linecolor rgb contact_text
-section_trailing = 68; set style line section_trailing pointtype 5 pointsize 1.3 linecolor rgb contact_text
-section_clamped = 65; set style line section_clamped pointtype 7 pointsize 0.45 linecolor rgb clamped_text
-section_contact = 66; set style line section_contact pointtype 7 pointsize 0.9 linecolor rgb contact_text
+section_leading = 67; set style line section_leading pointtype 9 pointsize 1.7 linecolor rgb contact_colour
+section_trailing = 68; set style line section_trailing pointtype 5 pointsize 1.3 linecolor rgb contact_colour
+section_clamped = 65; set style line section_clamped pointtype 7 pointsize 0.45 linecolor rgb clamped_colour
+section_contact = 66; set style line section_contact pointtype 7 pointsize 0.9 linecolor rgb contact_colour
 zero_colour = '#777777'

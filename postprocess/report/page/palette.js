@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Perceptually ordered, and told apart by colour-blind eyes: viridis for amplitudes over a map; blues (displacement) and magma
-// (stress) for surfaces, from light (small) to dark, as in the pictures (surface_colours.cc).
+// (stress) for surfaces, from light (small) to dark.
 const PALETTES = {
   viridis: ['440154', '482878', '3e4989', '31688e', '26828e', '1f9e89', '35b779', '6ece58', 'b5de2b', 'fde725'],
   blues: ['e6eaee', 'c7e9b4', '7fcdbb', '41b6c4', '1d91c0', '225ea8', '253494', '081d58'],

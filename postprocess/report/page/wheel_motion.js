@@ -27,6 +27,17 @@ class WheelMotion {
     return moved;
   }
 
+  // [m] how far some nodes move at most, of the instants of a revolution, in any sector.
+  largestOf(nodes) {
+    const instants = 36, largest = nodes.map(() => 0);
+    for (let j = 0; j < this.data.sectors; ++j)
+      for (let k = 0; k < instants; ++k) {
+        const u = this.displacementOf(j, 2 * Math.PI * k / instants);
+        nodes.forEach((node, i) => { largest[i] = Math.max(largest[i], Math.hypot(u[3 * node], u[3 * node + 1], u[3 * node + 2])); });
+      }
+    return largest;
+  }
+
   // Positions of the whole wheel, `size` times the displacement added; `paint(vertex, length)` hears each node's displacement [m].
   positions(angle, size, into, paint) {
     const {nodes, count, data} = this;

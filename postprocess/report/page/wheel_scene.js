@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What three.js draws: the wheel, the casing around it, balls where it pushes. The axis of rotation is upright, the inlet on top.
 const DRAWN_SHARE = 0.07;  // of the outer radius: how far the largest displacement is drawn
+const MARKED = {sector: '#ed8c24', clamped: '#d91a1f', contact: '#0d4dd9'};
 const DRAWN_CASING = 0.06;  // of it: how far the casing's shape is drawn at most
 
 class WheelScene {
@@ -67,9 +68,27 @@ class WheelScene {
     motion.moved = new Float32Array(3 * count);
     motion.positions(0, 0, this.positions.array);
     geometry.computeVertexNormals();
-    const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({vertexColors: THREE.VertexColors, side: THREE.DoubleSide}));
+    const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({vertexColors: THREE.VertexColors, side: THREE.DoubleSide,
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}));
     mesh.frustumCulled = false;
     this.scene.add(mesh);
+    this.addMarks();
+  }
+
+  // The mesh of sector 0, its clamped and its contact nodes.
+  addMarks() {
+    const {data} = this, geometryOf = index => {
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute('position', this.positions);
+      geometry.setIndex(Array.from(index));
+      return geometry;
+    };
+    const points = (index, colour, size) => new THREE.Points(geometryOf(index), new THREE.PointsMaterial({color: colour, size, sizeAttenuation: false}));
+    this.marks = new THREE.Group();
+    this.marks.add(new THREE.LineSegments(geometryOf(data.array('edges')), new THREE.LineBasicMaterial({color: 0x3b4048})),
+      points(data.array('clamped'), MARKED.clamped, 4), points(data.array('contact/node'), MARKED.contact, 8));
+    for (const mark of this.marks.children) mark.frustumCulled = false;
+    this.scene.add(this.marks);
   }
 
   // The casing of a motion at its running clearance, both `casingSize` times as large as they are; it turns against the rotor.

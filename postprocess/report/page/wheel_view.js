@@ -3,25 +3,34 @@
 const COLOURINGS = {
   displacement: {words: 'displacement now', palette: 'blues', unit: 'mm'},
   vibration: {words: 'stress of the vibration, largest over the cycle', palette: 'magma', unit: 'MPa, von Mises'},
+  spin: {words: 'stress of the spin alone', palette: 'magma', unit: 'MPa, von Mises'},
   both: {words: 'stress with spin, largest over the cycle', palette: 'magma', unit: 'MPa, von Mises'},
 };
 const SECONDS = [4, 8, 16, 32];
+const METAL = [0.78, 0.8, 0.83];
+const DISC_ABOVE = 0.02;  // of the disc's nodes, above its colours: single ones beside the blades' roots stand far above
 
 class WheelView {
   constructor(host, data, selection) {
-    Object.assign(this, {host, data, selection, colouring: 'displacement', seconds: 8, angle: 0, casing: true, forces: true});
+    Object.assign(this, {host, data, selection, colouring: 'displacement', seconds: 8, angle: 0, casing: true, forces: true, discOnly: false});
     this.playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.canvas = make('canvas', {class: 'wheel', tabindex: 0, role: 'img', 'aria-label': 'The wheel in motion; arrow keys turn it, plus and minus zoom'});
     this.scene = new WheelScene(this.canvas, data);
     this.told = make('output', {class: 'readout'});
     this.bar = make('div');
     host.append(this.controls(), this.canvas, make('div', {class: 'tools'}, this.bar, this.told));
-    this.entries = [...data.motions.map((_, k) => `motion/${k}`), ...data.modes.map((_, k) => `mode/${k}`)];
+    this.onDisc = new Set(data.array('disc'));
+    host.parentElement.classList.add('drawn');
     this.listen();
     this.choose(this.atSelection() ?? this.entries[0]);
   }
 
+  get entries() {
+    return [...this.data.motions.map((_, k) => `motion/${k}`), ...this.data.modes.map((_, k) => `mode/${k}`), 'rest'];
+  }
+
   nameOf(entry) {
+    if (entry === 'rest') return 'at rest: sector 0, its mesh and node sets';
     const [kind, k] = entry.split('/'), what = this.data[`${kind}s`][k];
     if (kind === 'mode') return `mode: nodal diameter ${what.nodal_diameter}, family ${what.family}, ${what.hz.toFixed(0)} Hz`;
     const peak = this.selection.data.critical.find(found => found.index === what.index);
@@ -36,21 +45,40 @@ class WheelView {
 
   controls() {
     const {data} = this, tick = (words, name) => {
-      const box = make('input', {type: 'checkbox', checked: ''});
+      const box = make('input', {type: 'checkbox', checked: this[name] ? '' : null});
       box.addEventListener('change', () => { this[name] = box.checked; this.update(); });
       return make('label', {class: 'choice'}, box, ` ${words}`);
     };
-    this.which = choice('Shown', [...data.motions.map((_, k) => `motion/${k}`), ...data.modes.map((_, k) => `mode/${k}`)]
-      .map(entry => [entry, this.nameOf(entry)]), '', entry => this.choose(entry));
+    this.which = choice('Shown', this.entries.map(entry => [entry, this.nameOf(entry)]), '', entry => this.choose(entry));
     this.colours = choice('Colours', Object.entries(COLOURINGS).map(([name, {words}]) => [name, words]), this.colouring,
       name => { this.colouring = name; this.update(); });
-    this.pause = button(this.playing ? 'Pause' : 'Play', 'Play or pause the motion', () => {
-      this.playing = !this.playing;
-      this.pause.textContent = this.playing ? 'Pause' : 'Play';
-    });
-    return make('div', {class: 'tools'}, this.which, this.colours, this.pause,
+    this.pause = button('', 'Play or pause the motion', () => this.play(!this.playing));
+    this.instant = button('Hardest contact', 'Pause where the casing pushes most', () => this.showInstant());
+    this.play(this.playing);
+    return make('div', {class: 'tools'}, this.which, this.colours, this.pause, this.instant,
       choice('A revolution takes', SECONDS.map(s => [String(s), `${s} s`]), String(this.seconds), s => { this.seconds = Number(s); }),
-      tick('casing', 'casing'), tick('contact forces', 'forces'), button('View from the inlet', 'Back to the first view', () => this.scene.home()));
+      tick('casing', 'casing'), tick('contact forces', 'forces'),
+      ...(data.has_disc ? [tick('disc only', 'discOnly')] : []), button('View from the inlet', 'Back to the first view', () => this.scene.home()),
+      button('Save picture', 'Save this view as a PNG file', () => this.save()));
+  }
+
+  play(playing) {
+    this.playing = playing;
+    this.pause.textContent = playing ? 'Pause' : 'Play';
+  }
+
+  // The recorded sample of the cycle with the largest sum of forces.
+  showInstant() {
+    const {samples, samples_per_revolution: per, first_sample: first} = this.shown, {held, contacts} = this.data;
+    const force = this.data.array(`${this.entry}/force`), sums = new Float64Array(samples);
+    for (let row = 0; row < held * contacts; ++row)
+      for (let s = 0; s < samples; ++s) sums[s] += force[row * samples + s];
+    this.angle = 2 * Math.PI * ((first + sums.indexOf(Math.max(...sums))) % samples + 1e-6) / per;
+    this.play(false);
+  }
+
+  save() {
+    make('a', {href: this.canvas.toDataURL(), download: `wheel_${this.which.lastChild.selectedOptions[0].textContent.replace(/\W+/g, '_')}.png`}).click();
   }
 
   listen() {
@@ -72,29 +100,49 @@ class WheelView {
     this.entry = entry;
     this.which.lastChild.value = entry;
     const [kind, k] = entry.split('/');
+    this.rest = kind === 'rest';
     this.mode = kind === 'mode' ? this.data.modes[k] : null;
     this.shown = kind === 'motion' ? this.data.motions[k] : null;
-    const waves = this.mode ? [{order: 1, nodal_diameter: this.mode.nodal_diameter}] : this.shown.waves;
+    const waves = this.mode ? [{order: 1, nodal_diameter: this.mode.nodal_diameter}] : this.shown?.waves ?? [];
     this.scene.motion.choose(i => this.mode ? entry : `${entry}/${i}`, waves);
-    this.largest = this.mode ? 1 : this.shown.largest;
+    this.largest = this.shown ? this.shown.largest : 1;
     this.size = DRAWN_SHARE * this.data.radius / this.largest;
-    if (this.mode && this.colouring !== 'displacement') this.colouring = this.colours.lastChild.value = 'displacement';
-    this.colours.lastChild.disabled = Boolean(this.mode);
+    this.scene.marks.visible = this.rest;
+    if (!this.shown && this.colouring !== 'displacement') this.colouring = this.colours.lastChild.value = 'displacement';
+    this.colours.lastChild.disabled = this.instant.disabled = !this.shown;
     this.update();
   }
 
-  update() {
-    const {palette, unit} = COLOURINGS[this.colouring], moving = this.colouring === 'displacement';
-    const most = moving ? (this.mode ? 1 : 1000 * this.largest) : this.shown.stress_limit;
-    this.bar.replaceChildren(colourBar(palette, [0, most / 2, most].map(value => digits(value, 3)), this.mode ? 'of the largest component' : unit));
-    this.table = colourTable(palette).map(rgb => rgb.map(value => value / 255));
-    const stress = moving ? null : this.data.array(`${this.entry}/${this.colouring}`), limit = moving ? this.largest : most;
-    const colours = this.scene.colours.array;
+  // What the colours end at, in their own unit: of the disc alone what all but a few of its nodes stay below.
+  limitOf(stress) {
+    if (!this.discOnly) return stress ? this.shown.stress_limit : this.largest;
+    const all = stress ? [...this.onDisc].map(node => stress[node]) : this.scene.motion.largestOf([...this.onDisc]);
+    return Math.max(all.sort((a, b) => a - b)[Math.floor((1 - DISC_ABOVE) * (all.length - 1))], 1e-12);
+  }
+
+  // Colours by what moves or is stressed; returns the bar that tells them.
+  paintField() {
+    const {palette, unit} = COLOURINGS[this.colouring], {count} = this.scene.motion, colours = this.scene.colours.array;
+    const stress = this.colouring === 'displacement' ? null : this.data.array(`${this.entry}/${this.colouring}`);
+    const limit = this.limitOf(stress), most = limit * (stress || this.mode ? 1 : 1000);
+    const table = colourTable(palette).map(rgb => rgb.map(value => value / 255));
     this.paint = (vertex, length) => {
-      const value = stress ? stress[vertex % this.scene.motion.count] : length;
-      const rgb = this.table[Math.min(255, Math.round(255 * value / limit))];
-      colours.set(rgb, 3 * vertex);
+      const value = stress ? stress[vertex % count] : length, shown = !this.discOnly || this.onDisc.has(vertex % count);
+      colours.set(shown ? table[Math.min(255, Math.round(255 * value / limit))] : METAL, 3 * vertex);
     };
+    return colourBar(palette, [0, most / 2, most].map(value => digits(value, 3)), this.mode ? 'of the largest component' : unit);
+  }
+
+  // Sector 0 stands out; its node sets have their names.
+  paintSector() {
+    const {count} = this.scene.motion, colours = this.scene.colours.array, chosen = new THREE.Color(MARKED.sector).toArray();
+    this.paint = vertex => colours.set(vertex < count ? chosen : METAL, 3 * vertex);
+    return make('span', {}, ...Object.entries({sector: 'sector 0', clamped: 'clamped nodes', contact: 'contact nodes'}).flatMap(
+      ([name, words]) => [make('span', {style: `color:${MARKED[name]}`, 'aria-hidden': 'true'}, '\u25CF '), `${words}  `]));
+  }
+
+  update() {
+    this.bar.replaceChildren(this.rest ? this.paintSector() : this.paintField());
     this.scene.setCasing(this.shown && this.casing ? this.data.array(`${this.entry}/clearance`) : null);
     if (this.shown) this.mostForce = half(this.data.array(`${this.entry}/force`))[1];
     this.place();
@@ -109,7 +157,7 @@ class WheelView {
     scene.setForces(this.shown && this.forces ? this.forceNow() : null, this.mostForce || 1);
     scene.draw();
     const turns = this.angle / (2 * Math.PI);
-    this.told.textContent = this.mode ? `${(360 * (turns % 1)).toFixed(0)} deg of the period; displacement drawn as ${100 * DRAWN_SHARE} % of the radius`
+    this.told.textContent = this.rest ? '' : this.mode ? `${(360 * (turns % 1)).toFixed(0)} deg of the period; displacement drawn as ${100 * DRAWN_SHARE} % of the radius`
       : `rotor at ${(360 * turns).toFixed(0)} deg; displacement ${digits(this.size, 2)} times as large, casing's shape and clearance ${digits(this.scene.casingSize, 2)} times; ${digits(100 * this.shown.left_out, 2)} % of the mean square of the motion is in smaller waves and left out`;
   }
 
@@ -122,7 +170,7 @@ class WheelView {
 
   frame(now) {
     if (!this.inView) { this.before = null; return; }
-    if (this.playing && this.before) {
+    if (this.playing && this.before && !this.rest) {
       const period = this.mode ? 2 * Math.PI : 2 * Math.PI * this.shown.samples / this.shown.samples_per_revolution;
       const pace = this.mode ? 4 / this.seconds : 1 / this.seconds;
       this.angle = (this.angle + 2 * Math.PI * pace * Math.min(0.1, (now - this.before) / 1000)) % period;
@@ -141,7 +189,7 @@ function hasWebGL() {
 
 function pictureInstead(host) {
   host.append(make('p', {}, 'This browser has no WebGL to draw the wheel with; this picture shows it.'));
-  const picture = document.querySelector('h2#contact_displacement ~ figure img, h2#mode_shapes ~ figure img');
+  const picture = document.querySelector('h2#meridional_section ~ figure img');
   if (picture) host.append(make('figure', {}, picture.cloneNode()));
 }
 

@@ -270,7 +270,7 @@ constexpr const char* stress_columns[] = {"von Mises, vibration [MPa]", "von Mis
 TEST_F(Page, TellsTheStressAtEveryPeak) {
   constexpr double single_precision = 2e-6;
   const auto peaks = rows_of(folder_ / "with" / "critical_speeds.csv");
-  const auto drawn = rows_of(folder_ / "with" / "figures" / "contact_stress.csv");
+  const auto drawn = rows_of(folder_ / "with" / "stress_peaks.csv");
   ASSERT_GT(peaks.size(), 1U);
   ASSERT_EQ(drawn.size(), peaks.size());
   for (std::size_t i = 0; i < peaks.size(); ++i) {

@@ -26,8 +26,8 @@ struct ModeShares {
 
 /// Natural modes of the wheel at one speed, of the nodal diameters that the casing's lowest harmonics drive.
 struct NaturalModes {
-  std::vector<ModeField> lowest;   ///< of the lowest families, by nodal diameter, then family
-  std::vector<ModeField> disc;     ///< of one higher family, two at most: see disc_modes()
+  /// Of the lowest families, by nodal diameter, then family; after them those of the disc (disc_modes()).
+  std::vector<ModeField> drawn;
   std::vector<ModeShares> shares;  ///< of all families that were looked at, by nodal diameter, then family
 };
 

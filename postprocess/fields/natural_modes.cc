@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/fields/modes/natural_modes.h"
+#include "postprocess/fields/natural_modes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,9 +110,9 @@ NaturalModes natural_modes(const FieldsReader& reader, const Study& study, doubl
           {n, mode.family, mode.frequency, part_shares(reader.sector(), volumes, mode.wave.displacement)});
       all.push_back(std::move(mode));
     }
-  for (const std::size_t i : disc_modes(modes.shares, lowest)) modes.disc.push_back(all[i]);
-  for (ModeField& mode : all)
-    if (mode.family < lowest) modes.lowest.push_back(std::move(mode));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].family < lowest) modes.drawn.push_back(std::move(all[i]));
+  for (const std::size_t i : disc_modes(modes.shares, lowest)) modes.drawn.push_back(std::move(all[i]));
   return modes;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/figures/wheel/meridional_outline.h"
+#include "postprocess/figures/meridional_section.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,9 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "postprocess/analysis/study.h"
 #include "postprocess/fields/wheel_surface.h"
+#include "postprocess/figures/figure.h"
 
 namespace tiprub {
 
@@ -12,5 +14,8 @@ namespace tiprub {
 /// faces bend at their middle nodes. Pieces of less than a ten-thousandth of the largest one's area are left out.
 std::vector<Eigen::Matrix2Xd> meridional_outline(const Eigen::Matrix3Xd& nodes,
                                                  const std::vector<SurfaceFace>& faces);
+
+/// Paper, fig. 2.
+Figure meridional_section_figure(const Study& study, const SectorFields& sector);
 
 }  // namespace tiprub

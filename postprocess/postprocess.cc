@@ -96,12 +96,13 @@ ReportContents run(Inputs inputs, Progress::Shown shown) {
     contents.fields = recover_fields(inputs.fields_file, contents.study, inputs.strength, shown);
     contents.figures.push_back(meridional_section_figure(contents.study, contents.fields->sector));
   }
+  contents.field_results = field_results(contents.fields, contents.study.critical);
+  contents.numbers = report_numbers(contents.study, contents.field_results);
   if (!inputs.compared.empty()) {
     contents.other = read_other_report(inputs.compared, contents.study);
-    contents.figures.push_back(comparison_figure(contents.study, *contents.other));
-    contents.figures.push_back(comparison_map_figure(contents.study, *contents.other));
+    contents.figures.push_back(comparison_figure(contents.numbers, *contents.other));
+    contents.figures.push_back(comparison_map_figure(contents.study, contents.numbers, *contents.other));
   }
-  contents.field_results = field_results(contents.fields, contents.study.critical);
   contents.needs = scene_needs(contents.study, field_effects(inputs.fields_file, contents.study));
   inputs.run.done("fields");
   contents.run = std::move(inputs.run);

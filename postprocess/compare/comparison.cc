@@ -20,17 +20,6 @@ struct PeakPair {
   const ComparedPeak& any() const { return here ? *here : *there; }
 };
 
-std::vector<ComparedPeak> peaks_here(const Study& study, const FieldResults& fields) {
-  std::vector<ComparedPeak> peaks;
-  for (std::size_t i = 0; i < study.critical.size(); ++i) {
-    const CriticalSpeed& critical = study.critical[i];
-    peaks.push_back({critical.speed * rpm_per_rad_s, critical.amplitude * mm_per_m, critical.rising.engine_order,
-                     critical.rising.signed_nodal_diameter, critical.rising.family + 1,
-                     fields.peaks[i] ? std::optional(fields.peaks[i]->body.both * mpa_per_pa) : std::nullopt});
-  }
-  return peaks;
-}
-
 bool same_wave(const ComparedPeak& a, const ComparedPeak& b) {
   return a.signed_nodal_diameter == b.signed_nodal_diameter && a.family == b.family &&
          std::abs(a.engine_order - b.engine_order) < 1e-6;
@@ -61,18 +50,13 @@ std::vector<PeakPair> pairs_of(const std::vector<ComparedPeak>& here, const std:
   return pairs;
 }
 
-std::string wave_of(const PeakPair& pair) {
-  const int n = pair.any().signed_nodal_diameter;
-  return "EO " + significant(pair.any().engine_order, 4) + " ND " + (n > 0 ? "+" : "") + std::to_string(n);
-}
-
 using Get = std::optional<double> (*)(const ComparedPeak&);
 
 Cell value_of(const std::optional<ComparedPeak>& peak, Get get) {
   return optional_cell(peak ? get(*peak) : std::nullopt);
 }
 
-/// [%] of what is there; 0 if it is no more than the tables' last digits.
+/// [%] of what is there; 0 if it is no more than rounding.
 Cell change_of(const PeakPair& pair, Get get) {
   constexpr double same = 1e-8;
   if (!pair.here || !pair.there) return optional_cell(std::nullopt);
@@ -92,29 +76,23 @@ std::optional<double> stress_of(const ComparedPeak& peak) {
   return peak.stress;
 }
 
-/// As far as a report's tables reach.
-InteractionMap tabled(InteractionMap map, int engine_order_max) {
-  for (MapColumn& column : map.columns)
-    for (int line = 0; line < column.spectrum.lines(); ++line)
-      if (column.spectrum.engine_order(line) > engine_order_max) column.total[line] = 0;
-  return map;
-}
-
 /// [rpm] all speeds of either.
-DrawnRange speed_axis_of_both(const Study& study, const OtherReport& other) {
-  const Eigen::VectorXd rpm = speeds_rpm(study);
-  return DrawnRange{std::min(rpm.minCoeff(), other.speed.minCoeff()),
-                    std::max(rpm.maxCoeff(), other.speed.maxCoeff())}
+DrawnRange speed_axis_of_both(const ReportNumbers& here, const ReportNumbers& other) {
+  return DrawnRange{std::min(here.speed.minCoeff(), other.speed.minCoeff()),
+                    std::max(here.speed.maxCoeff(), other.speed.maxCoeff())}
       .widened();
 }
 
 }  // namespace
 
-Table comparison_record(const Study& study, const FieldResults& fields, const OtherReport& other) {
+Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& other) {
   const auto here = [](Get get) { return [get](const PeakPair& pair) { return value_of(pair.here, get); }; };
   const auto there = [](Get get) { return [get](const PeakPair& pair) { return value_of(pair.there, get); }; };
   const auto change = [](Get get) { return [get](const PeakPair& pair) { return change_of(pair, get); }; };
-  return table_of<PeakPair>({{"wave", [](const PeakPair& pair) { return Cell(wave_of(pair)); }},
+  return table_of<PeakPair>({{"wave",
+                              [](const PeakPair& pair) {
+                                return Cell(wave_name(pair.any().engine_order, pair.any().signed_nodal_diameter));
+                              }},
                              {"speed [rpm]", here(speed_of)},
                              {"other speed [rpm]", there(speed_of)},
                              {"shift [%]", change(speed_of)},
@@ -124,16 +102,16 @@ Table comparison_record(const Study& study, const FieldResults& fields, const Ot
                              {"von Mises, both [MPa]", here(stress_of)},
                              {"other von Mises, both [MPa]", there(stress_of)},
                              {"change of stress [%]", change(stress_of)}},
-                            pairs_of(peaks_here(study, fields), other.peaks));
+                            pairs_of(this_one.peaks, other.peaks));
 }
 
-Figure comparison_map_figure(const Study& study, const OtherReport& other) {
+Figure comparison_map_figure(const Study& study, const ReportNumbers& this_one, const ReportNumbers& other) {
   constexpr int columns = 420, rows = 360;
   const bool leading = study.parameters.edge == TipEdge::leading;
-  const InteractionMap here = tabled(study.map, study.parameters.engine_order_max),
-                       there = map_of(leading ? other.leading_map : other.trailing_map);
+  const InteractionMap &here = leading ? this_one.leading_map : this_one.trailing_map,
+                       &there = leading ? other.leading_map : other.trailing_map;
   const double high = std::max(map_amplitude_high(study), there.largest() * mm_per_m);
-  const MapFrame frame{speed_axis_of_both(study, other), map_frequency_high(study),
+  const MapFrame frame{speed_axis_of_both(this_one, other), map_frequency_high(study),
                        high * std::pow(10.0, -study.parameters.amplitude_decades)};
   Figure figure{.drawing = {.name = "comparison_map", .width = 1000, .height = 480, .script = "comparison_map"},
                 .title = "Interaction maps compared",
@@ -161,10 +139,9 @@ Figure comparison_map_figure(const Study& study, const OtherReport& other) {
   return figure;
 }
 
-Figure comparison_figure(const Study& study, const OtherReport& other) {
-  const Eigen::VectorXd rpm = speeds_rpm(study);
-  Eigen::MatrixXd here(rpm.size(), 2), there(other.speed.size(), 2);
-  here << rpm, study.amplitudes.largest * mm_per_m;
+Figure comparison_figure(const ReportNumbers& this_one, const ReportNumbers& other) {
+  Eigen::MatrixXd here(this_one.speed.size(), 2), there(other.speed.size(), 2);
+  here << this_one.speed, this_one.amplitude;
   there << other.speed, other.amplitude;
   Figure figure{.drawing = {.name = "comparison",
                             .width = 1000,
@@ -179,7 +156,7 @@ Figure comparison_figure(const Study& study, const OtherReport& other) {
   const std::pair<std::string, const Eigen::MatrixXd*> both[] = {{"this", &here}, {"other", &there}};
   for (const auto& [name, rows] : both)
     for (const auto& row : rows->rowwise()) figure.data.rows.push_back({name, row[0], row[1]});
-  set_speed_axis(figure.drawing, speed_axis_of_both(study, other));
+  set_speed_axis(figure.drawing, speed_axis_of_both(this_one, other));
   return figure;
 }
 

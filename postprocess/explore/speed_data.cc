@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "postprocess/explore/other_data.h"
+#include "postprocess/explore/packed_arrays.h"
 #include "postprocess/figures/axes.h"
 #include "postprocess/figures/maps/map_picture.h"
 #include "postprocess/records/columns.h"
@@ -126,9 +126,37 @@ json axes_of(const Study& study) {
       {"engine_orders", study.parameters.engine_order_max}};
 }
 
+/// The parts and the total of a map [mm], speed after speed, and where each speed's begin.
+json add_map(PackedArrays& arrays, const InteractionMap& map, const std::string& place) {
+  json speeds = json::array();
+  Eigen::Index lines = 0;
+  for (const MapColumn& column : map.columns) {
+    speeds.push_back({{"rpm", column.speed * rpm_per_rad_s},
+                      {"first", lines},
+                      {"lines", column.total.size()},
+                      {"revolutions", column.spectrum.revolutions}});
+    lines += column.total.size();
+  }
+  Eigen::MatrixXd parts(lines, map.columns.front().parts.cols());
+  for (std::size_t i = 0; i < map.columns.size(); ++i)
+    parts.middleRows(speeds[i]["first"], map.columns[i].parts.rows()) = mm_per_m * map.columns[i].parts;
+  arrays.add(place + "total", parts.rowwise().sum());
+  for (Eigen::Index n = 0; n < parts.cols(); ++n) arrays.add(place + std::to_string(n), parts.col(n));
+  return speeds;
+}
+
+/// What the page lays beside its own views.
+json add_other(PackedArrays& arrays, const ReportNumbers& other) {
+  arrays.add("other/speed", other.speed);
+  arrays.add("other/largest", other.amplitude);
+  return {{"name", other.name},
+          {"leading", add_map(arrays, other.leading_map, "other/leading/")},
+          {"trailing", add_map(arrays, other.trailing_map, "other/trailing/")}};
+}
+
 }  // namespace
 
-std::string speed_data(const Study& study, const std::optional<OtherReport>& other) {
+std::string speed_data(const Study& study, const std::optional<ReportNumbers>& other) {
   PackedArrays arrays;
   json speeds = json::array(), failed = json::array();
   for (Eigen::Index i = 0; i < study.amplitudes.largest.size(); ++i) speeds.push_back(add_speed(arrays, study, i));

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "postprocess/analysis/study.h"
-#include "postprocess/compare/other_report.h"
+#include "postprocess/compare/report_numbers.h"
 
 namespace tiprub {
 
@@ -15,6 +15,6 @@ namespace tiprub {
 /// drawn [mm], the line of the contact map [1]; and natural frequencies [Hz] of the drawn families. The page computes
 /// nothing of these but sums over both directions of a nodal diameter, which the maps' tables hold as well.
 /// With another report, that one's response and maps too.
-std::string speed_data(const Study& study, const std::optional<OtherReport>& other);
+std::string speed_data(const Study& study, const std::optional<ReportNumbers>& other);
 
 }  // namespace tiprub

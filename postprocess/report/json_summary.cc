@@ -56,8 +56,7 @@ std::string json_summary(const ReportContents& contents) {
                           {"exactness", rows_of(exactness_record(study))},
                           {"scene_needs", rows_of(scene_needs_record(contents.needs))},
                           {"linear_rules", rows_of(rule_score_record(study))}};
-  if (contents.other)
-    summary["comparison"] = rows_of(comparison_record(study, contents.field_results, *contents.other));
+  if (contents.other) summary["comparison"] = rows_of(comparison_record(contents.numbers, *contents.other));
   // What is no UTF-8 in a case's title is shown as such, not a failure.
   return summary.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -173,7 +173,7 @@ std::string record(const Study& study, const ReportSource& source) {
 std::string comparison_section(const ReportContents& contents) {
   if (!contents.other) return "";
   return "<section><h2 id=\"compared\">Compared with " + html::escaped(contents.other->name) + "</h2>\n" +
-         html::table(comparison_record(contents.study, contents.field_results, *contents.other)) +
+         html::table(comparison_record(contents.numbers, *contents.other)) +
          "<p class=\"sub\">Critical speeds that the same wave makes side by side, the others alone; shifts and "
          "changes from "
          "there to here. As a table: " +
@@ -211,7 +211,7 @@ std::string wheel_data_section(const ReportContents& contents) {
 }  // namespace
 
 std::string report_page(const ReportContents& contents, const std::filesystem::path& folder) {
-  const auto& [study, source, full_fields, fields, needs, figures, other, run] = contents;
+  const auto& [study, source, full_fields, fields, needs, figures, numbers, other, run] = contents;
   const bool none = study.critical.empty();
   return html::filled(
       without_first_line(embedded::page_files::page_html),

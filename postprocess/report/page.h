@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "postprocess/analysis/study.h"
-#include "postprocess/compare/other_report.h"
+#include "postprocess/compare/report_numbers.h"
 #include "postprocess/fields/field_results.h"
 #include "postprocess/figures/figure.h"
 #include "postprocess/records/scene_needs_record.h"
@@ -29,7 +29,8 @@ struct ReportContents {
   FieldResults field_results{};
   std::vector<SceneNeed> needs{};
   std::vector<Figure> figures{};
-  std::optional<OtherReport> other{};  ///< to compare with, if one was given
+  ReportNumbers numbers{};               ///< of this report, for others
+  std::optional<ReportNumbers> other{};  ///< to compare with, if one was given
   RunRecord run{{}, {}};
 };
 

@@ -45,10 +45,10 @@ void write_report_folder(ReportContents& contents, const std::filesystem::path& 
   write_figures(contents.figures, folder / "figures", shown);
   write_tables(contents.study, contents.field_results, folder);
   write_csv(scene_needs_record(contents.needs), folder / "scene_needs.csv");
-  if (contents.other)
-    write_csv(comparison_record(contents.study, contents.field_results, *contents.other), folder / "comparison.csv");
+  if (contents.other) write_csv(comparison_record(contents.numbers, *contents.other), folder / "comparison.csv");
   write_text(contents.source.case_text, folder / "case.toml");
   write_text(json_summary(contents), folder / "summary.json");
+  write_text(to_json(contents.numbers), folder / numbers_file);
   contents.run.done("pictures and tables");
   write_text(report_page(contents, folder), folder / "report.html");
 }

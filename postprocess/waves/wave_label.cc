@@ -32,9 +32,13 @@ std::string engine_order_name(double engine_order) {
   return "EO " + engine_order_text(engine_order);
 }
 
+std::string wave_name(double engine_order, int signed_nodal_diameter) {
+  return engine_order_name(engine_order) + " ND " + (signed_nodal_diameter > 0 ? "+" : "") +
+         std::to_string(signed_nodal_diameter);
+}
+
 std::string wave_name(const WaveLabel& wave) {
-  const int n = wave.signed_nodal_diameter;
-  return engine_order_name(wave.engine_order) + " ND " + (n > 0 ? "+" : "") + std::to_string(n);
+  return wave_name(wave.engine_order, wave.signed_nodal_diameter);
 }
 
 }  // namespace tiprub

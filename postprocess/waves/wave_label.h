@@ -28,6 +28,7 @@ std::string engine_order_text(double engine_order);
 /// "EO 6", "EO 5.5".
 std::string engine_order_name(double engine_order);
 /// "EO 6 ND -4", "EO 4 ND +4".
+std::string wave_name(double engine_order, int signed_nodal_diameter);
 std::string wave_name(const WaveLabel& wave);
 
 }  // namespace tiprub

@@ -2,15 +2,15 @@
 #include "reduce/sector/sector_dofs.h"
 
 #include <metis.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <new>
 #include <string>
 
 #include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
-#include "reduce/model/child_process.h"
 
 namespace tiprub {
 
@@ -41,24 +41,17 @@ std::vector<Place> place_nodes(const SectorMesh& mesh, const std::vector<int>& c
   return places;
 }
 
-/// METIS (Karypis and Kumar 1998) catches SIGTERM, as an error of its own, wherever it comes from: it works in a
-/// child.
 std::vector<idx_t> order_by_metis(std::vector<idx_t>& start, std::vector<idx_t>& adjacent) {
   idx_t count = static_cast<idx_t>(start.size()) - 1;
   std::vector<idx_t> order(start.size() - 1), position(start.size() - 1);
-  const std::size_t size = order.size() * sizeof(idx_t);
-  try {
-    const std::string found = made_by_a_child([&] {
-      if (METIS_NodeND(&count, start.data(), adjacent.data(), nullptr, nullptr, order.data(), position.data()) !=
-          METIS_OK)
-        throw RunError("its own check failed");
-      return std::string(reinterpret_cast<const char*>(order.data()), size);
-    });
-    std::memcpy(order.data(), found.data(), size);
-    return order;
-  } catch (const std::exception& error) {
-    throw RunError(std::string("METIS could not order the sector's nodes: ") + error.what());
-  }
+  const int result =
+      METIS_NodeND(&count, start.data(), adjacent.data(), nullptr, nullptr, order.data(), position.data());
+  // METIS (Karypis and Kumar 1998) catches SIGTERM while it works, returns METIS_ERROR for it, and restores the
+  // handler that was there: the signal is sent again, so that it ends the program as at any other time.
+  if (result == METIS_ERROR) raise(SIGTERM);
+  if (result == METIS_ERROR_MEMORY) throw std::bad_alloc();
+  if (result != METIS_OK) throw RunError("METIS could not order the sector's nodes");
+  return order;
 }
 
 /// Fill-reducing order of the interior nodes. Nodes, not dofs: a third of the graph.

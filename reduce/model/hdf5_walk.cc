@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <set>
 
-#include "reduce/model/child_process.h"
+#include "cases/program/sandbox.h"
 #include "reduce/model/hdf5_handle.h"
 
 namespace tiprub {
 
 namespace {
 
-constexpr ChildLimits limits = {1024.0 * 1024 * 1024, 50};
+constexpr SandboxLimits limits = {1024.0 * 1024 * 1024, 50};
 constexpr double most_read = 1 << 25;  // values of one dataset; more is not tried
 
 /// Whether the bits of a number, or of a compound's, lie within it: HDF5 converts what lies beyond as well.
@@ -126,7 +126,7 @@ class Walk {
 void hdf5_require_harmless(const std::string& path) {
   std::string harmful;
   try {
-    harmful = made_by_a_child(
+    harmful = made_in_sandbox(
         [&] {
           const Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
           Walk walk;
@@ -134,7 +134,7 @@ void hdf5_require_harmless(const std::string& path) {
           return walk.harmful();
         },
         limits);
-  } catch (const ChildDied& end) {
+  } catch (const SandboxFailure& end) {
     throw RunError(path + ": is not an HDF5 file, or is damaged (HDF5 dies of it: " + end.what() + ")");
   } catch (const RunError&) {  // HDF5 can't open it: so it says again
   }

@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "cases/program/errors.h"
-#include "reduce/model/child_process.h"
+#include "cases/program/sandbox.h"
 
 namespace tiprub {
 
@@ -157,7 +157,7 @@ std::string read_by_gmsh(const std::string& name) {
   }
 }
 
-ChildLimits limits_for(double file_size) {
+SandboxLimits limits_for(double file_size) {
   constexpr double least_bytes = 1024.0 * 1024 * 1024, bytes_per_byte = 100;  // gmsh takes some 10 a byte of text
   constexpr double least_seconds = 10, bytes_per_second = 1e5;                // and reads some 10 MB a second
   return {least_bytes + bytes_per_byte * file_size, least_seconds + file_size / bytes_per_second};
@@ -193,12 +193,12 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
                      ": is no mesh in gmsh's format: its first line must be $MeshFormat; write it by gmsh FILE -save "
                      "-format msh41 -o sector.msh");
   try {
-    return unpacked(made_by_a_child([&] { return read_by_gmsh(file.name()); }, limits_for(file.size())));
+    return unpacked(made_in_sandbox([&] { return read_by_gmsh(file.name()); }, limits_for(file.size())));
   } catch (const InputError& error) {
     throw InputError(path.string() + ": " + error.what());
   } catch (const RunError& error) {
     throw RunError(path.string() + ": " + error.what());
-  } catch (const ChildDied& death) {
+  } catch (const SandboxFailure& death) {
     throw InputError(path.string() + ": gmsh fails on it (" + death.what() +
                      "): its counts don't fit what it holds, or it is damaged; write it again");
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/model/child_process.h"
+#include "cases/program/sandbox.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -40,7 +40,7 @@ double address_space() {
 }
 
 /// Whether memory ends where the limits say, and not before.
-bool confine(const ChildLimits& limits) {
+bool confine(const SandboxLimits& limits) {
   const bool all_memory = lower_limit(RLIMIT_AS, address_space() + limits.bytes);
   lower_limit(RLIMIT_CPU, limits.seconds);
   lower_limit(RLIMIT_CORE, 0);
@@ -92,7 +92,7 @@ int wait_for(pid_t child) {
 
 }  // namespace
 
-std::string made_by_a_child(const std::function<std::string()>& make, const ChildLimits& limits) {
+std::string made_in_sandbox(const std::function<std::string()>& make, const SandboxLimits& limits) {
   std::array<int, 2> pipe{};
   if (pipe2(pipe.data(), O_CLOEXEC) != 0) throw RunError(std::string("can't make a pipe: ") + std::strerror(errno));
   const pid_t child = fork();
@@ -107,10 +107,10 @@ std::string made_by_a_child(const std::function<std::string()>& make, const Chil
   const std::string answer = read_all(pipe[0]);
   close(pipe[0]);
   const int status = wait_for(child);
-  if (WIFSIGNALED(status)) throw ChildDied(strsignal(WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0 || answer.empty()) throw ChildDied("it ended early");
+  if (WIFSIGNALED(status)) throw SandboxFailure(strsignal(WTERMSIG(status)));
+  if (WEXITSTATUS(status) != 0 || answer.empty()) throw SandboxFailure("it ended early");
   const std::string rest = answer.substr(1);
-  if (answer.front() == too_large) throw ChildDied("it takes more memory than it may");
+  if (answer.front() == too_large) throw SandboxFailure("it takes more memory than it may");
   if (answer.front() == wrong_input) throw InputError(rest);
   if (answer.front() == failed) throw RunError(rest);
   return rest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/model/child_process.h"
+#include "cases/program/sandbox.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -12,35 +12,35 @@ namespace tiprub {
 namespace {
 
 constexpr double mib = 1024.0 * 1024;
-constexpr ChildLimits ample = {1024 * mib, 60};
+constexpr SandboxLimits ample = {1024 * mib, 60};
 
-TEST(ChildProcess, GivesAllBytes) {
+TEST(Sandbox, GivesAllBytes) {
   const std::string bytes(1 << 20, '\0');  // more than a pipe holds
-  EXPECT_EQ(made_by_a_child([&] { return bytes + "end"; }, ample), bytes + "end");
+  EXPECT_EQ(made_in_sandbox([&] { return bytes + "end"; }, ample), bytes + "end");
 }
 
-TEST(ChildProcess, RaisesWhatItsFunctionRaises) {
+TEST(Sandbox, RaisesWhatItsFunctionRaises) {
   const auto wrong = [&]() -> std::string { throw InputError("wrong"); };
   const auto failed = [&]() -> std::string { throw RunError("failed"); };
-  EXPECT_EQ(test::complaint<InputError>([&] { made_by_a_child(wrong, ample); }), "wrong");
-  EXPECT_EQ(test::complaint<RunError>([&] { made_by_a_child(failed, ample); }), "failed");
+  EXPECT_EQ(test::complaint<InputError>([&] { made_in_sandbox(wrong, ample); }), "wrong");
+  EXPECT_EQ(test::complaint<RunError>([&] { made_in_sandbox(failed, ample); }), "failed");
 }
 
-TEST(ChildProcess, DiesAlone) {
+TEST(Sandbox, DiesAlone) {
   const auto crash = [&]() -> std::string {
     raise(SIGKILL);
     return "";
   };
-  EXPECT_EQ(test::complaint<ChildDied>([&] { made_by_a_child(crash, ample); }), "Killed");
+  EXPECT_EQ(test::complaint<SandboxFailure>([&] { made_in_sandbox(crash, ample); }), "Killed");
 }
 
-TEST(ChildProcess, MayTakeNoMoreThanItsLimits) {
+TEST(Sandbox, MayTakeNoMoreThanItsLimits) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer maps more than any limit";
 #endif
   const auto greedy = [&] { return std::to_string(std::vector<char>(1 << 30, 'x').back()); };
-  EXPECT_EQ(test::complaint<ChildDied>([&] {
-              made_by_a_child(greedy, {64 * mib, 60});
+  EXPECT_EQ(test::complaint<SandboxFailure>([&] {
+              made_in_sandbox(greedy, {64 * mib, 60});
             }),
             "it takes more memory than it may");
   const auto endless = [&]() -> std::string {
@@ -48,8 +48,8 @@ TEST(ChildProcess, MayTakeNoMoreThanItsLimits) {
     }
     return "";
   };
-  EXPECT_EQ(test::complaint<ChildDied>([&] {
-              made_by_a_child(endless, {1024 * mib, 1});
+  EXPECT_EQ(test::complaint<SandboxFailure>([&] {
+              made_in_sandbox(endless, {1024 * mib, 1});
             }),
             "CPU time limit exceeded");
 }

@@ -59,7 +59,7 @@ SANITIZERS := LSAN_OPTIONS=suppressions=$(CURDIR)/.ci/leaks.supp:print_suppressi
 # The unit tests of all rooms, the fuzzed readers, and the faults that the sanitizers must find. Left out are long numerics
 # (slow; stability, chain, peers; orders of branches), what counts on the time or the memory that a program takes, and the
 # comparison with Trilinos' eigensolver: they touch no memory that the others don't.
-SANITIZED := programs write-synthetic-scene gmsh_sector cases_test blas_kernels_test mesh_test model_file_test reduce_test reduce_linear_test \
+SANITIZED := programs write-synthetic-scene gmsh_sector cases_test mesh_test model_file_test reduce_test reduce_linear_test \
   split_sector simulate_test postprocess-test postprocess-program-test planted_fault convert_sector tiprub_fuzz
 
 tests-sanitized: packages

@@ -2,11 +2,11 @@
 #include <CLI/CLI.hpp>
 
 #include "cases/program/command_line.h"
-#include "reduce/operators/memory_need.h"
+#include "cases/program/machine.h"
 #include "reduce/reducing.h"
 
 int main(int argc, char** argv) {
-  tiprub::leave_idle_blas_threads(argv);
+  tiprub::prepare_blas(argv);
   tiprub::ReducingOptions options;
   tiprub::Stage stage;
   stage.name = "tiprub-reduce";

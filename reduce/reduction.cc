@@ -8,7 +8,7 @@
 #include <mutex>
 #include <utility>
 
-#include "cases/program/available_memory.h"
+#include "cases/program/machine.h"
 #include "reduce/basis/diameter_reduction.h"
 #include "reduce/basis/polynomial_fit.h"
 #include "reduce/basis/sector_fields.h"

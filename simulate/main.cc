@@ -2,9 +2,11 @@
 #include <CLI/CLI.hpp>
 
 #include "cases/program/command_line.h"
+#include "cases/program/machine.h"
 #include "simulate/simulation.h"
 
 int main(int argc, char** argv) {
+  tiprub::prepare_blas(argv);
   int threads = 0;
   tiprub::Stage stage;
   stage.name = "tiprub-simulate";

@@ -12,10 +12,9 @@
 #include <iostream>
 #include <new>
 
-#include "cases/machine/blas_kernels.h"
-#include "cases/program/available_memory.h"
 #include "cases/program/case_file.h"
 #include "cases/program/errors.h"
+#include "cases/program/machine.h"
 #include "cases/program/output_file.h"
 #include "cases/program/record/run_times.h"
 #include "cases/program/signal_cleanup.h"
@@ -86,9 +85,6 @@ struct CommandLine {
     if (check) arguments.action = Action::check;
     if (quiet) arguments.verbosity = Verbosity::quiet;
     if (verbose) arguments.verbosity = Verbosity::verbose;
-    const BlasKernels kernels = choose_blas_kernels();
-    arguments.blas = kernels.description;
-    arguments.blas_warning = kernels.warning;
   }
 };
 
@@ -124,8 +120,7 @@ int parse_and_run(int argc, char** argv, const Stage& stage, const std::function
       std::cout << stage.tables(CaseFile(arguments.inputs[0], arguments.settings));
       return;
     }
-    require_memory(blas_working_space());
-    reserve_blas_space();
+    require_room_for_libraries();
     refuse_overwriting({arguments.output, line.times}, arguments.inputs);
     body(arguments);
     if (!line.times.empty() && !line.check) times.write(program_version(stage.name), line.times);
@@ -150,8 +145,9 @@ void say(const StageArguments& arguments, const std::string& text) {
 }
 
 void say_blas(const StageArguments& arguments) {
-  if (arguments.verbosity == Verbosity::verbose && !arguments.blas.empty()) say(arguments, "BLAS: " + arguments.blas);
-  if (!arguments.blas_warning.empty()) say(arguments, "warning: " + arguments.blas_warning);
+  const std::string description = blas_description(), warning = blas_warning();
+  if (arguments.verbosity == Verbosity::verbose && !description.empty()) say(arguments, "BLAS: " + description);
+  if (!warning.empty()) say(arguments, "warning: " + warning);
 }
 
 }  // namespace tiprub

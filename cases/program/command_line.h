@@ -42,12 +42,10 @@ struct StageArguments {
   std::vector<std::string> settings;  ///< "TABLE.KEY=VALUE", over what the case file says
   Verbosity verbosity = Verbosity::normal;
   Action action = Action::run;
-  std::string blas = {};          ///< what OpenBLAS works with, in words; empty without it
-  std::string blas_warning = {};  ///< if that is slow
 };
 
 /// The one `main` of all stages: reads the command line (inputs in chain order, -o, --set, -q, -v, --check, --tables,
-/// --times, --version, --help), chooses the kernels of the BLAS, runs the body, and turns what it throws into one
+/// --times, --version, --help), runs the body, and turns what it throws into one
 /// line on stderr. Refuses an -o that is an input. Returns the exit code: 0; 1 for a computation that failed or a
 /// file, stdout too, that can't be read or written; 2 for wrong input. SIGINT, SIGTERM and SIGHUP end it with one
 /// line and 128 + their number.

@@ -3,18 +3,14 @@
 
 #include <algorithm>
 
-#include "cases/program/available_memory.h"
 #include "reduce/model/hdf5_handle.h"
 
 namespace tiprub {
 
 namespace {
 
-constexpr std::size_t tables = std::size_t{16} << 20;  // bytes, of a file: refused them, HDF5 reads through null
-
 /// Silent, and without HDF5's own clean-up at exit: after a full disk that tries again to write, and crashes.
 void prepare_library() {
-  require_memory(tables);
   static const herr_t left_to_us = H5dont_atexit();  // counts only before the library's first use
   static_cast<void>(left_to_us);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

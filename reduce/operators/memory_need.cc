@@ -3,19 +3,16 @@
 
 #include <cblas.h>
 #include <cholmod.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "cases/program/available_memory.h"
 #include "cases/program/errors.h"
+#include "cases/program/machine.h"
 
 namespace tiprub {
 
@@ -127,13 +124,6 @@ void require_memory(const MemoryNeed& need, double available, double mappable) {
 void start_threads(const MemoryNeed& need, int threads) {
   require_memory(need, available_memory(), mappable_memory());
   openblas_set_num_threads(threads);
-}
-
-void leave_idle_blas_threads(char** argv) {
-  constexpr const char* setting = "OPENBLAS_NUM_THREADS";
-  if (std::getenv(setting) != nullptr || std::isinf(mappable_memory())) return;
-  setenv(setting, "1", 1);
-  execv("/proc/self/exe", argv);
 }
 
 }  // namespace tiprub

@@ -37,8 +37,4 @@ void require_memory(const MemoryNeed& need, double available, double mappable);
 /// buffer that a limit leaves no room for: nothing may call it before.
 void start_threads(const MemoryNeed& need, int threads);
 
-/// OpenBLAS starts a thread a processor, with its buffer, as it is loaded. Where memory is limited, this runs the
-/// program again without them; returns if there is nothing to do. The first step of a main.
-void leave_idle_blas_threads(char** argv);
-
 }  // namespace tiprub

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <utility>
 
-#include "cases/program/available_memory.h"
+#include "cases/program/machine.h"
 #include "reduce/model/hdf5_file.h"
 #include "simulate/response/branch_group.h"
 #include "simulate/response/named_axes.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <thread>
 
-#include "cases/program/available_memory.h"
+#include "cases/program/machine.h"
 #include "simulate/speed/memory_of_speed.h"
 #include "simulate/sweep/branch_runs.h"
 #include "simulate/sweep/finished_speeds.h"

@@ -3,49 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
-#include "cases/program/available_memory.h"
 #include "tests/reduce/complaint.h"
 #include "tests/reduce/test_rotor.h"
 
 namespace tiprub {
 namespace {
-
-/// A machine that is files.
-class FakeMachine : public ::testing::Test {
- protected:
-  FakeMachine() : root_(std::filesystem::path(::testing::TempDir()) / "fake_machine") {
-    std::filesystem::remove_all(root_);
-  }
-  void write(const std::string& file, const std::string& text) {
-    std::filesystem::create_directories((root_ / file).parent_path());
-    std::ofstream(root_ / file) << text;
-  }
-  std::filesystem::path root_;
-};
-
-TEST_F(FakeMachine, HasWhatTheKernelSays) {
-  write("proc/meminfo", "MemTotal:       24000 kB\nMemFree:  100 kB\nMemAvailable:   1000 kB\n");
-  EXPECT_EQ(available_memory(root_), 1000.0 * 1024);
-}
-
-TEST_F(FakeMachine, HasNoMoreThanItsControlGroupLeaves) {
-  write("proc/meminfo", "MemAvailable:   1000 kB\n");
-  write("sys/fs/cgroup/memory.max", "500000\n");
-  write("sys/fs/cgroup/memory.current", "100000\n");
-  EXPECT_EQ(available_memory(root_), 400000.0);
-  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "300000\n");
-  write("sys/fs/cgroup/memory/memory.usage_in_bytes", "100000\n");
-  EXPECT_EQ(available_memory(root_), 200000.0);
-}
-
-TEST_F(FakeMachine, IsNotLimitedByAGroupWithoutALimit) {
-  write("proc/meminfo", "MemAvailable:   1000 kB\n");
-  write("sys/fs/cgroup/memory.max", "max\n");
-  write("sys/fs/cgroup/memory.current", "100000\n");
-  EXPECT_EQ(available_memory(root_), 1000.0 * 1024);
-}
 
 TEST(MemoryNeed, CountsAtLeastWhatIsThere) {
   const test::TestRotor rotor = test::tip_rotor(test::skewed_annulus(5));

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/program/machine.h"
+
+#include <dlfcn.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double bytes_per_kib = 1024;
+constexpr double room_for_libraries = 160 * bytes_per_kib * bytes_per_kib;  // OpenBLAS maps 128 MiB, HDF5 16 MiB
+constexpr const char* kernels_variable = "OPENBLAS_CORETYPE";
+constexpr const char* generic_kernels = "Prescott";
+
+/// The first number of a file, or the fallback if there is none ("max" in a control group's file is none).
+double number_in(const std::filesystem::path& path, double fallback) {
+  std::ifstream file(path);
+  double value = 0;
+  return file >> value ? value : fallback;
+}
+
+double system_memory(const std::filesystem::path& root) {
+  std::ifstream file(root / "proc/meminfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind("MemAvailable:", 0) == 0) return std::stod(line.substr(line.find(':') + 1)) * bytes_per_kib;
+  return unlimited;
+}
+
+double control_group_memory(const std::filesystem::path& root) {
+  const std::filesystem::path group = root / "sys/fs/cgroup";
+  const double second = number_in(group / "memory.max", unlimited) - number_in(group / "memory.current", 0);
+  const double first = number_in(group / "memory/memory.limit_in_bytes", unlimited) -
+                       number_in(group / "memory/memory.usage_in_bytes", 0);
+  return std::min(first, second);
+}
+
+/// A function of OpenBLAS, if the program has it: not all programs link a BLAS, and not every BLAS is OpenBLAS.
+template <class Function>
+Function* find(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+}
+
+/// Empty without OpenBLAS.
+std::string kernels_taken() {
+  auto* name = find<char*()>("openblas_get_corename");
+  return name != nullptr ? name() : "";
+}
+
+/// OpenBLAS's name of the kernels for the widest vectors that the processor and its system keep.
+std::string kernels_of_processor() {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
+                      __builtin_cpu_supports("avx512cd");
+  if (avx512) return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "Haswell";
+  if (__builtin_cpu_supports("avx")) return "Sandybridge";
+#endif
+  return generic_kernels;
+}
+
+/// Whether the variable was not set and is now.
+bool offer(const char* variable, const std::string& value) {
+  return std::getenv(variable) == nullptr && setenv(variable, value.c_str(), 1) == 0;
+}
+
+}  // namespace
+
+double mappable_memory() {
+  const double mapped = number_in("/proc/self/statm", 0) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  double least = unlimited;
+  for (const auto resource : {RLIMIT_AS, RLIMIT_DATA})
+    if (rlimit limit{}; getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+      least = std::min(least, static_cast<double>(limit.rlim_cur));
+  return std::max(least - mapped, 0.0);
+}
+
+double available_memory(const std::filesystem::path& root) {
+  return std::min({system_memory(root), control_group_memory(root), mappable_memory()});
+}
+
+void require_room_for_libraries() {
+  constexpr double bytes_per_mib = bytes_per_kib * bytes_per_kib;
+  const double mappable = mappable_memory();
+  if (mappable >= room_for_libraries) return;
+  throw RunError("not enough memory: about " + std::to_string(std::lround(room_for_libraries / bytes_per_mib)) +
+                 " MiB are needed to begin with, " + std::to_string(std::lround(mappable / bytes_per_mib)) +
+                 " MiB are available under ulimit; raise that");
+}
+
+void prepare_blas(char** argv) {
+  const std::string taken = kernels_taken();
+  bool other =
+      taken == generic_kernels && kernels_of_processor() != taken && offer(kernels_variable, kernels_of_processor());
+  if (!taken.empty() && std::isfinite(mappable_memory())) other |= offer("OPENBLAS_NUM_THREADS", "1");
+  if (other) execv("/proc/self/exe", argv);
+}
+
+std::string blas_description() {
+  auto* config = find<char*()>("openblas_get_config");
+  if (config == nullptr) return "";
+  const char* asked = std::getenv(kernels_variable);
+  return config() + (", kernels " + kernels_taken()) +
+         (asked != nullptr ? std::string(", by ") + kernels_variable : "");
+}
+
+std::string blas_warning() {
+  if (kernels_taken() != generic_kernels) return "";
+  return std::string("OpenBLAS works with its generic kernels (") + generic_kernels +
+         "), which take twice as long or more: " +
+         (std::getenv(kernels_variable) != nullptr ? std::string(kernels_variable) + " asks for them"
+                                                   : "it has no better ones for this processor");
+}
+
+}  // namespace tiprub

@@ -282,7 +282,8 @@ def moved(bench):
     os.makedirs(os.path.join(source, "build"))
     os.symlink(bench.programs, os.path.join(source, "build", "bin"))
     shutil.copytree(bench.made, os.path.join(source, "cases", "small"))
-    shutil.copy(os.path.join(bench.cases, "chain.mk"), os.path.join(source, "cases"))
+    for name in ("chain.mk", "chain.sh"):
+        shutil.copy(os.path.join(bench.cases, name), os.path.join(source, "cases"))
     shutil.copy(os.path.join(bench.cases, "impeller_quick", "Makefile"), os.path.join(source, "cases", "small"))
     os.remove(os.path.join(source, "cases", "small", "response.h5"))
 

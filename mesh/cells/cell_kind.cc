@@ -6,29 +6,19 @@
 #include <functional>
 #include <stdexcept>
 
+#include "mesh/cells/gauss_points.h"
+
 namespace tiprub {
 
 namespace {
 
 using Exponents = std::array<int, 3>;
-using Line = std::vector<std::array<double, 2>>;  // points and weights
-
-/// Gauss points on [-1, 1].
-Line gauss(int points) {
-  const double s = std::sqrt(0.6), t = 1 / std::sqrt(3.0);
-  if (points == 2) return {{-t, 1}, {t, 1}};
-  if (points == 3) return {{-s, 5 / 9.0}, {0, 8 / 9.0}, {s, 5 / 9.0}};
-  const double inner = std::sqrt(3 / 7.0 - 2 / 7.0 * std::sqrt(1.2)),
-               outer = std::sqrt(3 / 7.0 + 2 / 7.0 * std::sqrt(1.2));
-  const double heavy = (18 + std::sqrt(30.0)) / 36, light = (18 - std::sqrt(30.0)) / 36;
-  return {{-outer, light}, {-inner, heavy}, {inner, heavy}, {outer, light}};
-}
 
 std::vector<ReferencePoint> brick_points(int line) {
   std::vector<ReferencePoint> points;
-  for (const auto& [z, wz] : gauss(line))
-    for (const auto& [y, wy] : gauss(line))
-      for (const auto& [x, wx] : gauss(line)) points.push_back({{x, y, z}, wx * wy * wz});
+  for (const auto& [z, wz] : gauss_points(line))
+    for (const auto& [y, wy] : gauss_points(line))
+      for (const auto& [x, wx] : gauss_points(line)) points.push_back({{x, y, z}, wx * wy * wz});
   return points;
 }
 
@@ -43,7 +33,7 @@ std::vector<ReferencePoint> tetrahedron_points() {
 
 std::vector<ReferencePoint> wedge_points(int line) {
   std::vector<ReferencePoint> points;
-  for (const auto& [z, weight] : gauss(line))
+  for (const auto& [z, weight] : gauss_points(line))
     for (const auto& [x, y] : {std::array{1 / 6.0, 1 / 6.0}, {2 / 3.0, 1 / 6.0}, {1 / 6.0, 2 / 3.0}})
       points.push_back({{x, y, z}, weight / 6});
   return points;
@@ -52,10 +42,11 @@ std::vector<ReferencePoint> wedge_points(int line) {
 /// Those of a brick, drawn together at the apex.
 std::vector<ReferencePoint> pyramid_points(int across, int along) {
   std::vector<ReferencePoint> points;
-  for (const auto& [c, wc] : gauss(along)) {
+  for (const auto& [c, wc] : gauss_points(along)) {
     const double r = (1 + c) / 2;
-    for (const auto& [b, wb] : gauss(across))
-      for (const auto& [a, wa] : gauss(across)) points.push_back({{r * a, r * b, -r}, wa * wb * wc / 2 * r * r});
+    for (const auto& [b, wb] : gauss_points(across))
+      for (const auto& [a, wa] : gauss_points(across))
+        points.push_back({{r * a, r * b, -r}, wa * wb * wc / 2 * r * r});
   }
   return points;
 }

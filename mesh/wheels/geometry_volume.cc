@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "mesh/curves/gauss_points.h"
+#include "mesh/cells/gauss_points.h"
 
 namespace tiprub {
 
@@ -28,9 +28,9 @@ double area_density(const Section& section, double station, double height) {
 // The integral of r * angle over the part of the section between two stations.
 double slice_volume(const Section& section, const Angle& angle, double from, double to) {
   double volume = 0.0;
-  for (const GaussPoint& a : gauss_5)
+  for (const GaussPoint& a : gauss_points(5))
     for (int panel = 0; panel < panels_in_height; ++panel)
-      for (const GaussPoint& b : gauss_5) {
+      for (const GaussPoint& b : gauss_points(5)) {
         const double station = 0.5 * (from + to) + 0.5 * (to - from) * a.x;
         const double height = (panel + 0.5 * (1.0 + b.x)) / panels_in_height;
         volume += 0.25 * (to - from) / panels_in_height * a.weight * b.weight * section(station, height).r *

@@ -3,7 +3,6 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -11,6 +10,7 @@
 
 #include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
+#include "mesh/cells/gauss_points.h"
 #include "reduce/sector/contact_line.h"
 
 namespace tiprub {
@@ -26,15 +26,13 @@ struct FacePoint {
 /// side is drawn together.
 std::vector<FacePoint> face_points(int nodes) {
   constexpr int parts = 8, triangle_nodes = 6;
-  const std::array<double, 3> point = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)}, weight = {5 / 9.0, 8 / 9.0, 5 / 9.0};
-  const auto at = [&](int k) {
-    const int part = k / 3;
-    return (2 * part + 1 + point[k % 3]) / parts - 1;
-  };
+  const auto gauss = [](int k) { return gauss_points(3)[static_cast<std::size_t>(k % 3)]; };
+  const auto at = [&](int k) { return (2 * (k / 3) + 1 + gauss(k).x) / parts - 1; };
   std::vector<FacePoint> points;
   for (int i = 0; i < 3 * parts; ++i)
     for (int j = 0; j < 3 * parts; ++j) {
-      const double share = weight[i % 3] * weight[j % 3] / (parts * parts), s = (1 + at(i)) / 2, t = (1 + at(j)) / 2;
+      const double share = gauss(i).weight * gauss(j).weight / (parts * parts), s = (1 + at(i)) / 2,
+                   t = (1 + at(j)) / 2;
       if (nodes == triangle_nodes)
         points.push_back({face_shape(nodes, s, (1 - s) * t), share * (1 - s) / 4});
       else

@@ -47,7 +47,7 @@ void write_cells(std::ostream& out, const SectorMesh& mesh, const CellKind& kind
     begun = true;
     out << cell + 1;
     for (int i = 0; i < kind.nodes(); ++i)  // at most 16 numbers a line
-      out << (i == 10 ? ",\n" : ", ") << nodes[kind.gmsh_node[i]] + 1;
+      out << (i == 10 ? ",\n" : ", ") << nodes[i] + 1;
     out << "\n";
   }
 }

@@ -49,12 +49,9 @@ class Parts {
     std::map<std::string, NamedMesh::Entity> by_part;
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
       NamedMesh::Entity& entity = by_part.try_emplace(part_[c], NamedMesh::Entity{3, {"sector"}, {}}).first->second;
-      const CellKind& kind = cell_kind(static_cast<int>(mesh.cells[c].size()));
-      std::vector<std::size_t> nodes(mesh.cells[c].size());
-      for (std::size_t k = 0; k < nodes.size(); ++k)
-        nodes[static_cast<std::size_t>(kind.gmsh_node[k])] = static_cast<std::size_t>(mesh.cells[c][k]);
-      std::vector<std::size_t>& all = entity.elements[kind.gmsh_type];
-      all.insert(all.end(), nodes.begin(), nodes.end());
+      const std::vector<int>& cell = mesh.cells[c];
+      std::vector<std::size_t>& nodes = entity.elements[cell_kind(static_cast<int>(cell.size())).gmsh_type];
+      nodes.insert(nodes.end(), cell.begin(), cell.end());
     }
     std::vector<NamedMesh::Entity> entities;
     for (auto& [part, entity] : by_part) {

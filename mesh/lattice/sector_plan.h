@@ -2,9 +2,15 @@
 #pragma once
 
 #include "cases/program/case_file.h"
-#include "mesh/lattice/quadratic_hex.h"
+#include "mesh/cells/cell_kind.h"
 
 namespace tiprub {
+
+/// By their number of nodes.
+enum class ElementKind {
+  hex20 = 20,  ///< serendipity: corners and mid-side nodes
+  hex27 = 27,  ///< full quadratic: also face centres and the cell's centre
+};
 
 enum class Blades {
   none,               ///< a bare disc

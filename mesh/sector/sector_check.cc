@@ -17,11 +17,24 @@ namespace tiprub {
 
 namespace {
 
-HexCoordinates coordinates_of(const MeshedSector& mesh, const SectorCell& cell) {
-  HexCoordinates coordinates;
-  for (int n = 0; n < node_count(mesh.element); ++n) coordinates.col(n) = mesh.nodes[cell.nodes[n]];
-  if (mesh.element == ElementKind::hex20) complete_hex20(coordinates);
-  return coordinates;
+/// Where a cell is measured: its integration points, and its corners, which have no weight.
+struct Sample {
+  Eigen::MatrixX3d gradient;
+  double weight;
+};
+
+std::vector<Sample> samples_of(const CellKind& kind) {
+  std::vector<Sample> samples;
+  for (const ReferencePoint& point : kind.integration) samples.push_back({kind.gradient(point.at), point.weight});
+  for (int corner = 0; corner < kind.corners; ++corner)
+    samples.push_back({kind.gradient(kind.places[static_cast<std::size_t>(corner)]), 0.0});
+  return samples;
+}
+
+Eigen::Matrix3Xd places_of(const MeshedSector& mesh, const SectorCell& cell) {
+  Eigen::Matrix3Xd places(3, cell.nodes.size());
+  for (std::size_t n = 0; n < cell.nodes.size(); ++n) places.col(static_cast<Eigen::Index>(n)) = mesh.nodes[cell.nodes[n]];
+  return places;
 }
 
 double scaled_jacobian(const Eigen::Matrix3d& jacobian) {
@@ -32,10 +45,11 @@ void measure_cells(const MeshedSector& mesh, SectorReport& report) {
   report.worst_scaled_jacobian = 1.0;
   report.worst_cell = 0;
   report.mesh_volume = 0.0;
+  const std::vector<Sample> samples = samples_of(mesh.kind());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const HexCoordinates coordinates = coordinates_of(mesh, mesh.cells[c]);
-    for (const HexSample& sample : hex_samples()) {
-      const Eigen::Matrix3d jacobian = coordinates * sample.gradients;
+    const Eigen::Matrix3Xd places = places_of(mesh, mesh.cells[c]);
+    for (const Sample& sample : samples) {
+      const Eigen::Matrix3d jacobian = places * sample.gradient;
       report.mesh_volume += sample.weight * jacobian.determinant();
       const double scaled = scaled_jacobian(jacobian);
       if (scaled >= report.worst_scaled_jacobian) continue;
@@ -110,10 +124,9 @@ void refuse_inverted(const SectorReport& report, const MeshedSector& mesh, const
 }
 
 // The normal of the face that is turned away from the axis, at one of its nodes.
-Eigen::Vector3d tip_normal(const MeshedSector& mesh, const SectorCell& cell, int local_node) {
-  const auto& reference = hex_reference_nodes()[local_node];
-  const Eigen::Vector3d at(reference[0], reference[1], reference[2]);
-  const Eigen::Matrix3d jacobian = coordinates_of(mesh, cell) * hex_gradients(at);
+Eigen::Vector3d tip_normal(const MeshedSector& mesh, const SectorCell& cell, std::size_t node) {
+  const CellKind& kind = mesh.kind();
+  const Eigen::Matrix3d jacobian = places_of(mesh, cell) * kind.gradient(kind.places[node]);
   return jacobian.col(0).cross(jacobian.col(1)).normalized();
 }
 
@@ -131,7 +144,7 @@ std::vector<Eigen::Vector3d> contact_normals(const MeshedSector& mesh) {
                         })->layer;
   for (const SectorCell& cell : mesh.cells) {
     if (cell.layer != top_layer || cell.region == Region::splitter) continue;
-    for (int n = 0; n < node_count(mesh.element); ++n) {
+    for (std::size_t n = 0; n < cell.nodes.size(); ++n) {
       const auto found = std::find(mesh.contact.begin(), mesh.contact.end(), cell.nodes[n]);
       if (found != mesh.contact.end()) sums[found - mesh.contact.begin()] += tip_normal(mesh, cell, n);
     }

@@ -17,7 +17,7 @@ namespace tiprub {
 namespace {
 
 // gmsh's numbers for the kinds of elements.
-constexpr int line2 = 1, quad8 = 16, quad9 = 10, hex20 = 17, hex27 = 12;
+constexpr int line2 = 1, quad8 = 16, quad9 = 10;
 constexpr int volume_dimension = 3, surface_dimension = 2, curve_dimension = 1;
 
 // gmsh is one model for the whole program; this one lives as long as a file is written.
@@ -44,6 +44,19 @@ void add_nodes(const NamedMesh& mesh, int entity) {
   gmsh::model::mesh::addNodes(volume_dimension, entity, tags, coordinates);
 }
 
+/// Nodes of elements of one of gmsh's types, in its order, counted from 1. Faces and lines are those of VTK.
+std::vector<std::size_t> for_gmsh(int type, const std::vector<std::size_t>& nodes) {
+  std::vector<int> place = {0};
+  for (const CellKind& kind : all_cell_kinds())
+    if (kind.gmsh_type == type) place = kind.gmsh_node;
+  std::vector<std::size_t> turned(nodes.size());
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const std::size_t in_cell = k % place.size();
+    turned[k - in_cell + static_cast<std::size_t>(place[in_cell])] = nodes[k] + 1;
+  }
+  return turned;
+}
+
 /// All volumes first: gmsh counts them, then come the nodes, then elements.
 void add_entities(const NamedMesh& mesh) {
   std::vector<int> tags;
@@ -53,11 +66,8 @@ void add_entities(const NamedMesh& mesh) {
   std::vector<std::pair<std::string, std::vector<int>>> groups;  // in the order of their first entities
   std::map<std::string, int> dimension;
   for (std::size_t e = 0; e < mesh.entities.size(); ++e) {
-    for (const auto& [type, nodes] : mesh.entities[e].elements) {
-      std::vector<std::size_t> counted = nodes;
-      for (std::size_t& node : counted) ++node;  // gmsh counts from 1
-      gmsh::model::mesh::addElementsByType(tags[e], type, {}, counted);
-    }
+    for (const auto& [type, nodes] : mesh.entities[e].elements)
+      gmsh::model::mesh::addElementsByType(tags[e], type, {}, for_gmsh(type, nodes));
     for (const std::string& name : mesh.entities[e].groups) {
       dimension[name] = mesh.entities[e].dimension;
       auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == name; });
@@ -82,8 +92,8 @@ NamedMesh::Entity part_of(const MeshedSector& mesh, Region region, const char* n
   NamedMesh::Entity part{volume_dimension, {"sector", name}, {}};
   for (const SectorCell& cell : mesh.cells)
     if (cell.region == region) {
-      std::vector<std::size_t>& nodes = part.elements[mesh.element == ElementKind::hex20 ? hex20 : hex27];
-      nodes.insert(nodes.end(), cell.nodes.data(), cell.nodes.data() + node_count(mesh.element));
+      std::vector<std::size_t>& nodes = part.elements[mesh.kind().gmsh_type];
+      nodes.insert(nodes.end(), cell.nodes.begin(), cell.nodes.end());
     }
   return part;
 }

@@ -16,7 +16,7 @@ struct NamedMesh {
   struct Entity {
     int dimension;                                     ///< 3 cells, 2 faces, 1 lines
     std::vector<std::string> groups;                   ///< that it is in
-    std::map<int, std::vector<std::size_t>> elements;  ///< nodes from 0, by gmsh's type, in its order
+    std::map<int, std::vector<std::size_t>> elements;  ///< nodes from 0, in VTK's order; by gmsh's type
   };
   std::vector<Eigen::Vector3d> nodes;  ///< [m]
   std::vector<Entity> entities;        ///< cells first

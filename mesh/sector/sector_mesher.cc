@@ -69,14 +69,15 @@ class Mesher {
   std::size_t slot(const Index& node) const {
     return (std::size_t(node[2]) * nodes_across_[1] + node[1]) * nodes_across_[0] + node[0];
   }
-  static Index node_of(const Index& cell, int n) {
-    const auto& reference = hex_reference_nodes()[n];
-    return {2 * cell[0] + 1 + reference[0], 2 * cell[1] + 1 + reference[1], 2 * cell[2] + 1 + reference[2]};
+  /// Of the node at a place in the reference cell.
+  static Index node_of(const Index& cell, const Eigen::Vector3d& place) {
+    const Eigen::Vector3i step = place.cast<int>();
+    return {2 * cell[0] + 1 + step[0], 2 * cell[1] + 1 + step[1], 2 * cell[2] + 1 + step[2]};
   }
 
   void mark_nodes() {
     for_each_cell([&](const Index& cell, Region) {
-      for (int n = 0; n < node_count(mesh_.element); ++n) number_[slot(node_of(cell, n))] = 0;
+      for (const Eigen::Vector3d& place : mesh_.kind().places) number_[slot(node_of(cell, place))] = 0;
     });
   }
 
@@ -128,8 +129,8 @@ class Mesher {
 
   void add_cell(const Index& cell, Region region) {
     SectorCell added{region, cell[1], cell[0], cell[2], {}};
-    for (int n = 0; n < node_count(mesh_.element); ++n) added.nodes[n] = number_[slot(node_of(cell, n))];
-    mesh_.cells.push_back(added);
+    for (const Eigen::Vector3d& place : mesh_.kind().places) added.nodes.push_back(number_[slot(node_of(cell, place))]);
+    mesh_.cells.push_back(std::move(added));
   }
 
   // The faces on one side of the cells that are chosen and have no neighbour there.

@@ -17,10 +17,10 @@ struct SectorCell {
   int station;                                 ///< from leading to trailing edge
   int column;                                  ///< round the sector
   int layer;                                   ///< from bore or back face to hub, and on to the tip
-  std::array<std::size_t, hex27_nodes> nodes;  ///< in gmsh's order; a hex20 uses the first 20
+  std::vector<std::size_t> nodes;  ///< in VTK's order
 };
 
-/// A named surface: faces of 8 nodes (hex20) or 9 (hex27), in gmsh's order, normals outward.
+/// A named surface: faces of 8 nodes (hex20) or 9 (hex27), corners around, mid-sides, centre; normals outward.
 struct SectorSurface {
   std::string name;
   std::vector<std::size_t> face_nodes;  ///< faces x 8 or 9
@@ -37,6 +37,7 @@ struct MeshedSector {
   std::vector<std::size_t> contact_splitter;                   ///< likewise on the splitter's; none unless asked for
   std::vector<std::array<std::size_t, 2>> low_and_high_nodes;  ///< partners on cyclic_low and cyclic_high
 
+  const CellKind& kind() const { return cell_kind(static_cast<int>(element)); }
   const SectorSurface& surface(const std::string& name) const;
   int nodes_per_face() const;
 };

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/basis/sector_fields.h"
 
-#include "mesh/cells/cell_kind.h"
-
 namespace tiprub {
 
 SectorFields describe_sector(const SectorMesh& mesh, const std::vector<int>& contact, const Material& material) {
   SectorFields sector;
   sector.sector_count = mesh.sector_count;
   sector.nodes = mesh.nodes;
-  sector.cells = Eigen::MatrixXi::Constant(mesh.cells.rows(), mesh.cells.cols(), -1);
-  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
-    const auto nodes = nodes_of(mesh.cells, cell);
-    sector.cells.col(cell).head(nodes.size()) = nodes(cell_kind(static_cast<int>(nodes.size())).gmsh_node);
-  }
+  sector.cells = mesh.cells;
   sector.node_sets = {{"clamped", mesh.clamped},
                       {"contact", contact},
                       {"contact_line", mesh.contact_line},

@@ -129,8 +129,7 @@ CellQuadrature::CellQuadrature(const SectorMesh& mesh) {
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
     const auto listed = nodes_of(mesh.cells, cell);
     const ReferenceValues& reference = values.at(static_cast<int>(listed.size()));
-    std::vector<int> nodes;
-    for (const int place : reference.kind.gmsh_node) nodes.push_back(listed[place]);
+    const std::vector<int> nodes(listed.begin(), listed.end());
     neighbours.add(nodes, reference.kind);
     cells_.push_back(points_of(mesh, cell, nodes, reference));
   }

@@ -22,14 +22,14 @@ struct SectorMesh {
   std::string file = "the sector";     ///< where it comes from, for messages
   int sector_count = 0;                ///< N, found from the angle between the two cut faces; 1 without them
   Eigen::Matrix3Xd nodes;              ///< [m] x, y, z; 3 x nodes
-  Eigen::MatrixXi cells;               ///< node numbers in gmsh's order, then -1 (see nodes_of()); most nodes x cells
+  Eigen::MatrixXi cells;               ///< node numbers in VTK's order, then -1 (see nodes_of()); most nodes x cells
   std::vector<std::size_t> cell_tags;  ///< gmsh's numbers of the cells, for messages; may be left empty
   std::vector<int> cyclic_low;         ///< nodes of the lower cut face
   std::vector<int> cyclic_high;        ///< the same turned by +2 pi/N: node k stands where cyclic_low[k] comes to lie
   std::vector<int> clamped;            ///< nodes that don't move
   std::vector<int> contact_line;       ///< nodes of the main blade's tip line, from leading to trailing edge
   std::vector<int> splitter_line;      ///< nodes of the splitter's, likewise; none unless contact is wanted there
-  Eigen::MatrixXi tip_faces;  ///< node numbers of the faces of the main blade's tip, in gmsh's order, then -1; none
+  Eigen::MatrixXi tip_faces;  ///< node numbers of the faces of the main blade's tip (see face_shape()), then -1; none
                               ///< if the mesh doesn't name them
   Eigen::MatrixXi splitter_faces;                  ///< of the splitter's tip, likewise
   std::map<std::string, std::vector<int>> parts;   ///< cells of `disc`, `main_blade`, `splitter`, where present

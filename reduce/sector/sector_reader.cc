@@ -217,9 +217,12 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
   const CellTags cells = read_cells(file, mesh);
   const NodeNumbers numbers(cells);
   mesh.nodes = read_positions(file, numbers, mesh.file);
-  for (std::size_t cell = 0; cell < cells.size(); ++cell)
-    for (std::size_t k = 0; k < cells[cell].size(); ++k)
-      mesh.cells(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(cell)) = numbers.find(cells[cell][k]);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    const std::vector<int>& place = cell_kind(static_cast<int>(cells[cell].size())).gmsh_node;
+    for (std::size_t k = 0; k < place.size(); ++k)
+      mesh.cells(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(cell)) =
+          numbers.find(cells[cell][static_cast<std::size_t>(place[k])]);
+  }
   mesh.parts = read_parts(file, cells);
   read_cut_faces(file, numbers, tolerance, mesh);
   mesh.clamped = read_surface(file, "clamped", numbers, mesh.file);

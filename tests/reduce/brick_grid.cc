@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/reduce/brick_grid.h"
 
+#include "mesh/cells/cell_kind.h"
+
 namespace tiprub::test {
 
 namespace {
 
 using Steps = std::array<int, 3>;
 
-// gmsh's hexahedra in half-brick steps: corners, mid-sides, face centres, centre.
-constexpr std::array<Steps, 27> gmsh_steps = {
-    {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 0},
-     {0, 1, 0}, {0, 0, 1}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {2, 2, 1}, {0, 2, 1}, {1, 0, 2}, {0, 1, 2},
-     {2, 1, 2}, {1, 2, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}, {1, 1, 1}}};
-
-// gmsh's faces of 8 or 9 nodes, in half-brick steps around and along the axis.
+// Faces of 8 or 9 nodes, in half-brick steps around and along the axis.
 constexpr std::array<std::array<int, 2>, 9> face_steps = {
     {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}}};
 
@@ -67,12 +63,15 @@ SectorMesh BrickGrid::place(const Placement& placement) const {
         if (const int at = node(i, j, k); at >= 0)
           mesh.nodes.col(at) = placement({i / (2.0 * bricks_[0]), j / (2.0 * bricks_[1]), k / (2.0 * bricks_[2])});
   mesh.cells.resize(nodes_per_brick_, bricks_[0] * bricks_[1] * bricks_[2]);
+  const CellKind& kind = cell_kind(nodes_per_brick_);
   int cell = 0;
   for (int j = 0; j < bricks_[1]; ++j)
     for (int k = 0; k < bricks_[2]; ++k)
       for (int i = 0; i < bricks_[0]; ++i, ++cell)
-        for (int n = 0; n < nodes_per_brick_; ++n)
-          mesh.cells(n, cell) = node(2 * i + gmsh_steps[n][0], 2 * j + gmsh_steps[n][1], 2 * k + gmsh_steps[n][2]);
+        for (int n = 0; n < nodes_per_brick_; ++n) {
+          const Eigen::Vector3i step = kind.places[n].cast<int>();
+          mesh.cells(n, cell) = node(2 * i + 1 + step[0], 2 * j + 1 + step[1], 2 * k + 1 + step[2]);
+        }
   return mesh;
 }
 

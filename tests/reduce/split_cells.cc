@@ -48,7 +48,6 @@ class Splitting {
   }
 
  private:
-  /// In gmsh's order.
   std::vector<int> cell(int brick, const std::vector<int>& corners) {
     const CellKind &whole = cell_kind(27), &kind = kind_with(corners.size());
     std::vector<Eigen::Vector3d> places;
@@ -56,10 +55,10 @@ class Splitting {
     for (const auto& [a, b] : kind.edges) places.push_back((places[a] + places[b]) / 2);
     Eigen::Matrix3Xd nodes(3, whole.nodes());
     for (int k = 0; k < whole.nodes(); ++k)
-      nodes.col(k) = bricks_.nodes.col(bricks_.cells(whole.gmsh_node[k], brick));
+      nodes.col(k) = bricks_.nodes.col(bricks_.cells(k, brick));
     std::vector<int> numbers(places.size());
     for (std::size_t k = 0; k < places.size(); ++k)
-      numbers[kind.gmsh_node[k]] = number(nodes * whole.shape(places[k]));
+      numbers[k] = number(nodes * whole.shape(places[k]));
     return numbers;
   }
 

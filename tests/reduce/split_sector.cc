@@ -38,9 +38,9 @@ void add_faces(const SectorMesh& mesh, const std::vector<int>& set, int group, s
     const CellKind& kind = cell_kind(static_cast<int>(listed.size()));
     for (const std::vector<int>& around : kind.faces) {
       Element face{around.size() == 3 ? 9 : 16, group, {}};
-      for (const int corner : around) face.nodes.push_back(listed[kind.gmsh_node[corner]]);
+      for (const int corner : around) face.nodes.push_back(listed[corner]);
       for (std::size_t k = 0; k < around.size(); ++k)
-        face.nodes.push_back(listed[kind.gmsh_node[kind.middle_of(around[k], around[(k + 1) % around.size()])]]);
+        face.nodes.push_back(listed[kind.middle_of(around[k], around[(k + 1) % around.size()])]);
       if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](int node) { return members.contains(node); }))
         elements.push_back(face);
     }
@@ -55,7 +55,10 @@ int main(int argc, char** argv) {
   std::vector<Element> elements;
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
     const auto nodes = nodes_of(mesh.cells, cell);
-    elements.push_back({cell_kind(static_cast<int>(nodes.size())).gmsh_type, 1, {nodes.begin(), nodes.end()}});
+    const CellKind& kind = cell_kind(static_cast<int>(nodes.size()));
+    Element element{kind.gmsh_type, 1, std::vector<int>(kind.gmsh_node.size())};
+    for (int k = 0; k < kind.nodes(); ++k) element.nodes[kind.gmsh_node[k]] = nodes[k];
+    elements.push_back(element);
   }
   add_faces(mesh, mesh.cyclic_low, 2, elements);
   add_faces(mesh, mesh.cyclic_high, 3, elements);

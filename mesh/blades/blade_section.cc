@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "mesh/curves/chord_table.h"
+#include "mesh/curves/wheel_keys.h"
 
 namespace tiprub {
 

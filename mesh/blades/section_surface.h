@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "mesh/blades/blade_section.h"
@@ -27,6 +28,29 @@ class SectionSurface {
   double blunt_edge_;
   std::vector<SectionTables> tables_;
   std::vector<double> heights_;  ///< of the sections, from 0 to 1
+};
+
+/// A splitter that stands on the main blade's mean surface, turned by a fraction of the pitch, from its own leading
+/// edge to the main blade's trailing edge: what a sector's lattice can hold. Stations run along the main blade; the
+/// one at which the splitter begins is the same from hub to tip, so a station is another fraction of the length at
+/// each span.
+class SplitterSurface {
+ public:
+  /// `pitch` is of the main blades [rad]. Raises InputError, beginning with the file's name, where the splitter is
+  /// another one.
+  SplitterSurface(const std::string& file, const SectionSurface& main, const FileSplitter& splitter,
+                  double blunt_edge, double pitch);
+
+  double start() const { return start_; }  ///< the station of its leading edge
+  /// The fraction of the main blade's length at a station.
+  double main_chord(double station, double span) const;
+  /// Over the splitter's own chord [rad].
+  double half_width(double chord, double span) const { return surface_.at(chord, span).half_width; }
+
+ private:
+  SectionSurface surface_;
+  SmoothTable starts_;  ///< the main blade's fraction at the splitter's leading edge, over the span
+  double start_;
 };
 
 }  // namespace tiprub

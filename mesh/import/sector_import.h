@@ -3,10 +3,34 @@
 
 #include <string>
 
-#include "mesh/import/import_parameters.h"
+#include "cases/program/case_file.h"
+#include "mesh/import/cell_mesh.h"
+#include "mesh/import/selection.h"
 #include "mesh/sector/sector_file.h"
 
 namespace tiprub {
+
+enum class MeshFormat { inp, bdf, cdb, unv };
+
+/// [mesh] with mesh_file in place of family: a mesh of another code, and which of its faces, nodes and solids are
+/// what.
+struct ImportParameters {
+  NamedText file;
+  MeshFormat format = MeshFormat::inp;
+  double length = 1;  ///< [m] of the file's unit
+  Axis axis = Axis::z;
+  int sector_count = 0;                                              ///< 0: found from the cuts
+  std::string clamped, contact, blade_tip, cyclic_low, cyclic_high;  ///< selections; empty: see README.md
+  std::string contact_splitter, splitter_tip;                        ///< likewise; both empty: no contact there
+  std::string disc, main_blade, splitter;                            ///< sets of solids; may be empty
+  LeadingEdge leading_edge = LeadingEdge::low_z;
+};
+
+/// Whether [mesh] asks for a mesh of another code.
+bool is_import(const CaseTable& table);
+
+/// Raises InputError as CaseTable does.
+ImportParameters read_import_parameters(CaseTable& table);
 
 /// A foreign mesh as sector.msh wants it, and what was found, for people.
 struct ImportedSector {

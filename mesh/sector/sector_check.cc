@@ -6,16 +6,77 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <map>
 #include <numbers>
 #include <set>
 #include <sstream>
 
 #include "cases/program/errors.h"
-#include "mesh/wheels/geometry_volume.h"
+#include "mesh/cells/gauss_points.h"
 
 namespace tiprub {
 
 namespace {
+
+constexpr int panels_in_height = 4;
+constexpr int least_panels_along = 80;    // many, since the curvature of tables may jump between two stations
+constexpr double difference_step = 1e-5;  // of the unit square; central differences are then good to 1e-10
+
+using Section = std::function<MeridionalPoint(double station, double height)>;
+using Angle = std::function<double(double station, double height)>;
+
+double area_density(const Section& section, double station, double height) {
+  const double h = difference_step;
+  const MeridionalPoint along = section(station + h, height) - section(station - h, height);
+  const MeridionalPoint up = section(station, height + h) - section(station, height - h);
+  return std::abs(along.z * up.r - along.r * up.z) / (4.0 * h * h);
+}
+
+// The integral of r * angle over the part of the section between two stations.
+double slice_volume(const Section& section, const Angle& angle, double from, double to) {
+  double volume = 0.0;
+  for (const GaussPoint& a : gauss_points(5))
+    for (int panel = 0; panel < panels_in_height; ++panel)
+      for (const GaussPoint& b : gauss_points(5)) {
+        const double station = 0.5 * (from + to) + 0.5 * (to - from) * a.x;
+        const double height = (panel + 0.5 * (1.0 + b.x)) / panels_in_height;
+        volume += 0.25 * (to - from) / panels_in_height * a.weight * b.weight * section(station, height).r *
+                  angle(station, height) * area_density(section, station, height);
+      }
+  return volume;
+}
+
+double volume_between(const SectorPlan& plan, int first_station, const Section& section, const Angle& angle) {
+  const int panels = 1 + least_panels_along / plan.elements.chord;
+  double volume = 0.0;
+  for (int i = first_station; i < plan.elements.chord; ++i) {
+    const double from = plan.station(2 * i), width = (plan.station(2 * i + 2) - from) / panels;
+    for (int panel = 0; panel < panels; ++panel)
+      volume += slice_volume(section, angle, from + panel * width, from + (panel + 1) * width);
+  }
+  return volume;
+}
+
+// In two parts, for the width of a fillet begins like a square root at the hub, and ends with a kink.
+double blade_volume(const Wheel& wheel, BladeKind kind, int first_station) {
+  const WheelGeometry& geometry = *wheel.geometry;
+  std::map<double, double> ends;  // by station: each is asked for at many heights
+  const auto end_at = [&](double station) {
+    const auto [known, is_new] = ends.try_emplace(station, 0.0);
+    if (is_new) known->second = geometry.fillet_end(station);
+    return known->second;
+  };
+  const auto part = [&](const std::function<double(double end, double x)>& span) {
+    const auto at = [&](double station, double x) { return span(end_at(station), x); };
+    return volume_between(
+        wheel.plan, first_station,
+        [&](double station, double x) { return geometry.blade_point(station, at(station, x)); },
+        [&](double station, double x) { return 2.0 * geometry.half_width(kind, station, at(station, x)); });
+  };
+  const double above = part([](double end, double x) { return end + (1.0 - end) * x; });
+  return wheel.plan.elements.fillet == 0 ? above : above + part([](double end, double x) { return end * x * x; });
+}
 
 /// Where a cell is measured: its integration points, and its corners, which have no weight.
 struct Sample {
@@ -33,7 +94,8 @@ std::vector<Sample> samples_of(const CellKind& kind) {
 
 Eigen::Matrix3Xd places_of(const MeshedSector& mesh, const SectorCell& cell) {
   Eigen::Matrix3Xd places(3, cell.nodes.size());
-  for (std::size_t n = 0; n < cell.nodes.size(); ++n) places.col(static_cast<Eigen::Index>(n)) = mesh.nodes[cell.nodes[n]];
+  for (std::size_t n = 0; n < cell.nodes.size(); ++n)
+    places.col(static_cast<Eigen::Index>(n)) = mesh.nodes[cell.nodes[n]];
   return places;
 }
 
@@ -136,6 +198,18 @@ double angle_from_radial_deg(const Eigen::Vector3d& normal, const Eigen::Vector3
 }
 
 }  // namespace
+
+double geometry_volume(const Wheel& wheel) {
+  const WheelGeometry& geometry = *wheel.geometry;
+  const SectorPlan& plan = wheel.plan;
+  const Section disc = [&](double station, double height) { return geometry.disc_point(station, height); };
+  double volume = 0.0;
+  if (plan.has_disc()) volume += volume_between(plan, 0, disc, [&](double, double) { return plan.pitch(); });
+  if (plan.blades != Blades::none) volume += blade_volume(wheel, BladeKind::main, 0);
+  if (plan.blades == Blades::main_and_splitter)
+    volume += blade_volume(wheel, BladeKind::splitter, plan.elements.upstream);
+  return volume;
+}
 
 std::vector<Eigen::Vector3d> contact_normals(const MeshedSector& mesh) {
   std::vector<Eigen::Vector3d> sums(mesh.contact.size(), Eigen::Vector3d::Zero());

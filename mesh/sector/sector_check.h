@@ -33,4 +33,8 @@ std::vector<Eigen::Vector3d> contact_normals(const MeshedSector& mesh);
 /// The report in lines for a person: dimensions, counts, quality.
 std::string describe(const SectorReport& report, const MeshedSector& mesh, const Wheel& wheel);
 
+/// The volume of one sector's shape [m^3], without a mesh: the integral of r times the angle that the part takes,
+/// over the meridional section. Gauss quadrature between the stations; exact to about 1e-8.
+double geometry_volume(const Wheel& wheel);
+
 }  // namespace tiprub

@@ -129,7 +129,8 @@ class Mesher {
 
   void add_cell(const Index& cell, Region region) {
     SectorCell added{region, cell[1], cell[0], cell[2], {}};
-    for (const Eigen::Vector3d& place : mesh_.kind().places) added.nodes.push_back(number_[slot(node_of(cell, place))]);
+    for (const Eigen::Vector3d& place : mesh_.kind().places)
+      added.nodes.push_back(number_[slot(node_of(cell, place))]);
     mesh_.cells.push_back(std::move(added));
   }
 

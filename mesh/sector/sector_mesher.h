@@ -14,9 +14,9 @@ namespace tiprub {
 /// A hexahedron and where it sits in the lattice, all counted from 0.
 struct SectorCell {
   Region region;
-  int station;                                 ///< from leading to trailing edge
-  int column;                                  ///< round the sector
-  int layer;                                   ///< from bore or back face to hub, and on to the tip
+  int station;                     ///< from leading to trailing edge
+  int column;                      ///< round the sector
+  int layer;                       ///< from bore or back face to hub, and on to the tip
   std::vector<std::size_t> nodes;  ///< in VTK's order
 };
 

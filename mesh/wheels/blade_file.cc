@@ -8,13 +8,11 @@
 #include <sstream>
 
 #include "mesh/blades/curve_files.h"
-#include "mesh/blades/length_unit.h"
 #include "mesh/blades/meanline_file.h"
 #include "mesh/blades/section_surface.h"
 #include "mesh/blades/section_table.h"
-#include "mesh/blades/splitter_surface.h"
-#include "mesh/curves/chord_table.h"
-#include "mesh/wheels/back_face.h"
+#include "mesh/curves/wheel_keys.h"
+#include "mesh/wheels/impeller.h"
 
 namespace tiprub {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/curves/chord_table.h"
+#include "mesh/curves/wheel_keys.h"
 
 namespace tiprub {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <sstream>
 
-#include "mesh/curves/chord_table.h"
+#include "mesh/curves/wheel_keys.h"
 
 namespace tiprub {
 

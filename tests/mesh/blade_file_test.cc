@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "mesh/blades/section_table.h"
-#include "mesh/wheels/geometry_volume.h"
+#include "mesh/sector/sector_check.h"
 #include "tests/mesh/mesh_cases.h"
 
 namespace tiprub {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/lattice/grading.h"
+#include "mesh/lattice/sector_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "mesh/sector/sector_check.h"
-#include "mesh/wheels/geometry_volume.h"
 #include "tests/mesh/mesh_cases.h"
 
 namespace tiprub {

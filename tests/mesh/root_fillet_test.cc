@@ -8,7 +8,6 @@
 #include <set>
 
 #include "mesh/sector/sector_check.h"
-#include "mesh/wheels/geometry_volume.h"
 #include "tests/mesh/mesh_cases.h"
 
 namespace tiprub {

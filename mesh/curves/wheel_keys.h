@@ -19,4 +19,7 @@ SmoothTable read_chord_table(CaseTable& table, std::string_view key,
                              std::optional<std::vector<std::array<double, 2>>> fallback, const Range& range,
                              std::string_view unit, double factor = 1.0);
 
+/// [m] of one unit of the key `length_unit`: m, cm, mm or in.
+double read_length_unit(CaseTable& table);
+
 }  // namespace tiprub

@@ -10,8 +10,6 @@
 
 #include "cases/program/machine.h"
 #include "reduce/basis/diameter_reduction.h"
-#include "reduce/basis/polynomial_fit.h"
-#include "reduce/basis/sector_fields.h"
 #include "reduce/model/condensation.h"
 #include "reduce/operators/memory_need.h"
 #include "reduce/operators/spinning_sector.h"
@@ -21,6 +19,69 @@
 namespace tiprub {
 
 namespace {
+
+/// A model's K by nodal diameter and sampled speed.
+using SampledStiffness = std::vector<std::vector<Eigen::MatrixXcd>>;
+
+/// n_s x nodal diameters.
+Eigen::MatrixXd misfit(const SampledStiffness& stiffness, const SpeedSamples& samples,
+                       const ReductionParameters& parameters, const ReducedModel& model) {
+  const auto rows = static_cast<Eigen::Index>(parameters.verification_speeds.size());
+  const auto diameters = static_cast<int>(stiffness.size());
+  Eigen::MatrixXd table(rows, diameters);
+  parallel_for(diameters, parameters.threads, [&](int n) {
+    const NodalDiameterModel& fitted = model.nodal_diameters[n];
+    for (Eigen::Index row = 0; row < rows; ++row) {
+      const double fraction = parameters.verification_speeds[row];
+      const Eigen::MatrixXcd K = samples.combine(stiffness[n], fraction);
+      const Eigen::VectorXd exact = NodalDiameterModel{{{K}}, fitted.M}.natural_frequencies(0.0);
+      const Eigen::VectorXd by_polynomial = fitted.natural_frequencies(fraction * parameters.speed_max);
+      table(row, n) =
+          (by_polynomial.array() / exact.array() - 1).head(parameters.verification_modes).abs().maxCoeff();
+    }
+  });
+  return table;
+}
+
+/// eq. 7 of the paper: fills in K0, K1, ... of a model that has M, and for nonlinear prestress what eq. 7 alone makes
+/// wrong in the verification frequencies: K of the polynomial's shape against K of the equilibrium on the same basis.
+void fit_polynomial(const SampledStiffness& stiffness, const SpeedSamples& samples,
+                    const ReductionParameters& parameters, ReducedModel& model) {
+  const PolynomialFit fit(speeds_at(samples.polynomial_fractions(), parameters.speed_max));
+  for (std::size_t n = 0; n < stiffness.size(); ++n)
+    model.nodal_diameters[n].K =
+        fit.through(std::vector(stiffness[n].begin(), stiffness[n].begin() + samples.polynomial_terms()));
+  if (parameters.prestress == Prestress::nonlinear)
+    model.verification.polynomial_misfit = misfit(stiffness, samples, parameters, model);
+}
+
+/// A sector as fields.h5 holds it, but for its shape under spin.
+SectorFields describe_sector(const SectorMesh& mesh, const std::vector<int>& contact, const Material& material) {
+  SectorFields sector;
+  sector.sector_count = mesh.sector_count;
+  sector.nodes = mesh.nodes;
+  sector.cells = mesh.cells;
+  sector.node_sets = {{"clamped", mesh.clamped},
+                      {"contact", contact},
+                      {"contact_line", mesh.contact_line},
+                      {"cyclic_low", mesh.cyclic_low},
+                      {"cyclic_high", mesh.cyclic_high}};
+  sector.parts = mesh.parts;
+  sector.mesh_digest = digest(mesh);
+  sector.young = material.young;
+  sector.poisson = material.poisson;
+  sector.density = material.density;
+  return sector;
+}
+
+/// One vector of sector dofs on all nodes: r, theta, z of node 0, then of node 1, ...; zero where clamped.
+Eigen::VectorXcd on_nodes(const SectorDofs& dofs, const Eigen::VectorXcd& sector_vector) {
+  Eigen::VectorXcd values = Eigen::VectorXcd::Zero(3 * static_cast<Eigen::Index>(dofs.first.size()));
+  for (std::size_t node = 0; node < dofs.first.size(); ++node)
+    if (dofs.first[node] >= 0)
+      values.segment<3>(3 * static_cast<Eigen::Index>(node)) = sector_vector.segment<3>(dofs.first[node]);
+  return values;
+}
 
 /// The work of one reduction. Two factors, of rest and of full speed, serve all nodal diameters; these go side by
 /// side, and what belongs to one is released as soon as its model is made and verified.

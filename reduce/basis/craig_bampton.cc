@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "reduce/basis/hermitian_products.h"
 #include "reduce/model/dense_eigen.h"
 
 namespace tiprub {

@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <Eigen/Dense>
 #include <vector>
 
+#include "reduce/model/dense_eigen.h"
 #include "reduce/operators/cyclic_transformation.h"
 
 namespace tiprub {
+
+/// The matrix of products T^H Y T of shapes that grow in number: adds the columns T^H Y t of new shapes t. They end
+/// in the new diagonal block.
+inline void append_products(Eigen::MatrixXcd& products, const Eigen::MatrixXcd& columns) {
+  const Eigen::Index old = products.cols(), more = columns.cols();
+  products.conservativeResize(old + more, old + more);
+  products.topRightCorner(old, more) = columns.topRows(old);
+  products.bottomLeftCorner(more, old) = columns.topRows(old).adjoint();
+  products.bottomRightCorner(more, more) = hermitian_part(columns.bottomRows(more));
+}
 
 /// eq. 9: one basis of one nodal diameter for all speeds. It holds the constraint modes at rest, kept as they are so
 /// that contact dofs stay physical, and an M-orthonormal set made from everything else: fixed-interface modes of

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "reduce/basis/cyclic_modes.h"
-#include "reduce/operators/at_speed.h"
+#include "reduce/operators/speed_samples.h"
 
 namespace tiprub {
 

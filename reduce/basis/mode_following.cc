@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cases/program/errors.h"
-#include "reduce/basis/hermitian_products.h"
+#include "reduce/basis/craig_bampton.h"
 #include "reduce/model/dense_eigen.h"
 
 namespace tiprub {

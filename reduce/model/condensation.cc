@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 
 #include "reduce/model/dense_eigen.h"
-#include "reduce/model/hermitian_part.h"
 
 namespace tiprub {
 

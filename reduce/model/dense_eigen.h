@@ -6,6 +6,11 @@
 
 namespace tiprub {
 
+/// Of a product T^H Y T, which is Hermitian but for rounding.
+inline Eigen::MatrixXcd hermitian_part(const Eigen::MatrixXcd& matrix) {
+  return 0.5 * (matrix + matrix.adjoint());
+}
+
 /// Eigenvalues, ascending, and their vectors, one a column.
 template <class Scalar>
 struct Eigenpairs {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "cases/program/errors.h"
-#include "reduce/operators/at_speed.h"
+#include "reduce/operators/speed_samples.h"
 
 namespace tiprub {
 

@@ -54,11 +54,9 @@ class Splitting {
     for (const int corner : corners) places.push_back(corner == 8 ? Eigen::Vector3d::Zero() : whole.places[corner]);
     for (const auto& [a, b] : kind.edges) places.push_back((places[a] + places[b]) / 2);
     Eigen::Matrix3Xd nodes(3, whole.nodes());
-    for (int k = 0; k < whole.nodes(); ++k)
-      nodes.col(k) = bricks_.nodes.col(bricks_.cells(k, brick));
+    for (int k = 0; k < whole.nodes(); ++k) nodes.col(k) = bricks_.nodes.col(bricks_.cells(k, brick));
     std::vector<int> numbers(places.size());
-    for (std::size_t k = 0; k < places.size(); ++k)
-      numbers[k] = number(nodes * whole.shape(places[k]));
+    for (std::size_t k = 0; k < places.size(); ++k) numbers[k] = number(nodes * whole.shape(places[k]));
     return numbers;
   }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/operators/polynomial_fit.h"
 
 #include <gtest/gtest.h>
 

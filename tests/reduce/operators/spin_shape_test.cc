@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/operators/spin_shape.h"
+#include "reduce/operators/spinning_sector.h"
 
 #include <gtest/gtest.h>
 
-#include "reduce/operators/polynomial_fit.h"
 #include "reduce/operators/speed_samples.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"

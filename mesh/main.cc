@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 
-#include "mesh/meshing.h"
+#include "mesh/stage.h"
 
 int main(int argc, char** argv) {
   std::string import;
@@ -16,5 +16,5 @@ int main(int argc, char** argv) {
                        "take this mesh (.inp, .bdf, .cdb or .unv) as [mesh] mesh_file; [mesh] names its groups");
       }};
   return tiprub::run_stage(argc, argv, stage,
-                           [&](const tiprub::StageArguments& arguments) { tiprub::mesh_case(arguments, import); });
+                           [&](const tiprub::StageArguments& arguments) { tiprub::run_mesh(arguments, import); });
 }

@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cases/program/command_line.h"
-#include "postprocess/postprocess.h"
+#include "postprocess/stage.h"
 
 int main(int argc, char** argv) {
   std::string fields_file, compared;
@@ -27,6 +27,6 @@ int main(int argc, char** argv) {
         ->allow_extra_args(false);
   };
   return tiprub::run_stage(argc, argv, stage, [&](const tiprub::StageArguments& arguments) {
-    tiprub::postprocess(arguments, {fields_file, compared, runs});
+    tiprub::run_postprocess(arguments, {fields_file, compared, runs});
   });
 }

@@ -3,11 +3,11 @@
 
 #include "cases/program/command_line.h"
 #include "cases/program/machine.h"
-#include "reduce/reducing.h"
+#include "reduce/stage.h"
 
 int main(int argc, char** argv) {
   tiprub::prepare_blas(argv);
-  tiprub::ReducingOptions options;
+  tiprub::ReduceOptions options;
   tiprub::Stage stage;
   stage.name = "tiprub-reduce";
   stage.summary = "Reduces a sector of a wheel to a small model that knows its speed.";
@@ -34,5 +34,5 @@ int main(int argc, char** argv) {
     app.add_option("--matrix-at", options.matrices_at, "a speed in rpm and K there; may be repeated")->expected(2, 4);
   };
   return tiprub::run_stage(argc, argv, stage,
-                           [&](const tiprub::StageArguments& arguments) { tiprub::reduce_case(arguments, options); });
+                           [&](const tiprub::StageArguments& arguments) { tiprub::run_reduce(arguments, options); });
 }

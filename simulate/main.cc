@@ -3,7 +3,7 @@
 
 #include "cases/program/command_line.h"
 #include "cases/program/machine.h"
-#include "simulate/simulation.h"
+#include "simulate/stage.h"
 
 int main(int argc, char** argv) {
   tiprub::prepare_blas(argv);
@@ -18,6 +18,6 @@ int main(int argc, char** argv) {
   stage.add_options = [&](CLI::App& app) {
     app.add_option("--threads", threads, "threads over speeds; 0: as [simulate] says")->check(CLI::Range(0, 1024));
   };
-  return tiprub::run_stage(argc, argv, stage,
-                           [&](const tiprub::StageArguments& arguments) { tiprub::simulate(arguments, threads); });
+  return tiprub::run_stage(
+      argc, argv, stage, [&](const tiprub::StageArguments& arguments) { tiprub::run_simulate(arguments, threads); });
 }

@@ -13,16 +13,16 @@
 #include "mesh/wheels/wheel.h"
 #include "postprocess/analysis/material_strength.h"
 #include "postprocess/analysis/postprocess_parameters.h"
-#include "postprocess/postprocess.h"
+#include "postprocess/stage.h"
 #include "reduce/matrices/matrix_sector.h"
 #include "reduce/model/fields_file.h"
-#include "reduce/reducing.h"
 #include "reduce/sector/reduction_parameters.h"
+#include "reduce/stage.h"
 #include "simulate/response/response_file.h"
 #include "simulate/scene/casing.h"
 #include "simulate/scene/damping.h"
 #include "simulate/scene/simulate_parameters.h"
-#include "simulate/simulation.h"
+#include "simulate/stage.h"
 
 namespace fs = std::filesystem;
 
@@ -56,11 +56,11 @@ StageArguments check(const std::vector<fs::path>& inputs) {
 }
 
 void read_mesh(const fs::path& file, const fs::path& beside) {
-  reduce_case(check({beside / "case.toml", file}), {});
+  run_reduce(check({beside / "case.toml", file}), {});
 }
 
 void read_model_file(const fs::path& file, const fs::path& beside) {
-  simulate(check({beside / "case.toml", file}), 1);
+  run_simulate(check({beside / "case.toml", file}), 1);
 }
 
 void read_fields(const fs::path& file, const fs::path&) {
@@ -70,8 +70,8 @@ void read_fields(const fs::path& file, const fs::path&) {
 }
 
 void check_report_of_fields(const fs::path& file, const fs::path& beside) {
-  postprocess(check({beside / "case.toml", beside / "model.h5", beside / "response.h5"}),
-              {.fields_file = file, .compared = {}, .runs = {}});
+  run_postprocess(check({beside / "case.toml", beside / "model.h5", beside / "response.h5"}),
+                  {.fields_file = file, .compared = {}, .runs = {}});
 }
 
 void read_response_file(const fs::path& file, const fs::path&) {
@@ -80,7 +80,7 @@ void read_response_file(const fs::path& file, const fs::path&) {
 }
 
 void check_report(const fs::path& file, const fs::path& beside) {
-  postprocess(check({beside / "case.toml", beside / "model.h5", file}), {});
+  run_postprocess(check({beside / "case.toml", beside / "model.h5", file}), {});
 }
 
 NamedText text_of(const fs::path& path) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/postprocess.h"
+#include "postprocess/stage.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -131,7 +131,7 @@ std::string postprocess_tables(const CaseFile& file) {
   return text;
 }
 
-void postprocess(const StageArguments& arguments, const PostprocessOptions& options) try {
+void run_postprocess(const StageArguments& arguments, const PostprocessOptions& options) try {
   if (arguments.action == Action::check) return check(read_inputs(arguments, options));
   const OutputLock lock(arguments.output);
   OutputFile output(arguments.output);

@@ -12,6 +12,6 @@ namespace tiprub {
 std::string simulate_tables(const CaseFile& file);
 
 /// tiprub-simulate case.toml model.h5 -o response.h5. `threads` 0: as [simulate] says.
-void simulate(const StageArguments& arguments, int threads);
+void run_simulate(const StageArguments& arguments, int threads);
 
 }  // namespace tiprub

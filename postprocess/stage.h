@@ -23,6 +23,6 @@ struct PostprocessOptions {
 /// The stage: reads the case, the model and the response, computes what is drawn, and writes the folder of the
 /// report. Ends the process with 128 + the signal's number if it is interrupted, after cleaning up. Raises InputError
 /// and RunError.
-void postprocess(const StageArguments& arguments, const PostprocessOptions& options);
+void run_postprocess(const StageArguments& arguments, const PostprocessOptions& options);
 
 }  // namespace tiprub

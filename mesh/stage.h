@@ -12,6 +12,6 @@ namespace tiprub {
 std::string mesh_tables(const CaseFile& file);
 
 /// tiprub-mesh case.toml -o sector.msh. `import`: a mesh of another code in place of [mesh] mesh_file, or empty.
-void mesh_case(const StageArguments& arguments, const std::string& import);
+void run_mesh(const StageArguments& arguments, const std::string& import);
 
 }  // namespace tiprub

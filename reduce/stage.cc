@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/reducing.h"
+#include "reduce/stage.h"
 
 #include <unistd.h>
 
@@ -58,7 +58,7 @@ void require_metres(const SectorMesh& mesh, double speed_max) {
   throw InputError(message.str());
 }
 
-MatrixFiles matrix_files(const ReducingOptions& options) {
+MatrixFiles matrix_files(const ReduceOptions& options) {
   constexpr std::size_t most_speeds = 2;  // besides rest: eq. 7 has three terms
   MatrixFiles files{options.matrices[0], options.matrices[1], options.matrices[2], options.matrix_dofs, {}};
   for (std::size_t k = 0; k + 1 < options.matrices_at.size(); k += 2) {
@@ -77,7 +77,7 @@ MatrixFiles matrix_files(const ReducingOptions& options) {
 }
 
 /// The sector, as a mesh or by its matrices.
-SectorMesh read_sector(const StageArguments& arguments, const ReducingOptions& options, double cyclic_tolerance) {
+SectorMesh read_sector(const StageArguments& arguments, const ReduceOptions& options, double cyclic_tolerance) {
   const std::filesystem::path& mesh = arguments.inputs[1];
   if (options.matrices.empty()) {
     if (mesh.empty()) throw InputError("sector.msh is required; see tiprub-reduce --help");
@@ -92,7 +92,7 @@ SectorMesh read_sector(const StageArguments& arguments, const ReducingOptions& o
   return read_matrix_sector(matrix_files(options), cyclic_tolerance);
 }
 
-Inputs read(const StageArguments& arguments, const ReducingOptions& options) {
+Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
   const CaseFile case_file(arguments.inputs[0], arguments.settings);
   CaseTable table = case_file.table("reduce");
   ReductionParameters parameters = read_reduction_parameters(table);
@@ -107,7 +107,7 @@ Inputs read(const StageArguments& arguments, const ReducingOptions& options) {
 /// What this run may write, tried before the work and held until its end.
 class Outputs {
  public:
-  Outputs(const StageArguments& arguments, const ReducingOptions& options) {
+  Outputs(const StageArguments& arguments, const ReduceOptions& options) {
     const bool reduces = options.calculix_folder.empty() && options.modes_file.empty();
     if (!options.calculix_folder.empty()) make_folder(options.calculix_folder);
     if (reduces && !options.matrix_market_folder.empty()) make_folder(options.matrix_market_folder);
@@ -173,7 +173,7 @@ ReducedModel reduce_with_fields(const StageArguments& arguments, const Inputs& i
   return model;
 }
 
-ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const ReducingOptions& options,
+ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const ReduceOptions& options,
                  ReductionReport& report) {
   OutputFile output(arguments.output);  // complains before the work, not after it
   std::optional<OutputFile> fields;
@@ -246,7 +246,7 @@ std::string reduce_tables(const CaseFile& file) {
   return file.resolved("reduce", read_reduction_parameters);
 }
 
-void reduce_case(const StageArguments& arguments, const ReducingOptions& options) {
+void run_reduce(const StageArguments& arguments, const ReduceOptions& options) {
   const Inputs inputs = read(arguments, options);
   if (arguments.action == Action::check) return check(arguments, inputs);
   const Outputs outputs(arguments, options);

@@ -10,7 +10,7 @@
 namespace tiprub {
 
 /// What this stage may write besides model.h5, or instead of it; empty: not asked for.
-struct ReducingOptions {
+struct ReduceOptions {
   std::string calculix_folder;           ///< instead
   std::string modes_file;                ///< instead
   std::string matrix_market_folder;      ///< besides
@@ -24,6 +24,6 @@ struct ReducingOptions {
 std::string reduce_tables(const CaseFile& file);
 
 /// tiprub-reduce case.toml sector.msh -o model.h5.
-void reduce_case(const StageArguments& arguments, const ReducingOptions& options);
+void run_reduce(const StageArguments& arguments, const ReduceOptions& options);
 
 }  // namespace tiprub

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/simulation.h"
+#include "simulate/stage.h"
 
 #include <chrono>
 #include <iomanip>
@@ -114,7 +114,7 @@ std::string simulate_tables(const CaseFile& file) {
   return file.resolved("casing", read_casing) + file.resolved("simulate", read_simulate_parameters);
 }
 
-void simulate(const StageArguments& arguments, int threads) {
+void run_simulate(const StageArguments& arguments, int threads) {
   const Inputs inputs = read_inputs(arguments);
   const SceneScope scope = inputs.scope();
   if (arguments.action == Action::check) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/meshing.h"
+#include "mesh/stage.h"
 
 #include <functional>
 #include <optional>
@@ -53,7 +53,7 @@ std::string mesh_tables(const CaseFile& file) {
   });
 }
 
-void mesh_case(const StageArguments& arguments, const std::string& import) {
+void run_mesh(const StageArguments& arguments, const std::string& import) {
   CaseTable table = CaseFile(arguments.inputs[0], settings_of(arguments, import)).table("mesh");
   std::optional<OutputLock> lock;
   if (arguments.action == Action::run) lock.emplace(arguments.output);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "simulate/response/casing_areas.h"
+#include "simulate/motion/casing_areas.h"
 
 namespace tiprub {
 

@@ -99,12 +99,8 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
     const int samples = scene_.scope.samples_per_revolution;
     Recording recording(march_, rotor_, scene_.model.contact, {samples, 1, 1, 1.0, 1.0});
     recording.revolution(march_);
-    SpeedResponse response;
-    response.samples_per_revolution = samples;
-    response.recorded_revolutions = 1;
-    recording.finish(march_, response);
     march_.set_step(start);
-    return response.amplitude;
+    return recording.finish(march_).amplitude;
   }
 
  private:

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reduce/model/reduced_model.h"
-#include "simulate/response/response.h"
+#include "simulate/motion/motion.h"
 
 namespace tiprub {
 

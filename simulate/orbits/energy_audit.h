@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "simulate/march/time_march.h"
-#include "simulate/response/response.h"
+#include "simulate/motion/motion.h"
 
 namespace tiprub {
 

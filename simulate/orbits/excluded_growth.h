@@ -4,7 +4,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
-#include "simulate/response/response.h"
+#include "simulate/motion/motion.h"
 
 namespace tiprub {
 

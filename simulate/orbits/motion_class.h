@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <deque>
 
-#include "simulate/response/response.h"
+#include "simulate/motion/motion.h"
 
 namespace tiprub {
 

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
-#include "simulate/response/casing_areas.h"
+#include "simulate/motion/casing_areas.h"
 
 namespace tiprub {
 
@@ -39,6 +40,8 @@ Recording::Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const Co
       chatter_(march, EngineOrderBand(grid.samples_per_revolution, grid.orders)) {
   const Eigen::Index samples = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid.revolutions;
   const Eigen::Index points = static_cast<Eigen::Index>(sectors_) * nodes_;
+  kept_.samples_per_revolution = grid.samples_per_revolution;
+  kept_.revolutions = grid.revolutions;
   kept_.displacement = Eigen::MatrixXd::Zero(samples, 3 * points);
   kept_.contact_force = Eigen::MatrixXd::Zero(samples, points);
   kept_.contact_count.setZero(points, grid.casing_areas);
@@ -60,7 +63,7 @@ void Recording::observe(const TimeMarch& march, int sample) {
   audit_.observe(march);
   const double penetration = -march.gap().minCoeff();
   kept_.largest_penetration = std::max(kept_.largest_penetration, penetration);
-  if (penetration > grid_.leftover) ++kept_.audit.leftover_steps;
+  if (penetration > grid_.leftover) ++kept_.leftover_steps;
   const std::vector<int>& closed = march.contact().closed();
   if (closed.empty()) return;
   const double share = static_cast<double>(grid_.samples_per_revolution) / march.steps_per_revolution();
@@ -141,33 +144,23 @@ double Recording::normal_amplitude() const {
   return largest;
 }
 
-void Recording::finish(const TimeMarch& march, SpeedResponse& response) const {
-  response.displacement = kept_.displacement;
-  response.contact_force = kept_.contact_force;
-  response.contact_count = kept_.contact_count;
-  RotorSnapshot& snapshot = response.snapshot.emplace();
-  snapshot.sample = hardest_sample_;
-  snapshot.force = march.symmetry() * kept_.contact_force.row(hardest_sample_).cwiseAbs().sum();
+Recorded Recording::finish(const TimeMarch& march) {
+  kept_.snapshot.sample = hardest_sample_;
+  kept_.snapshot.force = march.symmetry() * kept_.contact_force.row(hardest_sample_).cwiseAbs().sum();
   for (std::size_t i = 0; i < hardest_.size(); ++i)
-    snapshot.displacement.emplace_back(rotor_.waves[i].shapes * hardest_[i]);
+    kept_.snapshot.displacement.emplace_back(rotor_.waves[i].shapes * hardest_[i]);
   if (grid_.cycle_revolutions > 0) {
-    RotorCycle& cycle = response.cycle.emplace();
+    RotorCycle& cycle = kept_.cycle.emplace();
     cycle.first_sample = (grid_.revolutions - grid_.cycle_revolutions) * grid_.samples_per_revolution;
     for (std::size_t i = 0; i < cycle_.size(); ++i)
       cycle.displacement.emplace_back(rotor_.waves[i].shapes * cycle_[i]);
   }
-  response.amplitude = normal_amplitude();
-  response.largest_penetration = kept_.largest_penetration;
-  response.smallest_multiplier = kept_.smallest_multiplier;
-  response.contact_steps = kept_.contact_steps;
-  response.tension_steps = kept_.tension_steps;
-  response.energy = audit_.ledger(march);
-  const ChatterAudit::Share chatter = chatter_.share();
-  response.chatter = chatter.share;
-  response.chatter_node = chatter.node;
-  response.audit.leftover_steps = kept_.audit.leftover_steps;
-  response.audit.left_out_energy = audit_.left_out_share();
-  if (pulling_ > 0) response.audit.tension_share = pulling_ / (pulling_ + pushing_);
+  kept_.amplitude = normal_amplitude();
+  kept_.energy = audit_.ledger(march);
+  kept_.chatter = chatter_.share();
+  kept_.left_out_energy = audit_.left_out_share();
+  if (pulling_ > 0) kept_.tension_share = pulling_ / (pulling_ + pushing_);
+  return std::move(kept_);
 }
 
 }  // namespace tiprub

@@ -2,17 +2,42 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
+#include "simulate/motion/motion.h"
+#include "simulate/motion/rotor_state.h"
 #include "simulate/orbits/chatter_audit.h"
 #include "simulate/orbits/energy_audit.h"
-#include "simulate/response/response.h"
 
 namespace tiprub {
 
-/// Marches some revolutions and keeps what response.h5 holds of them.
+/// Some revolutions of a march, sample by sample, and what was counted on the way.
+struct Recorded {
+  int samples_per_revolution = 0;
+  int revolutions = 0;
+  Eigen::MatrixXd displacement;   ///< [m] r, theta, z; samples x (sector, node, component)
+  Eigen::MatrixXd contact_force;  ///< [N] along -normal, means over the samples' intervals; samples x (sector, node)
+  /// Steps in contact by area of the casing; (sector, node) x areas.
+  Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic> contact_count;
+  RotorSnapshot snapshot;           ///< of the sample with the largest contact force
+  std::optional<RotorCycle> cycle;  ///< if it was asked for
+  double amplitude = 0;             ///< [m] half of the peak-to-peak normal displacement, the largest
+  double largest_penetration = 0;   ///< [m] 0 if there is none
+  double smallest_multiplier = 0;   ///< [N] below zero where the casing pulled
+  std::int64_t contact_steps = 0;   ///< with at least one closed node
+  std::int64_t tension_steps = 0;   ///< with a negative multiplier
+  std::int64_t leftover_steps = 0;  ///< that leave a node clearly in the casing
+  double tension_share = 0;         ///< [1] of the sum of the forces' magnitudes
+  double left_out_energy = 0;       ///< [1] elastic energy of the modes without mass or dropped, of all of it
+  EnergyLedger energy;
+  ChatterAudit::Share chatter;
+};
+
+/// Marches some revolutions and records them.
 class Recording {
  public:
   struct Grid {
@@ -28,8 +53,8 @@ class Recording {
   /// One revolution; the normal displacements, each the mean over a sample's interval, for judging whether it is
   /// steady.
   Eigen::VectorXd revolution(TimeMarch& march);
-  /// Fills in the arrays, the ledger and the counters.
-  void finish(const TimeMarch& march, SpeedResponse& response) const;
+  /// What was recorded; hands it over, so that it can be asked for once.
+  Recorded finish(const TimeMarch& march);
 
  private:
   void take_states(const TimeMarch& march, int sample);
@@ -52,7 +77,7 @@ class Recording {
   std::vector<Eigen::VectorXcd> hardest_;  ///< those of the sample with the largest contact force so far
   int hardest_sample_ = -1;
   std::vector<Eigen::MatrixXcd> cycle_;  ///< those of all samples of the last revolutions; m x samples
-  SpeedResponse kept_;
+  Recorded kept_;
   double pushing_ = 0, pulling_ = 0;  ///< [N] sums of the forces' magnitudes
 };
 

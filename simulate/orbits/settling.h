@@ -9,7 +9,6 @@
 #include "simulate/orbits/engine_order_band.h"
 #include "simulate/orbits/motion_class.h"
 #include "simulate/orbits/steady_state.h"
-#include "simulate/response/response.h"
 #include "simulate/scene/scene.h"
 
 namespace tiprub {

@@ -7,10 +7,10 @@
 
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
+#include "simulate/motion/motion.h"
 #include "simulate/orbits/excluded_growth.h"
 #include "simulate/periodic/marched_map.h"
 #include "simulate/periodic/newton.h"
-#include "simulate/response/response.h"
 #include "simulate/scene/scene.h"
 
 namespace tiprub {

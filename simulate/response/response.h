@@ -8,60 +8,13 @@
 #include <string>
 #include <vector>
 
-namespace tiprub {
+#include "simulate/motion/motion.h"
+#include "simulate/motion/rotor_state.h"
 
-/// What moves, in the band of resolved frequencies, when a speed is left. A beat is 1/lobes of a revolution: the time
-/// after which a blade meets the same casing again.
-enum class MotionClass {
-  periodic,     ///< the same every beat
-  subharmonic,  ///< the same every `period_beats` beats
-  modulated,    ///< a few lines beside the multiples of the beat's frequency
-  broadband,    ///< energy spread between them
-  not_settled,  ///< still on its way: what will be can't be told yet
-};
+namespace tiprub {
 
 /// "periodic", "not settled", ...: as response.h5 has it.
 const char* name_of(MotionClass motion);
-
-/// Whether a class names a motion that repeats itself.
-constexpr bool repeats(MotionClass motion) {
-  return motion == MotionClass::periodic || motion == MotionClass::subharmonic;
-}
-
-/// Where the energy of a speed went, over the recorded revolutions.
-struct EnergyLedger {
-  double contact_work = 0;   ///< [J] done by the casing on the rotor
-  double dissipated = 0;     ///< [J] taken by damping
-  double energy_change = 0;  ///< [J] of kinetic and elastic energy, end minus start
-  double closing_error = 0;  ///< [1] (work - dissipated - change) over the largest of the three
-};
-
-/// How the settled motion was found, if it was looked for as an orbit.
-struct OrbitReport {
-  enum class Outcome {
-    none,     ///< not asked for, or not possible
-    found,    ///< by Newton's method: stable, and confirmed by marching
-    marched,  ///< Newton's method found nothing, or what repels: the march went on from before it
-  };
-
-  Outcome outcome = Outcome::none;
-  int maps = 1;            ///< of 1/lcm(N, lobes) of a revolution each, after which it repeats itself
-  double revolutions = 0;  ///< that all maps come to, the linearised ones too
-  double residual = 0;     ///< [1] change of the state by the map, of its size
-  /// [1] of the largest Floquet multiplier, per revolution: its magnitude, and how exactly that is known; 0: not
-  /// known
-  double multiplier = 0, multiplier_uncertainty = 0;
-  double multiplier_angle = 0;  ///< [rad] 0 .. pi, of a map: pi for a flip
-};
-
-/// Whether the nodal diameters left out for symmetry would have stayed at rest.
-enum class SymmetryVerdict {
-  all_held,   ///< none was left out
-  unchecked,  ///< not looked at
-  holds,      ///< a small disturbance of them dies out
-  breaking,   ///< it grows: the motion found is not the one that nature would show
-  undecided,  ///< it neither clearly grows nor clearly dies out
-};
 
 /// How far a speed's result can be trusted: what was checked, beyond the ledger and the settling.
 struct SpeedAudit {
@@ -97,24 +50,6 @@ enum class Depth {
   scanned,   ///< with a coarse step, for its amplitude alone; not in a finished response
   full,      ///< within the tolerances
   examined,  ///< from other starts as well, with the whole cycle kept
-};
-
-/// The whole rotor at one instant, in the dofs of the reduced model: what full fields are recovered from.
-struct RotorSnapshot {
-  int sample = 0;  ///< of the recorded ones; the rotor angle is 2 pi sample / samples_per_revolution
-  double force =
-      0;  ///< [N] sum of the contact forces' magnitudes over all N sectors, mean over the sample's interval
-  /// [m in contact rows] by nodal diameter, as SimulatedScene lists them: u_j = Re(sum over n of x_n e^{i n j
-  /// alpha}). Contact dofs first, then generalized ones, as in model.h5.
-  std::vector<Eigen::VectorXcd> displacement;
-};
-
-/// The whole rotor over the last recorded revolutions, sample by sample: what stress over a cycle is found from. Kept
-/// for speeds that are looked at in detail only.
-struct RotorCycle {
-  int first_sample = 0;  ///< of the recorded ones; the last column is the last of them
-  /// [m in contact rows] by nodal diameter, dofs x samples; each column as RotorSnapshot::displacement.
-  std::vector<Eigen::MatrixXcd> displacement;
 };
 
 /// The settled response at one speed. A sample is an instant on whole revolutions: sample s of the recorded ones lies
@@ -189,14 +124,6 @@ struct SimulatedScene {
   std::string scope;            ///< what was modelled, what was left out, and why; one reason a line
   std::string casing;           ///< the table [casing] of the case, as TOML
   std::string provenance;       ///< the case and the chain that made it, as text
-};
-
-/// The natural frequencies of the model that was marched, condensed at each speed (reduce/model/condensation.h).
-struct FrequencyTable {
-  Eigen::VectorXd speed;  ///< [rad/s] even, from 0 to the highest speed of the sweep
-  /// [Hz] one a nodal diameter 0 .. N/2, moving or not; speeds x modes, ascending in a row; negative,
-  /// -sqrt(-omega^2), where the rotor is statically unstable.
-  std::vector<Eigen::MatrixXd> by_nodal_diameter;
 };
 
 /// Orbits that hang together over speed, stable and unstable ones, in the order of their arc length. Arrays over the

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "simulate/motion/rotor_state.h"
 #include "simulate/response/response.h"
-#include "simulate/response/rotor_state.h"
 
 namespace tiprub {
 

@@ -15,9 +15,6 @@
 #include "cases/program/errors.h"
 #include "simulate/march/carried_state.h"
 #include "simulate/march/integrators/penalty.h"
-#include "simulate/orbits/recording.h"
-#include "simulate/orbits/settling.h"
-#include "simulate/orbits/speed_audit.h"
 
 namespace tiprub {
 
@@ -37,15 +34,16 @@ constexpr int min_revolutions_again = 10;  // from a motion that has settled wit
 
 /// h < 2/omega_max, damping or not: the paper's eq. 13 damps at the middle instant. `omega_max` includes the springs
 /// of a penalty.
-void require_stable_step(const SimulateParameters& parameters, double omega_max, const SpeedResponse& response) {
+void require_stable_step(const SimulateParameters& parameters, double omega_max, const TimeMarch& march,
+                         double step_ratio) {
   const bool penalty = parameters.scheme == Scheme::penalty;
-  if ((!penalty && parameters.scheme != Scheme::central_differences) || response.step_ratio <= 1) return;
+  if ((!penalty && parameters.scheme != Scheme::central_differences) || step_ratio <= 1) return;
   std::ostringstream text;
-  text << "central differences need h omega_max / 2 <= 1, and have " << response.step_ratio << " with "
-       << response.steps_per_revolution << " steps a revolution (omega_max " << omega_max << " rad/s"
+  text << "central differences need h omega_max / 2 <= 1, and have " << step_ratio << " with "
+       << march.steps_per_revolution() << " steps a revolution (omega_max " << omega_max << " rad/s"
        << (penalty ? ", the penalty's springs included" : "") << "); set [simulate] steps_per_revolution to at least "
-       << std::ceil(response.steps_per_revolution * response.step_ratio)
-       << (penalty ? ", a lower penalty_stiffness" : "") << ", or scheme = \"trigonometric\"";
+       << std::ceil(march.steps_per_revolution() * step_ratio) << (penalty ? ", a lower penalty_stiffness" : "")
+       << ", or scheme = \"trigonometric\"";
   throw RunError(text.str());
 }
 
@@ -82,18 +80,6 @@ void seed_excluded_diameters(const Scene& scene, const RotorAtSpeed& rotor, Time
   }
 }
 
-void report(const Settling& settling, SpeedResponse& response) {
-  const SettlingState state = settling.state();
-  const MotionReading reading = settling.reading();
-  response.revolutions += settling.revolutions();
-  response.motion = reading.motion;
-  response.period_beats = reading.period_beats;
-  response.off_beat_energy = reading.off_beat_energy;
-  response.period_revolutions = state.period_revolutions;
-  response.change = state.change;
-  response.change_rate = state.rate;
-}
-
 /// As many revolutions as are worth keeping: one period of a settled motion, else what was asked for.
 int revolutions_to_record(const SimulateParameters& parameters, const SettlingState& state) {
   const bool settled = state.settled == SettlingState::Settled::yes;
@@ -121,30 +107,32 @@ bool is_confirmed(const Scene& scene, OrbitSearch* search, TimeMarch& march, Set
 
 /// Marches until the motion has settled or the allowed revolutions are spent, then records. A motion that is no
 /// longer settled, or of another period, at the end of its recording is given more time.
-void march_and_record(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march, const MarchPlan& plan,
-                      SpeedResponse& response) {
+SettledMotion march_and_record(const Scene& scene, const RotorAtSpeed& rotor, const MarchPlan& plan,
+                               std::unique_ptr<TimeMarch> march) {
   const SimulateParameters& parameters = scene.parameters;
   const int last_start = parameters.max_revolutions - parameters.recorded_revolutions;
-  Settling settling(scene, march, plan.min_revolutions);
+  Settling settling(scene, *march, plan.min_revolutions);
   Recording::Grid grid{scene.scope.samples_per_revolution, 0, parameters.casing_areas,
                        leftover_gap * length_scale(scene), static_cast<double>(settling.highest_order())};
   while (true) {
-    come_to_rest(plan.search, last_start, march, settling);
+    come_to_rest(plan.search, last_start, *march, settling);
     grid.revolutions =
         settling.settled() ? revolutions_to_record(parameters, settling.state()) : parameters.recorded_revolutions;
     if (plan.cycle == CycleChoice::kept)
       grid.cycle_revolutions = settling.settled() ? grid.revolutions : longest_cycle;
-    Recording recording(march, rotor, scene.model.contact, grid);
-    for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution(march));
-    if (!is_confirmed(scene, plan.search, march, settling)) continue;
+    Recording recording(*march, rotor, scene.model.contact, grid);
+    for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution(*march));
+    if (!is_confirmed(scene, plan.search, *march, settling)) continue;
     const bool same = settling.settled() && revolutions_to_record(parameters, settling.state()) <= grid.revolutions;
     if (!same && settling.revolutions() <= last_start) continue;
-    recording.finish(march, response);
-    break;
+    SettledMotion settled;
+    settled.recorded = recording.finish(*march);
+    settled.reading = settling.reading();
+    settled.state = settling.state();
+    settled.revolutions = settling.revolutions();
+    settled.march = std::move(march);
+    return settled;
   }
-  response.recorded_revolutions = grid.revolutions;
-  report(settling, response);
-  response.solver_fallbacks = march.contact().fallbacks();
 }
 
 void start_march(const Scene& scene, const RotorState& start, const RotorAtSpeed& rotor, TimeMarch& march) {
@@ -163,21 +151,15 @@ MarchSetup setup_of(const Scene& scene, const RotorAtSpeed& rotor, const MarchPl
           scene.scope.symmetry, parameters.theta,   parameters.penalty_stiffness * rotor.tip_stiffness};
 }
 
-/// The motion of a state with half the step, and how far the two are apart.
-std::unique_ptr<TimeMarch> halve(const Scene& scene, const RotorAtSpeed& rotor, const TimeMarch& march,
-                                 const MarchPlan& coarse, SpeedResponse& response) {
-  SpeedResponse finer;
-  finer.speed = response.speed;
-  finer.revolutions = response.revolutions;
-  const MarchPlan plan{2 * response.steps_per_revolution,
-                       std::min(min_revolutions_again, scene.parameters.min_revolutions), coarse.cycle,
-                       coarse.search};
-  std::unique_ptr<TimeMarch> finer_march = settle(scene, rotor, state_of(march, rotor, scene.model), plan, finer);
-  const ResponseDifference found = difference(finer, response, scene.casing.lobes);
-  finer.audit.halving_difference = found.value;
-  finer.audit.halving_measure = found.measure;
-  response = std::move(finer);
-  return finer_march;
+/// The same motion with half the step.
+SettledMotion halved(const Scene& scene, const RotorAtSpeed& rotor, const SettledMotion& coarse,
+                     const MarchPlan& before) {
+  const MarchPlan plan{2 * coarse.march->steps_per_revolution(),
+                       std::min(min_revolutions_again, scene.parameters.min_revolutions), before.cycle,
+                       before.search};
+  SettledMotion finer = settle(scene, rotor, state_of(*coarse.march, rotor, scene.model), plan);
+  finer.revolutions += coarse.revolutions;
+  return finer;
 }
 
 /// Through impacts the error is of first order, and its differences scatter: a small one counts only as far as half
@@ -205,35 +187,32 @@ bool is_useless(const std::vector<double>& differences) {
 
 /// An orbit that a march from rest is on its way to, found with a coarse step, as a state to start from; at rest if
 /// there is none. `search` knows then, and is empty where nothing is to be looked for.
-RotorState approach(const Scene& scene, const RotorAtSpeed& rotor, double speed, std::optional<OrbitSearch>& search) {
+RotorState approach(const Scene& scene, const RotorAtSpeed& rotor, std::optional<OrbitSearch>& search) {
   if (scene.parameters.steady_state != SteadyStateMethod::orbit || !has_symmetric_map(scene)) return {};
   SimulateParameters parameters = scene.parameters;
   parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
-  const int steps = steps_per_revolution(scene.scope, parameters, rotor.first_frequency, speed);
-  TimeMarch march(rotor, scene.casing, scene.model.contact, open_clearance(scene, speed),
+  const int steps = steps_per_revolution(scene.scope, parameters, rotor.first_frequency, rotor.speed);
+  TimeMarch march(rotor, scene.casing, scene.model.contact, open_clearance(scene, rotor.speed),
                   setup_of(scene, rotor, {steps}));
   search.emplace(scene, rotor);
   return search->approach(march) ? state_of(march, rotor, scene.model) : RotorState{};
 }
 
-void report(const OrbitSearch& search, SpeedAudit& audit) {
-  audit.orbit = search.report();
-  if (audit.orbit.outcome != OrbitReport::Outcome::found || !search.excluded()) return;
-  audit.excluded_growth = search.excluded()->factor;
-  audit.excluded_growth_uncertainty = search.excluded()->uncertainty;
-  audit.symmetry = judge(*search.excluded());
-}
-
 /// Halves the step until the tolerance is met.
-std::unique_ptr<TimeMarch> refine(const Scene& scene, const RotorAtSpeed& rotor, const MarchPlan& plan,
-                                  std::unique_ptr<TimeMarch> march, SpeedResponse& response) {
-  std::vector<double> found;
-  while (found.size() < most_halvings && can_halve(*march, rotor, scene.parameters.step_tolerance)) {
-    march = halve(scene, rotor, *march, plan, response);
-    found.push_back(*response.audit.halving_difference);
-    if (!response.settled() || is_small(found, scene.parameters.step_tolerance) || is_useless(found)) break;
+RefinedMotion refined(const Scene& scene, const RotorAtSpeed& rotor, const MarchPlan& plan, SettledMotion motion) {
+  const double tolerance = scene.parameters.step_tolerance;
+  RefinedMotion refined;
+  std::vector<double> differences;
+  while (differences.size() < most_halvings && can_halve(*motion.march, rotor, tolerance)) {
+    SettledMotion finer = halved(scene, rotor, motion, plan);
+    refined.halving = difference(finer.sampled(), motion.sampled(), scene.casing.lobes);
+    differences.push_back(refined.halving->value);
+    motion = std::move(finer);
+    const bool settled = motion.state.settled == SettlingState::Settled::yes;
+    if (!settled || is_small(differences, tolerance) || is_useless(differences)) break;
   }
-  return march;
+  refined.motion = std::move(motion);
+  return refined;
 }
 
 }  // namespace
@@ -254,59 +233,56 @@ RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others) {
                         mode_choice(scene.parameters), others);
 }
 
-std::unique_ptr<TimeMarch> settle(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start,
-                                  const MarchPlan& plan, SpeedResponse& response) {
+SettledMotion settle(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start, const MarchPlan& plan) {
   const SimulateParameters& parameters = scene.parameters;
-  response.samples_per_revolution = scene.scope.samples_per_revolution;
-  response.recorded_revolutions = parameters.recorded_revolutions;
-  response.steps_per_revolution = plan.steps_per_revolution;
-  response.clearance = open_clearance(scene, response.speed);
+  const Eigen::VectorXd clearance = open_clearance(scene, rotor.speed);
   const MarchSetup setup = setup_of(scene, rotor, plan);
-  auto march = std::make_unique<TimeMarch>(rotor, scene.casing, scene.model.contact, response.clearance, setup);
+  auto march = std::make_unique<TimeMarch>(rotor, scene.casing, scene.model.contact, clearance, setup);
   const double omega_max =
       parameters.scheme == Scheme::penalty ? penalised_omega_max(rotor, setup.penalty_stiffness) : rotor.omega_max;
-  response.step_ratio = march->time_step() * omega_max / 2;
-  require_stable_step(parameters, omega_max, response);
-  response.audit.compliance_condition = compliance_condition(*march);
-  require_full_rank(scene, rotor, response.audit.compliance_condition);
+  const double step_ratio = march->time_step() * omega_max / 2;
+  require_stable_step(parameters, omega_max, *march, step_ratio);
+  const double condition = compliance_condition(*march);
+  require_full_rank(scene, rotor, condition);
   start_march(scene, start, rotor, *march);
-  march_and_record(scene, rotor, *march, plan, response);
-  return march;
+  SettledMotion settled = march_and_record(scene, rotor, plan, std::move(march));
+  settled.clearance = clearance;
+  settled.step_ratio = step_ratio;
+  settled.compliance_condition = condition;
+  return settled;
 }
 
-std::unique_ptr<TimeMarch> settle_within_tolerance(const Scene& scene, const RotorAtSpeed& rotor,
-                                                   const RotorState& start, CycleChoice cycle,
-                                                   SpeedResponse& response) {
+RefinedMotion settle_within_tolerance(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start,
+                                      CycleChoice cycle) {
   const SimulateParameters& parameters = scene.parameters;
   std::optional<OrbitSearch> search;
   RotorState orbit;
-  if (start.at_rest()) orbit = approach(scene, rotor, response.speed, search);
-  const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
+  if (start.at_rest()) orbit = approach(scene, rotor, search);
+  const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, rotor.speed),
                        parameters.min_revolutions, cycle, search ? &*search : nullptr};
-  const SpeedResponse blank = response;
   const auto run = [&](const RotorState& from) {
-    response = blank;
-    std::unique_ptr<TimeMarch> march = settle(scene, rotor, from, plan, response);
+    SettledMotion motion = settle(scene, rotor, from, plan);
     const bool halves = parameters.steps_per_revolution == 0;
-    return halves ? refine(scene, rotor, plan, std::move(march), response) : std::move(march);
+    return halves ? refined(scene, rotor, plan, std::move(motion)) : RefinedMotion{std::move(motion), {}, {}, {}};
   };
-  std::unique_ptr<TimeMarch> march = run(orbit.at_rest() ? start : orbit);
-  if (!orbit.at_rest() && !search->stands(*march)) march = run(start);
-  if (search) report(*search, response.audit);
-  return march;
+  RefinedMotion found = run(orbit.at_rest() ? start : orbit);
+  if (!orbit.at_rest() && !search->stands(*found.motion.march)) found = run(start);
+  if (search) found.orbit = search->report();
+  if (found.orbit.outcome == OrbitReport::Outcome::found) found.excluded = search->excluded();
+  return found;
 }
 
-std::unique_ptr<TimeMarch> settle_roughly(const Scene& scene, const RotorAtSpeed& rotor, SpeedResponse& response) {
+SettledMotion settle_roughly(const Scene& scene, const RotorAtSpeed& rotor) {
   SimulateParameters parameters = scene.parameters;
   parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
   parameters.settle_tolerance = std::max(parameters.settle_tolerance, coarse_settling);
   const Scene coarse{scene.model, scene.casing, parameters, scene.scope};
   std::optional<OrbitSearch> search;
-  const RotorState orbit = approach(coarse, rotor, response.speed, search);
-  const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, response.speed),
+  const RotorState orbit = approach(coarse, rotor, search);
+  const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, rotor.speed),
                        std::min(min_revolutions_again, parameters.min_revolutions), CycleChoice::left,
                        search ? &*search : nullptr};
-  return settle(coarse, rotor, orbit, plan, response);
+  return settle(coarse, rotor, orbit, plan);
 }
 
 }  // namespace tiprub

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/speed/speed_run.h"
 
-#include "cases/program/errors.h"
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "simulate/march/carried_state.h"
+#include "simulate/motion/attempt.h"
 #include "simulate/orbits/excluded_growth.h"
-#include "simulate/orbits/speed_audit.h"
 #include "simulate/response/speed_group.h"
 #include "simulate/speed/examination.h"
 #include "simulate/speed/settled_march.h"
@@ -17,63 +20,120 @@ constexpr const char* not_finite =
     "the motion has numbers that are not finite: forces or displacements beyond what can be counted; look at the "
     "model's units, the damping and the casing's amplitude";
 
-void check_symmetry(const Scene& scene, const TimeMarch& march, const RotorAtSpeed& rotor, SpeedResponse& response) {
-  SpeedAudit& audit = response.audit;
-  if (rotor.others.empty() || audit.excluded_growth) return;
-  audit.symmetry = SymmetryVerdict::unchecked;
-  if (scene.parameters.symmetry_check_revolutions == 0 || response.displacement.isZero(0)) return;
-  try {
-    const Growth growth = excluded_growth(march, rotor, scene.casing, scene.model.contact,
-                                          response.period_revolutions, scene.parameters.symmetry_check_revolutions);
-    audit.excluded_growth = growth.factor;
-    audit.excluded_growth_uncertainty = growth.uncertainty;
-    audit.symmetry = judge(growth);
-  } catch (const RunError&) {  // the whole wheel's contact problem failed: unchecked
-  }
+/// Whether what symmetry left out stays small.
+struct SymmetryCheck {
+  SymmetryVerdict verdict = SymmetryVerdict::all_held;
+  std::optional<Growth> growth;
+};
+
+SymmetryCheck check_symmetry(const Scene& scene, const RefinedMotion& found, const RotorAtSpeed& rotor) {
+  if (found.excluded) return {judge(*found.excluded), found.excluded};
+  if (rotor.others.empty()) return {};
+  const SettledMotion& motion = found.motion;
+  const int revolutions = scene.parameters.symmetry_check_revolutions;
+  if (revolutions == 0 || motion.recorded.displacement.isZero(0)) return {SymmetryVerdict::unchecked, {}};
+  const auto growth = attempt([&] {
+    return excluded_growth(*motion.march, rotor, scene.casing, scene.model.contact, motion.state.period_revolutions,
+                           revolutions);
+  });
+  return {growth.result ? judge(*growth.result) : SymmetryVerdict::unchecked, growth.result};
 }
 
-void compare_with_start_at_rest(const Scene& scene, const RotorAtSpeed& rotor, SpeedResponse& response) {
-  SpeedResponse from_rest;
-  from_rest.speed = response.speed;
-  try {
-    settle(scene, rotor, {}, {response.steps_per_revolution, scene.parameters.min_revolutions}, from_rest);
-    response.audit.rest_difference = difference(response, from_rest, scene.casing.lobes).value;
-  } catch (const RunError&) {  // nothing to compare with
-  }
+/// How far a motion is from the one from rest, if there is such.
+std::optional<double> rest_difference(const Scene& scene, const RotorAtSpeed& rotor, const SettledMotion& found) {
+  const auto difference_to_rest = attempt([&] {
+    const MarchPlan plan{found.march->steps_per_revolution(), scene.parameters.min_revolutions};
+    const SettledMotion from_rest = settle(scene, rotor, {}, plan);
+    return difference(found.sampled(), from_rest.sampled(), scene.casing.lobes).value;
+  });
+  return difference_to_rest.result;
 }
 
-void run(const Scene& scene, Depth depth, const RotorState& start, SpeedResult& result) {
-  SpeedResponse& response = result.response;
-  if (depth == Depth::scanned) {
-    settle_roughly(scene, rotor_of(scene, response.speed, OtherDiameters::unknown), response);
-    return;
-  }
-  const RotorAtSpeed rotor = rotor_of(scene, response.speed);
-  const CycleChoice cycle = depth == Depth::examined ? CycleChoice::kept : CycleChoice::left;
-  const std::unique_ptr<TimeMarch> march = settle_within_tolerance(scene, rotor, start, cycle, response);
-  result.end = state_of(*march, rotor, scene.model);
-  check_symmetry(scene, *march, rotor, response);
-  if (!start.at_rest()) compare_with_start_at_rest(scene, rotor, response);
-  if (depth == Depth::examined) examine(scene, rotor, result.end, response);
+const char* name_of(MotionMeasure measure) {
+  return measure == MotionMeasure::motion ? "motion" : "spectrum";
+}
+
+void report(const SymmetryCheck& check, SpeedAudit& audit) {
+  audit.symmetry = check.verdict;
+  if (!check.growth) return;
+  audit.excluded_growth = check.growth->factor;
+  audit.excluded_growth_uncertainty = check.growth->uncertainty;
+}
+
+void report(const Attempt<MotionDifference>& halving, SpeedAudit& audit) {
+  audit.halving_measure = halving.result ? name_of(halving.result->measure) : halving.failure;
+  if (halving.result) audit.halving_difference = halving.result->value;
+}
+
+/// What a file keeps of a motion.
+SpeedResponse response_of(SettledMotion motion) {
+  SpeedResponse response;
+  response.steps_per_revolution = motion.march->steps_per_revolution();
+  response.samples_per_revolution = motion.recorded.samples_per_revolution;
+  response.recorded_revolutions = motion.recorded.revolutions;
+  response.revolutions = motion.revolutions;
+  response.amplitude = motion.recorded.amplitude;
+  response.motion = motion.reading.motion;
+  response.period_beats = motion.reading.period_beats;
+  response.off_beat_energy = motion.reading.off_beat_energy;
+  response.period_revolutions = motion.state.period_revolutions;
+  response.change = motion.state.change;
+  response.change_rate = motion.state.rate;
+  response.chatter = motion.recorded.chatter.share;
+  response.chatter_node = motion.recorded.chatter.node;
+  response.clearance = std::move(motion.clearance);
+  response.displacement = std::move(motion.recorded.displacement);
+  response.contact_force = std::move(motion.recorded.contact_force);
+  response.contact_count = std::move(motion.recorded.contact_count);
+  response.snapshot = std::move(motion.recorded.snapshot);
+  response.cycle = std::move(motion.recorded.cycle);
+  response.energy = motion.recorded.energy;
+  response.step_ratio = motion.step_ratio;
+  response.largest_penetration = motion.recorded.largest_penetration;
+  response.smallest_multiplier = motion.recorded.smallest_multiplier;
+  response.contact_steps = motion.recorded.contact_steps;
+  response.tension_steps = motion.recorded.tension_steps;
+  response.solver_fallbacks = motion.march->contact().fallbacks();
+  response.audit.left_out_energy = motion.recorded.left_out_energy;
+  response.audit.compliance_condition = motion.compliance_condition;
+  response.audit.leftover_steps = motion.recorded.leftover_steps;
+  response.audit.tension_share = motion.recorded.tension_share;
+  return response;
+}
+
+SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState& start) {
+  if (depth == Depth::scanned)
+    return {response_of(settle_roughly(scene, rotor_of(scene, speed, OtherDiameters::unknown))), {}};
+  const bool is_examined = depth == Depth::examined;
+  const RotorAtSpeed rotor = rotor_of(scene, speed);
+  RefinedMotion found =
+      settle_within_tolerance(scene, rotor, start, is_examined ? CycleChoice::kept : CycleChoice::left);
+  SpeedResult result;
+  result.end = state_of(*found.motion.march, rotor, scene.model);
+  const SymmetryCheck symmetry = check_symmetry(scene, found, rotor);
+  std::optional<double> from_rest;
+  if (!start.at_rest()) from_rest = rest_difference(scene, rotor, found.motion);
+  Attempt<MotionDifference> halving{found.halving, ""};
+  if (is_examined && !halving.result) halving = halved_step(scene, rotor, result.end, found.motion);
+  std::vector<OtherStart> others;
+  if (is_examined) others = other_starts(scene, rotor, result.end, found.motion, symmetry.verdict);
+  result.response = response_of(std::move(found.motion));
+  result.response.other_starts = std::move(others);
+  result.response.audit.orbit = found.orbit;
+  result.response.audit.rest_difference = from_rest;
+  report(symmetry, result.response.audit);
+  report(halving, result.response.audit);
+  return result;
 }
 
 }  // namespace
 
 SpeedResult simulate_speed(const Scene& scene, double speed, Depth depth, const RotorState& start) {
-  SpeedResult result;
+  Attempt<SpeedResult> found = attempt([&] { return run(scene, speed, depth, start); });
+  if (found.result && !is_finite(found.result->response)) found = {std::nullopt, not_finite};
+  SpeedResult result = found.result ? std::move(*found.result) : SpeedResult{};
   result.response.speed = speed;
-  std::string failure;
-  try {
-    run(scene, depth, start, result);
-    if (!is_finite(result.response)) failure = not_finite;
-  } catch (const RunError& error) {
-    failure = error.what();
-  }
-  if (!is_finite(result.response)) {
-    result = {};
-    result.response.speed = speed;
-  }
-  result.response.failure = failure;
+  result.response.failure = found.failure;
   result.response.depth = depth;
   return result;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "simulate/motion/rotor_state.h"
 #include "simulate/response/response.h"
-#include "simulate/response/rotor_state.h"
 #include "simulate/scene/scene.h"
 
 namespace tiprub {

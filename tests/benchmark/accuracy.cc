@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <numbers>
 
-#include "simulate/orbits/speed_audit.h"
 #include "simulate/scene/scene_scope.h"
 #include "tests/benchmark/benchmarks.h"
+#include "tests/simulate/compared_responses.h"
 
 namespace tiprub::testing {
 
@@ -58,10 +58,10 @@ void print(const char* group, const char* name, const BenchWheel& wheel, const S
                 parameters.modes);
     return;
   }
-  const ResponseDifference error = difference(at.response, reference, wheel.casing.lobes);
+  const MotionDifference error = difference(at.response, reference, wheel.casing.lobes);
   std::printf("%s\t%s\t%d\t%d\t%.3e\t%.4f\t%.4e\t%s\n", group, name, at.response.steps_per_revolution,
               parameters.modes, error.value, at.milliseconds, operations(wheel, parameters, at.response),
-              error.measure);
+              error.measure == MotionMeasure::motion ? "motion" : "spectrum");
   std::fflush(stdout);
 }
 

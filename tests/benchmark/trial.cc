@@ -8,8 +8,8 @@
 
 #include "cases/program/errors.h"
 #include "simulate/march/time_march.h"
-#include "simulate/orbits/speed_audit.h"
 #include "simulate/scene/scene_scope.h"
+#include "tests/simulate/compared_responses.h"
 
 namespace tiprub::testing {
 

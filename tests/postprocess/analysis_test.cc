@@ -9,7 +9,7 @@
 #include "postprocess/analysis/study.h"
 #include "postprocess/records/linear_criterion_record.h"
 #include "postprocess/waves/harmonic_tracking.h"
-#include "simulate/response/casing_areas.h"
+#include "simulate/motion/casing_areas.h"
 #include "synthetic_scene.h"
 
 namespace tiprub {

@@ -10,7 +10,7 @@
 #include "postprocess/waves/aliasing.h"
 #include "reduce/model/model_digest.h"
 #include "reduce/model/reduced_model_file.h"
-#include "simulate/response/casing_areas.h"
+#include "simulate/motion/casing_areas.h"
 #include "simulate/response/response_file.h"
 #include "synthetic_fields.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "simulate/orbits/speed_audit.h"
 #include "tests/benchmark/bench_wheel.h"
+#include "tests/simulate/compared_responses.h"
 
 namespace tiprub {
 namespace {
@@ -24,11 +24,11 @@ TEST(AccuracyOfTheDefault, HoldsWhereTipModesTurnAboutOnceAStep) {
     const SpeedResponse reference = settled(wheel, speed, 8 * at.steps_per_revolution);
     ASSERT_EQ(reference.failure, "");
     ASSERT_EQ(reference.motion, MotionClass::periodic) << speed;
-    const ResponseDifference error = difference(at, reference, wheel.casing.lobes);
-    EXPECT_STREQ(error.measure, "motion");
+    const MotionDifference error = testing::difference(at, reference, wheel.casing.lobes);
+    EXPECT_EQ(error.measure, MotionMeasure::motion);
     EXPECT_LT(error.value, 5e-3) << speed;
     const double halved =
-        difference(settled(wheel, speed, 2 * at.steps_per_revolution), reference, wheel.casing.lobes).value;
+        testing::difference(settled(wheel, speed, 2 * at.steps_per_revolution), reference, wheel.casing.lobes).value;
     EXPECT_LT(halved, 0.45 * error.value) << speed;
     EXPECT_GE(static_cast<double>(at.contact_steps), 0.7 * at.steps_per_revolution) << "a run with little contact";
   }

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "simulate/branches/orbit_family.h"
-#include "simulate/orbits/speed_audit.h"
 #include "simulate/periodic/marched_map.h"
 #include "simulate/periodic/multipliers.h"
 #include "simulate/periodic/newton.h"

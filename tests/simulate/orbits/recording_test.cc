@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "simulate/response/casing_areas.h"
+#include "simulate/motion/casing_areas.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {
@@ -14,27 +14,27 @@ namespace {
 
 constexpr int samples = 60;
 
-struct Recorded {
+struct RecordedBench {
   testing::Bench bench;
-  SpeedResponse response;
+  Recorded recorded;
 };
 
 /// Some revolutions of a wheel that hits two lobes.
-Recorded recorded_motion(const ReducedModel& model, int symmetry, int revolutions, int cycle_revolutions) {
+RecordedBench recorded_motion(const ReducedModel& model, int symmetry, int revolutions, int cycle_revolutions) {
   constexpr int steps = 1200, warm_up = 3;
-  Recorded made{testing::make_bench(model, testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.01,
-                                    {Scheme::trigonometric, ContactRule::complementarity, steps, symmetry}),
-                {}};
+  RecordedBench made{testing::make_bench(model, testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.01,
+                                         {Scheme::trigonometric, ContactRule::complementarity, steps, symmetry}),
+                     {}};
   for (int i = 0; i < warm_up; ++i) march_revolution(made.bench.march, samples);
   Recording recording(made.bench.march, made.bench.rotor, model.contact,
                       {samples, revolutions, 20, 1e-12, 60, cycle_revolutions});
   for (int i = 0; i < revolutions; ++i) recording.revolution(made.bench.march);
-  recording.finish(made.bench.march, made.response);
+  made.recorded = recording.finish(made.bench.march);
   return made;
 }
 
 /// r, theta, z of the contact nodes of all modelled sectors, from the states of the nodal diameters.
-Eigen::VectorXd contact_motion(const std::vector<Eigen::VectorXcd>& states, const Recorded& made,
+Eigen::VectorXd contact_motion(const std::vector<Eigen::VectorXcd>& states, const RecordedBench& made,
                                const ReducedModel& model) {
   const Eigen::Index dofs = model.contact_dofs();
   Eigen::VectorXd wheel = Eigen::VectorXd::Zero(made.bench.march.sectors() * dofs);
@@ -53,17 +53,16 @@ Eigen::VectorXd contact_motion(const std::vector<Eigen::VectorXcd>& states, cons
 TEST(Recording, SnapshotIsTheSampleOfTheLargestForce) {
   const ReducedModel model = testing::synthetic_wheel({});
   for (const int symmetry : {1, 2}) {
-    const Recorded made = recorded_motion(model, symmetry, 2, 0);
-    const SpeedResponse& response = made.response;
-    EXPECT_FALSE(response.cycle.has_value());
-    ASSERT_TRUE(response.snapshot.has_value());
-    const RotorSnapshot& snapshot = *response.snapshot;
-    const Eigen::VectorXd forces = response.contact_force.rowwise().sum();
+    const RecordedBench made = recorded_motion(model, symmetry, 2, 0);
+    const Recorded& recorded = made.recorded;
+    EXPECT_FALSE(recorded.cycle.has_value());
+    const RotorSnapshot& snapshot = recorded.snapshot;
+    const Eigen::VectorXd forces = recorded.contact_force.rowwise().sum();
     EXPECT_GT(forces.maxCoeff(), 0);
     EXPECT_DOUBLE_EQ(forces[snapshot.sample], forces.maxCoeff());
     EXPECT_NEAR(snapshot.force, symmetry * forces.maxCoeff(), 1e-12 * snapshot.force);
     ASSERT_EQ(snapshot.displacement.size(), made.bench.rotor.waves.size());
-    const Eigen::VectorXd there = response.displacement.row(snapshot.sample).transpose();
+    const Eigen::VectorXd there = recorded.displacement.row(snapshot.sample).transpose();
     EXPECT_GT(there.norm(), 0);
     EXPECT_LT((contact_motion(snapshot.displacement, made, model) - there).norm(), 1e-12 * there.norm());
   }
@@ -74,23 +73,23 @@ TEST(Recording, SnapshotIsTheSampleOfTheLargestForce) {
 TEST(Recording, CycleHoldsEverySampleOfTheLastRevolutions) {
   const ReducedModel model = testing::synthetic_wheel({});
   for (const int kept : {1, 3, 5}) {
-    const Recorded made = recorded_motion(model, 2, 3, kept);
-    const SpeedResponse& response = made.response;
-    ASSERT_TRUE(response.cycle.has_value());
-    const RotorCycle& cycle = *response.cycle;
+    const RecordedBench made = recorded_motion(model, 2, 3, kept);
+    const Recorded& recorded = made.recorded;
+    ASSERT_TRUE(recorded.cycle.has_value());
+    const RotorCycle& cycle = *recorded.cycle;
     EXPECT_EQ(cycle.first_sample, (3 - std::min(kept, 3)) * samples);
     ASSERT_EQ(cycle.displacement.size(), made.bench.rotor.waves.size());
     ASSERT_EQ(cycle.displacement[0].cols(), 3 * samples - cycle.first_sample);
-    const double size = response.displacement.norm();
+    const double size = recorded.displacement.norm();
     for (Eigen::Index column = 0; column < cycle.displacement[0].cols(); ++column) {
       std::vector<Eigen::VectorXcd> states;
       for (const Eigen::MatrixXcd& wave : cycle.displacement) states.emplace_back(wave.col(column));
       const Eigen::Index sample = cycle.first_sample + column;
-      const Eigen::VectorXd there = response.displacement.row(sample).transpose();
+      const Eigen::VectorXd there = recorded.displacement.row(sample).transpose();
       EXPECT_LT((contact_motion(states, made, model) - there).norm(), 1e-12 * size) << "sample " << sample;
-      if (sample != response.snapshot->sample) continue;
+      if (sample != recorded.snapshot.sample) continue;
       for (std::size_t i = 0; i < states.size(); ++i)
-        EXPECT_LT((states[i] - response.snapshot->displacement[i]).norm(), 1e-12 * size);
+        EXPECT_LT((states[i] - recorded.snapshot.displacement[i]).norm(), 1e-12 * size);
     }
   }
 }
@@ -106,12 +105,11 @@ TEST(Recording, CountsTheStepsThatAnAreaHas) {
     for (int i = 0; i < warm_up; ++i) march_revolution(bench.march, samples);
     Recording recording(bench.march, bench.rotor, model.contact, {samples, revolutions, areas, 1e-12, 0});
     for (int i = 0; i < revolutions; ++i) recording.revolution(bench.march);
-    SpeedResponse response;
-    recording.finish(bench.march, response);
+    const Recorded recorded = recording.finish(bench.march);
     for (int sector = 0; sector < bench.march.sectors(); ++sector)
       for (int node = 0; node < model.contact.size(); ++node) {
         const CasingSteps way{model.contact.position(node, 1), sector, model.sector_count, steps};
-        const Eigen::VectorXi counts = response.contact_count.row(sector * model.contact.size() + node);
+        const Eigen::VectorXi counts = recorded.contact_count.row(sector * model.contact.size() + node);
         EXPECT_EQ(counts, revolutions * steps_over_areas(way, areas)) << sector << " " << node << " " << areas;
       }
   }

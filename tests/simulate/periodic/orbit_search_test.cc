@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "simulate/orbits/speed_audit.h"
 #include "simulate/periodic/marched_map.h"
 #include "simulate/speed/settled_march.h"
 #include "simulate/speed/speed_run.h"
+#include "tests/simulate/compared_responses.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {
@@ -73,7 +73,8 @@ TEST(OrbitSearch, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
   EXPECT_EQ(plain.audit.orbit.outcome, Outcome::none);
   EXPECT_EQ(fast.audit.orbit.outcome, Outcome::found);
   EXPECT_LT(fast.revolutions, 0.5 * plain.revolutions);
-  EXPECT_LT(difference(fast, plain, casing.lobes).value, 2e-5);  // the march is within settle_tolerance of the motion
+  EXPECT_LT(testing::difference(fast, plain, casing.lobes).value,
+            2e-5);  // the march is within settle_tolerance of the motion
   EXPECT_LT(fast.audit.orbit.residual, 1e-6);
   EXPECT_LT(fast.audit.orbit.multiplier, 1);
   EXPECT_GT(fast.audit.orbit.multiplier, 0.5);
@@ -125,7 +126,7 @@ TEST(OrbitSearch, FindsOrbitsOfManyMaps) {
   EXPECT_LT(found.audit.orbit.multiplier, 1);
   EXPECT_EQ(found.motion, plain.motion);
   EXPECT_EQ(found.period_beats, plain.period_beats);
-  EXPECT_LT(difference(found, plain, casing.lobes).value, 1e-4);
+  EXPECT_LT(testing::difference(found, plain, casing.lobes).value, 1e-4);
 }
 
 /// A wheel that reaches no casing comes to rest: nothing is divided by its motion.

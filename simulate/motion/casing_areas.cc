@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/response/casing_areas.h"
+#include "simulate/motion/casing_areas.h"
 
 #include <algorithm>
 #include <cmath>

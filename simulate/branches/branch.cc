@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/program/errors.h"
 #include "simulate/branches/orbit_family.h"
+#include "simulate/motion/attempt.h"
 #include "simulate/periodic/multipliers.h"
 #include "simulate/periodic/orbit_group.h"
 
@@ -130,7 +130,7 @@ Side follow_side(const Scene& scene, double speed, int steps_per_revolution, con
   LOCA::Stepper stepper(global, group, test(), list);
   try {
     stepper.run();
-  } catch (const RunError&) {  // beyond what the rotor or the clearance bears: the branch ends there
+  } catch (const NoMotion&) {  // beyond what the rotor or the clearance bears: the branch ends there
   } catch (const char*) {      // LOCA's errors
   }
   LOCA::destroyGlobalData(global);
@@ -138,7 +138,7 @@ Side follow_side(const Scene& scene, double speed, int steps_per_revolution, con
   std::erase_if(side.points, [&](const Point& point) {
     return point.speed < limits.speed_min * (1 - at_bound) || point.speed > limits.speed_max * (1 + at_bound);
   });
-  if (side.points.empty()) throw RunError("no orbit near the start");
+  if (side.points.empty()) throw NoMotion("no orbit near the start");
   const auto repeated = std::unique(side.points.begin(), side.points.end(), [](const Point& one, const Point& other) {
     return std::abs(one.speed - other.speed) <= at_bound * one.speed;
   });

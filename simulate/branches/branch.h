@@ -17,7 +17,7 @@ struct BranchLimits {
 /// Follows an orbit, stable or not, over speed to both sides by LOCA's pseudo-arclength continuation: from `start`, a
 /// state of SymmetricMap's at `speed` [rad/s] near the orbit. Where the contact pattern changes the branch has a
 /// kink: the step is shortened until Newton's method meets it; where that fails, the branch ends, and says so. Raises
-/// RunError if there is no orbit near the start. Two threads.
+/// NoMotion if there is no orbit near the start. Two threads.
 OrbitBranch follow_branch(const Scene& scene, double speed, int steps_per_revolution, const Eigen::VectorXd& start,
                           const BranchLimits& limits);
 

@@ -22,10 +22,10 @@ namespace tiprub {
 /// that a harmonic keeps its engine order.
 class OrbitFamily {
  public:
-  /// Refers to the scene. Raises RunError if the rotor is unstable at the reference speed.
+  /// Refers to the scene. Raises NoMotion if the rotor is unstable at the reference speed.
   OrbitFamily(const Scene& scene, double reference_speed, int steps_per_revolution);
 
-  /// At a speed in rad/s; the last few are kept. Raises RunError if the rotor is unstable there, or spin closes the
+  /// At a speed in rad/s; the last few are kept. Raises NoMotion if the rotor is unstable there, or spin closes the
   /// clearance.
   std::shared_ptr<PeriodicMap> at(double speed);
   /// [m] half of the peak-to-peak normal displacement of the orbit through a state, as SpeedResponse has it.

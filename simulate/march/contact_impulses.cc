@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cases/program/errors.h"
+#include "simulate/motion/attempt.h"
 
 namespace tiprub {
 
@@ -55,7 +55,7 @@ void ContactImpulses::factorize() {
     to[column] *= 1 + diagonal_shift;
   }
   if (!kernels::factorize(factor(), closed_.size()))
-    throw RunError("the contact compliance of " + std::to_string(size) +
+    throw NoMotion("the contact compliance of " + std::to_string(size) +
                    " closed nodes is not positive definite: nodes lie too close together, or modes are too few");
   factorized_ = closed_;
   ++factorizations_;
@@ -151,7 +151,7 @@ void ContactImpulses::settle_least_index(double tolerance) {
     else
       closed_.insert(place, wrong);
   }
-  throw RunError("the contact problem of a step has no solution: the contact compliance is not positive definite");
+  throw NoMotion("the contact problem of a step has no solution: the contact compliance is not positive definite");
 }
 
 void ContactImpulses::solve(Eigen::Ref<Eigen::VectorXd> gap) {

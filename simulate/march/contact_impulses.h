@@ -30,7 +30,7 @@ class ContactImpulses {
   ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule rule);
 
   /// Takes the gaps [m] of the free step to those of the step: g += W lambda. At least one gap must be negative.
-  /// Raises RunError if no solution is found (W has a negative eigenvalue).
+  /// Raises NoMotion if no solution is found (W has a negative eigenvalue).
   void solve(Eigen::Ref<Eigen::VectorXd> gap);
   /// For a step without contact.
   void open();

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <utility>
 
-#include "cases/program/errors.h"
 #include "reduce/model/condensation.h"
 #include "reduce/model/dense_eigen.h"
+#include "simulate/motion/attempt.h"
 
 namespace tiprub {
 
@@ -30,7 +30,7 @@ Eigen::ArrayXd frequencies(const Eigen::VectorXd& squares, int nodal_diameter, d
     text << "nodal diameter " << nodal_diameter << " has omega^2 = " << squares.minCoeff() << " (rad/s)^2 at "
          << speed << " rad/s: the rotor is statically unstable there, spin softening beats its stiffness; stay below "
          << "this speed";
-    throw RunError(text.str());
+    throw NoMotion(text.str());
   }
   return squares.array().max(0.0).sqrt();
 }

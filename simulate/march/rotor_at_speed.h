@@ -63,7 +63,7 @@ ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, doubl
                             ModeParts parts = ModeParts::all);
 
 /// Solves one Hermitian eigenproblem a nodal diameter (n^3 once a speed, against millions of steps). Mode m of each
-/// nodal diameter takes the damping of family m at its frequency. Raises RunError if K(Omega) has a negative
+/// nodal diameter takes the damping of family m at its frequency. Raises NoMotion if K(Omega) has a negative
 /// eigenvalue: the rotor at this speed has no stable shape.
 RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
                             const Damping& damping, const ModeChoice& modes = {},

@@ -36,7 +36,7 @@ struct MarchSetup {
 /// Values by contact node stand in one vector, sector after sector, each padded to width() nodes.
 class TimeMarch {
  public:
-  /// Everything raises RunError if the contact compliance is no such thing.
+  /// Everything raises NoMotion if the contact compliance is no such thing.
   /// `clearance` [m]: at the contact nodes of the tightest blade at this speed (Casing::running_clearance).
   TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
             const Eigen::VectorXd& clearance, const MarchSetup& setup);

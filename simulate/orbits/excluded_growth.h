@@ -23,7 +23,7 @@ struct Growth {
 /// the second half, with twice its standard error.
 /// At most `revolutions`; fewer if the residual is small, or small beside the factor's distance from 1. Costs N/(N/g)
 /// times as much a revolution as the march of the symmetric part, and more for the larger contact problem. Raises
-/// RunError if the contact problem of the whole wheel does.
+/// NoMotion if the contact problem of the whole wheel does.
 Growth excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, const Casing& casing,
                        const ContactLine& contact, int period, int revolutions);
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "cases/program/errors.h"
+#include "simulate/motion/attempt.h"
 #include "simulate/orbits/recording.h"
 
 namespace tiprub {
@@ -43,7 +43,7 @@ void Settling::add(Eigen::VectorXd motion) {
     std::ostringstream text;
     text << "the motion grew beyond " << bound_ << " m in revolution " << revolutions_
          << "; take smaller steps, or look at the model";
-    throw RunError(text.str());
+    throw NoMotion(text.str());
   }
   const Eigen::MatrixXd coefficients = band_.coefficients(motion);
   state_.add(coefficients.reshaped());

@@ -20,7 +20,7 @@ class Settling {
   /// `min_revolutions`: before settling is judged.
   Settling(const Scene& scene, TimeMarch& march, int min_revolutions);
 
-  /// One revolution that was marched. Raises RunError if the motion has grown without bound.
+  /// One revolution that was marched. Raises NoMotion if the motion has grown without bound.
   void add(Eigen::VectorXd motion);
   /// Whether the motion has settled after the fewest revolutions allowed.
   bool settled() const;

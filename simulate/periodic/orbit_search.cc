@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "cases/program/errors.h"
+#include "simulate/motion/attempt.h"
 #include "simulate/orbits/motion_class.h"
 #include "simulate/periodic/multipliers.h"
 
@@ -38,31 +38,29 @@ bool has_symmetric_map(const Scene& scene) {
 }
 
 bool OrbitSearch::approach(TimeMarch& coarse) {
-  const auto grown = static_cast<std::int64_t>(std::ceil(scene_.casing.ramp_revolutions));
-  try {
-    for (const int revolutions : tries) {
-      while (coarse.step_count() < (grown + revolutions) * coarse.steps_per_revolution()) coarse.step();
-      if (jump(coarse)) return true;
-      report_.outcome = OrbitReport::Outcome::none;
-      if (report_.multiplier > 0) break;  // there is one, and it repels
-    }
-    while (coarse.step_count() < (grown + std::end(tries)[-1]) * coarse.steps_per_revolution()) coarse.step();
-    report_.maps = recurrence(coarse);
-    solver_ = std::make_shared<RecycledGmres>();  // of another map
-    if (report_.maps > 1 && jump(coarse)) return true;
-  } catch (const RunError&) {  // a step too coarse for its scheme
-  }
+  if (attempt([&] { return look_along(coarse); }).result.value_or(false)) return true;
   give_up();
   return false;
+}
+
+bool OrbitSearch::look_along(TimeMarch& coarse) {
+  const auto grown = static_cast<std::int64_t>(std::ceil(scene_.casing.ramp_revolutions));
+  for (const int revolutions : tries) {
+    while (coarse.step_count() < (grown + revolutions) * coarse.steps_per_revolution()) coarse.step();
+    if (jump(coarse)) return true;
+    report_.outcome = OrbitReport::Outcome::none;
+    if (report_.multiplier > 0) break;  // there is one, and it repels
+  }
+  while (coarse.step_count() < (grown + std::end(tries)[-1]) * coarse.steps_per_revolution()) coarse.step();
+  report_.maps = recurrence(coarse);
+  solver_ = std::make_shared<RecycledGmres>();  // of another map
+  return report_.maps > 1 && jump(coarse);
 }
 
 bool OrbitSearch::jump(TimeMarch& march) {
   if (has_given_up()) return false;
   const MarchState before(march);
-  try {
-    if (find(march)) return true;
-  } catch (const RunError&) {  // a state that no march would come to
-  }
+  if (attempt([&] { return find(march); }).result.value_or(false)) return true;
   before.restore(march);
   give_up();
   return false;
@@ -109,14 +107,13 @@ bool OrbitSearch::find(TimeMarch& march) {
 
 bool OrbitSearch::stands(TimeMarch& march) {
   if (has_given_up()) return false;
-  try {
+  const auto stood = attempt([&] {
     MarchedMap map(march, rotor_, scene_.casing, scene_.model.contact, report_.maps);
-    if (attracts(map, orbit_)) {
-      follow_excluded(march, orbit_);
-      return true;
-    }
-  } catch (const RunError&) {  // too many nodes closed together to be held
-  }
+    const bool stands = attracts(map, orbit_);
+    if (stands) follow_excluded(march, orbit_);
+    return stands;
+  });
+  if (stood.result.value_or(false)) return true;
   give_up();
   return false;
 }

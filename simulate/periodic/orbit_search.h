@@ -52,6 +52,8 @@ class OrbitSearch {
  private:
   bool has_given_up() const { return report_.outcome == OrbitReport::Outcome::marched; }
   int recurrence(TimeMarch& march) const;
+  /// Marches on from rest until jump() finds an orbit. Raises what the march raises.
+  bool look_along(TimeMarch& coarse);
   bool find(TimeMarch& march);
   bool attracts(MarchedMap& map, const NewtonResult& orbit);
   void follow_excluded(const TimeMarch& march, const NewtonResult& orbit);

@@ -20,7 +20,7 @@ class PeriodicMap {
  public:
   virtual ~PeriodicMap() = default;
 
-  /// F(x). Raises RunError if a contact problem has no solution.
+  /// F(x). Raises NoMotion if a contact problem has no solution.
   virtual MapImage image(const Eigen::VectorXd& state) = 0;
   /// DF times a change of the state, with a contact pattern held: exact between changes of the pattern.
   virtual Eigen::VectorXd tangent(const std::shared_ptr<const ContactPattern>& pattern,

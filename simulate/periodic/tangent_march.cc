@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "cases/program/errors.h"
+#include "simulate/motion/attempt.h"
 
 namespace tiprub {
 
@@ -70,7 +70,7 @@ void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
     block.diagonal() *= 1 + diagonal_shift;
     factors_.emplace_back(block);
     if (factors_.back().info() != Eigen::Success)
-      throw RunError("the contact compliance of " + std::to_string(set.size()) +
+      throw NoMotion("the contact compliance of " + std::to_string(set.size()) +
                      " closed nodes is not positive definite: no orbit can be followed with them");
   }
   pattern_ = pattern;

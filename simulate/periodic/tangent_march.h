@@ -29,7 +29,7 @@ class TangentMarch {
 
   Eigen::Index size() const { return map_.state().size(); }
   double maps_per_revolution() const { return map_.maps_per_revolution(); }
-  /// DF times a change of the state, as SymmetricMap has it. Raises RunError if nodes that the pattern closes
+  /// DF times a change of the state, as SymmetricMap has it. Raises NoMotion if nodes that the pattern closes
   /// together can't be.
   Eigen::VectorXd operator()(const std::shared_ptr<const ContactPattern>& pattern, const Eigen::VectorXd& change);
 

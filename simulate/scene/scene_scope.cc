@@ -8,7 +8,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "cases/program/errors.h"
+#include "simulate/motion/attempt.h"
 
 namespace tiprub {
 
@@ -93,7 +93,7 @@ int steps_per_revolution(const SceneScope& scope, const SimulateParameters& para
   const double steps = rounded_up(wanted, scope.samples_per_revolution);
   const int revolutions = std::max(1, parameters.max_revolutions);
   if (steps * revolutions > most_steps)
-    throw RunError("may take " + short_text(steps * revolutions) + " steps (" + std::to_string(revolutions) +
+    throw NoMotion("may take " + short_text(steps * revolutions) + " steps (" + std::to_string(revolutions) +
                    " revolutions of " + short_text(steps) +
                    "), more than ten minutes of marching for one speed; at most " + short_text(most_steps) +
                    " are taken: raise the speed, or lower [simulate] max_revolutions or the steps");

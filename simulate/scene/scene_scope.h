@@ -29,7 +29,7 @@ SceneScope find_scope(int sector_count, int lobes, const SimulateParameters& par
 
 /// The smallest multiple of the samples that resolves the first frequency [Hz] at a speed [rad/s]: the casing's phase
 /// then comes from the step's index, and sector shifts and Fourier bins are exact.
-/// Raises RunError if that takes more than ten minutes at this speed.
+/// Raises NoMotion if that takes more than ten minutes at this speed.
 int steps_per_revolution(const SceneScope& scope, const SimulateParameters& parameters, double first_frequency,
                          double speed);
 

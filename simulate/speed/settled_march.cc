@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "cases/program/errors.h"
 #include "simulate/march/carried_state.h"
 #include "simulate/march/integrators/penalty.h"
+#include "simulate/motion/attempt.h"
 
 namespace tiprub {
 
@@ -44,7 +44,7 @@ void require_stable_step(const SimulateParameters& parameters, double omega_max,
        << (penalty ? ", the penalty's springs included" : "") << "); set [simulate] steps_per_revolution to at least "
        << std::ceil(march.steps_per_revolution() * step_ratio) << (penalty ? ", a lower penalty_stiffness" : "")
        << ", or scheme = \"trigonometric\"";
-  throw RunError(text.str());
+  throw NoMotion(text.str());
 }
 
 /// With fewer modes than closed nodes, no force can close them all, and small errors meet huge ones.
@@ -57,7 +57,7 @@ void require_full_rank(const Scene& scene, const RotorAtSpeed& rotor, double con
        << " is allowed: " << scene.parameters.modes << " modes a nodal diameter can't move "
        << scene.model.contact.size()
        << " contact nodes independently; raise [simulate] modes, or set scheme = \"residual_flexibility\"";
-  throw RunError(text.str());
+  throw NoMotion(text.str());
 }
 
 ModeChoice mode_choice(const SimulateParameters& parameters) {
@@ -225,7 +225,7 @@ Eigen::VectorXd open_clearance(const Scene& scene, double speed) {
   text << "spin closes the clearance: contact node " << node << " (from 0, leading edge first"
        << (node > scene.model.contact.trailing_edge() ? "; on the splitter" : "") << ") is left with "
        << clearance[node] << " m at " << speed << " rad/s; widen [casing] clearance, or give the running one";
-  throw RunError(text.str());
+  throw NoMotion(text.str());
 }
 
 RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others) {

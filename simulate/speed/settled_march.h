@@ -28,10 +28,10 @@ struct MarchPlan {
   OrbitSearch* search = nullptr;  ///< jumps to the settled motion, if it may
 };
 
-/// The rotor of a scene at a speed [rad/s]. Raises RunError if it is unstable there.
+/// The rotor of a scene at a speed [rad/s]. Raises NoMotion if it is unstable there.
 RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others = OtherDiameters::known);
 
-/// [m] what is left of the clearance at a speed in rad/s, at the contact nodes. Raises RunError if spin closes it.
+/// [m] what is left of the clearance at a speed in rad/s, at the contact nodes. Raises NoMotion if spin closes it.
 Eigen::VectorXd open_clearance(const Scene& scene, double speed);
 
 /// A march that has come to its settled motion, or as near as it was allowed to, and what was recorded there.
@@ -52,7 +52,7 @@ struct SettledMotion {
 };
 
 /// From a state to the settled motion with one step.
-/// Raises RunError with the reason of a failure: a clearance that spin closes, a step too long for its scheme, too
+/// Raises NoMotion with the reason of a failure: a clearance that spin closes, a step too long for its scheme, too
 /// few modes for the contact nodes, a motion that grows without bound.
 SettledMotion settle(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start, const MarchPlan& plan);
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "cases/program/errors.h"
 #include "simulate/branches/branch.h"
+#include "simulate/motion/attempt.h"
 #include "simulate/periodic/marched_map.h"
 #include "simulate/periodic/newton.h"
 #include "simulate/periodic/orbit_search.h"
@@ -56,14 +56,14 @@ std::optional<OrbitBranch> branch_from(const Scene& scene, double speed) {
   const BranchLimits limits{speed * (1 - parameters.branch_range),
                             std::min(speed * (1 + parameters.branch_range), scene.model.speed_max), first_step,
                             parameters.branch_steps};
-  try {
+  const auto followed = attempt([&]() -> std::optional<OrbitBranch> {
     const RotorAtSpeed rotor = rotor_of(scene, speed);
     const int steps = steps_per_revolution(scene.scope, parameters, rotor.first_frequency, speed);
     const std::optional<Eigen::VectorXd> start = orbit_near(scene, rotor, steps);
-    if (start && start->norm() > 0) return follow_branch(scene, speed, steps, *start, limits);
-  } catch (const RunError&) {  // no orbit there
-  }
-  return std::nullopt;
+    if (!start || !(start->norm() > 0)) return std::nullopt;
+    return follow_branch(scene, speed, steps, *start, limits);
+  });
+  return followed.result.value_or(std::nullopt);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <limits>
 #include <sstream>
 
-#include "cases/program/errors.h"
 #include "simulate/march/time_march.h"
+#include "simulate/motion/attempt.h"
 #include "simulate/scene/scene_scope.h"
 #include "tests/simulate/compared_responses.h"
 
@@ -60,7 +60,7 @@ Verdict beyond(const Trial& trial, const std::string& reason) {
   try {
     const double rate = growth_beyond(trial);
     return {rate > 0 ? Outcome::refused_grows : Outcome::refused_bounded, rate, first_words(reason)};
-  } catch (const RunError& error) {
+  } catch (const NoMotion& error) {
     return {Outcome::refused, 0, first_words(error.what())};
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/program/errors.h"
 #include "simulate/march/integrators/step_coefficients.h"
+#include "simulate/motion/attempt.h"
 
 namespace tiprub {
 
@@ -10,7 +10,7 @@ StepCoefficients residual_flexibility(const Eigen::ArrayXd& omega, const Eigen::
   const Eigen::Index massless = omega.size() - moving;
   if (massless <= 0) return all;
   if (!(omega.tail(massless).minCoeff() > 0))
-    throw RunError("a mode without stiffness can't be quasi-static; raise [simulate] modes");
+    throw NoMotion("a mode without stiffness can't be quasi-static; raise [simulate] modes");
   all.a.tail(massless).setZero();
   all.b.tail(massless).setZero();
   all.c.tail(massless) = omega.tail(massless).square().inverse();

@@ -47,7 +47,7 @@ StepCoefficients central_differences(const Eigen::ArrayXd& omega, const Eigen::A
 /// compliance is what a closed node feels (residual flexibility; massless boundaries, Monjaraz-Tec, Gross, Krack
 /// 2022). Another model than the whole one. Costs no free flight for these modes, and keeps W of full rank whatever
 /// is kept.
-/// Raises RunError if a mode beyond `moving` has no stiffness.
+/// Raises NoMotion if a mode beyond `moving` has no stiffness.
 StepCoefficients residual_flexibility(const Eigen::ArrayXd& omega, const Eigen::ArrayXd& damping_ratio, double step,
                                       Eigen::Index moving);
 

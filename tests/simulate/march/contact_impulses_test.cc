@@ -8,7 +8,7 @@
 #include <Eigen/Cholesky>
 #include <random>
 
-#include "cases/program/errors.h"
+#include "simulate/motion/attempt.h"
 
 namespace tiprub {
 namespace {
@@ -140,7 +140,7 @@ TEST(Complementarity, RefusesAComplianceThatIsNone) {
   W << -1, 0, 0, 1;
   ContactImpulses contact(W, ContactRule::complementarity);
   Eigen::VectorXd gap = Eigen::Vector2d(-1, -1);
-  EXPECT_THROW(contact.solve(gap), RunError);
+  EXPECT_THROW(contact.solve(gap), NoMotion);
 }
 
 /// eq. 14, eq. 15. Two stiffly tied nodes, one of them deep: the equality pulls the other one back to the wall.

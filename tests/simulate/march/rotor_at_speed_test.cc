@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "cases/program/errors.h"
+#include "simulate/motion/attempt.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {
@@ -42,7 +42,7 @@ TEST(RotorAtSpeed, RefusesAnUnstableOneAndSaysWhere) {
   try {
     rotor_at_speed(model, 101, {0}, {0.0});  // nodal diameter 2 is looked at although it isn't asked for
     FAIL();
-  } catch (const RunError& error) {
+  } catch (const NoMotion& error) {
     EXPECT_NE(std::string(error.what()).find("nodal diameter 2"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("statically unstable"), std::string::npos);
   }

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "cases/program/errors.h"
+#include "simulate/motion/attempt.h"
 
 namespace tiprub {
 namespace {
@@ -66,7 +66,7 @@ TEST(SceneScope, StepsAreMultiplesOfSamplesSectorsAndLobes) {
 }
 
 TEST(SceneScope, RefusesUncountableSteps) {
-  EXPECT_THROW(steps_per_revolution(find_scope(10, 2, asked()), asked(), 1e6, 1e-3), RunError);
+  EXPECT_THROW(steps_per_revolution(find_scope(10, 2, asked()), asked(), 1e6, 1e-3), NoMotion);
 }
 
 TEST(SceneScope, GivesAReasonForEachChoice) {

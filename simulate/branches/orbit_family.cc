@@ -9,7 +9,6 @@
 #include "simulate/march/time_march.h"
 #include "simulate/orbits/recording.h"
 #include "simulate/periodic/marched_map.h"
-#include "simulate/speed/settled_march.h"
 
 namespace tiprub {
 
@@ -30,14 +29,12 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
  public:
   MapAtSpeed(const Scene& scene, const RotorAtSpeed& reference, double speed, int steps_per_revolution)
       : scene_(scene),
-        rotor_(rotor_of(scene, speed, OtherDiameters::unknown)),
-        march_(rotor_, scene.casing, scene.model.contact, open_clearance(scene, speed),
-               {scene.parameters.scheme, scene.parameters.contact, steps_per_revolution, scene.scope.symmetry}),
-        map_(march_, rotor_, scene.casing, scene.model.contact),
+        march_(marched_scene(scene, rotor_of(scene, speed, OtherDiameters::unknown), steps_per_revolution)),
+        map_(march_),
         ratio_(reference.speed / speed) {
     march_.set_step(grown_steps());
-    for (std::size_t i = 0; i < rotor_.waves.size(); ++i) {
-      const WaveModes &wave = rotor_.waves[i], &fixed = reference.waves[i];
+    for (std::size_t i = 0; i < march_.rotor().waves.size(); ++i) {
+      const WaveModes &wave = march_.rotor().waves[i], &fixed = reference.waves[i];
       const Eigen::MatrixXcd& M = scene.model.nodal_diameters[static_cast<std::size_t>(wave.nodal_diameter)].M;
       const Eigen::Index moving = wave.moving;
       turns_.push_back({unitary_part(fixed.shapes.leftCols(moving).adjoint() * M * wave.shapes.leftCols(moving)),
@@ -97,7 +94,7 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
     const std::int64_t start = march_.step_count();
     map_.put(of_march(state));
     const int samples = scene_.scope.samples_per_revolution;
-    Recording recording(march_, rotor_, scene_.model.contact, {samples, 1, 1, 1.0, 1.0});
+    Recording recording(march_, {samples, 1, 1, 1.0, 1.0});
     recording.revolution(march_);
     march_.set_step(start);
     return recording.finish(march_).amplitude;
@@ -133,7 +130,6 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
   }
 
   const Scene& scene_;
-  RotorAtSpeed rotor_;
   TimeMarch march_;
   MarchedMap map_;
   double ratio_;  ///< [1] of the reference speed to this one
@@ -148,7 +144,7 @@ OrbitFamily::OrbitFamily(const Scene& scene, double reference_speed, int steps_p
 std::shared_ptr<OrbitFamily::MapAtSpeed> OrbitFamily::map(double speed) {
   for (const auto& [known, map] : kept_)
     if (known == speed) return map;
-  kept_.emplace_front(speed, std::make_shared<MapAtSpeed>(scene_, reference_, speed, steps_per_revolution_));
+  kept_.emplace_front(speed, std::make_shared<MapAtSpeed>(scene_, *reference_, speed, steps_per_revolution_));
   if (kept_.size() > most_kept) kept_.pop_back();
   return kept_.front().second;
 }

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "simulate/march/rotor_at_speed.h"
+#include "simulate/march/marched_scene.h"
 #include "simulate/periodic/periodic_map.h"
 #include "simulate/scene/scene.h"
 
@@ -40,7 +40,7 @@ class OrbitFamily {
   std::shared_ptr<MapAtSpeed> map(double speed);
 
   const Scene& scene_;
-  RotorAtSpeed reference_;
+  SharedRotor reference_;
   int steps_per_revolution_;
   std::deque<std::pair<double, std::shared_ptr<MapAtSpeed>>> kept_;
 };

@@ -13,12 +13,12 @@ double angle_of_step(const TimeMarch& march) {
 
 }  // namespace
 
-RotorState state_of(const TimeMarch& march, const RotorAtSpeed& rotor, const ReducedModel& model) {
+RotorState state_of(const TimeMarch& march, const ReducedModel& model) {
   RotorState state;
   state.displacement.resize(model.nodal_diameters.size());
   state.velocity.resize(model.nodal_diameters.size());
-  for (std::size_t i = 0; i < rotor.waves.size(); ++i) {
-    const Eigen::MatrixXcd& shapes = rotor.waves[i].shapes;
+  for (std::size_t i = 0; i < march.rotor().waves.size(); ++i) {
+    const Eigen::MatrixXcd& shapes = march.rotor().waves[i].shapes;
     const Eigen::VectorXcd now = march.coordinates(i).head(shapes.cols());
     const Eigen::VectorXcd before = march.coordinates(i, Instant::before).head(shapes.cols());
     const auto n = static_cast<std::size_t>(march.wave(i).nodal_diameter);
@@ -28,11 +28,11 @@ RotorState state_of(const TimeMarch& march, const RotorAtSpeed& rotor, const Red
   return state;
 }
 
-void put_state(const RotorState& state, const RotorAtSpeed& rotor, const ReducedModel& model, TimeMarch& march) {
-  for (std::size_t i = 0; i < rotor.waves.size(); ++i) {
-    const auto n = static_cast<std::size_t>(rotor.waves[i].nodal_diameter);
+void put_state(const RotorState& state, const ReducedModel& model, TimeMarch& march) {
+  for (std::size_t i = 0; i < march.rotor().waves.size(); ++i) {
+    const auto n = static_cast<std::size_t>(march.rotor().waves[i].nodal_diameter);
     if (n >= state.displacement.size() || state.displacement[n].size() == 0) continue;
-    const Eigen::MatrixXcd onto_modes = rotor.waves[i].shapes.adjoint() * model.nodal_diameters[n].M;
+    const Eigen::MatrixXcd onto_modes = march.rotor().waves[i].shapes.adjoint() * model.nodal_diameters[n].M;
     const Eigen::VectorXcd now = onto_modes * state.displacement[n];
     march.set_state(i, now, now - onto_modes * state.velocity[n] * angle_of_step(march));
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "simulate/march/wave_kernels.h"
 
@@ -25,38 +26,35 @@ std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup, const Eigen::Ma
 
 }  // namespace
 
-TimeMarch::TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
-                     const Eigen::VectorXd& clearance, const MarchSetup& setup)
-    : setup_(setup),
-      sector_count_(rotor.sector_count),
-      sectors_(rotor.sector_count / setup.symmetry),
-      node_count_(contact.size()),
-      width_(padded(contact.size())),
-      time_step_(two_pi / rotor.speed / setup.steps_per_revolution),
-      casing_(casing),
-      waves_(rotor, {setup.scheme, setup.theta, setup.penalty_stiffness}, time_step_,
-             {sector_count_, sectors_, setup.symmetry, node_count_, width_}) {
+TimeMarch::TimeMarch(MarchedScene scene)
+    : scene_(std::move(scene)),
+      sector_count_(rotor().sector_count),
+      sectors_(sector_count_ / symmetry()),
+      node_count_(scene_.tips.size()),
+      width_(padded(node_count_)),
+      time_step_(two_pi / rotor().speed / steps_per_revolution()),
+      waves_(rotor(), {scene_.setup.scheme, scene_.setup.theta, scene_.setup.penalty_stiffness}, time_step_,
+             {sector_count_, sectors_, symmetry(), node_count_, width_}) {
   const auto size = static_cast<Eigen::Index>(sectors_ * width_);
   gap_ = gap_before_ = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
   for (Eigen::VectorXd& displacement : displacement_) displacement = Eigen::VectorXd::Zero(size);
-  clearance_ = gap_;
-  for (int j = 0; j < sectors_; ++j)
-    clearance_.segment(j * static_cast<Eigen::Index>(width_), node_count_) =
-        clearance.array() + casing.extra_clearance(j);
-  build_distortion(casing, contact);
-  compliance_ = waves_.compliance(rotor);
-  contact_ = contact_law(setup, compliance_);
+  tabulate_obstacle();
+  compliance_ = waves_.compliance(rotor());
+  contact_ = contact_law(scene_.setup, compliance_);
   measure_gaps();
 }
 
-void TimeMarch::build_distortion(const Casing& casing, const ContactLine& contact) {
-  phases_ = setup_.steps_per_revolution / casing.lobes;
+void TimeMarch::tabulate_obstacle() {
+  const Obstacle& obstacle = scene_.obstacle;
+  clearance_ = gap_;
+  for (int j = 0; j < sectors_; ++j)
+    clearance_.segment(j * static_cast<Eigen::Index>(width_), node_count_) = obstacle.clearance(j);
+  phases_ = steps_per_revolution() / obstacle.lobes();
   distortion_.assign(phases_ * width_, 0.0);
-  const Eigen::VectorXd fractions = arc_fractions(contact);
   for (std::int64_t phase = 0; phase < phases_; ++phase)
     for (int k = 0; k < node_count_; ++k)
-      distortion_[phase * width_ + k] = casing.distortion(
-          contact.position(k, 1) + two_pi * static_cast<double>(phase) / setup_.steps_per_revolution, fractions[k]);
+      distortion_[phase * width_ + k] =
+          obstacle.distortion(k, two_pi * static_cast<double>(phase) / steps_per_revolution());
 }
 
 void TimeMarch::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before) {
@@ -71,11 +69,11 @@ void TimeMarch::set_step(std::int64_t step) {
 }
 
 bool TimeMarch::measure_gaps() {
-  const double ramp = casing_.ramp(static_cast<double>(step_) / setup_.steps_per_revolution);
+  const double ramp = scene_.obstacle.grown(static_cast<double>(step_) / steps_per_revolution());
   bool penetrates = false;
   for (int j = 0; j < sectors_; ++j) {
     const std::int64_t phase =
-        (step_ + static_cast<std::int64_t>(j) * (setup_.steps_per_revolution / sector_count_)) % phases_;
+        (step_ + static_cast<std::int64_t>(j) * (steps_per_revolution() / sector_count_)) % phases_;
     penetrates |= kernels::gap_of_sector(clearance_.data() + j * width_, distortion_.data() + phase * width_, ramp,
                                          displacement_[0].data() + j * width_, width_, gap_.data() + j * width_);
   }

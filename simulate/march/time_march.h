@@ -8,21 +8,10 @@
 
 #include "simulate/march/contact_impulses.h"
 #include "simulate/march/integrators/contact_law.h"
+#include "simulate/march/marched_scene.h"
 #include "simulate/march/modal_waves.h"
-#include "simulate/march/rotor_at_speed.h"
-#include "simulate/scene/casing.h"
 
 namespace tiprub {
-
-/// What a march needs beside the rotor.
-struct MarchSetup {
-  Scheme scheme = Scheme::trigonometric;
-  ContactRule contact = ContactRule::complementarity;
-  int steps_per_revolution = 0;  ///< a multiple of N and of the casing's lobes
-  int symmetry = 1;              ///< g: the wheel's nodal diameters are multiples of it
-  double theta = 0.5;            ///< [1] of Moreau-Jean
-  double penalty_stiffness = 0;  ///< [N/m] of penalty
-};
 
 /// The one loop of all schemes: a rotor in modal coordinates against a rigid casing, step by step,
 ///   q+ = a q - b q- - c Y^H Lambda_n,   Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha}, j < N/g,
@@ -37,9 +26,7 @@ struct MarchSetup {
 class TimeMarch {
  public:
   /// Everything raises NoMotion if the contact compliance is no such thing.
-  /// `clearance` [m]: at the contact nodes of the tightest blade at this speed (Casing::running_clearance).
-  TimeMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
-            const Eigen::VectorXd& clearance, const MarchSetup& setup);
+  explicit TimeMarch(MarchedScene scene);
 
   /// predict(), then the scheme's contact law, and what its forces do.
   void step();
@@ -48,18 +35,17 @@ class TimeMarch {
   /// Adds the forces [N] along -normal at t_q to the step just predicted; indices of the nodes that have one.
   void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
 
-  const MarchSetup& setup() const { return setup_; }
+  const MarchedScene& scene() const { return scene_; }
+  const RotorAtSpeed& rotor() const { return *scene_.rotor; }
   std::int64_t step_count() const { return step_; }
   double time_step() const { return time_step_; }
   int sector_count() const { return sector_count_; }
-  int symmetry() const { return setup_.symmetry; }
+  int symmetry() const { return scene_.setup.symmetry; }
   int sectors() const { return sectors_; }
   int node_count() const { return node_count_; }
   int width() const { return static_cast<int>(width_); }
-  int steps_per_revolution() const { return setup_.steps_per_revolution; }
+  int steps_per_revolution() const { return scene_.setup.steps_per_revolution; }
 
-  /// [m] at the contact nodes of a sector.
-  Eigen::VectorXd clearance() const { return clearance_.head(node_count_); }
   /// [m] after the last step; infinite for padding.
   const Eigen::VectorXd& gap() const { return gap_; }
   /// [m] along the normals, at the last three instants: t_q, t_{q-1}, t_{q-2}.
@@ -88,14 +74,13 @@ class TimeMarch {
  private:
   /// gap_ from displacement_[0], and whether a gap is negative.
   bool measure_gaps();
-  void build_distortion(const Casing& casing, const ContactLine& contact);
+  void tabulate_obstacle();
 
-  MarchSetup setup_;
+  MarchedScene scene_;
   int sector_count_, sectors_, node_count_;
   std::size_t width_;
   double time_step_;
   std::int64_t step_ = 0;
-  Casing casing_;
   ModalWaves waves_;
   Eigen::VectorXd clearance_;       ///< [m] sector by sector, padded with infinity
   std::vector<double> distortion_;  ///< [m] by phase (one lobe of steps), then node

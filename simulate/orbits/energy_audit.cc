@@ -6,7 +6,7 @@
 
 namespace tiprub {
 
-EnergyAudit::EnergyAudit(const TimeMarch& march, const RotorAtSpeed& rotor) {
+EnergyAudit::EnergyAudit(const TimeMarch& march) {
   for (std::size_t i = 0; i < march.wave_count(); ++i) {
     const MarchedWave& wave = march.wave(i);
     const auto& [a, b, c] = wave.coefficients;
@@ -14,7 +14,7 @@ EnergyAudit::EnergyAudit(const TimeMarch& march, const RotorAtSpeed& rotor) {
     const Eigen::ArrayXd divisor = moves.select(c, 1.0);
     terms_.push_back({march.sector_count() / wave.weight, moves.select((1 + b) / (4 * divisor), 0.0),
                       0.5 * wave.omega.square(), moves.select((1 - b) / (4 * divisor), 0.0),
-                      rotor.waves[i].residual_compliance});
+                      march.rotor().waves[i].residual_compliance});
   }
   start_ = energy(march);
 }

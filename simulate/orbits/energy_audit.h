@@ -19,7 +19,7 @@ namespace tiprub {
 class EnergyAudit {
  public:
   /// Starts the ledger at the march's present state.
-  EnergyAudit(const TimeMarch& march, const RotorAtSpeed& rotor);
+  explicit EnergyAudit(const TimeMarch& march);
   /// After each step.
   void observe(const TimeMarch& march);
   EnergyLedger ledger(const TimeMarch& march) const;

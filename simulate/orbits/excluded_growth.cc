@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -24,11 +25,8 @@ constexpr int fewest_states = 6;          // before a residual is believed
 /// their energy: frequencies (not below the speed of rotation) times positions, then velocities; real and imaginary.
 class WholeWheel {
  public:
-  WholeWheel(const TimeMarch& settled, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact)
-      : rotor_(whole(rotor)),
-        march_(rotor_, casing, contact, settled.clearance(), setup(settled)),
-        first_(rotor.waves.size()),
-        speed_(rotor.speed) {
+  explicit WholeWheel(const TimeMarch& settled)
+      : march_(whole(settled.scene())), first_(settled.wave_count()), speed_(settled.rotor().speed) {
     for (std::size_t i = 0; i < first_; ++i) {
       const Eigen::Index modes = settled.wave(i).modes();
       const Eigen::VectorXcd now = settled.coordinates(i).head(modes);
@@ -66,14 +64,12 @@ class WholeWheel {
   }
 
  private:
-  static RotorAtSpeed whole(RotorAtSpeed rotor) {
-    rotor.waves.insert(rotor.waves.end(), rotor.others.begin(), rotor.others.end());
-    return rotor;
-  }
-  static MarchSetup setup(const TimeMarch& settled) {
-    MarchSetup setup = settled.setup();
-    setup.symmetry = 1;
-    return setup;
+  static MarchedScene whole(MarchedScene scene) {
+    const auto rotor = std::make_shared<RotorAtSpeed>(*scene.rotor);
+    rotor->waves.insert(rotor->waves.end(), rotor->others.begin(), rotor->others.end());
+    scene.rotor = rotor;
+    scene.setup.symmetry = 1;
+    return scene;
   }
   Eigen::ArrayXd scale(std::size_t wave) const {
     return march_.wave(wave).omega.head(march_.wave(wave).moving).cwiseMax(speed_);
@@ -106,7 +102,6 @@ class WholeWheel {
     }
   }
 
-  RotorAtSpeed rotor_;
   TimeMarch march_;
   std::size_t first_;  ///< of the waves left out
   double speed_;       ///< [rad/s]
@@ -165,9 +160,8 @@ Growth by_mean(WholeWheel& wheel, int revolutions) {
 
 }  // namespace
 
-Growth excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, const Casing& casing,
-                       const ContactLine& contact, int period, int revolutions) {
-  WholeWheel wheel(settled, rotor, casing, contact);
+Growth excluded_growth(const TimeMarch& settled, int period, int revolutions) {
+  WholeWheel wheel(settled);
   return period > 0 ? by_arnoldi(wheel, period, revolutions) : by_mean(wheel, revolutions);
 }
 

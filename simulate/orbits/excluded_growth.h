@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "reduce/model/reduced_model.h"
-#include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
 #include "simulate/motion/motion.h"
 
@@ -24,8 +22,7 @@ struct Growth {
 /// At most `revolutions`; fewer if the residual is small, or small beside the factor's distance from 1. Costs N/(N/g)
 /// times as much a revolution as the march of the symmetric part, and more for the larger contact problem. Raises
 /// NoMotion if the contact problem of the whole wheel does.
-Growth excluded_growth(const TimeMarch& settled, const RotorAtSpeed& rotor, const Casing& casing,
-                       const ContactLine& contact, int period, int revolutions);
+Growth excluded_growth(const TimeMarch& settled, int period, int revolutions);
 
 /// Growing or dying out by more than the uncertainty, and by more than a thousandth a revolution; else undecided.
 SymmetryVerdict judge(const Growth& growth);

@@ -29,14 +29,14 @@ Eigen::VectorXd march_revolution(TimeMarch& march, int samples_per_revolution) {
   return motion / steps;
 }
 
-Recording::Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const ContactLine& contact, const Grid& grid)
-    : rotor_(rotor),
-      contact_(contact),
+Recording::Recording(const TimeMarch& march, const Grid& grid)
+    : rotor_(march.scene().rotor),
+      tips_(march.scene().tips),
       grid_(grid),
       sectors_(march.sectors()),
       nodes_(march.node_count()),
       width_(march.width()),
-      audit_(march, rotor),
+      audit_(march),
       chatter_(march, EngineOrderBand(grid.samples_per_revolution, grid.orders)) {
   const Eigen::Index samples = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid.revolutions;
   const Eigen::Index points = static_cast<Eigen::Index>(sectors_) * nodes_;
@@ -47,7 +47,7 @@ Recording::Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const Co
   kept_.contact_count.setZero(points, grid.casing_areas);
   grid_.cycle_revolutions = std::min(grid.cycle_revolutions, grid.revolutions);
   const Eigen::Index kept = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid_.cycle_revolutions;
-  for (const WaveModes& wave : rotor.waves) {
+  for (const WaveModes& wave : rotor_->waves) {
     states_.emplace_back(wave.omega.size(), grid.samples_per_revolution);
     cycle_.emplace_back(wave.omega.size(), kept);
   }
@@ -71,7 +71,7 @@ void Recording::observe(const TimeMarch& march, int sample) {
   for (int index : closed) {
     const int sector = index / width_, node = index % width_;
     const double force = march.contact().multipliers()[index];
-    const CasingSteps way{contact_.position(node, 1), sector, march.sector_count(), march.steps_per_revolution()};
+    const CasingSteps way{tips_.position(node, 1), sector, march.sector_count(), march.steps_per_revolution()};
     kept_.contact_force(sample, sector * nodes_ + node) += share * force;
     ++kept_.contact_count(sector * nodes_ + node, casing_area(way, march.step_count() - 1, grid_.casing_areas));
     smallest = std::min(smallest, force);
@@ -85,11 +85,11 @@ void Recording::observe(const TimeMarch& march, int sample) {
 /// u_j = sum over n of Re(Phi_c q e^{i n j alpha}), all samples of a revolution at once.
 void Recording::recover_displacements(int first_sample) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    const WaveModes& wave = rotor_.waves[i];
+    const WaveModes& wave = rotor_->waves[i];
     const Eigen::MatrixXcd amplitudes = (wave.contact_rows * states_[i]).transpose();
     for (int j = 0; j < sectors_; ++j) {
       const std::complex<double> phase =
-          std::polar(1.0, two_pi * (wave.nodal_diameter * j % rotor_.sector_count) / rotor_.sector_count);
+          std::polar(1.0, two_pi * (wave.nodal_diameter * j % rotor_->sector_count) / rotor_->sector_count);
       kept_.displacement.block(first_sample, 3 * nodes_ * j, amplitudes.rows(), 3 * nodes_) +=
           (amplitudes * phase).real();
     }
@@ -138,7 +138,7 @@ double Recording::normal_amplitude() const {
   double largest = 0;
   for (Eigen::Index point = 0; point < kept_.contact_force.cols(); ++point) {
     const Eigen::VectorXd motion =
-        kept_.displacement.middleCols<3>(3 * point) * contact_.normal.row(point % nodes_).transpose();
+        kept_.displacement.middleCols<3>(3 * point) * tips_.normal.row(point % nodes_).transpose();
     largest = std::max(largest, 0.5 * (motion.maxCoeff() - motion.minCoeff()));
   }
   return largest;
@@ -148,12 +148,12 @@ Recorded Recording::finish(const TimeMarch& march) {
   kept_.snapshot.sample = hardest_sample_;
   kept_.snapshot.force = march.symmetry() * kept_.contact_force.row(hardest_sample_).cwiseAbs().sum();
   for (std::size_t i = 0; i < hardest_.size(); ++i)
-    kept_.snapshot.displacement.emplace_back(rotor_.waves[i].shapes * hardest_[i]);
+    kept_.snapshot.displacement.emplace_back(rotor_->waves[i].shapes * hardest_[i]);
   if (grid_.cycle_revolutions > 0) {
     RotorCycle& cycle = kept_.cycle.emplace();
     cycle.first_sample = (grid_.revolutions - grid_.cycle_revolutions) * grid_.samples_per_revolution;
     for (std::size_t i = 0; i < cycle_.size(); ++i)
-      cycle.displacement.emplace_back(rotor_.waves[i].shapes * cycle_[i]);
+      cycle.displacement.emplace_back(rotor_->waves[i].shapes * cycle_[i]);
   }
   kept_.amplitude = normal_amplitude();
   kept_.energy = audit_.ledger(march);

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
 #include "simulate/motion/motion.h"
 #include "simulate/motion/rotor_state.h"
@@ -48,7 +47,7 @@ class Recording {
     double orders;              ///< engine orders up to it are the band of resolved frequencies
     int cycle_revolutions = 0;  ///< so many of the last ones keep the whole rotor's state at every sample
   };
-  Recording(const TimeMarch& march, const RotorAtSpeed& rotor, const ContactLine& contact, const Grid& grid);
+  Recording(const TimeMarch& march, const Grid& grid);
 
   /// One revolution; the normal displacements, each the mean over a sample's interval, for judging whether it is
   /// steady.
@@ -66,8 +65,8 @@ class Recording {
   /// Adds the states of the revolution just done to the cycle, if it is one of the last.
   void keep_cycle();
 
-  const RotorAtSpeed& rotor_;
-  const ContactLine& contact_;
+  SharedRotor rotor_;
+  ContactLine tips_;
   Grid grid_;
   int sectors_, nodes_, width_;
   int done_ = 0;

@@ -6,13 +6,10 @@
 
 namespace tiprub {
 
-MarchedMap::MarchedMap(TimeMarch& march, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
-                       int power)
-    : march_(march),
-      map_(march, casing.lobes, power),
-      tangent_(rotor, casing, contact, march, Disturbance::symmetric, power) {
+MarchedMap::MarchedMap(TimeMarch& march, int power)
+    : march_(march), map_(march, power), tangent_(march, Disturbance::symmetric, power) {
   const auto has_mass = [](const WaveModes& wave) { return wave.moving == wave.omega.size(); };
-  all_have_mass_ = std::all_of(rotor.waves.begin(), rotor.waves.end(), has_mass);
+  all_have_mass_ = std::all_of(march.rotor().waves.begin(), march.rotor().waves.end(), has_mass);
 }
 
 void MarchedMap::put(const Eigen::VectorXd& state) {

@@ -12,9 +12,8 @@ namespace tiprub {
 /// The symmetric map of a march, or a power of it, and its derivative.
 class MarchedMap final : public PeriodicMap {
  public:
-  /// The march's clock is left where it is. All are referred to.
-  MarchedMap(TimeMarch& march, const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
-             int power = 1);
+  /// The march is referred to; its clock is left where it is.
+  explicit MarchedMap(TimeMarch& march, int power = 1);
 
   const SymmetricMap& symmetric() const { return map_; }
   /// Puts an orbit's state into the march. Modes without mass have none, and follow the force: if there are any, a

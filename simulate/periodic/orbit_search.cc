@@ -31,9 +31,7 @@ Multiplier clear_multiplier(const LinearMap& map, Eigen::Index size) {
 }  // namespace
 
 bool has_symmetric_map(const Scene& scene) {
-  const SimulateParameters& parameters = scene.parameters;
-  return parameters.contact == ContactRule::complementarity && parameters.scheme != Scheme::moreau_jean &&
-         parameters.scheme != Scheme::penalty &&
+  return maps_states(scene.parameters.scheme, scene.parameters.contact) &&
          scene.scope.symmetry == std::gcd(scene.model.sector_count, scene.casing.lobes);
 }
 
@@ -69,13 +67,13 @@ bool OrbitSearch::jump(TimeMarch& march) {
 /// After how many maps a march nearly comes back, if that is whole revolutions which are recorded anyway; else 1.
 int OrbitSearch::recurrence(TimeMarch& march) const {
   const int lobes = scene_.casing.lobes, maps = std::lcm(march.sector_count(), lobes);
-  const SymmetricMap one(march, lobes);
+  const SymmetricMap one(march);
   const Eigen::VectorXd start = one.state();
   const MarchState before(march);
   Eigen::ArrayXd away = Eigen::ArrayXd::Zero(ClassLimits::longest_period * maps / lobes + 1);
   for (int k = 1; k < away.size(); ++k) {
     for (int i = 0; i < one.steps(); ++i) march.step();
-    away[k] = (SymmetricMap(march, lobes, k).image() - start).norm();
+    away[k] = (SymmetricMap(march, k).image() - start).norm();
   }
   before.restore(march);
   for (int k = 2; k < away.size(); ++k)
@@ -89,7 +87,7 @@ int OrbitSearch::period_revolutions() const {
 }
 
 bool OrbitSearch::find(TimeMarch& march) {
-  MarchedMap map(march, rotor_, scene_.casing, scene_.model.contact, report_.maps);
+  MarchedMap map(march, report_.maps);
   const int steps = solver_->steps();
   const NewtonLimits limits{newton_step * scene_.parameters.settle_tolerance};
   const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), limits, solver_);
@@ -108,7 +106,7 @@ bool OrbitSearch::find(TimeMarch& march) {
 bool OrbitSearch::stands(TimeMarch& march) {
   if (has_given_up()) return false;
   const auto stood = attempt([&] {
-    MarchedMap map(march, rotor_, scene_.casing, scene_.model.contact, report_.maps);
+    MarchedMap map(march, report_.maps);
     const bool stands = attracts(map, orbit_);
     if (stands) follow_excluded(march, orbit_);
     return stands;
@@ -135,15 +133,14 @@ bool OrbitSearch::attracts(MarchedMap& map, const NewtonResult& orbit) {
 }
 
 void OrbitSearch::follow_excluded(const TimeMarch& march, const NewtonResult& orbit) {
-  if (rotor_.others.empty() || scene_.parameters.symmetry_check_revolutions == 0) return;
-  TangentMarch tangent(rotor_, scene_.casing, scene_.model.contact, march, Disturbance::excluded, report_.maps);
+  if (march.rotor().others.empty() || scene_.parameters.symmetry_check_revolutions == 0) return;
+  TangentMarch tangent(march, Disturbance::excluded, report_.maps);
   const LinearMap map = [&](const Eigen::VectorXd& change) { return tangent(orbit.pattern, change); };
   excluded_ = per_revolution(clear_multiplier(map, tangent.size()), tangent.maps_per_revolution());
 }
 
 double OrbitSearch::drift(TimeMarch& march) const {
-  const double moved = (SymmetricMap(march, scene_.casing.lobes).state() - orbit_.state).norm(),
-               size = orbit_.state.norm();
+  const double moved = (SymmetricMap(march).state() - orbit_.state).norm(), size = orbit_.state.norm();
   return size > 0 ? moved / size : moved;  // at rest
 }
 

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 
-#include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
 #include "simulate/motion/motion.h"
 #include "simulate/orbits/excluded_growth.h"
@@ -26,8 +25,8 @@ bool has_symmetric_map(const Scene& scene);
 /// size makes the next one cheap.
 class OrbitSearch {
  public:
-  /// Both are referred to. Raises nothing.
-  OrbitSearch(const Scene& scene, const RotorAtSpeed& rotor) : scene_(scene), rotor_(rotor) {}
+  /// The scene is referred to.
+  explicit OrbitSearch(const Scene& scene) : scene_(scene) {}
 
   /// From rest with a coarse step: marches until the casing has grown and some revolutions more, then puts the march
   /// on a stable orbit near to it; if there is none, after ever more revolutions. Whether it has found one.
@@ -59,7 +58,6 @@ class OrbitSearch {
   void follow_excluded(const TimeMarch& march, const NewtonResult& orbit);
 
   const Scene& scene_;
-  const RotorAtSpeed& rotor_;
   std::shared_ptr<RecycledGmres> solver_ = std::make_shared<RecycledGmres>();
   NewtonResult orbit_;  ///< the last one found
   OrbitReport report_;

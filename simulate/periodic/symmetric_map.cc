@@ -15,8 +15,9 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 }  // namespace
 
-SymmetricMap::SymmetricMap(TimeMarch& march, int lobes, int power)
-    : march_(march), steps_(power * (march.steps_per_revolution() / std::lcm(march.sector_count(), lobes))) {
+SymmetricMap::SymmetricMap(TimeMarch& march, int power) : march_(march) {
+  const int lobes = march.scene().obstacle.lobes();
+  steps_ = power * (march.steps_per_revolution() / std::lcm(march.sector_count(), lobes));
   const double lowest = two_pi / march.steps_per_revolution() / march.time_step();
   const std::int64_t shift = power * sector_shift(march.sector_count(), lobes);
   for (std::size_t i = 0; i < march.wave_count(); ++i) {

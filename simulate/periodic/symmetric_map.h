@@ -19,7 +19,7 @@ namespace tiprub {
 /// without memory, whose state is that of the modes at two instants.
 class SymmetricMap {
  public:
-  SymmetricMap(TimeMarch& march, int lobes, int power = 1);
+  explicit SymmetricMap(TimeMarch& march, int power = 1);
 
   /// [m/s sqrt(kg)] the modes at t_q and t_{q-1} as a vector whose square is twice the energy: frequencies times
   /// positions (not below the speed of rotation), then velocities; of a standing wave the real parts only.

@@ -12,33 +12,24 @@ namespace {
 
 constexpr double diagonal_shift = 1e-12;  // of W's diagonal, as the march has it: tied nodes keep a solution
 
-/// A casing without lobes that all nodes touch: gaps are displacements.
-Casing level(Casing casing) {
-  casing.amplitude = 0;
-  casing.shape = CasingShape::cosine;
-  return casing;
-}
-
-RotorAtSpeed disturbed(const RotorAtSpeed& rotor, Disturbance disturbance) {
-  RotorAtSpeed part = rotor;
-  if (disturbance == Disturbance::excluded) part.waves = rotor.others;
-  part.others.clear();
-  return part;
-}
-
-MarchSetup setup(const TimeMarch& orbit, Disturbance disturbance) {
-  MarchSetup setup = orbit.setup();
-  if (disturbance == Disturbance::excluded) setup.symmetry = 1;
-  return setup;
+/// The disturbances of an orbit, on a casing that all tips touch.
+MarchedScene disturbed(MarchedScene orbit, Disturbance disturbance) {
+  const auto rotor = std::make_shared<RotorAtSpeed>(*orbit.rotor);
+  if (disturbance == Disturbance::excluded) {
+    rotor->waves = rotor->others;
+    orbit.setup.symmetry = 1;
+  }
+  rotor->others.clear();
+  orbit.rotor = rotor;
+  orbit.obstacle = orbit.obstacle.touching();
+  return orbit;
 }
 
 }  // namespace
 
-TangentMarch::TangentMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact,
-                           const TimeMarch& orbit, Disturbance disturbance, int power)
-    : rotor_(disturbed(rotor, disturbance)),
-      march_(rotor_, level(casing), contact, Eigen::VectorXd::Zero(contact.size()), setup(orbit, disturbance)),
-      map_(march_, casing.lobes, power),
+TangentMarch::TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int power)
+    : march_(disturbed(orbit.scene(), disturbance)),
+      map_(march_, power),
       copies_(march_.sectors() / orbit.sectors()),
       nodes_a_copy_(orbit.sectors() * orbit.width()),
       compliance_(march_.compliance()),

@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
 #include "simulate/periodic/contact_pattern.h"
 #include "simulate/periodic/symmetric_map.h"
@@ -22,10 +21,9 @@ enum class Disturbance {
 /// all others feel no force. Costs what the march costs, without its search for the pattern.
 class TangentMarch {
  public:
-  /// `orbit` gives the step, the scheme and the clearance; `rotor` is its rotor. Excluded disturbances are those of
-  /// RotorAtSpeed::others, on all N sectors. `power`: of the symmetric map, whose pattern it follows.
-  TangentMarch(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& contact, const TimeMarch& orbit,
-               Disturbance disturbance, int power);
+  /// Of an orbit's march. Excluded disturbances are those of RotorAtSpeed::others, on all N sectors. `power`: of the
+  /// symmetric map, whose pattern it follows.
+  TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int power);
 
   Eigen::Index size() const { return map_.state().size(); }
   double maps_per_revolution() const { return map_.maps_per_revolution(); }
@@ -37,7 +35,6 @@ class TangentMarch {
   void hold(const std::shared_ptr<const ContactPattern>& pattern);
   std::vector<int> on_all_sectors(const std::vector<int>& nodes) const;
 
-  RotorAtSpeed rotor_;
   TimeMarch march_;
   SymmetricMap map_;
   int copies_, nodes_a_copy_;   ///< of the orbit's sectors in this march, and what lies between two of them

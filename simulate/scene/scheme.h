@@ -18,4 +18,34 @@ enum class ContactRule {
   paper,            ///< eq. 14, eq. 15: every node that the free step pushes through is closed once, as an equality
 };
 
+/// What follows from a scheme, for all who needn't know which one it is.
+struct SchemeTraits {
+  bool has_memory;    ///< its law of contact keeps more than the modes at two instants: no map of states, no orbit
+  bool limits_step;   ///< holds for h < 2/omega_max
+  bool springs;       ///< a closed node stands on a spring, which raises omega_max; the others hold it still, by W
+  bool quasi_static;  ///< keeps the modes beyond those with mass, which follow their forces at once
+};
+
+constexpr SchemeTraits traits_of(Scheme scheme) {
+  switch (scheme) {
+    case Scheme::trigonometric:
+      return {false, false, false, false};
+    case Scheme::central_differences:
+      return {false, true, false, false};
+    case Scheme::residual_flexibility:
+      return {false, false, false, true};
+    case Scheme::moreau_jean:
+      return {true, false, false, false};
+    case Scheme::penalty:
+      return {true, true, true, false};
+  }
+  return {};
+}
+
+/// Whether the state of a march is that of its modes at two instants, so that it can be looked at as a map of such
+/// states. By the paper's rule of contact the motion is no continuous function of them.
+constexpr bool maps_states(Scheme scheme, ContactRule rule) {
+  return rule == ContactRule::complementarity && !traits_of(scheme).has_memory;
+}
+
 }  // namespace tiprub

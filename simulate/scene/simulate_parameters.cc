@@ -86,9 +86,7 @@ void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
 
 /// An orbit is known by its modes at two instants, and by nothing that a law of contact remembers beside them.
 void require_law_without_memory(CaseTable& table, const SimulateParameters& parameters) {
-  const bool has_memory = parameters.scheme == Scheme::moreau_jean || parameters.scheme == Scheme::penalty ||
-                          parameters.contact == ContactRule::paper;
-  if (!has_memory) return;
+  if (maps_states(parameters.scheme, parameters.contact)) return;
   const std::string what =
       " holds only with contact = \"complementarity\" and neither scheme = \"moreau_jean\" nor "
       "\"penalty\"; set another scheme, or ";
@@ -127,7 +125,7 @@ void read_scheme(CaseTable& table, SimulateParameters& parameters) {
   if (parameters.scheme == Scheme::penalty)
     parameters.penalty_stiffness =
         table.number("penalty_stiffness", 100, Range::positive(), "static stiffnesses of the stiffest contact node");
-  const bool needs_modes = parameters.scheme == Scheme::residual_flexibility;
+  const bool needs_modes = traits_of(parameters.scheme).quasi_static;
   parameters.modes =
       table.integer("modes", needs_modes ? std::nullopt : std::optional<int>(0),
                     Range::between(needs_modes ? 1 : 0, count_max), "with mass, a nodal diameter; 0: all");

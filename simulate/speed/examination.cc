@@ -12,15 +12,14 @@ namespace {
 constexpr double neighbour = 0.01;  // of the speed, to each side
 constexpr double disturbance = 2;   // times the displacement
 
-SettledMotion settled_from(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start,
+SettledMotion settled_from(const Scene& scene, const SharedRotor& rotor, const RotorState& start,
                            int steps_per_revolution) {
   return settle(scene, rotor, start, {steps_per_revolution, scene.parameters.min_revolutions});
 }
 
 /// The state of the motion from rest at another speed.
 RotorState state_at(const Scene& scene, double speed) {
-  const RotorAtSpeed rotor = rotor_of(scene, speed);
-  return state_of(*settle_roughly(scene, rotor).march, rotor, scene.model);
+  return state_of(*settle_roughly(scene, rotor_of(scene, speed)).march, scene.model);
 }
 
 RotorState disturbed(RotorState state) {
@@ -54,24 +53,24 @@ OtherStart compared(const char* start, const Attempt<SettledMotion>& other, cons
 
 }  // namespace
 
-std::vector<OtherStart> other_starts(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& end,
+std::vector<OtherStart> other_starts(const Scene& scene, const SharedRotor& rotor, const RotorState& end,
                                      const SettledMotion& found, SymmetryVerdict symmetry) {
   const int lobes = scene.casing.lobes, steps = found.march->steps_per_revolution();
   std::vector<OtherStart> starts;
   for (const auto& [start, speed] :
-       {std::pair("up", rotor.speed * (1 - neighbour)), std::pair("down", rotor.speed * (1 + neighbour))}) {
+       {std::pair("up", rotor->speed * (1 - neighbour)), std::pair("down", rotor->speed * (1 + neighbour))}) {
     const auto other = attempt([&, at = speed] { return settled_from(scene, rotor, state_at(scene, at), steps); });
     starts.push_back(compared(start, other, found, lobes));
   }
   const auto swung = attempt([&] { return settled_from(scene, rotor, disturbed(end), steps); });
   starts.push_back(compared("disturbed", swung, found, lobes));
   if (symmetry != SymmetryVerdict::breaking && symmetry != SymmetryVerdict::undecided) return starts;
-  const auto whole = attempt([&] { return of_whole_wheel(scene, rotor.speed, steps); });
+  const auto whole = attempt([&] { return of_whole_wheel(scene, rotor->speed, steps); });
   starts.push_back(compared("whole wheel", whole, found, lobes));
   return starts;
 }
 
-Attempt<MotionDifference> halved_step(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& end,
+Attempt<MotionDifference> halved_step(const Scene& scene, const SharedRotor& rotor, const RotorState& end,
                                       const SettledMotion& found) {
   return attempt([&] {
     const SettledMotion halved = settled_from(scene, rotor, end, 2 * found.march->steps_per_revolution());

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "simulate/march/rotor_at_speed.h"
 #include "simulate/motion/attempt.h"
 #include "simulate/motion/rotor_state.h"
 #include "simulate/orbits/speed_audit.h"
@@ -17,11 +16,11 @@ namespace tiprub {
 /// from its own with twice the displacement ("disturbed"), and, where symmetry does not clearly hold, with all nodal
 /// diameters from rest ("whole wheel"). All with the step of `found`, whose motion they are compared with, and from
 /// which `end` is the state. Costs three or four marches.
-std::vector<OtherStart> other_starts(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& end,
+std::vector<OtherStart> other_starts(const Scene& scene, const SharedRotor& rotor, const RotorState& end,
                                      const SettledMotion& found, SymmetryVerdict symmetry);
 
 /// What half the step changes, starting from `end`, of a motion whose step was given.
-Attempt<MotionDifference> halved_step(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& end,
+Attempt<MotionDifference> halved_step(const Scene& scene, const SharedRotor& rotor, const RotorState& end,
                                       const SettledMotion& found);
 
 }  // namespace tiprub

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "simulate/march/carried_state.h"
-#include "simulate/march/integrators/penalty.h"
 #include "simulate/motion/attempt.h"
 
 namespace tiprub {
@@ -32,45 +31,39 @@ constexpr double scatter = 1.6;            // the true error over the difference
 constexpr double useless_halving = 0.9;    // of the difference before it: the error doesn't fall
 constexpr int min_revolutions_again = 10;  // from a motion that has settled with twice the step
 
-/// h < 2/omega_max, damping or not: the paper's eq. 13 damps at the middle instant. `omega_max` includes the springs
-/// of a penalty.
-void require_stable_step(const SimulateParameters& parameters, double omega_max, const TimeMarch& march,
-                         double step_ratio) {
-  const bool penalty = parameters.scheme == Scheme::penalty;
-  if ((!penalty && parameters.scheme != Scheme::central_differences) || step_ratio <= 1) return;
+/// h < 2/omega_max, damping or not: the paper's eq. 13 damps at the middle instant.
+void require_stable_step(const TimeMarch& march, double omega_max) {
+  const SchemeTraits traits = traits_of(march.scene().setup.scheme);
+  const double step_ratio = march.time_step() * omega_max / 2;
+  if (!traits.limits_step || step_ratio <= 1) return;
   std::ostringstream text;
   text << "central differences need h omega_max / 2 <= 1, and have " << step_ratio << " with "
        << march.steps_per_revolution() << " steps a revolution (omega_max " << omega_max << " rad/s"
-       << (penalty ? ", the penalty's springs included" : "") << "); set [simulate] steps_per_revolution to at least "
-       << std::ceil(march.steps_per_revolution() * step_ratio) << (penalty ? ", a lower penalty_stiffness" : "")
-       << ", or scheme = \"trigonometric\"";
+       << (traits.springs ? ", the penalty's springs included" : "")
+       << "); set [simulate] steps_per_revolution to at least "
+       << std::ceil(march.steps_per_revolution() * step_ratio)
+       << (traits.springs ? ", a lower penalty_stiffness" : "") << ", or scheme = \"trigonometric\"";
   throw NoMotion(text.str());
 }
 
 /// With fewer modes than closed nodes, no force can close them all, and small errors meet huge ones.
-void require_full_rank(const Scene& scene, const RotorAtSpeed& rotor, double condition) {
-  const bool dropped =
-      scene.parameters.scheme != Scheme::residual_flexibility && rotor.waves[0].residual_compliance.size();
-  if (!dropped || scene.parameters.scheme == Scheme::penalty || condition < worst_condition) return;
+void require_full_rank(const TimeMarch& march, int modes, double condition) {
+  const SchemeTraits traits = traits_of(march.scene().setup.scheme);
+  const bool dropped = !traits.quasi_static && march.rotor().waves[0].residual_compliance.size();
+  if (!dropped || traits.springs || condition < worst_condition) return;
   std::ostringstream text;
   text << "the contact compliance has condition " << condition << ", at most " << worst_condition
-       << " is allowed: " << scene.parameters.modes << " modes a nodal diameter can't move "
-       << scene.model.contact.size()
+       << " is allowed: " << modes << " modes a nodal diameter can't move " << march.node_count()
        << " contact nodes independently; raise [simulate] modes, or set scheme = \"residual_flexibility\"";
   throw NoMotion(text.str());
 }
 
-ModeChoice mode_choice(const SimulateParameters& parameters) {
-  return {parameters.modes, parameters.scheme == Scheme::residual_flexibility ? ModeChoice::Others::quasi_static
-                                                                              : ModeChoice::Others::dropped};
-}
-
 /// All nodal diameters from exact symmetry stay in it for hundreds of revolutions, stable or not: those that the
 /// casing's orders can't move get a small start.
-void seed_excluded_diameters(const Scene& scene, const RotorAtSpeed& rotor, TimeMarch& march) {
+void seed_excluded_diameters(const Scene& scene, TimeMarch& march) {
   const int symmetry = std::gcd(scene.model.sector_count, scene.casing.lobes);
-  for (std::size_t i = 0; i < rotor.waves.size(); ++i) {
-    const WaveModes& wave = rotor.waves[i];
+  for (std::size_t i = 0; i < march.wave_count(); ++i) {
+    const WaveModes& wave = march.rotor().waves[i];
     if (wave.nodal_diameter % symmetry == 0) continue;
     const double unit = wave.normal_rows.col(0).cwiseAbs().maxCoeff();
     if (!(unit > 0)) continue;
@@ -107,8 +100,7 @@ bool is_confirmed(const Scene& scene, OrbitSearch* search, TimeMarch& march, Set
 
 /// Marches until the motion has settled or the allowed revolutions are spent, then records. A motion that is no
 /// longer settled, or of another period, at the end of its recording is given more time.
-SettledMotion march_and_record(const Scene& scene, const RotorAtSpeed& rotor, const MarchPlan& plan,
-                               std::unique_ptr<TimeMarch> march) {
+SettledMotion march_and_record(const Scene& scene, const MarchPlan& plan, std::unique_ptr<TimeMarch> march) {
   const SimulateParameters& parameters = scene.parameters;
   const int last_start = parameters.max_revolutions - parameters.recorded_revolutions;
   Settling settling(scene, *march, plan.min_revolutions);
@@ -120,7 +112,7 @@ SettledMotion march_and_record(const Scene& scene, const RotorAtSpeed& rotor, co
         settling.settled() ? revolutions_to_record(parameters, settling.state()) : parameters.recorded_revolutions;
     if (plan.cycle == CycleChoice::kept)
       grid.cycle_revolutions = settling.settled() ? grid.revolutions : longest_cycle;
-    Recording recording(*march, rotor, scene.model.contact, grid);
+    Recording recording(*march, grid);
     for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution(*march));
     if (!is_confirmed(scene, plan.search, *march, settling)) continue;
     const bool same = settling.settled() && revolutions_to_record(parameters, settling.state()) <= grid.revolutions;
@@ -135,29 +127,22 @@ SettledMotion march_and_record(const Scene& scene, const RotorAtSpeed& rotor, co
   }
 }
 
-void start_march(const Scene& scene, const RotorState& start, const RotorAtSpeed& rotor, TimeMarch& march) {
+void start_march(const Scene& scene, const RotorState& start, TimeMarch& march) {
   if (!start.at_rest()) {
-    put_state(start, rotor, scene.model, march);
+    put_state(start, scene.model, march);
     march.set_step(march.steps_per_revolution() *
                    static_cast<std::int64_t>(std::ceil(scene.casing.ramp_revolutions)));
   } else if (scene.parameters.nodal_diameters == DiameterChoice::all) {
-    seed_excluded_diameters(scene, rotor, march);
+    seed_excluded_diameters(scene, march);
   }
 }
 
-MarchSetup setup_of(const Scene& scene, const RotorAtSpeed& rotor, const MarchPlan& plan) {
-  const SimulateParameters& parameters = scene.parameters;
-  return {parameters.scheme,    parameters.contact, plan.steps_per_revolution,
-          scene.scope.symmetry, parameters.theta,   parameters.penalty_stiffness * rotor.tip_stiffness};
-}
-
 /// The same motion with half the step.
-SettledMotion halved(const Scene& scene, const RotorAtSpeed& rotor, const SettledMotion& coarse,
-                     const MarchPlan& before) {
+SettledMotion halved(const Scene& scene, const SettledMotion& coarse, const MarchPlan& before) {
   const MarchPlan plan{2 * coarse.march->steps_per_revolution(),
                        std::min(min_revolutions_again, scene.parameters.min_revolutions), before.cycle,
                        before.search};
-  SettledMotion finer = settle(scene, rotor, state_of(*coarse.march, rotor, scene.model), plan);
+  SettledMotion finer = settle(scene, coarse.march->scene().rotor, state_of(*coarse.march, scene.model), plan);
   finer.revolutions += coarse.revolutions;
   return finer;
 }
@@ -172,8 +157,8 @@ bool is_small(const std::vector<double>& differences, double tolerance) {
 
 /// Whether half the step can be counted, and isn't lost in rounding: velocities are differences of positions, which
 /// are good to their last digit.
-bool can_halve(const TimeMarch& march, const RotorAtSpeed& rotor, double tolerance) {
-  const double angle = std::numbers::pi * rotor.first_frequency * march.time_step();  // of half a step
+bool can_halve(const TimeMarch& march, double tolerance) {
+  const double angle = std::numbers::pi * march.rotor().first_frequency * march.time_step();  // of half a step
   return march.steps_per_revolution() <= most_steps_to_halve &&
          std::numeric_limits<double>::epsilon() <= tolerance * angle * angle;
 }
@@ -187,24 +172,23 @@ bool is_useless(const std::vector<double>& differences) {
 
 /// An orbit that a march from rest is on its way to, found with a coarse step, as a state to start from; at rest if
 /// there is none. `search` knows then, and is empty where nothing is to be looked for.
-RotorState approach(const Scene& scene, const RotorAtSpeed& rotor, std::optional<OrbitSearch>& search) {
+RotorState approach(const Scene& scene, const SharedRotor& rotor, std::optional<OrbitSearch>& search) {
   if (scene.parameters.steady_state != SteadyStateMethod::orbit || !has_symmetric_map(scene)) return {};
   SimulateParameters parameters = scene.parameters;
   parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
-  const int steps = steps_per_revolution(scene.scope, parameters, rotor.first_frequency, rotor.speed);
-  TimeMarch march(rotor, scene.casing, scene.model.contact, open_clearance(scene, rotor.speed),
-                  setup_of(scene, rotor, {steps}));
-  search.emplace(scene, rotor);
-  return search->approach(march) ? state_of(march, rotor, scene.model) : RotorState{};
+  const int steps = steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed);
+  TimeMarch march(marched_scene(scene, rotor, steps));
+  search.emplace(scene);
+  return search->approach(march) ? state_of(march, scene.model) : RotorState{};
 }
 
 /// Halves the step until the tolerance is met.
-RefinedMotion refined(const Scene& scene, const RotorAtSpeed& rotor, const MarchPlan& plan, SettledMotion motion) {
+RefinedMotion refined(const Scene& scene, const MarchPlan& plan, SettledMotion motion) {
   const double tolerance = scene.parameters.step_tolerance;
   RefinedMotion refined;
   std::vector<double> differences;
-  while (differences.size() < most_halvings && can_halve(*motion.march, rotor, tolerance)) {
-    SettledMotion finer = halved(scene, rotor, motion, plan);
+  while (differences.size() < most_halvings && can_halve(*motion.march, tolerance)) {
+    SettledMotion finer = halved(scene, motion, plan);
     refined.halving = difference(finer.sampled(), motion.sampled(), scene.casing.lobes);
     differences.push_back(refined.halving->value);
     motion = std::move(finer);
@@ -217,53 +201,31 @@ RefinedMotion refined(const Scene& scene, const RotorAtSpeed& rotor, const March
 
 }  // namespace
 
-Eigen::VectorXd open_clearance(const Scene& scene, double speed) {
-  Eigen::VectorXd clearance = scene.casing.running_clearance(scene.model.contact, speed);
-  Eigen::Index node = 0;
-  if (clearance.minCoeff(&node) >= 0) return clearance;
-  std::ostringstream text;
-  text << "spin closes the clearance: contact node " << node << " (from 0, leading edge first"
-       << (node > scene.model.contact.trailing_edge() ? "; on the splitter" : "") << ") is left with "
-       << clearance[node] << " m at " << speed << " rad/s; widen [casing] clearance, or give the running one";
-  throw NoMotion(text.str());
-}
-
-RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others) {
-  return rotor_at_speed(scene.model, speed, scene.scope.nodal_diameters, scene.parameters.damping,
-                        mode_choice(scene.parameters), others);
-}
-
-SettledMotion settle(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start, const MarchPlan& plan) {
-  const SimulateParameters& parameters = scene.parameters;
-  const Eigen::VectorXd clearance = open_clearance(scene, rotor.speed);
-  const MarchSetup setup = setup_of(scene, rotor, plan);
-  auto march = std::make_unique<TimeMarch>(rotor, scene.casing, scene.model.contact, clearance, setup);
-  const double omega_max =
-      parameters.scheme == Scheme::penalty ? penalised_omega_max(rotor, setup.penalty_stiffness) : rotor.omega_max;
-  const double step_ratio = march->time_step() * omega_max / 2;
-  require_stable_step(parameters, omega_max, *march, step_ratio);
+SettledMotion settle(const Scene& scene, const SharedRotor& rotor, const RotorState& start, const MarchPlan& plan) {
+  auto march = std::make_unique<TimeMarch>(marched_scene(scene, rotor, plan.steps_per_revolution));
+  const double omega_max = march->scene().omega_max();
+  require_stable_step(*march, omega_max);
   const double condition = compliance_condition(*march);
-  require_full_rank(scene, rotor, condition);
-  start_march(scene, start, rotor, *march);
-  SettledMotion settled = march_and_record(scene, rotor, plan, std::move(march));
-  settled.clearance = clearance;
-  settled.step_ratio = step_ratio;
+  require_full_rank(*march, scene.parameters.modes, condition);
+  start_march(scene, start, *march);
+  SettledMotion settled = march_and_record(scene, plan, std::move(march));
+  settled.step_ratio = settled.march->time_step() * omega_max / 2;
   settled.compliance_condition = condition;
   return settled;
 }
 
-RefinedMotion settle_within_tolerance(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start,
+RefinedMotion settle_within_tolerance(const Scene& scene, const SharedRotor& rotor, const RotorState& start,
                                       CycleChoice cycle) {
   const SimulateParameters& parameters = scene.parameters;
   std::optional<OrbitSearch> search;
   RotorState orbit;
   if (start.at_rest()) orbit = approach(scene, rotor, search);
-  const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, rotor.speed),
+  const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed),
                        parameters.min_revolutions, cycle, search ? &*search : nullptr};
   const auto run = [&](const RotorState& from) {
     SettledMotion motion = settle(scene, rotor, from, plan);
     const bool halves = parameters.steps_per_revolution == 0;
-    return halves ? refined(scene, rotor, plan, std::move(motion)) : RefinedMotion{std::move(motion), {}, {}, {}};
+    return halves ? refined(scene, plan, std::move(motion)) : RefinedMotion{std::move(motion), {}, {}, {}};
   };
   RefinedMotion found = run(orbit.at_rest() ? start : orbit);
   if (!orbit.at_rest() && !search->stands(*found.motion.march)) found = run(start);
@@ -272,14 +234,14 @@ RefinedMotion settle_within_tolerance(const Scene& scene, const RotorAtSpeed& ro
   return found;
 }
 
-SettledMotion settle_roughly(const Scene& scene, const RotorAtSpeed& rotor) {
+SettledMotion settle_roughly(const Scene& scene, const SharedRotor& rotor) {
   SimulateParameters parameters = scene.parameters;
   parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
   parameters.settle_tolerance = std::max(parameters.settle_tolerance, coarse_settling);
   const Scene coarse{scene.model, scene.casing, parameters, scene.scope};
   std::optional<OrbitSearch> search;
   const RotorState orbit = approach(coarse, rotor, search);
-  const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor.first_frequency, rotor.speed),
+  const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed),
                        std::min(min_revolutions_again, parameters.min_revolutions), CycleChoice::left,
                        search ? &*search : nullptr};
   return settle(coarse, rotor, orbit, plan);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Dense>
 #include <memory>
 #include <optional>
 
-#include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/time_march.h"
 #include "simulate/motion/rotor_state.h"
 #include "simulate/orbits/recording.h"
@@ -28,12 +26,6 @@ struct MarchPlan {
   OrbitSearch* search = nullptr;  ///< jumps to the settled motion, if it may
 };
 
-/// The rotor of a scene at a speed [rad/s]. Raises NoMotion if it is unstable there.
-RotorAtSpeed rotor_of(const Scene& scene, double speed, OtherDiameters others = OtherDiameters::known);
-
-/// [m] what is left of the clearance at a speed in rad/s, at the contact nodes. Raises NoMotion if spin closes it.
-Eigen::VectorXd open_clearance(const Scene& scene, double speed);
-
 /// A march that has come to its settled motion, or as near as it was allowed to, and what was recorded there.
 struct SettledMotion {
   std::unique_ptr<TimeMarch> march;  ///< at the end of the recording
@@ -41,7 +33,6 @@ struct SettledMotion {
   MotionReading reading;
   SettlingState state;
   int revolutions = 0;              ///< marched in all, the recorded ones included
-  Eigen::VectorXd clearance;        ///< [m] at the contact nodes
   double step_ratio = 0;            ///< [1] h omega_max / 2
   double compliance_condition = 0;  ///< [1] of W
 
@@ -54,7 +45,7 @@ struct SettledMotion {
 /// From a state to the settled motion with one step.
 /// Raises NoMotion with the reason of a failure: a clearance that spin closes, a step too long for its scheme, too
 /// few modes for the contact nodes, a motion that grows without bound.
-SettledMotion settle(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start, const MarchPlan& plan);
+SettledMotion settle(const Scene& scene, const SharedRotor& rotor, const RotorState& start, const MarchPlan& plan);
 
 /// A settled motion, how exact its step is, and how it was found.
 struct RefinedMotion {
@@ -68,11 +59,11 @@ struct RefinedMotion {
 /// the settled motion by no more than step_tolerance. A halving that makes nothing better, or a motion that doesn't
 /// settle, ends it too: the difference says what was reached. With [simulate] steps_per_revolution: that step,
 /// whatever its error.
-RefinedMotion settle_within_tolerance(const Scene& scene, const RotorAtSpeed& rotor, const RotorState& start,
+RefinedMotion settle_within_tolerance(const Scene& scene, const SharedRotor& rotor, const RotorState& start,
                                       CycleChoice cycle);
 
 /// From rest with a coarse step to an amplitude within a few percent, at a quarter of the cost or less: for where to
 /// look, and for a state to start from.
-SettledMotion settle_roughly(const Scene& scene, const RotorAtSpeed& rotor);
+SettledMotion settle_roughly(const Scene& scene, const SharedRotor& rotor);
 
 }  // namespace tiprub

@@ -26,21 +26,19 @@ struct SymmetryCheck {
   std::optional<Growth> growth;
 };
 
-SymmetryCheck check_symmetry(const Scene& scene, const RefinedMotion& found, const RotorAtSpeed& rotor) {
+SymmetryCheck check_symmetry(const Scene& scene, const RefinedMotion& found) {
   if (found.excluded) return {judge(*found.excluded), found.excluded};
-  if (rotor.others.empty()) return {};
   const SettledMotion& motion = found.motion;
+  if (motion.march->rotor().others.empty()) return {};
   const int revolutions = scene.parameters.symmetry_check_revolutions;
   if (revolutions == 0 || motion.recorded.displacement.isZero(0)) return {SymmetryVerdict::unchecked, {}};
-  const auto growth = attempt([&] {
-    return excluded_growth(*motion.march, rotor, scene.casing, scene.model.contact, motion.state.period_revolutions,
-                           revolutions);
-  });
+  const auto growth =
+      attempt([&] { return excluded_growth(*motion.march, motion.state.period_revolutions, revolutions); });
   return {growth.result ? judge(*growth.result) : SymmetryVerdict::unchecked, growth.result};
 }
 
 /// How far a motion is from the one from rest, if there is such.
-std::optional<double> rest_difference(const Scene& scene, const RotorAtSpeed& rotor, const SettledMotion& found) {
+std::optional<double> rest_difference(const Scene& scene, const SharedRotor& rotor, const SettledMotion& found) {
   const auto difference_to_rest = attempt([&] {
     const MarchPlan plan{found.march->steps_per_revolution(), scene.parameters.min_revolutions};
     const SettledMotion from_rest = settle(scene, rotor, {}, plan);
@@ -81,7 +79,7 @@ SpeedResponse response_of(SettledMotion motion) {
   response.change_rate = motion.state.rate;
   response.chatter = motion.recorded.chatter.share;
   response.chatter_node = motion.recorded.chatter.node;
-  response.clearance = std::move(motion.clearance);
+  response.clearance = motion.march->scene().obstacle.clearance();
   response.displacement = std::move(motion.recorded.displacement);
   response.contact_force = std::move(motion.recorded.contact_force);
   response.contact_count = std::move(motion.recorded.contact_count);
@@ -105,12 +103,12 @@ SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState&
   if (depth == Depth::scanned)
     return {response_of(settle_roughly(scene, rotor_of(scene, speed, OtherDiameters::unknown))), {}};
   const bool is_examined = depth == Depth::examined;
-  const RotorAtSpeed rotor = rotor_of(scene, speed);
+  const SharedRotor rotor = rotor_of(scene, speed);
   RefinedMotion found =
       settle_within_tolerance(scene, rotor, start, is_examined ? CycleChoice::kept : CycleChoice::left);
   SpeedResult result;
-  result.end = state_of(*found.motion.march, rotor, scene.model);
-  const SymmetryCheck symmetry = check_symmetry(scene, found, rotor);
+  result.end = state_of(*found.motion.march, scene.model);
+  const SymmetryCheck symmetry = check_symmetry(scene, found);
   std::optional<double> from_rest;
   if (!start.at_rest()) from_rest = rest_difference(scene, rotor, found.motion);
   Attempt<MotionDifference> halving{found.halving, ""};

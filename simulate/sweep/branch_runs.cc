@@ -11,7 +11,6 @@
 #include "simulate/periodic/marched_map.h"
 #include "simulate/periodic/newton.h"
 #include "simulate/periodic/orbit_search.h"
-#include "simulate/speed/settled_march.h"
 
 namespace tiprub {
 
@@ -23,16 +22,15 @@ constexpr double first_step = 1e-3;           // of a speed
 constexpr double same_amplitude = 0.03;       // an orbit of a branch, and the motion at a speed
 
 /// An orbit, whether it attracts or not, near to where a march from rest comes by.
-std::optional<Eigen::VectorXd> orbit_near(const Scene& scene, const RotorAtSpeed& rotor, int steps) {
-  TimeMarch march(rotor, scene.casing, scene.model.contact, open_clearance(scene, rotor.speed),
-                  {scene.parameters.scheme, scene.parameters.contact, steps, scene.scope.symmetry});
+std::optional<Eigen::VectorXd> orbit_near(const Scene& scene, const SharedRotor& rotor, int steps) {
+  TimeMarch march(marched_scene(scene, rotor, steps));
   const auto solver = std::make_shared<RecycledGmres>();
   for (int revolutions = first_try; revolutions <= last_try; revolutions *= 2) {
     const std::int64_t until =
         (static_cast<std::int64_t>(std::ceil(scene.casing.ramp_revolutions)) + revolutions) * steps;
     while (march.step_count() < until) march.step();
     const MarchState before(march);
-    MarchedMap map(march, rotor, scene.casing, scene.model.contact);
+    MarchedMap map(march);
     const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), {newton_step}, solver);
     if (orbit.found == NewtonResult::Found::yes) return orbit.state;
     before.restore(march);
@@ -57,8 +55,8 @@ std::optional<OrbitBranch> branch_from(const Scene& scene, double speed) {
                             std::min(speed * (1 + parameters.branch_range), scene.model.speed_max), first_step,
                             parameters.branch_steps};
   const auto followed = attempt([&]() -> std::optional<OrbitBranch> {
-    const RotorAtSpeed rotor = rotor_of(scene, speed);
-    const int steps = steps_per_revolution(scene.scope, parameters, rotor.first_frequency, speed);
+    const SharedRotor rotor = rotor_of(scene, speed);
+    const int steps = steps_per_revolution(scene.scope, parameters, rotor->first_frequency, speed);
     const std::optional<Eigen::VectorXd> start = orbit_near(scene, rotor, steps);
     if (!start || !(start->norm() > 0)) return std::nullopt;
     return follow_branch(scene, speed, steps, *start, limits);

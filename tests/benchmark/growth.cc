@@ -105,8 +105,9 @@ double measured_rate(const ReducedModel& model, const RotorAtSpeed& like, const 
   rotor.speed = speed;
   const bool pressed = setup.springs > 0;
   const Casing casing = lobed_casing(lobes, 0, pressed ? -overlap : overlap);
-  TimeMarch march(rotor, casing, model.contact, casing.given_clearance(model.contact),
-                  {setup.scheme, ContactRule::complementarity, steps_per_revolution, 1, setup.theta, kappa});
+  TimeMarch march =
+      march_of(rotor, casing, model.contact, casing.given_clearance(model.contact),
+               {setup.scheme, ContactRule::complementarity, steps_per_revolution, 1, setup.theta, kappa});
   const std::vector<Eigen::VectorXcd> at = rest(rotor, pressed ? kappa : 0);
   const double size = predicted > 0 ? smallest : largest;
   for (std::size_t i = 0; i < at.size(); ++i)

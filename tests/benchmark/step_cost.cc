@@ -10,6 +10,7 @@
 #include "tests/benchmark/step_bound.h"
 #include "tests/benchmark/whole_rotor.h"
 #include "tests/simulate/march/dense_ring.h"
+#include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::testing {
 
@@ -62,9 +63,9 @@ Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, const Mach
   const RotorAtSpeed rotor =
       rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, symmetry), {wheel.damping});
   const int steps = scheme == Scheme::central_differences ? central_steps(wheel, rotor) : default_steps(wheel, rotor);
-  TimeMarch march(rotor, wheel.casing, wheel.model.contact,
-                  wheel.casing.running_clearance(wheel.model.contact, wheel.speed),
-                  {scheme, ContactRule::complementarity, steps, symmetry});
+  TimeMarch march = march_of(rotor, wheel.casing, wheel.model.contact,
+                             wheel.casing.running_clearance(wheel.model.contact, wheel.speed),
+                             {scheme, ContactRule::complementarity, steps, symmetry});
   Cost cost = timed(march, wheel.casing.ramp_revolutions);
   cost.least = count_step(rotor, march.sectors(), cost.closed).least(rates);
   return cost;
@@ -75,8 +76,8 @@ Cost whole_cost(const BenchWheel& wheel, ContactRule rule) {
   const RotorAtSpeed rotor = rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, 1), {wheel.damping});
   const WholeRotor whole = whole_rotor(rotor, wheel.model.contact);
   const Eigen::VectorXd clearance = wheel.casing.running_clearance(wheel.model.contact, wheel.speed);
-  TimeMarch march(whole.rotor, wheel.casing, whole.contact, clearance.replicate(rotor.sector_count, 1),
-                  {Scheme::central_differences, rule, central_steps(wheel, rotor), 1});
+  TimeMarch march = march_of(whole.rotor, wheel.casing, whole.contact, clearance.replicate(rotor.sector_count, 1),
+                             {Scheme::central_differences, rule, central_steps(wheel, rotor), 1});
   return timed(march, wheel.casing.ramp_revolutions);
 }
 

@@ -10,6 +10,7 @@
 #include "simulate/motion/attempt.h"
 #include "simulate/scene/scene_scope.h"
 #include "tests/simulate/compared_responses.h"
+#include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::testing {
 
@@ -31,10 +32,10 @@ double growth_beyond(const Trial& trial) {
                                                : ModeChoice::Others::dropped};
   const RotorAtSpeed rotor =
       rotor_at_speed(wheel.model, wheel.speed, scope.nodal_diameters, parameters.damping, modes);
-  TimeMarch march(rotor, wheel.casing, wheel.model.contact,
-                  wheel.casing.running_clearance(wheel.model.contact, wheel.speed),
-                  {parameters.scheme, parameters.contact, parameters.steps_per_revolution, scope.symmetry,
-                   parameters.theta, parameters.penalty_stiffness * rotor.tip_stiffness});
+  TimeMarch march = march_of(rotor, wheel.casing, wheel.model.contact,
+                             wheel.casing.running_clearance(wheel.model.contact, wheel.speed),
+                             {parameters.scheme, parameters.contact, parameters.steps_per_revolution, scope.symmetry,
+                              parameters.theta, parameters.penalty_stiffness * rotor.tip_stiffness});
   const double scale = wheel.casing.amplitude + std::abs(wheel.casing.clearance[0][1]);
   double motion_far = 0;
   std::int64_t step_far = 0;

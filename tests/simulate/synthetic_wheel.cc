@@ -98,13 +98,18 @@ std::vector<int> all_nodal_diameters(const ReducedModel& model) {
   return all;
 }
 
+TimeMarch march_of(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& tips,
+                   const Eigen::VectorXd& clearance, const MarchSetup& setup) {
+  return TimeMarch({std::make_shared<RotorAtSpeed>(rotor), tips, {casing, tips, clearance}, setup});
+}
+
 Bench make_bench(const ReducedModel& model, const Casing& casing, double speed, double damping_ratio,
                  const MarchSetup& setup) {
   std::vector<int> moving;
   for (int n : all_nodal_diameters(model))
     if (n % setup.symmetry == 0) moving.push_back(n);
   RotorAtSpeed rotor = rotor_at_speed(model, speed, moving, {damping_ratio});
-  TimeMarch march(rotor, casing, model.contact, casing.running_clearance(model.contact, speed), setup);
+  TimeMarch march = march_of(rotor, casing, model.contact, casing.running_clearance(model.contact, speed), setup);
   return {std::move(rotor), std::move(march)};
 }
 

@@ -30,6 +30,10 @@ Casing lobed_casing(int lobes, double amplitude, double clearance);
 /// The nodal diameters 0 .. N/2.
 std::vector<int> all_nodal_diameters(const ReducedModel& model);
 
+/// A march of a rotor against a casing with the clearance [m] of its tips.
+TimeMarch march_of(const RotorAtSpeed& rotor, const Casing& casing, const ContactLine& tips,
+                   const Eigen::VectorXd& clearance, const MarchSetup& setup);
+
 /// A march that plays with all nodal diameters, and the rotor it belongs to.
 struct Bench {
   RotorAtSpeed rotor;

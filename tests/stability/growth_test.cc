@@ -7,6 +7,7 @@
 #include "simulate/march/time_march.h"
 #include "tests/benchmark/bench_wheel.h"
 #include "tests/benchmark/whole_rotor.h"
+#include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::testing {
 namespace {
@@ -50,8 +51,9 @@ TEST(WholeRotor, MovesAsItsNodalDiametersDo) {
   const WholeRotor whole = whole_rotor(rotor, wheel.model.contact);
   const MarchSetup setup{Scheme::trigonometric, ContactRule::complementarity, steps, 1};
   const Eigen::VectorXd clearance = wheel.casing.running_clearance(wheel.model.contact, wheel.speed);
-  TimeMarch by_waves(rotor, wheel.casing, wheel.model.contact, clearance, setup);
-  TimeMarch at_once(whole.rotor, wheel.casing, whole.contact, clearance.replicate(rotor.sector_count, 1), setup);
+  TimeMarch by_waves = march_of(rotor, wheel.casing, wheel.model.contact, clearance, setup);
+  TimeMarch at_once =
+      march_of(whole.rotor, wheel.casing, whole.contact, clearance.replicate(rotor.sector_count, 1), setup);
   for (int i = 0; i < 2 * steps; ++i) {
     by_waves.step();
     at_once.step();

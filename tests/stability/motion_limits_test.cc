@@ -92,10 +92,10 @@ Growth growth(double excluded_damping) {
   const Casing casing = testing::lobed_casing(2, 2e-4, 1.5e-4);
   RotorAtSpeed rotor = rotor_at_speed(model, 900, {0, 2}, {0.01});
   for (WaveModes& wave : rotor.others) wave.damping_ratio.setConstant(excluded_damping);
-  TimeMarch march(rotor, casing, model.contact, casing.given_clearance(model.contact),
-                  {Scheme::trigonometric, ContactRule::complementarity, 1200, 2});
+  TimeMarch march = testing::march_of(rotor, casing, model.contact, casing.given_clearance(model.contact),
+                                      {Scheme::trigonometric, ContactRule::complementarity, 1200, 2});
   for (int i = 0; i < 30 * 1200; ++i) march.step();
-  return excluded_growth(march, rotor, casing, model.contact, 1, 24);
+  return excluded_growth(march, 1, 24);
 }
 
 TEST(SymmetryLimit, IsTheGrowthOfWhatWasLeftOut) {

@@ -114,7 +114,7 @@ TEST(TrigonometricLimit, IsNone) {
                             0.0, {Scheme::trigonometric, ContactRule::complementarity, steps, 1});
     bench.march.set_state(0, Eigen::VectorXcd::Zero(3), Eigen::VectorXcd::Constant(3, -1e-4));  // towards the wall
     bench.march.step();
-    const EnergyAudit audit(bench.march, bench.rotor);
+    const EnergyAudit audit(bench.march);
     double last = audit.energy(bench.march);
     const double start = last;
     for (int i = 0; i < 20 * steps; ++i) {
@@ -152,7 +152,7 @@ TEST(MoreauJeanLimit, DampsFreeMotionBeyondOneHalf) {
                             {Scheme::moreau_jean, ContactRule::complementarity, steps, 1, theta});
     bench.march.set_state(0, Eigen::VectorXcd::Constant(3, 1e-3), Eigen::VectorXcd::Constant(3, 1e-3));
     bench.march.step();
-    const EnergyAudit audit(bench.march, bench.rotor);
+    const EnergyAudit audit(bench.march);
     const double first = audit.energy(bench.march);
     constexpr int count = 500;
     for (int i = 0; i < count; ++i) bench.march.step();

@@ -11,7 +11,6 @@
 #include "simulate/periodic/marched_map.h"
 #include "simulate/periodic/multipliers.h"
 #include "simulate/periodic/newton.h"
-#include "simulate/speed/settled_march.h"
 #include "simulate/speed/speed_run.h"
 #include "tests/simulate/branches/exact_orbit.h"
 #include "tests/simulate/branches/one_sided_spring.h"
@@ -43,11 +42,9 @@ struct Bed {
   /// From rest, some revolutions, then Newton's method.
   Eigen::VectorXd orbit(double speed, int steps, int revolutions) {
     const Scene at = scene();
-    const RotorAtSpeed rotor = rotor_of(at, speed, OtherDiameters::unknown);
-    TimeMarch march(rotor, casing, model.contact, open_clearance(at, speed),
-                    {parameters.scheme, parameters.contact, steps, scope.symmetry});
+    TimeMarch march(marched_scene(at, rotor_of(at, speed, OtherDiameters::unknown), steps));
     for (int i = 0; i < revolutions * steps; ++i) march.step();
-    MarchedMap map(march, rotor, casing, model.contact);
+    MarchedMap map(march);
     const NewtonResult found =
         find_fixed_point(map, map.symmetric().state(), {1e-9}, std::make_shared<RecycledGmres>());
     EXPECT_EQ(found.found, NewtonResult::Found::yes);

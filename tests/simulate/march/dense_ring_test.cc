@@ -63,8 +63,8 @@ Comparison compare(const ReducedModel& given, ContactRule rule, int contact_step
   const int unit = model.sector_count * lobes;
   const double limit = std::numbers::pi / speed * rotor.omega_max;  // steps a revolution at h = 2/omega_max
   const int steps = unit * static_cast<int>(std::ceil(1.1 * limit / unit));
-  TimeMarch march(rotor, casing, model.contact, casing.running_clearance(model.contact, speed),
-                  {Scheme::central_differences, rule, steps, 1});
+  TimeMarch march = testing::march_of(rotor, casing, model.contact, casing.running_clearance(model.contact, speed),
+                                      {Scheme::central_differences, rule, steps, 1});
   DenseRing dense(model, casing, speed, damping_ratio, steps, rule);
   Comparison comparison;
   double largest = 0;

@@ -55,7 +55,7 @@ Impact fly(Scheme scheme, int elements) {
   const Eigen::VectorXcd velocity = shapes.adjoint() * (model.nodal_diameters[0].M * flight);
   march.set_state(0, Eigen::VectorXcd::Zero(velocity.size()), -velocity * march.time_step());
   march.step();
-  const EnergyAudit audit(march, bench.rotor);
+  const EnergyAudit audit(march);
   const double before = audit.energy(march);
   std::vector<double> forces;
   int first = -1, last = -1;

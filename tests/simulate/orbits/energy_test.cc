@@ -33,7 +33,7 @@ TEST(EnergyAudit, HoldsWithoutContactAndDamping) {
                              {scheme, ContactRule::complementarity, 6000, 1});
     kick(bench);
     bench.march.step();
-    const EnergyAudit audit(bench.march, bench.rotor);
+    const EnergyAudit audit(bench.march);
     const double start = audit.energy(bench.march);
     for (int i = 0; i < 20000; ++i) bench.march.step();
     EXPECT_GT(start, 0);
@@ -47,7 +47,7 @@ TEST(EnergyAudit, NeverGrowsOnAWallAtRest) {
                              {scheme, ContactRule::complementarity, 6000, 1});
     kick(bench);
     bench.march.step();
-    const EnergyAudit audit(bench.march, bench.rotor);
+    const EnergyAudit audit(bench.march);
     const double start = audit.energy(bench.march);
     double last = start;
     int contacts = 0;
@@ -70,7 +70,7 @@ TEST(EnergyAudit, ClosesOnARubbingWheel) {
     Bench bench = make_bench(testing::synthetic_wheel({}), testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.01,
                              {scheme, rule, 6000, 2});
     for (int i = 0; i < 12000; ++i) bench.march.step();
-    EnergyAudit audit(bench.march, bench.rotor);
+    EnergyAudit audit(bench.march);
     for (int i = 0; i < 30000; ++i) {
       bench.march.step();
       audit.observe(bench.march);

@@ -24,13 +24,13 @@ RotorAtSpeed two_lobed_rotor(const ReducedModel& model, double damping) {
 /// Of what symmetry leaves out, against two lobes that the blades never reach: free modes.
 Growth free_growth(const ReducedModel& model, const RotorAtSpeed& rotor, int period) {
   const Casing casing = testing::lobed_casing(2, 1e-4, 1.0);
-  TimeMarch march(rotor, casing, model.contact, casing.given_clearance(model.contact),
-                  {Scheme::trigonometric, ContactRule::complementarity, steps, 2});
+  TimeMarch march = testing::march_of(rotor, casing, model.contact, casing.given_clearance(model.contact),
+                                      {Scheme::trigonometric, ContactRule::complementarity, steps, 2});
   for (std::size_t i = 0; i < march.wave_count(); ++i) {  // something to measure the seed by
     const Eigen::VectorXcd q = Eigen::VectorXcd::Constant(march.wave(i).moving, 1e-6);
     march.set_state(i, q, q);
   }
-  return excluded_growth(march, rotor, casing, model.contact, period, 24);
+  return excluded_growth(march, period, 24);
 }
 
 /// Symptom once: the growth of wheels whose disturbances all decay was fitted to rounding, and 12 of 40 were flagged.

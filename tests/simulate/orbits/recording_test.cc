@@ -26,8 +26,7 @@ RecordedBench recorded_motion(const ReducedModel& model, int symmetry, int revol
                                          {Scheme::trigonometric, ContactRule::complementarity, steps, symmetry}),
                      {}};
   for (int i = 0; i < warm_up; ++i) march_revolution(made.bench.march, samples);
-  Recording recording(made.bench.march, made.bench.rotor, model.contact,
-                      {samples, revolutions, 20, 1e-12, 60, cycle_revolutions});
+  Recording recording(made.bench.march, {samples, revolutions, 20, 1e-12, 60, cycle_revolutions});
   for (int i = 0; i < revolutions; ++i) recording.revolution(made.bench.march);
   made.recorded = recording.finish(made.bench.march);
   return made;
@@ -103,7 +102,7 @@ TEST(Recording, CountsTheStepsThatAnAreaHas) {
     testing::Bench bench = testing::make_bench(model, testing::lobed_casing(2, 1e-5, -1e-3), 900, 0.05,
                                                {Scheme::trigonometric, ContactRule::complementarity, steps, 2});
     for (int i = 0; i < warm_up; ++i) march_revolution(bench.march, samples);
-    Recording recording(bench.march, bench.rotor, model.contact, {samples, revolutions, areas, 1e-12, 0});
+    Recording recording(bench.march, {samples, revolutions, areas, 1e-12, 0});
     for (int i = 0; i < revolutions; ++i) recording.revolution(bench.march);
     const Recorded recorded = recording.finish(bench.march);
     for (int sector = 0; sector < bench.march.sectors(); ++sector)

@@ -28,7 +28,7 @@ class Newton : public ::testing::Test {
   const Casing casing_ = testing::lobed_casing(3, 2e-4, 1e-4);
   testing::Bench bench_ = testing::make_bench(model_, casing_, 2000, 0.02,
                                               {Scheme::trigonometric, ContactRule::complementarity, steps, 1});
-  MarchedMap map_{bench_.march, bench_.rotor, casing_, model_.contact};
+  MarchedMap map_{bench_.march};
 };
 
 TEST_F(Newton, ComesToTheSettledMarchWithinRounding) {
@@ -60,7 +60,7 @@ TEST_F(Newton, GivesFreeModesTheirMultipliers) {
   const Casing far = testing::lobed_casing(3, 1e-4, 1.0);
   testing::Bench bench =
       testing::make_bench(model_, far, 2000, 0.02, {Scheme::trigonometric, ContactRule::complementarity, steps, 1});
-  MarchedMap map(bench.march, bench.rotor, far, model_.contact);
+  MarchedMap map(bench.march);
   const MapImage image = map.image(map.symmetric().state());
   double slowest = 0;
   for (const WaveModes& wave : bench.rotor.waves)

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "simulate/march/marched_scene.h"
 #include "simulate/periodic/marched_map.h"
-#include "simulate/speed/settled_march.h"
 #include "simulate/speed/speed_run.h"
 #include "tests/simulate/compared_responses.h"
 #include "tests/simulate/synthetic_wheel.h"
@@ -31,7 +31,7 @@ TEST(SymmetricMap, ReturnsTheSettledMotion) {
   testing::Bench bench =
       testing::make_bench(model, casing, 2000, 0.02, {Scheme::trigonometric, ContactRule::complementarity, 1200, 1});
   for (int i = 0; i < 60 * 1200; ++i) bench.march.step();
-  MarchedMap map(bench.march, bench.rotor, casing, model.contact);
+  MarchedMap map(bench.march);
   const Eigen::VectorXd state = map.symmetric().state();
   EXPECT_EQ(map.symmetric().maps_per_revolution(), 15);
   EXPECT_LT((map.image(state).state - state).norm(), 1e-7 * state.norm());
@@ -59,7 +59,7 @@ SpeedResponse run(const ReducedModel& model, const Casing& casing, double speed,
   const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
   const Scene scene{model, casing, parameters, scope};
   parameters.steps_per_revolution =  // one step for all: two motions are compared
-      steps_per_revolution(scope, parameters, rotor_of(scene, speed).first_frequency, speed);
+      steps_per_revolution(scope, parameters, rotor_of(scene, speed)->first_frequency, speed);
   return simulate_speed(scene, speed).response;
 }
 

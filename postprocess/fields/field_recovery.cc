@@ -6,17 +6,14 @@
 #include <complex>
 #include <numbers>
 
+#include "reduce/model/nodal_diameter.h"
+
 namespace tiprub {
 
 namespace {
 
 double sector_angle(int sectors, int sector_count) {
   return 2 * std::numbers::pi * sectors / sector_count;
-}
-
-/// e^{i n j alpha}, the angle reduced in whole numbers, so that equal sectors are equal to the last bit.
-std::complex<double> phase(int nodal_diameter, int j, int sector_count) {
-  return std::polar(1.0, sector_angle(nodal_diameter * j % sector_count, sector_count));
 }
 
 Eigen::Matrix3d rotation(double angle) {
@@ -44,7 +41,7 @@ Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& 
 
 void add_stress(const SectorFields& sector, const CellStress& bricks, WaveField& wave) {
   const double alpha = sector_angle(1, sector.sector_count);
-  const std::complex<double> next = phase(wave.nodal_diameter, 1, sector.sector_count);
+  const std::complex<double> next = sector_phase(wave.nodal_diameter, 1, sector.sector_count);
   ComplexTensors stress = bricks.sum(wave.displacement);
   Eigen::VectorXd count = bricks.cells_at_node().cast<double>();
   const std::vector<int>&low = sector.node_set("cyclic_low"), &high = sector.node_set("cyclic_high");
@@ -75,7 +72,7 @@ SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_cou
   const bool stressed = waves.front().stress.cols() > 0;
   SectorField sector{Eigen::Matrix3Xd::Zero(3, nodes), Tensors::Zero(6, stressed ? nodes : 0)};
   for (const WaveField& wave : waves) {
-    const std::complex<double> here = phase(wave.nodal_diameter, j, sector_count);
+    const std::complex<double> here = sector_phase(wave.nodal_diameter, j, sector_count);
     const auto displacement = wave.displacement.middleCols(first_node, nodes);
     sector.displacement += here.real() * displacement.real() - here.imag() * displacement.imag();
     if (!stressed) continue;

@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <numeric>
 
 #include "cases/program/errors.h"
+#include "reduce/model/nodal_diameter.h"
 
 namespace tiprub {
 
@@ -36,8 +36,7 @@ class TurnedDifference {
     double difference = 0;
     const Eigen::Index columns = cycle_.samples() - shift;
     for (std::size_t i = 0; i < cycle_.states.size(); ++i) {
-      const int steps = scene_.nodal_diameters[i] * turn % scene_.sector_count;
-      const std::complex<double> phase = std::polar(1.0, 2 * std::numbers::pi * steps / scene_.sector_count);
+      const std::complex<double> phase = sector_phase(scene_.nodal_diameters[i], turn, scene_.sector_count);
       difference += energy(i, cycle_.states[i].rightCols(columns) - phase * cycle_.states[i].leftCols(columns));
     }
     const double share = static_cast<double>(columns) / cycle_.samples();

@@ -6,6 +6,8 @@
 #include <complex>
 #include <numbers>
 
+#include "reduce/model/nodal_diameter.h"
+
 namespace tiprub {
 
 namespace {
@@ -47,7 +49,7 @@ WheelMotion wheel_motion(const SpeedResponse& response, const SimulatedScene& sc
   std::vector<RotorWave> waves;
   for (std::size_t i = 0; i < cycle.displacement.size(); ++i) {
     const int n = scene.nodal_diameters[i];
-    add_waves(waves, cycle.displacement[i] * transform, n, revolutions, 2 * n % scene.sector_count == 0,
+    add_waves(waves, cycle.displacement[i] * transform, n, revolutions, is_standing(n, scene.sector_count),
               model.nodal_diameters[static_cast<std::size_t>(n)].M);
   }
   std::stable_sort(waves.begin(), waves.end(),

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <complex>
+#include <cstdint>
+#include <numbers>
+
 namespace tiprub {
 
 /// Whether a nodal diameter's waves travel (complex, one each way round the wheel) or stand (real, one).
@@ -20,6 +24,13 @@ constexpr bool is_standing(int nodal_diameter, int sector_count) {
 /// Members of a nodal diameter in each modal family of the wheel: a wave that travels counts twice.
 constexpr int wave_count(int nodal_diameter, int sector_count) {
   return is_standing(nodal_diameter, sector_count) ? 1 : 2;
+}
+
+/// e^{i n j alpha}, alpha = 2 pi / N: what a wave of nodal diameter n is multiplied with from sector 0 to sector j.
+/// The angle is reduced in whole numbers, so that equal sectors are equal to the last bit.
+inline std::complex<double> sector_phase(int nodal_diameter, int sector, int sector_count) {
+  const auto turn = static_cast<double>(std::int64_t{nodal_diameter} * sector % sector_count);
+  return std::polar(1.0, 2 * std::numbers::pi * turn / sector_count);
 }
 
 }  // namespace tiprub

@@ -31,6 +31,7 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
       : scene_(scene),
         march_(marched_scene(scene, rotor_of(scene, speed, OtherDiameters::unknown), steps_per_revolution)),
         map_(march_),
+        layout_(unpadded(reference)),
         ratio_(reference.speed / speed) {
     march_.set_step(grown_steps());
     for (std::size_t i = 0; i < march_.rotor().waves.size(); ++i) {
@@ -38,8 +39,7 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
       const Eigen::MatrixXcd& M = scene.model.nodal_diameters[static_cast<std::size_t>(wave.nodal_diameter)].M;
       const Eigen::Index moving = wave.moving;
       turns_.push_back({unitary_part(fixed.shapes.leftCols(moving).adjoint() * M * wave.shapes.leftCols(moving)),
-                        wave.omega.head(moving).max(speed), fixed.omega.head(moving).max(reference.speed),
-                        march_.wave(i).moving, wave.kind == WaveKind::travelling ? 2 : 1});
+                        wave.omega.head(moving).max(speed), fixed.omega.head(moving).max(reference.speed)});
     }
   }
 
@@ -54,39 +54,34 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
   }
 
   Eigen::VectorXd of_family(const Eigen::VectorXd& state) const {
-    Eigen::VectorXd turned(size());
-    Eigen::Index from = 0, to = 0;
-    for (const Turn& turn : turns_)
-      for (const bool is_position : {true, false}) {
-        Eigen::VectorXcd values = part(state, from, turn, turn.padded);
-        if (is_position) values.array() /= turn.scale;
-        values = (turn.unitary * values).eval();
-        if (is_position)
-          values.array() *= turn.fixed_scale;
-        else
-          values *= ratio_;
-        put(values, turn, turn.scale.size(), to, turned);
-        from += turn.parts * turn.padded;
-        to += turn.parts * turn.scale.size();
-      }
+    Eigen::VectorXd turned(layout_.size());
+    for (std::size_t i = 0; i < turns_.size(); ++i) {
+      const auto& [unitary, scale, fixed_scale] = turns_[i];
+      auto [position, velocity] = map_.symmetric().layout().read(state, i);
+      position.conservativeResize(scale.size());
+      velocity.conservativeResize(scale.size());
+      position.array() /= scale;
+      position = (unitary * position).eval();
+      position.array() *= fixed_scale;
+      velocity = (unitary * velocity).eval() * ratio_;
+      layout_.write({position, velocity}, i, turned);
+    }
     return turned;
   }
   Eigen::VectorXd of_march(const Eigen::VectorXd& state) const {
-    Eigen::VectorXd turned = Eigen::VectorXd::Zero(map_.symmetric().state().size());
-    Eigen::Index from = 0, to = 0;
-    for (const Turn& turn : turns_)
-      for (const bool is_position : {true, false}) {
-        Eigen::VectorXcd values = part(state, from, turn, turn.scale.size());
-        if (is_position) values.array() /= turn.fixed_scale;
-        values = (turn.unitary.adjoint() * values).eval();
-        if (is_position)
-          values.array() *= turn.scale;
-        else
-          values /= ratio_;
-        put(values, turn, turn.padded, to, turned);
-        from += turn.parts * turn.scale.size();
-        to += turn.parts * turn.padded;
-      }
+    const StateLayout& padded = map_.symmetric().layout();
+    Eigen::VectorXd turned(padded.size());
+    for (std::size_t i = 0; i < turns_.size(); ++i) {
+      const auto& [unitary, scale, fixed_scale] = turns_[i];
+      auto [position, velocity] = layout_.read(state, i);
+      position.array() /= fixed_scale;
+      position = (unitary.adjoint() * position).eval();
+      position.array() *= scale;
+      velocity = (unitary.adjoint() * velocity).eval() / ratio_;
+      position.conservativeResizeLike(Eigen::VectorXcd::Zero(march_.wave(i).moving));
+      velocity.conservativeResizeLike(Eigen::VectorXcd::Zero(march_.wave(i).moving));
+      padded.write({position, velocity}, i, turned);
+    }
     return turned;
   }
 
@@ -104,35 +99,24 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
   struct Turn {
     Eigen::MatrixXcd unitary;
     Eigen::ArrayXd scale, fixed_scale;  ///< [rad/s] of positions, here and at the reference speed
-    Eigen::Index padded;                ///< modes as the march counts them
-    int parts;                          ///< real, and of a travelling wave imaginary
   };
 
   std::int64_t grown_steps() const {
     return static_cast<std::int64_t>(std::ceil(scene_.casing.ramp_revolutions)) * march_.steps_per_revolution();
   }
-  Eigen::Index size() const {
-    Eigen::Index size = 0;
-    for (const Turn& turn : turns_) size += 2 * turn.parts * turn.scale.size();
-    return size;
-  }
-  static Eigen::VectorXcd part(const Eigen::VectorXd& state, Eigen::Index from, const Turn& turn,
-                               Eigen::Index stride) {
-    Eigen::VectorXcd values = Eigen::VectorXcd::Zero(turn.scale.size());
-    values.real() = state.segment(from, values.size());
-    if (turn.parts == 2) values.imag() = state.segment(from + stride, values.size());
-    return values;
-  }
-  static void put(const Eigen::VectorXcd& values, const Turn& turn, Eigen::Index stride, Eigen::Index to,
-                  Eigen::VectorXd& state) {
-    state.segment(to, values.size()) = values.real();
-    if (turn.parts == 2) state.segment(to + stride, values.size()) = values.imag();
+  /// Without the modes that the march pads with.
+  static StateLayout unpadded(const RotorAtSpeed& rotor) {
+    std::vector<StateLayout::Wave> waves;
+    for (const WaveModes& wave : rotor.waves)
+      waves.push_back({wave.moving, wave.kind == WaveKind::travelling ? 2 : 1});
+    return StateLayout(std::move(waves));
   }
 
   const Scene& scene_;
   TimeMarch march_;
   MarchedMap map_;
-  double ratio_;  ///< [1] of the reference speed to this one
+  StateLayout layout_;  ///< of the family's states
+  double ratio_;        ///< [1] of the reference speed to this one
   std::vector<Turn> turns_;
 };
 

@@ -3,16 +3,12 @@
 
 #include <cmath>
 #include <complex>
-#include <cstdint>
-#include <numbers>
 
 #include "simulate/march/wave_kernels.h"
 
 namespace tiprub {
 
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 Eigen::Index padded(Eigen::Index count, std::size_t block) {
   const auto unit = static_cast<Eigen::Index>(block);
@@ -23,12 +19,6 @@ Eigen::ArrayXd padded(const Eigen::ArrayXd& values, Eigen::Index size) {
   Eigen::ArrayXd longer = Eigen::ArrayXd::Zero(size);
   longer.head(values.size()) = values;
   return longer;
-}
-
-/// e^{i n j alpha} with the angle reduced in whole numbers, so that it is exactly periodic in j.
-std::complex<double> sector_phase(int nodal_diameter, int sector, int sector_count) {
-  const auto turn = static_cast<double>(static_cast<std::int64_t>(nodal_diameter) * sector % sector_count);
-  return std::polar(1.0, two_pi * turn / sector_count);
 }
 
 /// Y in the order of the kernels; a standing wave has no imaginary part.

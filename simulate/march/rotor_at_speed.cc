@@ -107,7 +107,7 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
     const WaveKind kind = wave_kind(n, model.sector_count);
     const Spectrum spectrum = solve(model, n, speed);
     omega_min = std::min(omega_min, spectrum.omega.minCoeff());
-    const double share = (kind == WaveKind::standing ? 1.0 : 2.0) / model.sector_count;
+    const double share = static_cast<double>(wave_count(n, model.sector_count)) / model.sector_count;
     tip_compliance +=
         share *
         static_compliance(normal_rows(model, spectrum), spectrum.omega, spectrum.omega.size()).diagonal().real();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reduce/model/dense_eigen.h"
+#include "simulate/march/march_state.h"
 
 namespace tiprub {
 
@@ -21,17 +22,18 @@ constexpr double small_residual = 1e-4;   // of the factor: more revolutions tel
 constexpr double clear_residual = 0.1;    // of the factor's distance from 1: nor do they here
 constexpr int fewest_states = 6;          // before a residual is believed
 
-/// The whole wheel's march, and the nodal diameters that the settled one left out as a vector whose square is twice
-/// their energy: frequencies (not below the speed of rotation) times positions, then velocities; real and imaginary.
+/// The whole wheel's march, and the nodal diameters that the settled one left out as a vector.
 class WholeWheel {
  public:
   explicit WholeWheel(const TimeMarch& settled)
-      : march_(whole(settled.scene())), first_(settled.wave_count()), speed_(settled.rotor().speed) {
+      : march_(whole(settled.scene())),
+        first_(settled.wave_count()),
+        excluded_(march_, first_, EnergyState::StandingWaves::complex) {
     for (std::size_t i = 0; i < first_; ++i) {
       const Eigen::Index modes = settled.wave(i).modes();
       const Eigen::VectorXcd now = settled.coordinates(i).head(modes);
       march_.set_state(i, now, settled.coordinates(i, Instant::before).head(modes));
-      size_ += (settled.wave(i).omega.cwiseMax(speed_) * now.array().abs()).square().sum();
+      size_ += (settled.wave(i).omega.cwiseMax(settled.rotor().speed) * now.array().abs()).square().sum();
     }
     size_ = seed_share * std::sqrt(size_);
     march_.set_step(settled.step_count());
@@ -40,7 +42,7 @@ class WholeWheel {
   /// Lower modes more than higher ones; always the same.
   Eigen::VectorXd seed() const {
     std::mt19937 source(1);
-    Eigen::VectorXd state = excluded();
+    Eigen::VectorXd state(excluded_.layout().size());
     Eigen::Index place = 0;
     for (std::size_t i = first_; i < march_.wave_count(); ++i) {
       const Eigen::Index modes = march_.wave(i).moving;
@@ -57,10 +59,10 @@ class WholeWheel {
 
   /// What becomes of a state, of any size, in some revolutions.
   Eigen::VectorXd advanced(const Eigen::VectorXd& state, int revolutions) {
-    put(size_ * state);
+    excluded_.put(size_ * state, march_);
     const std::int64_t steps = static_cast<std::int64_t>(revolutions) * march_.steps_per_revolution();
     for (std::int64_t i = 0; i < steps; ++i) march_.step();
-    return excluded() / size_;
+    return excluded_.of(march_) / size_;
   }
 
  private:
@@ -71,41 +73,10 @@ class WholeWheel {
     scene.setup.symmetry = 1;
     return scene;
   }
-  Eigen::ArrayXd scale(std::size_t wave) const {
-    return march_.wave(wave).omega.head(march_.wave(wave).moving).cwiseMax(speed_);
-  }
-  Eigen::VectorXd excluded() const {
-    std::vector<double> values;
-    for (std::size_t i = first_; i < march_.wave_count(); ++i) {
-      const Eigen::Index modes = march_.wave(i).moving;
-      const Eigen::ArrayXcd now = march_.coordinates(i).head(modes).array();
-      const Eigen::ArrayXcd before = march_.coordinates(i, Instant::before).head(modes).array();
-      const Eigen::ArrayXcd position = scale(i) * now, velocity = (now - before) / march_.time_step();
-      for (const Eigen::ArrayXd& part : {Eigen::ArrayXd(position.real()), Eigen::ArrayXd(position.imag()),
-                                         Eigen::ArrayXd(velocity.real()), Eigen::ArrayXd(velocity.imag())})
-        values.insert(values.end(), part.begin(), part.end());
-    }
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-  }
-  void put(const Eigen::VectorXd& state) {
-    Eigen::Index place = 0;
-    for (std::size_t i = first_; i < march_.wave_count(); ++i) {
-      const Eigen::Index modes = march_.wave(i).moving;
-      const auto part = [&](int which) { return state.segment(place + which * modes, modes).array(); };
-      Eigen::VectorXcd now(modes), before(modes);
-      now.real() = (part(0) / scale(i)).matrix();
-      now.imag() = (part(1) / scale(i)).matrix();
-      before.real() = now.real() - march_.time_step() * part(2).matrix();
-      before.imag() = now.imag() - march_.time_step() * part(3).matrix();
-      march_.set_state(i, now, before);
-      place += 4 * modes;
-    }
-  }
-
   TimeMarch march_;
-  std::size_t first_;  ///< of the waves left out
-  double speed_;       ///< [rad/s]
-  double size_ = 0;    ///< [m/s sqrt(kg)] of the disturbance
+  std::size_t first_;     ///< of the waves left out
+  EnergyState excluded_;  ///< what they are at
+  double size_ = 0;       ///< [m/s sqrt(kg)] of the disturbance
 };
 
 /// The largest eigenvalue of the Hessenberg matrix, and how far it is from an eigenvalue of the map.

@@ -4,18 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <utility>
 
+#include "reduce/model/nodal_diameter.h"
 #include "simulate/motion/casing_areas.h"
 
 namespace tiprub {
-
-namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
-
-}  // namespace
 
 Eigen::VectorXd march_revolution(TimeMarch& march, int samples_per_revolution) {
   const int steps = march.steps_per_revolution() / samples_per_revolution;
@@ -88,8 +82,7 @@ void Recording::recover_displacements(int first_sample) {
     const WaveModes& wave = rotor_->waves[i];
     const Eigen::MatrixXcd amplitudes = (wave.contact_rows * states_[i]).transpose();
     for (int j = 0; j < sectors_; ++j) {
-      const std::complex<double> phase =
-          std::polar(1.0, two_pi * (wave.nodal_diameter * j % rotor_->sector_count) / rotor_->sector_count);
+      const std::complex<double> phase = sector_phase(wave.nodal_diameter, j, rotor_->sector_count);
       kept_.displacement.block(first_sample, 3 * nodes_ * j, amplitudes.rows(), 3 * nodes_) +=
           (amplitudes * phase).real();
     }

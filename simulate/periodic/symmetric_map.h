@@ -3,10 +3,9 @@
 
 #include <Eigen/Dense>
 #include <complex>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
+#include "simulate/march/march_state.h"
 #include "simulate/march/time_march.h"
 
 namespace tiprub {
@@ -21,41 +20,22 @@ class SymmetricMap {
  public:
   explicit SymmetricMap(TimeMarch& march, int power = 1);
 
-  /// [m/s sqrt(kg)] the modes at t_q and t_{q-1} as a vector whose square is twice the energy: frequencies times
-  /// positions (not below the speed of rotation), then velocities; of a standing wave the real parts only.
-  Eigen::VectorXd state() const;
-  void put(const Eigen::VectorXd& state);
+  /// The modes as EnergyState has them, of a standing wave the real parts only.
+  Eigen::VectorXd state() const { return energy_state_.of(march_); }
+  void put(const Eigen::VectorXd& state) { energy_state_.put(state, march_); }
   /// The state as the next sector has it: what the map gives when the march has done its steps.
-  Eigen::VectorXd image() const;
+  Eigen::VectorXd image() const { return energy_state_.of(march_, phases_); }
 
+  const StateLayout& layout() const { return energy_state_.layout(); }
   /// Of the march.
   int steps() const { return steps_; }
   double maps_per_revolution() const { return static_cast<double>(march_.steps_per_revolution()) / steps_; }
 
  private:
-  struct WaveFrame {
-    Eigen::Index moving;
-    int parts;             ///< real, and of a travelling wave imaginary
-    Eigen::ArrayXd scale;  ///< [rad/s]
-    std::complex<double> phase;
-  };
-  enum class Shift { none, sectors };
-  Eigen::VectorXd state_shifted(Shift shift) const;
-
   TimeMarch& march_;
   int steps_;
-  std::vector<WaveFrame> frames_;
-};
-
-/// All that the next step of a march needs, to the bit; for laws of contact without memory.
-class MarchState {
- public:
-  explicit MarchState(const TimeMarch& march);
-  void restore(TimeMarch& march) const;
-
- private:
-  std::vector<std::pair<Eigen::VectorXcd, Eigen::VectorXcd>> waves_;
-  std::int64_t step_;
+  EnergyState energy_state_;
+  std::vector<std::complex<double>> phases_;  ///< of a shift of sectors, by wave
 };
 
 }  // namespace tiprub

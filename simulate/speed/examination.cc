@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "simulate/march/carried_state.h"
+#include "simulate/march/march_state.h"
 
 namespace tiprub {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "simulate/march/carried_state.h"
+#include "simulate/march/march_state.h"
 #include "simulate/motion/attempt.h"
 
 namespace tiprub {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "simulate/march/carried_state.h"
+#include "simulate/march/march_state.h"
 #include "simulate/motion/attempt.h"
 #include "simulate/orbits/excluded_growth.h"
 #include "simulate/response/speed_group.h"

@@ -7,7 +7,7 @@
 
 #include "cases/program/units.h"
 #include "reduce/model/reduced_model_file.h"
-#include "simulate/sweep/whole_sweep.h"
+#include "simulate/sweep/sweep.h"
 
 namespace tiprub {
 

@@ -42,7 +42,7 @@ def long_body(line, count):
 
 # Check, what is planted, what it must say.
 FAULTS = [
-    ("includes", lambda copy: include(copy, "simulate/scene/planted.h", "simulate/sweep/speed_sweep.h"),
+    ("includes", lambda copy: include(copy, "simulate/scene/planted.h", "simulate/sweep/sweep.h"),
      "simulate/scene/planted.h: includes upwards"),
     ("includes", lambda copy: include(copy, "postprocess/tables/planted.cc", "simulate/march/time_march.h"),
      "postprocess/tables/planted.cc: includes what is no file header"),

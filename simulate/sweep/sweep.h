@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "cases/program/command_line.h"
@@ -24,9 +23,12 @@ struct SweepOutcome {
   std::vector<double> breaking;  ///< [rad/s] speeds that break the symmetry; all processes know them
 };
 
-/// All that a sweep is, into arguments.output: takes over what a former run finished, computes the rest with
-/// `threads` (0: as [simulate] or the machine says), and writes the response. All processes of the group must call.
-/// Raises RunError if a file can't be written or no speed could be computed.
+/// All that a sweep is, into arguments.output. It takes over what a former run finished and computes the rest with
+/// `threads` (0: as [simulate] or the machine says), round after round: the speeds of the case; if adaptive, a scan
+/// between them, then what it takes to locate each peak and jump (speeds_to_refine()); last, the examination of the
+/// peaks. What a round does hangs on the results of those before alone: with whatever threads, processes and
+/// interruptions, the same speeds. Then it follows the branches, and writes the response. All processes of the group
+/// must call. Raises RunError, and writes nothing, if a file can't be written or no speed could be computed.
 SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, const SweepSettings& settings,
                        const SceneOrigin& origin, int threads, ProcessGroup& group);
 

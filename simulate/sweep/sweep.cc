@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/sweep/sweep.h"
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "cases/program/errors.h"
+#include "cases/program/machine.h"
+#include "cases/program/output_file.h"
+#include "cases/program/progress.h"
+#include "cases/program/work_together.h"
+#include "simulate/march/frequency_table.h"
+#include "simulate/response/response_file.h"
+#include "simulate/speed/memory_of_speed.h"
+#include "simulate/speed/speed_run.h"
+#include "simulate/sweep/adaptive_speeds.h"
+#include "simulate/sweep/branch_runs.h"
+#include "simulate/sweep/finished_speeds.h"
+
+namespace tiprub {
+
+namespace {
+
+/// One speed of a sweep and how closely it is to be looked at.
+struct SpeedTask {
+  double speed;  ///< [rad/s]
+  Depth depth;
+};
+
+class Sweep {
+ public:
+  Sweep(const StageArguments& arguments, const Scene& scene, int threads, ProcessGroup& group)
+      : arguments_(arguments), scene_(scene), threads_(threads), group_(group) {}
+
+  SweepOutcome run(const SweepSettings& settings, const SceneOrigin& origin) {
+    group_.together([&] { open(settings, origin); });
+    compute_rounds();
+    SweepOutcome outcome;
+    outcome.computed = computed_;
+    outcome.speeds = full_.size();
+    outcome.scanned = scanned_.size();
+    group_.together([&] {
+      if (group_.leads()) assemble(outcome);
+    });
+    outcome.breaking = outcome.tally.breaking;
+    if (scene_.parameters.when_symmetry_breaks == BrokenSymmetry::full_run) group_.share(outcome.breaking);
+    return outcome;
+  }
+
+ private:
+  using Amplitudes = std::map<double, double>;  ///< [m] over speed
+
+  // What is there, and what becomes of it
+  void open(const SweepSettings& settings, const SceneOrigin& origin);
+  std::vector<double> speeds() const;
+  void assemble(SweepOutcome& outcome);
+
+  // Rounds
+  void compute_rounds();
+  void compute(const char* what, const std::vector<double>& speeds, Depth depth);
+  void locate();
+  void examine();
+  bool round(const char* what, Depth depth, const std::function<std::vector<double>()>& choose);
+  std::vector<double> scan() const;
+  LocationGoal goal() const;
+  Amplitudes& found(Depth depth) { return depth == Depth::scanned ? scanned_ : full_; }
+
+  // Speeds
+  Progress::Shown shown() const;
+  std::vector<SpeedTask> missing_of(const std::vector<SpeedTask>& tasks);
+  void compute_missing(const char* what, const std::vector<SpeedTask>& tasks);
+  using Done = std::function<void(const SpeedResponse&, std::size_t place)>;
+  void compute_together(const std::vector<SpeedTask>& missing, const Done& done);
+  void carry(const std::vector<SpeedTask>& tasks, const std::function<void(const SpeedResponse&)>& done);
+
+  const StageArguments& arguments_;
+  const Scene& scene_;
+  int threads_;
+  ProcessGroup& group_;
+  std::optional<FinishedSpeeds> finished_;
+  Amplitudes full_, scanned_;  ///< the leader's
+  std::size_t computed_ = 0;
+};
+
+void Sweep::open(const SweepSettings& settings, const SceneOrigin& origin) {
+  require_memory(scene_, threads_, available_memory());
+  const std::string generator = program_version("tiprub-simulate");
+  finished_.emplace(arguments_.output, simulated_scene(scene_, origin),
+                    run_key(scene_.model, settings, scene_.parameters, generator), generator,
+                    group_.leads() ? FinishedSpeeds::Role::keeper : FinishedSpeeds::Role::contributor);
+}
+
+std::vector<double> Sweep::speeds() const {
+  std::vector<double> speeds;
+  for (const auto& [speed, amplitude] : full_) speeds.push_back(speed);
+  return speeds;
+}
+
+/// Branches, natural frequencies and speeds into the response; then the finished speeds go.
+void Sweep::assemble(SweepOutcome& outcome) {
+  const std::vector<OrbitBranch> branches = follow_branches(scene_, speeds(), *finished_, shown());
+  outcome.branches = branches.size();
+  OutputFile file(arguments_.output);
+  ResponseWriter writer = finished_->writer(file.scratch());
+  writer.add(frequency_table(scene_.model, speeds().back(), threads_));
+  for (const double speed : speeds()) {
+    const SpeedResponse response = finished_->read(speed, Depth::full);
+    outcome.tally.add(response);
+    writer.add(response);
+  }
+  for (const OrbitBranch& branch : branches) writer.add(branch);
+  writer.close();
+  const bool all_failed = outcome.tally.failed == full_.size();
+  if (!all_failed) file.commit();
+  finished_->remove();
+  if (all_failed) throw RunError("no speed could be computed; " + outcome.tally.first_failure);
+}
+
+void Sweep::compute_rounds() {
+  compute("speeds", scene_.parameters.speeds, Depth::full);
+  if (scene_.parameters.sweep != SweepDirection::rest) return;
+  if (scene_.parameters.speed_choice == SpeedChoice::adaptive) locate();
+  if (scene_.parameters.examination == Examination::critical_speeds) examine();
+}
+
+void Sweep::compute(const char* what, const std::vector<double>& speeds, Depth depth) {
+  std::vector<SpeedTask> tasks;
+  for (const double speed : speeds) tasks.push_back({speed, depth});
+  compute_missing(what, tasks);
+  group_.together([&] {
+    if (!group_.leads()) return;
+    for (const double speed : speeds) found(depth)[speed] = finished_->read(speed, depth).amplitude;
+  });
+}
+
+SampledCurve curve(const std::map<double, double>& amplitudes) {
+  SampledCurve samples;
+  for (const auto& [speed, amplitude] : amplitudes) samples.push_back({speed, amplitude});
+  return samples;
+}
+
+void Sweep::locate() {
+  compute("scan", scan(), Depth::scanned);
+  while (round("scan", Depth::scanned, [&] { return speeds_to_refine(curve(scanned_), goal().of_scan()); })) continue;
+  round("peaks and jumps", Depth::full, [&] { return speeds_to_confirm(curve(scanned_), curve(full_), goal()); });
+  while (round("peaks and jumps", Depth::full, [&] { return speeds_to_refine(curve(full_), goal()); })) continue;
+}
+
+/// Whether there was anything to compute; nothing that would go beyond speed_count_max.
+bool Sweep::round(const char* what, Depth depth, const std::function<std::vector<double>()>& choose) {
+  std::vector<double> next;
+  if (group_.leads()) next = choose();
+  const auto most = static_cast<std::size_t>(scene_.parameters.speed_count_max);
+  if (group_.leads() && found(depth).size() + next.size() > most) next.clear();
+  group_.share(next);
+  if (!next.empty()) compute(what, next, depth);
+  return !next.empty();
+}
+
+void Sweep::examine() {
+  std::vector<double> peaks;
+  if (group_.leads()) {
+    const SampledCurve full = curve(full_);
+    for (const std::size_t place : located_peaks(full, goal())) peaks.push_back(full[place].speed);
+  }
+  group_.share(peaks);
+  if (!peaks.empty()) compute("examination of critical speeds", peaks, Depth::examined);
+}
+
+/// The given speeds and those between them.
+std::vector<double> Sweep::scan() const {
+  const std::vector<double>& given = scene_.parameters.speeds;
+  std::vector<double> speeds = given;
+  const int parts = scene_.parameters.scan_per_interval + 1;
+  for (std::size_t i = 0; i + 1 < given.size(); ++i)
+    for (int part = 1; part < parts; ++part) speeds.push_back(given[i] + (given[i + 1] - given[i]) * part / parts);
+  return speeds;
+}
+
+LocationGoal Sweep::goal() const {
+  LocationGoal goal;
+  goal.prominence = scene_.parameters.peak_prominence;
+  return goal;
+}
+
+Progress::Shown Sweep::shown() const {
+  return arguments_.verbosity == Verbosity::normal && group_.leads() ? Progress::Shown::on_a_terminal
+                                                                     : Progress::Shown::never;
+}
+
+/// Those that the leader's folder doesn't hold, known to all processes.
+std::vector<SpeedTask> Sweep::missing_of(const std::vector<SpeedTask>& tasks) {
+  std::vector<double> places;  // in the list; doubles, because processes share such
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (group_.leads() && !finished_->has(tasks[i].speed, tasks[i].depth)) places.push_back(static_cast<double>(i));
+  group_.share(places);
+  std::vector<SpeedTask> missing;
+  missing.reserve(places.size());
+  for (const double place : places) missing.push_back(tasks[static_cast<std::size_t>(place)]);
+  return missing;
+}
+
+/// With a progress bar, or a line a speed if verbose.
+void Sweep::compute_missing(const char* what, const std::vector<SpeedTask>& tasks) {
+  const std::vector<SpeedTask> missing = missing_of(tasks);
+  group_.restart();
+  Progress progress(what, missing.size(), shown());
+  std::size_t seen = 0;  // other processes' speeds count when this one gets a later one
+  const Done done = [&](const SpeedResponse& response, std::size_t place) {
+    for (const std::size_t end = std::max(seen, place) + 1; seen < std::min(end, missing.size()); ++seen)
+      progress.advance();
+    if (arguments_.verbosity == Verbosity::verbose) say(arguments_, speed_line(response));
+  };
+  if (scene_.parameters.sweep == SweepDirection::rest) {
+    compute_together(missing, done);
+  } else {
+    group_.together([&] {
+      if (group_.leads()) carry(tasks, [&](const SpeedResponse& response) { done(response, seen); });
+    });
+  }
+  computed_ += missing.size();
+}
+
+/// Speeds are independent: threads and processes work over speeds, never inside one; each takes the next one that
+/// nobody has and keeps it as it comes, and results don't depend on their number.
+void Sweep::compute_together(const std::vector<SpeedTask>& missing, const Done& done) {
+  std::mutex one_at_a_time;  // HDF5 and OutputFile know one caller only
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t i = group_.next(); i < missing.size(); i = group_.next()) {
+      try {
+        const SpeedResponse response = simulate_speed(scene_, missing[i].speed, missing[i].depth).response;
+        const std::lock_guard lock(one_at_a_time);
+        if (failure) return;
+        finished_->keep(response);
+        done(response, i);
+      } catch (...) {
+        group_.stop();
+        const std::lock_guard lock(one_at_a_time);
+        if (!failure) failure = std::current_exception();
+        return;
+      }
+    }
+  };
+  work_together(static_cast<int>(std::min<std::size_t>(threads_, missing.size())), work);
+  group_.agree(failure);
+}
+
+/// Upwards or downwards, one after the other, in one process. A finished speed hands on the state that was kept with
+/// it, so that an interrupted sweep goes on bit by bit.
+void Sweep::carry(const std::vector<SpeedTask>& tasks, const std::function<void(const SpeedResponse&)>& done) {
+  std::vector<SpeedTask> way = tasks;
+  if (scene_.parameters.sweep == SweepDirection::down) std::reverse(way.begin(), way.end());
+  const auto has = [&](const SpeedTask& task) { return finished_->has(task.speed, task.depth); };
+  RotorState state;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    if (has(way[i])) {
+      if (i + 1 < way.size() && !has(way[i + 1])) state = finished_->read_end(way[i].speed);
+      continue;
+    }
+    SpeedResult result = simulate_speed(scene_, way[i].speed, way[i].depth, state);
+    finished_->keep(result.response, result.end);
+    done(result.response);
+    state = std::move(result.end);
+  }
+}
+
+int thread_count(int asked_here, const SimulateParameters& parameters, const ProcessGroup& group) {
+  if (asked_here > 0) return asked_here;
+  if (parameters.threads > 0) return parameters.threads;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / group.local_size());
+}
+
+}  // namespace
+
+SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, const SweepSettings& settings,
+                       const SceneOrigin& origin, int threads, ProcessGroup& group) {
+  return Sweep(arguments, scene, thread_count(threads, scene.parameters, group), group).run(settings, origin);
+}
+
+}  // namespace tiprub

@@ -3,7 +3,6 @@
 
 #include <sstream>
 
-#include "simulate/march/integrators/penalty.h"
 #include "simulate/motion/attempt.h"
 
 namespace tiprub {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "simulate/march/cache_lines.h"
-#include "simulate/march/integrators/step_coefficients.h"
 #include "simulate/march/rotor_at_speed.h"
+#include "simulate/march/step_coefficients.h"
 
 namespace tiprub {
 

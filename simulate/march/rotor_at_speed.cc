@@ -124,4 +124,14 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
   return rotor;
 }
 
+double penalised_omega_max(const RotorAtSpeed& rotor, double stiffness) {
+  double square = 0;
+  for (const WaveModes& wave : rotor.waves) {
+    Eigen::MatrixXcd sprung = stiffness * wave.normal_rows.adjoint() * wave.normal_rows;
+    sprung.diagonal() += wave.omega.square().matrix().cast<std::complex<double>>();
+    square = std::max(square, eigenvalues(sprung).maxCoeff());
+  }
+  return std::sqrt(square);
+}
+
 }  // namespace tiprub

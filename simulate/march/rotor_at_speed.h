@@ -69,4 +69,10 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
                             const Damping& damping, const ModeChoice& modes = {},
                             OtherDiameters others = OtherDiameters::known);
 
+/// [rad/s] the highest frequency with every contact node on a spring kappa [N/m]: the largest eigenvalue of
+/// omega^2 + kappa Y^H Y over the rotor's nodal diameters, which is K + kappa C C^T in modes. With fewer closed nodes
+/// it is lower (interlacing), so that h omega_max < 2 keeps central differences stable whatever closes. One Hermitian
+/// eigenproblem a nodal diameter.
+double penalised_omega_max(const RotorAtSpeed& rotor, double stiffness);
+
 }  // namespace tiprub

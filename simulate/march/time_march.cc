@@ -18,12 +18,6 @@ std::size_t padded(int count) {
   return (static_cast<std::size_t>(count) + kernels::lane_count - 1) / kernels::lane_count * kernels::lane_count;
 }
 
-std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup, const Eigen::MatrixXd& compliance) {
-  if (setup.scheme == Scheme::moreau_jean) return velocity_contact(compliance, setup.theta);
-  if (setup.scheme == Scheme::penalty) return penalty_contact(compliance, setup.penalty_stiffness);
-  return position_contact(compliance, setup.contact);
-}
-
 }  // namespace
 
 TimeMarch::TimeMarch(MarchedScene scene)

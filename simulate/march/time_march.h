@@ -6,8 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "simulate/march/contact_impulses.h"
-#include "simulate/march/integrators/contact_law.h"
+#include "simulate/march/contact_law.h"
 #include "simulate/march/marched_scene.h"
 #include "simulate/march/modal_waves.h"
 

@@ -79,6 +79,27 @@ double lines_for_most(const Eigen::VectorXd& lines, double spacing, double width
 
 }  // namespace
 
+EngineOrderBand::EngineOrderBand(int samples, double orders)
+    : orders_(static_cast<int>(std::min(std::max(orders, 1.0), (samples - 1) / 2.0))), samples_(samples) {
+  if (orders >= (samples - 1) / 2.0) return;
+  waves_.resize(samples, 2 * orders_ + 1);
+  waves_.col(0).setConstant(1 / std::sqrt(samples));
+  for (int k = 1; k <= orders_; ++k) {
+    const double half = std::numbers::pi * k / samples;
+    const double size = std::sqrt(2.0 / samples) * half / std::sin(half);
+    for (int s = 0; s < samples; ++s) {
+      const double angle = 2 * std::numbers::pi * (static_cast<long long>(k) * s % samples) / samples;
+      waves_(s, 2 * k - 1) = size * std::cos(angle);
+      waves_(s, 2 * k) = size * std::sin(angle);
+    }
+  }
+}
+
+Eigen::MatrixXd EngineOrderBand::coefficients(const Eigen::VectorXd& revolution) const {
+  const Eigen::Map<const Eigen::MatrixXd> motion(revolution.data(), revolution.size() / samples_, samples_);
+  return waves_.size() > 0 ? Eigen::MatrixXd(motion * waves_) : Eigen::MatrixXd(motion);
+}
+
 MotionReading read_motion(const std::deque<Eigen::VectorXd>& revolutions, Eigen::Index channels, double orders,
                           int lobes, Change change) {
   constexpr double rounding = 0.25;   // of a line

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "simulate/march/time_march.h"
-#include "simulate/orbits/engine_order_band.h"
 #include "simulate/orbits/motion_class.h"
 #include "simulate/orbits/steady_state.h"
 #include "simulate/scene/scene.h"

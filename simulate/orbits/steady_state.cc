@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "simulate/orbits/even_line_fit.h"
-
 namespace tiprub {
 
 namespace {
@@ -16,6 +14,36 @@ constexpr int decay_window = 24;        // changes that must have fallen, of a m
 constexpr double recent_margin = 10;    // tolerances: no change of the last `longest_period` revolutions may be above
 constexpr double standing_rate = 0.98;  // change over one revolution that falls faster goes to zero: not subharmonic
 constexpr double rounding_floor = 1e-10;  // of the norm: below, changes are rounding and have no rate
+
+/// A line through values at even distances.
+struct EvenLine {
+  double slope = 0;        ///< per place; 0 of fewer than two values
+  double uncertainty = 0;  ///< standard error of the slope; 0 of fewer than three
+};
+
+/// Least squares. Two sums: the mean of the places is known, where Boost's simple_ordinary_least_squares wants the
+/// places in a container of their own and updates running means, which costs digits.
+EvenLine fit_even_line(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  const double middle = (count - 1) / 2;
+  double moment = 0, spread = 0, mean = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double offset = static_cast<double>(i) - middle;
+    moment += offset * values[i];
+    spread += offset * offset;
+    mean += values[i] / count;
+  }
+  if (spread == 0) return {};
+  EvenLine line{moment / spread, 0};
+  if (count < 3) return line;
+  double residual = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double offset = static_cast<double>(i) - middle;
+    residual += std::pow(values[i] - mean - line.slope * offset, 2);
+  }
+  line.uncertainty = std::sqrt(residual / (count - 2) / spread);
+  return line;
+}
 
 }  // namespace
 

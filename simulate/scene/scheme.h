@@ -3,7 +3,7 @@
 
 namespace tiprub {
 
-/// The schemes; one file each in march/integrators. All are two-step recurrences of modal coordinates and share one
+/// The schemes. All are two-step recurrences of modal coordinates and share one
 /// loop (TimeMarch): they differ in the coefficients of the step and in the law that gives the contact force.
 enum class Scheme {
   trigonometric,        ///< exact in statics and, up to 2.4 rad a step, in free flight (Gautschi 1961); no step limit

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <utility>
 
-#include "simulate/march/integrators/penalty.h"
+#include "simulate/march/rotor_at_speed.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::testing {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "simulate/march/integrators/penalty.h"
+#include "simulate/march/rotor_at_speed.h"
 #include "simulate/orbits/energy_audit.h"
 #include "tests/stability/bench_scene.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/march/integrators/step_coefficients.h"
+#include "simulate/march/step_coefficients.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "simulate/march/contact_impulses.h"
+#include "simulate/march/marched_scene.h"
 
 namespace tiprub {
 
@@ -29,17 +29,8 @@ class ContactLaw {
   virtual std::int64_t fallbacks() const { return 0; }
 };
 
-/// 0 <= lambda perpendicular to g+ >= 0, or the paper's rule: the force at t_q closes the gap at t_{q+1}.
-std::unique_ptr<ContactLaw> position_contact(const Eigen::MatrixXd& compliance, ContactRule rule);
-
-/// Moreau-Jean: the gap rate G = h dg/dt follows g+ = g + theta G+ + (1 - theta) G, and for nodes with g + G/2 <= 0
-///   0 <= lambda perpendicular to G+ >= 0,   G+ = G_free + W lambda,
-/// an inelastic impact on velocities. Positions are nobody's constraint: a node may penetrate by about h times its
-/// approaching speed, and stays there until it is pulled off.
-std::unique_ptr<ContactLaw> velocity_contact(const Eigen::MatrixXd& compliance, double theta);
-
-/// lambda = kappa max(0, -g), kappa [N/m], explicit: the force of a step is known before it. No system to solve, but
-/// the spring raises omega_max (see penalised_omega_max) and the node penetrates by lambda/kappa.
-std::unique_ptr<ContactLaw> penalty_contact(const Eigen::MatrixXd& compliance, double stiffness);
+/// The law of a scheme: closed nodes held in place, or by the paper's rule; impulses on their velocities; springs.
+/// `compliance` [m/N]: W.
+std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup, const Eigen::MatrixXd& compliance);
 
 }  // namespace tiprub

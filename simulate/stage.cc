@@ -85,21 +85,15 @@ std::vector<double> run(const StageArguments& arguments, const Inputs& inputs, c
   return outcome.breaking;
 }
 
-void set(CaseSettings& settings, const std::string& key, const std::string& value) {
-  for (auto& [known, present] : settings)
-    if (known == key) present = value;
-}
-
 /// The speeds that break the symmetry, each from rest with all nodal diameters, into a response beside the first one.
-void run_whole_wheel(StageArguments arguments, Inputs inputs, const std::vector<double>& speeds, int threads,
-                     ProcessGroup& group) {
+/// What decides a speed's result is set as a case sets it, so that the run's key counts it.
+void run_whole_wheel(StageArguments arguments, const std::vector<double>& speeds, int threads, ProcessGroup& group) {
   arguments.output.replace_filename(arguments.output.stem().string() + "_full" +
                                     arguments.output.extension().string());
+  for (const char* setting : {"simulate.nodal_diameters=\"all\"", "simulate.sweep=\"rest\""})
+    arguments.settings.emplace_back(setting);
+  Inputs inputs = read_inputs(arguments);
   inputs.parameters.speeds = speeds;
-  inputs.parameters.nodal_diameters = DiameterChoice::all;
-  set(inputs.settings.simulate, "nodal_diameters", "\"all\"");
-  inputs.parameters.sweep = SweepDirection::rest;
-  set(inputs.settings.simulate, "sweep", "\"rest\"");
   inputs.parameters.speed_choice = SpeedChoice::given;
   inputs.parameters.examination = Examination::none;
   SceneScope scope = inputs.scope();
@@ -126,7 +120,7 @@ void run_simulate(const StageArguments& arguments, int threads) {
   const std::vector<double> breaking = run(arguments, inputs, scope, threads, group);
   if (breaking.empty() || inputs.parameters.when_symmetry_breaks == BrokenSymmetry::mark) return;
   group.restart();
-  run_whole_wheel(arguments, inputs, breaking, threads, group);
+  run_whole_wheel(arguments, breaking, threads, group);
 }
 
 }  // namespace tiprub

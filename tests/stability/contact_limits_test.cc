@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "simulate/march/contact_impulses.h"
 #include "simulate/motion/attempt.h"
 #include "tests/stability/bench_scene.h"
 

@@ -17,7 +17,7 @@ STOREYS = {
     "cases": ["text", "program"],
     "mesh": ["cells", "curves", "blades", "lattice", "wheels", "sector", "import", ""],
     "reduce": ["model", "sector", "matrices", "operators", "basis", ""],
-    "simulate": ["scene", "motion", "response", "march", "orbits", "periodic", "speed", "branches", "sweep", ""],
+    "simulate": ["motion", "scene", "response", "march", "orbits", "periodic", "speed", "branches", "sweep", ""],
     "postprocess": ["tables", "waves", "analysis", "fields", "effects", "records", "figures", "compare", "explore", "report", ""],
 }
 # What a room shows of itself to the rooms above it: its file, and nothing of how that is made.

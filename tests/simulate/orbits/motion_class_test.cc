@@ -8,8 +8,6 @@
 #include <numbers>
 #include <random>
 
-#include "simulate/orbits/engine_order_band.h"
-
 namespace tiprub {
 namespace {
 

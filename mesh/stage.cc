@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "cases/program/output_file.h"
-#include "cases/program/output_lock.h"
 #include "mesh/import/sector_import.h"
 #include "mesh/sector/sector_check.h"
 #include "mesh/sector/sector_file.h"

@@ -6,7 +6,6 @@
 
 #include "cases/program/case_file.h"
 #include "cases/program/output_file.h"
-#include "cases/program/output_lock.h"
 #include "cases/program/progress.h"
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/analysis/input_check.h"

@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "cases/program/output_file.h"
-#include "cases/program/output_lock.h"
 #include "cases/program/units.h"
 #include "reduce/calculix_deck.h"
 #include "reduce/linear_results.h"

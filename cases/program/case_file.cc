@@ -7,10 +7,10 @@
 #include <sstream>
 
 #include "cases/program/case_settings.h"
+#include "cases/program/case_text.h"
 #include "cases/program/digest.h"
-#include "cases/program/lines/number_lines.h"
-#include "cases/text/case_text.h"
-#include "cases/text/printable.h"
+#include "cases/program/printable.h"
+#include "cases/program/text_file.h"
 
 namespace tiprub {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "cases/program/errors.h"
-#include "cases/program/lines/named_text.h"
+#include "cases/program/text_file.h"
 
 namespace tiprub {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "cases/program/case_text.h"
 #include "cases/program/errors.h"
-#include "cases/text/case_text.h"
 
 namespace tiprub {
 

@@ -2,10 +2,13 @@
 #include "cases/program/command_line.h"
 
 #include <fcntl.h>
+#include <sched.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -16,9 +19,8 @@
 #include "cases/program/errors.h"
 #include "cases/program/machine.h"
 #include "cases/program/output_file.h"
-#include "cases/program/record/run_times.h"
+#include "cases/program/printable.h"
 #include "cases/program/signal_cleanup.h"
-#include "cases/text/printable.h"
 
 namespace tiprub {
 
@@ -49,6 +51,43 @@ int leave(const Stage& stage, int exit_code) {
       stage,
       std::string("stdout: can't be written") + (errno != 0 ? ": " : "") + (errno != 0 ? std::strerror(errno) : ""),
       exit_failed);
+}
+
+/// [s] of the user's and the system's work.
+double processor_time(int whose) {
+  constexpr double microsecond = 1e-6;
+  rusage used{};
+  getrusage(whose, &used);
+  return static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+         microsecond * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+}
+
+int processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+}
+
+/// How long a program ran, noted for people: one row of CSV, "program", "wall time [s]", "processor time [s]" (its
+/// own and that of what it started) and "processors" (that it might run on). Under MPI they are one process's.
+class RunTimes {
+ public:
+  /// Writes the note. Raises RunError if the file can't be written.
+  void write(const std::string& program, const std::filesystem::path& path) const;
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+void RunTimes::write(const std::string& program, const std::filesystem::path& path) const {
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  OutputFile output(path);
+  write_file(output.scratch(), [&](std::ostream& stream) {
+    stream << "program,wall time [s],processor time [s],processors\n"
+           << program << ',' << wall << ',' << processor_time(RUSAGE_SELF) + processor_time(RUSAGE_CHILDREN) << ','
+           << processors() << '\n';
+  });
+  output.commit();
 }
 
 /// What the command line says.

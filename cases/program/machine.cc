@@ -8,9 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <limits>
+#include <mutex>
 #include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "cases/program/errors.h"
 
@@ -99,6 +104,28 @@ void require_room_for_libraries() {
   throw RunError("not enough memory: about " + std::to_string(std::lround(room_for_libraries / bytes_per_mib)) +
                  " MiB are needed to begin with, " + std::to_string(std::lround(mappable / bytes_per_mib)) +
                  " MiB are available under ulimit; raise that");
+}
+
+void work_together(int threads, const std::function<void()>& work) {
+  std::mutex failing;
+  std::exception_ptr failure;
+  const auto guarded = [&] {
+    try {
+      work();
+    } catch (...) {
+      const std::lock_guard lock(failing);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  std::vector<std::thread> others;
+  others.reserve(static_cast<std::size_t>(std::max(threads - 1, 0)));
+  try {
+    for (int i = 1; i < threads; ++i) others.emplace_back(guarded);
+  } catch (const std::system_error&) {  // no more to be had
+  }
+  guarded();
+  for (std::thread& other : others) other.join();
+  if (failure) std::rethrow_exception(failure);
 }
 
 void prepare_blas(char** argv) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace tiprub {
@@ -16,6 +17,11 @@ double available_memory(const std::filesystem::path& root = "/");
 /// Raises RunError if the limits leave no room for the buffers of the libraries. OpenBLAS asks for ever for a buffer
 /// that it is refused, and HDF5 works on without it: it is too late to find out there.
 void require_room_for_libraries();
+
+/// Runs `work` at once on this thread and on up to `threads` - 1 others, and waits for all. With fewer others if the
+/// system gives no more (limits on memory or processes): results must not hang on how many there are. Raises what
+/// one of them raised, once all have ended.
+void work_together(int threads, const std::function<void()>& work);
 
 /// The first step of the main of a program that works with OpenBLAS. OpenBLAS reads its variables as it is loaded,
 /// before main; where they should be others, this sets them and runs the program again, which takes 0.2 s.

@@ -2,20 +2,56 @@
 #include "cases/program/output_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
+#include <set>
+#include <string>
 #include <system_error>
 
 #include "cases/program/errors.h"
-#include "cases/program/made_files.h"
 
 namespace fs = std::filesystem;
 
 namespace tiprub {
 
 namespace {
+
+constexpr const char* list_name = ".tiprub-files";
+
+/// All but folders, relative to the folder; sorted.
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (!entry.is_directory() || entry.is_symlink())
+      files.insert(entry.path().lexically_relative(folder).generic_string());
+  files.erase(list_name);
+  return files;
+}
+
+/// Leaves in a folder the list of all files in it, as made here. Raises RunError if it can't be written.
+void list_made_files(const fs::path& folder) {
+  std::ofstream list(folder / list_name);
+  for (const std::string& file : files_in(folder)) list << file << "\n";
+  list.close();
+  if (!list) throw RunError((folder / list_name).string() + ": can't be written");
+}
+
+/// A file in the folder, or in one below it, that is not on its list (relative to the folder); nothing if there is
+/// none. Of a folder without a list every file is a stranger.
+std::optional<fs::path> first_file_not_made_here(const fs::path& folder) {
+  std::set<std::string> made;
+  std::ifstream list(folder / list_name);
+  for (std::string line; std::getline(list, line);) made.insert(line);
+  for (const std::string& file : files_in(folder))
+    if (!made.contains(file)) return fs::path(file);
+  return std::nullopt;
+}
 
 /// "sector.msh" -> "sector.tiprub.part.msh".
 fs::path beside(const fs::path& target, const std::string& word) {
@@ -77,6 +113,33 @@ std::error_code replace_folder(const fs::path& scratch, const fs::path& target) 
   return error;
 }
 
+fs::path lock_of(fs::path output) {
+  if (!output.has_filename()) output = output.parent_path();  // "report/" is the folder "report"
+  const std::string name = "." + output.filename().string() + ".lock";
+  return output.replace_filename(name);
+}
+
+/// Whether the name still leads to the open file: its former holder removes it when it is done.
+bool leads_to(const fs::path& path, int file) {
+  struct stat by_name {
+  }, opened{};
+  return ::stat(path.c_str(), &by_name) == 0 && ::fstat(file, &opened) == 0 && by_name.st_ino == opened.st_ino &&
+         by_name.st_dev == opened.st_dev;
+}
+
+std::string this_process() {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return "process " + std::to_string(::getpid()) + " on " + host.data();
+}
+
+std::string holder(const fs::path& path) {
+  std::string line;
+  std::ifstream file(path);
+  std::getline(file, line);
+  return line.empty() ? "another process" : line;
+}
+
 }  // namespace
 
 OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
@@ -128,6 +191,33 @@ void refuse_overwriting(const std::vector<fs::path>& outputs, const std::vector<
                          ", which this run reads or writes too; give it another name");
     taken.push_back(output);
   }
+}
+
+OutputLock::OutputLock(const fs::path& output) : path_(lock_of(output)) {
+  const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder)) throw RunError(output.string() + ": can't be written: no folder " + folder.string());
+  while (file_ < 0) {
+    constexpr mode_t readable_by_all = 0644;
+    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, readable_by_all);
+    if (file_ < 0) throw RunError(output.string() + ": can't be written: " + std::generic_category().message(errno));
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+      ::close(file_);
+      throw RunError(output.string() + ": " + holder(path_) + " is writing it; wait for that, or give another -o");
+    }
+    if (leads_to(path_, file_)) break;
+    ::close(file_);
+    file_ = -1;
+  }
+  const std::string who = this_process() + "\n";
+  const bool named = ::ftruncate(file_, 0) == 0 && ::write(file_, who.data(), who.size()) > 0;
+  removed_on_signal_.emplace(path_);
+  static_cast<void>(named);  // on a full disk the lock holds without a name
+}
+
+OutputLock::~OutputLock() {
+  ::unlink(path_.c_str());
+  removed_on_signal_.reset();
+  ::close(file_);
 }
 
 }  // namespace tiprub

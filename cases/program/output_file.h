@@ -36,6 +36,23 @@ class OutputFile {
   std::optional<RemovedOnSignal> removed_on_signal_;
 };
 
+/// One run at a time on an output: held from before the work until the output stands. A lock of the operating system
+/// (flock) on ".NAME.lock" beside the output, so that it ends with the process, however that ends. That file names
+/// who holds it. Taking it also shows, before the work, that the output's folder exists and can be written.
+class OutputLock {
+ public:
+  /// Raises RunError if another process holds it, or if its file can't be made.
+  explicit OutputLock(const std::filesystem::path& output);
+  OutputLock(const OutputLock&) = delete;
+  OutputLock& operator=(const OutputLock&) = delete;
+  ~OutputLock();
+
+ private:
+  std::filesystem::path path_;
+  int file_ = -1;
+  std::optional<RemovedOnSignal> removed_on_signal_;
+};
+
 /// A file of whatever `body` puts into the stream, byte for byte; on its place at once. Raises RunError with the
 /// system's reason if the file can't be made, or the disk doesn't take all of it.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& body);

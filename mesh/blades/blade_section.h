@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "cases/program/lines/number_lines.h"
+#include "cases/program/text_file.h"
 #include "mesh/curves/meridional_curve.h"
 
 namespace tiprub {

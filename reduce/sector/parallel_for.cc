@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "cases/program/work_together.h"
+#include "cases/program/machine.h"
 
 namespace tiprub {
 

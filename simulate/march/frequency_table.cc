@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "cases/program/machine.h"
 #include "cases/program/units.h"
-#include "cases/program/work_together.h"
 #include "simulate/march/rotor_at_speed.h"
 
 namespace tiprub {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "cases/program/errors.h"
-#include "cases/program/lines/number_lines.h"
+#include "cases/program/text_file.h"
 
 namespace tiprub {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cases/program/lines/named_text.h"
+#include "cases/program/text_file.h"
 #include "simulate/scene/periodic_table.h"
 
 namespace tiprub {

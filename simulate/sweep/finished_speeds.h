@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "cases/program/output_lock.h"
+#include "cases/program/output_file.h"
 #include "simulate/response/response_file.h"
 
 namespace tiprub {

@@ -17,7 +17,6 @@
 #include "cases/program/machine.h"
 #include "cases/program/output_file.h"
 #include "cases/program/progress.h"
-#include "cases/program/work_together.h"
 #include "simulate/march/frequency_table.h"
 #include "simulate/response/response_file.h"
 #include "simulate/speed/speed_run.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that are no case: one line each, before the TOML reader sees them.
-#include "cases/text/case_text.h"
+#include "cases/program/case_text.h"
 
 #include <sys/stat.h>
 

@@ -9,7 +9,6 @@
 #include <functional>
 
 #include "cases/program/errors.h"
-#include "cases/program/output_lock.h"
 #include "cases/program/signal_cleanup.h"
 #include "tests/cases/full_disk.h"
 #include "tests/cases/temporary_folder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/text/printable.h"
+#include "cases/program/printable.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "cases/program/errors.h"
-#include "cases/text/printable.h"
+#include "cases/program/printable.h"
 
 namespace fs = std::filesystem;
 

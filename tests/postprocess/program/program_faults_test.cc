@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "cases/program/output_lock.h"
+#include "cases/program/output_file.h"
 #include "program_fixture.h"
 
 namespace fs = std::filesystem;

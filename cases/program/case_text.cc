@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/text/case_text.h"
+#include "cases/program/case_text.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "cases/text/printable.h"
+#include "cases/program/printable.h"
 
 namespace tiprub {
 

@@ -10,7 +10,7 @@
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/compare/comparison.h"
-#include "postprocess/figures/drawing/gnuplot.h"
+#include "postprocess/figures/gnuplot.h"
 #include "postprocess/figures/meridional_section.h"
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/records/critical_speed_record.h"
@@ -83,7 +83,8 @@ void check(Inputs inputs) {
   if (!inputs.fields_file.empty()) check_fields(inputs.fields_file, inputs.model);
   const Study study = study_of(inputs);
   if (!inputs.compared.empty()) read_other_report(inputs.compared, study);
-  print(aligned_text(scene_needs_record(scene_needs(study, field_effects(inputs.fields_file, study)))));
+  print(aligned_text(
+      scene_needs_record(scene_needs(study, field_effects(inputs.fields_file, study.model, study.critical)))));
 }
 
 ReportContents run(Inputs inputs, Progress::Shown shown) {
@@ -93,7 +94,8 @@ ReportContents run(Inputs inputs, Progress::Shown shown) {
   inputs.run.done("study");
   if (!inputs.fields_file.empty()) {
     contents.fields = recover_fields(inputs.fields_file, contents.study, inputs.strength, shown);
-    contents.figures.push_back(meridional_section_figure(contents.study, contents.fields->sector));
+    contents.figures.push_back(meridional_section_figure(contents.fields->sector, contents.study.model.contact,
+                                                         contents.study.response.scene.clearance));
   }
   contents.field_results = field_results(contents.fields, contents.study.critical);
   contents.numbers = report_numbers(contents.study, contents.field_results);
@@ -102,7 +104,8 @@ ReportContents run(Inputs inputs, Progress::Shown shown) {
     contents.figures.push_back(comparison_figure(contents.numbers, *contents.other));
     contents.figures.push_back(comparison_map_figure(contents.study, contents.numbers, *contents.other));
   }
-  contents.needs = scene_needs(contents.study, field_effects(inputs.fields_file, contents.study));
+  contents.needs =
+      scene_needs(contents.study, field_effects(inputs.fields_file, contents.study.model, contents.study.critical));
   inputs.run.done("fields");
   contents.run = std::move(inputs.run);
   return contents;

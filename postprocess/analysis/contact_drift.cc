@@ -149,4 +149,18 @@ EdgeLag edge_lag(const Response& response, const ContactLine& contact) {
   return lag;
 }
 
+ContactMaps contact_maps(const Response& response, const ContactLine& contact) {
+  const int lobes = std::max(response.scene.lobes, 1);
+  Eigen::VectorXd speeds(static_cast<Eigen::Index>(response.speeds.size()));
+  for (Eigen::Index i = 0; i < speeds.size(); ++i) speeds[i] = response.speeds[static_cast<std::size_t>(i)].speed;
+  ContactMaps maps{contact_map(response, contact, 0),
+                   contact_map(response, contact, contact.trailing_edge()),
+                   {},
+                   {},
+                   edge_lag(response, contact)};
+  maps.leading_drift = contact_drift(maps.leading, speeds, lobes, contact);
+  maps.trailing_drift = contact_drift(maps.trailing, speeds, lobes, contact);
+  return maps;
+}
+
 }  // namespace tiprub

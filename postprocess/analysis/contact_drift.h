@@ -42,4 +42,13 @@ struct EdgeLag {
 /// Needs a response at every speed; no line and no quartiles with fewer than three speeds at which both edges touch.
 EdgeLag edge_lag(const Response& response, const ContactLine& contact);
 
+/// What both edges of the main blade of sector 0 rub.
+struct ContactMaps {
+  ContactMap leading, trailing;
+  ContactDrift leading_drift, trailing_drift;
+  EdgeLag lag;
+};
+/// As contact_map() does.
+ContactMaps contact_maps(const Response& response, const ContactLine& contact);
+
 }  // namespace tiprub

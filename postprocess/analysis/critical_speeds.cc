@@ -99,9 +99,16 @@ void locate(CriticalSpeed& critical, const Response& response, const Eigen::Vect
 
 }  // namespace
 
+Eigen::Index TipAmplitudes::worst() const {
+  Eigen::Index worst = 0;
+  largest.maxCoeff(&worst);
+  return worst;
+}
+
 TipAmplitudes tip_amplitudes(const Response& response, const ContactLine& contact, Component component) {
   const auto speeds = static_cast<Eigen::Index>(response.speeds.size());
-  TipAmplitudes amplitudes{Eigen::MatrixXd(contact.size(), speeds), Eigen::VectorXd(speeds), Eigen::VectorXi(speeds)};
+  TipAmplitudes amplitudes{Eigen::MatrixXd(contact.size(), speeds), Eigen::VectorXd(speeds), Eigen::VectorXi(speeds),
+                           contact.trailing_edge()};
   for (Eigen::Index i = 0; i < speeds; ++i) {
     const SpeedResponse& speed = response.speeds[static_cast<std::size_t>(i)];
     for (int node = 0; node < contact.size(); ++node)

@@ -18,6 +18,10 @@ struct TipAmplitudes {
   Eigen::MatrixXd by_node;  ///< [m] half of the peak-to-peak, the largest over the sectors; nodes x speeds
   Eigen::VectorXd largest;  ///< [m] over the nodes; speeds
   Eigen::VectorXi node;     ///< where it is the largest; speeds
+  int trailing_edge = 0;    ///< row of by_node; the leading edge is the first
+
+  /// Index of the speed with the largest of all.
+  Eigen::Index worst() const;
 };
 
 TipAmplitudes tip_amplitudes(const Response& response, const ContactLine& contact, Component component);

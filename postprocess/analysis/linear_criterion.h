@@ -15,12 +15,6 @@ struct SpeedRange {
   double high = 0;
 };
 
-/// How a critical speed is predicted without a simulation.
-enum class LinearRule {
-  equation_2,     ///< f_i^n(Omega) = n Omega: the paper's eq. 2 at f_c = 0, the engine order is the nodal diameter
-  with_aliasing,  ///< f_i^n(Omega) = k N_l Omega for every k that eq. 17 allows on n
-};
-
 /// A speed at which a rule predicts an interaction.
 struct Crossing {
   double speed = 0;               ///< [rad/s]

@@ -81,14 +81,17 @@ bool predicts(const Crossing& crossing, const CriticalSpeed& critical, double to
          std::abs(crossing.speed - critical.speed) <= tolerance * critical.speed;
 }
 
-RuleScore score(LinearRule rule, const std::vector<Crossing>& crossings, const std::vector<int>& moving,
-                double tolerance, std::vector<CriticalSpeed>& critical) {
+bool predicts(const std::vector<Crossing>& crossings, const CriticalSpeed& critical, double tolerance) {
+  return std::any_of(crossings.begin(), crossings.end(),
+                     [&](const Crossing& crossing) { return predicts(crossing, critical, tolerance); });
+}
+
+RuleScore score(const std::vector<Crossing>& crossings, const std::vector<int>& moving, double tolerance,
+                const std::vector<CriticalSpeed>& critical) {
   RuleScore result;
   double predicted = 0;
-  for (CriticalSpeed& speed : critical) {
-    const bool hit = std::any_of(crossings.begin(), crossings.end(),
-                                 [&](const Crossing& crossing) { return predicts(crossing, speed, tolerance); });
-    (rule == LinearRule::equation_2 ? speed.by_equation_2 : speed.by_aliasing) = hit;
+  for (const CriticalSpeed& speed : critical) {
+    const bool hit = predicts(crossings, speed, tolerance);
     ++(hit ? result.hits : result.misses);
     result.summed_amplitudes += speed.amplitude;
     if (hit) predicted += speed.amplitude;
@@ -104,6 +107,35 @@ RuleScore score(LinearRule rule, const std::vector<Crossing>& crossings, const s
     result.alarm_amplitude = std::max(result.alarm_amplitude, crossing.amplitude);
   }
   return result;
+}
+
+LinearRules linear_rules(const Response& response, const ContactLine& contact, const FrequencyCurves& curves,
+                         const TipAmplitudes& amplitudes, const std::vector<CriticalSpeed>& critical,
+                         const PostprocessParameters& parameters) {
+  const SimulatedScene& scene = response.scene;
+  const SpeedRange range{response.speeds.front().speed, response.speeds.back().speed};
+  const std::vector<TravellingSpectrum> waves = largest_waves(response, contact, parameters.component);
+  LinearRules rules{moving_waves(response, waves, curves, critical, amplitudes.largest.maxCoeff()), {}, {}, {}, {}};
+  rules.equation_2 = equation_2_crossings(curves, scene.sector_count, rules.moving.families, range);
+  rules.aliased = aliased_crossings(curves, scene.sector_count, rules.moving.families, scene.lobes,
+                                    rules.moving.engine_orders, range);
+  for (std::vector<Crossing>* crossings : {&rules.equation_2, &rules.aliased})
+    read_amplitudes(*crossings, response, waves);
+  const auto score_of = [&](const std::vector<Crossing>& crossings) {
+    return score(crossings, scene.nodal_diameters, parameters.prediction_tolerance, critical);
+  };
+  rules.equation_2_score = score_of(rules.equation_2);
+  rules.aliasing_score = score_of(rules.aliased);
+  return rules;
+}
+
+std::vector<CriticalSpeed> with_predictions(std::vector<CriticalSpeed> critical, const LinearRules& rules,
+                                            double tolerance) {
+  for (CriticalSpeed& speed : critical) {
+    speed.by_equation_2 = predicts(rules.equation_2, speed, tolerance);
+    speed.by_aliasing = predicts(rules.aliased, speed, tolerance);
+  }
+  return critical;
 }
 
 }  // namespace tiprub

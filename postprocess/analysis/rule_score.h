@@ -16,9 +16,9 @@ std::vector<TravellingSpectrum> largest_waves(const Response& response, const Co
                                               Component component);
 
 /// Families and engine orders that move, ascending: those of the waves, on whole engine orders, that reach a tenth of
-/// the largest amplitude of all at some speed, and those of the waves that make the critical speeds. A linear rule is
-/// asked for these. If it were asked for fewer, its misses would be the asker's; for more, it would be blamed for
-/// hundreds of meetings that nobody would look for.
+/// `largest_amplitude`, that of all speeds, at some speed, and those of the waves that make the critical speeds. A
+/// linear rule is asked for these. If it were asked for fewer, its misses would be the asker's; for more, it would be
+/// blamed for hundreds of meetings that nobody would look for.
 struct MovingWaves {
   std::vector<int> families;
   std::vector<int> engine_orders;
@@ -47,9 +47,27 @@ struct RuleScore {
 /// A crossing predicts a critical speed if engine order, signed nodal diameter, family and, within `tolerance` of the
 /// critical speed, the speed agree with those of the wave that makes the peak.
 bool predicts(const Crossing& crossing, const CriticalSpeed& critical, double tolerance);
+/// Whether one of them does.
+bool predicts(const std::vector<Crossing>& crossings, const CriticalSpeed& critical, double tolerance);
 
-/// Marks the critical speeds that one of the crossings predicts, and scores the rule.
-RuleScore score(LinearRule rule, const std::vector<Crossing>& crossings, const std::vector<int>& moving,
-                double tolerance, std::vector<CriticalSpeed>& critical);
+RuleScore score(const std::vector<Crossing>& crossings, const std::vector<int>& moving, double tolerance,
+                const std::vector<CriticalSpeed>& critical);
+
+/// What the linear rules list for all that moves, and what that was worth.
+struct LinearRules {
+  MovingWaves moving{};  ///< that they are asked for
+  std::vector<Crossing>
+      equation_2{};                 ///< f_i^n(Omega) = n Omega: the paper's eq. 2 at f_c = 0, the engine order is n
+  std::vector<Crossing> aliased{};  ///< f_i^n(Omega) = k N_l Omega for every k that eq. 17 allows on n
+  RuleScore equation_2_score{}, aliasing_score{};
+};
+/// Over all that moves, not what is drawn: a score must not depend on the drawing.
+LinearRules linear_rules(const Response& response, const ContactLine& contact, const FrequencyCurves& curves,
+                         const TipAmplitudes& amplitudes, const std::vector<CriticalSpeed>& critical,
+                         const PostprocessParameters& parameters);
+
+/// The critical speeds with what each rule predicts of them.
+std::vector<CriticalSpeed> with_predictions(std::vector<CriticalSpeed> critical, const LinearRules& rules,
+                                            double tolerance);
 
 }  // namespace tiprub

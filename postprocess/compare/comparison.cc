@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "postprocess/figures/axes.h"
-#include "postprocess/figures/maps/map_picture.h"
+#include "postprocess/figures/maps.h"
 #include "postprocess/records/columns.h"
 #include "postprocess/tables/units.h"
 
@@ -110,9 +109,11 @@ Figure comparison_map_figure(const Study& study, const ReportNumbers& this_one, 
   const bool leading = study.parameters.edge == TipEdge::leading;
   const InteractionMap &here = leading ? this_one.leading_map : this_one.trailing_map,
                        &there = leading ? other.leading_map : other.trailing_map;
-  const double high = std::max(map_amplitude_high(study), there.largest() * mm_per_m);
-  const MapFrame frame{speed_axis_of_both(this_one, other), map_frequency_high(study),
-                       high * std::pow(10.0, -study.parameters.amplitude_decades)};
+  const SpeedFrame own = speed_frame(study);
+  const double high = std::max(map_amplitude_high(study.waves), there.largest() * mm_per_m);
+  const MapFrame frame{speed_axis_of_both(this_one, other),
+                       map_frequency_high(own),
+                       {high * std::pow(10.0, -study.parameters.amplitude_decades), high}};
   Figure figure{.drawing = {.name = "comparison_map", .width = 1000, .height = 480, .script = "comparison_map"},
                 .title = "Interaction maps compared",
                 .caption = std::string("Amplitude at the ") + name_of(study.parameters.edge) +
@@ -123,12 +124,9 @@ Figure comparison_map_figure(const Study& study, const ReportNumbers& this_one, 
                            "frequencies. Grey: no speeds. Engine orders above " +
                            std::to_string(study.parameters.engine_order_max) + " are in no report's tables.",
                 .data = {{"report", "speed [rpm]", "engine order", "total [mm]"}, {}}};
-  set_map_axes(figure.drawing, study);  // and what is common to both, instead
-  set_speed_axis(figure.drawing, frame.speed);
-  figure.drawing.values.insert(figure.drawing.values.end(),
-                               {{"amplitude", DrawnRange{frame.amplitude_low, high}},
-                                {"map_title", std::vector<std::string>{"this report", other.name}}});
-  set_pixels(figure, map_pixels(here, rpm_of(study.failed), frame, columns, rows));
+  set_map_axes(figure.drawing, own, frame);
+  figure.drawing.values.emplace_back("map_title", std::vector<std::string>{"this report", other.name});
+  set_pixels(figure, map_pixels(here, own.failed, frame, columns, rows));
   figure.pixels.front().file = "comparison_map_1.pixels";
   figure.pixels.push_back({"comparison_map_2.pixels", map_pixels(there, {}, frame, columns, rows)});
   for (const auto& [name, map] : {std::pair{"this", &here}, std::pair{"other", &there}})

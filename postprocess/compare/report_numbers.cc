@@ -123,14 +123,13 @@ ReportNumbers from_response(const fs::path& path, const Study& study) {
 }  // namespace
 
 ReportNumbers report_numbers(const Study& study, const FieldResults& fields) {
-  const bool leading_first = study.parameters.edge == TipEdge::leading;
   const int orders = study.parameters.engine_order_max;
   ReportNumbers numbers{{},
                         {},
                         study.amplitudes.largest * mm_per_m,
                         {},
-                        up_to(leading_first ? study.map : study.other_map, orders),
-                        up_to(leading_first ? study.other_map : study.map, orders)};
+                        up_to(study.waves.leading, orders),
+                        up_to(study.waves.trailing, orders)};
   numbers.speed.resize(numbers.amplitude.size());
   for (std::size_t i = 0; i < study.response.speeds.size(); ++i)
     numbers.speed[static_cast<Eigen::Index>(i)] = study.response.speeds[i].speed * rpm_per_rad_s;

@@ -8,16 +8,16 @@
 
 namespace tiprub {
 
-FieldEffects field_effects(const std::filesystem::path& fields_file, const Study& study) {
+FieldEffects field_effects(const std::filesystem::path& fields_file, const ReducedModel& model,
+                           const std::vector<CriticalSpeed>& critical) {
   if (fields_file.empty()) return {};
   const FieldsReader reader(fields_file);
   FieldEffects effects{.tip_span = tip_spans(reader.sector())};
-  const CoriolisTerms terms(reader, study.model);
-  for (const CriticalSpeed& critical : study.critical) {
-    const int n = std::abs(critical.rising.signed_nodal_diameter), family = critical.rising.family;
-    const double change = terms.change(n, family, critical.speed);
-    if (!effects.coriolis || change > effects.coriolis->change)
-      effects.coriolis = {change, critical.speed, n, family};
+  const CoriolisTerms terms(reader, model);
+  for (const CriticalSpeed& peak : critical) {
+    const int n = std::abs(peak.rising.signed_nodal_diameter), family = peak.rising.family;
+    const double change = terms.change(n, family, peak.speed);
+    if (!effects.coriolis || change > effects.coriolis->change) effects.coriolis = {change, peak.speed, n, family};
   }
   return effects;
 }

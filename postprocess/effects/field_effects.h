@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "postprocess/analysis/study.h"
+#include "postprocess/analysis/critical_speeds.h"
 
 namespace tiprub {
 
@@ -24,6 +24,7 @@ struct FieldEffects {
 };
 
 /// Nothing, if `fields_file` is empty; needs check_fields().
-FieldEffects field_effects(const std::filesystem::path& fields_file, const Study& study);
+FieldEffects field_effects(const std::filesystem::path& fields_file, const ReducedModel& model,
+                           const std::vector<CriticalSpeed>& critical);
 
 }  // namespace tiprub

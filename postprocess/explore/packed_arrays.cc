@@ -7,8 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "postprocess/tables/base64.h"
-#include "postprocess/tables/deflate.h"
+#include "postprocess/tables/packing.h"
 
 namespace tiprub {
 

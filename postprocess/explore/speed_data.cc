@@ -5,8 +5,7 @@
 #include <array>
 
 #include "postprocess/explore/packed_arrays.h"
-#include "postprocess/figures/axes.h"
-#include "postprocess/figures/maps/map_picture.h"
+#include "postprocess/figures/maps.h"
 #include "postprocess/records/columns.h"
 #include "postprocess/tables/units.h"
 
@@ -23,12 +22,9 @@ struct Edge {
   const ContactMap& contact;
 };
 
-std::vector<Edge> edges_of(const Study& study) {
-  const bool leading_first = study.parameters.edge == TipEdge::leading;
-  const InteractionMap &leading = leading_first ? study.map : study.other_map,
-                       &trailing = leading_first ? study.other_map : study.map;
-  return {{"leading", leading.node, leading, study.leading_edge},
-          {"trailing", trailing.node, trailing, study.trailing_edge}};
+std::vector<Edge> edges_of(const WaveMaps& waves, const ContactMaps& contact) {
+  return {{"leading", waves.leading.node, waves.leading, contact.leading},
+          {"trailing", waves.trailing.node, waves.trailing, contact.trailing}};
 }
 
 /// As the case file has it.
@@ -37,14 +33,15 @@ const char* key_of(Component component) {
 }
 
 /// Those of the response's own sectors; the others follow them.
-Eigen::MatrixXd held(const Study& study, const Eigen::MatrixXd& of_all_sectors) {
-  return of_all_sectors.leftCols(study.response.scene.independent_sectors);
+Eigen::MatrixXd held(const SimulatedScene& scene, const Eigen::MatrixXd& of_all_sectors) {
+  return of_all_sectors.leftCols(scene.independent_sectors);
 }
 
 void add_motion(PackedArrays& arrays, const Study& study, const SpeedResponse& speed, int node,
                 const std::string& place) {
   const auto motion = [&](Component component) -> Eigen::MatrixXd {
-    return mm_per_m * held(study, tip_motion(speed, study.response.scene, study.model.contact, node, component));
+    return mm_per_m *
+           held(study.response.scene, tip_motion(speed, study.response.scene, study.model.contact, node, component));
   };
   arrays.add_coarse(place + "normal", motion(Component::normal));
   arrays.add_coarse(place + "tangential", motion(Component::tangential));
@@ -53,21 +50,20 @@ void add_motion(PackedArrays& arrays, const Study& study, const SpeedResponse& s
 }
 
 /// Rows of a spectrum that are drawn: as high as the maps reach, and the engine orders asked for.
-int drawn_lines(const Study& study, const TravellingSpectrum& spectrum, double speed) {
-  const double orders =
-      std::max<double>(study.parameters.engine_order_max, map_frequency_high(study) / (speed * hz_per_rad_s));
+int drawn_lines(const SpeedFrame& frame, const TravellingSpectrum& spectrum, double speed) {
+  const double orders = std::max<double>(frame.engine_order_max, map_frequency_high(frame) / (speed * hz_per_rad_s));
   return std::min(spectrum.lines(), static_cast<int>(orders * spectrum.revolutions) + 1);
 }
 
-json add_speed(PackedArrays& arrays, const Study& study, Eigen::Index i) {
+json add_speed(PackedArrays& arrays, const Study& study, const SpeedFrame& frame, Eigen::Index i) {
   const SpeedResponse& speed = study.response.speeds[static_cast<std::size_t>(i)];
-  const std::vector<Edge> edges = edges_of(study);
+  const std::vector<Edge> edges = edges_of(study.waves, study.contact);
   const TravellingSpectrum& spectrum = edges[0].map.columns[static_cast<std::size_t>(i)].spectrum;
-  const int lines = drawn_lines(study, spectrum, speed.speed);
+  const int lines = drawn_lines(frame, spectrum, speed.speed);
   for (const Edge& edge : edges) {
     const std::string place = std::to_string(i) + "/" + edge.name + "/";
     add_motion(arrays, study, speed, edge.node, place);
-    arrays.add_coarse(place + "force", held(study, tip_force(speed, study.response.scene, edge.node)));
+    arrays.add_coarse(place + "force", held(study.response.scene, tip_force(speed, study.response.scene, edge.node)));
     const Eigen::MatrixXd& amplitude = edge.map.columns[static_cast<std::size_t>(i)].spectrum.amplitude;
     arrays.add(place + "spectrum", mm_per_m * amplitude.topRows(lines));
     arrays.add(place + "contact", edge.contact.share.col(i));
@@ -86,44 +82,41 @@ json add_speed(PackedArrays& arrays, const Study& study, Eigen::Index i) {
            {speed.clearance[0] * mm_per_m, speed.clearance[study.model.contact.trailing_edge()] * mm_per_m}}};
 }
 
-json critical_of(const Study& study) {
+json critical_of(const std::vector<CriticalSpeed>& all) {
   json list = json::array();
-  for (const CriticalSpeed& critical : study.critical)
+  for (const CriticalSpeed& critical : all)
     list.push_back({{"index", critical.index}, {"wave", wave_name(critical.rising)}});
   return list;
 }
 
 /// [rpm] of the crossings that the linear rules list.
-json speeds_of(const Study& study, const std::vector<Crossing>& crossings) {
+json speeds_of(const SpeedFrame& frame, const std::vector<Crossing>& crossings) {
   json speeds = json::array();
-  for (const Crossing& crossing : drawn_crossings(study, crossings)) speeds.push_back(crossing.speed * rpm_per_rad_s);
+  for (const Crossing& crossing : drawn_crossings(frame, crossings)) speeds.push_back(crossing.speed * rpm_per_rad_s);
   return speeds;
 }
 
 /// [Hz] of the drawn families over the speeds; every nodal diameter.
-json add_modes(PackedArrays& arrays, const Study& study) {
+json add_modes(PackedArrays& arrays, const SpeedFrame& frame) {
   json list = json::array();
-  const auto& speeds = study.response.speeds;
-  for (int n = 0; n <= study.model.nodal_diameter_max(); ++n)
-    for (int family = 0; family < drawn_families(study, n); ++family) {
-      Eigen::VectorXd curve(static_cast<Eigen::Index>(speeds.size()));
+  for (int n = 0; n < frame.nodal_diameters(); ++n)
+    for (int family = 0; family < frame.families_at(n); ++family) {
+      Eigen::VectorXd curve(frame.speeds.size());
       for (Eigen::Index i = 0; i < curve.size(); ++i)
-        curve[i] = study.curves.frequency(n, family, speeds[static_cast<std::size_t>(i)].speed);
+        curve[i] = frame.curves.frequency(n, family, frame.speeds[i] / rpm_per_rad_s);
       arrays.add("mode/" + std::to_string(list.size()), curve);
       list.push_back({{"nodal_diameter", n}, {"family", family + 1}});
     }
   return list;
 }
 
-json axes_of(const Study& study) {
-  const SpeedAxis axis = speed_axis(study);
-  return {
-      {"speed", {axis.low, axis.high}},
-      {"frequency", map_frequency_high(study)},
-      {"amplitude", study.amplitudes.largest.maxCoeff() * mm_per_m},
-      {"map", study.parameters.amplitude_max_mm > 0 ? study.parameters.amplitude_max_mm : map_amplitude_high(study)},
-      {"decades", study.parameters.amplitude_decades},
-      {"engine_orders", study.parameters.engine_order_max}};
+json axes_of(const Study& study, const SpeedFrame& frame) {
+  return {{"speed", {frame.axis.low, frame.axis.high}},
+          {"frequency", map_frequency_high(frame)},
+          {"amplitude", study.amplitudes.largest.maxCoeff() * mm_per_m},
+          {"map", map_frame(frame, study.waves, study.parameters).amplitude.high},
+          {"decades", study.parameters.amplitude_decades},
+          {"engine_orders", study.parameters.engine_order_max}};
 }
 
 /// The parts and the total of a map [mm], speed after speed, and where each speed's begin.
@@ -157,25 +150,27 @@ json add_other(PackedArrays& arrays, const ReportNumbers& other) {
 }  // namespace
 
 std::string speed_data(const Study& study, const std::optional<ReportNumbers>& other) {
+  const SpeedFrame frame = speed_frame(study);
   PackedArrays arrays;
   json speeds = json::array(), failed = json::array();
-  for (Eigen::Index i = 0; i < study.amplitudes.largest.size(); ++i) speeds.push_back(add_speed(arrays, study, i));
+  for (Eigen::Index i = 0; i < study.amplitudes.largest.size(); ++i)
+    speeds.push_back(add_speed(arrays, study, frame, i));
   for (const SpeedResponse& speed : study.failed) failed.push_back(speed.speed * rpm_per_rad_s);
-  return arrays.packed(
-      {{"sectors", study.model.sector_count},
-       {"held", study.response.scene.independent_sectors},
-       {"lobes", study.response.scene.lobes},
-       {"component", key_of(study.parameters.component)},
-       {"edge", study.parameters.edge == TipEdge::leading ? "leading" : "trailing"},
-       {"shown", study.shown},
-       {"speeds", std::move(speeds)},
-       {"failed", std::move(failed)},
-       {"other", other ? add_other(arrays, *other) : json()},
-       {"critical", critical_of(study)},
-       {"predicted",
-        {{"aliased", speeds_of(study, study.aliased)}, {"equation_2", speeds_of(study, study.equation_2)}}},
-       {"modes", add_modes(arrays, study)},
-       {"axes", axes_of(study)}});
+  return arrays.packed({{"sectors", study.model.sector_count},
+                        {"held", study.response.scene.independent_sectors},
+                        {"lobes", study.response.scene.lobes},
+                        {"component", key_of(study.parameters.component)},
+                        {"edge", study.parameters.edge == TipEdge::leading ? "leading" : "trailing"},
+                        {"shown", study.shown},
+                        {"speeds", std::move(speeds)},
+                        {"failed", std::move(failed)},
+                        {"other", other ? add_other(arrays, *other) : json()},
+                        {"critical", critical_of(study.critical)},
+                        {"predicted",
+                         {{"aliased", speeds_of(frame, study.rules.aliased)},
+                          {"equation_2", speeds_of(frame, study.rules.equation_2)}}},
+                        {"modes", add_modes(arrays, frame)},
+                        {"axes", axes_of(study, frame)}});
 }
 
 }  // namespace tiprub

@@ -120,9 +120,9 @@ std::vector<std::uint32_t> nearest_nodes(const ContactLine& contact, const Eigen
   return nearest;
 }
 
-json add_motion(PackedArrays& arrays, const Study& study, const MovingWheel& moving, const std::vector<int>& nodes,
-                const std::string& place) {
-  const auto at = std::find_if(study.response.speeds.begin(), study.response.speeds.end(),
+json add_motion(PackedArrays& arrays, const std::vector<SpeedResponse>& speeds, const MovingWheel& moving,
+                const std::vector<int>& nodes, const std::string& place) {
+  const auto at = std::find_if(speeds.begin(), speeds.end(),
                                [&](const SpeedResponse& speed) { return speed.speed == moving.speed; });
   json waves = json::array();
   for (std::size_t i = 0; i < moving.waves.size(); ++i) {
@@ -137,7 +137,7 @@ json add_motion(PackedArrays& arrays, const Study& study, const MovingWheel& mov
   arrays.add_coarse(place + "/force",
                     at->contact_force.middleRows(moving.motion.first_sample, moving.motion.samples));
   arrays.add(place + "/clearance", at->clearance);
-  return {{"index", at - study.response.speeds.begin()},
+  return {{"index", at - speeds.begin()},
           {"rpm", moving.speed * rpm_per_rad_s},
           {"first_sample", moving.motion.first_sample},
           {"samples", moving.motion.samples},
@@ -150,7 +150,7 @@ json add_motion(PackedArrays& arrays, const Study& study, const MovingWheel& mov
 
 }  // namespace
 
-std::string wheel_data(const Study& study, const FieldStudy& fields) {
+std::string wheel_data(const Response& response, const ContactLine& contact, const FieldStudy& fields) {
   PackedArrays arrays;
   const Surface surface = surface_of(fields.sector);
   arrays.add_coarse("nodes", fields.sector.nodes(Eigen::all, surface.nodes));
@@ -160,18 +160,18 @@ std::string wheel_data(const Study& study, const FieldStudy& fields) {
   arrays.add("clamped", drawn_of(surface, {clamped.begin(), clamped.end()}));
   const std::vector<std::uint32_t> disc = drawn_of(surface, disc_nodes(fields.sector));
   arrays.add("disc", disc);
-  const ContactLine& contact = study.model.contact;
   arrays.add("contact/position", contact.position.transpose());
   arrays.add("contact/node", nearest_nodes(contact, fields.sector.nodes(Eigen::all, surface.nodes)));
   arrays.add("contact/normal", contact.normal.transpose());
-  arrays.add("casing/angle", study.response.scene.casing_angle);
-  arrays.add("casing/distortion", study.response.scene.casing_distortion);
+  arrays.add("casing/angle", response.scene.casing_angle);
+  arrays.add("casing/distortion", response.scene.casing_distortion);
   json motions = json::array();
   for (const MovingWheel& moving : fields.moving)
-    motions.push_back(add_motion(arrays, study, moving, surface.nodes, "motion/" + std::to_string(motions.size())));
+    motions.push_back(
+        add_motion(arrays, response.speeds, moving, surface.nodes, "motion/" + std::to_string(motions.size())));
   return arrays.packed({{"has_disc", !disc.empty()},
                         {"sectors", fields.sector.sector_count},
-                        {"held", study.response.scene.independent_sectors},
+                        {"held", response.scene.independent_sectors},
                         {"contacts", contact.size()},
                         {"radius", outer_radius(fields.sector)},
                         {"rpm", fields.speed * rpm_per_rad_s},

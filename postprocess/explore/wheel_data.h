@@ -12,6 +12,6 @@ namespace tiprub {
 /// of every critical speed with a cycle its waves, the largest stress over the cycle at each node [MPa], and the
 /// contact forces [N]; the contact line and the casing's shape. Where the surface has more nodes than a page can
 /// hold, those between the corners of its faces are left out.
-std::string wheel_data(const Study& study, const FieldStudy& fields);
+std::string wheel_data(const Response& response, const ContactLine& contact, const FieldStudy& fields);
 
 }  // namespace tiprub

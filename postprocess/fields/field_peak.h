@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "postprocess/analysis/material_strength.h"
+#include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/fields/blade_place.h"
 #include "postprocess/fields/cycle_stress.h"
 #include "postprocess/fields/stress_zones.h"

@@ -66,10 +66,10 @@ void require_sound_stress(const WaveField& wave, const std::string& name) {
 }
 
 /// Speeds whose fields are recovered: the critical ones, or the one with the largest amplitude if there is none.
-std::vector<std::size_t> recovered_speeds(const Study& study) {
+std::vector<std::size_t> recovered_speeds(const std::vector<CriticalSpeed>& all, const TipAmplitudes& amplitudes) {
   std::vector<std::size_t> speeds;
-  for (const CriticalSpeed& critical : study.critical) speeds.push_back(static_cast<std::size_t>(critical.index));
-  if (speeds.empty()) speeds.push_back(static_cast<std::size_t>(study.worst));
+  for (const CriticalSpeed& critical : all) speeds.push_back(static_cast<std::size_t>(critical.index));
+  if (speeds.empty()) speeds.push_back(static_cast<std::size_t>(amplitudes.worst()));
   return speeds;
 }
 
@@ -79,12 +79,12 @@ struct CycleAtSpeed {
 };
 
 /// Of the speeds whose states the response holds.
-std::vector<CycleAtSpeed> cycles_at(const std::vector<std::size_t>& speeds, const Study& study) {
+std::vector<CycleAtSpeed> cycles_at(const std::vector<std::size_t>& speeds, const Response& all,
+                                    const ReducedModel& model) {
   std::vector<CycleAtSpeed> cycles;
   for (const std::size_t index : speeds) {
-    const SpeedResponse& response = study.response.speeds[index];
-    if (response.cycle || response.snapshot)
-      cycles.push_back({index, wheel_cycle(response, study.response.scene, study.model)});
+    const SpeedResponse& response = all.speeds[index];
+    if (response.cycle || response.snapshot) cycles.push_back({index, wheel_cycle(response, all.scene, model)});
   }
   return cycles;
 }
@@ -95,27 +95,25 @@ std::size_t samples_of(const std::vector<CycleAtSpeed>& cycles) {
   return samples;
 }
 
-std::size_t worst_of(const std::vector<std::size_t>& speeds, const Study& study) {
+std::size_t worst_of(const std::vector<std::size_t>& speeds, const Eigen::VectorXd& amplitudes) {
   return *std::max_element(speeds.begin(), speeds.end(), [&](std::size_t a, std::size_t b) {
-    return study.amplitudes.largest[static_cast<Eigen::Index>(a)] <
-           study.amplitudes.largest[static_cast<Eigen::Index>(b)];
+    return amplitudes[static_cast<Eigen::Index>(a)] < amplitudes[static_cast<Eigen::Index>(b)];
   });
 }
 
 /// So many samples of recovered waves fit into `recovery_memory`.
-int block_of_samples(const Study& study, const SectorFields& sector) {
+int block_of_samples(const SimulatedScene& scene, const SectorFields& sector) {
   const std::size_t numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
   const std::size_t sample = sizeof(std::complex<double>) * numbers_at_node *
-                             static_cast<std::size_t>(sector.nodes.cols()) *
-                             study.response.scene.nodal_diameters.size();
+                             static_cast<std::size_t>(sector.nodes.cols()) * scene.nodal_diameters.size();
   return static_cast<int>(std::max<std::size_t>(1, recovery_memory / sample));
 }
 
-WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks, const Study& study,
-                           const std::string& name) {
+WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,
+                           const std::vector<int>& nodal_diameters, const std::string& name) {
   return [&, name](std::size_t diameter, const Eigen::MatrixXcd& states) {
     stop_if_interrupted();
-    const int n = study.response.scene.nodal_diameters[diameter];
+    const int n = nodal_diameters[diameter];
     const Eigen::MatrixXcd found = reader.expand(n, states);
     std::vector<WaveField> waves;
     for (Eigen::Index i = 0; i < found.cols(); ++i) {
@@ -128,15 +126,8 @@ WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,
 }
 
 /// What is moved and coloured in the page.
-MovingWheel moving_wheel(const FieldsReader& reader, const Study& study, const SpeedResponse& response,
-                         const CycleStress& stress) {
-  MovingWheel moving{response.speed,
-                     wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
-                     {},
-                     stress.displacement,
-                     stress.vibration,
-                     stress.spin,
-                     stress.both};
+MovingWheel moving_wheel(const FieldsReader& reader, WheelMotion motion, double speed, const CycleStress& stress) {
+  MovingWheel moving{speed, std::move(motion), {}, stress.displacement, stress.vibration, stress.spin, stress.both};
   for (RotorWave& wave : moving.motion.waves) {
     stop_if_interrupted();
     const Eigen::MatrixXcd found = reader.expand(wave.nodal_diameter, wave.state);
@@ -178,14 +169,16 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
   const CellStress bricks(fields.sector);
   require_sound_bricks(bricks, fields_file.string());
   const BladePlaces places(fields.sector);
-  const WaveRecovery recover = wave_recovery(reader, bricks, study, fields_file.string());
-  const int block = block_of_samples(study, fields.sector);
-  const std::vector<std::size_t> speeds = recovered_speeds(study);
-  const std::size_t worst = worst_of(speeds, study);
+  const WaveRecovery recover =
+      wave_recovery(reader, bricks, study.response.scene.nodal_diameters, fields_file.string());
+  const int block = block_of_samples(study.response.scene, fields.sector);
+  const std::vector<std::size_t> speeds = recovered_speeds(study.critical, study.amplitudes);
+  const std::size_t worst = worst_of(speeds, study.amplitudes.largest);
   fields.zones = stress_zones(fields.sector, m_per_mm * study.parameters.tip_patch_mm);
   fields.speed = study.response.speeds[worst].speed;
-  fields.modes = natural_modes(reader, study, fields.speed);
-  const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study);
+  fields.modes =
+      natural_modes(reader, study.model, study.response.scene.lobes, study.parameters.families, fields.speed);
+  const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles), shown);
   for (const auto& [index, cycle] : cycles) {
     const SpeedResponse& response = study.response.speeds[index];
@@ -196,7 +189,10 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
     fields.peaks.push_back(field_peak(fields.sector, stress, fields.zones, places, strength));
     fields.peaks.back().speed = response.speed;
     fields.peaks.back().samples = cycle.whole ? cycle.recorded_samples : 0;
-    if (response.cycle) fields.moving.push_back(moving_wheel(reader, study, response, stress));
+    if (response.cycle)
+      fields.moving.push_back(
+          moving_wheel(reader, wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
+                       response.speed, stress));
     if (index == worst && response.snapshot) recover_instant(response, recover, spin, fields);
   }
   return fields;

@@ -21,11 +21,11 @@ constexpr int lowest_families = 2;       // drawn, of all that are looked at
 constexpr int most_families = 8;         // looked at, of those that the reduction was verified with
 
 /// Those that the casing's first harmonics drive (eq. 17), ascending.
-std::vector<int> driven_nodal_diameters(const Study& study) {
+std::vector<int> driven_nodal_diameters(int casing_lobes, int sectors) {
   std::set<int> chosen;
-  const int lobes = std::max(1, study.response.scene.lobes);
-  for (int k = 1; k <= study.model.sector_count && chosen.size() < most_nodal_diameters; ++k)
-    chosen.insert(aliased_nodal_diameter(k * lobes, study.model.sector_count));
+  const int lobes = std::max(1, casing_lobes);
+  for (int k = 1; k <= sectors && chosen.size() < most_nodal_diameters; ++k)
+    chosen.insert(aliased_nodal_diameter(k * lobes, sectors));
   return {chosen.begin(), chosen.end()};
 }
 
@@ -99,13 +99,14 @@ std::vector<std::size_t> disc_modes(const std::vector<ModeShares>& shares, int f
   return best;
 }
 
-NaturalModes natural_modes(const FieldsReader& reader, const Study& study, double speed) {
-  const int lowest = std::min(lowest_families, study.parameters.families);
+NaturalModes natural_modes(const FieldsReader& reader, const ReducedModel& model, int lobes, int families,
+                           double speed) {
+  const int lowest = std::min(lowest_families, families);
   const Eigen::VectorXd volumes = CellStress(reader.sector()).volumes();
   NaturalModes modes;
   std::vector<ModeField> all;
-  for (const int n : driven_nodal_diameters(study))
-    for (ModeField& mode : recovered(reader, study.model, n, speed)) {
+  for (const int n : driven_nodal_diameters(lobes, model.sector_count))
+    for (ModeField& mode : recovered(reader, model, n, speed)) {
       modes.shares.push_back(
           {n, mode.family, mode.frequency, part_shares(reader.sector(), volumes, mode.wave.displacement)});
       all.push_back(std::move(mode));

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "postprocess/analysis/study.h"
 #include "postprocess/fields/field_recovery.h"
+#include "reduce/model/reduced_model.h"
 
 namespace tiprub {
 
@@ -31,8 +31,10 @@ struct NaturalModes {
   std::vector<ModeShares> shares;  ///< of all families that were looked at, by nodal diameter, then family
 };
 
-/// At a speed [rad/s]. Without parts that are told apart there are no shares and no modes of the disc.
-NaturalModes natural_modes(const FieldsReader& reader, const Study& study, double speed);
+/// At a speed [rad/s]; so many families at most are the lowest. Without parts that are told apart there are no shares
+/// and no modes of the disc.
+NaturalModes natural_modes(const FieldsReader& reader, const ReducedModel& model, int lobes, int families,
+                           double speed);
 
 /// [1] of the integral of |u|^2 over the wheel, by part: each cell by its volume and the mean over its nodes.
 /// `volumes` [m^3] by cell; `displacement` 3 x nodes.

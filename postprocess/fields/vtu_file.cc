@@ -8,7 +8,7 @@
 
 #include "cases/program/output_file.h"
 #include "mesh/cells/cell_kind.h"
-#include "postprocess/tables/base64.h"
+#include "postprocess/tables/packing.h"
 
 namespace tiprub {
 

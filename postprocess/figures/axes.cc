@@ -15,6 +15,12 @@ constexpr int many_engine_orders = 16;  // beyond that, their labels run into ea
 constexpr int modal_line_points = 60;
 constexpr double lone_reach = 0.005;  // of a lone speed, to each side
 
+DrawnRange axis_of(const Eigen::VectorXd& rpm) {
+  const Eigen::Index last = rpm.size() - 1;
+  if (last == 0) return {(1 - lone_reach) * rpm[0], (1 + lone_reach) * rpm[0]};
+  return DrawnRange{rpm[0] - 0.5 * (rpm[1] - rpm[0]), rpm[last] + 0.5 * (rpm[last] - rpm[last - 1])}.widened();
+}
+
 }  // namespace
 
 Eigen::VectorXd rpm_of(const std::vector<SpeedResponse>& speeds) {
@@ -23,23 +29,11 @@ Eigen::VectorXd rpm_of(const std::vector<SpeedResponse>& speeds) {
   return rpm;
 }
 
-std::string of_main_blade(const Study& study) {
-  return study.model.contact.splitter_nodes > 0 ? " of the main blade" : "";
+std::string of_main_blade(const ContactLine& contact) {
+  return contact.splitter_nodes > 0 ? " of the main blade" : "";
 }
 
-Eigen::VectorXd speeds_rpm(const Study& study) {
-  return rpm_of(study.response.speeds);
-}
-
-SpeedAxis speed_axis(const Study& study) {
-  const Eigen::VectorXd rpm = speeds_rpm(study);
-  const Eigen::Index last = rpm.size() - 1;
-  if (last == 0) return {(1 - lone_reach) * rpm[0], (1 + lone_reach) * rpm[0]};
-  const SpeedAxis axis{rpm[0] - 0.5 * (rpm[1] - rpm[0]), rpm[last] + 0.5 * (rpm[last] - rpm[last - 1])};
-  return axis.widened();
-}
-
-Eigen::VectorXi nearest_speeds(const Eigen::VectorXd& speeds, const Eigen::VectorXd& failed, const SpeedAxis& axis,
+Eigen::VectorXi nearest_speeds(const Eigen::VectorXd& speeds, const Eigen::VectorXd& failed, const DrawnRange& axis,
                                int columns) {
   const Eigen::Index last = speeds.size() - 1;
   const double below = last > 0 ? 0.5 * (speeds[1] - speeds[0]) : axis.high,
@@ -57,56 +51,62 @@ Eigen::VectorXi nearest_speeds(const Eigen::VectorXd& speeds, const Eigen::Vecto
   return nearest;
 }
 
-Eigen::VectorXi nearest_speeds(const Study& study, int columns) {
-  return nearest_speeds(speeds_rpm(study), rpm_of(study.failed), speed_axis(study), columns);
+int SpeedFrame::families_at(int nodal_diameter) const {
+  return std::min(families, curves.families(nodal_diameter));
 }
 
-int drawn_families(const Study& study) {
+SpeedFrame speed_frame(const Study& study) {
+  const Eigen::VectorXd rpm = rpm_of(study.response.speeds);
   int families = study.parameters.families;
   for (const CriticalSpeed& critical : study.critical) families = std::max(families, critical.rising.family + 1);
-  return families;
+  return {axis_of(rpm),
+          rpm,
+          rpm_of(study.failed),
+          study.range,
+          study.curves,
+          study.model.sector_count,
+          study.response.scene.lobes,
+          families,
+          study.parameters.engine_order_max,
+          study.critical};
 }
 
-int drawn_families(const Study& study, int nodal_diameter) {
-  return std::min(drawn_families(study), study.curves.families(nodal_diameter));
-}
-
-std::vector<Crossing> drawn_crossings(const Study& study, const std::vector<Crossing>& crossings) {
+std::vector<Crossing> drawn_crossings(const SpeedFrame& frame, const std::vector<Crossing>& crossings) {
   std::vector<Crossing> drawn;
   std::copy_if(crossings.begin(), crossings.end(), std::back_inserter(drawn), [&](const Crossing& crossing) {
-    return crossing.family < drawn_families(study) && crossing.engine_order <= study.parameters.engine_order_max;
+    return crossing.family < frame.families && crossing.engine_order <= frame.engine_order_max;
   });
   return drawn;
 }
 
-void set_speed_axis(Drawing& drawing, const SpeedAxis& axis) {
+void set_speed_axis(Drawing& drawing, const DrawnRange& axis) {
   drawing.values.insert(drawing.values.end(), {{"speed", axis}});
 }
 
-void set_engine_orders(Drawing& drawing, const Study& study) {
-  const int last = study.parameters.engine_order_max;
-  const int step = last <= many_engine_orders ? 1 : std::max(study.response.scene.lobes, last / many_engine_orders);
+void set_engine_orders(Drawing& drawing, const SpeedFrame& frame) {
+  const int last = frame.engine_order_max;
+  const int step = last <= many_engine_orders ? 1 : std::max(frame.lobes, last / many_engine_orders);
   drawing.values.insert(drawing.values.end(), {{"engine_order_step", step}, {"engine_order_last", last}});
 }
 
-void set_critical_speeds(Drawing& drawing, const Study& study, double frequency_high) {
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(study.critical.size()), 2);
+void set_critical_speeds(Drawing& drawing, const SpeedFrame& frame, double frequency_high) {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(frame.critical.size()), 2);
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    const CriticalSpeed& critical = study.critical[static_cast<std::size_t>(i)];
+    const CriticalSpeed& critical = frame.critical[static_cast<std::size_t>(i)];
     const double frequency = critical.rising.engine_order * critical.speed * hz_per_rad_s;
     rows.row(i) << critical.speed * rpm_per_rad_s, std::min(frequency, frequency_high);
   }
   drawing.tables.push_back({"critical", {rows}});
 }
 
-void set_modes(Drawing& drawing, const Study& study, const SpeedAxis& axis) {
-  const int nodal_diameters = study.model.nodal_diameter_max() + 1, families = drawn_families(study);
+void set_modes(Drawing& drawing, const SpeedFrame& frame, const DrawnRange& axis) {
+  const int nodal_diameters = frame.nodal_diameters(), families = frame.families;
   Eigen::MatrixXd rows = Eigen::MatrixXd::Constant(modal_line_points, 1 + nodal_diameters * families, std::nan(""));
   rows.col(0) = Eigen::VectorXd::LinSpaced(modal_line_points, axis.low, axis.high);
   for (int n = 0; n < nodal_diameters; ++n)
-    for (int family = 0; family < drawn_families(study, n); ++family)
+    for (int family = 0; family < frame.families_at(n); ++family)
       for (int i = 0; i < modal_line_points; ++i)
-        rows(i, 1 + n * families + family) = study.curves.frequency(n, family, rows(i, 0) / rpm_per_rad_s);
+        rows(i, 1 + n * families + family) = frame.curves.frequency(n, family, rows(i, 0) / rpm_per_rad_s);
   drawing.values.insert(drawing.values.end(), {{"nodal_diameters", nodal_diameters}, {"families", families}});
   drawing.tables.push_back({"modes", {rows}});
 }

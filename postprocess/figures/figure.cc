@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "cases/program/output_file.h"
-#include "postprocess/figures/drawing/gnuplot.h"
+#include "postprocess/figures/gnuplot.h"
 #include "postprocess/tables/interruption.h"
 
 namespace fs = std::filesystem;

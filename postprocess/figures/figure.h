@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "postprocess/figures/drawing/drawing.h"
+#include "postprocess/figures/drawing.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub {

@@ -104,11 +104,10 @@ Eigen::Matrix2Xd distinct(const SectorFields& sector, const std::vector<int>& no
 }
 
 /// The round casing over the main blade's contact nodes, its gap so many times as wide.
-Eigen::Matrix2Xd casing(const Study& study, double times) {
-  const ContactLine& contact = study.model.contact;
+Eigen::Matrix2Xd casing(const ContactLine& contact, const Eigen::VectorXd& clearance, double times) {
   Eigen::Matrix2Xd points(2, contact.trailing_edge() + 1);
   for (int k = 0; k <= contact.trailing_edge(); ++k) {
-    const double gap = times * study.response.scene.clearance[k];
+    const double gap = times * clearance[k];
     points.col(k) << contact.position(k, 0) + gap * contact.normal(k, 0),
         contact.position(k, 2) + gap * contact.normal(k, 2);
   }
@@ -116,8 +115,7 @@ Eigen::Matrix2Xd casing(const Study& study, double times) {
 }
 
 /// A whole number with one digit that is not 0, 1 at least.
-double gap_factor(const Study& study, double radius) {
-  const double mean = study.response.scene.clearance.mean();
+double gap_factor(double mean, double radius) {
   if (!(mean > 0)) return 1;
   const double wanted = drawn_gap * radius / mean, tens = std::pow(10.0, std::floor(std::log10(wanted)));
   return wanted > 1 ? std::ceil(wanted / tens) * tens : 1;
@@ -151,8 +149,9 @@ Table section_table(const std::vector<SectionLine>& lines) {
 
 }  // namespace
 
-Figure meridional_section_figure(const Study& study, const SectorFields& sector) {
-  const double radius = outer_radius(sector), times = gap_factor(study, radius);
+Figure meridional_section_figure(const SectorFields& sector, const ContactLine& line,
+                                 const Eigen::VectorXd& clearance) {
+  const double radius = outer_radius(sector), times = gap_factor(clearance.mean(), radius);
   std::vector<SectionLine> lines = outlines(sector);
   Figure figure{.drawing = {.name = "meridional_section",
                             .width = 760,
@@ -163,20 +162,20 @@ Figure meridional_section_figure(const Study& study, const SectorFields& sector)
                 .caption =
                     "The sector's mesh in the meridional plane: what each of its parts covers, turned about the "
                     "axis. Blue: contact nodes" +
-                    of_main_blade(study) +
+                    of_main_blade(line) +
                     "; red: clamped nodes. The line over the blade is the round "
                     "casing, its clearance as the case gives it drawn " +
                     fixed(times, 0) + " times as wide."};
   set_outlines(figure.drawing, lines);
   const std::vector<int>& tip = sector.node_set("contact");  // a splitter's nodes come last
-  const Eigen::Matrix2Xd contact = distinct(sector, {tip.begin(), tip.end() - study.model.contact.splitter_nodes}),
+  const Eigen::Matrix2Xd contact = distinct(sector, {tip.begin(), tip.end() - line.splitter_nodes}),
                          clamped = distinct(sector, sector.node_set("clamped"));
-  figure.drawing.tables.push_back({"casing", {drawn(casing(study, times))}});
+  figure.drawing.tables.push_back({"casing", {drawn(casing(line, clearance, times))}});
   figure.drawing.tables.push_back({"contact", {drawn(contact)}});
   figure.drawing.tables.push_back({"clamped", {drawn(clamped)}});
-  for (SectionLine& line :
-       std::vector<SectionLine>{{"casing", casing(study, 1)}, {"contact nodes", contact}, {"clamped nodes", clamped}})
-    lines.push_back(std::move(line));
+  for (SectionLine& more : std::vector<SectionLine>{
+           {"casing", casing(line, clearance, 1)}, {"contact nodes", contact}, {"clamped nodes", clamped}})
+    lines.push_back(std::move(more));
   figure.data = section_table(lines);
   return figure;
 }

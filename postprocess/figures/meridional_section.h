@@ -4,9 +4,9 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "postprocess/analysis/study.h"
 #include "postprocess/fields/wheel_surface.h"
 #include "postprocess/figures/figure.h"
+#include "reduce/model/reduced_model.h"
 
 namespace tiprub {
 
@@ -15,7 +15,8 @@ namespace tiprub {
 std::vector<Eigen::Matrix2Xd> meridional_outline(const Eigen::Matrix3Xd& nodes,
                                                  const std::vector<SurfaceFace>& faces);
 
-/// Paper, fig. 2.
-Figure meridional_section_figure(const Study& study, const SectorFields& sector);
+/// Paper, fig. 2; `clearance` [m] as the case gives it, by contact node.
+Figure meridional_section_figure(const SectorFields& sector, const ContactLine& line,
+                                 const Eigen::VectorXd& clearance);
 
 }  // namespace tiprub

@@ -1,29 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/figures/study_figures.h"
 
+#include <iterator>
+
+#include "postprocess/figures/maps.h"
+#include "postprocess/records/study_records.h"
+#include "postprocess/tables/units.h"
+
 namespace tiprub {
 
+namespace {
+
+void append(std::vector<Figure>& figures, std::vector<Figure> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(figures));
+}
+
+std::vector<Figure> response_figures(const Study& study, const SpeedFrame& frame) {
+  std::vector<Figure> figures = {
+      response_figure(frame, study.amplitudes, study.rules, study.response.speeds, study.parameters.component)};
+  if (!study.sweeps.empty())
+    figures.push_back(sweeps_figure(frame, study.amplitudes, study.sweeps,
+                                    sweep_record(study.response.speeds, study.amplitudes, study.sweeps)));
+  if (!study.response.branches.empty())
+    figures.push_back(branches_figure(study.amplitudes, frame.speeds, study.sweeps, study.response.branches));
+  return figures;
+}
+
+std::vector<Figure> map_figures(const Study& study, const SpeedFrame& frame) {
+  const std::string of_blade = of_main_blade(study.model.contact);
+  const MapFrame axes = map_frame(frame, study.waves, study.parameters);
+  std::vector<Figure> figures;
+  for (const TipEdge edge : {study.waves.asked, other_than(study.waves.asked)})
+    figures.push_back(interaction_map_figure(frame, axes,
+                                             {edge, study.waves.of(edge), name_of(study.parameters.component),
+                                              of_blade, largest_place(study.amplitudes, study.model.contact)},
+                                             study.response.speeds));
+  figures.push_back(interaction_map_parts_figure(frame, axes, study.waves, study.response.scene.nodal_diameters));
+  for (const TipEdge edge : {TipEdge::leading, TipEdge::trailing})
+    figures.push_back(contact_map_figure(frame, edge, study.contact, of_blade));
+  return figures;
+}
+
+/// The shown speed, of the contact node whose map comes first.
+std::vector<Figure> motion_figures(const Study& study, const SpeedFrame& frame) {
+  const SpeedResponse& shown = study.shown_response();
+  const SimulatedScene& scene = study.response.scene;
+  const ContactLine& contact = study.model.contact;
+  const Component component = study.parameters.component;
+  const int node = study.waves.first().node;
+  const double decades = study.parameters.amplitude_decades;
+  const std::string place = name_of(study.waves.asked) + of_main_blade(contact);
+  const SectorSignal motion{std::string("The ") + name_of(component) + ", " + place, "mm",
+                            tip_motion(shown, scene, contact, node, component) * mm_per_m},
+      force{"The contact force at the " + place, "N", tip_force(shown, scene, node)};
+  return {sectors_figure(motion, shown, {"tip_motion", "Motion of all sectors"}),
+          two_way_spectrum_figure(motion, shown, frame, decades, {"tip_spectrum", "Two-way spectrum of the motion"}),
+          contact_force_figure(scene, shown, contact, frame.engine_order_max),
+          sectors_figure(force, shown, {"force_of_sectors", "Contact force on all sectors"}),
+          two_way_spectrum_figure(force, shown, frame, decades,
+                                  {"force_spectrum", "Two-way spectrum of the contact force"}),
+          harmonic_bars_figure(study.waves.first().columns[static_cast<std::size_t>(study.shown)], scene.lobes,
+                               frame.engine_order_max)};
+}
+
+}  // namespace
+
 std::vector<Figure> study_figures(const Study& study) {
-  std::vector<Figure> figures = {response_figure(study),
-                                 interaction_map_figure(study, study.parameters.edge),
-                                 interaction_map_figure(study, other_than(study.parameters.edge)),
-                                 interaction_map_parts_figure(study),
-                                 contact_map_figure(study, TipEdge::leading),
-                                 contact_map_figure(study, TipEdge::trailing),
-                                 campbell_figure(study),
-                                 interference_figure(study),
-                                 tip_motion_figure(study),
-                                 tip_spectrum_figure(study),
-                                 contact_force_figure(study),
-                                 force_of_sectors_figure(study),
-                                 force_spectrum_figure(study),
-                                 harmonic_bars_figure(study),
-                                 nodal_diameter_tracking_figure(study),
-                                 engine_order_tracking_figure(study),
-                                 waterfall_figure(study),
-                                 casing_figure(study)};
-  if (!study.response.branches.empty()) figures.insert(figures.begin() + 1, branches_figure(study));
-  if (!study.sweeps.empty()) figures.insert(figures.begin() + 1, sweeps_figure(study));
+  const SpeedFrame frame = speed_frame(study);
+  const InteractionMap& map = study.waves.first();
+  std::vector<Figure> figures = response_figures(study, frame);
+  append(figures, map_figures(study, frame));
+  append(figures, {campbell_figure(frame, study.rules),
+                   interference_figure(frame, study.shown_response().speed, study.parameters.families)});
+  append(figures, motion_figures(study, frame));
+  append(figures, {nodal_diameter_tracking_figure(frame, map), engine_order_tracking_figure(frame, map),
+                   waterfall_figure(frame, map),
+                   casing_figure(study.response.scene, study.shown_response(), study.model.contact)});
   return figures;
 }
 

@@ -116,8 +116,8 @@ PeakColumns wave_columns() {
 
 PeakColumns contact_columns() {
   return {
-      {"contact areas leading edge", [](const PeakRow& peak) { return places(peak, peak.study.leading_edge); }},
-      {"contact areas trailing edge", [](const PeakRow& peak) { return places(peak, peak.study.trailing_edge); }}};
+      {"contact areas leading edge", [](const PeakRow& peak) { return places(peak, peak.study.contact.leading); }},
+      {"contact areas trailing edge", [](const PeakRow& peak) { return places(peak, peak.study.contact.trailing); }}};
 }
 
 PeakColumns stress_columns() {
@@ -174,8 +174,8 @@ PeakColumns rounded_columns() {
       {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, shown_others); }},
       {"areas LE/TE",
        [](const PeakRow& peak) {
-         return std::to_string(places(peak, peak.study.leading_edge)) + "/" +
-                std::to_string(places(peak, peak.study.trailing_edge));
+         return std::to_string(places(peak, peak.study.contact.leading)) + "/" +
+                std::to_string(places(peak, peak.study.contact.trailing));
        }},
       {"motion", [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
       {"eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "postprocess/analysis/study.h"
 #include "postprocess/effects/field_effects.h"
 #include "postprocess/tables/table.h"
 

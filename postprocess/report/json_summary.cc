@@ -7,8 +7,7 @@
 #include "postprocess/compare/comparison.h"
 #include "postprocess/records/critical_speed_record.h"
 #include "postprocess/records/exactness_record.h"
-#include "postprocess/records/linear_criterion_record.h"
-#include "postprocess/records/speed_record.h"
+#include "postprocess/records/study_records.h"
 #include "postprocess/report/verdict.h"
 
 namespace tiprub {
@@ -55,7 +54,7 @@ std::string json_summary(const ReportContents& contents) {
                           {"speeds", rows_of(speed_record(study))},
                           {"exactness", rows_of(exactness_record(study))},
                           {"scene_needs", rows_of(scene_needs_record(contents.needs))},
-                          {"linear_rules", rows_of(rule_score_record(study))}};
+                          {"linear_rules", rows_of(rule_score_record(study.rules))}};
   if (contents.other) summary["comparison"] = rows_of(comparison_record(contents.numbers, *contents.other));
   // What is no UTF-8 in a case's title is shown as such, not a failure.
   return summary.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

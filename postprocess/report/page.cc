@@ -13,18 +13,13 @@
 #include "postprocess/compare/comparison.h"
 #include "postprocess/explore/speed_data.h"
 #include "postprocess/explore/wheel_data.h"
-#include "postprocess/records/branch_record.h"
 #include "postprocess/records/critical_speed_record.h"
-#include "postprocess/records/drift_record.h"
 #include "postprocess/records/exactness_record.h"
-#include "postprocess/records/linear_criterion_record.h"
-#include "postprocess/records/speed_record.h"
-#include "postprocess/records/sweep_record.h"
+#include "postprocess/records/study_records.h"
 #include "postprocess/report/html.h"
 #include "postprocess/report/summary.h"
 #include "postprocess/report/verdict.h"
-#include "postprocess/tables/base64.h"
-#include "postprocess/tables/deflate.h"
+#include "postprocess/tables/packing.h"
 #include "postprocess/tables/units.h"
 
 namespace tiprub {
@@ -155,15 +150,18 @@ std::string record(const Study& study, const ReportSource& source) {
   };
   const auto listing = [](const std::string& text) { return "<pre>" + html::escaped(text) + "</pre>"; };
   return folded("Every speed: how steady, how exact", html::table(speed_record(study)), "speeds.csv") +
-         folded("What the linear rules are worth", html::table(rule_score_record(study)), "linear_rules.csv") +
+         folded("What the linear rules are worth", html::table(rule_score_record(study.rules)), "linear_rules.csv") +
          folded("What the linear rules list", html::table(linear_criterion_record(study)), "linear_criterion.csv") +
          (study.sweeps.empty()
               ? std::string()
-              : folded("From rest, upwards, downwards", html::table(sweep_record(study)), "sweeps.csv")) +
+              : folded("From rest, upwards, downwards",
+                       html::table(sweep_record(study.response.speeds, study.amplitudes, study.sweeps)),
+                       "sweeps.csv")) +
          (study.response.branches.empty()
               ? std::string()
-              : folded("Branches of orbits", html::table(branch_record(study)), "branches.csv")) +
-         folded("How the contact drifts with speed", html::table(drift_record(study)), "contact_drift.csv") +
+              : folded("Branches of orbits", html::table(branch_record(study.response.branches)), "branches.csv")) +
+         folded("How the contact drifts with speed", html::table(drift_record(study.contact, study.model.contact)),
+                "contact_drift.csv") +
          folded("The case file", listing(source.case_text), "case.toml") +
          folded("Where the response comes from", listing(study.response.scene.provenance)) +
          folded("Where the model comes from", listing(study.model.provenance));
@@ -203,7 +201,7 @@ std::string wheel_data_section(const ReportContents& contents) {
   const auto data = [](const std::string& id, const std::string& text) {
     return "<script type=\"text/plain\" id=\"" + id + "\">" + text + "</script>\n";
   };
-  return data("wheel-data", wheel_data(contents.study, *contents.fields)) +
+  return data("wheel-data", wheel_data(contents.study.response, contents.study.model.contact, *contents.fields)) +
          std::string(embedded::page_files::three_licence_html) +
          data("three-library", base64(deflated(std::string(three.second) + "\n" + std::string(controls.second))));
 }

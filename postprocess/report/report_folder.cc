@@ -2,14 +2,9 @@
 #include "postprocess/report/report_folder.h"
 
 #include "postprocess/compare/comparison.h"
-#include "postprocess/records/branch_record.h"
 #include "postprocess/records/critical_speed_record.h"
-#include "postprocess/records/drift_record.h"
 #include "postprocess/records/exactness_record.h"
-#include "postprocess/records/field_record.h"
-#include "postprocess/records/linear_criterion_record.h"
-#include "postprocess/records/speed_record.h"
-#include "postprocess/records/sweep_record.h"
+#include "postprocess/records/study_records.h"
 #include "postprocess/report/json_summary.h"
 
 namespace tiprub {
@@ -26,12 +21,13 @@ void write_tables(const Study& study, const FieldResults& fields, const std::fil
   write_csv(critical_speed_record(study, fields), folder / "critical_speeds.csv");
   write_text(aligned_text(critical_speed_overview(study, fields)), folder / "critical_speeds.txt");
   write_csv(linear_criterion_record(study), folder / "linear_criterion.csv");
-  write_csv(rule_score_record(study), folder / "linear_rules.csv");
+  write_csv(rule_score_record(study.rules), folder / "linear_rules.csv");
   write_csv(speed_record(study), folder / "speeds.csv");
   write_csv(exactness_record(study), folder / "exactness.csv");
-  write_csv(drift_record(study), folder / "contact_drift.csv");
-  if (!study.response.branches.empty()) write_csv(branch_record(study), folder / "branches.csv");
-  if (!study.sweeps.empty()) write_csv(sweep_record(study), folder / "sweeps.csv");
+  write_csv(drift_record(study.contact, study.model.contact), folder / "contact_drift.csv");
+  if (!study.response.branches.empty()) write_csv(branch_record(study.response.branches), folder / "branches.csv");
+  if (!study.sweeps.empty())
+    write_csv(sweep_record(study.response.speeds, study.amplitudes, study.sweeps), folder / "sweeps.csv");
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double percent = 100.0;
 
-std::string rule_sentence(const Study& study) {
-  if (study.critical.empty()) return "";
+std::string rule_sentence(const LinearRules& rules, double tolerance) {
+  if (rules.equation_2_score.hits + rules.equation_2_score.misses == 0) return "";  // no critical speed
   const auto part = [](const RuleScore& score) {
     return "predicts " + std::to_string(score.hits) + " of " + std::to_string(score.hits + score.misses) + " (" +
            fixed(percent * score.predicted_share, 0) + " % of their summed amplitude) and raises " +
@@ -28,37 +28,35 @@ std::string rule_sentence(const Study& study) {
                 ? ", where its wave makes " + fixed(score.alarm_amplitude * mm_per_m, 3) + " mm at most"
                 : std::string());
   };
-  return "The linear rule (eq. 2) " + part(study.equation_2_score) + "; with aliasing it " +
-         part(study.aliasing_score) + " (the same wave and family within " +
-         fixed(percent * study.parameters.prediction_tolerance, 1) + " % of the speed; asked for the families, " +
-         std::to_string(study.moving.families.size()) + ", and engine orders, " +
-         std::to_string(study.moving.engine_orders.size()) + ", that move).";
+  return "The linear rule (eq. 2) " + part(rules.equation_2_score) + "; with aliasing it " +
+         part(rules.aliasing_score) + " (the same wave and family within " + fixed(percent * tolerance, 1) +
+         " % of the speed; asked for the families, " + std::to_string(rules.moving.families.size()) +
+         ", and engine orders, " + std::to_string(rules.moving.engine_orders.size()) + ", that move).";
 }
 
 /// "85 periodic, 6 subharmonic, 2 modulated"
-std::string motion_counts(const Study& study) {
+std::string motion_counts(const std::vector<SpeedResponse>& speeds) {
   std::map<MotionClass, std::size_t> counts;
-  for (const SpeedResponse& speed : study.response.speeds) ++counts[speed.motion];
+  for (const SpeedResponse& speed : speeds) ++counts[speed.motion];
   std::string text;
   for (const auto& [motion, count] : counts)
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name_of(motion);
   return text;
 }
 
-std::string steadiness_sentence(const Study& study) {
+std::string steadiness_sentence(const std::vector<SpeedResponse>& speeds, std::size_t failed) {
   std::size_t settled = 0, halved = 0;
   double change = 0, closing = 0, halving = 0;
-  for (const SpeedResponse& speed : study.response.speeds) {
+  for (const SpeedResponse& speed : speeds) {
     settled += speed.settled();
     if (speed.settled()) change = std::max(change, speed.change);
     closing = std::max(closing, std::abs(speed.energy.closing_error));
     halved += speed.audit.halving_difference.has_value();
     halving = std::max(halving, speed.audit.halving_difference.value_or(0));
   }
-  return counted(study.response.speeds.size(), "speed") + " computed: " + motion_counts(study) + ", " +
-         std::to_string(study.failed.size()) + " failed. At " + counted(settled, "speed") +
-         " the motion has settled to " + scientific(change, 1) + " a period; the energy balance closes to " +
-         scientific(closing, 1) +
+  return counted(speeds.size(), "speed") + " computed: " + motion_counts(speeds) + ", " + std::to_string(failed) +
+         " failed. At " + counted(settled, "speed") + " the motion has settled to " + scientific(change, 1) +
+         " a period; the energy balance closes to " + scientific(closing, 1) +
          (halved > 0 ? "; the last halving of the time step changed the motion by " + scientific(halving, 1) +
                            " at most, at " + counted(halved, "speed")
                      : "; half the time step was not tried") +
@@ -67,8 +65,7 @@ std::string steadiness_sentence(const Study& study) {
 
 /// "12,000 to 12,400, 13,000 rpm": the speeds for which a property holds, neighbours drawn together.
 template <class Property>
-std::string runs_of_speeds(const Study& study, const Property& holds) {
-  const auto& speeds = study.response.speeds;
+std::string runs_of_speeds(const std::vector<SpeedResponse>& speeds, const Property& holds) {
   std::string text;
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     if (!holds(speeds[i]) || (i > 0 && holds(speeds[i - 1]))) continue;
@@ -80,18 +77,18 @@ std::string runs_of_speeds(const Study& study, const Property& holds) {
   return text.empty() ? text : text + " rpm";
 }
 
-std::string unusual_sentence(const Study& study) {
+std::string unusual_sentence(const std::vector<SpeedResponse>& speeds) {
   std::string text;
   const auto add = [&](const std::string& what, const std::string& where) {
     if (!where.empty()) text += (text.empty() ? "" : " ") + what + ": " + where + ".";
   };
   for (const MotionClass motion : {MotionClass::modulated, MotionClass::broadband, MotionClass::not_settled})
     add("Motion " + std::string(name_of(motion)),
-        runs_of_speeds(study, [&](const SpeedResponse& speed) { return speed.motion == motion; }));
+        runs_of_speeds(speeds, [&](const SpeedResponse& speed) { return speed.motion == motion; }));
   add("Subharmonic motion",
-      runs_of_speeds(study, [](const SpeedResponse& speed) { return speed.motion == MotionClass::subharmonic; }));
+      runs_of_speeds(speeds, [](const SpeedResponse& speed) { return speed.motion == MotionClass::subharmonic; }));
   add("A nodal diameter that was left out is unstable (run these with nodal_diameters = \"all\")",
-      runs_of_speeds(study,
+      runs_of_speeds(speeds,
                      [](const SpeedResponse& speed) { return speed.audit.symmetry == SymmetryVerdict::breaking; }));
   return text;
 }
@@ -120,24 +117,24 @@ std::string sweep_sentence(const Study& study) {
 }
 
 /// "From 33,800 to 34,800 rpm 3 orbits exist, 1 of them attracts. Stability changes at 33,900 rpm (flip)."
-std::string branch_sentence(const Study& study) {
+std::string branch_sentence(const std::vector<OrbitBranch>& branches) {
   std::string text;
-  for (const OrbitRange& range : ranges_of_many_orbits(study.response.branches))
+  for (const OrbitRange& range : ranges_of_many_orbits(branches))
     text += (text.empty() ? "From " : " From ") + fixed(range.low * rpm_per_rad_s, 1) + " to " +
             rpm_text(range.high) + " " + std::to_string(range.orbits) + " orbits exist, " +
             (range.attracting == 0
                  ? "none of them attracts."
                  : std::to_string(range.attracting) + " of them attract" + (range.attracting == 1 ? "s." : "."));
   std::string changes;
-  for (const StabilityChange& change : stability_changes(study.response.branches))
+  for (const StabilityChange& change : stability_changes(branches))
     changes += (changes.empty() ? " Stability changes at " : ", ") + rpm_text(change.speed) + " (" +
                name_of(change.kind) + ")";
   return text + (changes.empty() ? "" : changes + ".");
 }
 
-std::string share_sentence(const Study& study) {
+std::string share_sentence(const InteractionMap& map) {
   constexpr double invisible = 5e-5;
-  const Eigen::VectorXd shares = energy_shares(study.map);
+  const Eigen::VectorXd shares = energy_shares(map);
   std::string text;
   for (Eigen::Index n = 0; n < shares.size(); ++n)
     text += (n > 0 ? ", " : "") + std::to_string(n) + ": " +
@@ -175,12 +172,12 @@ std::string stress_sentence(const FieldResults& fields) {
          fatigue_sentence(fields);
 }
 
-std::string model_sentence(const Study& study) {
-  const ModelError error = model_error(study.model);
+std::string model_sentence(const ReducedModel& model) {
+  const ModelError error = model_error(model);
   if (error.frequencies == 0) return "The model came without frequencies of the unreduced sector to verify it.";
   return "The reduced model has the wheel's first " + std::to_string(error.frequencies) + " frequencies within " +
          significant(percent * error.error, 2) + " % of the unreduced sector's, at " +
-         counted(static_cast<std::size_t>(study.model.verification.speeds.size()), "speed") + ".";
+         counted(static_cast<std::size_t>(model.verification.speeds.size()), "speed") + ".";
 }
 
 std::string accuracy_sentence(const Study& study) {
@@ -205,9 +202,11 @@ std::string counted(std::size_t count, const std::string& what) {
 
 std::vector<std::string> summary(const Study& study, const FieldResults& fields) {
   std::vector<std::string> lines;
-  for (const std::string& line : {stress_sentence(fields), rule_sentence(study), model_sentence(study),
-                                  accuracy_sentence(study), steadiness_sentence(study), unusual_sentence(study),
-                                  sweep_sentence(study), branch_sentence(study), share_sentence(study)})
+  for (const std::string& line :
+       {stress_sentence(fields), rule_sentence(study.rules, study.parameters.prediction_tolerance),
+        model_sentence(study.model), accuracy_sentence(study),
+        steadiness_sentence(study.response.speeds, study.failed.size()), unusual_sentence(study.response.speeds),
+        sweep_sentence(study), branch_sentence(study.response.branches), share_sentence(study.waves.first())})
     if (!line.empty()) lines.push_back(line);
   return lines;
 }

@@ -64,7 +64,7 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
   const std::optional<std::size_t> worst = worst_critical(study);
   if (!worst)
     return "No critical speed: the amplitude has no peak that stands out. It is largest at " +
-           rpm_text(study.worst_response().speed) + ", " + amplitude_text(study, study.worst) + "." +
+           rpm_text(study.worst_response().speed) + ", " + amplitude_text(study, study.amplitudes.worst()) + "." +
            still_rising(study);
   const CriticalSpeed& peak = study.critical[*worst];
   return counted(study.critical.size(), "critical speed") + ". The worst, at " + rpm_text(peak.speed) +
@@ -83,7 +83,8 @@ std::string node_text(const Study& study, int node) {
 std::string where(const Study& study, const FieldResults& fields) {
   const std::optional<std::size_t> worst = worst_critical(study);
   std::string text =
-      "The tip at " + node_text(study, study.amplitudes.node[worst ? study.critical[*worst].index : study.worst]);
+      "The tip at " +
+      node_text(study, study.amplitudes.node[worst ? study.critical[*worst].index : study.amplitudes.worst()]);
   if (worst && fields.peaks[*worst] && !fields.peaks[*worst]->where.empty())
     text += "; stressed most: " + fields.peaks[*worst]->where;
   return text + ".";

@@ -11,7 +11,7 @@
 #include "mesh/blades/section_table.h"
 #include "mesh/import/sector_import.h"
 #include "mesh/wheels/wheel.h"
-#include "postprocess/analysis/material_strength.h"
+#include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/stage.h"
 #include "reduce/matrices/matrix_sector.h"

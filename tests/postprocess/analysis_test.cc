@@ -7,7 +7,7 @@
 #include "postprocess/analysis/contact_map.h"
 #include "postprocess/analysis/critical_speeds.h"
 #include "postprocess/analysis/study.h"
-#include "postprocess/records/linear_criterion_record.h"
+#include "postprocess/records/study_records.h"
 #include "postprocess/waves/harmonic_tracking.h"
 #include "simulate/motion/casing_areas.h"
 #include "synthetic_scene.h"
@@ -46,7 +46,7 @@ TEST(ContactMap, DividesByTheStepsOverEachArea) {
       EXPECT_EQ(contact_map(closed, rotor.contact, node).share, Eigen::MatrixXd::Ones(areas, 1)) << areas;
   }
   const Study& study = made_study();
-  for (const ContactMap* edge : {&study.leading_edge, &study.trailing_edge}) {
+  for (const ContactMap* edge : {&study.contact.leading, &study.contact.trailing}) {
     EXPECT_LE(edge->share.maxCoeff(), 1.0);
     EXPECT_GT(edge->share.maxCoeff(), 0.5);
   }
@@ -79,7 +79,7 @@ TEST(ContactMap, CountsPlacesAroundTheCasing) {
 
 TEST(InteractionMap, TotalIsTheSumOfItsParts) {
   const Study& study = made_study();
-  for (const MapColumn& column : study.map.columns) {
+  for (const MapColumn& column : study.waves.first().columns) {
     const Eigen::VectorXd sum = column.parts.rowwise().sum();
     EXPECT_LE((column.total - sum).cwiseAbs().maxCoeff(), 1e-12 * column.total.maxCoeff());
     EXPECT_NEAR(column.total.sum(), column.spectrum.amplitude.sum(), 1e-12 * column.total.sum());
@@ -87,17 +87,17 @@ TEST(InteractionMap, TotalIsTheSumOfItsParts) {
 }
 
 TEST(InteractionMap, OddNodalDiametersStayEmptyUnderTwoLobes) {
-  const Eigen::VectorXd shares = energy_shares(made_study().map);
+  const Eigen::VectorXd shares = energy_shares(made_study().waves.first());
   EXPECT_NEAR(shares.sum(), 1.0, 1e-12);
   EXPECT_LT(shares[1] + shares[3] + shares[5], 1e-20);
 }
 
 TEST(HarmonicTracking, ReadsTheSpectrum) {
   const Study& study = made_study();
-  const HarmonicTracking by_diameter = nodal_diameter_tracking(study.map, 6);
-  const HarmonicTracking by_order = engine_order_tracking(study.map, 4, {1, 2, 3, 4, 5, 6});
-  for (std::size_t i = 0; i < study.map.columns.size(); ++i) {
-    const TravellingSpectrum& spectrum = study.map.columns[i].spectrum;
+  const HarmonicTracking by_diameter = nodal_diameter_tracking(study.waves.first(), 6);
+  const HarmonicTracking by_order = engine_order_tracking(study.waves.first(), 4, {1, 2, 3, 4, 5, 6});
+  for (std::size_t i = 0; i < study.waves.first().columns.size(); ++i) {
+    const TravellingSpectrum& spectrum = study.waves.first().columns[i].spectrum;
     const auto row = static_cast<Eigen::Index>(i);
     EXPECT_EQ(by_diameter.curves(row, 4), spectrum.at(6, 4) + spectrum.at(6, -4));
     EXPECT_EQ(by_diameter.curves(row, 4), by_order.curves(row, 5));
@@ -148,8 +148,8 @@ TEST(CriticalSpeeds, AreFoundAndNamed) {
     EXPECT_FALSE(critical.by_equation_2);
   }
   EXPECT_EQ(study.critical[2].motion, MotionClass::subharmonic);
-  EXPECT_EQ(study.equation_2_score.misses, 4);
-  EXPECT_EQ(study.aliasing_score.hits, 4);
+  EXPECT_EQ(study.rules.equation_2_score.misses, 4);
+  EXPECT_EQ(study.rules.aliasing_score.hits, 4);
 }
 
 /// Symptom: at 13,900 rpm the table said "EO 2". The casing pushes the wheel through EO 2 everywhere; what resonates
@@ -173,8 +173,8 @@ TEST(CriticalSpeeds, RuleSaysWhatItLeavesOut) {
 
 TEST(Study, CountsFractionsOfAnEngineOrder) {
   const Study& study = made_study();
-  for (std::size_t i = 0; i < study.map.columns.size(); ++i) {
-    const double share = subharmonic_share(study.map.columns[i].spectrum);
+  for (std::size_t i = 0; i < study.waves.first().columns.size(); ++i) {
+    const double share = subharmonic_share(study.waves.first().columns[i].spectrum);
     if (i == 30 || i == 31)
       EXPECT_GT(share, 0.01);
     else

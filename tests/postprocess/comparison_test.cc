@@ -70,7 +70,7 @@ TEST(Comparison, ReadsTheNumbersOfAReport) {
     EXPECT_LE(a.spectrum.engine_order(a.spectrum.lines() - 1), study.parameters.engine_order_max);
     ASSERT_EQ(a.total.size(), b.total.size());
     EXPECT_TRUE(a.total.isApprox(b.total, 1e-14));
-    EXPECT_TRUE(a.total.isApprox(study.map.columns[i].total.head(a.total.size()), 1e-14));
+    EXPECT_TRUE(a.total.isApprox(study.waves.first().columns[i].total.head(a.total.size()), 1e-14));
   }
 }
 

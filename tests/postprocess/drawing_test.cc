@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "cases/program/errors.h"
-#include "postprocess/figures/drawing/gnuplot.h"
-#include "postprocess/figures/drawing/prologue.h"
+#include "postprocess/figures/gnuplot.h"
+#include "postprocess/figures/prologue.h"
 #include "tests/cases/full_disk.h"
 
 namespace fs = std::filesystem;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "postprocess/figures/drawing/drawing.h"
+#include "postprocess/figures/drawing.h"
 
 namespace tiprub {
 

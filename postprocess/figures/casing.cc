@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The casing, and where it is rubbed.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "postprocess/figures/axes.h"
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/tables/units.h"
 
@@ -14,13 +14,12 @@ namespace {
 constexpr double degrees = 360.0;
 constexpr double microseconds = 1e6;
 
-Table contact_table(const Study& study, const ContactMap& map) {
+Table contact_table(const Eigen::VectorXd& rpm, const ContactMap& map) {
   Table table{{"speed [rpm]", "contrast [1]", "clusters"}, {}};
   for (Eigen::Index area = 0; area < map.share.rows(); ++area)
     table.header.push_back(
         "share at " + fixed(degrees * (static_cast<double>(area) + 0.5) / static_cast<double>(map.share.rows()), 1) +
         " deg [1]");
-  const Eigen::VectorXd rpm = speeds_rpm(study);
   for (Eigen::Index i = 0; i < rpm.size(); ++i) {
     std::vector<Cell> row = {rpm[i], map.contrast[i], map.clusters[i]};
     for (Eigen::Index area = 0; area < map.share.rows(); ++area) row.emplace_back(map.share(area, i));
@@ -31,10 +30,10 @@ Table contact_table(const Study& study, const ContactMap& map) {
 
 /// Each area is several pixels high, so that a viewer that smooths the picture keeps the areas' edges. Of more areas
 /// than can be told apart, a pixel shows the one with the most contact.
-Eigen::MatrixXf contact_pixels(const Study& study, const ContactMap& map) {
+Eigen::MatrixXf contact_pixels(const SpeedFrame& frame, const ContactMap& map) {
   constexpr int columns = 700, pixels_per_area = 4;
   constexpr Eigen::Index most_rows = 4000;
-  const Eigen::VectorXi nearest = nearest_speeds(study, columns);
+  const Eigen::VectorXi nearest = nearest_speeds(frame.speeds, frame.failed, frame.axis, columns);
   const Eigen::Index areas = map.share.rows(), rows = std::min(pixels_per_area * areas, most_rows);
   Eigen::MatrixXf pixels = Eigen::MatrixXf::Constant(rows, columns, std::nanf(""));
   for (int x = 0; x < columns; ++x)
@@ -61,19 +60,25 @@ std::string lag_sentence(const EdgeLag& lag) {
 }
 
 /// The drift's line, one on each lobe, if there is a line.
-void set_drift(Drawing& drawing, const Study& study, const ContactDrift& drift) {
+void set_drift(Drawing& drawing, int casing_lobes, const ContactDrift& drift) {
   constexpr double degrees_per_radian = degrees / (2 * std::numbers::pi);
-  const int lobes = drift.determination > 0 ? std::max(study.response.scene.lobes, 1) : 0;
+  const int lobes = drift.determination > 0 ? std::max(casing_lobes, 1) : 0;
   drawing.values.insert(drawing.values.end(), {{"drift_lobes", lobes},
                                                {"drift_start", drift.intercept * degrees_per_radian},
                                                {"drift_slope", drift.slope * degrees_per_radian / rpm_per_rad_s}});
 }
 
+/// How far the casing is from a node of the rotor that spins and doesn't vibrate, around the casing [mm].
+Eigen::VectorXd gap(double clearance, const SimulatedScene& scene) {
+  return ((clearance - scene.casing_distortion.array()) * mm_per_m).matrix();
+}
+
 }  // namespace
 
-Figure contact_map_figure(const Study& study, TipEdge edge) {
-  const ContactMap& map = edge == TipEdge::leading ? study.leading_edge : study.trailing_edge;
-  const ContactDrift drift = edge == TipEdge::leading ? study.leading_drift : ContactDrift{};  // as in the paper
+Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMaps& maps,
+                          const std::string& of_blade) {
+  const ContactMap& map = edge == TipEdge::leading ? maps.leading : maps.trailing;
+  const ContactDrift drift = edge == TipEdge::leading ? maps.leading_drift : ContactDrift{};  // as in the paper
   const std::string where = edge == TipEdge::leading ? "leading" : "trailing";
   const int places = map.clusters.maxCoeff();
   Figure figure{.drawing = {.name = "contact_map_" + where + "_edge",
@@ -82,17 +87,41 @@ Figure contact_map_figure(const Study& study, TipEdge edge) {
                             .script = "contact_map",
                             .values = {{"places", DrawnRange{0, std::max(1.0, 1.1 * places)}},
                                        {"places_tics", std::max(1, (places + 3) / 4)}}},
-                .title = "Contact map, " + where + " edge" + of_main_blade(study),
-                .caption = "Where the " + where + " edge" + of_main_blade(study) +
-                           " of sector 0 rubs: the casing in " + std::to_string(map.share.rows()) +
+                .title = "Contact map, " + where + " edge" + of_blade,
+                .caption = "Where the " + where + " edge" + of_blade + " of sector 0 rubs: the casing in " +
+                           std::to_string(map.share.rows()) +
                            " areas, each coloured by the share of the steps over it that are in contact, from white "
                            "(never) to dark blue (always). Below: contrast, near 1 where the contact keeps to few "
                            "places, and the number of separate places. Grey: speeds without a response.",
-                .data = contact_table(study, map)};
-  if (drift.determination > 0) figure.caption += drift_sentence(drift) + lag_sentence(study.edge_lag);
-  set_speed_axis(figure.drawing, speed_axis(study));
-  set_drift(figure.drawing, study, drift);
-  set_pixels(figure, contact_pixels(study, map));
+                .data = contact_table(frame.speeds, map)};
+  if (drift.determination > 0) figure.caption += drift_sentence(drift) + lag_sentence(maps.lag);
+  set_speed_axis(figure.drawing, frame.axis);
+  set_drift(figure.drawing, frame.lobes, drift);
+  set_pixels(figure, contact_pixels(frame, map));
+  return figure;
+}
+
+Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact) {
+  constexpr double smallest_distortion = 1e-12;  // [m] of a round casing
+  const double largest = std::max(scene.casing_distortion.cwiseAbs().maxCoeff(), smallest_distortion);
+  Figure figure{
+      .drawing = {.name = "casing",
+                  .width = 1000,
+                  .height = 430,
+                  .script = "casing",
+                  .values = {{"largest_distortion", largest * mm_per_m}}},
+      .title = "Casing",
+      .caption = "Left: the shape, its largest distortion of " + fixed(largest * mm_per_m, 3) +
+                 " mm drawn as a fifth of the radius; dashed: the round casing. Right: the gap between the casing "
+                 "and the tip" +
+                 of_main_blade(contact) + " that spins at " + rpm_text(shown.speed) +
+                 " without vibrating; below zero the blade has to bend.",
+      .data = {{"angle [deg]", "gap at leading edge [mm]", "gap at trailing edge [mm]", "distortion [mm]"}, {}}};
+  const Eigen::VectorXd leading = gap(shown.clearance[0], scene),
+                        trailing = gap(shown.clearance[contact.trailing_edge()], scene);
+  for (Eigen::Index i = 0; i < scene.casing_angle.size(); ++i)
+    figure.data.rows.push_back({scene.casing_angle[i] * 360.0 / (2 * std::numbers::pi), leading[i], trailing[i],
+                                scene.casing_distortion[i] * mm_per_m});
   return figure;
 }
 

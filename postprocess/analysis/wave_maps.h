@@ -20,4 +20,18 @@ struct Ridge {
 std::vector<Ridge> find_ridges(const InteractionMap& map, const FrequencyCurves& curves, int sector_count,
                                const PostprocessParameters& parameters);
 
+/// The interaction maps of both edges of the main blade.
+struct WaveMaps {
+  TipEdge asked = TipEdge::leading;  ///< whose spectra, trackings and ridges are drawn
+  InteractionMap leading, trailing;
+  std::vector<Ridge> ridges;
+
+  const InteractionMap& of(TipEdge edge) const { return edge == TipEdge::leading ? leading : trailing; }
+  const InteractionMap& first() const { return of(asked); }
+};
+
+/// Needs a response at every speed.
+WaveMaps wave_maps(const Response& response, const ContactLine& contact, const FrequencyCurves& curves,
+                   const PostprocessParameters& parameters);
+
 }  // namespace tiprub

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/tables/base64.h"
+#include "postprocess/tables/packing.h"
+
+#include <zlib.h>
 
 #include <cstdint>
+
+#include "cases/program/errors.h"
 
 namespace tiprub {
 
@@ -17,6 +21,17 @@ std::string base64(const std::string& bytes) {
       text += i + k <= bytes.size() ? letters[(group >> (18U - 6U * k)) & 63U] : '=';
   }
   return text;
+}
+
+std::string deflated(const std::string& bytes) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string packed(size, '\0');
+  const int result =
+      compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
+  if (result != Z_OK) throw RunError("report.html: its data can't be packed: not enough memory");
+  packed.resize(size);
+  return packed;
 }
 
 }  // namespace tiprub

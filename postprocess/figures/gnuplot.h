@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "postprocess/figures/drawing/drawing.h"
+#include "postprocess/figures/drawing.h"
 
 namespace tiprub {
 

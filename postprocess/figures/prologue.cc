@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/figures/drawing/prologue.h"
+#include "postprocess/figures/prologue.h"
 
 #include <algorithm>
 #include <cmath>

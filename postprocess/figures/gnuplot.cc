@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/figures/drawing/gnuplot.h"
+#include "postprocess/figures/gnuplot.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -15,7 +15,7 @@
 
 #include "cases/program/errors.h"
 #include "embedded/figure_scripts.h"
-#include "postprocess/figures/drawing/prologue.h"
+#include "postprocess/figures/prologue.h"
 #include "postprocess/tables/interruption.h"
 #include "postprocess/tables/table.h"
 

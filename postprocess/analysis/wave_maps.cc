@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/analysis/ridges.h"
+#include "postprocess/analysis/wave_maps.h"
 
 #include <cmath>
 
@@ -22,6 +22,14 @@ std::vector<Ridge> find_ridges(const InteractionMap& map, const FrequencyCurves&
       }
     }
   return ridges;
+}
+
+WaveMaps wave_maps(const Response& response, const ContactLine& contact, const FrequencyCurves& curves,
+                   const PostprocessParameters& parameters) {
+  const auto map_of = [&](int node) { return interaction_map(response, contact, node, parameters.component); };
+  WaveMaps maps{parameters.edge, map_of(0), map_of(contact.trailing_edge()), {}};
+  maps.ridges = find_ridges(maps.first(), curves, response.scene.sector_count, parameters);
+  return maps;
 }
 
 }  // namespace tiprub

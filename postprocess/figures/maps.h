@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "postprocess/analysis/wave_maps.h"
+#include "postprocess/figures/axes.h"
+#include "postprocess/figures/figure.h"
+
+namespace tiprub {
+
+/// What a map is drawn over.
+struct MapFrame {
+  DrawnRange speed;           ///< [rpm]
+  double frequency_high = 0;  ///< [Hz]
+  DrawnRange amplitude;       ///< [mm] what is less has the lowest colour: log scales don't know zero
+};
+/// Of a study's own maps; both edges share their colours.
+MapFrame map_frame(const SpeedFrame& frame, const WaveMaps& waves, const PostprocessParameters& parameters);
+
+/// [Hz] the highest engine order at the highest speed, but not far above the families that are drawn.
+double map_frequency_high(const SpeedFrame& frame);
+
+/// [mm] the largest amplitude of both edges' maps, never zero.
+double map_amplitude_high(const WaveMaps& waves);
+
+/// Half of the width of a spectral line as it is drawn, in engine orders.
+double line_half_width(const TravellingSpectrum& spectrum);
+
+/// What scripts/map.gp reads, apart from the pixels.
+void set_map_axes(Drawing& drawing, const SpeedFrame& frame, const MapFrame& map);
+
+/// [mm] the total over speed and frequency; NaN where it has no speed, or one of `failed` [rpm] is nearer.
+Eigen::MatrixXf map_pixels(const InteractionMap& map, const Eigen::VectorXd& failed, const MapFrame& frame,
+                           int columns, int rows);
+
+/// An edge's map and what its caption tells.
+struct EdgeMap {
+  TipEdge edge;
+  const InteractionMap& map;
+  std::string component, of_blade, remark;
+};
+/// "The largest amplitude of all speeds is at contact node 9, the trailing edge."
+std::string largest_place(const TipAmplitudes& amplitudes, const ContactLine& contact);
+
+/// Paper, fig. 22a.
+Figure interaction_map_figure(const SpeedFrame& frame, const MapFrame& axes, const EdgeMap& edge,
+                              const std::vector<SpeedResponse>& speeds);
+/// Paper, fig. 22b-g; `moving`: the nodal diameters that can.
+Figure interaction_map_parts_figure(const SpeedFrame& frame, const MapFrame& axes, const WaveMaps& waves,
+                                    const std::vector<int>& moving);
+/// Paper, fig. 18a.
+Figure waterfall_figure(const SpeedFrame& frame, const InteractionMap& map);
+
+}  // namespace tiprub

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Motion and force of all sectors at one speed.
+#include <algorithm>
+#include <cmath>
+
+#include "postprocess/figures/study_figures.h"
+#include "postprocess/tables/units.h"
+#include "postprocess/waves/aliasing.h"
+#include "reduce/model/nodal_diameter.h"
+
+namespace tiprub {
+
+namespace {
+
+/// Engine order, then the amplitude of each signal.
+Eigen::MatrixXd line_spectra(const Eigen::VectorXd& leading, const Eigen::VectorXd& trailing, int revolutions,
+                             int engine_order_max) {
+  const Eigen::VectorXd leading_lines = line_spectrum(leading), trailing_lines = line_spectrum(trailing);
+  const int last = std::min(static_cast<int>(leading_lines.size()) - 1, engine_order_max * revolutions);
+  Eigen::MatrixXd rows(last + 1, 3);
+  for (int line = 0; line <= last; ++line)
+    rows.row(line) << static_cast<double>(line) / revolutions, leading_lines[line], trailing_lines[line];
+  return rows;
+}
+
+/// Engine order, nodal diameter, both directions of that wave [mm].
+std::vector<Cell> bar_row(const TravellingSpectrum& spectrum, int engine_order, int nodal_diameter) {
+  const double forward =
+      is_standing(nodal_diameter, spectrum.sector_count) ? 0 : spectrum.at(engine_order, -nodal_diameter);
+  return {engine_order, nodal_diameter, spectrum.at(engine_order, nodal_diameter) * mm_per_m, forward * mm_per_m};
+}
+
+/// One period of the motion is drawn, or all that is recorded if there is none.
+int drawn_revolutions(const SpeedResponse& response) {
+  const int period = response.period_revolutions;
+  return std::clamp(period == 0 ? response.recorded_revolutions : period, 1, response.recorded_revolutions);
+}
+
+Table signal_table(const SectorSignal& signal, Eigen::Index samples, int samples_per_revolution) {
+  Table table{{"rotor angle [deg]"}, {}};
+  for (Eigen::Index j = 0; j < signal.values.cols(); ++j)
+    table.header.push_back("sector " + std::to_string(j) + " [" + signal.unit + "]");
+  for (Eigen::Index s = 0; s < samples; ++s) {
+    table.rows.push_back({360.0 * static_cast<double>(s) / samples_per_revolution});
+    for (Eigen::Index j = 0; j < signal.values.cols(); ++j) table.rows.back().emplace_back(signal.values(s, j));
+  }
+  return table;
+}
+
+std::vector<double> middles(const Eigen::MatrixXd& values) {
+  const Eigen::RowVectorXd middle = 0.5 * (values.colwise().maxCoeff() + values.colwise().minCoeff());
+  return {middle.begin(), middle.end()};
+}
+
+/// What is drawn of a spectrum: lines 1 .. last, nodal diameters lowest .. lowest + N - 1, colours low .. high.
+struct Drawn {
+  int last, lowest;
+  double low, high;
+};
+
+Drawn drawn_part(const TravellingSpectrum& spectrum, int engine_order_max, double decades) {
+  constexpr double smallest = 1e-9;  // of a scale, where nothing moves
+  const int last = std::min(spectrum.lines() - 1, engine_order_max * spectrum.revolutions);
+  const double high = std::max(spectrum.amplitude.bottomRows(spectrum.lines() - 1).maxCoeff(), smallest);
+  return {last, -((spectrum.sector_count - 1) / 2), high * std::pow(10.0, -decades), high};
+}
+
+/// Where eq. 17 puts the casing's harmonics: engine order, signed nodal diameter.
+Eigen::MatrixXd expected_waves(int casing_lobes, int engine_order_max, int sectors) {
+  const int lobes = std::max(casing_lobes, 1);
+  const int count = std::max(1, engine_order_max / lobes);
+  Eigen::MatrixXd rows(count, 2);
+  for (int k = 1; k <= count; ++k) rows.row(k - 1) << k * lobes, signed_nodal_diameter(k * lobes, sectors);
+  return rows;
+}
+
+/// Each value as a block of pixels, so that a viewer that smooths the picture keeps its edges.
+Eigen::MatrixXf enlarged(const Eigen::MatrixXf& values) {
+  constexpr int wide = 1000, high = 500;
+  const Eigen::Index across = std::max<Eigen::Index>(1, wide / values.cols());
+  const Eigen::Index up = std::max<Eigen::Index>(1, high / values.rows());
+  Eigen::MatrixXf pixels(up * values.rows(), across * values.cols());
+  for (Eigen::Index y = 0; y < pixels.rows(); ++y)
+    for (Eigen::Index x = 0; x < pixels.cols(); ++x) pixels(y, x) = values(y / up, x / across);
+  return pixels;
+}
+
+/// Fills the figure's table and its pixels.
+void set_waves(Figure& figure, const TravellingSpectrum& spectrum, const Drawn& drawn, const std::string& unit) {
+  const int sectors = spectrum.sector_count;
+  figure.data = {{"engine order", "signed nodal diameter", "direction", "amplitude [" + unit + "]"}, {}};
+  Eigen::MatrixXf waves(sectors, drawn.last);
+  for (int line = 1; line <= drawn.last; ++line)
+    for (int row = 0; row < sectors; ++row) {
+      const int n = drawn.lowest + row;
+      const double amplitude = spectrum.amplitude(line, (n + sectors) % sectors);
+      waves(row, line - 1) = static_cast<float>(std::max(amplitude, drawn.low));
+      figure.data.rows.push_back({spectrum.engine_order(line), n, name_of(wave_direction(n, sectors)), amplitude});
+    }
+  set_pixels(figure, enlarged(waves));
+}
+
+}  // namespace
+
+Figure sectors_figure(const SectorSignal& signal, const SpeedResponse& shown, const FigureName& name) {
+  constexpr double clear_of_each_other = 1.15, smallest_spacing = 1e-9;
+  const int revolutions = drawn_revolutions(shown);
+  const int samples_per_revolution = shown.samples_per_revolution;
+  const double spacing = std::max(2 * clear_of_each_other * vibration_amplitude(signal.values), smallest_spacing);
+  const std::string bar_label = fixed(0.5 * spacing, 3) + " " + signal.unit;
+  return {.drawing = {.name = name.file,
+                      .width = 1000,
+                      .height = 640,
+                      .script = "sectors",
+                      .values = {{"revolutions", revolutions},
+                                 {"sectors", static_cast<int>(signal.values.cols())},
+                                 {"middle", middles(signal.values)},
+                                 {"spacing", spacing},
+                                 {"bar_label", bar_label}}},
+          .title = name.title,
+          .caption = signal.what + ", at " + rpm_text(shown.speed) + ", one sector above the other; the bar is " +
+                     bar_label +
+                     " long. In a fully symmetric steady motion each sector repeats its neighbour's signal.",
+          .data = signal_table(signal, static_cast<Eigen::Index>(samples_per_revolution) * revolutions,
+                               samples_per_revolution)};
+}
+
+Figure two_way_spectrum_figure(const SectorSignal& signal, const SpeedResponse& shown, const SpeedFrame& frame,
+                               double decades, const FigureName& name) {
+  const TravellingSpectrum spectrum = travelling_spectrum(signal.values, shown.recorded_revolutions);
+  const Drawn drawn = drawn_part(spectrum, frame.engine_order_max, decades);
+  Figure figure{
+      .drawing = {.name = name.file,
+                  .width = 1000,
+                  .height = 520,
+                  .script = "two_way_spectrum",
+                  .values = {{"lines", drawn.last},
+                             {"revolutions", spectrum.revolutions},
+                             {"sectors", spectrum.sector_count},
+                             {"lowest_nodal_diameter", drawn.lowest},
+                             {"amplitude", DrawnRange{drawn.low, drawn.high}},
+                             {"unit", signal.unit}},
+                  .tables = {{"expected",
+                              {expected_waves(frame.lobes, frame.engine_order_max, spectrum.sector_count)}}}},
+      .title = name.title,
+      .caption = signal.what + ", at " + rpm_text(shown.speed) +
+                 ": amplitude of each travelling wave. Positive nodal diameters run against the rotation "
+                 "(backward), negative ones with it (forward), as seen from the rotor. Circles: where eq. "
+                 "17 puts the casing's harmonics."};
+  set_waves(figure, spectrum, drawn, signal.unit);
+  return figure;
+}
+
+Figure contact_force_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact,
+                            int engine_order_max) {
+  const int last_node = contact.trailing_edge(), samples = shown.samples_per_revolution;
+  const Eigen::VectorXd leading = tip_force(shown, scene, 0).col(0);
+  const Eigen::VectorXd trailing = tip_force(shown, scene, last_node).col(0);
+  Figure figure{
+      .drawing = {.name = "contact_force",
+                  .width = 1000,
+                  .height = 520,
+                  .script = "contact_force",
+                  .values = {{"engine_order_max", engine_order_max}},
+                  .tables = {{"lines",
+                              {line_spectra(leading, trailing, shown.recorded_revolutions, engine_order_max)}}}},
+      .title = "Contact force" + of_main_blade(contact),
+      .caption = "Sector 0 at " + fixed(shown.speed * rpm_per_rad_s, 0) +
+                 " rpm, the first recorded revolution (above), and the spectrum over all recorded ones "
+                 "(below). The force acts along the normal, from the casing on the blade.",
+      .data = {{"rotor angle [deg]", "leading edge [N]", "trailing edge [N]"}, {}}};
+  for (int s = 0; s < samples; ++s) figure.data.rows.push_back({360.0 * s / samples, leading[s], trailing[s]});
+  return figure;
+}
+
+Figure harmonic_bars_figure(const MapColumn& shown, int lobes, int last) {
+  const TravellingSpectrum& spectrum = shown.spectrum;
+  const int half = spectrum.sector_count / 2;
+  // The casing's second harmonic and its nodal diameter: with two lobes on ten sectors the paper's EO 4 and nodal
+  // diameter 4.
+  const int order = 2 * std::max(lobes, 1);
+  const int diameter = aliased_nodal_diameter(order, spectrum.sector_count);
+  Figure figure{.drawing = {.name = "harmonic_bars",
+                            .width = 1000,
+                            .height = 400,
+                            .script = "harmonic_bars",
+                            .values = {{"engine_order", order},
+                                       {"nodal_diameter", diameter},
+                                       {"nodal_diameters", half + 1},
+                                       {"engine_orders", last}}},
+                .title = "Harmonics at one speed",
+                .caption = "At " + fixed(shown.speed * rpm_per_rad_s, 0) +
+                           " rpm: the nodal diameters on engine order " + std::to_string(order) +
+                           ", and the engine orders on nodal diameter " + std::to_string(diameter) +
+                           ", both directions one on the other. The trackings follow these bars over speed.",
+                .data = {{"engine order", "nodal diameter", "backward or standing [mm]", "forward [mm]"}, {}}};
+  for (int n = 0; n <= half; ++n) figure.data.rows.push_back(bar_row(spectrum, order, n));
+  for (int k = 1; k <= last; ++k) figure.data.rows.push_back(bar_row(spectrum, k, diameter));
+  return figure;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Natural frequencies over speed, and over nodal diameter.
+#include <algorithm>
+#include <cmath>
+
+#include "postprocess/figures/study_figures.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double headroom = 1.12;  // of the highest drawn frequency
+
+/// [Hz] of the drawn families at the end of the simulated speeds.
+double highest_frequency(const SpeedFrame& frame) {
+  double highest = 0;
+  for (int n = 0; n < frame.nodal_diameters(); ++n)
+    for (int family = 0; family < frame.families_at(n); ++family)
+      highest = std::max(highest, frame.curves.frequency(n, family, frame.range.high));
+  return highest;
+}
+
+/// Speed [rpm], frequency [Hz].
+Eigen::MatrixXd places(const std::vector<Crossing>& crossings) {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(crossings.size()), 2);
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    rows.row(static_cast<Eigen::Index>(i)) << crossings[i].speed * rpm_per_rad_s, crossings[i].frequency;
+  return rows;
+}
+
+/// The drawing's table of modes, one line a point.
+Table mode_table(const SpeedFrame& frame, const Drawing& drawing) {
+  const Eigen::MatrixXd& modes = drawing.tables.back().sheets.front();
+  Table table{{"speed [rpm]", "nodal diameter", "family", "frequency [Hz]"}, {}};
+  for (int n = 0; n < frame.nodal_diameters(); ++n)
+    for (int family = 0; family < frame.families_at(n); ++family)
+      for (Eigen::Index i = 0; i < modes.rows(); ++i)
+        table.rows.push_back({modes(i, 0), n, family + 1, modes(i, 1 + n * frame.families + family)});
+  return table;
+}
+
+/// Nodal diameter, then the first families [Hz] at a speed; a missing family is NaN.
+Eigen::MatrixXd veering_rows(const SpeedFrame& frame, int families, double speed) {
+  const int count = frame.nodal_diameters();
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Constant(count, 1 + families, std::nan(""));
+  for (int n = 0; n < count; ++n) {
+    rows(n, 0) = n;
+    for (int family = 0; family < std::min(families, frame.curves.families(n)); ++family)
+      rows(n, 1 + family) = frame.curves.frequency(n, family, speed);
+  }
+  return rows;
+}
+
+/// How many engine orders stay below a frequency, one at least, and at most as many as lines can be told apart.
+int engine_orders_below(double frequency_high, double speed) {
+  constexpr double most = 2000;
+  return static_cast<int>(std::clamp(frequency_high / (speed * hz_per_rad_s), 1.0, most));
+}
+
+/// Engine orders 0 .. that stay below a frequency: nodal diameter, frequency [Hz], engine order, driven by the
+/// casing.
+Eigen::MatrixXd zigzag_rows(const SpeedFrame& frame, double speed, double frequency_high) {
+  const int last = engine_orders_below(frequency_high, speed), lobes = frame.lobes;
+  Eigen::MatrixXd rows(last + 1, 4);
+  for (int order = 0; order <= last; ++order)
+    rows.row(order) << aliased_nodal_diameter(order, frame.sector_count), order * speed * hz_per_rad_s, order,
+        order > 0 && lobes > 0 && order % lobes == 0 ? 1 : 0;
+  return rows;
+}
+
+/// The lowest critical speed, where the zig-zag has its many legs; the highest speed if there is none other.
+double second_speed(const SpeedFrame& frame, double shown) {
+  for (const CriticalSpeed& critical : frame.critical)
+    if (critical.speed != shown) return critical.speed;
+  return frame.range.high;
+}
+
+double highest(const std::vector<Eigen::MatrixXd>& sheets) {
+  double frequency = 0;
+  for (const Eigen::MatrixXd& rows : sheets)
+    for (const double value : rows.rightCols(rows.cols() - 1).reshaped())
+      if (std::isfinite(value)) frequency = std::max(frequency, value);
+  return frequency;
+}
+
+Table veering_table(int families, const std::vector<double>& speeds, const std::vector<Eigen::MatrixXd>& sheets) {
+  Table table{{"speed [rpm]", "nodal diameter"}, {}};
+  for (int family = 1; family <= families; ++family)
+    table.header.push_back("family " + std::to_string(family) + " [Hz]");
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    for (Eigen::Index n = 0; n < sheets[i].rows(); ++n) {
+      table.rows.push_back({speeds[i] * rpm_per_rad_s, static_cast<int>(n)});
+      for (Eigen::Index k = 1; k < sheets[i].cols(); ++k) table.rows.back().push_back(number_if_any(sheets[i](n, k)));
+    }
+  return table;
+}
+
+}  // namespace
+
+Figure campbell_figure(const SpeedFrame& frame, const LinearRules& rules) {
+  const DrawnRange axis{0, frame.axis.high};
+  Figure figure{
+      .drawing = {.name = "campbell",
+                  .width = 1000,
+                  .height = 640,
+                  .script = "campbell",
+                  .values = {{"frequency", DrawnRange{0, headroom * highest_frequency(frame)}},
+                             {"range",
+                              DrawnRange{frame.range.low * rpm_per_rad_s, frame.range.high * rpm_per_rad_s}}},
+                  .tables = {{"aliased", {places(drawn_crossings(frame, rules.aliased))}},
+                             {"equation_2", {places(drawn_crossings(frame, rules.equation_2))}}}},
+      .title = "Campbell diagram",
+      .caption =
+          "Natural frequencies in the rotor frame over speed by nodal diameter, all families that make critical "
+          "speeds, and "
+          "engine-order lines. Shaded: the simulated speeds. Circles: crossings that the linear rule with "
+          "aliasing lists (f = k \xC3\x97 lobes \xC3\x97 \xCE\xA9 on the nodal diameter of eq. 17); squares: "
+          "those of eq. 2; diamonds: the critical speeds that were computed, at the frequency of the wave that makes "
+          "them (at the upper edge, where it is higher)."};
+  set_speed_axis(figure.drawing, axis);
+  set_engine_orders(figure.drawing, frame);
+  set_critical_speeds(figure.drawing, frame, headroom * highest_frequency(frame));
+  set_modes(figure.drawing, frame, axis);
+  figure.data = mode_table(frame, figure.drawing);
+  return figure;
+}
+
+Figure interference_figure(const SpeedFrame& frame, double shown, int asked_families) {
+  constexpr int fewest_families = 5;  // so that veering is seen
+  const int families = std::max(fewest_families, asked_families);
+  const std::vector<double> speeds = {0.0, shown, second_speed(frame, shown)};
+  std::vector<Eigen::MatrixXd> modes, zigzags;
+  for (const double speed : speeds) modes.push_back(veering_rows(frame, families, speed));
+  const double frequency_high = headroom * highest(modes);
+  std::vector<double> engine_orders;
+  std::vector<std::string> titles;
+  for (const double speed : {speeds[1], speeds[2]}) {
+    zigzags.push_back(zigzag_rows(frame, speed, frequency_high));
+    engine_orders.push_back(engine_orders_below(frequency_high, speed));
+    titles.push_back("at " + rpm_text(speed));
+  }
+  return {.drawing = {.name = "interference",
+                      .width = 1050,
+                      .height = 580,
+                      .script = "interference",
+                      .values = {{"nodal_diameters", frame.nodal_diameters()},
+                                 {"sectors", frame.sector_count},
+                                 {"families", families},
+                                 {"frequency", DrawnRange{0, frequency_high}},
+                                 {"panel_title", titles},
+                                 {"engine_orders", engine_orders}},
+                      .tables = {{"modes", modes}, {"zigzag", zigzags}}},
+          .title = "Nodal diameter over frequency",
+          .caption =
+              "The families over the nodal diameter, at rest and at two speeds: the one whose motion is shown "
+              "below, and the lowest critical speed. The zig-zag is where the sectors see the engine orders "
+              "(eq. 17); a resonance threatens where one of its orange corners, the multiples of the lobes, "
+              "lies on a mode.",
+          .data = veering_table(families, speeds, modes)};
+}
+
+}  // namespace tiprub

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Amplitudes over speed: the response, sweeps and branches, trackings.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "postprocess/figures/study_figures.h"
+#include "postprocess/records/study_records.h"
+#include "postprocess/tables/units.h"
+#include "postprocess/waves/harmonic_tracking.h"
+
+namespace tiprub {
+
+namespace {
+
+Table amplitude_table(const Eigen::VectorXd& rpm, const TipAmplitudes& amplitudes) {
+  Table table{{"speed [rpm]", "largest [mm]", "leading edge [mm]", "trailing edge [mm]", "node of the largest"}, {}};
+  for (Eigen::Index i = 0; i < rpm.size(); ++i)
+    table.rows.push_back({rpm[i], amplitudes.largest[i] * mm_per_m, amplitudes.by_node(0, i) * mm_per_m,
+                          amplitudes.by_node(amplitudes.trailing_edge, i) * mm_per_m, amplitudes.node[i]});
+  return table;
+}
+
+/// Speed [rpm], amplitude [mm] where the motion is not the same every revolution.
+Eigen::MatrixXd not_periodic(const std::vector<SpeedResponse>& speeds, const TipAmplitudes& amplitudes) {
+  std::vector<double> rpm, largest;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    if (speeds[i].motion == MotionClass::periodic) continue;
+    rpm.push_back(speeds[i].speed * rpm_per_rad_s);
+    largest.push_back(amplitudes.largest[static_cast<Eigen::Index>(i)] * mm_per_m);
+  }
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(rpm.size()), 2);
+  rows << as_column(rpm), as_column(largest);
+  return rows;
+}
+
+/// Speed [rpm], amplitude [mm].
+Eigen::MatrixXd peaks(const std::vector<CriticalSpeed>& critical) {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(critical.size()), 2);
+  for (std::size_t i = 0; i < critical.size(); ++i)
+    rows.row(static_cast<Eigen::Index>(i)) << critical[i].speed * rpm_per_rad_s, critical[i].amplitude * mm_per_m;
+  return rows;
+}
+
+/// The waves that make the peaks: "EO 6 ND -4".
+std::vector<std::string> peak_names(const std::vector<CriticalSpeed>& all) {
+  std::vector<std::string> names;
+  for (const CriticalSpeed& critical : all) names.push_back(wave_name(critical.rising));
+  return names;
+}
+
+/// [rpm]
+Eigen::MatrixXd speeds_of(const std::vector<Crossing>& crossings) {
+  std::vector<double> speeds;
+  speeds.reserve(crossings.size());
+  for (const Crossing& crossing : crossings) speeds.push_back(crossing.speed * rpm_per_rad_s);
+  return as_column(speeds);
+}
+
+/// Speed [rpm], from rest, up, down [mm], the last two once more where they differ; NaN where there is nothing.
+Eigen::MatrixXd sweep_rows(const Eigen::VectorXd& rpm, const TipAmplitudes& amplitudes,
+                           const std::vector<SweepComparison>& sweeps) {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Constant(rpm.size(), 6, std::nan(""));
+  rows.col(0) = rpm;
+  rows.col(1) = amplitudes.largest * mm_per_m;
+  for (const SweepComparison& comparison : sweeps) {
+    const Eigen::Index i = comparison.index;
+    const auto enter = [&](const std::optional<SweptSpeed>& swept, Eigen::Index column) {
+      if (swept) rows(i, column) = swept->amplitude * mm_per_m;
+      if (swept && swept->differs) rows(i, column + 2) = swept->amplitude * mm_per_m;
+    };
+    enter(comparison.up, 2);
+    enter(comparison.down, 3);
+  }
+  return rows;
+}
+
+/// Speed [rpm], amplitude [mm] of each run of orbits that attract, or of those that repel; the latter reach to their
+/// neighbours.
+std::vector<Eigen::MatrixXd> runs(const OrbitBranch& branch, bool attracting) {
+  std::vector<Eigen::MatrixXd> found;
+  const Eigen::Index count = branch.speed.size();
+  for (Eigen::Index first = 0, last = 0; first < count; first = last + 1) {
+    for (last = first; last + 1 < count && branch.attracts(last + 1) == branch.attracts(first);) ++last;
+    if (branch.attracts(first) != attracting) continue;
+    const Eigen::Index from = attracting ? first : std::max<Eigen::Index>(first - 1, 0);
+    const Eigen::Index to = attracting ? last : std::min(last + 1, count - 1);
+    Eigen::MatrixXd run(to - from + 1, 2);
+    run << branch.speed.segment(from, run.rows()) * rpm_per_rad_s,
+        branch.amplitude.segment(from, run.rows()) * mm_per_m;
+    found.push_back(run);
+  }
+  return found;
+}
+
+/// What one panel follows over speed.
+struct Panel {
+  std::string title;
+  HarmonicTracking tracking;
+};
+
+/// "EO 1", "EO 2", ..
+std::vector<std::string> numbered(const std::string& word, int first, Eigen::Index count) {
+  std::vector<std::string> names;
+  for (int i = first; i < first + static_cast<int>(count); ++i) names.push_back(word + " " + std::to_string(i));
+  return names;
+}
+
+void append(Table& table, const Panel& panel, const std::string& curve, const Eigen::VectorXd& rpm,
+            const Eigen::VectorXd& amplitude) {
+  for (Eigen::Index i = 0; i < rpm.size(); ++i)
+    table.rows.push_back({panel.title, rpm[i], curve, amplitude[i] * mm_per_m});
+}
+
+/// `names` are the curves', the same in each panel.
+Drawing tracking_drawing(const SpeedFrame& frame, const std::string& name, const std::vector<Panel>& panels,
+                         const std::vector<std::string>& names) {
+  const int count = static_cast<int>(panels.size());
+  ScriptTable curves{"curves", {}};
+  std::vector<std::string> titles;
+  for (const Panel& panel : panels) {
+    Eigen::MatrixXd rows(panel.tracking.mean.size(), 2 + panel.tracking.curves.cols());
+    rows << frame.speeds, panel.tracking.mean * mm_per_m, panel.tracking.curves * mm_per_m;
+    curves.sheets.push_back(rows);
+    titles.push_back(panel.title);
+  }
+  Drawing drawing{.name = name,
+                  .width = 1000,
+                  .height = 90 + 270 * count,
+                  .script = "tracking",
+                  .values = {{"panels", count},
+                             {"panel_title", titles},
+                             {"curves", static_cast<int>(names.size())},
+                             {"curve_name", names}},
+                  .tables = {curves}};
+  set_speed_axis(drawing, frame.axis);
+  return drawing;
+}
+
+Table tracking_table(const Eigen::VectorXd& rpm, const std::vector<Panel>& panels,
+                     const std::vector<std::string>& names) {
+  Table table{{"followed", "speed [rpm]", "curve", "amplitude [mm]"}, {}};
+  for (const Panel& panel : panels) {
+    for (std::size_t k = 0; k < names.size(); ++k)
+      append(table, panel, names[k], rpm, panel.tracking.curves.col(static_cast<Eigen::Index>(k)));
+    append(table, panel, "mean", rpm, panel.tracking.mean);
+  }
+  return table;
+}
+
+/// The nodal diameters, the one with the most motion first.
+std::vector<int> by_energy(const InteractionMap& map) {
+  const Eigen::VectorXd shares = energy_shares(map);
+  std::vector<int> order(static_cast<std::size_t>(shares.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return shares[a] > shares[b]; });
+  return order;
+}
+
+}  // namespace
+
+Figure response_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes, const LinearRules& rules,
+                       const std::vector<SpeedResponse>& speeds, Component component) {
+  Figure figure{
+      .drawing = {.name = "response",
+                  .width = 1000,
+                  .height = 520,
+                  .script = "response",
+                  .values = {{"amplitude", DrawnRange{0, amplitudes.largest.maxCoeff() * mm_per_m}},
+                             {"peak_name", peak_names(frame.critical)}},
+                  .tables = {{"peaks", {peaks(frame.critical)}},
+                             {"not_periodic", {not_periodic(speeds, amplitudes)}},
+                             {"aliased", {speeds_of(drawn_crossings(frame, rules.aliased))}},
+                             {"equation_2", {speeds_of(drawn_crossings(frame, rules.equation_2))}},
+                             {"failed", {frame.failed}}}},
+      .title = "Response",
+      .caption = std::string("Half of the peak-to-peak ") + name_of(component) +
+                 ", the largest over sectors. Each critical speed carries the engine order and signed nodal diameter "
+                 "(+ backward, - forward) of the wave that makes it. Triangles at the foot: speeds "
+                 "predicted by the linear rules for the drawn families. Rings: motion that is not the same every "
+                 "revolution.",
+      .data = amplitude_table(frame.speeds, amplitudes)};
+  set_speed_axis(figure.drawing, frame.axis);
+  return figure;
+}
+
+Figure sweeps_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes,
+                     const std::vector<SweepComparison>& sweeps, Table record) {
+  Figure figure{.drawing = {.name = "sweeps",
+                            .width = 1000,
+                            .height = 480,
+                            .script = "sweeps",
+                            .values = {{"sweeps_drawn", 1}},
+                            .tables = {{"sweeps", {sweep_rows(frame.speeds, amplitudes, sweeps)}},
+                                       {"attracting", {}},
+                                       {"repelling", {}}}},
+                .title = "From rest, upwards, downwards",
+                .caption =
+                    "Amplitude of the motion that each speed settles to from rest, and from the motion at the "
+                    "speed below (up) and above (down). Where motions differ (filled), there is more than one, "
+                    "and the wheel's past decides.",
+                .data = std::move(record)};
+  set_speed_axis(figure.drawing, frame.axis);
+  return figure;
+}
+
+Figure branches_figure(const TipAmplitudes& amplitudes, const Eigen::VectorXd& speeds,
+                       const std::vector<SweepComparison>& sweeps, const std::vector<OrbitBranch>& branches) {
+  ScriptTable attracting{"attracting", {}}, repelling{"repelling", {}};
+  DrawnRange range{branches.front().speed[0] * rpm_per_rad_s, 0};
+  for (const OrbitBranch& branch : branches) {
+    for (const Eigen::MatrixXd& run : runs(branch, true)) attracting.sheets.push_back(run);
+    for (const Eigen::MatrixXd& run : runs(branch, false)) repelling.sheets.push_back(run);
+    range.low = std::min(range.low, branch.speed.minCoeff() * rpm_per_rad_s);
+    range.high = std::max(range.high, branch.speed.maxCoeff() * rpm_per_rad_s);
+  }
+  return {.drawing = {.name = "branches",
+                      .width = 1000,
+                      .height = 480,
+                      .script = "sweeps",
+                      .values = {{"speed", range}, {"sweeps_drawn", sweeps.empty() ? 0 : 1}},
+                      .tables = {{"sweeps", {sweep_rows(speeds, amplitudes, sweeps)}},
+                                 std::move(attracting),
+                                 std::move(repelling)}},
+          .title = "Branches of orbits",
+          .caption =
+              "Orbits that travel with the casing, followed over speed: solid where they attract, dashed where they "
+              "repel, so that no march shows them. Where a curve turns back, orbits begin or end in pairs. The thin "
+              "line: the "
+              "motion from rest; beside a dashed line alone it is of another kind, which swells and falls.",
+          .data = branch_record(branches)};
+}
+
+Figure nodal_diameter_tracking_figure(const SpeedFrame& frame, const InteractionMap& map) {
+  constexpr int followed = 3;
+  const int lobes = std::max(frame.lobes, 1);
+  std::vector<Panel> panels;
+  for (int k = 1; k <= followed && (k == 1 || k * lobes <= frame.engine_order_max); ++k)
+    panels.push_back({"EO " + std::to_string(k * lobes), nodal_diameter_tracking(map, k * lobes)});
+  const std::vector<std::string> names = numbered("ND", 0, panels.front().tracking.curves.cols());
+  return {.drawing = tracking_drawing(frame, "nodal_diameter_tracking", panels, names),
+          .title = "Nodal-diameter tracking",
+          .caption =
+              "Amplitudes of the nodal diameters at the casing's first engine orders, both directions added; "
+              "dotted: their mean.",
+          .data = tracking_table(frame.speeds, panels, names)};
+}
+
+Figure engine_order_tracking_figure(const SpeedFrame& frame, const InteractionMap& map) {
+  constexpr std::size_t followed = 2, averaged = 6;
+  std::vector<int> engine_orders(averaged);
+  std::iota(engine_orders.begin(), engine_orders.end(), 1);
+  std::vector<Panel> panels;
+  const std::vector<int> nodal_diameters = by_energy(map);
+  for (std::size_t k = 0; k < std::min(followed, nodal_diameters.size()); ++k)
+    panels.push_back({"nodal diameter " + std::to_string(nodal_diameters[k]),
+                      engine_order_tracking(map, nodal_diameters[k], engine_orders)});
+  const std::vector<std::string> names = numbered("EO", 1, averaged);
+  return {.drawing = tracking_drawing(frame, "engine_order_tracking", panels, names),
+          .title = "Engine-order tracking",
+          .caption =
+              "Amplitudes of the engine orders 1 to 6 on the two nodal diameters with the most motion; dotted: "
+              "their mean.",
+          .data = tracking_table(frame.speeds, panels, names)};
+}
+
+}  // namespace tiprub

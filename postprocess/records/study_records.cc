@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/records/study_records.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numbers>
+
+#include "postprocess/analysis/orbit_branches.h"
+#include "postprocess/records/columns.h"
+#include "postprocess/tables/units.h"
+
+namespace tiprub {
+
+namespace {
+
+struct SpeedRow {
+  const SpeedResponse& response;
+  double amplitude;  ///< [m]
+  const TravellingSpectrum& spectrum;
+  const ContactMaps& contact;
+  Eigen::Index index;  ///< in the response's speeds
+};
+
+using SpeedColumns = std::vector<Column<SpeedRow>>;
+
+std::string symmetry_text(SymmetryVerdict symmetry) {
+  switch (symmetry) {
+    case SymmetryVerdict::all_held:
+      return "all held";
+    case SymmetryVerdict::unchecked:
+      return "unchecked";
+    case SymmetryVerdict::holds:
+      return "holds";
+    case SymmetryVerdict::undecided:
+      return "undecided";
+    case SymmetryVerdict::breaking:
+      return "breaking";
+  }
+  return "";
+}
+
+Cell count(std::int64_t value) {
+  return static_cast<double>(value);
+}
+
+SpeedColumns motion_columns() {
+  return {{"speed [rpm]", [](const SpeedRow& speed) { return speed.response.speed * rpm_per_rad_s; }},
+          {"amplitude [mm]", [](const SpeedRow& speed) { return speed.amplitude * mm_per_m; }},
+          {"smallest running clearance [mm]",
+           [](const SpeedRow& speed) { return speed.response.clearance.minCoeff() * mm_per_m; }},
+          {"motion",
+           [](const SpeedRow& speed) { return motion_text(speed.response.motion, speed.response.period_beats); }},
+          {"revolutions", [](const SpeedRow& speed) { return speed.response.revolutions; }},
+          {"recorded revolutions", [](const SpeedRow& speed) { return speed.response.recorded_revolutions; }},
+          {"change over the last period", [](const SpeedRow& speed) { return speed.response.change; }},
+          {"change factor per revolution", [](const SpeedRow& speed) { return speed.response.change_rate; }},
+          {"energy closing error", [](const SpeedRow& speed) { return speed.response.energy.closing_error; }}};
+}
+
+SpeedColumns step_columns() {
+  return {{"steps per revolution", [](const SpeedRow& speed) { return speed.response.steps_per_revolution; }},
+          {"step ratio h omega_max/2", [](const SpeedRow& speed) { return speed.response.step_ratio; }},
+          {"contact steps", [](const SpeedRow& speed) { return count(speed.response.contact_steps); }},
+          {"tension steps", [](const SpeedRow& speed) { return count(speed.response.tension_steps); }},
+          {"contact solver fallbacks", [](const SpeedRow& speed) { return count(speed.response.solver_fallbacks); }},
+          {"largest penetration [mm]",
+           [](const SpeedRow& speed) { return speed.response.largest_penetration * mm_per_m; }},
+          {"smallest multiplier [N]", [](const SpeedRow& speed) { return speed.response.smallest_multiplier; }}};
+}
+
+SpeedColumns audit_columns() {
+  return {
+      {"steps left in penetration", [](const SpeedRow& speed) { return count(speed.response.audit.leftover_steps); }},
+      {"tensile share of contact force", [](const SpeedRow& speed) { return speed.response.audit.tension_share; }},
+      {"change by the last halving of the step",
+       [](const SpeedRow& speed) { return optional_cell(speed.response.audit.halving_difference); }},
+      {"symmetry", [](const SpeedRow& speed) { return symmetry_text(speed.response.audit.symmetry); }},
+      {"growth per revolution of nodal diameters left out",
+       [](const SpeedRow& speed) { return optional_cell(speed.response.audit.excluded_growth); }},
+      {"difference from rest",
+       [](const SpeedRow& speed) { return optional_cell(speed.response.audit.rest_difference); }}};
+}
+
+SpeedColumns map_columns() {
+  return {{"off the engine orders [%]",
+           [](const SpeedRow& speed) { return percent * subharmonic_share(speed.spectrum); }},
+          {"contact areas LE", [](const SpeedRow& speed) { return speed.contact.leading.clusters[speed.index]; }},
+          {"contact areas TE", [](const SpeedRow& speed) { return speed.contact.trailing.clusters[speed.index]; }},
+          {"contact contrast LE", [](const SpeedRow& speed) { return speed.contact.leading.contrast[speed.index]; }},
+          {"contact contrast TE", [](const SpeedRow& speed) { return speed.contact.trailing.contrast[speed.index]; }},
+          {"leading after trailing edge [s]",
+           [](const SpeedRow& speed) { return number_if_any(speed.contact.lag.time[speed.index]); }},
+          {"likeness of the edges' forces [1]",
+           [](const SpeedRow& speed) { return speed.contact.lag.likeness[speed.index]; }},
+          {"failure", [](const SpeedRow&) { return std::string(); }}};
+}
+
+Cell amplitude_cell(const std::optional<SweptSpeed>& swept) {
+  return swept ? Cell(swept->amplitude * mm_per_m) : Cell(std::string());
+}
+
+std::string swept_motion(const std::optional<SweptSpeed>& swept) {
+  return swept ? motion_text(swept->motion, swept->period_beats) : std::string();
+}
+
+Cell difference_cell(const std::optional<SweptSpeed>& swept) {
+  return swept ? Cell(swept->difference) : Cell(std::string());
+}
+
+/// "listed" by eq. 2, or why it leaves a crossing out.
+std::string equation_2_text(const Crossing& crossing, int sector_count) {
+  if (crossing.engine_order == crossing.signed_nodal_diameter) return "listed";
+  if (wave_direction(crossing.signed_nodal_diameter, sector_count) == WaveDirection::forward)
+    return "excluded: forward wave";
+  return "excluded: engine order is not the nodal diameter";
+}
+
+bool moves(const SimulatedScene& scene, int signed_nodal_diameter) {
+  const std::vector<int>& moving = scene.nodal_diameters;
+  return std::find(moving.begin(), moving.end(), std::abs(signed_nodal_diameter)) != moving.end();
+}
+
+/// Whether the rule with aliasing (eq. 17) lists a crossing of eq. 2 as well.
+bool listed_with_aliasing(const SimulatedScene& scene, const Crossing& crossing) {
+  const int lobes = scene.lobes;
+  return lobes >= 1 && crossing.engine_order % lobes == 0;
+}
+
+void append_crossing(Table& table, const Study& study, const Crossing& crossing, const std::string& aliasing) {
+  const int sectors = study.model.sector_count;
+  const bool met = std::any_of(study.critical.begin(), study.critical.end(), [&](const CriticalSpeed& critical) {
+    return predicts(crossing, critical, study.parameters.prediction_tolerance);
+  });
+  table.rows.push_back({crossing.speed * rpm_per_rad_s, crossing.frequency, crossing.engine_order,
+                        crossing.signed_nodal_diameter,
+                        name_of(wave_direction(crossing.signed_nodal_diameter, sectors)), crossing.family + 1,
+                        equation_2_text(crossing, sectors), aliasing,
+                        yes_or_no(moves(study.response.scene, crossing.signed_nodal_diameter)),
+                        crossing.amplitude * mm_per_m, yes_or_no(met)});
+}
+
+}  // namespace
+
+Table speed_record(const Study& study) {
+  std::vector<SpeedRow> speeds;
+  for (const SpeedResponse& response : study.response.speeds) {
+    const auto index = static_cast<Eigen::Index>(speeds.size());
+    speeds.push_back({response, study.amplitudes.largest[index], study.waves.first().columns[speeds.size()].spectrum,
+                      study.contact, index});
+  }
+  Table table =
+      table_of(joined<SpeedRow>({motion_columns(), step_columns(), audit_columns(), map_columns()}), speeds);
+  for (const SpeedResponse& failed : study.failed) {
+    std::vector<Cell> row(table.header.size(), std::string());
+    row.front() = failed.speed * rpm_per_rad_s;
+    row.back() = failed.failure;
+    table.rows.push_back(std::move(row));
+  }
+  sort_by_speed(table);
+  return table;
+}
+
+Table sweep_record(const std::vector<SpeedResponse>& speeds, const TipAmplitudes& amplitudes,
+                   const std::vector<SweepComparison>& sweeps) {
+  Table table{{"speed [rpm]", "from rest [mm]", "up [mm]", "down [mm]", "motion from rest", "motion up",
+               "motion down", "up from rest [1]", "down from rest [1]", "differ"},
+              {}};
+  for (const SweepComparison& compared : sweeps) {
+    const SpeedResponse& from_rest = speeds[static_cast<std::size_t>(compared.index)];
+    table.rows.push_back({from_rest.speed * rpm_per_rad_s, amplitudes.largest[compared.index] * mm_per_m,
+                          amplitude_cell(compared.up), amplitude_cell(compared.down),
+                          motion_text(from_rest.motion, from_rest.period_beats), swept_motion(compared.up),
+                          swept_motion(compared.down), difference_cell(compared.up), difference_cell(compared.down),
+                          yes_or_no(compared.differs())});
+  }
+  return table;
+}
+
+Table branch_record(const std::vector<OrbitBranch>& branches) {
+  Table table{{"branch", "speed [rpm]", "amplitude [mm]", "multiplier [1]", "uncertainty [1]", "angle a map [deg]",
+               "attracts", "kind"},
+              {}};
+  for (std::size_t b = 0; b < branches.size(); ++b) {
+    const OrbitBranch& branch = branches[b];
+    for (Eigen::Index i = 0; i < branch.speed.size(); ++i)
+      table.rows.push_back({static_cast<int>(b), branch.speed[i] * rpm_per_rad_s, branch.amplitude[i] * mm_per_m,
+                            branch.multiplier[i], branch.multiplier_uncertainty[i],
+                            branch.multiplier_angle[i] * 180 / std::numbers::pi, yes_or_no(branch.attracts(i)),
+                            name_of(instability(branch.multiplier_angle[i]))});
+  }
+  return table;
+}
+
+Table drift_record(const ContactMaps& maps, const ContactLine& contact) {
+  Table table{{"what", "slope [s]", "intercept [rad]", "R^2", "tip length [m]", "tip length over slope [m/s]",
+               "median lag [s]", "lower quartile [s]", "upper quartile [s]"},
+              {}};
+  const Eigen::VectorXd& arc = contact.arc_length;
+  const double length = arc[contact.trailing_edge()] - arc[0];
+  const auto add = [&](const char* edge, const ContactDrift& drift) {
+    const Cell none = std::string();
+    table.rows.push_back({std::string(edge), drift.slope, drift.intercept, drift.determination, length,
+                          drift.implied_wave_speed, none, none, none});
+  };
+  add("leading edge's middle", maps.leading_drift);
+  add("trailing edge's middle", maps.trailing_drift);
+  const EdgeLag& lag = maps.lag;
+  table.rows.push_back({"leading edge's force after the trailing edge's", lag.slope, lag.intercept, lag.determination,
+                        length, lag.slope != 0 ? length / std::abs(lag.slope) : 0.0, lag.median, lag.lower_quartile,
+                        lag.upper_quartile});
+  return table;
+}
+
+Table linear_criterion_record(const Study& study) {
+  Table table{{"speed [rpm]", "frequency [Hz]", "engine order", "signed nodal diameter", "wave", "family", "eq. 2",
+               "with aliasing", "nodal diameter can move", "wave amplitude [mm]", "critical speed found"},
+              {}};
+  for (const Crossing& crossing : study.rules.aliased) append_crossing(table, study, crossing, "listed");
+  for (const Crossing& crossing : study.rules.equation_2)
+    if (!listed_with_aliasing(study.response.scene, crossing))
+      append_crossing(table, study, crossing, "excluded: not driven by this casing");
+  sort_by_speed(table);
+  return table;
+}
+
+Table rule_score_record(const LinearRules& rules) {
+  Table table{{"rule", "critical speeds predicted", "missed", "false alarms", "share of amplitude predicted [1]",
+               "amplitude of all critical speeds [mm]", "wave amplitude at all false alarms [mm]",
+               "largest wave at a false alarm [mm]"},
+              {}};
+  const auto add = [&](const char* rule, const RuleScore& score) {
+    table.rows.push_back({std::string(rule), score.hits, score.misses, score.false_alarms, score.predicted_share,
+                          score.summed_amplitudes * mm_per_m, score.summed_alarms * mm_per_m,
+                          score.alarm_amplitude * mm_per_m});
+  };
+  add("eq. 2", rules.equation_2_score);
+  add("with aliasing", rules.aliasing_score);
+  return table;
+}
+
+Table stress_peak_record(const FieldStudy& fields) {
+  Table table{{"speed [rpm]", "largest displacement of the vibration [mm]", "von Mises, vibration [MPa]",
+               "von Mises, spin [MPa]", "von Mises, both [MPa]", "at sector", "at sample", "r [mm]", "theta [deg]",
+               "z [mm]", "part"},
+              {}};
+  for (const FieldPeak& peak : fields.peaks)
+    table.rows.push_back({peak.speed * rpm_per_rad_s, peak.displacement * mm_per_m, peak.body.vibration * mpa_per_pa,
+                          peak.body.spin * mpa_per_pa, peak.body.both * mpa_per_pa, peak.sector, peak.sample,
+                          peak.place[0] * mm_per_m, peak.place[1] * 180 / std::numbers::pi, peak.place[2] * mm_per_m,
+                          peak.part});
+  return table;
+}
+
+Table mode_record(const FieldStudy& fields) {
+  Table table{{"nodal diameter", "family", "frequency [Hz]", "speed [rpm]"}, {}};
+  for (const auto& [part, cells] : fields.sector.parts) table.header.push_back("share of " + part + " [1]");
+  for (const ModeShares& mode : fields.modes.shares) {
+    table.rows.push_back({mode.nodal_diameter, mode.family + 1, mode.frequency, fields.speed * rpm_per_rad_s});
+    for (const auto& [part, share] : mode.share) table.rows.back().emplace_back(share);
+  }
+  return table;
+}
+
+}  // namespace tiprub

@@ -203,11 +203,10 @@ class Reducer {
     model.sector_count = mesh_.sector_count;
     model.speed_max = parameters_.speed_max;
     model.modes_at_speed = parameters_.modes_at_speed;
-    model.prestress = name_of(parameters_.prestress);
-    if (mesh_.matrices != nullptr)
-      model.prestress = "given";
-    else if (parameters_.spin_softening == SpinSoftening::off)
-      model.prestress += ", without spin softening";
+    if (mesh_.matrices == nullptr) {
+      model.prestress = parameters_.prestress;
+      model.spin_softening = parameters_.spin_softening;
+    }
     model.contact = contact_.line;
     std::vector<Eigen::MatrixX3d>& shift = model.contact.static_shift.terms;
     shift.clear();

@@ -69,9 +69,9 @@ std::vector<SceneNeed> gap_needs(const Study& study, const FieldEffects& fields)
 }
 
 SceneNeed prestress_need(const ReducedModel& model) {
-  const std::string effect = "stiffness under spin: " + model.prestress + " prestress [1]";
+  const std::string effect = "stiffness under spin: " + model.stiffness_under_spin() + " prestress [1]";
   const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
-  if (model.prestress == "nonlinear" && misfit.size() > 0)
+  if (model.prestress == Prestress::nonlinear && misfit.size() > 0)
     return estimated(effect, misfit.maxCoeff(), frequency_limit,
                      "frequencies by eq. 7 between the speeds that it goes through");
   return not_estimated(effect,

@@ -96,7 +96,7 @@ std::string scene_items(const Study& study, const FieldResults& fields) {
                counted(static_cast<std::size_t>(study.model.contact.size()), name_of(study.model.contact.kind)) +
                (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter, " : " a blade, ") +
                counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + running_clearances(study.response) +
-               "; stiffness under spin: " + study.model.prestress + ".");
+               "; stiffness under spin: " + study.model.stiffness_under_spin() + ".");
   return text + item(std::string(left_out_always) + ".");
 }
 

@@ -27,7 +27,7 @@ std::string digest(const ReducedModel& model) {
   digest.add(model.sector_count);
   digest.add(model.speed_max);
   digest.add(model.modes_at_speed);
-  digest.add(model.prestress);
+  digest.add(model.stiffness_under_spin());
   const ContactLine& contact = model.contact;
   add(digest, Eigen::MatrixXd(contact.position));
   add(digest, Eigen::MatrixXd(contact.normal));

@@ -7,12 +7,18 @@
 #include <sstream>
 
 #include "cases/program/errors.h"
+#include "cases/program/named_values.h"
 #include "reduce/model/dense_eigen.h"
 #include "reduce/model/nodal_diameter.h"
 
 namespace tiprub {
 
 namespace {
+
+constexpr NamedValues<Prestress, 4> prestress_names = {{{Prestress::given, "given"},
+                                                        {Prestress::stress_only, "stress_only"},
+                                                        {Prestress::linear, "linear"},
+                                                        {Prestress::nonlinear, "nonlinear"}}};
 
 constexpr double hermitian_tolerance = 1e-9;  // of the largest entry
 constexpr double unit_tolerance = 1e-6;
@@ -110,6 +116,18 @@ void check(const Verification& table, std::size_t nodal_diameters, const std::st
 }
 
 }  // namespace
+
+const char* name_of(Prestress prestress) {
+  return name_in(prestress_names, prestress);
+}
+
+Prestress prestress_named(const std::string& name, const std::string& where) {
+  return value_named(prestress_names, name, where);
+}
+
+std::string ReducedModel::stiffness_under_spin() const {
+  return std::string(name_of(prestress)) + (spin_softening == SpinSoftening::off ? without_spin_softening : "");
+}
 
 const char* name_of(ContactKind kind) {
   return kind == ContactKind::points ? "contact node" : "contact segment";

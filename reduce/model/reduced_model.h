@@ -23,6 +23,24 @@ struct NodalDiameterModel {
   Eigen::VectorXd natural_frequencies(double speed) const;
 };
 
+/// What the loaded shape changes in the stiffness.
+enum class Prestress {
+  given,        ///< whatever the matrices hold that came with the sector, or with a model by hand
+  stress_only,  ///< K0 + Omega^2 (K_sigma - M_perp): the stress of the linear static solution, on the shape at rest
+  linear,       ///< material stiffness at F = I + grad u of the linear static solution, plus its K_sigma: what
+                ///< CalculiX does after a linear static step; then quadratic in Omega^2, exactly as eq. 7
+  nonlinear,    ///< the consistent tangent (St Venant-Kirchhoff, total Lagrangian) at the converged shape under spin:
+                ///< what CalculiX does after a static step with NLGEOM; eq. 7 is then an approximation
+};
+
+/// Whether K(Omega) holds -Omega^2 M_perp. Physics says yes; without it is for study.
+enum class SpinSoftening { on, off };
+
+/// "given", "stress_only", "linear" or "nonlinear", as case files and model.h5 have it.
+const char* name_of(Prestress prestress);
+/// Raises RunError, which begins with `where`, if there is none of that name.
+Prestress prestress_named(const std::string& name, const std::string& where);
+
 /// What a contact unknown is.
 enum class ContactKind {
   points,    ///< the displacement of a node: forces act at points
@@ -59,12 +77,16 @@ struct Verification {
   Eigen::MatrixXd polynomial_misfit;
 };
 
+/// What ReducedModel::stiffness_under_spin() ends with where K(Omega) holds no spin softening.
+inline constexpr const char* without_spin_softening = ", without spin softening";
+
 /// What happens to a rotor between its stages: a small model that knows its speed. Schema "tiprub-model".
 struct ReducedModel {
   int sector_count = 0;    ///< N
   double speed_max = 0;    ///< [rad/s] the model holds for 0 .. speed_max
   int modes_at_speed = 0;  ///< generalized dofs that do at any one speed (see condensation.h); 0: all of them
-  std::string prestress;   ///< how K1, K2 came to be: "linear", ...; "given" for a model by hand
+  Prestress prestress = Prestress::given;  ///< how K1, K2 came to be
+  SpinSoftening spin_softening = SpinSoftening::on;
   ContactLine contact;
   std::vector<NodalDiameterModel> nodal_diameters;  ///< n = 0 .. floor(N/2): the blocks of Bdiag, eq. 12
   Verification verification;                        ///< may be empty
@@ -74,6 +96,8 @@ struct ReducedModel {
   /// floor(N/2)
   int nodal_diameter_max() const { return sector_count / 2; }
   int contact_dofs() const { return 3 * contact.size(); }
+  /// "linear", "nonlinear, without spin softening", ...: for people, and as older files have both in one text.
+  std::string stiffness_under_spin() const;
 };
 
 /// Raises RunError (prefixed by `name`) if a shape is wrong, a matrix is not Hermitian, a mass is not positive

@@ -101,6 +101,22 @@ ContactKind read_contact_kind(const Hdf5File& file) {
   throw RunError(file.path() + ": attribute `contact` is \"" + name + "\", must be \"points\" or \"segments\"");
 }
 
+/// A model by hand may leave both out; older files tell the softening in the text of the prestress.
+void read_stiffness_under_spin(const Hdf5File& file, ReducedModel& model) {
+  if (!file.has_attribute("/", "prestress")) return;
+  std::string prestress = file.text_attribute("/", "prestress");
+  std::string softening =
+      file.has_attribute("/", "spin_softening") ? file.text_attribute("/", "spin_softening") : "on";
+  if (prestress.ends_with(without_spin_softening)) {
+    prestress.resize(prestress.size() - std::string_view(without_spin_softening).size());
+    softening = "off";
+  }
+  model.prestress = prestress_named(prestress, file.path() + ": attribute prestress");
+  if (softening != "on" && softening != "off")
+    throw RunError(file.path() + ": attribute spin_softening is \"" + softening + "\", must be \"on\" or \"off\"");
+  model.spin_softening = softening == "on" ? SpinSoftening::on : SpinSoftening::off;
+}
+
 /// How many of the contact nodes stand on the splitter: those after the main blade's.
 int read_splitter_nodes(const Hdf5File& file, int nodes) {
   const Eigen::VectorXd blade = file.read_vector(blade_name);
@@ -186,7 +202,8 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   file.set_attribute("/", "sector_count", model.sector_count);
   file.set_attribute("/", "speed_max", model.speed_max);
   file.set_attribute("/", "modes_at_speed", model.modes_at_speed);
-  file.set_attribute("/", "prestress", model.prestress);
+  file.set_attribute("/", "prestress", std::string(name_of(model.prestress)));
+  file.set_attribute("/", "spin_softening", std::string(model.spin_softening == SpinSoftening::on ? "on" : "off"));
   file.set_attribute("/", "contact", std::string(model.contact.kind == ContactKind::points ? points : segments));
   file.write_text("/provenance", model.provenance);
   file.set_attribute("/", "digest", digest(model));
@@ -210,7 +227,7 @@ ReducedModel read_model(const std::filesystem::path& path) {
   model.sector_count = file.integer_attribute("/", "sector_count");
   model.speed_max = file.number_attribute("/", "speed_max");
   if (file.has_attribute("/", "modes_at_speed")) model.modes_at_speed = file.integer_attribute("/", "modes_at_speed");
-  model.prestress = file.has_attribute("/", "prestress") ? file.text_attribute("/", "prestress") : "given";
+  read_stiffness_under_spin(file, model);
   if (file.has_attribute("/", "mesh_digest")) model.mesh_digest = file.text_attribute("/", "mesh_digest");
   if (file.has_text("/provenance")) model.provenance = file.read_text("/provenance");
   if (model.sector_count < 1) throw RunError(file.path() + ": sector_count must be at least 1");

@@ -8,10 +8,6 @@
 
 namespace tiprub {
 
-std::string name_of(Prestress prestress) {
-  return prestress == Prestress::linear ? "linear" : prestress == Prestress::nonlinear ? "nonlinear" : "stress_only";
-}
-
 namespace {
 
 constexpr double usual_accuracy = 0.02;

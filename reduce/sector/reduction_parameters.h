@@ -34,7 +34,4 @@ struct ReductionParameters {
 /// Reads and closes the table. Raises InputError.
 ReductionParameters read_reduction_parameters(CaseTable& table);
 
-/// The name of a prestress model in case files and in model.h5.
-std::string name_of(Prestress prestress);
-
 }  // namespace tiprub

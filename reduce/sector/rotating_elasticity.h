@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "reduce/model/reduced_model.h"
 #include "reduce/sector/cell_quadrature.h"
 #include "reduce/sector/sector_dofs.h"
 #include "reduce/sector/sector_mesh.h"
@@ -21,18 +22,6 @@ struct Material {
   /// 6 x 6 [Pa], for strains xx, yy, zz, 2 xy, 2 yz, 2 zx.
   Eigen::Matrix<double, 6, 6> elasticity() const;
 };
-
-/// What the loaded shape changes in the stiffness.
-enum class Prestress {
-  stress_only,  ///< K0 + Omega^2 (K_sigma - M_perp): the stress of the linear static solution, on the shape at rest
-  linear,       ///< material stiffness at F = I + grad u of the linear static solution, plus its K_sigma: what
-                ///< CalculiX does after a linear static step; then quadratic in Omega^2, exactly as eq. 7
-  nonlinear,    ///< the consistent tangent (St Venant-Kirchhoff, total Lagrangian) at the converged shape under spin:
-                ///< what CalculiX does after a static step with NLGEOM; eq. 7 is then an approximation
-};
-
-/// Whether K(Omega) holds -Omega^2 M_perp. Physics says yes; without it is for study.
-enum class SpinSoftening { on, off };
 
 /// Lower triangle of a symmetric matrix over the sector's dofs.
 using SymmetricMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;

@@ -203,6 +203,19 @@ TEST_F(SceneNeeds, OneUncheckedSpeedLeavesSymmetryOpen) {
   EXPECT_EQ(verdict_with(SymmetryVerdict::breaking), NeedVerdict::matters);
 }
 
+/// Symptom: of a nonlinear model without spin softening the measured misfit of eq. 7 was lost, "not estimated".
+TEST_F(SceneNeeds, SizesNonlinearPrestressWithoutSpinSofteningToo) {
+  Study made = study();
+  made.model.prestress = Prestress::nonlinear;
+  made.model.verification.polynomial_misfit = Eigen::MatrixXd::Constant(1, 1, 2e-4);
+  for (const SpinSoftening softening : {SpinSoftening::on, SpinSoftening::off}) {
+    made.model.spin_softening = softening;
+    const SceneNeed found = need(scene_needs(made, {}), "stiffness under spin");
+    ASSERT_TRUE(found.size);
+    EXPECT_EQ(*found.size, 2e-4);
+  }
+}
+
 TEST_F(SceneNeeds, WithoutACoefficientNoWear) {
   EXPECT_GT(*need(scene_needs(study(), {}), "wear").size, 0);
   PostprocessParameters parameters;

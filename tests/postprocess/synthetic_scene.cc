@@ -130,7 +130,7 @@ ReducedModel model(int sector_count) {
   ReducedModel model;
   model.sector_count = sector_count;
   model.speed_max = 2500;
-  model.prestress = "given";
+  model.prestress = Prestress::given;
   model.contact = tip_line();
   model.provenance = "a made rotor";
   const Eigen::MatrixXd mix = mixing();

@@ -43,7 +43,7 @@ TEST(Reduction, MakesAModelThatPassesItsOwnCheck) {
   EXPECT_NO_THROW(check(model, "model"));
   EXPECT_EQ(model.sector_count, sectors);
   EXPECT_EQ(model.nodal_diameters.size(), 3u);
-  EXPECT_EQ(model.prestress, "linear");
+  EXPECT_EQ(model.prestress, Prestress::linear);
   EXPECT_EQ(model.contact.size(), 2);
   EXPECT_EQ(report.clamped_face_nodes, 3);
   for (std::size_t n = 0; n < 3; ++n) {
@@ -180,7 +180,7 @@ TEST(Reduction, StressOnlyIsAnotherModelOfItsOwnName) {
   p.prestress = Prestress::stress_only;
   ReductionReport report;
   const ReducedModel model = reduced(p, report);
-  EXPECT_EQ(model.prestress, "stress_only");
+  EXPECT_EQ(model.prestress, Prestress::stress_only);
   const NodalDiameterModel& one = model.nodal_diameters[1];  // linear in Omega^2
   EXPECT_LT(std::pow(p.speed_max, 2) * one.K[2].cwiseAbs().maxCoeff(), 1e-8 * one.K[1].cwiseAbs().maxCoeff());
 }

@@ -10,7 +10,7 @@ inline ReducedModel one_sector() {
   ReducedModel model;
   model.sector_count = 1;
   model.speed_max = 5000;  // rad/s
-  model.prestress = "given";
+  model.prestress = Prestress::given;
   model.contact.position = Eigen::RowVector3d(0.1, 0, 0);
   model.contact.normal = Eigen::RowVector3d(1, 0, 0);
   model.contact.arc_length = Eigen::VectorXd::Zero(1);

@@ -42,7 +42,7 @@ ReducedModel synthetic_wheel(const WheelPlan& plan) {
   ReducedModel model;
   model.sector_count = plan.sectors;
   model.speed_max = 3000;
-  model.prestress = "given";
+  model.prestress = Prestress::given;
   model.contact = make_contact(plan.contact_nodes);
   const Eigen::Index size = 3 * plan.contact_nodes + plan.generalized;
   const Eigen::MatrixXd spread = random_matrix(source, size);
@@ -70,7 +70,7 @@ ReducedModel uncoupled_blades(int sectors, double mass, double stiffness) {
   ReducedModel model;
   model.sector_count = sectors;
   model.speed_max = 3000;
-  model.prestress = "given";
+  model.prestress = Prestress::given;
   model.contact = make_contact(1);
   model.contact.static_shift[1].setZero();
   NodalDiameterModel at;

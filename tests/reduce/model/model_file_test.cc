@@ -67,6 +67,7 @@ void expect_same(const ReducedModel& a, const ReducedModel& b) {
   EXPECT_EQ(a.sector_count, b.sector_count);
   EXPECT_EQ(a.speed_max, b.speed_max);
   EXPECT_EQ(a.prestress, b.prestress);
+  EXPECT_EQ(a.spin_softening, b.spin_softening);
   EXPECT_EQ(a.mesh_digest, b.mesh_digest);
   EXPECT_EQ(a.provenance, b.provenance);
   EXPECT_EQ(a.contact.kind, b.contact.kind);
@@ -218,10 +219,28 @@ TEST_F(ModelFile, SaysThatTheDiskIsFull) {
 TEST_F(ModelFile, MayLeaveOutWhatIsZero) {
   EXPECT_EQ(complaint_about_file([](Hdf5File& file) { write_one_mass(file); }), "");
   const ReducedModel model = read_model(path());
-  EXPECT_EQ(model.prestress, "given");
+  EXPECT_EQ(model.prestress, Prestress::given);
   EXPECT_EQ(model.nodal_diameters[0].K[2], Eigen::MatrixXcd::Zero(3, 3));
   EXPECT_EQ(model.contact.static_shift(50.0), Eigen::MatrixX3d::Zero(1, 3));
   EXPECT_NEAR(model.nodal_diameters[0].natural_frequencies(50.0)[0], 1 / std::numbers::pi, 1e-15);  // 2 rad/s
+}
+
+/// Symptom: a nonlinear model without spin softening was taken for one of unknown prestress, because both stood in
+/// one text. Files that hold that text are still read.
+TEST_F(ModelFile, TellsThePrestressAndTheSofteningApart) {
+  const auto read_with = [&](const std::string& prestress) {
+    EXPECT_EQ(complaint_about_file([&](Hdf5File& file) {
+                write_one_mass(file);
+                file.set_attribute("/", "prestress", prestress);
+              }),
+              "");
+    return read_model(path());
+  };
+  const ReducedModel older = read_with("nonlinear, without spin softening");
+  EXPECT_EQ(older.prestress, Prestress::nonlinear);
+  EXPECT_EQ(older.spin_softening, SpinSoftening::off);
+  EXPECT_EQ(older.stiffness_under_spin(), "nonlinear, without spin softening");
+  EXPECT_EQ(read_with("linear").spin_softening, SpinSoftening::on);
 }
 
 TEST_F(ModelFile, RefusesWhatIsNoHdf5FileAndWhatIsNotThere) {

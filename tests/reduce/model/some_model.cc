@@ -7,7 +7,8 @@ ReducedModel some_model() {
   ReducedModel model;
   model.sector_count = 4;
   model.speed_max = 1234.5;
-  model.prestress = "linear";
+  model.prestress = Prestress::nonlinear;
+  model.spin_softening = SpinSoftening::off;
   model.mesh_digest = "0123456789abcdef";
   model.provenance = "[mesh]\nfamily = \"impeller\"  # \xc3\xa9t\xc3\xa9\n";
   model.contact.position = Eigen::RowVector3d(0.1, -0.2, 1.0 / 3);

@@ -125,7 +125,7 @@ TEST(NonlinearReduction, StatesTheMisfitOfItsPolynomial) {
   ReductionReport report;
   const ReducedModel model =
       reduce(test::skewed_annulus(sectors).sector(), nonlinear_parameters(), Progress::Shown::never, report);
-  EXPECT_EQ(model.prestress, "nonlinear");
+  EXPECT_EQ(model.prestress, Prestress::nonlinear);
   EXPECT_NO_THROW(check(model, "model"));
   const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
   ASSERT_EQ(misfit.rows(), 4);
@@ -168,7 +168,8 @@ TEST(SpinSoftening, LowersFrequenciesAndCanBeLeftOut) {
   const ReducedModel with = reduce(mesh, p, Progress::Shown::never, report);
   p.spin_softening = SpinSoftening::off;
   const ReducedModel without = reduce(mesh, p, Progress::Shown::never, report);
-  EXPECT_EQ(without.prestress, "linear, without spin softening");
+  EXPECT_EQ(without.prestress, Prestress::linear);
+  EXPECT_EQ(without.spin_softening, SpinSoftening::off);
   const double at_rest = with.verification.unreduced[0](0, 0);
   EXPECT_NEAR(without.verification.unreduced[0](0, 0) / at_rest, 1.0, 1e-9);
   EXPECT_GT(without.verification.unreduced[0](3, 0), with.verification.unreduced[0](3, 0));

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "cases/program/errors.h"
+
+namespace tiprub {
+
+/// The values of an enumeration with the names that they have in files: one list for the writer and the reader.
+template <class Value, std::size_t count>
+using NamedValues = std::array<std::pair<Value, const char*>, count>;
+
+template <class Value, std::size_t count>
+constexpr const char* name_in(const NamedValues<Value, count>& names, Value value) {
+  for (const auto& [known, name] : names)
+    if (known == value) return name;
+  return "";
+}
+
+/// Raises RunError, which begins with `where`, if no value has that name.
+template <class Value, std::size_t count>
+Value value_named(const NamedValues<Value, count>& names, const std::string& name, const std::string& where) {
+  for (const auto& [value, known] : names)
+    if (name == known) return value;
+  throw RunError(where + " \"" + name + "\" is not known");
+}
+
+}  // namespace tiprub

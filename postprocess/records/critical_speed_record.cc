@@ -81,8 +81,9 @@ std::string other_motions(const SpeedResponse& response) {
         start.failure.empty() &&
         (start.difference > another || std::abs(start.amplitude - response.amplitude) > another * response.amplitude);
     if (differs)
-      text += (text.empty() ? "" : "; ") + start.start + ": " + motion_text(start.motion, start.period_beats) + " " +
-              significant(start.amplitude * mm_per_m, 3) + " mm";
+      text += (text.empty() ? "" : "; ") + std::string(name_of(start.start)) + ": " +
+              motion_text(start.motion, start.period_beats) + " " + significant(start.amplitude * mm_per_m, 3) +
+              " mm";
   }
   return text.empty() && !response.other_starts.empty() ? "none found" : text;
 }

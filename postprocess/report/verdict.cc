@@ -183,6 +183,11 @@ std::string interference_text(const Study& study) {
          (low <= 0 && high <= 0 ? "; a tip that doesn't vibrate never touches)" : ")");
 }
 
+std::string given_words(ClearanceState state) {
+  if (state == ClearanceState::cold) return "cold";
+  return state == ClearanceState::at_speed ? "at one speed" : "at speed";
+}
+
 }  // namespace
 
 std::string running_clearances(const Response& response) {
@@ -192,9 +197,7 @@ std::string running_clearances(const Response& response) {
     high = std::max(high, speed.clearance.maxCoeff());
   }
   return "running clearances " + fixed(low * mm_per_m, 3) + " .. " + fixed(high * mm_per_m, 3) + " mm, given " +
-         (response.scene.clearance_state == "cold"       ? "cold"
-          : response.scene.clearance_state == "at_speed" ? "at one speed"
-                                                         : "at speed");
+         given_words(response.scene.clearance_state);
 }
 
 std::vector<Answer> verdict(const Study& study, const FieldResults& fields) {

@@ -8,7 +8,7 @@
 #include "simulate/march/cache_lines.h"
 #include "simulate/march/closed_inverse.h"
 #include "simulate/march/contact_kernels.h"
-#include "simulate/scene/scheme.h"
+#include "simulate/motion/scene_choices.h"
 
 namespace tiprub {
 

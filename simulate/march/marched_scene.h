@@ -7,7 +7,7 @@
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/scene/obstacle.h"
 #include "simulate/scene/scene.h"
-#include "simulate/scene/scheme.h"
+#include "simulate/motion/scene_choices.h"
 
 namespace tiprub {
 

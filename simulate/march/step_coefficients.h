@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulate/scene/scheme.h"
+#include "simulate/motion/scene_choices.h"
 
 #include <Eigen/Dense>
 

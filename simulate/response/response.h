@@ -10,18 +10,21 @@
 
 #include "simulate/motion/motion.h"
 #include "simulate/motion/rotor_state.h"
+#include "simulate/motion/scene_choices.h"
 
 namespace tiprub {
 
 /// "periodic", "not settled", ...: as response.h5 has it.
 const char* name_of(MotionClass motion);
+/// "motion" or "spectrum": likewise.
+const char* name_of(MotionMeasure measure);
 
 /// How far a speed's result can be trusted: what was checked, beyond the ledger and the settling.
 struct SpeedAudit {
-  /// [1] relative difference to the same speed with half the step; only at a few speeds of a sweep. Of the motion if
-  /// both are periodic alike, of the averaged amplitude spectra if not.
+  /// [1] relative difference to the same speed with half the step; only at a few speeds of a sweep
   std::optional<double> halving_difference;
-  std::string halving_measure;  ///< "motion", "spectrum", or why there is no difference; empty: not done
+  std::optional<MotionMeasure> halving_measure;  ///< of that difference
+  std::string halving_failure;                   ///< empty, or why half the step gave no motion
   /// [1] factor per revolution of a small disturbance of the nodal diameters left out for symmetry
   std::optional<double> excluded_growth;
   std::optional<double> excluded_growth_uncertainty;  ///< [1] of that factor
@@ -35,9 +38,20 @@ struct SpeedAudit {
   double tension_share = 0;         ///< [1] share of tensile contact force: of the sum of the forces' magnitudes
 };
 
+/// From where a critical speed is looked at once more.
+enum class Start {
+  up,           ///< from the motion at the speed 1 % below
+  down,         ///< from the motion at the speed 1 % above
+  disturbed,    ///< from its own motion with twice the displacement
+  whole_wheel,  ///< from rest with all nodal diameters, where symmetry does not clearly hold
+};
+
+/// "up", "down", "disturbed", "whole wheel": as response.h5 has it.
+const char* name_of(Start start);
+
 /// What a critical speed comes to from another start.
 struct OtherStart {
-  std::string start;     ///< "up", "down", "disturbed", "whole wheel": see simulate/README.md
+  Start start = Start::up;
   std::string failure;   ///< empty, or why there is no motion; then the rest is
   double amplitude = 0;  ///< [m] as SpeedResponse has it
   MotionClass motion = MotionClass::not_settled;
@@ -116,14 +130,16 @@ struct SimulatedScene {
   Eigen::VectorXd casing_angle;       ///< [rad] 0 .. 2 pi
   Eigen::VectorXd casing_distortion;  ///< [m] inward, at these angles, after the ramp
   int lobes = 0;                      ///< N_l: the casing repeats every 2 pi / lobes
+  Scheme scheme = Scheme::trigonometric;
+  ContactRule contact = ContactRule::complementarity;
   /// [Hz] the upper end of the band that motions are classified in; infinite: all that the samples resolve
   double resolved_frequency = std::numeric_limits<double>::infinity();
-  Eigen::VectorXd clearance;    ///< [m] cold or running as the case says, at the contact nodes
-  std::string clearance_state;  ///< "cold", "running" or "at_speed"
-  std::string model_digest;     ///< digest() of the model that was marched
-  std::string scope;            ///< what was modelled, what was left out, and why; one reason a line
-  std::string casing;           ///< the table [casing] of the case, as TOML
-  std::string provenance;       ///< the case and the chain that made it, as text
+  Eigen::VectorXd clearance;  ///< [m] cold or running as the case says, at the contact nodes
+  ClearanceState clearance_state = ClearanceState::running;
+  std::string model_digest;  ///< digest() of the model that was marched
+  std::string scope;         ///< what was modelled, what was left out, and why; one reason a line
+  std::string casing;        ///< the table [casing] of the case, as TOML
+  std::string provenance;    ///< the case and the chain that made it, as text
 };
 
 /// Orbits that hang together over speed, stable and unstable ones, in the order of their arc length. Arrays over the

@@ -44,6 +44,8 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.write_text("/provenance", scene.provenance);
   file.write_text("/casing/table", scene.casing);
   file.set_attribute("/", "scope", scene.scope);
+  file.set_attribute("/", "scheme", std::string(name_in(scheme_names, scene.scheme)));
+  file.set_attribute("/", "contact", std::string(name_in(contact_rule_names, scene.contact)));
   file.set_attribute("/", "accuracy", scene.asked.critical_speeds);
   file.set_attribute("/", "step_tolerance", scene.asked.step);
   file.set_attribute("/", "settle_tolerance", scene.asked.settling);
@@ -63,7 +65,8 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.set_attribute("/casing", "lobes", scene.lobes);
   if (std::isfinite(scene.resolved_frequency))
     file.set_attribute("/", "resolved_frequency", scene.resolved_frequency);
-  file.set_attribute("/casing", "clearance_state", scene.clearance_state);
+  file.set_attribute("/casing", "clearance_state",
+                     std::string(name_in(clearance_state_names, scene.clearance_state)));
 }
 
 /// Raises RunError with what the file must hold, unless it does.
@@ -82,6 +85,14 @@ void read_positive(const Hdf5File& file, const std::string& name, double& value)
   require(value > 0, file, "attribute " + name + " must be above 0");
 }
 
+/// The value that an attribute names.
+template <class Value, std::size_t count>
+Value named(const NamedValues<Value, count>& names, const Hdf5File& file, const std::string& object,
+            const std::string& attribute) {
+  return value_named(names, file.text_attribute(object, attribute),
+                     file.path() + ": " + object + ": attribute " + attribute);
+}
+
 void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
   axes.require("/casing/angle", {"angles"});
   axes.require("/casing/distortion", {"angles"});
@@ -90,15 +101,12 @@ void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
   scene.casing_distortion = file.read_vector("/casing/distortion");
   scene.clearance = file.read_vector("/casing/clearance");
   scene.lobes = file.integer_attribute("/casing", "lobes");
-  scene.clearance_state = file.text_attribute("/casing", "clearance_state");
+  scene.clearance_state = named(clearance_state_names, file, "/casing", "clearance_state");
   constexpr double turn = 2 * std::numbers::pi, rounding = 1e-9;
   const Eigen::VectorXd& angle = scene.casing_angle;
   require(angle.size() > 1 && increases(angle) && angle[0] >= -rounding && angle.tail<1>()[0] <= turn + rounding,
           file, "/casing/angle must increase within 0 .. 2 pi, 2 angles at least");
   require(scene.lobes >= 1, file, "/casing: attribute lobes must be at least 1");
-  const std::string& state = scene.clearance_state;
-  require(state == "cold" || state == "running" || state == "at_speed", file,
-          "/casing: attribute clearance_state must be cold, running or at_speed");
 }
 
 SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes) {
@@ -120,6 +128,10 @@ SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes) {
   require(increases(scene.nodal_diameters) && scene.nodal_diameters.front() >= 0 &&
               scene.nodal_diameters.back() <= scene.sector_count / 2,
           file, "/nodal_diameters must increase within 0 .. sector_count/2");
+  if (file.has_attribute("/", "scheme")) {  // older files don't tell
+    scene.scheme = named(scheme_names, file, "/", "scheme");
+    scene.contact = named(contact_rule_names, file, "/", "contact");
+  }
   read_positive(file, "accuracy", scene.asked.critical_speeds);
   read_positive(file, "step_tolerance", scene.asked.step);
   read_positive(file, "settle_tolerance", scene.asked.settling);

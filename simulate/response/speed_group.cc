@@ -98,12 +98,23 @@ OrbitReport read_orbit(const Hdf5File& file, const std::string& group) {
   return orbit;
 }
 
+/// Older files tell why half the step gave no motion in the place of its measure.
+void read_halving(const Hdf5File& file, const std::string& group, SpeedAudit& audit) {
+  const std::string measure = file.text_attribute(group, "halving_measure");
+  const bool told_apart = file.has_attribute(group, "halving_failure");
+  audit.halving_failure = told_apart ? file.text_attribute(group, "halving_failure") : "";
+  if (told_apart || audit.halving_difference || measure.empty())
+    audit.halving_measure = measure_named(measure, file.path() + ": " + group + ": halving_measure");
+  else
+    audit.halving_failure = measure;
+}
+
 std::string start_at(const std::string& group, std::size_t place) {
   return group + "/starts/" + std::to_string(place);
 }
 
 void write_other_start(Hdf5File& file, const std::string& group, const OtherStart& start) {
-  file.set_attribute(group, "start", start.start);
+  file.set_attribute(group, "start", std::string(name_of(start.start)));
   file.set_attribute(group, "failure", start.failure);
   file.set_attribute(group, "motion", std::string(name_of(start.motion)));
   file.set_attribute(group, "amplitude", start.amplitude);
@@ -113,7 +124,7 @@ void write_other_start(Hdf5File& file, const std::string& group, const OtherStar
 
 OtherStart read_other_start(const Hdf5File& file, const std::string& group) {
   OtherStart start;
-  start.start = file.text_attribute(group, "start");
+  start.start = start_named(file.text_attribute(group, "start"), file.path() + ": " + group + ": start");
   start.failure = file.text_attribute(group, "failure");
   start.motion = motion_named(file.text_attribute(group, "motion"), file.path() + ": " + group + ": motion");
   start.amplitude = file.number_attribute(group, "amplitude");
@@ -222,9 +233,9 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   const std::string where = file.path() + ": " + group;
   speed.motion = motion_named(file.text_attribute(group, "motion"), where + ": motion");
   speed.audit.symmetry = symmetry_named(file.text_attribute(group, "symmetry"), where + ": symmetry");
-  speed.audit.halving_measure = file.text_attribute(group, "halving_measure");
   speed.depth = depth_named(file.text_attribute(group, "depth"), where + ": depth");
   read_numbers(file, group, speed);
+  read_halving(file, group, speed.audit);
   while (file.exists(start_at(group, speed.other_starts.size())))
     speed.other_starts.push_back(read_other_start(file, start_at(group, speed.other_starts.size())));
   speed.audit.orbit = read_orbit(file, group);

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/response/speed_numbers.h"
 
-#include <array>
-#include <utility>
-
-#include "cases/program/errors.h"
+#include "cases/program/named_values.h"
 
 namespace tiprub {
 
 namespace {
 
-constexpr std::array<std::pair<MotionClass, const char*>, 5> motion_names = {{
+constexpr NamedValues<MotionClass, 5> motion_names = {{
     {MotionClass::periodic, "periodic"},
     {MotionClass::subharmonic, "subharmonic"},
     {MotionClass::modulated, "modulated"},
@@ -18,7 +15,7 @@ constexpr std::array<std::pair<MotionClass, const char*>, 5> motion_names = {{
     {MotionClass::not_settled, "not settled"},
 }};
 
-constexpr std::array<std::pair<SymmetryVerdict, const char*>, 5> symmetry_names = {{
+constexpr NamedValues<SymmetryVerdict, 5> symmetry_names = {{
     {SymmetryVerdict::all_held, "all held"},
     {SymmetryVerdict::unchecked, "unchecked"},
     {SymmetryVerdict::holds, "holds"},
@@ -26,31 +23,29 @@ constexpr std::array<std::pair<SymmetryVerdict, const char*>, 5> symmetry_names 
     {SymmetryVerdict::undecided, "undecided"},
 }};
 
-constexpr std::array<std::pair<OrbitReport::Outcome, const char*>, 3> outcome_names = {{
+constexpr NamedValues<OrbitReport::Outcome, 3> outcome_names = {{
     {OrbitReport::Outcome::none, "none"},
     {OrbitReport::Outcome::found, "found"},
     {OrbitReport::Outcome::marched, "marched"},
 }};
 
-constexpr std::array<std::pair<Depth, const char*>, 3> depth_names = {{
+constexpr NamedValues<Depth, 3> depth_names = {{
     {Depth::scanned, "scanned"},
     {Depth::full, "full"},
     {Depth::examined, "examined"},
 }};
 
-template <class Names, class Value>
-const char* name_in(const Names& names, Value value) {
-  for (const auto& [known, name] : names)
-    if (known == value) return name;
-  return "";
-}
+constexpr NamedValues<MotionMeasure, 2> measure_names = {{
+    {MotionMeasure::motion, "motion"},
+    {MotionMeasure::spectrum, "spectrum"},
+}};
 
-template <class Names>
-auto value_named(const Names& names, const std::string& name, const std::string& where) {
-  for (const auto& [value, known] : names)
-    if (name == known) return value;
-  throw RunError(where + " \"" + name + "\" is not known");
-}
+constexpr NamedValues<Start, 4> start_names = {{
+    {Start::up, "up"},
+    {Start::down, "down"},
+    {Start::disturbed, "disturbed"},
+    {Start::whole_wheel, "whole wheel"},
+}};
 
 }  // namespace
 
@@ -58,12 +53,23 @@ std::vector<SpeedText> texts_of(const SpeedResponse& speed) {
   return {{"failure", "why there is no response; empty: there is one", speed.failure},
           {"motion", "class of the motion", name_of(speed.motion)},
           {"symmetry", "whether nodal diameters left out stay small", name_in(symmetry_names, speed.audit.symmetry)},
-          {"halving_measure", "what the last halving of the step was measured by", speed.audit.halving_measure},
+          {"halving_measure", "what the last halving of the step was measured by",
+           speed.audit.halving_measure ? name_of(*speed.audit.halving_measure) : ""},
+          {"halving_failure", "why half the step gave no motion; empty: it did, or was not taken",
+           speed.audit.halving_failure},
           {"depth", "how closely the speed was looked at", name_in(depth_names, speed.depth)}};
 }
 
 const char* name_of(MotionClass motion) {
   return name_in(motion_names, motion);
+}
+
+const char* name_of(MotionMeasure measure) {
+  return name_in(measure_names, measure);
+}
+
+const char* name_of(Start start) {
+  return name_in(start_names, start);
 }
 
 const char* name_of(OrbitReport::Outcome outcome) {
@@ -80,6 +86,14 @@ SymmetryVerdict symmetry_named(const std::string& name, const std::string& where
 
 Depth depth_named(const std::string& name, const std::string& where) {
   return value_named(depth_names, name, where);
+}
+
+MotionMeasure measure_named(const std::string& name, const std::string& where) {
+  return value_named(measure_names, name, where);
+}
+
+Start start_named(const std::string& name, const std::string& where) {
+  return value_named(start_names, name, where);
 }
 
 OrbitReport::Outcome outcome_named(const std::string& name, const std::string& where) {

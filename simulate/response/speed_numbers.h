@@ -116,6 +116,8 @@ const char* name_of(OrbitReport::Outcome outcome);
 MotionClass motion_named(const std::string& name, const std::string& where);
 SymmetryVerdict symmetry_named(const std::string& name, const std::string& where);
 Depth depth_named(const std::string& name, const std::string& where);
+MotionMeasure measure_named(const std::string& name, const std::string& where);
+Start start_named(const std::string& name, const std::string& where);
 OrbitReport::Outcome outcome_named(const std::string& name, const std::string& where);
 
 }  // namespace tiprub

@@ -7,6 +7,7 @@
 
 #include "cases/program/case_file.h"
 #include "reduce/model/reduced_model.h"
+#include "simulate/motion/scene_choices.h"
 #include "simulate/scene/casing_profile.h"
 #include "simulate/scene/periodic_table.h"
 
@@ -19,12 +20,6 @@ enum class CasingShape {
   bumps,    ///< `lobes` raised cosines of a given width, round between them
   table,    ///< points over one lobe
   profile,  ///< points over one lobe and over the chord
-};
-
-enum class ClearanceState {
-  cold,      ///< at standstill: the static shift under spin closes it
-  running,   ///< what remains, at whatever speed
-  at_speed,  ///< what remains at one speed: the static shift opens or closes it at others, as it would one casing's
 };
 
 /// A rigid casing that stands still around the wheel. Its distortion counts inward, is the same along the chord

@@ -6,8 +6,8 @@
 
 #include "cases/program/case_file.h"
 #include "reduce/model/reduced_model.h"
+#include "simulate/motion/scene_choices.h"
 #include "simulate/scene/damping.h"
-#include "simulate/scene/scheme.h"
 
 namespace tiprub {
 

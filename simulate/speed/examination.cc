@@ -36,7 +36,7 @@ SettledMotion of_whole_wheel(const Scene& scene, double speed, int steps_per_rev
 }
 
 /// What a start came to, beside the motion found.
-OtherStart compared(const char* start, const Attempt<SettledMotion>& other, const SettledMotion& found, int lobes) {
+OtherStart compared(Start start, const Attempt<SettledMotion>& other, const SettledMotion& found, int lobes) {
   OtherStart compared;
   compared.start = start;
   compared.failure = other.failure;
@@ -57,16 +57,16 @@ std::vector<OtherStart> other_starts(const Scene& scene, const SharedRotor& roto
                                      const SettledMotion& found, SymmetryVerdict symmetry) {
   const int lobes = scene.casing.lobes, steps = found.march->steps_per_revolution();
   std::vector<OtherStart> starts;
-  for (const auto& [start, speed] :
-       {std::pair("up", rotor->speed * (1 - neighbour)), std::pair("down", rotor->speed * (1 + neighbour))}) {
+  for (const auto& [start, speed] : {std::pair(Start::up, rotor->speed * (1 - neighbour)),
+                                     std::pair(Start::down, rotor->speed * (1 + neighbour))}) {
     const auto other = attempt([&, at = speed] { return settled_from(scene, rotor, state_at(scene, at), steps); });
     starts.push_back(compared(start, other, found, lobes));
   }
   const auto swung = attempt([&] { return settled_from(scene, rotor, disturbed(end), steps); });
-  starts.push_back(compared("disturbed", swung, found, lobes));
+  starts.push_back(compared(Start::disturbed, swung, found, lobes));
   if (symmetry != SymmetryVerdict::breaking && symmetry != SymmetryVerdict::undecided) return starts;
   const auto whole = attempt([&] { return of_whole_wheel(scene, rotor->speed, steps); });
-  starts.push_back(compared("whole wheel", whole, found, lobes));
+  starts.push_back(compared(Start::whole_wheel, whole, found, lobes));
   return starts;
 }
 

@@ -47,10 +47,6 @@ std::optional<double> rest_difference(const Scene& scene, const SharedRotor& rot
   return difference_to_rest.result;
 }
 
-const char* name_of(MotionMeasure measure) {
-  return measure == MotionMeasure::motion ? "motion" : "spectrum";
-}
-
 void report(const SymmetryCheck& check, SpeedAudit& audit) {
   audit.symmetry = check.verdict;
   if (!check.growth) return;
@@ -59,8 +55,10 @@ void report(const SymmetryCheck& check, SpeedAudit& audit) {
 }
 
 void report(const Attempt<MotionDifference>& halving, SpeedAudit& audit) {
-  audit.halving_measure = halving.result ? name_of(halving.result->measure) : halving.failure;
-  if (halving.result) audit.halving_difference = halving.result->value;
+  audit.halving_failure = halving.failure;
+  if (!halving.result) return;
+  audit.halving_difference = halving.result->value;
+  audit.halving_measure = halving.result->measure;
 }
 
 /// What a file keeps of a motion.

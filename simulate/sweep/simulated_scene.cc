@@ -11,18 +11,6 @@ namespace {
 
 constexpr int casing_points = 721;  // of the casing's shape in the response: every half degree
 
-const char* name_of(ClearanceState state) {
-  switch (state) {
-    case ClearanceState::cold:
-      return "cold";
-    case ClearanceState::running:
-      return "running";
-    case ClearanceState::at_speed:
-      return "at_speed";
-  }
-  return "";
-}
-
 }  // namespace
 
 SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin) {
@@ -37,9 +25,11 @@ SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin) {
     return fractions.unaryExpr([&](double fraction) { return scene.casing.distortion(angle, fraction); }).maxCoeff();
   });
   described.lobes = scene.casing.lobes;
+  described.scheme = scene.parameters.scheme;
+  described.contact = scene.parameters.contact;
   described.resolved_frequency = scene.parameters.resolved_frequency;
   described.clearance = scene.casing.given_clearance(scene.model.contact);
-  described.clearance_state = name_of(scene.casing.clearance_state);
+  described.clearance_state = scene.casing.clearance_state;
   for (const std::string& reason : scene.scope.reasons) described.scope += reason + "\n";
   described.model_digest = digest(scene.model);
   described.provenance = origin.provenance;

@@ -23,10 +23,10 @@ std::string audit_text(const SpeedAudit& audit) {
     text << ", no orbit after " << orbit.revolutions << " revolutions of maps, ";
   if (orbit.outcome != OrbitReport::Outcome::none) text << "multiplier " << orbit.multiplier << " a revolution";
   if (audit.halving_difference)
-    text << ", the last halving of the step changed the " << audit.halving_measure << " by "
-         << *audit.halving_difference;
-  else if (!audit.halving_measure.empty())
-    text << ", half the step failed: " << audit.halving_measure;
+    text << ", the last halving of the step changed the "
+         << name_of(audit.halving_measure.value_or(MotionMeasure::motion)) << " by " << *audit.halving_difference;
+  else if (!audit.halving_failure.empty())
+    text << ", half the step failed: " << audit.halving_failure;
   if (audit.excluded_growth) text << ", excluded nodal diameters x " << *audit.excluded_growth << " a revolution";
   if (audit.symmetry == SymmetryVerdict::breaking) text << ": symmetry-breaking";
   if (audit.symmetry == SymmetryVerdict::undecided) text << ": undecided";

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "simulate/march/rotor_at_speed.h"
-#include "simulate/scene/scheme.h"
+#include "simulate/motion/scene_choices.h"
 
 namespace tiprub::testing {
 

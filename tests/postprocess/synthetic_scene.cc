@@ -169,7 +169,7 @@ SimulatedScene two_lobes() {
   scene.casing_distortion = (3e-4 * (2 * scene.casing_angle.array()).cos()).matrix();
   scene.lobes = 2;
   scene.clearance = Eigen::VectorXd::LinSpaced(contact_nodes, 3.2e-4, 2.6e-4);
-  scene.clearance_state = "cold";
+  scene.clearance_state = ClearanceState::cold;
   scene.scope =
       "nodal diameters 0, 2, 4: the casing repeats twice around, the others stay at rest\n"
       "5 of 10 sectors: sector j moves as sector j + 5\nno friction, rigid casing, tuned wheel";

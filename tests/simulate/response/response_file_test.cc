@@ -46,7 +46,7 @@ Response two_speeds() {
   response.scene.casing_angle = response.scene.casing_distortion = Eigen::VectorXd::LinSpaced(5, 0, 6.28);
   response.scene.lobes = 2;
   response.scene.clearance = Eigen::VectorXd::Constant(3, 1e-4);
-  response.scene.clearance_state = "cold";
+  response.scene.clearance_state = ClearanceState::cold;
   SpeedResponse failed;
   failed.speed = 200;
   failed.failure = "why";
@@ -234,8 +234,13 @@ const std::vector<Wrong> wrong_scenes = {
     {"angles that return", [](Response& r) { r.scene.casing_angle[2] = 0; }, "/casing/angle must increase"},
     {"angles in degrees", [](Response& r) { r.scene.casing_angle *= 57; }, "/casing/angle must increase within 0 .."},
     {"no lobes", [](Response& r) { r.scene.lobes = 0; }, "lobes must be at least 1"},
-    {"a clearance neither cold nor running", [](Response& r) { r.scene.clearance_state = "warm"; },
-     "clearance_state must be cold, running or at_speed"},
+    {"a clearance neither cold nor running",
+     [](Response& r) { r.scene.clearance_state = static_cast<ClearanceState>(9); },
+     "/casing: attribute clearance_state \"\" is not known"},
+    {"a scheme without a name", [](Response& r) { r.scene.scheme = static_cast<Scheme>(9); },
+     "attribute scheme \"\" is not known"},
+    {"a contact law without a name", [](Response& r) { r.scene.contact = static_cast<ContactRule>(9); },
+     "attribute contact \"\" is not known"},
     {"no contact node", [](Response& r) { r.scene.clearance.resize(0); }, "/casing/clearance: has shape 0"},
     {"no sectors", [](Response& r) { r.scene.sector_count = 0; }, "independent_sectors must divide sector_count"},
     {"no nodal diameter", [](Response& r) { r.scene.nodal_diameters.clear(), r.speeds.clear(); },

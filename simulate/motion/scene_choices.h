@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cases/program/named_values.h"
+
 namespace tiprub {
 
 /// The schemes. All are two-step recurrences of modal coordinates and share one
@@ -47,5 +49,23 @@ constexpr SchemeTraits traits_of(Scheme scheme) {
 constexpr bool maps_states(Scheme scheme, ContactRule rule) {
   return rule == ContactRule::complementarity && !traits_of(scheme).has_memory;
 }
+
+/// For which speed the case gives its clearance.
+enum class ClearanceState {
+  cold,      ///< at standstill: the static shift under spin closes it
+  running,   ///< what remains, at whatever speed
+  at_speed,  ///< what remains at one speed: the static shift opens or closes it at others, as it would one casing's
+};
+
+// Names as case files and response.h5 have them.
+inline constexpr NamedValues<Scheme, 5> scheme_names = {{{Scheme::trigonometric, "trigonometric"},
+                                                         {Scheme::central_differences, "central_differences"},
+                                                         {Scheme::residual_flexibility, "residual_flexibility"},
+                                                         {Scheme::moreau_jean, "moreau_jean"},
+                                                         {Scheme::penalty, "penalty"}}};
+inline constexpr NamedValues<ContactRule, 2> contact_rule_names = {
+    {{ContactRule::complementarity, "complementarity"}, {ContactRule::paper, "paper"}}};
+inline constexpr NamedValues<ClearanceState, 3> clearance_state_names = {
+    {{ClearanceState::cold, "cold"}, {ClearanceState::running, "running"}, {ClearanceState::at_speed, "at_speed"}}};
 
 }  // namespace tiprub

@@ -119,15 +119,9 @@ std::vector<Check> march_checks(const Study& study) {
                    [](const SpeedResponse& speed) { return speed.audit.left_out_energy; })};
 }
 
-double smallest_clearance(const Study& study) {
-  double smallest = study.response.speeds.front().clearance.minCoeff();
-  for (const SpeedResponse& speed : study.response.speeds) smallest = std::min(smallest, speed.clearance.minCoeff());
-  return std::abs(smallest);
-}
-
 std::vector<Check> contact_checks(const Study& study) {
   return {check_speeds(study, "penetration", "of a node into the casing [mm]",
-                       penetration_limit * smallest_clearance(study) * mm_per_m,
+                       penetration_limit * std::abs(study.response.clearances().low) * mm_per_m,
                        [](const SpeedResponse& speed) { return speed.largest_penetration * mm_per_m; }),
           check_speeds(study, "steps left in penetration", "recorded steps that end with a node in the casing", 0,
                        [](const SpeedResponse& speed) { return static_cast<double>(speed.audit.leftover_steps); }),

@@ -49,7 +49,7 @@ std::string json_summary(const ReportContents& contents) {
                           {"generator", program_version("tiprub-postprocess")},
                           {"title", contents.source.title},
                           {"verdict", answers_of(verdict(study, contents.field_results))},
-                          {"scene", answers_of(scene_in_brief(study, contents.source.case_text))},
+                          {"scene", answers_of(scene_in_brief(study))},
                           {"critical_speeds", rows_of(critical_speed_record(study, contents.field_results))},
                           {"speeds", rows_of(speed_record(study))},
                           {"exactness", rows_of(exactness_record(study))},

@@ -219,7 +219,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"speed_low", rpm_text(study.range.low)},
        {"speed_high", rpm_text(study.range.high)},
        {"verdict", answers(verdict(study, fields))},
-       {"brief_scene", answers(scene_in_brief(study, source.case_text))},
+       {"brief_scene", answers(scene_in_brief(study))},
        {"response", response_section(figures, folder)},
        {"summary", paragraphs(summary(study, fields))},
        {"critical_speeds", none ? "<p>None.</p>" : html::table(critical_speed_motions(study))},

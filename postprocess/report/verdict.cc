@@ -2,7 +2,7 @@
 #include "postprocess/report/verdict.h"
 
 #include <algorithm>
-#include <sstream>
+#include <cmath>
 
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/report/summary.h"
@@ -158,27 +158,25 @@ std::string trust(const Study& study) {
   return text;
 }
 
-/// The case's lines that begin with "damping", as words: "damping ratio 0.01".
-std::string damping_text(const std::string& case_text) {
-  std::istringstream lines(case_text);
+/// "ratio 0.01 of critical; 0.02 above 12000 Hz".
+std::string damping_text(const SimulatedScene& scene) {
+  constexpr int digits = 4;
+  const DampingRatios& damping = scene.damping;
   std::string text;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("damping", 0) != 0) continue;
-    line = line.substr(0, line.find('#'));
-    line.erase(line.find_last_not_of(' ') + 1);
-    std::replace(line.begin(), line.end(), '_', ' ');
-    text += (text.empty() ? "" : "; ") + line;
-  }
-  return text.empty() ? "as simulate has it by default" : text;
+  for (const double ratio : damping.by_family) text += (text.empty() ? "" : ", ") + significant(ratio, digits);
+  for (const auto& [frequency, ratio] : damping.by_frequency)
+    text += (text.empty() ? "" : ", ") + significant(ratio, digits) + " at " + fixed(frequency, 0) + " Hz";
+  if (text.empty()) return "not told by this response, which an older tiprub-simulate made";
+  text = (damping.by_family.size() == 1 ? "ratio " : "ratios ") + text + " of critical";
+  if (damping.by_family.size() > 1) text += ", the first family's, the second's, ...";
+  if (!std::isfinite(scene.resolved_frequency)) return text;
+  return text + "; " + significant(damping.beyond, digits) + " above " + fixed(scene.resolved_frequency, 0) + " Hz";
 }
 
 std::string interference_text(const Study& study) {
   const double crest = study.response.scene.casing_distortion.maxCoeff();
-  double low = crest - study.response.speeds.front().clearance.maxCoeff(), high = low;
-  for (const SpeedResponse& speed : study.response.speeds) {
-    low = std::min(low, crest - speed.clearance.maxCoeff());
-    high = std::max(high, crest - speed.clearance.minCoeff());
-  }
+  const ClearanceRange clearances = study.response.clearances();
+  const double low = crest - clearances.high, high = crest - clearances.low;
   return fixed(low * mm_per_m, 3) + " .. " + mm(high) + " (crest minus clearance, along the tip" +
          (low <= 0 && high <= 0 ? "; a tip that doesn't vibrate never touches)" : ")");
 }
@@ -191,13 +189,9 @@ std::string given_words(ClearanceState state) {
 }  // namespace
 
 std::string running_clearances(const Response& response) {
-  double low = response.speeds.front().clearance.minCoeff(), high = response.speeds.front().clearance.maxCoeff();
-  for (const SpeedResponse& speed : response.speeds) {
-    low = std::min(low, speed.clearance.minCoeff());
-    high = std::max(high, speed.clearance.maxCoeff());
-  }
-  return "running clearances " + fixed(low * mm_per_m, 3) + " .. " + fixed(high * mm_per_m, 3) + " mm, given " +
-         given_words(response.scene.clearance_state);
+  const ClearanceRange range = response.clearances();
+  return "running clearances " + fixed(range.low * mm_per_m, 3) + " .. " + fixed(range.high * mm_per_m, 3) +
+         " mm, given " + given_words(response.scene.clearance_state);
 }
 
 std::vector<Answer> verdict(const Study& study, const FieldResults& fields) {
@@ -210,7 +204,7 @@ std::vector<Answer> verdict(const Study& study, const FieldResults& fields) {
   return answers;
 }
 
-std::vector<Answer> scene_in_brief(const Study& study, const std::string& case_text) {
+std::vector<Answer> scene_in_brief(const Study& study) {
   const SimulatedScene& scene = study.response.scene;
   const double crest = scene.casing_distortion.maxCoeff();
   return {
@@ -220,7 +214,7 @@ std::vector<Answer> scene_in_brief(const Study& study, const std::string& case_t
       {"Casing", counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + mm(crest) + " inward at the crest"},
       {"Clearance", running_clearances(study.response)},
       {"Interference", interference_text(study)},
-      {"Damping", damping_text(case_text)},
+      {"Damping", damping_text(scene)},
       {"Speeds", std::to_string(study.response.speeds.size()) + " from " + fixed(study.range.low * rpm_per_rad_s, 0) +
                      " to " + rpm_text(study.range.high)}};
 }

@@ -18,8 +18,8 @@ struct Answer {
 /// How bad the worst speed is, where, why, how far from the operating range, and which checks passed.
 std::vector<Answer> verdict(const Study& study, const FieldResults& fields);
 
-/// The scene in a few words: lobes, clearance, interference, damping, speeds. Damping as the case's lines on it say.
-std::vector<Answer> scene_in_brief(const Study& study, const std::string& case_text);
+/// The scene in a few words: lobes, clearance, interference, damping, speeds.
+std::vector<Answer> scene_in_brief(const Study& study);
 
 /// "running clearances 0.120 .. 0.130 mm", over the tip line and the speeds.
 std::string running_clearances(const Response& response);

@@ -19,7 +19,7 @@ Eigen::VectorXd signed_frequencies(const Eigen::VectorXd& omega_squared) {
 
 }  // namespace
 
-FrequencyTable frequency_table(const ReducedModel& model, double speed_max, int threads) {
+FrequencyTable frequency_table(const ReducedModel& model, const Damping& damping, double speed_max, int threads) {
   FrequencyTable table;
   table.speed = Eigen::VectorXd::LinSpaced(frequency_speeds, 0.0, speed_max);
   const int diameters = model.nodal_diameter_max() + 1;
@@ -37,6 +37,10 @@ FrequencyTable frequency_table(const ReducedModel& model, double speed_max, int 
     const std::size_t first = static_cast<std::size_t>(n) * frequency_speeds;
     Eigen::MatrixXd& curves = table.by_nodal_diameter.emplace_back(frequency_speeds, rows[first].size());
     for (int s = 0; s < frequency_speeds; ++s) curves.row(s) = rows[first + static_cast<std::size_t>(s)];
+    Eigen::MatrixXd& ratios = table.damping_ratio.emplace_back(curves.rows(), curves.cols());
+    for (Eigen::Index mode = 0; mode < curves.cols(); ++mode)
+      ratios.col(mode) = curves.col(mode).unaryExpr(
+          [&](double frequency) { return damping.ratio(static_cast<std::size_t>(mode), frequency); });
   }
   return table;
 }

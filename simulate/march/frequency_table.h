@@ -3,6 +3,7 @@
 
 #include "reduce/model/reduced_model.h"
 #include "simulate/motion/motion.h"
+#include "simulate/scene/damping.h"
 
 namespace tiprub {
 
@@ -13,6 +14,6 @@ constexpr int frequency_speeds = 33;
 /// The natural frequencies of the model as it is marched (modes_at_speed) at `frequency_speeds` even speeds 0 ..
 /// speed_max [rad/s]. An unstable speed has negative ones. Costs a condensation and the eigenvalues of a dense
 /// Hermitian pencil for each speed and nodal diameter; `threads` of them at a time, with the same result.
-FrequencyTable frequency_table(const ReducedModel& model, double speed_max, int threads);
+FrequencyTable frequency_table(const ReducedModel& model, const Damping& damping, double speed_max, int threads);
 
 }  // namespace tiprub

@@ -68,6 +68,9 @@ struct FrequencyTable {
   /// [Hz] one a nodal diameter 0 .. N/2, moving or not; speeds x modes, ascending in a row; negative,
   /// -sqrt(-omega^2), where the rotor is statically unstable.
   std::vector<Eigen::MatrixXd> by_nodal_diameter;
+  /// [1] of critical, of the same modes: what the march gives a mode of that family and frequency; empty if the file
+  /// doesn't tell
+  std::vector<Eigen::MatrixXd> damping_ratio = {};
 };
 
 }  // namespace tiprub

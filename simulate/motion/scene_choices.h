@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "cases/program/named_values.h"
 
 namespace tiprub {
@@ -49,6 +52,15 @@ constexpr SchemeTraits traits_of(Scheme scheme) {
 constexpr bool maps_states(Scheme scheme, ContactRule rule) {
   return rule == ContactRule::complementarity && !traits_of(scheme).has_memory;
 }
+
+/// The modal damping that was marched; ratios of critical, [1].
+struct DampingRatios {
+  std::vector<double> by_family =
+      {};  ///< the first family's, the second's, ...; the last one holds for all further ones
+  /// [Hz, 1] ascending; linear between the points, level outside; for modes of all families. Empty: by family.
+  std::vector<std::array<double, 2>> by_frequency = {};
+  double beyond = 0;  ///< of modes above the resolved frequency
+};
 
 /// For which speed the case gives its clearance.
 enum class ClearanceState {

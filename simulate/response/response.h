@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -132,6 +133,7 @@ struct SimulatedScene {
   int lobes = 0;                      ///< N_l: the casing repeats every 2 pi / lobes
   Scheme scheme = Scheme::trigonometric;
   ContactRule contact = ContactRule::complementarity;
+  DampingRatios damping;  ///< empty if an older file doesn't tell
   /// [Hz] the upper end of the band that motions are classified in; infinite: all that the samples resolve
   double resolved_frequency = std::numeric_limits<double>::infinity();
   Eigen::VectorXd clearance;  ///< [m] cold or running as the case says, at the contact nodes
@@ -158,6 +160,11 @@ struct OrbitBranch {
   bool attracts(Eigen::Index orbit) const { return multiplier[orbit] < 1; }
 };
 
+/// [m] The smallest and the largest of a clearance.
+struct ClearanceRange {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+};
+
 /// response.h5 in memory. Schema "tiprub-response".
 struct Response {
   SimulatedScene scene;
@@ -165,6 +172,15 @@ struct Response {
   std::vector<SpeedResponse> speeds;       ///< ascending in speed
   FrequencyTable frequencies = {};         ///< empty in the parts of an unfinished sweep
   std::vector<OrbitBranch> branches = {};  ///< where they were asked for
+
+  /// Over all contact nodes and all speeds that have a response.
+  ClearanceRange clearances() const {
+    ClearanceRange range;
+    for (const SpeedResponse& response : speeds)
+      for (const double clearance : response.clearance)
+        range = {std::min(range.low, clearance), std::max(range.high, clearance)};
+    return range;
+  }
 };
 
 }  // namespace tiprub

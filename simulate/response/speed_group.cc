@@ -98,17 +98,6 @@ OrbitReport read_orbit(const Hdf5File& file, const std::string& group) {
   return orbit;
 }
 
-/// Older files tell why half the step gave no motion in the place of its measure.
-void read_halving(const Hdf5File& file, const std::string& group, SpeedAudit& audit) {
-  const std::string measure = file.text_attribute(group, "halving_measure");
-  const bool told_apart = file.has_attribute(group, "halving_failure");
-  audit.halving_failure = told_apart ? file.text_attribute(group, "halving_failure") : "";
-  if (told_apart || audit.halving_difference || measure.empty())
-    audit.halving_measure = measure_named(measure, file.path() + ": " + group + ": halving_measure");
-  else
-    audit.halving_failure = measure;
-}
-
 std::string start_at(const std::string& group, std::size_t place) {
   return group + "/starts/" + std::to_string(place);
 }
@@ -235,7 +224,11 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   speed.audit.symmetry = symmetry_named(file.text_attribute(group, "symmetry"), where + ": symmetry");
   speed.depth = depth_named(file.text_attribute(group, "depth"), where + ": depth");
   read_numbers(file, group, speed);
-  read_halving(file, group, speed.audit);
+  if (speed.audit.halving_difference)
+    speed.audit.halving_measure =
+        measure_named(file.text_attribute(group, "halving_measure"), where + ": halving_measure");
+  if (file.has_attribute(group, "halving_failure"))  // older files have it in the measure's place
+    speed.audit.halving_failure = file.text_attribute(group, "halving_failure");
   while (file.exists(start_at(group, speed.other_starts.size())))
     speed.other_starts.push_back(read_other_start(file, start_at(group, speed.other_starts.size())));
   speed.audit.orbit = read_orbit(file, group);

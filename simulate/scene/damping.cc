@@ -25,18 +25,18 @@ double resolved_frequency(const ReducedModel& model) {
 
 void Damping::set_beyond(double frequency, double ratio) {
   resolved_ = frequency;
-  beyond_ = ratio;
+  ratios_.beyond = ratio;
 }
 
 double Damping::ratio(std::size_t family, double frequency) const {
-  if (frequency > resolved_) return beyond_;
-  if (by_frequency_.empty()) return by_family_[std::min(family, by_family_.size() - 1)];
-  return linear_between(by_frequency_, frequency);
+  if (frequency > resolved_) return ratios_.beyond;
+  if (ratios_.by_frequency.empty()) return ratios_.by_family[std::min(family, ratios_.by_family.size() - 1)];
+  return linear_between(ratios_.by_frequency, frequency);
 }
 
 double Damping::largest() const {
-  if (by_frequency_.empty()) return *std::max_element(by_family_.begin(), by_family_.end());
-  return std::max_element(by_frequency_.begin(), by_frequency_.end(),
+  if (ratios_.by_frequency.empty()) return *std::max_element(ratios_.by_family.begin(), ratios_.by_family.end());
+  return std::max_element(ratios_.by_frequency.begin(), ratios_.by_frequency.end(),
                           [](const auto& a, const auto& b) { return a[1] < b[1]; })
       ->back();
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <initializer_list>
 #include <limits>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "cases/program/case_file.h"
 #include "reduce/model/reduced_model.h"
+#include "simulate/motion/scene_choices.h"
 
 namespace tiprub {
 
@@ -24,14 +24,14 @@ double resolved_frequency(const ReducedModel& model);
 /// theirs.
 class Damping {
  public:
-  using Table = std::vector<std::array<double, 2>>;  ///< [Hz, ratio], ascending
+  using Table = decltype(DampingRatios::by_frequency);
 
   Damping() = default;
   /// The first family's, the second's, ...; the last one holds for all further ones.
-  explicit Damping(std::vector<double> by_family) : by_family_(std::move(by_family)) {}
-  Damping(std::initializer_list<double> by_family) : by_family_(by_family) {}
+  explicit Damping(std::vector<double> by_family) : ratios_{.by_family = std::move(by_family)} {}
+  Damping(std::initializer_list<double> by_family) : ratios_{.by_family = by_family} {}
   /// Linear between the points, level outside.
-  explicit Damping(Table by_frequency) : by_frequency_(std::move(by_frequency)) {}
+  explicit Damping(Table by_frequency) : ratios_{.by_frequency = std::move(by_frequency)} {}
 
   /// Modes above `frequency` [Hz] take `ratio`.
   void set_beyond(double frequency, double ratio);
@@ -39,12 +39,11 @@ class Damping {
   double ratio(std::size_t family, double frequency) const;
   /// [1] the largest of those given for resolved modes.
   double largest() const;
+  const DampingRatios& ratios() const { return ratios_; }
 
  private:
-  std::vector<double> by_family_{0.0};
-  Table by_frequency_;  ///< empty: by family
+  DampingRatios ratios_{.by_family = {0.0}};
   double resolved_ = std::numeric_limits<double>::infinity();
-  double beyond_ = 0;
 };
 
 /// [1] of critical: modes that swing, with room to the critical damping, at which the march divides by nothing.

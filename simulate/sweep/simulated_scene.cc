@@ -27,6 +27,7 @@ SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin) {
   described.lobes = scene.casing.lobes;
   described.scheme = scene.parameters.scheme;
   described.contact = scene.parameters.contact;
+  described.damping = scene.parameters.damping.ratios();
   described.resolved_frequency = scene.parameters.resolved_frequency;
   described.clearance = scene.casing.given_clearance(scene.model.contact);
   described.clearance_state = scene.casing.clearance_state;

@@ -147,7 +147,7 @@ void Sweep::assemble(SweepOutcome& outcome) {
   outcome.branches = branches.size();
   OutputFile file(arguments_.output);
   ResponseWriter writer = finished_->writer(file.scratch());
-  writer.add(frequency_table(scene_.model, speeds().back(), threads_));
+  writer.add(frequency_table(scene_.model, scene_.parameters.damping, speeds().back(), threads_));
   for (const double speed : speeds()) {
     const SpeedResponse response = finished_->read(speed, Depth::full);
     outcome.tally.add(response);

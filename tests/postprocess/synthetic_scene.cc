@@ -168,6 +168,7 @@ SimulatedScene two_lobes() {
   scene.casing_angle = Eigen::VectorXd::LinSpaced(points, 0.0, two_pi);
   scene.casing_distortion = (3e-4 * (2 * scene.casing_angle.array()).cos()).matrix();
   scene.lobes = 2;
+  scene.damping.by_family = {0.004};
   scene.clearance = Eigen::VectorXd::LinSpaced(contact_nodes, 3.2e-4, 2.6e-4);
   scene.clearance_state = ClearanceState::cold;
   scene.scope =

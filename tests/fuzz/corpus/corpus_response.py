@@ -20,6 +20,9 @@ def of_scene():
     yield RESPONSE.entry("state", attribute("clearance_state", b"warm", "casing"), 'attribute clearance_state "warm" is not known')
     yield RESPONSE.entry("scheme", attribute("scheme", b"leapfrog"), 'attribute scheme "leapfrog" is not known')
     yield RESPONSE.entry("contact", attribute("contact", b"glued"), 'attribute contact "glued" is not known')
+    yield RESPONSE.entry("damping.above_critical", replaced("damping/ratio_by_family", with_value(2.0)), "/damping/ratio_by_family must be within 0 .. 1")
+    yield RESPONSE.entry("damping.beyond", attribute("ratio_beyond", -1.0, "damping"), "/damping: attribute ratio_beyond must be within 0 .. 1")
+    yield RESPONSE.entry("damping.of_modes", replaced("frequencies/damping_ratio/0", lambda values: values[:, 1:]), "/frequencies/damping_ratio/0: has shape")
     yield RESPONSE.entry("sectors_0", attribute("sector_count", 0), "independent_sectors must divide sector_count, both at least 1")
     yield RESPONSE.entry("sectors_7", attribute("sector_count", 7), "independent_sectors must divide sector_count, both at least 1")
     yield RESPONSE.entry("independent_4", attribute("independent_sectors", 4), "independent_sectors must divide sector_count, both at least 1")
@@ -79,7 +82,7 @@ def one_bit(data):
     return data[:at] + bytes([data[at] ^ 1]) + data[at + 1:]
 
 
-ENTRIES = [*RESPONSE.of_file("tiprub-response"), *RESPONSE.of_dataset("casing/angle", 1), *RESPONSE.of_dataset("casing/clearance", 1),
+ENTRIES = [*RESPONSE.of_file("tiprub-response"), *RESPONSE.of_dataset("casing/angle", 1), *RESPONSE.of_dataset("casing/clearance", 1), *RESPONSE.of_dataset("damping/ratio_by_family", 1),
            *RESPONSE.of_dataset("frequencies/nodal_diameter/0", 2), *RESPONSE.of_dataset(f"{SPEED}/displacement", 2),
            *RESPONSE.of_dataset(f"{SPEED}/contact_force", 2), *RESPONSE.of_attribute("sector_count"),
            *of_scene(), *of_frequencies(), *of_speed(), *of_arrays(),

@@ -16,7 +16,7 @@ namespace {
 TEST(FrequencyTable, HoldsTheFrequenciesOfTheModelThatIsMarched) {
   ReducedModel model = testing::synthetic_wheel({});
   model.modes_at_speed = 2;
-  const FrequencyTable table = frequency_table(model, 2400, 1);
+  const FrequencyTable table = frequency_table(model, Damping{0.002, 0.004}, 2400, 1);
   ASSERT_EQ(table.speed.size(), frequency_speeds);
   EXPECT_EQ(table.speed[0], 0.0);
   EXPECT_EQ(table.speed[frequency_speeds - 1], 2400.0);
@@ -37,7 +37,8 @@ TEST(FrequencyTable, HoldsTheFrequenciesOfTheModelThatIsMarched) {
 
 TEST(FrequencyTable, IsTheSameWithThreads) {
   const ReducedModel model = testing::synthetic_wheel({});
-  const FrequencyTable one = frequency_table(model, 2400, 1), three = frequency_table(model, 2400, 3);
+  const FrequencyTable one = frequency_table(model, Damping{0.002, 0.004}, 2400, 1),
+                       three = frequency_table(model, Damping{0.002, 0.004}, 2400, 3);
   EXPECT_EQ(one.by_nodal_diameter, three.by_nodal_diameter);
 }
 
@@ -45,7 +46,7 @@ TEST(FrequencyTable, IsTheSameWithThreads) {
 TEST(FrequencyTable, IsNegativeWhereTheRotorIsUnstable) {
   ReducedModel model = testing::uncoupled_blades(4, 1.0, 1e4);
   model.nodal_diameters[2].K[1] = -Eigen::MatrixXcd::Identity(3, 3);
-  const FrequencyTable table = frequency_table(model, 200, 1);
+  const FrequencyTable table = frequency_table(model, Damping{0.002, 0.004}, 200, 1);
   for (int i = 0; i < frequency_speeds; ++i) {
     const double square = 1e4 - table.speed[i] * table.speed[i];
     EXPECT_NEAR(table.by_nodal_diameter[2](i, 0),

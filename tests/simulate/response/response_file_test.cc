@@ -45,6 +45,7 @@ Response two_speeds() {
   response.scene.nodal_diameters = {0, 2};
   response.scene.casing_angle = response.scene.casing_distortion = Eigen::VectorXd::LinSpaced(5, 0, 6.28);
   response.scene.lobes = 2;
+  response.scene.damping = {.by_family = {0.002, 0.004}, .beyond = 0.02};
   response.scene.clearance = Eigen::VectorXd::Constant(3, 1e-4);
   response.scene.clearance_state = ClearanceState::cold;
   SpeedResponse failed;
@@ -76,6 +77,36 @@ TEST_F(ResponseFile, GivesBackTheScene) {
   EXPECT_EQ(back.scene.clearance, response.scene.clearance);
   EXPECT_EQ(back.frequencies.speed, response.frequencies.speed);
   EXPECT_EQ(back.frequencies.by_nodal_diameter, response.frequencies.by_nodal_diameter);
+}
+
+TEST_F(ResponseFile, GivesBackTheDamping) {
+  Response response = two_speeds();
+  response.frequencies.damping_ratio = {Eigen::MatrixXd::Constant(5, 3, 0.002), Eigen::MatrixXd::Constant(5, 4, 0.02),
+                                        Eigen::MatrixXd::Constant(5, 5, 0.004)};
+  Response back = written_and_read(response);
+  EXPECT_EQ(back.scene.damping.by_family, (std::vector<double>{0.002, 0.004}));
+  EXPECT_TRUE(back.scene.damping.by_frequency.empty());
+  EXPECT_EQ(back.scene.damping.beyond, 0.02);
+  EXPECT_EQ(back.frequencies.damping_ratio, response.frequencies.damping_ratio);
+  response.scene.damping = {.by_frequency = {{1000, 0.002}, {3000, 0.006}}, .beyond = 0.1};
+  back = written_and_read(response);
+  EXPECT_TRUE(back.scene.damping.by_family.empty());
+  EXPECT_EQ(back.scene.damping.by_frequency, response.scene.damping.by_frequency);
+}
+
+TEST_F(ResponseFile, GivesBackWhatTheSceneChose) {
+  Response response = two_speeds();
+  response.scene.scheme = Scheme::central_differences;
+  response.scene.contact = ContactRule::paper;
+  response.speeds[0].audit.halving_failure = "too many steps";
+  response.speeds[0].other_starts = {{Start::whole_wheel, "", 1e-4, MotionClass::periodic, 1, 0}};
+  const Response back = written_and_read(response);
+  EXPECT_EQ(back.scene.scheme, Scheme::central_differences);
+  EXPECT_EQ(back.scene.contact, ContactRule::paper);
+  EXPECT_EQ(back.scene.clearance_state, ClearanceState::cold);
+  EXPECT_EQ(back.speeds[0].audit.halving_failure, "too many steps");
+  ASSERT_EQ(back.speeds[0].other_starts.size(), 1u);
+  EXPECT_EQ(back.speeds[0].other_starts[0].start, Start::whole_wheel);
 }
 
 TEST_F(ResponseFile, SaysThatTheDiskIsFull) {
@@ -237,6 +268,19 @@ const std::vector<Wrong> wrong_scenes = {
     {"a clearance neither cold nor running",
      [](Response& r) { r.scene.clearance_state = static_cast<ClearanceState>(9); },
      "/casing: attribute clearance_state \"\" is not known"},
+    {"a damping above critical", [](Response& r) { r.scene.damping.by_family[1] = 2; },
+     "/damping/ratio_by_family must be within 0 .. 1"},
+    {"no damping", [](Response& r) { r.scene.damping.by_family.clear(); }, "/damping/ratio_by_family: has shape 0"},
+    {"a negative damping beyond", [](Response& r) { r.scene.damping.beyond = -1; },
+     "/damping: attribute ratio_beyond must be within 0 .. 1"},
+    {"damping at frequencies that fall",
+     [](Response& r) {
+       r.scene.damping.by_frequency = {{2, 0.1}, {1, 0.1}};
+     },
+     "/damping/frequency must increase"},
+    {"damping of other modes",
+     [](Response& r) { r.frequencies.damping_ratio.assign(3, Eigen::MatrixXd::Constant(5, 2, 0.1)); },
+     "/frequencies/damping_ratio/0: has shape 5 x 2, must have 5 speeds of the frequencies"},
     {"a scheme without a name", [](Response& r) { r.scene.scheme = static_cast<Scheme>(9); },
      "attribute scheme \"\" is not known"},
     {"a contact law without a name", [](Response& r) { r.scene.contact = static_cast<ContactRule>(9); },

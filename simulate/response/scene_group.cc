@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/response/scene_group.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+#include "cases/program/errors.h"
+#include "simulate/response/written_axes.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr int first_with_facts = 6;  // older ones don't tell the scheme, the law of contact and the damping
+const std::string frequency_group = "/frequencies";
+const std::string damping_of_modes = frequency_group + "/damping_ratio";
+const std::string damping_group = "/damping", family_axis = damping_group + "/family",
+                  ratio_by_family = damping_group + "/ratio_by_family",
+                  damping_frequency = damping_group + "/frequency",
+                  ratio_by_frequency = damping_group + "/ratio_by_frequency";
+
+/// Raises RunError with what the file must hold, unless it does.
+void require(bool holds, const Hdf5File& file, const std::string& must) {
+  if (!holds) throw RunError(file.path() + ": " + must);
+}
+
+template <class Values>
+bool increases(const Values& values) {
+  return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
+}
+
+/// An attribute of the file, if it is there.
+void read_positive(const Hdf5File& file, const std::string& name, double& value) {
+  if (file.has_attribute("/", name)) value = file.number_attribute("/", name);
+  require(value > 0, file, "attribute " + name + " must be above 0");
+}
+
+/// The value that an attribute names.
+template <class Value, std::size_t count>
+Value named(const NamedValues<Value, count>& names, const Hdf5File& file, const std::string& object,
+            const std::string& attribute) {
+  return value_named(names, file.text_attribute(object, attribute),
+                     file.path() + (object == "/" ? "" : ": " + object) + ": attribute " + attribute);
+}
+
+void require_ratios(const Hdf5File& file, const std::string& name, const Eigen::MatrixXd& ratios) {
+  require(ratios.minCoeff() >= 0 && ratios.maxCoeff() <= 1, file, name + " must be within 0 .. 1");
+}
+
+DampingRatios read_damping(const Hdf5File& file, NamedAxes& axes) {
+  DampingRatios damping;
+  damping.beyond = file.number_attribute(damping_group, "ratio_beyond");
+  require(damping.beyond >= 0 && damping.beyond <= 1, file,
+          damping_group + ": attribute ratio_beyond must be within 0 .. 1");
+  if (!file.exists(ratio_by_frequency)) {
+    axes.require(ratio_by_family, {"families"});
+    const Eigen::VectorXd ratios = file.read_vector(ratio_by_family);
+    require_ratios(file, ratio_by_family, ratios);
+    damping.by_family.assign(ratios.begin(), ratios.end());
+    return damping;
+  }
+  axes.require(damping_frequency, {"frequencies of the damping"});
+  axes.require(ratio_by_frequency, {"frequencies of the damping"});
+  const Eigen::VectorXd frequencies = file.read_vector(damping_frequency);
+  const Eigen::VectorXd ratios = file.read_vector(ratio_by_frequency);
+  require(increases(frequencies), file, damping_frequency + " must increase");
+  require_ratios(file, ratio_by_frequency, ratios);
+  for (Eigen::Index i = 0; i < ratios.size(); ++i) damping.by_frequency.push_back({frequencies[i], ratios[i]});
+  return damping;
+}
+
+void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
+  axes.require("/casing/angle", {"angles"});
+  axes.require("/casing/distortion", {"angles"});
+  axes.require("/casing/clearance", {nodes_axis});
+  scene.casing_angle = file.read_vector("/casing/angle");
+  scene.casing_distortion = file.read_vector("/casing/distortion");
+  scene.clearance = file.read_vector("/casing/clearance");
+  scene.lobes = file.integer_attribute("/casing", "lobes");
+  scene.clearance_state = named(clearance_state_names, file, "/casing", "clearance_state");
+  constexpr double turn = 2 * std::numbers::pi, rounding = 1e-9;
+  const Eigen::VectorXd& angle = scene.casing_angle;
+  require(angle.size() > 1 && increases(angle) && angle[0] >= -rounding && angle.tail<1>()[0] <= turn + rounding,
+          file, "/casing/angle must increase within 0 .. 2 pi, 2 angles at least");
+  require(scene.lobes >= 1, file, "/casing: attribute lobes must be at least 1");
+}
+
+std::string frequencies_at(std::size_t nodal_diameter) {
+  return frequency_group + "/nodal_diameter/" + std::to_string(nodal_diameter);
+}
+
+/// Of the modes of those frequencies.
+std::string damping_at(std::size_t nodal_diameter) {
+  return damping_of_modes + "/" + std::to_string(nodal_diameter);
+}
+
+void write_damping(Hdf5File& file, const DampingRatios& damping) {
+  file.set_attribute(damping_group, "ratio_beyond", damping.beyond);
+  if (damping.by_frequency.empty()) {
+    const auto families = static_cast<Eigen::Index>(damping.by_family.size());
+    write_counting_axis(file, family_axis, families, "family of modes, from 0; the last one stands for all further");
+    file.write(ratio_by_family, Eigen::VectorXd(Eigen::VectorXd::Map(damping.by_family.data(), families)), "1");
+    file.describe(ratio_by_family, "damping of critical, of modes up to the resolved frequency", {family_axis});
+    return;
+  }
+  const auto points = static_cast<Eigen::Index>(damping.by_frequency.size());
+  Eigen::VectorXd frequency(points), ratio(points);
+  for (Eigen::Index i = 0; i < points; ++i) {
+    frequency[i] = damping.by_frequency[static_cast<std::size_t>(i)][0];
+    ratio[i] = damping.by_frequency[static_cast<std::size_t>(i)][1];
+  }
+  write_axis(file, damping_frequency, frequency, "Hz", "frequency of a mode");
+  file.write(ratio_by_frequency, ratio, "1");
+  file.describe(ratio_by_frequency, "damping of critical, linear between, of modes up to the resolved frequency",
+                {damping_frequency});
+}
+
+}  // namespace
+
+void write_scene(Hdf5File& file, const SimulatedScene& scene) {
+  file.set_attribute("/", "sector_count", scene.sector_count);
+  file.set_attribute("/", "independent_sectors", scene.independent_sectors);
+  file.set_attribute("/", "model_digest", scene.model_digest);
+  file.write_text("/provenance", scene.provenance);
+  file.write_text("/casing/table", scene.casing);
+  file.set_attribute("/", "scope", scene.scope);
+  file.set_attribute("/", "scheme", std::string(name_in(scheme_names, scene.scheme)));
+  file.set_attribute("/", "contact", std::string(name_in(contact_rule_names, scene.contact)));
+  file.set_attribute("/", "accuracy", scene.asked.critical_speeds);
+  file.set_attribute("/", "step_tolerance", scene.asked.step);
+  file.set_attribute("/", "settle_tolerance", scene.asked.settling);
+  const std::string moving = "/nodal_diameters", clearance = "/casing/clearance", distortion = "/casing/distortion";
+  file.write(moving,
+             Array<std::int32_t>{{scene.nodal_diameters.size()},
+                                 {scene.nodal_diameters.begin(), scene.nodal_diameters.end()}},
+             "1");
+  file.make_axis(moving);
+  file.describe(moving, "nodal diameters that move");
+  write_axis(file, "/casing/angle", scene.casing_angle, "rad", "absolute angle");
+  file.write(distortion, scene.casing_distortion, "m");
+  file.describe(distortion, "how far the casing stands inward", {"/casing/angle"});
+  write_counting_axis(file, "/casing/contact_node", scene.clearance.size(), "contact node, from 0");
+  file.write(clearance, scene.clearance, "m");
+  file.describe(clearance, "clearance as the case gives it, of the tightest blade", {"/casing/contact_node"});
+  file.set_attribute("/casing", "lobes", scene.lobes);
+  if (std::isfinite(scene.resolved_frequency))
+    file.set_attribute("/", "resolved_frequency", scene.resolved_frequency);
+  write_damping(file, scene.damping);
+  file.set_attribute("/casing", "clearance_state",
+                     std::string(name_in(clearance_state_names, scene.clearance_state)));
+}
+
+SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes) {
+  SimulatedScene scene;
+  scene.sector_count = file.integer_attribute("/", "sector_count");
+  scene.independent_sectors = file.integer_attribute("/", "independent_sectors");
+  scene.model_digest = file.text_attribute("/", "model_digest");
+  scene.provenance = file.read_text("/provenance");
+  scene.casing = file.read_text("/casing/table");
+  scene.scope = file.text_attribute("/", "scope");
+  require(scene.independent_sectors >= 1 && scene.sector_count >= 1 &&
+              scene.sector_count % scene.independent_sectors == 0,
+          file, "independent_sectors must divide sector_count, both at least 1");
+  axes.set(sectors_axis, static_cast<std::size_t>(scene.independent_sectors), "independent_sectors");
+  axes.set(components_axis, 3, "r, theta, z");
+  axes.require("/nodal_diameters", {"nodal diameters"});
+  const Array<std::int32_t> moving = file.read_integers("/nodal_diameters");
+  scene.nodal_diameters.assign(moving.values.begin(), moving.values.end());
+  require(increases(scene.nodal_diameters) && scene.nodal_diameters.front() >= 0 &&
+              scene.nodal_diameters.back() <= scene.sector_count / 2,
+          file, "/nodal_diameters must increase within 0 .. sector_count/2");
+  if (file.integer_attribute("/", "schema_version") >= first_with_facts) {
+    scene.damping = read_damping(file, axes);
+    scene.scheme = named(scheme_names, file, "/", "scheme");
+    scene.contact = named(contact_rule_names, file, "/", "contact");
+  }
+  read_positive(file, "accuracy", scene.asked.critical_speeds);
+  read_positive(file, "step_tolerance", scene.asked.step);
+  read_positive(file, "settle_tolerance", scene.asked.settling);
+  read_positive(file, "resolved_frequency", scene.resolved_frequency);
+  read_casing(file, axes, scene);
+  return scene;
+}
+
+void write_frequencies(Hdf5File& file, const FrequencyTable& frequencies) {
+  const std::string speed = frequency_group + "/speed";
+  write_axis(file, speed, frequencies.speed, "rad/s", "speed of the rotor");
+  for (std::size_t n = 0; n < frequencies.by_nodal_diameter.size(); ++n) {
+    const std::string mode = frequency_group + "/mode_" + std::to_string(n);
+    write_counting_axis(file, mode, frequencies.by_nodal_diameter[n].cols(), "mode, from 0");
+    file.write(frequencies_at(n), frequencies.by_nodal_diameter[n], "Hz");
+    file.describe(frequencies_at(n), "natural frequencies; negative: statically unstable", {speed, mode});
+    if (n >= frequencies.damping_ratio.size()) continue;
+    file.write(damping_at(n), frequencies.damping_ratio[n], "1");
+    file.describe(damping_at(n), "damping of critical that these modes are marched with", {speed, mode});
+  }
+}
+
+FrequencyTable read_frequencies(const Hdf5File& file, int sector_count, NamedAxes& axes) {
+  FrequencyTable table;
+  if (!file.exists(frequency_group)) return table;
+  const std::string speeds = "speeds of the frequencies";
+  axes.require(frequency_group + "/speed", {speeds});
+  table.speed = file.read_vector(frequency_group + "/speed");
+  require(increases(table.speed) && table.speed[0] >= 0, file,
+          frequency_group + "/speed must increase from 0 or more");
+  for (std::size_t n = 0; n <= static_cast<std::size_t>(sector_count / 2); ++n) {
+    axes.require(frequencies_at(n), {speeds, "modes of nodal diameter " + std::to_string(n)});
+    table.by_nodal_diameter.push_back(file.read_matrix(frequencies_at(n)));
+    if (!file.exists(damping_of_modes)) continue;
+    axes.require(damping_at(n), {speeds, "modes of nodal diameter " + std::to_string(n)});
+    table.damping_ratio.push_back(file.read_matrix(damping_at(n)));
+    require_ratios(file, damping_at(n), table.damping_ratio.back());
+  }
+  return table;
+}
+
+}  // namespace tiprub

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "reduce/model/hdf5_file.h"
+#include "simulate/response/named_axes.h"
+#include "simulate/response/response.h"
+
+namespace tiprub {
+
+/// What all speeds of a response.h5 have in common. The readers raise RunError at what does not fit together.
+void write_scene(Hdf5File& file, const SimulatedScene& scene);
+SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes);
+
+void write_frequencies(Hdf5File& file, const FrequencyTable& frequencies);
+/// An empty table, if the file has none.
+FrequencyTable read_frequencies(const Hdf5File& file, int sector_count, NamedAxes& axes);
+
+}  // namespace tiprub

@@ -115,7 +115,7 @@ void report(const StageArguments& arguments, const ReportContents& contents) {
   const Study& study = contents.study;
   print(aligned_text(critical_speed_overview(study, contents.field_results)));
   if (arguments.verbosity == Verbosity::verbose) {
-    for (const Answer& answer : verdict(study, contents.field_results))
+    for (const Answer& answer : verdict(study, contents.field_results, contents.needs))
       say(arguments, answer.question + ": " + answer.text);
     for (const std::string& line : summary(study, contents.field_results)) say(arguments, line);
   }

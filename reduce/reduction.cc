@@ -302,7 +302,9 @@ class Reducer {
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown shown,
                     ReductionReport& report, FieldsWriter* fields) {
   Progress progress("reducing", Reducer::steps(mesh), shown);
-  return Reducer(mesh, parameters, progress, fields).run(report);
+  ReducedModel model = Reducer(mesh, parameters, progress, fields).run(report);
+  model.effects = effects_of(model);
+  return model;
 }
 
 void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 
 #include "postprocess/effects/casing_wear.h"
 #include "postprocess/effects/second_order_gap.h"
@@ -24,30 +25,31 @@ NeedVerdict judged(double size, double tolerance) {
   return size <= tolerance ? NeedVerdict::negligible : NeedVerdict::matters;
 }
 
-SceneNeed estimated(const std::string& effect, double size, double tolerance, const std::string& how) {
-  return {effect, size, tolerance, judged(size, tolerance), how};
+SceneNeed estimated(Effect effect, double size, double tolerance, const std::string& how) {
+  return {{.effect = effect, .size = size, .tolerance = tolerance}, judged(size, tolerance), how};
 }
 
-SceneNeed not_estimated(const std::string& effect, const std::string& how) {
-  return {.effect = effect, .how = how};
+SceneNeed not_estimated(Effect effect, const std::string& how) {
+  return {{.effect = effect}, NeedVerdict::not_estimated, how};
 }
 
 /// What simulate, or reduce, measured already. `otherwise`: how to, where it didn't.
-SceneNeed measured(const std::vector<Check>& checks, const std::string& subject, const std::string& effect,
+SceneNeed measured(const std::vector<Check>& checks, const std::string& subject, Effect effect,
                    const std::string& otherwise) {
   const auto check = std::find_if(checks.begin(), checks.end(), [&](const Check& c) { return c.subject == subject; });
   if (check == checks.end() || check->verdict == CheckVerdict::not_looked_at) return not_estimated(effect, otherwise);
   const NeedVerdict verdict = check->verdict == CheckVerdict::passed   ? NeedVerdict::negligible
                               : check->verdict == CheckVerdict::failed ? NeedVerdict::matters
                                                                        : NeedVerdict::undecided;
-  return {effect, check->worst, check->limit, verdict,
+  return {{.effect = effect, .size = check->worst, .tolerance = check->limit},
+          verdict,
           "the largest at " + std::to_string(check->looked_at) + " of " + std::to_string(check->speeds) +
               " speeds; " + std::to_string(check->beyond) + " beyond"};
 }
 
-/// [mm] a tenth of the smallest running clearance at the judged speed.
+/// [m] a tenth of the smallest running clearance at the judged speed.
 double gap_tolerance(const Study& study) {
-  return clearance_share * study.judged_response().clearance.minCoeff() * mm_per_m;
+  return clearance_share * study.judged_response().clearance.minCoeff();
 }
 
 std::vector<SceneNeed> gap_needs(const Study& study, const FieldEffects& fields) {
@@ -56,49 +58,46 @@ std::vector<SceneNeed> gap_needs(const Study& study, const FieldEffects& fields)
   const double tolerance = gap_tolerance(study);
   const std::string where = ", at " + rpm_text(response.speed);
   std::vector<SceneNeed> needs = {
-      estimated("gap: a round casing is nearer to a tip that moves along the tangent [mm]", gap.curvature * mm_per_m,
-                tolerance, "n_r u_theta^2/(2 r)" + where),
-      estimated("gap: the casing's shape is read where the tip is at rest [mm]", gap.distortion * mm_per_m, tolerance,
+      estimated(Effect::round_casing, gap.curvature, tolerance, "n_r u_theta^2/(2 r)" + where),
+      estimated(Effect::casing_slope, gap.distortion, tolerance,
                 "steepest slope of the distortion, times u_theta/r" + where)};
-  const std::string bending = "gap: a bent blade draws its tip back [mm]";
   needs.push_back(gap.foreshortening
-                      ? estimated(bending, *gap.foreshortening * mm_per_m, tolerance,
+                      ? estimated(Effect::blade_foreshortening, *gap.foreshortening, tolerance,
                                   "(6/5) w^2/(2 L), w the motion across the normal, L from tip to disc" + where)
-                      : not_estimated(bending, "give --fields with the part disc: it takes the blade's span"));
+                      : not_estimated(Effect::blade_foreshortening,
+                                      "give --fields with the part disc: it takes the blade's span"));
   return needs;
 }
 
 SceneNeed prestress_need(const ReducedModel& model) {
-  const std::string effect = "stiffness under spin: " + model.stiffness_under_spin() + " prestress [1]";
-  const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
-  if (model.prestress == Prestress::nonlinear && misfit.size() > 0)
-    return estimated(effect, misfit.maxCoeff(), frequency_limit,
+  const ModelledEffect* const known = find(model.effects, Effect::spin_stiffness);
+  if (known != nullptr && known->size)
+    return estimated(Effect::spin_stiffness, *known->size, frequency_limit,
                      "frequencies by eq. 7 between the speeds that it goes through");
-  return not_estimated(effect,
+  return not_estimated(Effect::spin_stiffness,
                        "compare /verification with that of tiprub-reduce --set 'reduce.prestress=\"nonlinear\"'");
 }
 
 SceneNeed coriolis_need(const FieldEffects& fields) {
-  const std::string effect = "Coriolis terms: relative change of a frequency [1]";
-  if (!fields.coriolis) return not_estimated(effect, "give --fields: it takes the modes of the critical speeds");
+  if (!fields.coriolis)
+    return not_estimated(Effect::coriolis, "give --fields: it takes the modes of the critical speeds");
   const CoriolisShift& shift = *fields.coriolis;
-  return estimated(effect, shift.change, frequency_limit,
+  return estimated(Effect::coriolis, shift.change, frequency_limit,
                    "of the modes that make the critical speeds, largest at " + rpm_text(shift.speed) +
                        " (nodal diameter " + std::to_string(shift.nodal_diameter) + ", family " +
                        std::to_string(shift.family + 1) + ")");
 }
 
 SceneNeed diameters_need(const Study& study, const std::vector<Check>& checks) {
-  const std::string effect = "nodal diameters left out: their growth a revolution [1]";
   const auto count = [&](SymmetryVerdict verdict) {
     const auto& speeds = study.response.speeds;
     return std::count_if(speeds.begin(), speeds.end(),
                          [&](const SpeedResponse& speed) { return speed.audit.symmetry == verdict; });
   };
   if (count(SymmetryVerdict::all_held) == static_cast<std::ptrdiff_t>(study.response.speeds.size()))
-    return {.effect = effect, .verdict = NeedVerdict::negligible, .how = "none is left out"};
-  SceneNeed need =
-      measured(checks, "symmetry", effect, "compare with tiprub-simulate --set 'simulate.nodal_diameters=\"all\"'");
+    return {{.effect = Effect::nodal_diameters}, NeedVerdict::negligible, "none is left out"};
+  SceneNeed need = measured(checks, "symmetry", Effect::nodal_diameters,
+                            "compare with tiprub-simulate --set 'simulate.nodal_diameters=\"all\"'");
   if (need.verdict == NeedVerdict::not_estimated) return need;
   const auto unchecked = count(SymmetryVerdict::unchecked);
   if (unchecked > 0 && need.verdict == NeedVerdict::negligible) need.verdict = NeedVerdict::undecided;
@@ -108,17 +107,14 @@ SceneNeed diameters_need(const Study& study, const std::vector<Check>& checks) {
 }
 
 std::vector<SceneNeed> model_needs(const Study& study, const FieldEffects& fields, const std::vector<Check>& checks) {
-  const std::string nodes = std::to_string(study.model.contact.size());
   return {prestress_need(study.model),
           coriolis_need(fields),
           diameters_need(study, checks),
-          measured(checks, "massless and truncated modes", "modes without mass: share of the elastic energy [1]", ""),
-          measured(checks, "model", "modes left out of the model: error of the wheel's first frequencies [1]",
-                   "reduce with verification_speeds"),
-          not_estimated(name_of(study.model.contact.kind) + ("s: " + nodes),
-                        "compare with tiprub-reduce --set reduce.contact_nodes=" +
-                            std::to_string(2 * study.model.contact.size())),
-          not_estimated("mesh", "compare two: make -C cases/convergence does so for its wheel")};
+          measured(checks, "massless and truncated modes", Effect::massless_modes, ""),
+          measured(checks, "model", Effect::reduced_modes, "reduce with verification_speeds"),
+          not_estimated(Effect::contact_resolution, "compare with tiprub-reduce --set reduce.contact_nodes=" +
+                                                        std::to_string(2 * study.model.contact.size())),
+          not_estimated(Effect::mesh, "compare two: make -C cases/convergence does so for its wheel")};
 }
 
 /// Of the motion: how it is marched and when it is left.
@@ -130,28 +126,54 @@ std::vector<SceneNeed> march_needs(const Study& study, const std::vector<Check>&
     unsettled += speed.motion == MotionClass::not_settled;
   }
   const std::string speeds = "of " + std::to_string(study.response.speeds.size()) + " speeds";
-  return {measured(checks, "time step", "time step: change by its last halving [1]",
-                   "leave simulate.steps_per_revolution out"),
-          measured(checks, "settling", "settling: change over the last period [1]",
-                   "no motion settled; raise simulate.max_revolutions"),
-          estimated("motions left before they have settled", unsettled, 0, speeds),
-          estimated("chatter above the resolved frequencies: share of the mean square [1]", chatter, chatter_limit,
-                    "the largest " + speeds)};
+  return {measured(checks, "time step", Effect::time_step, "leave simulate.steps_per_revolution out"),
+          measured(checks, "settling", Effect::settling, "no motion settled; raise simulate.max_revolutions"),
+          estimated(Effect::unsettled_motions, unsettled, 0, speeds),
+          estimated(Effect::chatter, chatter, chatter_limit, "the largest " + speeds)};
 }
 
 SceneNeed wear_need(const Study& study) {
   const double coefficient = study.parameters.wear_coefficient;
-  const std::string effect = "wear: depth in the casing after an hour, order of magnitude [mm]";
+  constexpr Effect effect = Effect::casing_wear;
   if (!(coefficient > 0)) return not_estimated(effect, "set postprocess.wear_coefficient");
   const SpeedResponse& response = study.judged_response();
   const CasingWear wear = casing_wear(response, study.response.scene, study.model.contact, coefficient, hour);
   const double allowed = gap_tolerance(study);
   if (!(wear.depth > 0)) return estimated(effect, 0, allowed, "no contact at " + rpm_text(response.speed));
-  return estimated(effect, wear.depth * mm_per_m, allowed,
+  return estimated(effect, wear.depth, allowed,
                    "Archard at " + rpm_text(response.speed) + ": k/H = " + significant(coefficient, 2) + " m^2/N, " +
                        fixed(wear.force, 0) + " N on average at contact node " + std::to_string(wear.node) +
-                       "; the tolerance is reached after " +
-                       significant(hour * allowed / (wear.depth * mm_per_m), 2) + " s");
+                       "; the tolerance is reached after " + significant(hour * allowed / wear.depth, 2) + " s");
+}
+
+/// What the files tell of the effects: the model of the wheel, the response of the rest.
+std::vector<ModelledEffect> known_effects(const Study& study) {
+  std::vector<ModelledEffect> effects = study.model.effects;
+  for (const ModelledEffect& effect : study.response.scene.effects)
+    if (find(effects, effect.effect) == nullptr) effects.push_back(effect);
+  return effects;
+}
+
+/// Of what is left out without an estimate.
+constexpr const char* no_estimate = "no program of this chain models it";
+
+void add_known(std::vector<SceneNeed>& needs, const ModelledEffect& known) {
+  const auto need =
+      std::find_if(needs.begin(), needs.end(), [&](const SceneNeed& n) { return n.effect.effect == known.effect; });
+  if (need != needs.end()) {
+    need->effect.treatment = known.treatment;
+    need->effect.reason = known.reason;
+  } else if (known.treatment == Treatment::modelled) {
+    needs.push_back({known, NeedVerdict::none});
+  } else {
+    needs.push_back({known, NeedVerdict::not_estimated, no_estimate});
+  }
+}
+
+/// In millimetres what the file has in metres.
+Cell size_cell(Effect effect, const std::optional<double>& size) {
+  if (!size) return std::string();
+  return *size * (std::string_view(meaning_of(effect).unit) == "m" ? mm_per_m : 1.0);
 }
 
 }  // namespace
@@ -162,13 +184,47 @@ std::vector<SceneNeed> scene_needs(const Study& study, const FieldEffects& field
   for (std::vector<SceneNeed> more : {model_needs(study, fields, checks), march_needs(study, checks)})
     std::move(more.begin(), more.end(), std::back_inserter(needs));
   needs.push_back(wear_need(study));
-  needs.push_back(not_estimated("friction at the tips, differences between the blades, heat, gas",
-                                "no program of this chain models them"));
+  for (SceneNeed& need : needs) need.effect.treatment = Treatment::simplified;  // where no file tells
+  needs.push_back({{Effect::damping, Treatment::modelled}, NeedVerdict::none, damping_text(study.response.scene)});
+  for (const ModelledEffect& known : known_effects(study)) add_known(needs, known);
+  std::sort(needs.begin(), needs.end(),
+            [](const SceneNeed& a, const SceneNeed& b) { return a.effect.effect < b.effect.effect; });
   return needs;
+}
+
+std::string damping_text(const SimulatedScene& scene) {
+  constexpr int digits = 4;
+  const DampingRatios& damping = scene.damping;
+  std::string text;
+  for (const double ratio : damping.by_family) text += (text.empty() ? "" : ", ") + significant(ratio, digits);
+  for (const auto& [frequency, ratio] : damping.by_frequency)
+    text += (text.empty() ? "" : ", ") + significant(ratio, digits) + " at " + fixed(frequency, 0) + " Hz";
+  if (text.empty()) return "not told by the response";
+  text = (damping.by_family.size() == 1 ? "ratio " : "ratios ") + text + " of critical";
+  if (damping.by_family.size() > 1) text += ", the first family's, the second's, ...";
+  if (!std::isfinite(scene.resolved_frequency)) return text;
+  return text + "; " + significant(damping.beyond, digits) + " above " + fixed(scene.resolved_frequency, 0) + " Hz";
+}
+
+std::string effects_in_words(const std::vector<SceneNeed>& needs, Treatment treatment) {
+  std::string text;
+  for (const SceneNeed& need : needs)
+    if (need.effect.treatment == treatment)
+      text += (text.empty() ? std::string(name_of(treatment)) + ": " : ", ") + meaning_of(need.effect.effect).words;
+  return text;
+}
+
+std::string name_with_unit(Effect effect) {
+  const EffectMeaning& meaning = meaning_of(effect);
+  const std::string unit = meaning.unit == std::string_view("m") ? "mm" : meaning.unit;
+  return std::string(meaning.words) +
+         (*meaning.measure == '\0' ? "" : std::string(": ") + meaning.measure + " [" + unit + "]");
 }
 
 std::string name_of(NeedVerdict verdict) {
   switch (verdict) {
+    case NeedVerdict::none:
+      return "";
     case NeedVerdict::negligible:
       return "negligible";
     case NeedVerdict::matters:
@@ -182,12 +238,15 @@ std::string name_of(NeedVerdict verdict) {
 }
 
 Table scene_needs_record(const std::vector<SceneNeed>& needs) {
-  return table_of<SceneNeed>({{"left out or simplified", [](const SceneNeed& need) { return need.effect; }},
-                              {"size", [](const SceneNeed& need) { return optional_cell(need.size); }},
-                              {"tolerance", [](const SceneNeed& need) { return optional_cell(need.tolerance); }},
-                              {"verdict", [](const SceneNeed& need) { return name_of(need.verdict); }},
-                              {"estimated by, or how to", [](const SceneNeed& need) { return need.how; }}},
-                             needs);
+  return table_of<SceneNeed>(
+      {{"effect", [](const SceneNeed& need) { return name_with_unit(need.effect.effect); }},
+       {"treatment", [](const SceneNeed& need) { return name_of(need.effect.treatment); }},
+       {"size", [](const SceneNeed& need) { return size_cell(need.effect.effect, need.effect.size); }},
+       {"tolerance", [](const SceneNeed& need) { return size_cell(need.effect.effect, need.effect.tolerance); }},
+       {"verdict", [](const SceneNeed& need) { return name_of(need.verdict); }},
+       {"reason", [](const SceneNeed& need) { return need.effect.reason; }},
+       {"estimated by, or how to", [](const SceneNeed& need) { return need.how; }}},
+      needs);
 }
 
 }  // namespace tiprub

@@ -48,7 +48,7 @@ std::string json_summary(const ReportContents& contents) {
                           {"schema_version", 1},
                           {"generator", program_version("tiprub-postprocess")},
                           {"title", contents.source.title},
-                          {"verdict", answers_of(verdict(study, contents.field_results))},
+                          {"verdict", answers_of(verdict(study, contents.field_results, contents.needs))},
                           {"scene", answers_of(scene_in_brief(study))},
                           {"critical_speeds", rows_of(critical_speed_record(study, contents.field_results))},
                           {"speeds", rows_of(speed_record(study))},

@@ -26,10 +26,6 @@ namespace tiprub {
 
 namespace {
 
-/// By every model and every casing of this chain, so that no stage's file says it.
-constexpr const char* left_out_always =
-    "left out: friction at the tips, a casing that yields or wears, Coriolis terms, differences between the blades, "
-    "heat and gas";
 constexpr const char* response_figure_name = "response";
 constexpr const char* dot = " \xC2\xB7 ";
 
@@ -86,7 +82,7 @@ std::string answers(const std::vector<Answer>& list) {
   return html::definitions(entries);
 }
 
-std::string scene_items(const Study& study, const FieldResults& fields) {
+std::string scene_items(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
   const SimulatedScene& scene = study.response.scene;
   std::istringstream lines(scene.scope + "\n" + fields.scope);
   std::string text;
@@ -97,7 +93,9 @@ std::string scene_items(const Study& study, const FieldResults& fields) {
                (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter, " : " a blade, ") +
                counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + running_clearances(study.response) +
                "; stiffness under spin: " + study.model.stiffness_under_spin() + ".");
-  return text + item(std::string(left_out_always) + ".");
+  for (const Treatment treatment : {Treatment::modelled, Treatment::simplified, Treatment::left_out})
+    if (const std::string effects = effects_in_words(needs, treatment); !effects.empty()) text += item(effects + ".");
+  return text;
 }
 
 /// With its heading, so that neither stands alone on a printed page. `live`: where the page's scripts draw instead.
@@ -218,7 +216,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"script", joined(embedded::page_scripts::files)},
        {"speed_low", rpm_text(study.range.low)},
        {"speed_high", rpm_text(study.range.high)},
-       {"verdict", answers(verdict(study, fields))},
+       {"verdict", answers(verdict(study, fields, needs))},
        {"brief_scene", answers(scene_in_brief(study))},
        {"response", response_section(figures, folder)},
        {"summary", paragraphs(summary(study, fields))},
@@ -226,7 +224,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"critical_stresses", none || !fields.has_stress() ? "" : html::table(critical_speed_stresses(study, fields))},
        {"stress_note", stress_note(fields)},
        {"figure_links", figure_links(figures)},
-       {"scene", scene_items(study, fields)},
+       {"scene", scene_items(study, fields, needs)},
        {"exactness", html::table(exactness_record(study))},
        {"needs", html::table(scene_needs_record(needs))},
        {"figures", figure_sections(figures, folder)},

@@ -2,7 +2,6 @@
 #include "postprocess/report/verdict.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/report/summary.h"
@@ -158,19 +157,14 @@ std::string trust(const Study& study) {
   return text;
 }
 
-/// "ratio 0.01 of critical; 0.02 above 12000 Hz".
-std::string damping_text(const SimulatedScene& scene) {
-  constexpr int digits = 4;
-  const DampingRatios& damping = scene.damping;
-  std::string text;
-  for (const double ratio : damping.by_family) text += (text.empty() ? "" : ", ") + significant(ratio, digits);
-  for (const auto& [frequency, ratio] : damping.by_frequency)
-    text += (text.empty() ? "" : ", ") + significant(ratio, digits) + " at " + fixed(frequency, 0) + " Hz";
-  if (text.empty()) return "not told by this response, which an older tiprub-simulate made";
-  text = (damping.by_family.size() == 1 ? "ratio " : "ratios ") + text + " of critical";
-  if (damping.by_family.size() > 1) text += ", the first family's, the second's, ...";
-  if (!std::isfinite(scene.resolved_frequency)) return text;
-  return text + "; " + significant(damping.beyond, digits) + " above " + fixed(scene.resolved_frequency, 0) + " Hz";
+/// "trigonometric scheme, complementarity"; empty if the response doesn't tell.
+std::string march_text(const SimulatedScene& scene) {
+  if (!scene.scheme || !scene.contact) return "";
+  std::string text =
+      std::string(name_in(scheme_names, *scene.scheme)) + " scheme, contact by " +
+      (*scene.contact == ContactRule::paper ? "the paper's rule" : name_in(contact_rule_names, *scene.contact));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
 }
 
 std::string interference_text(const Study& study) {
@@ -179,6 +173,20 @@ std::string interference_text(const Study& study) {
   const double low = crest - clearances.high, high = crest - clearances.low;
   return fixed(low * mm_per_m, 3) + " .. " + mm(high) + " (crest minus clearance, along the tip" +
          (low <= 0 && high <= 0 ? "; a tip that doesn't vibrate never touches)" : ")");
+}
+
+/// What a better model of this scene would begin with.
+std::string what_matters(const std::vector<SceneNeed>& needs) {
+  std::string text;
+  for (const SceneNeed& need : needs)
+    if (need.verdict == NeedVerdict::matters && need.effect.treatment == Treatment::left_out)
+      text += (text.empty() ? "" : "; ") + std::string(meaning_of(need.effect.effect).words);
+  return text.empty() ? "" : "What is left out and matters on this scene: " + text + ".";
+}
+
+std::vector<Answer> without_empty(std::vector<Answer> answers) {
+  std::erase_if(answers, [](const Answer& answer) { return answer.text.empty(); });
+  return answers;
 }
 
 std::string given_words(ClearanceState state) {
@@ -194,29 +202,28 @@ std::string running_clearances(const Response& response) {
          " mm, given " + given_words(response.scene.clearance_state);
 }
 
-std::vector<Answer> verdict(const Study& study, const FieldResults& fields) {
-  std::vector<Answer> answers = {{"How bad", how_bad(study, fields)},
-                                 {"Where", where(study, fields)},
-                                 {"Why", why(study)},
-                                 {"Margin", margin_text(study)},
-                                 {"Trust", trust(study)}};
-  std::erase_if(answers, [](const Answer& answer) { return answer.text.empty(); });
-  return answers;
+std::vector<Answer> verdict(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
+  std::vector<Answer> answers = {
+      {"How bad", how_bad(study, fields)}, {"Where", where(study, fields)}, {"Why", why(study)},
+      {"Margin", margin_text(study)},      {"Trust", trust(study)},         {"Left out", what_matters(needs)}};
+  return without_empty(std::move(answers));
 }
 
 std::vector<Answer> scene_in_brief(const Study& study) {
   const SimulatedScene& scene = study.response.scene;
   const double crest = scene.casing_distortion.maxCoeff();
-  return {
-      {"Wheel", counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
-                    counted(static_cast<std::size_t>(study.model.contact.size()), name_of(study.model.contact.kind)) +
-                    (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter" : " a tip")},
-      {"Casing", counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + mm(crest) + " inward at the crest"},
-      {"Clearance", running_clearances(study.response)},
-      {"Interference", interference_text(study)},
-      {"Damping", damping_text(scene)},
-      {"Speeds", std::to_string(study.response.speeds.size()) + " from " + fixed(study.range.low * rpm_per_rad_s, 0) +
-                     " to " + rpm_text(study.range.high)}};
+  return without_empty(
+      {{"Wheel",
+        counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
+            counted(static_cast<std::size_t>(study.model.contact.size()), name_of(study.model.contact.kind)) +
+            (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter" : " a tip")},
+       {"Casing", counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + mm(crest) + " inward at the crest"},
+       {"Clearance", running_clearances(study.response)},
+       {"Interference", interference_text(study)},
+       {"Damping", damping_text(scene)},
+       {"March", march_text(scene)},
+       {"Speeds", std::to_string(study.response.speeds.size()) + " from " +
+                      fixed(study.range.low * rpm_per_rad_s, 0) + " to " + rpm_text(study.range.high)}});
 }
 
 }  // namespace tiprub

@@ -6,6 +6,7 @@
 
 #include "postprocess/analysis/study.h"
 #include "postprocess/fields/field_results.h"
+#include "postprocess/records/scene_needs_record.h"
 
 namespace tiprub {
 
@@ -15,10 +16,11 @@ struct Answer {
   std::string text;
 };
 
-/// How bad the worst speed is, where, why, how far from the operating range, and which checks passed.
-std::vector<Answer> verdict(const Study& study, const FieldResults& fields);
+/// How bad the worst speed is, where, why, how far from the operating range, which checks passed, and which effects
+/// matter though they are left out.
+std::vector<Answer> verdict(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs);
 
-/// The scene in a few words: lobes, clearance, interference, damping, speeds.
+/// The scene in a few words: lobes, clearance, interference, damping, march, speeds.
 std::vector<Answer> scene_in_brief(const Study& study);
 
 /// "running clearances 0.120 .. 0.130 mm", over the tip line and the speeds.

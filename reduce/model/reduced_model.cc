@@ -2,6 +2,7 @@
 #include "reduce/model/reduced_model.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -115,7 +116,30 @@ void check(const Verification& table, std::size_t nodal_diameters, const std::st
   }
 }
 
+/// Eq. 7 is exact for linear prestress, and nonlinear prestress is exact but for eq. 7.
+ModelledEffect spin_stiffness(const ReducedModel& model) {
+  const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
+  const bool whole = model.prestress == Prestress::nonlinear && model.spin_softening == SpinSoftening::on;
+  ModelledEffect effect{Effect::spin_stiffness, whole ? Treatment::modelled : Treatment::simplified,
+                        model.stiffness_under_spin() + " prestress"};
+  if (model.prestress == Prestress::nonlinear && misfit.size() > 0) effect.size = misfit.maxCoeff();
+  return effect;
+}
+
 }  // namespace
+
+std::vector<ModelledEffect> effects_of(const ReducedModel& model) {
+  Eigen::Index dofs = 0;
+  for (const NodalDiameterModel& matrices : model.nodal_diameters) dofs = std::max(dofs, matrices.M.rows());
+  return {{Effect::blade_mistuning, Treatment::left_out, "all sectors have the same matrices"},
+          spin_stiffness(model),
+          {Effect::coriolis, Treatment::left_out, "the matrices hold no gyroscopic terms"},
+          {Effect::reduced_modes, Treatment::simplified,
+           "at most " + std::to_string(dofs) + " degrees of freedom a nodal diameter"},
+          {Effect::contact_resolution, Treatment::simplified,
+           std::to_string(model.contact.size()) + " " + name_of(model.contact.kind) + "s"},
+          {Effect::mesh, Treatment::simplified, "finite elements"}};
+}
 
 const char* name_of(Prestress prestress) {
   return name_in(prestress_names, prestress);

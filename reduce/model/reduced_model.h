@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reduce/model/modelled_effects.h"
 #include "reduce/model/speed_polynomial.h"
 
 namespace tiprub {
@@ -90,6 +91,7 @@ struct ReducedModel {
   ContactLine contact;
   std::vector<NodalDiameterModel> nodal_diameters;  ///< n = 0 .. floor(N/2): the blocks of Bdiag, eq. 12
   Verification verification;                        ///< may be empty
+  std::vector<ModelledEffect> effects;              ///< what of the wheel is in the matrices
   std::string mesh_digest;                          ///< of the sector's mesh; empty for a model by hand
   std::string provenance;                           ///< the case and the chain that made it, as text
 
@@ -99,6 +101,9 @@ struct ReducedModel {
   /// "linear", "nonlinear, without spin softening", ...: for people, and as older files have both in one text.
   std::string stiffness_under_spin() const;
 };
+
+/// What the matrices of a model hold of the effects on a wheel, and what they leave out.
+std::vector<ModelledEffect> effects_of(const ReducedModel& model);
 
 /// Raises RunError (prefixed by `name`) if a shape is wrong, a matrix is not Hermitian, a mass is not positive
 /// definite, a contact dof has no mass, or a normal is not of unit length.

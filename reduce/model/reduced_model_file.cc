@@ -208,6 +208,7 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
   file.write_text("/provenance", model.provenance);
   file.set_attribute("/", "digest", digest(model));
   if (!model.mesh_digest.empty()) file.set_attribute("/", "mesh_digest", model.mesh_digest);
+  write_effects(file, model.effects);
   write_contact_line(file, model.contact);
   for (std::size_t n = 0; n < model.nodal_diameters.size(); ++n) {
     const NodalDiameterModel& matrices = model.nodal_diameters[n];
@@ -235,6 +236,7 @@ ReducedModel read_model(const std::filesystem::path& path) {
   for (int n = 0; n <= model.nodal_diameter_max(); ++n)
     model.nodal_diameters.push_back(read_nodal_diameter(file, group_of(n)));
   model.verification = read_verification(file, model.nodal_diameter_max());
+  model.effects = file.exists("/effects") ? read_effects(file) : effects_of(model);
   check(model, path.string());
   require_digest(file, model);
   return model;

@@ -55,8 +55,8 @@ constexpr bool maps_states(Scheme scheme, ContactRule rule) {
 
 /// The modal damping that was marched; ratios of critical, [1].
 struct DampingRatios {
-  std::vector<double> by_family =
-      {};  ///< the first family's, the second's, ...; the last one holds for all further ones
+  /// The first family's, the second's, ...; the last one holds for all further ones.
+  std::vector<double> by_family = {};
   /// [Hz, 1] ascending; linear between the points, level outside; for modes of all families. Empty: by family.
   std::vector<std::array<double, 2>> by_frequency = {};
   double beyond = 0;  ///< of modes above the resolved frequency

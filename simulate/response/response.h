@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "reduce/model/modelled_effects.h"
 #include "simulate/motion/motion.h"
 #include "simulate/motion/rotor_state.h"
 #include "simulate/motion/scene_choices.h"
@@ -124,24 +125,25 @@ struct AskedAccuracy {
 
 /// The casing and the scene as they were simulated, for drawing and for the record.
 struct SimulatedScene {
-  AskedAccuracy asked;                ///< how exact the motions were to be
-  int sector_count = 0;               ///< N
-  int independent_sectors = 0;        ///< N / g
-  std::vector<int> nodal_diameters;   ///< those that move
-  Eigen::VectorXd casing_angle;       ///< [rad] 0 .. 2 pi
-  Eigen::VectorXd casing_distortion;  ///< [m] inward, at these angles, after the ramp
-  int lobes = 0;                      ///< N_l: the casing repeats every 2 pi / lobes
-  Scheme scheme = Scheme::trigonometric;
-  ContactRule contact = ContactRule::complementarity;
-  DampingRatios damping;  ///< empty if an older file doesn't tell
+  AskedAccuracy asked;                 ///< how exact the motions were to be
+  int sector_count = 0;                ///< N
+  int independent_sectors = 0;         ///< N / g
+  std::vector<int> nodal_diameters;    ///< those that move
+  Eigen::VectorXd casing_angle;        ///< [rad] 0 .. 2 pi
+  Eigen::VectorXd casing_distortion;   ///< [m] inward, at these angles, after the ramp
+  int lobes = 0;                       ///< N_l: the casing repeats every 2 pi / lobes
+  std::optional<Scheme> scheme;        ///< none if the file doesn't tell
+  std::optional<ContactRule> contact;  ///< likewise
+  DampingRatios damping;               ///< empty if the file doesn't tell
   /// [Hz] the upper end of the band that motions are classified in; infinite: all that the samples resolve
   double resolved_frequency = std::numeric_limits<double>::infinity();
   Eigen::VectorXd clearance;  ///< [m] cold or running as the case says, at the contact nodes
   ClearanceState clearance_state = ClearanceState::running;
-  std::string model_digest;  ///< digest() of the model that was marched
-  std::string scope;         ///< what was modelled, what was left out, and why; one reason a line
-  std::string casing;        ///< the table [casing] of the case, as TOML
-  std::string provenance;    ///< the case and the chain that made it, as text
+  std::vector<ModelledEffect> effects;  ///< what of the scene was modelled; empty if the file doesn't tell
+  std::string model_digest;             ///< digest() of the model that was marched
+  std::string scope;                    ///< what was modelled, what was left out, and why; one reason a line
+  std::string casing;                   ///< the table [casing] of the case, as TOML
+  std::string provenance;               ///< the case and the chain that made it, as text
 };
 
 /// Orbits that hang together over speed, stable and unstable ones, in the order of their arc length. Arrays over the

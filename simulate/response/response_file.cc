@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/response/response_file.h"
 
-#include <algorithm>
 #include <charconv>
 #include <complex>
 #include <iomanip>
@@ -22,7 +21,7 @@ namespace tiprub {
 namespace {
 
 constexpr const char* schema = "tiprub-response";
-constexpr int schema_version = 6;
+constexpr int schema_version = 5;
 constexpr int oldest_version = 4;  // that is read: without axes and what is along that of speed
 const std::string end_group = "/end";
 constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
@@ -67,9 +66,9 @@ Hdf5File open_response(const std::filesystem::path& path) {
     throw RunError(file.path() + ": is " + schema + " version " +
                    std::to_string(file.integer_attribute("/", "schema_version")) +
                    ", made by an older tiprub-simulate; run it again");
-  const int version =
-      file.has_attribute("/", "schema_version") ? file.integer_attribute("/", "schema_version") : schema_version;
-  file.require_schema(schema, std::clamp(version, oldest_version, schema_version));
+  const bool former =
+      file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") == oldest_version;
+  file.require_schema(schema, former ? oldest_version : schema_version);
   return file;
 }
 

@@ -14,7 +14,6 @@ namespace tiprub {
 
 namespace {
 
-constexpr int first_with_facts = 6;  // older ones don't tell the scheme, the law of contact and the damping
 const std::string frequency_group = "/frequencies";
 const std::string damping_of_modes = frequency_group + "/damping_ratio";
 const std::string damping_group = "/damping", family_axis = damping_group + "/family",
@@ -52,6 +51,7 @@ void require_ratios(const Hdf5File& file, const std::string& name, const Eigen::
 
 DampingRatios read_damping(const Hdf5File& file, NamedAxes& axes) {
   DampingRatios damping;
+  if (!file.exists(damping_group)) return damping;
   damping.beyond = file.number_attribute(damping_group, "ratio_beyond");
   require(damping.beyond >= 0 && damping.beyond <= 1, file,
           damping_group + ": attribute ratio_beyond must be within 0 .. 1");
@@ -98,6 +98,7 @@ std::string damping_at(std::size_t nodal_diameter) {
 }
 
 void write_damping(Hdf5File& file, const DampingRatios& damping) {
+  if (damping.by_family.empty() && damping.by_frequency.empty()) return;
   file.set_attribute(damping_group, "ratio_beyond", damping.beyond);
   if (damping.by_frequency.empty()) {
     const auto families = static_cast<Eigen::Index>(damping.by_family.size());
@@ -127,8 +128,8 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.write_text("/provenance", scene.provenance);
   file.write_text("/casing/table", scene.casing);
   file.set_attribute("/", "scope", scene.scope);
-  file.set_attribute("/", "scheme", std::string(name_in(scheme_names, scene.scheme)));
-  file.set_attribute("/", "contact", std::string(name_in(contact_rule_names, scene.contact)));
+  if (scene.scheme) file.set_attribute("/", "scheme", std::string(name_in(scheme_names, *scene.scheme)));
+  if (scene.contact) file.set_attribute("/", "contact", std::string(name_in(contact_rule_names, *scene.contact)));
   file.set_attribute("/", "accuracy", scene.asked.critical_speeds);
   file.set_attribute("/", "step_tolerance", scene.asked.step);
   file.set_attribute("/", "settle_tolerance", scene.asked.settling);
@@ -149,6 +150,7 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   if (std::isfinite(scene.resolved_frequency))
     file.set_attribute("/", "resolved_frequency", scene.resolved_frequency);
   write_damping(file, scene.damping);
+  write_effects(file, scene.effects);
   file.set_attribute("/casing", "clearance_state",
                      std::string(name_in(clearance_state_names, scene.clearance_state)));
 }
@@ -172,11 +174,10 @@ SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes) {
   require(increases(scene.nodal_diameters) && scene.nodal_diameters.front() >= 0 &&
               scene.nodal_diameters.back() <= scene.sector_count / 2,
           file, "/nodal_diameters must increase within 0 .. sector_count/2");
-  if (file.integer_attribute("/", "schema_version") >= first_with_facts) {
-    scene.damping = read_damping(file, axes);
-    scene.scheme = named(scheme_names, file, "/", "scheme");
-    scene.contact = named(contact_rule_names, file, "/", "contact");
-  }
+  scene.damping = read_damping(file, axes);
+  scene.effects = read_effects(file);
+  if (file.has_attribute("/", "scheme")) scene.scheme = named(scheme_names, file, "/", "scheme");
+  if (file.has_attribute("/", "contact")) scene.contact = named(contact_rule_names, file, "/", "contact");
   read_positive(file, "accuracy", scene.asked.critical_speeds);
   read_positive(file, "step_tolerance", scene.asked.step);
   read_positive(file, "settle_tolerance", scene.asked.settling);

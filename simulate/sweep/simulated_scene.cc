@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "reduce/model/model_digest.h"
+#include "simulate/scene/scene_effects.h"
 
 namespace tiprub {
 
@@ -32,6 +33,7 @@ SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin) {
   described.clearance = scene.casing.given_clearance(scene.model.contact);
   described.clearance_state = scene.casing.clearance_state;
   for (const std::string& reason : scene.scope.reasons) described.scope += reason + "\n";
+  described.effects = effects_of(scene);
   described.model_digest = digest(scene.model);
   described.provenance = origin.provenance;
   described.casing = origin.casing;

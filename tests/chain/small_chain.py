@@ -6,6 +6,7 @@ usage: small_chain.py STEP PROGRAMS_FOLDER CASES_FOLDER SMALL_CASE WORK_FOLDER
 
 `make_it` makes WORK_FOLDER/made; each other step takes a copy of that and checks one thing.
 """
+import json
 import os
 import re
 import shutil
@@ -333,8 +334,33 @@ def decimal_commas(bench):
         assert folder.read(name) == made.read(name), name
 
 
+def settings_reach_the_report(bench):
+    """Symptom: a report read the damping from the case's text, where --set is a comment, so that every report of a damping
+    study named the wrong one; and it said that blades never differ, of a scene in which they do."""
+    folder = bench.folder("settings")
+
+    def run(program, *arguments):
+        subprocess.run([os.path.join(bench.programs, f"tiprub-{program}"), "case.toml", "model.h5", *arguments, "-q"],
+                       cwd=folder.path, check=True)
+
+    run("simulate", "-o", "told.h5", "--set", "simulate.damping_ratio=0.002", "--set", "casing.blade_clearance=[0, 0, 1e-5, 0, 0, 0]",
+        "--set", 'simulate.nodal_diameters="all"', "--set", "simulate.speeds_rpm=[20000, 24000]")
+    run("postprocess", "told.h5", "-o", "told")
+    summary = json.loads(folder.read("told/summary.json"))
+    told = "ratio 0.002 of critical"
+    assert summary["scene"]["Damping"].startswith(told), summary["scene"]
+    needs = {row["effect"]: row for row in summary["scene_needs"]}
+    assert needs["damping of the modes"]["estimated by, or how to"].startswith(told), needs
+    between = needs["differences of the clearance between the blades: largest of them [mm]"]
+    assert between["treatment"] == "modelled" and abs(between["size"] - 0.01) < 1e-12, between
+    assert needs["nodal diameters: growth a revolution of those left out [1]"]["treatment"] == "modelled", needs
+    for name in ("told/report.html", "told/scene_needs.csv"):
+        text = folder.read(name).decode()
+        assert told in text and "ratio 0.02 of critical" not in text, name
+
+
 STEPS = (make_it, values_not_spelling, dry_run_touches_nothing, sweeps, hostile_names, own_mesh, own_model, never_overwrites, clean,
-         tables_first, other_case, moved, interrupted, decimal_commas)
+         tables_first, other_case, moved, interrupted, decimal_commas, settings_reach_the_report)
 
 
 def main(step, programs, cases, case, work):

@@ -145,6 +145,7 @@ ReducedModel model(int sector_count) {
     matrices.M = nodal_mass * Eigen::MatrixXcd::Identity(dofs, dofs);
     model.nodal_diameters.push_back(matrices);
   }
+  model.effects = effects_of(model);
   return model;
 }
 
@@ -169,6 +170,9 @@ SimulatedScene two_lobes() {
   scene.casing_distortion = (3e-4 * (2 * scene.casing_angle.array()).cos()).matrix();
   scene.lobes = 2;
   scene.damping.by_family = {0.004};
+  scene.effects = {{Effect::friction, Treatment::left_out, "along the normal alone"},
+                   {Effect::blade_clearance, Treatment::left_out, "all blades alike"},
+                   {Effect::damping, Treatment::modelled, "a ratio for each mode"}};
   scene.clearance = Eigen::VectorXd::LinSpaced(contact_nodes, 3.2e-4, 2.6e-4);
   scene.clearance_state = ClearanceState::cold;
   scene.scope =

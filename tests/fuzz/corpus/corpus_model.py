@@ -84,6 +84,8 @@ def of_attributes():
     yield MODEL.entry("contact_by_lines", attribute("contact", "lines"), "attribute `contact` is \"lines\", must be \"points\" or \"segments\"")
     yield MODEL.entry("prestress_of_another_kind", attribute("prestress", b"cubic"), 'attribute prestress "cubic" is not known')
     yield MODEL.entry("softening_of_another_kind", attribute("spin_softening", b"some"), 'attribute spin_softening is "some", must be "on" or "off"')
+    yield MODEL.entry("effect_of_another_kind", renamed("effects/coriolis", "effects/magnetism"), "/effects/magnetism is not known")
+    yield MODEL.entry("treatment_of_another_kind", attribute("treatment", b"some", "effects/coriolis"), 'attribute treatment "some" is not known')
     yield MODEL.entry("prestress_is_a_number", attribute("prestress", 1), "has no text attribute prestress")
 
 

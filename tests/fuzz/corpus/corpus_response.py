@@ -23,6 +23,7 @@ def of_scene():
     yield RESPONSE.entry("damping.above_critical", replaced("damping/ratio_by_family", with_value(2.0)), "/damping/ratio_by_family must be within 0 .. 1")
     yield RESPONSE.entry("damping.beyond", attribute("ratio_beyond", -1.0, "damping"), "/damping: attribute ratio_beyond must be within 0 .. 1")
     yield RESPONSE.entry("damping.of_modes", replaced("frequencies/damping_ratio/0", lambda values: values[:, 1:]), "/frequencies/damping_ratio/0: has shape")
+    yield RESPONSE.entry("effect.treatment", attribute("treatment", b"some", "effects/friction"), '/effects/friction: attribute treatment "some" is not known')
     yield RESPONSE.entry("sectors_0", attribute("sector_count", 0), "independent_sectors must divide sector_count, both at least 1")
     yield RESPONSE.entry("sectors_7", attribute("sector_count", 7), "independent_sectors must divide sector_count, both at least 1")
     yield RESPONSE.entry("independent_4", attribute("independent_sectors", 4), "independent_sectors must divide sector_count, both at least 1")

@@ -68,6 +68,7 @@ void expect_same(const ReducedModel& a, const ReducedModel& b) {
   EXPECT_EQ(a.speed_max, b.speed_max);
   EXPECT_EQ(a.prestress, b.prestress);
   EXPECT_EQ(a.spin_softening, b.spin_softening);
+  EXPECT_EQ(a.effects, b.effects);
   EXPECT_EQ(a.mesh_digest, b.mesh_digest);
   EXPECT_EQ(a.provenance, b.provenance);
   EXPECT_EQ(a.contact.kind, b.contact.kind);
@@ -241,6 +242,15 @@ TEST_F(ModelFile, TellsThePrestressAndTheSofteningApart) {
   EXPECT_EQ(older.spin_softening, SpinSoftening::off);
   EXPECT_EQ(older.stiffness_under_spin(), "nonlinear, without spin softening");
   EXPECT_EQ(read_with("linear").spin_softening, SpinSoftening::on);
+}
+
+TEST_F(ModelFile, KnowsWhatAModelByHandLeavesOut) {
+  complaint_about_file([](Hdf5File& file) { write_one_mass(file); });
+  const ReducedModel model = read_model(path());
+  ASSERT_NE(find(model.effects, Effect::coriolis), nullptr);
+  EXPECT_EQ(find(model.effects, Effect::coriolis)->treatment, Treatment::left_out);
+  EXPECT_EQ(find(model.effects, Effect::contact_resolution)->reason, "1 contact nodes");
+  EXPECT_EQ(find(model.effects, Effect::friction), nullptr);
 }
 
 TEST_F(ModelFile, RefusesWhatIsNoHdf5FileAndWhatIsNotThere) {

@@ -9,6 +9,8 @@ ReducedModel some_model() {
   model.speed_max = 1234.5;
   model.prestress = Prestress::nonlinear;
   model.spin_softening = SpinSoftening::off;
+  model.effects = {{Effect::spin_stiffness, Treatment::simplified, "eq. 7", 1e-4, 1e-3},
+                   {Effect::coriolis, Treatment::left_out, "no gyroscopic terms"}};
   model.mesh_digest = "0123456789abcdef";
   model.provenance = "[mesh]\nfamily = \"impeller\"  # \xc3\xa9t\xc3\xa9\n";
   model.contact.position = Eigen::RowVector3d(0.1, -0.2, 1.0 / 3);

@@ -22,13 +22,16 @@ TEST(FrequencyTable, HoldsTheFrequenciesOfTheModelThatIsMarched) {
   EXPECT_EQ(table.speed[frequency_speeds - 1], 2400.0);
   ASSERT_EQ(table.by_nodal_diameter.size(), model.nodal_diameters.size());
   const int half = frequency_speeds / 2;
-  const RotorAtSpeed rotor = rotor_at_speed(model, table.speed[half], testing::all_nodal_diameters(model), {0.01});
+  const RotorAtSpeed rotor =
+      rotor_at_speed(model, table.speed[half], testing::all_nodal_diameters(model), {0.002, 0.004});
   for (const WaveModes& wave : rotor.waves) {
     const Eigen::MatrixXd& curves = table.by_nodal_diameter[static_cast<std::size_t>(wave.nodal_diameter)];
     ASSERT_EQ(curves.rows(), frequency_speeds);
     ASSERT_EQ(curves.cols(), model.contact_dofs() + 2);
     const Eigen::ArrayXd marched = wave.omega / (2 * std::numbers::pi);
     EXPECT_LT((curves.row(half).transpose().array() / marched - 1).abs().maxCoeff(), 1e-10);
+    EXPECT_EQ(table.damping_ratio[static_cast<std::size_t>(wave.nodal_diameter)].row(half).transpose(),
+              wave.damping_ratio.matrix());
     const Eigen::ArrayXd whole =
         model.nodal_diameters[static_cast<std::size_t>(wave.nodal_diameter)].natural_frequencies(table.speed[half]);
     EXPECT_GT((whole.head(marched.size()) / marched - 1).abs().maxCoeff(), 1e-6) << "the condensation shows";

@@ -85,7 +85,6 @@ TEST_F(ResponseFile, GivesBackTheDamping) {
                                         Eigen::MatrixXd::Constant(5, 5, 0.004)};
   Response back = written_and_read(response);
   EXPECT_EQ(back.scene.damping.by_family, (std::vector<double>{0.002, 0.004}));
-  EXPECT_TRUE(back.scene.damping.by_frequency.empty());
   EXPECT_EQ(back.scene.damping.beyond, 0.02);
   EXPECT_EQ(back.frequencies.damping_ratio, response.frequencies.damping_ratio);
   response.scene.damping = {.by_frequency = {{1000, 0.002}, {3000, 0.006}}, .beyond = 0.1};
@@ -98,11 +97,14 @@ TEST_F(ResponseFile, GivesBackWhatTheSceneChose) {
   Response response = two_speeds();
   response.scene.scheme = Scheme::central_differences;
   response.scene.contact = ContactRule::paper;
+  response.scene.effects = {{Effect::friction, Treatment::left_out, "along the normal alone"},
+                            {Effect::blade_clearance, Treatment::modelled, "", 1e-4}};
   response.speeds[0].audit.halving_failure = "too many steps";
   response.speeds[0].other_starts = {{Start::whole_wheel, "", 1e-4, MotionClass::periodic, 1, 0}};
   const Response back = written_and_read(response);
   EXPECT_EQ(back.scene.scheme, Scheme::central_differences);
   EXPECT_EQ(back.scene.contact, ContactRule::paper);
+  EXPECT_EQ(back.scene.effects, response.scene.effects);
   EXPECT_EQ(back.scene.clearance_state, ClearanceState::cold);
   EXPECT_EQ(back.speeds[0].audit.halving_failure, "too many steps");
   ASSERT_EQ(back.speeds[0].other_starts.size(), 1u);
@@ -270,7 +272,6 @@ const std::vector<Wrong> wrong_scenes = {
      "/casing: attribute clearance_state \"\" is not known"},
     {"a damping above critical", [](Response& r) { r.scene.damping.by_family[1] = 2; },
      "/damping/ratio_by_family must be within 0 .. 1"},
-    {"no damping", [](Response& r) { r.scene.damping.by_family.clear(); }, "/damping/ratio_by_family: has shape 0"},
     {"a negative damping beyond", [](Response& r) { r.scene.damping.beyond = -1; },
      "/damping: attribute ratio_beyond must be within 0 .. 1"},
     {"damping at frequencies that fall",

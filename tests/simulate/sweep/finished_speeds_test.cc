@@ -23,7 +23,6 @@ class Finished : public test::TemporaryFolder {
     scene.casing_angle = Eigen::VectorXd::LinSpaced(3, 0, 6);
     scene.casing_distortion = Eigen::VectorXd::Zero(3);
     scene.clearance = Eigen::VectorXd::Constant(1, 1e-4);
-    scene.damping.by_family = {0.01};
     scene.clearance_state = ClearanceState::running;
     return scene;
   }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene says that it models.
+#include "simulate/scene/scene_effects.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/simulate/synthetic_wheel.h"
+
+namespace tiprub {
+namespace {
+
+class SceneEffects : public ::testing::Test {
+ protected:
+  ModelledEffect of(Effect effect) const {
+    const SceneScope scope = find_scope(model_.sector_count, 2, parameters_);
+    const std::vector<ModelledEffect> effects = effects_of(Scene{model_, casing_, parameters_, scope});
+    const ModelledEffect* const found = find(effects, effect);
+    if (found == nullptr) ADD_FAILURE() << "nothing is told of " << meaning_of(effect).words;
+    return found == nullptr ? ModelledEffect{} : *found;
+  }
+
+  ReducedModel model_ = testing::synthetic_wheel({});
+  Casing casing_;
+  SimulateParameters parameters_;
+};
+
+/// Symptom: reports said that no program models differences between the blades, whatever `blade_clearance` was.
+TEST_F(SceneEffects, TellsOfBladesThatDiffer) {
+  EXPECT_EQ(of(Effect::blade_clearance).treatment, Treatment::left_out);
+  casing_.blade_clearance = {0, 2e-5, 1e-5};
+  EXPECT_EQ(of(Effect::blade_clearance).treatment, Treatment::modelled);
+  EXPECT_EQ(of(Effect::blade_clearance).size, 2e-5);
+}
+
+TEST_F(SceneEffects, TellsOfTheContact) {
+  EXPECT_EQ(of(Effect::normal_contact).treatment, Treatment::modelled);
+  parameters_.scheme = Scheme::central_differences;
+  parameters_.contact = ContactRule::paper;
+  EXPECT_EQ(of(Effect::normal_contact).treatment, Treatment::simplified);
+  EXPECT_NE(of(Effect::normal_contact).reason.find("central_differences"), std::string::npos);
+  EXPECT_EQ(of(Effect::friction).treatment, Treatment::left_out);
+}
+
+TEST_F(SceneEffects, TellsOfNodalDiametersAndModes) {
+  EXPECT_EQ(of(Effect::nodal_diameters).treatment, Treatment::left_out);
+  parameters_.nodal_diameters = DiameterChoice::all;
+  EXPECT_EQ(of(Effect::nodal_diameters).treatment, Treatment::modelled);
+  EXPECT_EQ(of(Effect::massless_modes).treatment, Treatment::modelled);
+  parameters_.modes = 3;
+  EXPECT_EQ(of(Effect::massless_modes).treatment, Treatment::left_out);
+  parameters_.scheme = Scheme::residual_flexibility;
+  EXPECT_EQ(of(Effect::massless_modes).treatment, Treatment::simplified);
+}
+
+}  // namespace
+}  // namespace tiprub

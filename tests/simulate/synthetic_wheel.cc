@@ -75,7 +75,7 @@ ReducedModel uncoupled_blades(int sectors, double mass, double stiffness) {
   model.contact.static_shift[1].setZero();
   NodalDiameterModel at;
   at.M = Eigen::MatrixXcd::Identity(3, 3) * mass;
-  at.K.terms = {Eigen::MatrixXcd::Identity(3, 3) * stiffness};
+  at.K.terms = {Eigen::MatrixXcd::Identity(3, 3) * stiffness, Eigen::MatrixXcd::Zero(3, 3)};
   model.nodal_diameters.assign(model.nodal_diameter_max() + 1, at);
   return model;
 }

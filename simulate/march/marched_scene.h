@@ -5,9 +5,9 @@
 
 #include "reduce/model/reduced_model.h"
 #include "simulate/march/rotor_at_speed.h"
+#include "simulate/motion/scene_choices.h"
 #include "simulate/scene/obstacle.h"
 #include "simulate/scene/scene.h"
-#include "simulate/motion/scene_choices.h"
 
 namespace tiprub {
 

@@ -16,7 +16,7 @@ namespace {
 TEST(StaticLimit, IsTheSpeedAtWhichSofteningBeatsStiffness) {
   const double mass = 0.02, stiffness = 8e4, critical = 2 * std::sqrt(stiffness / mass);
   ReducedModel model = testing::one_mass(mass, stiffness);
-  model.nodal_diameters[0].K.terms.push_back(-0.25 * model.nodal_diameters[0].M);
+  model.nodal_diameters[0].K[1] = -0.25 * model.nodal_diameters[0].M;
   EXPECT_NO_THROW(rotor_at_speed(model, 0.999 * critical, {0}, {0.01}));
   EXPECT_THROW(rotor_at_speed(model, 1.001 * critical, {0}, {0.01}), NoMotion);
   const testing::OwnedScene scene = testing::owned_scene(model, testing::lobed_casing(1, 1e-4, 5e-5), 600);

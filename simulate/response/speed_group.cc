@@ -224,9 +224,9 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   speed.audit.symmetry = symmetry_named(file.text_attribute(group, "symmetry"), where + ": symmetry");
   speed.depth = depth_named(file.text_attribute(group, "depth"), where + ": depth");
   read_numbers(file, group, speed);
-  if (speed.audit.halving_difference)
-    speed.audit.halving_measure =
-        measure_named(file.text_attribute(group, "halving_measure"), where + ": halving_measure");
+  const std::string measure = file.text_attribute(group, "halving_measure");
+  if (speed.audit.halving_difference && !measure.empty())
+    speed.audit.halving_measure = measure_named(measure, where + ": halving_measure");
   if (file.has_attribute(group, "halving_failure"))  // older files have it in the measure's place
     speed.audit.halving_failure = file.text_attribute(group, "halving_failure");
   while (file.exists(start_at(group, speed.other_starts.size())))

@@ -19,10 +19,6 @@ constexpr double allowed_gap = 0.01;  // of the blade's height, between hub and 
 constexpr std::size_t fewest_sections = 9;
 constexpr int bisections = 50;
 
-double length_of(const MeridionalPoint& step) {
-  return std::hypot(step.z, step.r);
-}
-
 // Where a function that is negative at the low end and positive at the high one changes sign.
 double sign_change(const std::function<double(double)>& function, double low, double high) {
   for (int i = 0; i < bisections; ++i) {

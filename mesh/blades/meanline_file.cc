@@ -67,7 +67,7 @@ void require_whole_layer(const NamedText& file, const NumberLine& line) {
 }
 
 /// A point whose half width is half of the thickness [m] yet.
-BladePoint point_of(const NamedText& file, const NumberLine& line, double length) {
+BladePoint meanline_point(const NamedText& file, const NumberLine& line, double length) {
   if (line.words.size() != columns)
     refuse_line(file, line.number,
                 "holds " + std::to_string(line.words.size()) + " words; a point is r, theta, z, thickness");
@@ -123,7 +123,8 @@ BladeSection read_layer(const NamedText& file, Cursor& cursor, double length, Th
   const int count = count_in(file, head, 1, "a layer's number of points", 2, most_points);
   require_whole_layer(file, head);
   BladeSection points;
-  for (int i = 0; i < count; ++i) points.push_back(point_of(file, cursor.next("the last point of a layer"), length));
+  for (int i = 0; i < count; ++i)
+    points.push_back(meanline_point(file, cursor.next("the last point of a layer"), length));
   leave_out_what_is_no_blade(points);
   points = upright_section(file, head.number, std::move(points));
   spread_along_circles(points, thickness);

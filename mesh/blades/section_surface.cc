@@ -23,10 +23,6 @@ constexpr double earliest = 0.05, latest = 0.95;
 constexpr double allowed_distance = 0.02;  // of the main blade's length, in the meridional plane
 constexpr double allowed_turn = 0.02;      // of the pitch
 
-double length_of(const MeridionalPoint& step) {
-  return std::hypot(step.z, step.r);
-}
-
 struct Nearest {
   double chord;
   double distance;  ///< [m]

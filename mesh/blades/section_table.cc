@@ -7,10 +7,10 @@ namespace tiprub {
 
 namespace {
 
-constexpr std::size_t columns = 4;
+constexpr std::size_t section_columns = 4;
 
-BladePoint point_of(const NamedText& file, const NumberLine& line, const FileUnits& units) {
-  if (line.words.size() != columns)
+BladePoint section_point(const NamedText& file, const NumberLine& line, const FileUnits& units) {
+  if (line.words.size() != section_columns)
     refuse_line(file, line.number,
                 "holds " + std::to_string(line.words.size()) +
                     " words; a point is four numbers, z, r, theta of one side and of the other, and a new section "
@@ -43,7 +43,7 @@ FileBlade read_section_table(const NamedText& file, const FileUnits& units) {
     } else if (blade.sections.empty()) {
       refuse_line(file, line.number, "must begin with a line \"section\", then its points");
     } else {
-      blade.sections.back().push_back(point_of(file, line, units));
+      blade.sections.back().push_back(section_point(file, line, units));
       if (blade.sections.back().size() > most_points)
         refuse_line(file, line.number, "more points than any section has");
     }

@@ -74,6 +74,10 @@ MeridionalPoint operator*(double factor, MeridionalPoint a) {
   return {factor * a.z, factor * a.r};
 }
 
+double length_of(MeridionalPoint a) {
+  return std::hypot(a.z, a.r);
+}
+
 double distance(MeridionalPoint a, MeridionalPoint b) {
   return std::hypot(a.z - b.z, a.r - b.r);
 }

@@ -34,6 +34,7 @@ struct MeridionalPoint {
 MeridionalPoint operator+(MeridionalPoint a, MeridionalPoint b);
 MeridionalPoint operator-(MeridionalPoint a, MeridionalPoint b);
 MeridionalPoint operator*(double factor, MeridionalPoint a);
+double length_of(MeridionalPoint a);                    ///< [m] of a vector
 double distance(MeridionalPoint a, MeridionalPoint b);  ///< [m]
 
 /// A flow line from inlet to exit of a centrifugal wheel: a cubic Bezier curve that leaves the inlet along the axis

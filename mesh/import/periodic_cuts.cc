@@ -16,7 +16,7 @@ namespace {
 
 constexpr double tolerance = 1e-5;    // of the largest radius
 constexpr double least_share = 0.02;  // of a unit normal, along the circle
-constexpr int most_sectors = 1000, fewest_faces = 2;
+constexpr int fewest_faces = 2;
 constexpr double whole_number_tolerance = 1e-4;
 
 Eigen::Vector3d centre(const CellMesh& mesh, const FreeFace& face) {

@@ -7,6 +7,8 @@
 
 namespace tiprub {
 
+inline constexpr int most_sectors = 1000;
+
 /// Free faces that another free face is, turned about z by 2 pi/N: by number in CellMesh::faces.
 struct PeriodicCuts {
   int sector_count = 1;  ///< N; 1 if there are none

@@ -21,8 +21,6 @@ namespace tiprub {
 
 namespace {
 
-constexpr int most_sectors = 1000;
-
 /// By the file's ending, if the case doesn't say.
 std::optional<MeshFormat> usual_format(const std::string& name) {
   const std::string end = std::filesystem::path(name).extension().string();

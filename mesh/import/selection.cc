@@ -15,8 +15,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr double tolerance = 1e-4;  // of the largest radius
-constexpr double most_degrees = 5;  // between normals
+constexpr double selection_tolerance = 1e-4;  // of the largest radius
+constexpr double most_degrees = 5;            // between normals
 
 using IsIn = std::function<bool(const FreeFace&)>;
 
@@ -48,7 +48,7 @@ IsIn by_geometry(const CellMesh& mesh, const std::string& key, const std::string
   std::istringstream words(selection);
   std::string kind, axis;
   words >> kind;
-  const double reach = tolerance * mesh.largest_radius();
+  const double reach = selection_tolerance * mesh.largest_radius();
   const auto numbers = [&](Eigen::Ref<Eigen::VectorXd> values) {
     for (double& value : values)
       if (!(words >> value)) refuse(mesh, key, "= \"" + selection + "\" lacks a number");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "cases/program/units.h"
 #include "mesh/blades/curve_files.h"
 #include "mesh/blades/meanline_file.h"
 #include "mesh/blades/section_surface.h"
@@ -18,7 +19,6 @@ namespace tiprub {
 
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double narrowest = 1e-3;  // of the hub's radius, a disc between its faces
 constexpr double printed = 1e-6;    // relative, of a number that a person copies from a file
 constexpr double usual_blunt_edge = 0.01, widest_blunt_edge = 0.2;

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/program/units.h"
 #include "mesh/curves/wheel_keys.h"
 
 namespace tiprub {
 
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double steepest_stagger_deg = 80.0;
 
 SmoothTable read_disc_profile(CaseTable& table, const BladedDiscParameters& p) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "cases/program/units.h"
 #include "mesh/curves/wheel_keys.h"
 
 namespace tiprub {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr double usual_bore_share = 0.45;  // of the stations that stand on the bore
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double steepest_angle_deg = 80.0;
 constexpr double quarter_ellipse_arm = 0.5523;
 

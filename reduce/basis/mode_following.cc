@@ -14,8 +14,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr int longest = 30;                     // rounds before giving up
-constexpr double dependence_tolerance = 1e-12;  // of a round's directions, in squared stiffness norm
+constexpr int longest = 30;                    // rounds before giving up
+constexpr double direction_tolerance = 1e-12;  // of a round's directions, in squared stiffness norm
 
 // Of a tolerance: residuals whose compliance is only guessed must stay below.
 constexpr double of_a_guess = 0.1;
@@ -24,7 +24,7 @@ constexpr double of_a_guess = 0.1;
 /// becomes of it is so as well in that norm: only the new block has to be made independent.
 Eigen::MatrixXcd independent(const Eigen::MatrixXcd& directions, const Eigen::MatrixXcd& residual) {
   const auto [squares, vectors] = eigenpairs(hermitian_part(directions.adjoint() * residual));
-  const Eigen::Index kept = (squares.array() > dependence_tolerance * squares[squares.size() - 1]).count();
+  const Eigen::Index kept = (squares.array() > direction_tolerance * squares[squares.size() - 1]).count();
   return directions * vectors.rightCols(kept) * squares.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 

@@ -30,15 +30,15 @@ auto solved(const Matrix& A, const Matrix& B, int parts) {
   return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>(A, B, parts | Eigen::Ax_lBx);
 }
 
-constexpr int all = Eigen::ComputeEigenvectors, values_only = Eigen::EigenvaluesOnly;
+constexpr int with_vectors = Eigen::ComputeEigenvectors, values_only = Eigen::EigenvaluesOnly;
 
 }  // namespace
 
 RealEigenpairs eigenpairs(const Eigen::MatrixXd& A) {
-  return pairs_of(solved(A, all));
+  return pairs_of(solved(A, with_vectors));
 }
 ComplexEigenpairs eigenpairs(const Eigen::MatrixXcd& A) {
-  return pairs_of(solved(A, all));
+  return pairs_of(solved(A, with_vectors));
 }
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& A) {
   return values_of(solved(A, values_only));
@@ -48,10 +48,10 @@ Eigen::VectorXd eigenvalues(const Eigen::MatrixXcd& A) {
 }
 
 RealEigenpairs eigenpairs(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  return pairs_of<Eigen::MatrixXd>(solved(A, B, all));
+  return pairs_of<Eigen::MatrixXd>(solved(A, B, with_vectors));
 }
 ComplexEigenpairs eigenpairs(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) {
-  return pairs_of<Eigen::MatrixXcd>(solved(A, B, all));
+  return pairs_of<Eigen::MatrixXcd>(solved(A, B, with_vectors));
 }
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   return values_of(solved(A, B, values_only));

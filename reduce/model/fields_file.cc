@@ -10,8 +10,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr const char* schema = "tiprub-fields";
-constexpr int schema_version = 2;
+constexpr const char* fields_schema = "tiprub-fields";
+constexpr int fields_schema_version = 2;
 constexpr Eigen::Index slices_at_once = 16;  // columns of a product
 constexpr const char* required_sets[] = {"clamped", "contact", "cyclic_low", "cyclic_high"};
 
@@ -115,7 +115,7 @@ struct FieldsWriter::State {
 
 FieldsWriter::FieldsWriter(const std::filesystem::path& path, const std::string& generator)
     : state_(std::make_unique<State>(State{Hdf5File::create(path)})) {
-  state_->file.set_schema(schema, schema_version, generator);
+  state_->file.set_schema(fields_schema, fields_schema_version, generator);
 }
 FieldsWriter::~FieldsWriter() = default;
 
@@ -161,7 +161,7 @@ struct FieldsReader::State {
 
 FieldsReader::FieldsReader(const std::filesystem::path& path)
     : state_(std::make_unique<State>(State{Hdf5File::open(path), {}, {}})) {
-  state_->file.require_schema(schema, schema_version);
+  state_->file.require_schema(fields_schema, fields_schema_version);
   state_->sector = read_sector(state_->file);
   state_->model_digest = state_->file.text_attribute("/", "model_digest");
   for (int n = 0; n <= state_->sector.sector_count / 2; ++n) dofs(n);

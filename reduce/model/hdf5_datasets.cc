@@ -16,7 +16,7 @@ constexpr const char* unwritable = "can't be written; is the disk full?";
 
 using RowMajorComplex = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-Hdf5Id complex_type() {
+Hdf5Id double_complex_type() {
   return hdf5_complex_type<double>(H5T_NATIVE_DOUBLE);
 }
 
@@ -119,8 +119,8 @@ void Hdf5File::write(const std::string& name, const Eigen::MatrixXcd& matrix, co
   const Eigen::MatrixXcd transposed = matrix.transpose();
   const Hdf5Shape shape = {static_cast<hsize_t>(matrix.rows()), static_cast<hsize_t>(matrix.cols())};
   attempt(name, unwritable, [&] {
-    const Hdf5Id type =
-        handle_->storage == Storage::plain ? complex_type() : handle_->named("/complex", complex_type());
+    const Hdf5Id type = handle_->storage == Storage::plain ? double_complex_type()
+                                                           : handle_->named("/complex", double_complex_type());
     handle_->write(name, type, shape, transposed.data(), unit);
   });
 }
@@ -212,7 +212,7 @@ Eigen::MatrixXcd Hdf5File::read_complex_matrix(const std::string& name) const {
     if (shape.size() != 2) fail(name, "has shape " + hdf5_shape_text(shape) + ", must have two axes");
     affordable_count(set, sizeof(std::complex<double>));
     matrix.resize(static_cast<Eigen::Index>(shape[0]), static_cast<Eigen::Index>(shape[1]));
-    if (matrix.size() > 0) read_all(set, complex_type(), matrix.data());
+    if (matrix.size() > 0) read_all(set, double_complex_type(), matrix.data());
   });
   for (Eigen::Index row = 0; row < matrix.rows(); ++row)
     for (Eigen::Index column = 0; column < matrix.cols(); ++column)

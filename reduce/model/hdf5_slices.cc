@@ -9,7 +9,7 @@ namespace tiprub {
 
 namespace {
 
-Hdf5Id complex_type() {
+Hdf5Id float_complex_type() {
   return hdf5_complex_type<float>(H5T_NATIVE_FLOAT);
 }
 
@@ -41,7 +41,8 @@ void Hdf5File::make_slices(const std::string& name, const std::vector<std::size_
     chunk.front() = 1;
     const Hdf5Id creation = hdf5_dataset_creation();
     hdf5_checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
-    const Hdf5Id type = number == Number::complex ? complex_type() : Hdf5Id(H5Tcopy(H5T_NATIVE_FLOAT), H5Tclose);
+    const Hdf5Id type =
+        number == Number::complex ? float_complex_type() : Hdf5Id(H5Tcopy(H5T_NATIVE_FLOAT), H5Tclose);
     handle_->make(name, type, {shape.begin(), shape.end()}, creation, unit).close();
   });
 }
@@ -53,7 +54,7 @@ void Hdf5File::write_slice(const std::string& name, std::size_t index,
     const Hdf5Id inside = space_of(set);
     const Hdf5Id slice = select_slice(inside, index);
     if (is_compound(set)) {
-      hdf5_checked(H5Dwrite(set, complex_type(), slice, inside, H5P_DEFAULT, values.data()));
+      hdf5_checked(H5Dwrite(set, float_complex_type(), slice, inside, H5P_DEFAULT, values.data()));
     } else {
       std::vector<float> real(values.size());
       std::transform(values.begin(), values.end(), real.begin(), [](std::complex<float> v) { return v.real(); });
@@ -72,7 +73,7 @@ std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, s
     const Hdf5Id slice = select_slice(inside, index);
     values.resize(static_cast<std::size_t>(hdf5_checked(H5Sget_simple_extent_npoints(slice))));
     if (is_compound(set)) {
-      hdf5_checked(H5Dread(set, complex_type(), slice, inside, H5P_DEFAULT, values.data()));
+      hdf5_checked(H5Dread(set, float_complex_type(), slice, inside, H5P_DEFAULT, values.data()));
     } else {
       std::vector<float> real(values.size());
       hdf5_checked(H5Dread(set, H5T_NATIVE_FLOAT, slice, inside, H5P_DEFAULT, real.data()));

@@ -10,8 +10,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr const char* schema = "tiprub-model";
-constexpr int schema_version = 1;
+constexpr const char* model_schema = "tiprub-model";
+constexpr int model_schema_version = 1;
 constexpr const char* position_unit = "m, rad, m";
 constexpr const char* blade_name = "/contact/blade";
 constexpr const char *points = "points", *segments = "segments";
@@ -198,7 +198,7 @@ void write_verification(Hdf5File& file, const Verification& verification) {
 
 void write_model(const ReducedModel& model, const std::filesystem::path& path, const std::string& generator) {
   Hdf5File file = Hdf5File::create(path);
-  file.set_schema(schema, schema_version, generator);
+  file.set_schema(model_schema, model_schema_version, generator);
   file.set_attribute("/", "sector_count", model.sector_count);
   file.set_attribute("/", "speed_max", model.speed_max);
   file.set_attribute("/", "modes_at_speed", model.modes_at_speed);
@@ -223,7 +223,7 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
 
 ReducedModel read_model(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open(path);
-  file.require_schema(schema, schema_version);
+  file.require_schema(model_schema, model_schema_version);
   ReducedModel model;
   model.sector_count = file.integer_attribute("/", "sector_count");
   model.speed_max = file.number_attribute("/", "speed_max");

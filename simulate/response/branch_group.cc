@@ -11,7 +11,7 @@ namespace tiprub {
 
 namespace {
 
-std::string group_of(std::size_t place) {
+std::string branch_group(std::size_t place) {
   return "/branch/" + std::to_string(place);
 }
 
@@ -36,7 +36,7 @@ void require_sound(const Hdf5File& file, const std::string& dataset, const Eigen
 }
 
 OrbitBranch read_branch(const Hdf5File& file, std::size_t place, NamedAxes& axes) {
-  const std::string group = group_of(place), orbits = "orbits of branch " + std::to_string(place);
+  const std::string group = branch_group(place), orbits = "orbits of branch " + std::to_string(place);
   OrbitBranch branch;
   for (const BranchArray& array : arrays) {
     const std::string dataset = group + "/" + array.name;
@@ -60,7 +60,7 @@ OrbitBranch read_branch(const Hdf5File& file, std::size_t place, NamedAxes& axes
 }  // namespace
 
 void write_branch(Hdf5File& file, std::size_t place, const OrbitBranch& branch) {
-  const std::string group = group_of(place);
+  const std::string group = branch_group(place);
   write_counting_axis(file, group + "/orbit", branch.speed.size(), "orbit in the order of arc length, from 0");
   for (const BranchArray& array : arrays) {
     const std::string dataset = group + "/" + array.name;
@@ -76,7 +76,7 @@ void write_branch(Hdf5File& file, std::size_t place, const OrbitBranch& branch) 
 
 std::vector<OrbitBranch> read_branches(const Hdf5File& file, NamedAxes& axes) {
   std::vector<OrbitBranch> branches;
-  while (file.exists(group_of(branches.size()))) branches.push_back(read_branch(file, branches.size(), axes));
+  while (file.exists(branch_group(branches.size()))) branches.push_back(read_branch(file, branches.size(), axes));
   return branches;
 }
 

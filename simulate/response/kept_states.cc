@@ -11,7 +11,7 @@ namespace {
 
 /// How a state's numbers are described; its contact dofs come first.
 constexpr const char* unit = "m";
-constexpr const char* meaning = "wave of the model's dofs; m in contact dofs";
+constexpr const char* state_meaning = "wave of the model's dofs; m in contact dofs";
 
 /// The model's dofs of a nodal diameter: as many in each state of each speed.
 std::string dofs_axis(int nodal_diameter) {
@@ -41,7 +41,7 @@ void write_snapshot(Hdf5File& file, const std::string& group, const RotorSnapsho
     const int n = scene.nodal_diameters[i];
     write_dofs(file, group, n, snapshot.displacement[i].size());
     file.write(at(place, n), Eigen::MatrixXcd(snapshot.displacement[i]), unit);
-    file.describe(at(place, n), meaning, {dofs_of(group, n), instant});
+    file.describe(at(place, n), state_meaning, {dofs_of(group, n), instant});
   }
   file.set_attribute(place, "sample", snapshot.sample);
   file.set_attribute(place, "angle", angle);
@@ -77,7 +77,7 @@ void write_cycle(Hdf5File& file, const std::string& group, const RotorCycle& cyc
     const int n = scene.nodal_diameters[i];
     write_dofs(file, group, n, cycle.displacement[i].rows());
     file.write(at(place, n), cycle.displacement[i], unit);
-    file.describe(at(place, n), meaning, {dofs_of(group, n), angles});
+    file.describe(at(place, n), state_meaning, {dofs_of(group, n), angles});
   }
   file.set_attribute(place, "first_sample", cycle.first_sample);
 }

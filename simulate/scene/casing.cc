@@ -15,7 +15,6 @@ namespace tiprub {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr double radians = std::numbers::pi / 180;
 
 void read_distortion_table(CaseTable& table, Casing& casing) {
   auto points = table.points("distortion_table", std::nullopt, Range::any(), "deg, m inward");
@@ -29,10 +28,10 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
   if (std::adjacent_find(points.begin(), points.end(), nearer) != points.end())
     table.reject("distortion_table", "must have its angles more than 1e-9 of 360/lobes deg apart");
   for (auto& [angle, inward] : points) {
-    angle *= radians;
+    angle *= radians_per_degree;
     casing.amplitude = std::max(casing.amplitude, std::abs(inward));
   }
-  casing.table = PeriodicTable(points, period * radians);
+  casing.table = PeriodicTable(points, period * radians_per_degree);
 }
 
 }  // namespace
@@ -98,7 +97,8 @@ void read_shape(CaseTable& table, Casing& casing) {
   }
   if (casing.shape == CasingShape::bumps)
     casing.bump_width =
-        radians * table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
+        radians_per_degree *
+        table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
 }
 
 /// The smallest of them joins `clearance`.
@@ -122,7 +122,7 @@ const char* key_of_shape(CasingShape shape) {
 Casing read_casing(CaseTable& table) {
   Casing casing;
   read_shape(table, casing);
-  casing.crest_angle = radians * table.number("crest_angle_deg", 0.0, Range::between(-360, 360), "deg");
+  casing.crest_angle = radians_per_degree * table.number("crest_angle_deg", 0.0, Range::between(-360, 360), "deg");
   casing.ramp_revolutions = table.number("ramp_revolutions", 3.0, {0.0, 1e6, Range::LowEnd::excluded}, "revolutions");
   casing.clearance_state = table.choice<ClearanceState>(
       "clearance_state", ClearanceState::running,

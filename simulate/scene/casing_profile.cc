@@ -10,12 +10,11 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/text_file.h"
+#include "cases/program/units.h"
 
 namespace tiprub {
 
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 std::vector<double> read_stations(const NamedText& file, const NumberLine& heading) {
   std::vector<double> stations;
@@ -66,11 +65,11 @@ CasingProfile read_casing_profile(const NamedText& file, double period) {
   std::vector<std::vector<double>> inward;
   for (std::size_t row = 1; row < lines.size(); ++row) {
     require_words(file, lines[row], 1 + stations.size(), "an angle [deg], and for each fraction how far inward [m]");
-    const double angle = radians * number_in(file, lines[row], 0, "an angle [deg]");
+    const double angle = radians_per_degree * number_in(file, lines[row], 0, "an angle [deg]");
     if (angle < 0 || angle >= period ||
         (!angles.empty() && angle <= angles.back() + PeriodicTable::closest * period)) {
       std::ostringstream text;
-      text << "angles must increase in 0 .. " << period / radians << " deg, that end excluded; "
+      text << "angles must increase in 0 .. " << period / radians_per_degree << " deg, that end excluded; "
            << lines[row].words[0] << " doesn't";
       refuse_line(file, lines[row].number, text.str());
     }

@@ -11,17 +11,17 @@ namespace tiprub {
 
 namespace {
 
-constexpr int lines = 101;
-constexpr double edge = 0.1, root_span = 0.1, low_span = 0.35, high_span = 0.65;  // shares that words begin at
+constexpr int lines_along = 101;
+constexpr double edge_length = 0.1, root_span = 0.1, low_span = 0.35, high_span = 0.65;  // shares that words begin at
 
 /// Points at even shares of a polyline's length.
 Eigen::Matrix2Xd even_points(const std::vector<Eigen::Vector2d>& line) {
   std::vector<double> way = {0};
   for (std::size_t k = 1; k < line.size(); ++k) way.push_back(way.back() + (line[k] - line[k - 1]).norm());
-  Eigen::Matrix2Xd points(2, lines);
+  Eigen::Matrix2Xd points(2, lines_along);
   std::size_t k = 0;
-  for (int i = 0; i < lines; ++i) {
-    const double at = way.back() * i / (lines - 1);
+  for (int i = 0; i < lines_along; ++i) {
+    const double at = way.back() * i / (lines_along - 1);
     while (k + 2 < line.size() && way[k + 1] < at) ++k;
     const double step = way[k + 1] - way[k];
     points.col(i) = line[k] + (step > 0 ? std::min(1.0, (at - way[k]) / step) : 0.0) * (line[k + 1] - line[k]);
@@ -30,8 +30,8 @@ Eigen::Matrix2Xd even_points(const std::vector<Eigen::Vector2d>& line) {
 }
 
 std::string length_words(double length) {
-  if (length < edge) return " at the leading edge";
-  if (length > 1 - edge) return " at the trailing edge";
+  if (length < edge_length) return " at the leading edge";
+  if (length > 1 - edge_length) return " at the trailing edge";
   return " at " + std::to_string(std::lround(100 * length)) + " % of its length";
 }
 
@@ -97,13 +97,13 @@ BladePlaces::Share BladePlaces::share(int node) const {
   const Eigen::Vector2d place = meridional(sector_.nodes.col(node));
   double nearest = std::numeric_limits<double>::infinity();
   Share found{};
-  for (int i = 0; i < lines; ++i) {
+  for (int i = 0; i < lines_along; ++i) {
     const Eigen::Vector2d up = tip_.col(i) - root_.col(i), from = place - root_.col(i);
     const double span = up.squaredNorm() > 0 ? std::clamp(from.dot(up) / up.squaredNorm(), 0.0, 1.0) : 0.0;
     const double distance = (from - span * up).norm();
     if (distance >= nearest) continue;
     nearest = distance;
-    found = {span, static_cast<double>(i) / (lines - 1)};
+    found = {span, static_cast<double>(i) / (lines_along - 1)};
   }
   return found;
 }

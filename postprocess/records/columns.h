@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "postprocess/tables/table.h"
+#include "postprocess/tables/units.h"
 #include "simulate/response/response.h"
 
 namespace tiprub {
@@ -36,8 +37,6 @@ std::vector<Column<Item>> joined(const std::vector<std::vector<Column<Item>>>& g
   for (const auto& group : groups) columns.insert(columns.end(), group.begin(), group.end());
   return columns;
 }
-
-inline constexpr double percent = 100.0;
 
 /// "yes" or "no".
 std::string yes_or_no(bool value);

@@ -16,8 +16,6 @@ namespace tiprub {
 
 namespace {
 
-constexpr double percent = 100.0;
-
 std::string rule_sentence(const LinearRules& rules, double tolerance) {
   if (rules.equation_2_score.hits + rules.equation_2_score.misses == 0) return "";  // no critical speed
   const auto part = [](const RuleScore& score) {
@@ -142,10 +140,6 @@ std::string share_sentence(const InteractionMap& map) {
   return "Share of the motion by nodal diameter, over all speeds [%]: " + text + ".";
 }
 
-std::string mpa(double stress) {
-  return fixed(stress * mpa_per_pa, 0) + " MPa";
-}
-
 /// Goodman's share where the case gives strengths; else the alternating part.
 std::string fatigue_sentence(const FieldResults& fields) {
   const auto severity = [](const FieldPeak& peak) { return peak.cycle->goodman.value_or(peak.cycle->alternating); };
@@ -154,8 +148,8 @@ std::string fatigue_sentence(const FieldResults& fields) {
     if (peak && peak->cycle && (worst == nullptr || severity(*peak) > severity(*worst))) worst = &*peak;
   if (worst == nullptr) return "";
   const StressCycle& cycle = *worst->cycle;
-  return " For fatigue the worst is " + rpm_text(worst->speed) + ": " + mpa(cycle.alternating) +
-         " alternating about a mean of " + mpa(cycle.mean) + (cycle.where.empty() ? "" : ", " + cycle.where) +
+  return " For fatigue the worst is " + rpm_text(worst->speed) + ": " + mpa_text(cycle.alternating) +
+         " alternating about a mean of " + mpa_text(cycle.mean) + (cycle.where.empty() ? "" : ", " + cycle.where) +
          (cycle.goodman ? ", " + fixed(*cycle.goodman, 2) + " of what Goodman's rule allows" : "") + ".";
 }
 
@@ -165,10 +159,10 @@ std::string stress_sentence(const FieldResults& fields) {
     if (peak && (worst == nullptr || peak->body.vibration > worst->body.vibration)) worst = &*peak;
   if (worst == nullptr) return "";
   return "The vibration stresses the wheel most at " + rpm_text(worst->speed) + ": von Mises " +
-         mpa(worst->body.vibration) + (worst->where.empty() ? "" : ", " + worst->where) + "; with spin " +
-         mpa(worst->body.both) + " (spin alone " + mpa(worst->body.spin) + ")" +
+         mpa_text(worst->body.vibration) + (worst->where.empty() ? "" : ", " + worst->where) + "; with spin " +
+         mpa_text(worst->body.both) + " (spin alone " + mpa_text(worst->body.spin) + ")" +
          (worst->cycle ? ", the largest of the cycle" : ", at one instant") + ". Inside the tip patch it is " +
-         mpa(worst->tip_patch.vibration) + ", at point forces: that grows as the mesh is refined." +
+         mpa_text(worst->tip_patch.vibration) + ", at point forces: that grows as the mesh is refined." +
          fatigue_sentence(fields);
 }
 

@@ -12,14 +12,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr double percent = 100.0;
-
 std::string mm(double length) {
   return fixed(length * mm_per_m, 3) + " mm";
-}
-
-std::string mpa(double stress) {
-  return fixed(stress * mpa_per_pa, 0) + " MPa";
 }
 
 /// The critical speed with the largest amplitude; its index, or none.
@@ -43,8 +37,8 @@ std::string amplitude_text(const Study& study, Eigen::Index speed) {
 
 std::string stress_text(const std::optional<FieldPeak>& peak) {
   if (!peak) return "";
-  std::string text =
-      " Its vibration stresses the wheel with " + mpa(peak->body.vibration) + ", with spin " + mpa(peak->body.both);
+  std::string text = " Its vibration stresses the wheel with " + mpa_text(peak->body.vibration) + ", with spin " +
+                     mpa_text(peak->body.both);
   if (peak->cycle && peak->cycle->goodman)
     text += "; by Goodman's rule that is " + fixed(*peak->cycle->goodman, 2) + " of what the material bears";
   return text + ".";

@@ -12,7 +12,6 @@
 #include "mesh/import/sector_import.h"
 #include "mesh/wheels/wheel.h"
 #include "postprocess/analysis/postprocess_parameters.h"
-#include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/stage.h"
 #include "reduce/matrices/matrix_sector.h"
 #include "reduce/model/fields_file.h"

@@ -4,8 +4,8 @@
 
 usage: comparison.py STUDY.toml RUNS_FOLDER REPORT_FOLDER
 
-Reads the tables of each point's report. Writes into the folder study.csv (a line a critical speed: the point, its place on each axis, and all columns of
-critical_speeds.csv), study.txt (a line a point) and study.html, which links to the reports.
+Reads the tables in the report of each point, and writes three files into the folder: study.csv with a line for each critical speed (the point, its place on
+each axis, and all columns of critical_speeds.csv), study.txt with a line for each point, and study.html with links to the reports.
 """
 import csv
 import html
@@ -19,7 +19,7 @@ SPEED, AMPLITUDE, WAVE, NOTE = "speed [rpm]", "amplitude [mm]", ("engine order",
 
 
 def rows_of(runs, point, table):
-    """None where there is no report."""
+    """None if the point has no report."""
     try:
         with open(os.path.join(runs, "points", point, "report", table), newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file))
@@ -28,7 +28,7 @@ def rows_of(runs, point, table):
 
 
 class Results:
-    """Of the points in the study's order: labels, critical speeds, and amplitude over speed."""
+    """The points in the study's order, each with its labels, its critical speeds, and its amplitude over speed."""
 
     def __init__(self, study, runs, report):
         self.study, self.runs, self.report = study, runs, report
@@ -37,7 +37,7 @@ class Results:
                        for name, (labels, _) in study.points.items()]
 
     def summary(self):
-        """A line a point: where it moves most, and its critical speeds."""
+        """A line for each point: its largest amplitude and its critical speeds."""
         yield ["point", *self.axes, "speeds", "failed", "largest amplitude [mm]", "at [rpm]", "critical speeds [rpm]"]
         for name, labels, critical, speeds in self.points:
             if speeds is None:
@@ -49,7 +49,7 @@ class Results:
                    ", ".join(f"{rounded(row[SPEED])} (EO {float(row[WAVE[0]]):.4g} ND {float(row[WAVE[1]]):+g})" for row in critical)]
 
     def joint(self):
-        """A line a critical speed."""
+        """A line for each critical speed."""
         columns = next((list(rows[0]) for _, _, rows, _ in self.points if rows), [SPEED, AMPLITUDE])
         yield ["point", *self.axes, *columns]
         for name, labels, critical, _ in self.points:
@@ -72,12 +72,13 @@ COLOURS = ("#0060ad", "#dd181f", "#22a884", "#ff9900", "#7030a0", "#888888", "#0
 
 
 def quoted(text):
-    """For gnuplot, within double quotes, with nothing that its enhanced texts would take for a sign."""
-    return "".join("\\\\" + sign if sign in "_^{}@&~" else sign for sign in text.replace("\\", "/").replace('"', "'"))
+    """For gnuplot, within double quotes, where it runs what stands in backquotes, and where enhanced texts give a meaning to other signs."""
+    harmless = text.replace("\\", "/").replace('"', "'").replace("`", "'")
+    return "".join("\\\\" + sign if sign in "_^{}@&~" else sign for sign in harmless)
 
 
 def draw(path, lines, width=1100, height=520, xlabel="", ylabel="", more=""):
-    """lines: (title, style, rows of numbers). The picture as SVG."""
+    """Draws lines, each given as (title, style, rows of numbers), and returns the picture as SVG."""
     script = STYLE.format(width=width, height=height, xlabel=quoted(xlabel), ylabel=quoted(ylabel), more=more)
     blocks = "".join(f"$line{i} << EOD\n" + "".join(" ".join(map(str, row)) + "\n" for row in rows) + "EOD\n" for i, (_, _, rows) in enumerate(lines))
     plots = ", ".join(f'$line{i} {style} lc rgb "{COLOURS[i % len(COLOURS)]}" title "{quoted(title)}"' for i, (title, style, _) in enumerate(lines))
@@ -88,7 +89,7 @@ def draw(path, lines, width=1100, height=520, xlabel="", ylabel="", more=""):
 
 
 def places(labels):
-    """Label -> place on an axis: the number that it is, or its own place in the row."""
+    """Label -> place on an axis: its number if all labels are numbers, its rank if not."""
     try:
         return {label: float(label) for label in labels}
     except ValueError:
@@ -96,7 +97,7 @@ def places(labels):
 
 
 def over_axis(results, axis):
-    """Critical speeds over one axis, a colour for each combination of the others; areas grow with amplitude."""
+    """Critical speeds over one axis: a colour for each combination of the other axes, and a larger dot for a larger amplitude."""
     name, (_, labels) = list(results.study.axes.items())[axis]
     at = places(labels)
     spread = max(at.values()) - min(at.values()) or 1.0
@@ -144,7 +145,7 @@ def page(results, summary):
     table = "<tr>" + "".join(f'<th scope="col">{html.escape(name)}</th>' for name in heading) + "</tr>"
     for row in rows:
         link = os.path.join(os.path.relpath(results.runs, results.report), "points", row[0], "report", "report.html")
-        name = row[0] if NOTE in row else f'<a href="{html.escape(link)}">{row[0]}</a>'
+        name = html.escape(row[0]) if NOTE in row else f'<a href="{html.escape(link)}">{html.escape(row[0])}</a>'
         table += "<tr>" + "".join(f"<td>{cell}</td>" for cell in [name, *map(html.escape, row[1:])]) + "</tr>"
     figures = [(f"Critical speeds over {axis}", over_axis(results, i)) for i, axis in enumerate(results.axes)]
     figures.append(("Amplitude over speed", responses(results)))
@@ -155,8 +156,8 @@ def page(results, summary):
 
 
 def main(path, runs, report):
+    results = Results(studies.read_study(path), runs, report)
     os.makedirs(report, exist_ok=True)
-    results = Results(studies.Study(path), runs, report)
     summary = list(results.summary())
     widths = [max(map(len, column)) for column in zip(*summary)]
     with open(os.path.join(report, "study.csv"), "w", newline="", encoding="utf-8") as file:

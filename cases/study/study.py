@@ -4,50 +4,72 @@
 
 usage: study.py STUDY.toml PROGRAMS_FOLDER CHAIN.mk RUNS_FOLDER
 
-A point is a folder that includes chain.mk. Meshes and models stand in folders of their own, named by the digest of all that they are made
-of, so that points share them. Leaves with 2, and one line, where the study or a value in it is wrong.
+Each point is a folder with a Makefile that includes chain.mk. Meshes and models have folders of their own, which are named by the digest
+of everything that they depend on, so that points share them. If the study or a value in it is wrong, the exit code is 2, and one line on
+stderr says what to change.
+
+A study may come from a stranger. Its names become folders and targets of make, so their letters are limited here, and everything else that
+is written into a Makefile is escaped.
 """
 import hashlib
 import itertools
 import json
+import math
 import os
 import re
+import reprlib
 import shlex
 import subprocess
 import sys
 import tomllib
 
-LABEL = re.compile(r"[A-Za-z0-9_+.][A-Za-z0-9_+.-]*")
-KEY = re.compile(r"\w+(\.\w+)+")
+NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_+.-]*")
+LABEL = re.compile(r"[A-Za-z0-9_+.-]+")  # stands behind the name of its grid
+FILE = re.compile(r"[\w ./+,@'-]+")      # make takes other signs for its own
+KEY = re.compile(r"[A-Za-z0-9_]+(\.[A-Za-z0-9_]+)+")
+MOST_POINTS = 10_000
 
 
 class Wrong(Exception):
-    """What the study's author can mend."""
+    """Something in the study that its author can put right."""
+
+
+def require_table(table, place):
+    if not isinstance(table, dict):
+        raise Wrong(f"{place}: must be a table")
+    return table
 
 
 def check_keys(table, place, known):
-    if not isinstance(table, dict):
-        raise Wrong(f"{place}: must be a table")
-    for key in table:
+    for key in require_table(table, place):
         if key not in known:
-            raise Wrong(f'{place}: unknown key "{key}"; known: {", ".join(known)}')
+            raise Wrong(f"{place}: unknown key {key!r}; known: {', '.join(known)}")
+
+
+def text_of(table, key, default=""):
+    text = table.get(key, default)
+    if not isinstance(text, str) or not text.isprintable():
+        raise Wrong(f"{key} = {reprlib.repr(text)} must be a text of one line")
+    return text
 
 
 def setting(place, key, value):
     """One --set of all programs; JSON writes numbers, texts and lists as TOML does."""
     if not KEY.fullmatch(key):
-        raise Wrong(f'{place}: "{key}" must be TABLE.KEY of a case, in quotes')
-    if isinstance(value, dict) or "inf" in repr(value) or "nan" in repr(value):
-        raise Wrong(f"{place}: {key} = {value!r} must be a number, a text, a truth or a list of these")
+        raise Wrong(f"{place}: {key!r} must be TABLE.KEY of a case, in quotes")
     try:
-        return f"{key}={json.dumps(value)}"
-    except TypeError:
-        raise Wrong(f"{place}: {key} = {value!r} must be a number, a text, a truth or a list of these") from None
+        if not isinstance(value, dict):
+            return f"{key}={json.dumps(value, ensure_ascii=False, allow_nan=False)}"
+    except (TypeError, ValueError):
+        pass
+    raise Wrong(f"{place}: {key} = {reprlib.repr(value)} must be a number, a text, a truth or a list of these")
 
 
 def axis_values(name, axis):
     """Label -> setting, in the study's order."""
     place = f"[grid.{name}]"
+    if not NAME.fullmatch(name):
+        raise Wrong(f"[grid]: {name!r} names a folder; use letters, digits and ._+-, and begin with a letter, a digit or _")
     check_keys(axis, place, ("key", "values", "unit"))
     values = axis.get("values")
     if isinstance(values, list):
@@ -56,41 +78,81 @@ def axis_values(name, axis):
         raise Wrong(f'{place}: needs key = "TABLE.KEY" and values = [...], or values = {{label = value, ...}}')
     for label in values:
         if not LABEL.fullmatch(label):
-            raise Wrong(f'{place}: "{label}" names a folder; give its value a label of letters, digits and ._+-: values = {{label = value, ...}}')
+            raise Wrong(f"{place}: {label!r} names a folder; give its value a label of letters, digits and ._+-: values = {{label = value, ...}}")
     return {label: setting(place, axis["key"], value) for label, value in values.items()}
 
 
+def file_of(folder, text, key):
+    name = text_of(text, key)
+    if not FILE.fullmatch(name):
+        raise Wrong(f"{key} = {name!r} must name a file by letters, digits, blanks and ._+-,@'/")
+    return os.path.join(folder, name)
+
+
 class Study:
-    """What a study file says. points: name -> (label on each axis, settings)."""
+    """What a study file says. points: name -> (label on each axis, settings). axes: name -> (unit, labels). Raises Wrong."""
 
     def __init__(self, path):
-        self.path, self.folder = path, os.path.dirname(os.path.abspath(path))
-        with open(path, "rb") as file:
-            text = tomllib.load(file)
+        self.path, self.folder, self.points = path, os.path.dirname(os.path.abspath(path)), {}
+        try:
+            with open(path, "rb") as file:
+                text = tomllib.load(file)
+        except (OSError, ValueError, RecursionError) as error:
+            raise Wrong(error) from None
         check_keys(text, "the file", ("title", "case", "mesh", "model", "fields", "settings", "grid", "points"))
         if "case" not in text:
             raise Wrong('needs case = "the case that the points vary"')
-        self.title = text.get("title", "Study")
-        self.files = {name: os.path.join(self.folder, text[name]) for name in ("case", "mesh", "model", "fields") if name in text}
-        common = [setting("[settings]", key, value) for key, value in text.get("settings", {}).items()]
-        grid = text.get("grid", {})
-        axes = {name: axis_values(name, axis) for name, axis in grid.items()}
-        self.axes = {name: (grid[name].get("unit", ""), list(values)) for name, values in axes.items()}
-        self.points = {}
-        for labels in itertools.product(*axes.values()) if axes else ():
-            name = "-".join(f"{axis}_{label}" for axis, label in zip(axes, labels))
-            self.points[name] = (list(labels), common + [axes[axis][label] for axis, label in zip(axes, labels)])
-        for name, point in text.get("points", {}).items():
-            if not LABEL.fullmatch(name) or name in self.points or not isinstance(point, dict):
-                raise Wrong(f"[points.{name}]: must be a table with a name of its own, of letters, digits and ._+-")
-            settings = [setting(f"[points.{name}]", key, value) for key, value in point.items()]
-            self.points[name] = ([""] * len(axes), common + settings)
+        self.title = text_of(text, "title", "Study")
+        self.files = {name: file_of(self.folder, text, name) for name in ("case", "mesh", "model", "fields") if name in text}
+        common = [setting("[settings]", key, value) for key, value in require_table(text.get("settings", {}), "[settings]").items()]
+        self.add_grid(require_table(text.get("grid", {}), "[grid]"), common)
+        self.add_points(require_table(text.get("points", {}), "[points]"), common)
         if not self.points:
             raise Wrong("has no points: give it [grid.NAME] with key and values, or [points.NAME] with keys of their own")
 
+    def add(self, name, labels, settings):
+        if name in self.points:
+            raise Wrong(f"two points have the name {name}")
+        self.points[name] = (labels, settings)
+
+    def add_grid(self, grid, common):
+        axes = {name: axis_values(name, axis) for name, axis in grid.items()}
+        self.axes = {name: (text_of(grid[name], "unit"), list(values)) for name, values in axes.items()}
+        varied = {}
+        for name, axis in grid.items():
+            if varied.setdefault(axis["key"], name) != name:
+                raise Wrong(f"[grid.{name}]: varies {axis['key']}, as [grid.{varied[axis['key']]}] does; a point can have one value of it only")
+        count = math.prod(map(len, axes.values()))
+        if count > MOST_POINTS:
+            raise Wrong(f"[grid]: gives {count} points; a study may have {MOST_POINTS}")
+        for labels in itertools.product(*axes.values()) if axes else ():
+            self.add("-".join(f"{axis}_{label}" for axis, label in zip(axes, labels)), list(labels),
+                     common + [axes[axis][label] for axis, label in zip(axes, labels)])
+
+    def add_points(self, points, common):
+        for name, point in points.items():
+            place = f"[points.{name}]"
+            if not NAME.fullmatch(name):
+                raise Wrong(f"[points]: {name!r} names a folder; use letters, digits and ._+-, and begin with a letter, a digit or _")
+            settings = [setting(place, key, value) for key, value in require_table(point, place).items()]
+            self.add(name, [""] * len(self.axes), common + settings)
+
+
+def read_study(path):
+    """Ends the program with 2, and one line, if the study is wrong."""
+    try:
+        return Study(path)
+    except Wrong as wrong:
+        refuse(path, wrong)
+
+
+def refuse(path, wrong):
+    print(f"{path}: {wrong}", file=sys.stderr)
+    sys.exit(2)
+
 
 def tables(programs, stage, case, settings):
-    """What a stage reads of a point's case."""
+    """What a stage reads of the case of a point."""
     told = subprocess.run([os.path.join(programs, f"tiprub-{stage}"), case, "--tables", *(word for text in settings for word in ("--set", text))],
                           text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     if told.returncode != 0:
@@ -122,8 +184,8 @@ class Folders:
         chain = os.path.relpath(self.chain, folder)
         if re.search(r"\s", chain):
             raise Wrong(f"{chain}: make takes no blanks in what it includes; reach it by a link without")
-        lines = [f"{key} := " + value.replace("$", "$$").replace("#", "\\#") for key, value in relative.items()]
-        write_if_new(os.path.join(folder, "Makefile"), "\n".join([*lines, f"include {chain}", ""]))
+        lines = [f"{key} := " + value.replace("$", "$$").replace("#", "$(HASH)") for key, value in relative.items()]
+        write_if_new(os.path.join(folder, "Makefile"), "\n".join(["HASH := \\#", *lines, f"include {chain}", ""]))
 
     def model(self, settings):
         """MODEL and FIELDS of a point, and what must be made before it."""
@@ -179,14 +241,13 @@ $(POINTS):
 
 
 def main(path, programs, chain, runs):
+    study = read_study(path)
+    folders = Folders(study, programs, chain, runs)
     try:
-        study = Study(path)
-        folders = Folders(study, programs, chain, runs)
         for name, (_, settings) in study.points.items():
             folders.point(name, settings)
-    except (Wrong, OSError, tomllib.TOMLDecodeError) as wrong:
-        print(f"{path}: {wrong}", file=sys.stderr)
-        sys.exit(2)
+    except (Wrong, OSError) as wrong:
+        refuse(path, wrong)
     waits = folders.waits
     every = {**waits["meshes"], **waits["models"], **waits["points"]}
     write_if_new(os.path.join(runs, "Makefile"), MAKEFILE.format(

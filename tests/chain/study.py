@@ -7,6 +7,7 @@ usage: study.py PROGRAMS_FOLDER CASES_FOLDER SMALL_CASE WORK_FOLDER
 import csv
 import glob
 import os
+import random
 import shutil
 import subprocess
 import sys
@@ -26,22 +27,40 @@ values = {"0.13" = [[0.0, 0.13e-3]], "0.12" = [[0.0, 0.12e-3]]}
 "reduce.density" = 5000
 "casing.lobes" = 3
 """
+HEAVY = '[points.heavy]\n"casing.lobes" = 3\n'
 # What is put in, and what is said of it.
 WRONG = (('"casing.lobes" = 3', '"casing.lobs" = 3', "point heavy: ", 'unknown key "lobs"'),
-         ('"casing.lobes" = 3', 'lobes = 3', '[points.heavy]: "lobes" must be TABLE.KEY of a case'),
+         ('"casing.lobes" = 3', 'lobes = 3', "[points.heavy]: 'lobes' must be TABLE.KEY of a case"),
          ('"casing.lobes" = 3', '"casing.lobes" = inf', "casing.lobes = inf must be a number"),
          ('"casing.lobes" = 3', '"casing.lobes" = 2026-01-01', "must be a number"),
-         ('{"0.13"', '{"../0.13"', '[grid.clearance]: "../0.13" names a folder'),
-         ('key = "casing.clearance"', 'keys = "casing.clearance"', '[grid.clearance]: unknown key "keys"; known: key, values, unit'),
+         ('{"0.13"', '{"../0.13"', "[grid.clearance]: '../0.13' names a folder"),
+         ('[grid.clearance]', '[grid."x$(shell touch ran)"]', "[grid]: 'x$(shell touch ran)' names a folder; use letters, digits and ._+-"),
+         ('[grid.clearance]', '[grid."../../../evil"]', "[grid]: '../../../evil' names a folder"),
+         ('[grid.clearance]', '[grid."g<img src=x onerror=alert(2)>"]', "names a folder"),
+         ('[points.heavy]', '[points.".."]', "[points]: '..' names a folder"),
+         ('[points.heavy]', '[points."clearance_0.12"]', "two points have the name clearance_0.12"),
+         ('case = "small_disc.toml"', 'case = "small_disc.toml"\nmodel = "m.h5;touch ran"', "must name a file by letters"),
+         ('case = "small_disc.toml"', 'case = "small_disc.toml\\n$(shell touch ran)"', "must be a text of one line"),
+         ('unit = "mm"', 'unit = "mm\\nsystem \'touch ran\'"', "must be a text of one line"),
+         ('[points.heavy]', '[grid.again]\nkey = "casing.clearance"\nvalues = [2]\n[points.heavy]',
+          "[grid.again]: varies casing.clearance, as [grid.clearance] does"),
+         ('values = {', f'values = {list(range(20000))}\nmore = {{', "unknown key 'more'"),
+         ('key = "casing.clearance"', 'keys = "casing.clearance"', "[grid.clearance]: unknown key 'keys'; known: key, values, unit"),
          ('case = "small_disc.toml"', '', "needs case ="),
-         ('[settings]', '[setings]', 'unknown key "setings"'),
+         ('[settings]', '[setings]', "unknown key 'setings'"),
+         (STUDY, 'case = 3\n' + HEAVY, "case = 3 must be a text"),
+         (STUDY, 'case = "small_disc.toml"\nsettings = [1]\n' + HEAVY, "[settings]: must be a table"),
+         (STUDY, 'case = "small_disc.toml"\npoints = [1]\n', "[points]: must be a table"),
+         (STUDY, 'case = "small_disc.toml"\ngrid = 3\n', "[grid]: must be a table"),
+         (STUDY, "\udcff\udcfe", "study.toml: "),
+         (STUDY, "case = " + 5000 * "[", "study.toml: "),
          ('"postprocess.prominence" = 0.001', "\"postprocess.response_up\" = \"response_up.h5\"", "response_up and response_down lie beside a case"),
          ('title =', 'title', "study.toml: "))
 
 
 class Bench:
     def __init__(self, programs, cases, case, work):
-        self.programs, self.work = programs, work
+        self.programs, self.cases, self.work = programs, cases, work
         shutil.rmtree(work, ignore_errors=True)
         os.makedirs(work)
         shutil.copy(case, work)
@@ -50,7 +69,7 @@ class Bench:
         self.environment = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
 
     def write(self, name, text):
-        with open(os.path.join(self.work, name), "w", encoding="utf-8") as file:
+        with open(os.path.join(self.work, name), "w", encoding="utf-8", errors="surrogateescape") as file:
             file.write(text)
 
     def start(self, *arguments):
@@ -105,16 +124,58 @@ def only_what_changed(bench):
 
 
 def refusals(bench):
+    """By `make table` too, which reads the study for itself. No command of a study is run, and no folder is made elsewhere."""
     for before, after, *phrases in WRONG:
         assert before in STUDY
         bench.write("study.toml", STUDY.replace(before, after))
         said, code = bench.make("runs")
         assert code != 0 and all(phrase in said for phrase in phrases) and "Traceback" not in said, (after, said)
+        assert "Traceback" not in bench.make("table")[0], after
+        bench.make("-n", "-C", "runs", "all")
+    around = os.path.dirname(bench.work)
+    assert not glob.glob(os.path.join(bench.work, "**", "ran"), recursive=True) and not glob.glob(os.path.join(around, "evil*"))
+
+
+def texts_of_strangers(bench):
+    """gnuplot runs what stands in backquotes; make and the shell see signs in texts and lists."""
+    bench.write("study.toml", STUDY.replace('unit = "mm"', 'unit = "`touch ran`"').replace('title = "Small <study>"', 'title = "`touch ran`"'))
+    bench.must_make("table")
+    texts = ("a#b", "a\\\\#b", "$(shell touch ran)", "`touch ran`", "'; touch ran; '", "\\U0001F600 infinity and nan")
+    for text in texts:
+        bench.write("study.toml", STUDY.replace('"casing.lobes" = 3', f'"casing.shape" = "{text}"'))
+        said, code = bench.make("runs")
+        assert code != 0 and "must be one of: cosine" in said and "TOML" not in said, said
+    assert not glob.glob(os.path.join(bench.work, "**", "ran"), recursive=True)
+
+
+def damaged(bench):
+    """2,000 studies with a few words or signs changed are taken or refused, and nothing else."""
+    sys.path.insert(0, os.path.join(bench.cases, "study"))
+    import study
+    words = STUDY.split() + ['"', "[", "]", "{", "}", "=", "\n", "nan", "1e999", "true", "..", "\u202e", "\0", "a.b", '""', "[[]]", "1979-05-27", "0" * 5000]
+    random.seed(12)
+    refused = 0
+    for _ in range(2000):
+        pieces = STUDY.split(" ")
+        for _ in range(random.choice((1, 1, 2, 4))):
+            place = random.randrange(len(pieces))
+            if random.random() < 0.5:
+                pieces[place] = random.choice(words)
+            else:
+                at = random.randrange(len(pieces[place]) + 1)
+                pieces[place] = pieces[place][:at] + random.choice(words) + pieces[place][at + random.randrange(3):]
+        bench.write("damaged.toml", " ".join(pieces))
+        try:
+            study.Study(os.path.join(bench.work, "damaged.toml"))
+        except study.Wrong:
+            refused += 1
+    assert 0 < refused < 2000
+    print(f"ok: 2000 damaged studies, {refused} of them refused")
 
 
 def main(*arguments):
     bench = Bench(*map(os.path.abspath, arguments))
-    for step in (points_at_once, table_and_page, only_what_changed, refusals):
+    for step in (points_at_once, table_and_page, only_what_changed, refusals, texts_of_strangers, damaged):
         step(bench)
 
 

@@ -1,30 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# From a case to its report, by the four programs. A case's folder holds case.toml and a Makefile that includes this file.
-#   make             everything that is out of date, and prints the critical speeds
-#   make model.h5    one file and what it needs;  make -B model.h5 makes it anyway
-#   make clean       removes what make made, and nothing else
-# A stage is out of date when the values that it reads of case.toml change, or a file that it reads; comments and spelling don't
-# count. What all stages read of the case is looked at before the first one works.
+# Takes a case to its report by the four programs. The folder of a case holds case.toml and a Makefile that includes this file.
+#   make             makes everything that is out of date, and prints the critical speeds
+#   make model.h5    makes one file and what it needs;  make -B model.h5 makes it in any case
+#   make clean       removes what make has made, and nothing else
+# A stage is out of date if the values that it reads of case.toml have changed, or a file that it reads; comments and spelling do not
+# count. Everything that the stages read of the case is checked before the first of them starts.
 #
-# A Makefile may set, before the include:
-#   MESH := wheel.msh       a mesh of your own;  make neither writes nor cleans it
-#   MODEL := wheel.h5       a model of your own, likewise;  FIELDS := wheel_fields.h5, if there are any
-#   MODEL_OF := ../<case>   another case's sector.msh, model.h5 and fields.h5: one wheel, many casings
-#   CASE := ../case.toml    another folder's case
-#   SETTINGS := ...         options of all programs: --set casing.lobes=3
+# A Makefile may set these variables before the include:
+#   MESH := wheel.msh       a mesh of your own, which make neither writes nor removes
+#   MODEL := wheel.h5       a model of your own, likewise;  FIELDS := wheel_fields.h5 if it has full fields
+#   MODEL_OF := ../<case>   takes sector.msh, model.h5 and fields.h5 of another case, for one wheel in many casings
+#   CASE := ../case.toml    takes the case file of another folder
+#   SETTINGS := ...         options of all programs, such as --set casing.lobes=3
 #   SIMULATE_FLAGS := ...   further options of tiprub-simulate, such as --set simulate.speed_count=12
-#   LAUNCH := mpirun -n 4   what starts tiprub-simulate
-#   BIN := ...              the folder of the programs; without it, build/bin of the source that this file is in, or bin of where it is installed
-# [postprocess] response_up = "response_up.h5" asks for this case swept up as well, response_down = "response_down.h5" down; any
-# other name is a file of your own, which make neither makes nor watches.
+#   LAUNCH := mpirun -n 4   the command that starts tiprub-simulate
+#   BIN := ...              the folder of the programs; by default build/bin of the source that holds this file, or bin of its installation
+# If [postprocess] sets response_up = "response_up.h5", make also sweeps this case up, and down for response_down = "response_down.h5".
+# Any other name there is a file of your own, which make neither makes nor watches.
 #
-# chain.sh, beside this file, looks at what the stages read of the case, and at which files are make's own; see there.
+# chain.sh, beside this file, finds out what has changed and which files are make's own.
 CHAIN_FOLDER := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
 TIPRUB ?= $(CHAIN_FOLDER)/..
 BIN ?= $(abspath $(or $(wildcard $(TIPRUB)/build/bin),$(TIPRUB)/../../bin))
 export PATH := $(BIN):$(PATH)
 
-.PHONY: all clean look
+.PHONY: all clean look $(addprefix look_,mesh reduce simulate postprocess)
 .DELETE_ON_ERROR:
 all: report/report.html
 	@cat report/critical_speeds.txt
@@ -42,28 +42,31 @@ clean:
 	@$(CHAIN) clean $(foreach own,MESH MODEL FIELDS,$(call in_shell,$($(own))))
 
 ifneq ($(MAKECMDGOALS),clean)
-stamp = $(shell $(CHAIN) name_stamp $1 $(CASE_FILE) $(SETTINGS) $(FLAGS_$1))
+# What each stage reads of the case, as a digest; none for a stage that this case leaves out.
+values = $(shell $(CHAIN) name_values $1 $(CASE_FILE) $(SETTINGS) $(FLAGS_$1))
 FLAGS_simulate = $(SIMULATE_FLAGS)
-STAMP_mesh := $(if $(MESH)$(MODEL)$(MODEL_OF),,$(call stamp,mesh))
-STAMP_reduce := $(if $(MODEL)$(MODEL_OF),,$(call stamp,reduce))
-STAMP_simulate := $(call stamp,simulate)
-STAMP_postprocess := $(call stamp,postprocess)
-STAMPS := $(STAMP_mesh) $(STAMP_reduce) $(STAMP_simulate) $(STAMP_postprocess)
-$(STAMPS): .chain/%:
-	@$(CHAIN) write_stamp $@ $(CASE_FILE) $(SETTINGS) $(FLAGS_$(firstword $(subst -, ,$*)))
+VALUES_mesh := $(if $(MESH)$(MODEL)$(MODEL_OF),,$(call values,mesh))
+VALUES_reduce := $(if $(MODEL)$(MODEL_OF),,$(call values,reduce))
+VALUES_simulate := $(call values,simulate)
+VALUES_postprocess := $(call values,postprocess)
+LOOKS := $(patsubst %,look_%,$(if $(VALUES_mesh),mesh) $(if $(VALUES_reduce),reduce) simulate postprocess)
+look_mesh look_reduce look_simulate look_postprocess: look_%:
+	@$(CHAIN) look $* $(CASE_FILE) $(SETTINGS) $(FLAGS_$*)
 
+# look_STAGE if a file was made of other values or other files than there are now. Their dates do not suffice: clocks may be set back.
+stale = $(if $(VALUES_$1),$(if $(shell $(CHAIN) is_made_of $2 $(VALUES_$1) $3),,look_$1))
 SWEPT := $(shell $(CHAIN) name_sweeps $(CASE_FILE) $(SETTINGS))
 ifneq ($(filter other,$(SWEPT)),)
 $(warning [postprocess] response_up or response_down names a file of your own: make neither makes nor watches it)
 endif
-SWEEPS := $(patsubst %,response_%.h5,$(filter-out other,$(SWEPT)))
-OTHERS := $(shell $(CHAIN) name_others $(if $(MODEL),,$(filter-out $(if $(MESH),sector.msh),$(MODEL_FILES))) response.h5 $(SWEEPS))
+RESPONSES := response.h5 $(patsubst %,response_%.h5,$(filter-out other,$(SWEPT)))
+OTHERS := $(shell $(CHAIN) name_others $(if $(MODEL),,$(filter-out $(if $(MESH),sector.msh),$(MODEL_FILES))) $(RESPONSES))
 ifneq ($(OTHERS),)
 $(error $(OTHERS): $(shell $(CHAIN) hint))
 endif
 
 ifdef MODEL_OF
-# The other case is asked now, so that -n and -q know of it. One make makes all its files: two at once would collide.
+# The other case is looked at now, so that -n and -q know of it. One make makes all its files, because two at once would collide.
 ITS_SOURCE := BIN=$(call in_shell,$(BIN)) $(if $(filter command,$(origin TIPRUB)),TIPRUB=$(call in_shell,$(TIPRUB)))
 LOOK := $(shell MAKEFLAGS= $(MAKE) -q -C $(MODEL_OF) $(ITS_SOURCE) $(MODEL_FILES) > /dev/null 2>&1 || echo look)
 $(MODEL_OF)/model.h5: $(LOOK)
@@ -71,39 +74,51 @@ $(MODEL_OF)/model.h5: $(LOOK)
 	@test -e $@
 $(MODEL_OF)/sector.msh $(MODEL_OF)/fields.h5: | $(MODEL_OF)/model.h5
 
-# make looks at the age of what a link points to, so that a model made anew reaches this case too.
+# make looks at the age of the file that a link points to, so that a new model reaches this case too.
 $(MODEL_FILES): %: $(MODEL_OF)/%
 	@$(CHAIN) require_own $@
 	ln -sf $< $@
 else ifndef MODEL
+STALE_mesh := $(call stale,mesh,sector.msh)
+STALE_reduce := $(STALE_mesh) $(call stale,reduce,fields.h5,sector.msh)
 ifndef MESH
-sector.msh: $(STAMP_mesh)
+sector.msh: $(STALE_mesh)
 	@$(CHAIN) require_own $@
 	tiprub-mesh $(CASE_FILE) -o $@ $(SETTINGS) --times .chain/sector.csv
-	@$(CHAIN) note $@
+	@$(CHAIN) note $@ $(VALUES_mesh)
 endif
 REDUCE = tiprub-reduce $(CASE_FILE) $(if $(MESH),$(call in_shell,$(MESH)),sector.msh) -o model.h5 --fields fields.h5 $(SETTINGS) --times .chain/model.csv
-fields.h5: $(STAMP_reduce) $(call as_prerequisite,$(or $(MESH),sector.msh))
+NOTE_MODEL = $(CHAIN) note 'fields.h5 model.h5' $(VALUES_reduce) sector.msh
+fields.h5: $(STALE_reduce) $(call as_prerequisite,$(or $(MESH),sector.msh))
 	@$(CHAIN) require_own model.h5 $@
 	$(REDUCE)
-	@$(CHAIN) note model.h5 $@
+	@$(NOTE_MODEL)
 
-# The same run has made it, after fields.h5, unless somebody has removed it since. (-n of make 4.3 half forgets a rule for both, &:.)
+# The run that made fields.h5 has made model.h5 after it, unless somebody has removed that since. (make -n of 4.3 forgets half of a
+# rule for both files, &:.)
 model.h5: fields.h5
-	@test $@ -nt $< || { $(REDUCE) && $(CHAIN) note $@ $<; }
+	@test -e $@ -a ! $< -nt $@ || { $(REDUCE) && $(NOTE_MODEL); }
 endif
 
 ROTOR := $(if $(MODEL),$(call in_shell,$(MODEL)),model.h5)
 ROTOR_FIELDS := $(if $(MODEL),$(FIELDS),fields.h5)
-response.h5 response_up.h5 response_down.h5: %.h5: $(STAMP_simulate) $(call as_prerequisite,$(or $(MODEL),model.h5))
+STALE_rotor := $(STALE_reduce) $(LOOK)
+STALE_response = $(STALE_rotor) $(call stale,simulate,$1,model.h5)
+response.h5: $(call STALE_response,response.h5)
+response_up.h5: $(if $(filter response_up.h5,$(RESPONSES)),$(call STALE_response,response_up.h5))
+response_down.h5: $(if $(filter response_down.h5,$(RESPONSES)),$(call STALE_response,response_down.h5))
+response.h5 response_up.h5 response_down.h5: %.h5: $(call as_prerequisite,$(or $(MODEL),model.h5))
 	@$(CHAIN) require_own $@ $*_full.h5
 	$(LAUNCH) tiprub-simulate $(CASE_FILE) $(ROTOR) -o $@ $(patsubst response_%,--set 'simulate.sweep="%"',$(filter response_%,$*)) $(SETTINGS) $(SIMULATE_FLAGS) --times .chain/$*.csv
-	@$(CHAIN) note $@ $*_full.h5
+	@$(CHAIN) note '$@ $*_full.h5' $(VALUES_simulate) model.h5
 
-# The report shows how long the stages took that this make, or that of MODEL_OF, has run; their notes are looked for when it is made.
-RUNS := $(patsubst %,.chain/%.csv,$(if $(STAMP_mesh),sector) $(if $(STAMP_reduce),model) response $(basename $(SWEEPS))) \
+# The report shows how long those stages took that this make, or that of MODEL_OF, has run. Their notes are looked for when it is made.
+RUNS := $(patsubst %,.chain/%.csv,$(if $(VALUES_mesh),sector) $(if $(VALUES_reduce),model) $(basename $(RESPONSES))) \
   $(if $(MODEL_OF),$(MODEL_OF)/.chain/sector.csv $(MODEL_OF)/.chain/model.csv)
-report/report.html: $(STAMPS) $(call as_prerequisite,$(or $(MODEL),model.h5)) $(call as_prerequisite,$(ROTOR_FIELDS)) response.h5 $(SWEEPS)
+REPORTED := model.h5 fields.h5 $(RESPONSES)
+STALE_report := $(foreach file,$(RESPONSES),$(call STALE_response,$(file))) $(call stale,postprocess,report/report.html,$(REPORTED))
+report/report.html: $(if $(strip $(STALE_report)),$(LOOKS)) $(call as_prerequisite,$(or $(MODEL),model.h5)) $(call as_prerequisite,$(ROTOR_FIELDS)) $(RESPONSES)
 	tiprub-postprocess $(CASE_FILE) $(ROTOR) response.h5 $(if $(ROTOR_FIELDS),--fields $(if $(MODEL),$(call in_shell,$(FIELDS)),fields.h5)) \
 	  -o report $(SETTINGS) $(addprefix --runs ,$(shell ls $(RUNS) 2> /dev/null)) > /dev/null
+	@$(CHAIN) note report/report.html $(VALUES_postprocess) $(REPORTED)
 endif

@@ -1,36 +1,47 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: chain.sh COMMAND ARGUMENT...: what chain.mk asks about the stages and the files of a case, in the case's folder.
+# usage: chain.sh COMMAND ARGUMENT...: what chain.mk asks about the stages and the files of a case, in the folder of the case.
 #
 # It takes from the environment
 #   BIN       the folder of the programs
 #   MODEL_OF  the folder of the case whose model this one links to; empty if there is none
-# A case may come from anybody, and make runs what it finds in the text that it is given. Therefore no text of a case is
-# printed here, but digests and fixed names only.
+# A case may come from a stranger, and make runs what it finds in a text that it is given. Therefore no text of a case is
+# printed here, only digests and fixed names.
 #
-# Beside each file that make has made stands its digest, .chain/FILE.sha256. A file is make's own as long as its bytes have
-# this digest, or if it is a link into MODEL_OF. Every other file is the user's: it is neither overwritten nor removed.
+# For each FILE that make has made there is .chain/FILE.sha256 with its digest. A file is make's own as long as its bytes have
+# this digest, or if it is a link into MODEL_OF. All other files are the user's, and are neither overwritten nor removed.
+# .chain/FILE.made_of tells what it was made of: the digest of the values that the stage read, and those of the files.
 PATH=$BIN:$PATH
 from_other_case='sector.msh model.h5 fields.h5'
 sweeps='response response_up response_down'
 
-# Prints the name of a stage's stamp, .chain/STAGE-DIGEST. The digest is that of all values that the stage reads of its
-# case: a stage is up to date if there is a stamp of this name. A case that the stage refuses has the digest of nothing;
-# write_stamp then shows what is wrong.
-name_stamp() { # STAGE CASE OPTION...
+# Prints the digest of all values that the stage reads of its case. A case that the stage refuses has the digest of nothing;
+# look then shows what is wrong.
+name_values() { # STAGE CASE OPTION...
   stage=$1
   shift
   digest=$("tiprub-$stage" "$@" --tables 2> /dev/null | sha256sum)
-  echo ".chain/$stage-${digest%% *}"
+  echo "${digest%% *}"
 }
 
-# Puts a stage's stamp in the place of its former one.
-write_stamp() { # STAMP CASE OPTION...
-  stamp=$1
-  stage=${stamp#.chain/}
-  stage=${stage%%-*}
+look() { # STAGE CASE OPTION...
+  stage=$1
   shift
-  mkdir -p .chain && rm -f ".chain/$stage"-* && "tiprub-$stage" "$@" --tables > "$stamp"
+  "tiprub-$stage" "$@" --tables > /dev/null
+}
+
+# The user's own files have no digests here: make looks at their age.
+made_of() { # VALUES FILE...
+  echo "$1"
+  shift
+  for file; do cat ".chain/$file.sha256" "${MODEL_OF:-.}/.chain/$file.sha256" 2> /dev/null; done
+}
+
+# Prints "yes" if FILE was made of these values and files, as they are now.
+is_made_of() { # FILE VALUES FILE...
+  note=.chain/${1##*/}.made_of
+  shift
+  made_of "$@" | cmp -s - "$note" && echo yes
 }
 
 # Prints "up" and "down" if [postprocess] asks for this case's own sweep, "other" for each sweep in a file of the user's.
@@ -47,15 +58,16 @@ is_made() { # FILE
   is_linked "$1" || sha256sum --status -c ".chain/$1.sha256" 2> /dev/null
 }
 
-# Prints those files that stand there and that make has no note of. They are not read: this is asked whenever make starts.
+# Prints those of the files that exist and that make has no digest of. They are not read, because make asks whenever it starts.
 name_others() { # FILE...
   for file; do
     if test -e "$file" && ! test -e ".chain/$file.sha256" && ! is_linked "$file"; then echo "$file"; fi
   done
 }
 
-# Fails at the first file that make did not make.
+# Fails at the first file that make did not make. The others are about to be made anew.
 require_own() { # FILE...
+  mkdir -p .chain
   for file; do
     test ! -e "$file" || is_made "$file" || { echo "$file: $(hint)" >&2; exit 1; }
   done
@@ -65,14 +77,26 @@ hint() {
   echo "make did not make it, and does not overwrite it; move it away, or name your own files as MESH and MODEL in the Makefile"
 }
 
-# Notes that make has made these files. A stage may leave one out.
-note() { # FILE...
-  for file; do
-    test ! -e "$file" || sha256sum "$file" > ".chain/$file.sha256"
+# Notes the digests of files that a stage has made, of which it may have left some out, and what the first was made of.
+note() { # 'FILE...' VALUES FILE...
+  for file in $1; do
+    test ! -e "$file" || sha256sum "$file" > ".chain/${file##*/}.sha256"
+  done
+  made=${1%% *}
+  shift
+  made_of "$@" > ".chain/${made##*/}.made_of"
+  set_back "$made"
+}
+
+# Gives the date of the file that was just made to make's own files that are dated ahead of it, by another clock or one that was
+# set back. Otherwise make would make it again and again.
+set_back() { # FILE
+  for file in $from_other_case response.h5 response_up.h5 response_down.h5; do
+    test ! -e ".chain/$file.sha256" || test -L "$file" || test ! "$file" -nt "$1" || touch -r "$1" "$file"
   done
 }
 
-# Removes what make has made, except for the user's own files, which may bear the same names.
+# Removes what make has made. The user's own files stay, even if they have the same names.
 clean() { # OWN_FILE...
   for file in $from_other_case $(for sweep in $sweeps; do echo "$sweep.h5 ${sweep}_full.h5"; done); do
     for own; do test "$own" != "$file" || continue 2; done
@@ -87,7 +111,7 @@ clean() { # OWN_FILE...
   rm -rf .chain report.tiprub.part ./*.tiprub.part.*
 }
 
-# tiprub-postprocess leaves in its report the list of the files that it wrote; others stay.
+# tiprub-postprocess leaves a list of its files in the report. Other files in that folder stay.
 clean_report() {
   test -f report/.tiprub-files || return 0
   (

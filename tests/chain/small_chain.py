@@ -161,6 +161,26 @@ def sweeps(bench):
     assert "names a file of your own" in said and "tiprub-simulate case.toml" not in said, said
 
 
+def clock_set_back(bench):
+    """What has changed is made again even if all files are dated ahead of the clock, and once only."""
+    ahead = 2 * (time.time() + 3600,)
+    folder = bench.folder("ahead")
+    for name in folder.files():
+        os.utime(name, ahead)
+    old = folder.read("response.h5")
+    folder.write("case.toml", bench.case.replace("lobes = 2", "lobes = 3"))
+    assert folder.would_run() == ["simulate", "postprocess"], folder.would_run()
+    folder.must_make()
+    assert folder.read("response.h5") != old and b"lobes = 3" in folder.read("report/case.toml")
+    assert folder.up_to_date()
+    folder = bench.folder("ahead_and_stopped")
+    folder.write("case.toml", bench.case.replace("density = 4430.0", "density = 4431.0"))
+    for name in folder.files():
+        os.utime(name, ahead)
+    folder.must_make("model.h5")
+    assert folder.would_run() == ["simulate", "postprocess"], folder.would_run()
+
+
 def hostile_names(bench):
     """No text of a case is run, by a shell or by make."""
     folder = bench.folder("hostile")
@@ -299,6 +319,8 @@ def moved(bench):
     reached = os.path.join(bench.work, "tiprub")
     if not os.path.islink(reached):
         os.symlink(source, reached)  # make takes no blank in what it includes
+    lost = make(alone)
+    assert lost.returncode != 0 and "There is no ../../cases/chain.mk: make TIPRUB=FOLDER" in lost.stdout, lost.stdout
     there = make(alone, f"TIPRUB={reached}", "-B", "sector.msh")
     assert there.returncode == 0 and "tiprub-mesh case.toml" in there.stdout, there.stdout
 
@@ -360,7 +382,7 @@ def settings_reach_the_report(bench):
         assert told in text and "ratio 0.02 of critical" not in text, name
 
 
-STEPS = (make_it, values_not_spelling, dry_run_touches_nothing, sweeps, hostile_names, own_mesh, own_model, never_overwrites, clean,
+STEPS = (make_it, values_not_spelling, dry_run_touches_nothing, sweeps, clock_set_back, hostile_names, own_mesh, own_model, never_overwrites, clean,
          tables_first, other_case, moved, interrupted, decimal_commas, settings_reach_the_report)
 
 

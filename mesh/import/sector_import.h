@@ -20,7 +20,7 @@ struct ImportParameters {
   double length = 1;  ///< [m] of the file's unit
   Axis axis = Axis::z;
   int sector_count = 0;                                              ///< 0: found from the cuts
-  std::string clamped, contact, blade_tip, cyclic_low, cyclic_high;  ///< selections; empty: see README.md
+  std::string clamped, contact, blade_tip, cyclic_low, cyclic_high;  ///< selections; empty: see mesh/format.md
   std::string contact_splitter, splitter_tip;                        ///< likewise; both empty: no contact there
   std::string disc, main_blade, splitter;                            ///< sets of solids; may be empty
   LeadingEdge leading_edge = LeadingEdge::low_z;

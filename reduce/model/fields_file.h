@@ -30,7 +30,7 @@ struct SectorFields {
   const std::vector<int>& node_set(const std::string& name) const { return node_sets.at(name); }
 };
 
-/// Writes fields.h5, schema "tiprub-fields" version 2 (see README.md), one nodal diameter after the other.
+/// Writes fields.h5, schema "tiprub-fields" version 2 (see reduce/format.md), one nodal diameter after the other.
 class FieldsWriter {
  public:
   FieldsWriter(const std::filesystem::path& path, const std::string& generator);

@@ -8,7 +8,7 @@
 
 namespace tiprub {
 
-/// model.h5, schema "tiprub-model" version 1; the format is described in reduce/README.md.
+/// model.h5, schema "tiprub-model" version 1; the format is described in reduce/format.md.
 void write_model(const ReducedModel& model, const std::filesystem::path& path, const std::string& generator);
 
 /// Raises RunError if the file is missing, damaged, of another schema, or holds a model that can't be one (see

@@ -10,7 +10,7 @@
 
 namespace tiprub {
 
-/// response.h5, schema "tiprub-response" version 5; the format is described in simulate/README.md.
+/// response.h5, schema "tiprub-response" version 5; the format is described in simulate/format.md.
 void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator);
 
 /// What a file is written for.

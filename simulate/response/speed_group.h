@@ -10,7 +10,7 @@
 namespace tiprub {
 
 /// One speed's group of response.h5, "/speed/00000", ...: attributes, arrays and states of the rotor, as
-/// simulate/README.md lists them. A speed that failed has no datasets.
+/// simulate/format.md lists them. A speed that failed has no datasets.
 void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& response,
                        const SimulatedScene& scene);
 

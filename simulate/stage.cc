@@ -13,14 +13,14 @@ namespace tiprub {
 
 namespace {
 
-constexpr double speed_tolerance = 1e-9;  // of speed_max: speeds come from rev/min
+constexpr double speed_tolerance = 1e-9;  // of speed_max, for rounding in the conversion from rev/min
 
 struct Inputs {
   Casing casing;
   SimulateParameters parameters;
   ReducedModel model;
   SweepSettings settings;
-  std::string resolved;  ///< both tables, for -v
+  std::string resolved;  ///< both tables with defaults, for -v
   SceneOrigin origin;
 
   SceneScope scope() const { return find_scope(model.sector_count, casing.lobes, parameters); }
@@ -55,7 +55,7 @@ Inputs read_inputs(const StageArguments& arguments) {
           resolved,          {provenance, casing_table.written()}};
 }
 
-/// The scope; before it, if verbose, all parameters.
+/// Reports the scope and, if verbose, all parameters before it.
 void report_scope(const StageArguments& arguments, const Inputs& inputs, const SceneScope& scope) {
   const bool verbose = arguments.verbosity == Verbosity::verbose;
   if (verbose) say(arguments, inputs.resolved);
@@ -74,7 +74,7 @@ void report_outcome(const StageArguments& arguments, const SimulateParameters& p
   say(arguments, line.str());
 }
 
-/// Runs and reports a sweep; the speeds at which it breaks the symmetry.
+/// Runs and reports a sweep. Returns the speeds that break the symmetry.
 std::vector<double> run(const StageArguments& arguments, const Inputs& inputs, const SceneScope& scope, int threads,
                         ProcessGroup& group) {
   const auto start = std::chrono::steady_clock::now();
@@ -85,8 +85,8 @@ std::vector<double> run(const StageArguments& arguments, const Inputs& inputs, c
   return outcome.breaking;
 }
 
-/// The speeds that break the symmetry, each from rest with all nodal diameters, into a response beside the first one.
-/// What decides a speed's result is set as a case sets it, so that the run's key counts it.
+/// Runs the speeds that break the symmetry, each from rest with all nodal diameters, into a response beside the
+/// first. Settings that decide results are set as by --set, so that they enter the key of the run.
 void run_whole_wheel(StageArguments arguments, const std::vector<double>& speeds, int threads, ProcessGroup& group) {
   arguments.output.replace_filename(arguments.output.stem().string() + "_full" +
                                     arguments.output.extension().string());

@@ -8,7 +8,7 @@
 
 namespace tiprub {
 
-/// What is read of the case: [casing], [simulate].
+/// The tables of the case that are read, [casing] and [simulate], with defaults.
 std::string simulate_tables(const CaseFile& file);
 
 /// tiprub-simulate case.toml model.h5 -o response.h5. `threads` 0: as [simulate] says.

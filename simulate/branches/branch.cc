@@ -130,11 +130,11 @@ Side follow_side(const Scene& scene, double speed, int steps_per_revolution, con
   LOCA::Stepper stepper(global, group, test(), list);
   try {
     stepper.run();
-  } catch (const NoMotion&) {  // beyond what the rotor or the clearance bears: the branch ends there
-  } catch (const char*) {      // LOCA's errors
+  } catch (const NoMotion&) {  // the rotor is unstable or the clearance is closed: the branch ends there
+  } catch (const char*) {      // an error of LOCA
   }
   LOCA::destroyGlobalData(global);
-  // LOCA steps beyond the range, and then back to its bound.
+  // LOCA steps beyond the range and then returns to its bound.
   std::erase_if(side.points, [&](const Point& point) {
     return point.speed < limits.speed_min * (1 - at_bound) || point.speed > limits.speed_max * (1 + at_bound);
   });
@@ -150,8 +150,8 @@ Side follow_side(const Scene& scene, double speed, int steps_per_revolution, con
   return side;
 }
 
-/// [rad/s] where a side turns back, but for what turns again at once (a kink): of the parabola over arc length
-/// through an orbit and its neighbours, the vertex.
+/// [rad/s] The speeds at which a side turns back: the vertices of the parabolas over arc length through an orbit and
+/// its neighbours. Two turns in immediate succession are a kink and not counted.
 std::vector<double> folds_of(const std::vector<Point>& points) {
   std::vector<double> found;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -170,7 +170,7 @@ std::vector<double> folds_of(const std::vector<Point>& points) {
   return found;
 }
 
-/// From the end of one side over the start, which both have, to the end of the other.
+/// The whole branch, from the end of the first side over the common start to the end of the second.
 OrbitBranch joined(const Side& first, const Side& second) {
   const auto back = static_cast<Eigen::Index>(first.points.size()),
              ahead = static_cast<Eigen::Index>(second.points.size());

@@ -14,7 +14,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr std::size_t most_kept = 4;  // speeds: a step of continuation goes to and fro between two
+constexpr std::size_t most_kept = 4;  // speeds: a continuation step alternates between two
 
 /// The unitary part of a matrix O, O (O^H O)^-1/2.
 Eigen::MatrixXcd unitary_part(const Eigen::MatrixXcd& matrix) {
@@ -24,7 +24,7 @@ Eigen::MatrixXcd unitary_part(const Eigen::MatrixXcd& matrix) {
 
 }  // namespace
 
-/// One speed's march, and how its modes stand to those of the reference speed.
+/// The march at one speed and the rotation of its modes onto those of the reference speed.
 class OrbitFamily::MapAtSpeed final : public PeriodicMap {
  public:
   MapAtSpeed(const Scene& scene, const RotorAtSpeed& reference, double speed, int steps_per_revolution)
@@ -104,7 +104,7 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
   std::int64_t grown_steps() const {
     return static_cast<std::int64_t>(std::ceil(scene_.casing.ramp_revolutions)) * march_.steps_per_revolution();
   }
-  /// Without the modes that the march pads with.
+  /// Leaves out the modes that the march adds as padding.
   static StateLayout unpadded(const RotorAtSpeed& rotor) {
     std::vector<StateLayout::Wave> waves;
     for (const WaveModes& wave : rotor.waves)

@@ -13,25 +13,25 @@
 
 namespace tiprub {
 
-/// The symmetric map of a scene at any speed, with one step for all speeds (a share of a revolution), on states that
-/// mean the same at all of them: modes change with the speed, cross, and take any phase, so that each speed's are
-/// turned to stand as those of a reference speed do. With Phi the modes of a nodal diameter at a speed and Phi_0
-/// those at the reference speed,
-///   z = U q,   U the unitary part of Phi_0^H M Phi (its polar factor),
-/// is that turn; positions are then scaled by the reference frequencies, velocities by the ratio of the speeds, so
-/// that a harmonic keeps its engine order.
+/// The symmetric map of a scene at any speed, with the same number of steps in a revolution, on states that have the
+/// same meaning at all speeds. Modes change with the speed, cross, and have an arbitrary phase; the modes of each
+/// speed are therefore rotated onto those of a reference speed. With Phi the modes of a nodal diameter at a speed and
+/// Phi_0 those at the reference speed, the rotated coordinates are
+///   z = U q,   U the unitary part of Phi_0^H M Phi (its polar factor).
+/// Positions are then scaled by the reference frequencies and velocities by the ratio of the speeds, so that a
+/// harmonic keeps its engine order.
 class OrbitFamily {
  public:
   /// Refers to the scene. Raises NoMotion if the rotor is unstable at the reference speed.
   OrbitFamily(const Scene& scene, double reference_speed, int steps_per_revolution);
 
-  /// At a speed in rad/s; the last few are kept. Raises NoMotion if the rotor is unstable there, or spin closes the
-  /// clearance.
+  /// The map at a speed in rad/s; the last few maps are kept. Raises NoMotion if the rotor is unstable there or spin
+  /// closes the clearance.
   std::shared_ptr<PeriodicMap> at(double speed);
   /// [m] half of the peak-to-peak normal displacement of the orbit through a state, as SpeedResponse has it.
   double amplitude(double speed, const Eigen::VectorXd& state);
   double maps_per_revolution() const;
-  /// A state of SymmetricMap's, at a speed, as one of this family; and back.
+  /// Converts a state of SymmetricMap at a speed into a state of this family, and back.
   Eigen::VectorXd of_family(double speed, const Eigen::VectorXd& state);
   Eigen::VectorXd of_march(double speed, const Eigen::VectorXd& state);
 

@@ -6,14 +6,14 @@
 
 namespace tiprub::kernels {
 
-/// Doubles that begin on a line of the cache, zero at first: a vector of eight that straddles two lines costs two
-/// loads.
+/// An array of doubles, initially zero, that begins on a cache line: a vector of eight that straddles two lines would
+/// cost two loads.
 class Lines {
  public:
   static constexpr std::size_t doubles = 8;  ///< a line
 
   Lines() = default;
-  /// At least `size`, in whole lines.
+  /// Holds at least `size` doubles, in whole lines.
   explicit Lines(std::size_t size) : lines_((size + doubles - 1) / doubles) {}
 
   double* data() { return lines_.empty() ? nullptr : lines_.front().values; }

@@ -51,7 +51,7 @@ bool ClosedInverse::close(int node) {
   return true;
 }
 
-/// V loses v_k v_k^T / v_kk, which empties row and column k; the last ones take their place.
+/// V becomes V - v_k v_k^T / v_kk, which makes row and column k zero; the last row and column take their place.
 void ClosedInverse::open(std::size_t slot) {
   const std::size_t last = nodes_.size() - 1;
   std::copy_n(inverse_.data() + stride_ * slot, kernels::whole_vectors(last + 1), column_.data());

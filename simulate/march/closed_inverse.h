@@ -8,20 +8,21 @@
 
 namespace tiprub {
 
-/// The inverse of the block of W that belongs to the closed nodes, kept from step to step: a node that closes borders
-/// it, one that opens leaves it, each a matrix of rank one, and a set's forces are one product. Rounding gathers, and
-/// W may be singular: whoever uses it looks at what the forces leave, and clears it where that is no rounding.
+/// The inverse V of the block of W that belongs to the closed nodes, kept from step to step. A node that closes or
+/// opens changes it by a matrix of rank one, and the forces of a set are one product. Rounding errors accumulate, and
+/// W may be singular. The caller must therefore check the gaps that remain under the forces, and call clear() where
+/// they are larger than rounding.
 class ClosedInverse {
  public:
-  /// W [m/N] in columns of `stride` rows, whole vectors long; stays where it is.
+  /// W [m/N] in columns of `stride` rows, a whole number of vectors. W must outlive this object.
   ClosedInverse(const double* compliance, std::size_t stride, double diagonal_shift);
 
-  /// Takes the inverse to this set. Whether it can: false, and empty, if a pivot isn't positive.
+  /// Updates the inverse to this set. Returns false, and leaves the inverse empty, if a pivot is not positive.
   bool follow(const std::vector<int>& closed);
   void clear();
-  /// The nodes in the order of values().
+  /// The nodes in the order of forces().
   const std::vector<int>& nodes() const { return nodes_; }
-  /// -V gap of the nodes' gaps; nodes().size() values, zeros up to whole vectors.
+  /// [N] -V g, with the gaps g [m] of the closed nodes; nodes().size() values, then zeros up to a whole vector.
   const double* forces(const double* gap);
 
  private:

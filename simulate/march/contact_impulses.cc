@@ -61,8 +61,8 @@ void ContactImpulses::factorize() {
   ++factorizations_;
 }
 
-/// What the inverse gives, if it leaves the closed nodes as near to the wall as a factor would. Else the inverse is
-/// given up.
+/// Solves with the kept inverse. If that leaves the closed nodes farther from the wall than a factor would, the
+/// inverse is cleared and the result is false.
 bool ContactImpulses::solve_by_inverse() {
   if (!inverse_.follow(closed_)) return false;
   const std::vector<int>& nodes = inverse_.nodes();
@@ -93,7 +93,8 @@ void ContactImpulses::solve_by_factor() {
                            padded_correction_.data());
 }
 
-/// eq. 15: lambda on the closed set, W_cc lambda_c = -g_c, so that eq. 14 holds there, and what it does to all gaps.
+/// eq. 15: lambda on the closed set from W_cc lambda_c = -g_c, so that eq. 14 holds there, and its effect W lambda on
+/// all gaps.
 void ContactImpulses::solve_closed() {
   multipliers_.setZero();
   if (!solve_by_inverse()) solve_by_factor();
@@ -128,7 +129,7 @@ bool ContactImpulses::settle_active_set(double tolerance) {
       if (is_closed) ++place;
       if (is_closed ? multipliers_[i] > 0 : free_gap_[i] + correction_[i] < -tolerance) next_.push_back(i);
     }
-    if (next_ == closed_) return true;  // only if there are gaps that are no numbers
+    if (next_ == closed_) return true;  // happens only if a gap is not a number
     std::swap(closed_, next_);
   }
   return false;

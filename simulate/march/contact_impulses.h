@@ -15,24 +15,25 @@ namespace tiprub {
 /// The contact forces of one step. With g the gaps of the free step (positive open) and W the compliance of the
 /// contact nodes over one step (block circulant, built once a speed), finds lambda >= 0 with
 ///   g+ = g + W lambda >= 0,  lambda . g+ = 0
-/// by a primal-dual active set (Hintermueller, Ito, Kunisch 2003), warm-started from the last step's set. Each set is
-/// solved with the inverse of the closed nodes' block, kept from step to step, and where that leaves more than
-/// rounding with a factor. If no set stands, Murty's least-index
-/// method (1974), which is finite for a positive definite W. W gets a relative shift on its diagonal, so that tied
-/// or doubled nodes (a singular W) keep a solution; it leaves a closed node off the wall by 1e-12 W_ii lambda_i.
+/// by a primal-dual active set (Hintermueller, Ito, Kunisch 2003), which starts from the set of the last step. Each
+/// set is solved with the inverse of the block of the closed nodes, which is kept from step to step, or with a factor
+/// where the inverse leaves more than rounding. If the active set does not converge, Murty's least-index method
+/// (1974) follows, which is finite for a positive definite W. W gets a relative shift on its diagonal, so that tied
+/// or doubled nodes (a singular W) have a solution; the shift leaves a closed node off the wall by 1e-12 W_ii
+/// lambda_i.
 ///
-/// The paper's rule holds a negative multiplier (the casing pulls) in some steps and leaves other nodes penetrating
-/// in many; it is kept for reproduction, and its violations are counted. Its eq. 15 has the opposite sign of its eq.
-/// 14: here g+ = g + W lambda.
+/// The paper's rule accepts a negative multiplier (the casing pulls) in some steps and leaves other nodes penetrating
+/// in many. It is kept for reproduction, and its violations are counted. The paper's eq. 15 has the opposite sign of
+/// its eq. 14: here g+ = g + W lambda.
 class ContactImpulses {
  public:
-  /// W [m/N]; n x n, symmetric positive semidefinite. Rows of zeros are nodes that are never closed.
+  /// W [m/N]; n x n, symmetric positive semidefinite. A row of zeros belongs to a node that never closes.
   ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule rule);
 
   /// Takes the gaps [m] of the free step to those of the step: g += W lambda. At least one gap must be negative.
   /// Raises NoMotion if no solution is found (W has a negative eigenvalue).
   void solve(Eigen::Ref<Eigen::VectorXd> gap);
-  /// For a step without contact.
+  /// Records a step without contact.
   void open();
 
   /// [N]; n, zero for open nodes.
@@ -42,12 +43,12 @@ class ContactImpulses {
   /// Indices of closed nodes, ascending.
   const std::vector<int>& closed() const { return closed_; }
 
-  /// How often the inverse did not do.
+  /// How often the kept inverse was not accurate enough.
   std::int64_t factorizations() const { return factorizations_; }
   std::int64_t fallbacks() const { return fallbacks_; }
 
  private:
-  /// All of them work on free_gap_, gap_, closed_, multipliers_ and correction_.
+  // These work on free_gap_, gap_, closed_, multipliers_ and correction_.
   void solve_closed();
   bool solve_by_inverse();
   void solve_by_factor();

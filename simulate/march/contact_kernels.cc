@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t eight = 8;
 
-/// `vectors` vectors of the sum; odd and even columns apart: the chain of additions is half as long.
+/// `vectors` vectors of the sum. Even and odd columns are summed separately, which halves the chain of additions.
 template <std::size_t vectors>
 TIPRUB_INLINE void combine_rows(const double* matrix, std::size_t stride, const int* columns, const double* weights,
                                 std::size_t count, double* sum) {

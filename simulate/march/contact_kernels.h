@@ -5,14 +5,15 @@
 
 namespace tiprub::kernels {
 
-/// The inner loops of the contact problem. Matrices are column-major with `stride` rows; vectors that are written are
-/// as long. The stride is a multiple of eight, and what is beyond the matrix is zero: loops run over whole vectors.
+/// The inner loops of the contact problem. Matrices are column-major with `stride` rows, and vectors that are written
+/// have the same length. The stride is a multiple of eight and the padding is zero, so that loops run over whole
+/// vectors of eight.
 
 constexpr std::size_t whole_vectors(std::size_t size) {
   return (size + 7) / 8 * 8;
 }
 
-/// The first `rows` of a matrix, in whole vectors.
+/// The first `rows` rows of a matrix, a whole number of vectors.
 struct Columns {
   const double* values;
   std::size_t stride, rows;
@@ -21,7 +22,7 @@ struct Columns {
 void combine_columns(const Columns& matrix, const int* columns, const double* weights, std::size_t count,
                      double* sum);
 
-/// matrix += factor u u^T, of `size` rows and columns; u is zero from there to whole vectors.
+/// matrix += factor u u^T over `size` rows and columns; u is zero from `size` to the end of its last vector.
 void add_dyad(double* matrix, std::size_t stride, std::size_t size, const double* u, double factor);
 
 /// A symmetric matrix as L D L^T, without pivoting.
@@ -31,9 +32,9 @@ struct Factor {
   double* inverse_pivot;  ///< 1/D
   std::size_t stride;
 };
-/// Whether it is positive definite; stops at the first pivot that isn't positive.
+/// Returns whether the matrix is positive definite; stops at the first pivot that is not positive.
 bool factorize(const Factor& factor, std::size_t size);
-/// x of the factorized system in the place of the right side.
+/// Overwrites the right side x with the solution of the factorized system.
 void solve(const Factor& factor, std::size_t size, double* x);
 
 }  // namespace tiprub::kernels

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// 0 <= lambda perpendicular to g+ >= 0, or the paper's rule: the force at t_q closes the gap at t_{q+1}.
+/// 0 <= lambda perpendicular to g+ >= 0, or the paper's rule. The force at t_q closes the gap at t_{q+1}.
 class PositionContact final : public ContactLaw {
  public:
   PositionContact(const Eigen::MatrixXd& compliance, ContactRule rule) : impulses_(compliance, rule) {}
@@ -35,8 +35,8 @@ class PositionContact final : public ContactLaw {
 
 /// Moreau-Jean: the gap rate G = h dg/dt follows g+ = g + theta G+ + (1 - theta) G, and for nodes with g + G/2 <= 0
 ///   0 <= lambda perpendicular to G+ >= 0,   G+ = G_free + W lambda,
-/// an inelastic impact on velocities. Positions are nobody's constraint: a node may penetrate by about h times its
-/// approaching speed, and stays there until it is pulled off.
+/// an inelastic impact on velocities. Nothing constrains the positions: a node may penetrate by about h times its
+/// approaching speed, and it stays there until the motion carries it off.
 class VelocityContact final : public ContactLaw {
  public:
   VelocityContact(const Eigen::MatrixXd& compliance, double theta)
@@ -83,7 +83,7 @@ class VelocityContact final : public ContactLaw {
       gap.noalias() += share * forces[i] * compliance_.col(i);
     }
   }
-  /// Takes rate_free_ to G+. An open node's rate is no constraint: it counts as infinite in the problem.
+  /// Updates rate_free_ to G+. The rate of an open node is not constrained and counts as infinite.
   bool close_approaching(const Eigen::VectorXd& gap_before) {
     constrained_ = Eigen::VectorXd::Constant(rate_free_.size(), infinity);
     bool any = false;
@@ -109,8 +109,9 @@ class VelocityContact final : public ContactLaw {
   std::vector<int> closed_;
 };
 
-/// lambda = kappa max(0, -g), kappa [N/m], explicit: the force of a step is known before it. No system to solve, but
-/// the spring raises omega_max (see penalised_omega_max) and the node penetrates by lambda/kappa.
+/// lambda = kappa max(0, -g), kappa [N/m]. The law is explicit: the force of a step is known before the step, and
+/// there is no system to solve. But the spring raises omega_max (see penalised_omega_max), and the node penetrates by
+/// lambda/kappa.
 class PenaltyContact final : public ContactLaw {
  public:
   PenaltyContact(const Eigen::MatrixXd& compliance, double stiffness)

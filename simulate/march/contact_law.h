@@ -10,18 +10,19 @@
 
 namespace tiprub {
 
-/// What gives the contact forces of a step. All speak of gaps only, so that the casing's motion needs no velocity.
+/// A law that gives the contact forces of a step. It is expressed by gaps only, so that no velocity of the casing is
+/// needed.
 class ContactLaw {
  public:
   virtual ~ContactLaw() = default;
 
-  /// From the gaps at t_q and those of the free step to t_{q+1} to the latter under the forces found. Whether there
-  /// are any. `penetrates`: whether a free gap is negative.
+  /// Finds the forces from the gaps at t_q and those of the free step to t_{q+1}, and updates the latter. Returns
+  /// whether there are any forces. `penetrates`: whether a free gap is negative.
   virtual bool step(const Eigen::VectorXd& gap_before, Eigen::VectorXd& gap, bool penetrates) = 0;
 
-  /// [N] at t_q along -normal, zero for open nodes.
+  /// [N] the forces at t_q along -normal; zero for open nodes.
   virtual const Eigen::VectorXd& multipliers() const = 0;
-  /// [m] what they add to the gaps, W lambda.
+  /// [m] W lambda, by which the forces change the gaps.
   virtual const Eigen::VectorXd& correction() const = 0;
   /// Indices of the nodes that have a force, ascending.
   virtual const std::vector<int>& closed() const = 0;
@@ -29,8 +30,8 @@ class ContactLaw {
   virtual std::int64_t fallbacks() const { return 0; }
 };
 
-/// The law of a scheme: closed nodes held in place, or by the paper's rule; impulses on their velocities; springs.
-/// `compliance` [m/N]: W.
+/// The law of a scheme: complementarity or the paper's rule in positions, impulses in velocities, or springs.
+/// `compliance` is W [m/N].
 std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup, const Eigen::MatrixXd& compliance);
 
 }  // namespace tiprub

@@ -7,13 +7,14 @@
 
 namespace tiprub {
 
-/// Speeds of the table: the squares of the frequencies are nearly polynomials of Omega^2 (eq. 11), and cubics between
-/// so many are exact to 1e-5 of the frequency on a wheel like the demo's.
+/// Number of speeds in the table. The squares of the frequencies are nearly polynomials in Omega^2 (eq. 11); cubics
+/// between 33 speeds are exact to 1e-5 of the frequency on the wheel of the demo.
 constexpr int frequency_speeds = 33;
 
-/// The natural frequencies of the model as it is marched (modes_at_speed) at `frequency_speeds` even speeds 0 ..
-/// speed_max [rad/s]. An unstable speed has negative ones. Costs a condensation and the eigenvalues of a dense
-/// Hermitian pencil for each speed and nodal diameter; `threads` of them at a time, with the same result.
+/// The natural frequencies of the model as it is marched (modes_at_speed), at `frequency_speeds` evenly spaced speeds
+/// from 0 to speed_max [rad/s]. Frequencies are negative where the rotor is statically unstable. Each speed and nodal
+/// diameter costs a condensation and the eigenvalues of a dense Hermitian pencil. The result does not depend on the
+/// number of threads.
 FrequencyTable frequency_table(const ReducedModel& model, const Damping& damping, double speed_max, int threads);
 
 }  // namespace tiprub

@@ -14,13 +14,15 @@
 
 namespace tiprub {
 
-/// What a march is at. Backward difference over the last step: a start for the next settling, no restart.
+/// The present state of a march. Velocities are backward differences over the last step: accurate enough to start
+/// another march, but not an exact restart.
 RotorState state_of(const TimeMarch& march, const ReducedModel& model);
 
-/// Puts a state into a march; the modes that it doesn't keep lose their part.
+/// Sets the state of a march. The share of modes that the march does not keep is lost.
 void put_state(const RotorState& state, const ReducedModel& model, TimeMarch& march);
 
-/// All that the next step of a march needs, to the bit; for laws of contact without memory.
+/// Everything that the next step of a march needs, so that restore() is exact to the bit. Only for contact laws
+/// without memory.
 class MarchState {
  public:
   explicit MarchState(const TimeMarch& march);
@@ -31,13 +33,13 @@ class MarchState {
   std::int64_t step_;
 };
 
-/// How the modes of some waves stand in a vector of real numbers: wave after wave, positions before velocities, of
-/// each the real parts before the imaginary ones.
+/// The order of the modes of some waves in a vector of real numbers: wave after wave, positions before velocities,
+/// and of each the real parts before the imaginary parts.
 class StateLayout {
  public:
   struct Wave {
     Eigen::Index modes;
-    int parts;  ///< 1: real parts alone
+    int parts;  ///< 1: only real parts
   };
   struct Modes {
     Eigen::VectorXcd position, velocity;
@@ -45,7 +47,7 @@ class StateLayout {
   explicit StateLayout(std::vector<Wave> waves);
 
   Eigen::Index size() const { return size_; }
-  /// Those of one wave.
+  /// The modes of one wave.
   Modes read(const Eigen::VectorXd& state, std::size_t wave) const;
   void write(const Modes& modes, std::size_t wave, Eigen::VectorXd& state) const;
 
@@ -55,18 +57,18 @@ class StateLayout {
   Eigen::Index size_ = 0;
 };
 
-/// The modes with mass of a march, from one of its waves on, at t_q and t_{q-1} as a vector whose square is twice
-/// their energy: frequencies (not below the speed of rotation) times positions, then velocities [m/s sqrt(kg)].
+/// The modes with mass of the waves of a march, from `first_wave` on, as a vector whose squared norm is twice their
+/// energy: positions times frequencies (at least the speed of rotation), then velocities [m/s sqrt(kg)].
 class EnergyState {
  public:
   enum class StandingWaves {
     real,     ///< without the imaginary parts, which are zero
-    complex,  ///< as all others
+    complex,  ///< with both parts, as travelling waves
   };
   EnergyState(const TimeMarch& march, std::size_t first_wave, StandingWaves standing);
 
   const StateLayout& layout() const { return layout_; }
-  /// `phases`: what the modes of each wave are multiplied with; empty: 1.
+  /// The modes of each wave are multiplied by its entry of `phases`; an empty list stands for 1.
   Eigen::VectorXd of(const TimeMarch& march, const std::vector<std::complex<double>>& phases = {}) const;
   void put(const Eigen::VectorXd& state, TimeMarch& march) const;
 

@@ -21,24 +21,24 @@ struct MarchSetup {
   double penalty_stiffness = 0;  ///< [N/m] of penalty
 };
 
-/// Marches of one speed share it.
+/// All marches of one speed share a rotor.
 using SharedRotor = std::shared_ptr<const RotorAtSpeed>;
 
-/// All that a march is made of: what moves, what it meets, and the steps.
+/// The ingredients of a march: what moves, what the tips meet, and how time is stepped.
 struct MarchedScene {
-  SharedRotor rotor;  ///< with the tips' motion by mode: along the normals, and in r, theta, z (WaveModes)
+  SharedRotor rotor;  ///< its WaveModes hold the motion of the tips along the normals and in r, theta, z
   ContactLine tips;
   Obstacle obstacle;
   MarchSetup setup;
 
-  /// [rad/s] the highest frequency that a step meets: of the modes, or, if closed tips stand on springs, with these.
+  /// [rad/s] the highest frequency of the modes; if closed tips stand on springs, with all springs attached.
   double omega_max() const;
 };
 
 /// The rotor of a scene at a speed [rad/s]. Raises NoMotion if it is unstable there.
 SharedRotor rotor_of(const Scene& scene, double speed, OtherDiameters others = OtherDiameters::known);
 
-/// What a scene's march at the rotor's speed is made of. Raises NoMotion if spin closes the clearance there.
+/// Collects what a scene's march at the speed of the rotor needs. Raises NoMotion if spin closes the clearance there.
 MarchedScene marched_scene(const Scene& scene, const SharedRotor& rotor, int steps_per_revolution);
 
 }  // namespace tiprub

@@ -21,7 +21,7 @@ Eigen::ArrayXd padded(const Eigen::ArrayXd& values, Eigen::Index size) {
   return longer;
 }
 
-/// Y in the order of the kernels; a standing wave has no imaginary part.
+/// Arranges Y in the order of wave_kernels.h; a standing wave has no imaginary part.
 kernels::Lines lay_out_shapes(const Eigen::MatrixXcd& normal_rows, Eigen::Index modes, WaveKind kind) {
   const std::size_t parts = kind == WaveKind::travelling ? 2 : 1, block = kernels::mode_block;
   const auto nodes = static_cast<std::size_t>(normal_rows.rows());
@@ -163,7 +163,7 @@ void ModalWaves::advance_modes(std::size_t index) {
   const double* a = wave.coefficients.a.data();
   const double* b = wave.coefficients.b.data();
   memory.two_before.swap(memory.before);
-  memory.before.swap(memory.q);  // memory.q now holds what is overwritten: the oldest instant
+  memory.before.swap(memory.q);  // memory.q now holds the oldest instant, which is overwritten
   kernels::advance(a, b, memory.before.data(), memory.two_before.data(), memory.q.data(), moving);  // eq. 13
   if (wave.kind == WaveKind::travelling)
     kernels::advance(a, b, memory.before.data() + modes, memory.two_before.data() + modes, memory.q.data() + modes,
@@ -183,7 +183,7 @@ void ModalWaves::advance(Eigen::VectorXd& displacement) {
   add_sectors(displacement);
 }
 
-/// eq. 15: what lambda does to the displacements, u+ = u+,p + [M_r/h^2 + D_r/(2h)]^-1 C_N lambda, in modes.
+/// eq. 15 in modes: the effect of lambda on the displacements, u+ = u+,p + [M_r/h^2 + D_r/(2h)]^-1 C_N lambda.
 void ModalWaves::add_waiting_forces(std::size_t index) const {
   const MarchedWave& wave = waves_[index];
   Memory& memory = memory_[index];

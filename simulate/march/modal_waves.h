@@ -11,13 +11,13 @@
 
 namespace tiprub {
 
-/// What one nodal diameter is marched with. Arrays over its modes: those of the rotor first, then some that never
-/// move (a = b = c = 0), so that loops run over whole vectors.
+/// The data with which one nodal diameter is marched. The arrays hold the modes of the rotor first, then padding
+/// modes that never move (a = b = c = 0), so that loops run over whole vectors.
 struct MarchedWave {
   int nodal_diameter = 0;
   WaveKind kind = WaveKind::travelling;
   double weight = 0;        ///< w_n
-  Eigen::Index moving = 0;  ///< modes with mass come first; so many, in whole vectors
+  Eigen::Index moving = 0;  ///< number of modes with mass, which come first, padded to whole vectors
   Eigen::ArrayXd omega;     ///< [rad/s]
   StepCoefficients coefficients;
 
@@ -27,7 +27,7 @@ struct MarchedWave {
 /// The instants that a march holds: t_q, t_{q-1}, t_{q-2}.
 enum class Instant { now, before, two_before };
 
-/// [m sqrt(kg)] q of one nodal diameter at an instant, over MarchedWave::modes(). Valid until the march goes on.
+/// [m sqrt(kg)] q of one nodal diameter at an instant; MarchedWave::modes() values. Valid until the next step.
 struct ModalCoordinates {
   Eigen::Map<const Eigen::ArrayXd> real, imaginary;
 
@@ -35,12 +35,12 @@ struct ModalCoordinates {
   Eigen::VectorXcd head(Eigen::Index count) const;
 };
 
-/// The modes of all nodal diameters of a march, in the memory order of wave_kernels.h, which nobody else knows: real
-/// and imaginary parts apart, padded to whole vectors, and with forces that wait for the next free step, because it
-/// needs the same rows of Y.
+/// The modes of all nodal diameters of a march. Only this class knows their memory order, which is that of
+/// wave_kernels.h: real and imaginary parts are separate and padded to whole vectors. The forces of a step are
+/// applied to the modes together with the next free step, because both read the same rows of Y.
 class ModalWaves {
  public:
-  /// The contact nodes as the march stands them in a vector: sector after sector, each padded to `width` nodes.
+  /// The order of contact nodes in a vector of the march: sector after sector, each padded to `width` nodes.
   struct Nodes {
     int sector_count, sectors, symmetry, nodes;  ///< N, N/g, g, n_c
     std::size_t width;
@@ -50,7 +50,7 @@ class ModalWaves {
   std::size_t size() const { return waves_.size(); }
   const MarchedWave& operator[](std::size_t wave) const { return waves_[wave]; }
   ModalCoordinates coordinates(std::size_t wave, Instant instant) const;
-  /// [N] Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha} of the last forces; n_c.
+  /// [N] Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha} of the forces added last; n_c.
   Eigen::VectorXcd forces(std::size_t wave) const;
   /// [m/N] W = sum over n of Re(Y c Y^H e^{i n (j - j') alpha}) w_n g / N; padded rows zero.
   Eigen::MatrixXd compliance(const RotorAtSpeed& rotor) const;
@@ -64,7 +64,7 @@ class ModalWaves {
   void add_forces(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
 
  private:
-  /// Of one nodal diameter.
+  /// The working arrays of one nodal diameter.
   struct Memory {
     Eigen::VectorXd q, before, two_before;  ///< real parts, then imaginary parts, at t_q, t_{q-1}, t_{q-2}
     kernels::Lines shapes;                  ///< Y in the order of wave_kernels.h
@@ -73,7 +73,7 @@ class ModalWaves {
   };
   Memory lay_out(const WaveModes& from, const MarchedWave& wave) const;
   void advance_modes(std::size_t wave);
-  /// p_ from a wave's modes.
+  /// Computes the share of p_ of one wave.
   void map_to_nodes(std::size_t wave);
   void add_sectors(Eigen::VectorXd& displacement) const;
   void settle_forces() const;
@@ -84,8 +84,9 @@ class ModalWaves {
   mutable std::vector<Memory> memory_;
   mutable bool forces_wait_ = false;       ///< the last forces are not in the modes yet
   Eigen::VectorXd p_;                      ///< Y q, for each wave real parts, then imaginary parts
-  std::vector<double> phases_of_sectors_;  ///< for each sector, of each wave the cosine, then the sine of n j alpha
-  std::vector<int> forced_nodes_, forced_sectors_;  ///< that have a force in any sector, at any node
+  std::vector<double> phases_of_sectors_;  ///< for each sector and wave, the cosine and the sine of n j alpha
+  std::vector<int> forced_nodes_;          ///< nodes with a force in any sector
+  std::vector<int> forced_sectors_;        ///< sectors with a force at any node
   std::vector<char> node_has_force_;
 };
 

@@ -16,7 +16,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr double zero_eigenvalue = 1e-12;  // of the largest one: a free motion, not an instability
+constexpr double zero_eigenvalue = 1e-12;  // of the largest one; a rigid-body motion, not an instability
 
 struct Spectrum {
   Eigen::ArrayXd omega;
@@ -75,7 +75,7 @@ WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kin
   return wave;
 }
 
-/// Of real matrices, or of complex ones.
+/// For real or complex matrices.
 template <class Matrix>
 ModesAtSpeed modes_of(const Matrix& K, const Matrix& M, const Eigen::MatrixXcd& basis, ModeParts parts) {
   if (parts == ModeParts::frequencies) return {eigenvalues(K, M), {}};

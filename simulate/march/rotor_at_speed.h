@@ -10,7 +10,7 @@
 
 namespace tiprub {
 
-/// How many modes of each nodal diameter a march keeps, and what becomes of the others.
+/// How many modes of each nodal diameter a march keeps, and how it treats the others.
 struct ModeChoice {
   enum class Others { dropped, quasi_static };
 
@@ -18,7 +18,7 @@ struct ModeChoice {
   Others others = Others::dropped;
 };
 
-/// Whether the nodal diameters that aren't asked for are looked at as well.
+/// Whether the modes of the nodal diameters that are not asked for are computed as well.
 enum class OtherDiameters { known, unknown };
 
 /// One nodal diameter at one speed, a block of the paper's eq. 12, in its own modes: u_j = Re(Phi q e^{i n j alpha}),
@@ -27,20 +27,20 @@ enum class OtherDiameters { known, unknown };
 struct WaveModes {
   int nodal_diameter = 0;
   WaveKind kind = WaveKind::travelling;
-  Eigen::Index moving = 0;        ///< modes with mass; those beyond follow their forces at once
+  Eigen::Index moving = 0;        ///< number of modes with mass; the others follow their forces without delay
   Eigen::ArrayXd omega;           ///< [rad/s], ascending; m
   Eigen::ArrayXd damping_ratio;   ///< [1] of critical; m
   Eigen::MatrixXcd contact_rows;  ///< Phi at the contact dofs; 3 n_c x m
   Eigen::MatrixXcd normal_rows;   ///< Y: normal displacement of the contact nodes by mode; n_c x m
   Eigen::MatrixXcd shapes;        ///< Phi, in the model's coordinates; n x m
-  /// [m/N] Y omega^-2 Y^H over the modes without mass and those dropped: the compliance that moves without inertia,
-  /// or not at all; n_c x n_c, empty if all modes move.
+  /// [m/N] Y omega^-2 Y^H, the compliance of the modes that have no mass or are dropped; n_c x n_c, empty if all
+  /// modes have mass.
   Eigen::MatrixXcd residual_compliance;
 
   double weight() const { return kind == WaveKind::standing ? 1.0 : 2.0; }
 };
 
-/// The model at one speed, diagonalised: the blocks of eq. 12, each by itself, so that F of eq. 11 is never built.
+/// The model at one speed, diagonalised block by block of eq. 12. The matrix F of eq. 11 is never formed.
 struct RotorAtSpeed {
   double speed = 0;               ///< [rad/s]
   int sector_count = 0;           ///< N
@@ -48,31 +48,30 @@ struct RotorAtSpeed {
   std::vector<WaveModes> others;  ///< those not asked for, if known
   double first_frequency = 0;     ///< [Hz] the lowest of all nodal diameters that are known
   double omega_max = 0;           ///< [rad/s] the highest with mass of those asked for
-  double tip_stiffness = 0;       ///< [N/m] static, of the stiffest contact node, pushed alone
+  double tip_stiffness = 0;       ///< [N/m] static stiffness of the stiffest contact node, loaded by itself
 };
 
-/// The modes of one nodal diameter of the model as it is marched: condensed at the speed.
+/// The modes of one nodal diameter of the model as it is marched, condensed at the speed.
 struct ModesAtSpeed {
   Eigen::VectorXd omega_squared;  ///< [rad^2/s^2], ascending; below zero where the rotor is statically unstable
   Eigen::MatrixXcd shapes;        ///< Phi, Phi^H M Phi = 1, in the model's coordinates; a standing wave's are real
 };
-enum class ModeParts { all, frequencies };  ///< frequencies: without shapes
+enum class ModeParts { all, frequencies };  ///< `frequencies`: without shapes
 
-/// (K(Omega) - omega^2 M) Phi = 0, K of eq. 11; dense. An unstable speed is no failure here.
+/// Solves (K(Omega) - omega^2 M) Phi = 0, with K of eq. 11, by a dense solver. Accepts statically unstable speeds.
 ModesAtSpeed modes_at_speed(const ReducedModel& model, int nodal_diameter, double speed,
                             ModeParts parts = ModeParts::all);
 
-/// Solves one Hermitian eigenproblem a nodal diameter (n^3 once a speed, against millions of steps). Mode m of each
-/// nodal diameter takes the damping of family m at its frequency. Raises NoMotion if K(Omega) has a negative
-/// eigenvalue: the rotor at this speed has no stable shape.
+/// Solves one Hermitian eigenproblem for each nodal diameter. Mode m of each nodal diameter has the damping of family
+/// m at its frequency. Raises NoMotion if K(Omega) has a negative eigenvalue: the rotor is then statically unstable.
 RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::vector<int>& nodal_diameters,
                             const Damping& damping, const ModeChoice& modes = {},
                             OtherDiameters others = OtherDiameters::known);
 
-/// [rad/s] the highest frequency with every contact node on a spring kappa [N/m]: the largest eigenvalue of
-/// omega^2 + kappa Y^H Y over the rotor's nodal diameters, which is K + kappa C C^T in modes. With fewer closed nodes
-/// it is lower (interlacing), so that h omega_max < 2 keeps central differences stable whatever closes. One Hermitian
-/// eigenproblem a nodal diameter.
+/// [rad/s] The highest frequency with every contact node on a spring kappa [N/m]: the root of the largest eigenvalue
+/// of omega^2 + kappa Y^H Y over the nodal diameters of the rotor, which is K + kappa C C^T in modes. With fewer
+/// closed nodes it is lower (interlacing). Central differences are thus stable for h omega_max < 2, whichever nodes
+/// are closed. Solves one Hermitian eigenproblem for each nodal diameter.
 double penalised_omega_max(const RotorAtSpeed& rotor, double stiffness);
 
 }  // namespace tiprub

@@ -11,15 +11,17 @@ namespace tiprub {
 
 namespace {
 
-// [rad] a step. Near 2 pi a mode comes back to where it was, whatever pushed it (c = 0): it would meet the casing as
-// if it had no compliance. 2.0 .. 2.8 give the same error within a third; pi is the limit of stability.
+// [rad] The largest angle of a mode in a step. Near 2 pi a mode would return to its start whatever force acts on it
+// (c = 0), and would meet the casing as if it had no compliance. Bounds of 2.0 to 2.8 give the same error within a
+// third; pi is the limit of stability.
 constexpr double resolved_angle = 2.4;
 
 struct OneMode {
   double a, b, c;
 };
 
-/// 1 - a + b is a difference of nearly equal numbers for small steps; it is (1 - e^{-x})^2 + 4 e^{-x} sin^2(y/2).
+/// For small steps 1 - a + b is a difference of nearly equal numbers, and is computed as (1 - e^{-x})^2 +
+/// 4 e^{-x} sin^2(y/2).
 OneMode one_mode(double omega, double ratio, double step) {
   if (omega == 0) return {2.0, 1.0, step * step};
   const double x = ratio * omega * step;
@@ -32,12 +34,13 @@ OneMode one_mode(double omega, double ratio, double step) {
   return {2 * decay * (ratio <= 1 ? std::cos(y) : std::cosh(y)), decay * decay, static_share / (omega * omega)};
 }
 
-/// Exact free flight of what the step resolves; c such that a constant force ends in its static deflection:
+/// Exact free flight of the modes that the step resolves, with c chosen such that a constant force leads to its
+/// static deflection:
 ///   a = 2 e^{-z w h} cos(y), b = e^{-2 z w h}, c = (1 - a + b)/w^2,   y = min(w sqrt(1 - z^2) h, 2.4)
 /// (cosh of the whole angle for z > 1; c = h^2 at w = 0). Without the bound on y (Gautschi) modes near w h = 2 pi
-/// would lose their compliance, c = 0, and blunt every impact: on a wheel with light tips the error of the settled
-/// motion was 6e-2 where it is 2e-3 with it. A mode beyond the bound swings too slowly, with the right compliance and
-/// decay.
+/// would lose their compliance (c = 0), which falsifies every impact: on a wheel with light tips the error of the
+/// settled motion is 6e-2 without the bound and 2e-3 with it. A mode beyond the bound oscillates too slowly, but has
+/// the right compliance and decay.
 StepCoefficients trigonometric(const Eigen::ArrayXd& omega, const Eigen::ArrayXd& damping_ratio, double step) {
   const Eigen::Index count = omega.size();
   StepCoefficients all{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
@@ -59,12 +62,11 @@ StepCoefficients central_differences(const Eigen::ArrayXd& omega, const Eigen::A
   return {(2 - angle.square()) / (1 + lag), (1 - lag) / (1 + lag), step * step / (1 + lag)};
 }
 
-/// Trigonometric for the first `moving` modes. A mode beyond them is its static deflection under the force of the
-/// step, q+ = f/w^2 (a = b = 0): high modes have mass only to make the step short or the impact blunt, and their
-/// compliance is what a closed node feels (residual flexibility; massless boundaries, Monjaraz-Tec, Gross, Krack
-/// 2022). Another model than the whole one. Costs no free flight for these modes, and keeps W of full rank whatever
-/// is kept.
-/// Raises NoMotion if a mode beyond `moving` has no stiffness.
+/// Trigonometric for the first `moving` modes. The modes beyond them have no mass and take their static deflection
+/// under the force of the step, q+ = f/w^2 (a = b = 0): a closed node feels their compliance, while their mass would
+/// only shorten the step (residual flexibility; massless boundaries, Monjaraz-Tec, Gross, Krack 2022). This is a
+/// different model from the full one. The modes without mass cost no free flight, and W keeps its full rank however
+/// few modes have mass. Raises NoMotion if a mode beyond `moving` has no stiffness.
 StepCoefficients residual_flexibility(const Eigen::ArrayXd& omega, const Eigen::ArrayXd& damping_ratio, double step,
                                       Eigen::Index moving) {
   StepCoefficients all = trigonometric(omega, damping_ratio, step);
@@ -83,7 +85,8 @@ StepCoefficients residual_flexibility(const Eigen::ArrayXd& omega, const Eigen::
 ///   D = 1 + theta^2 w^2 h^2 + 2 theta z w h,
 ///   a = 2 - 1/theta + (1/theta - theta w^2 h^2)/D,   b = 1 - 1/theta + (1/theta + (1 - theta) w^2 h^2)/D,
 ///   c = h^2/D,
-/// driven by theta lambda_q + (1 - theta) lambda_{q-1}. No step limit; for theta > 1/2 it damps what it shouldn't.
+/// driven by theta lambda_q + (1 - theta) lambda_{q-1}. It has no step limit, and adds numerical damping for
+/// theta > 1/2.
 StepCoefficients moreau_jean(const Eigen::ArrayXd& omega, const Eigen::ArrayXd& damping_ratio, double step,
                              double theta) {
   const Eigen::ArrayXd angle_2 = (omega * step).square();

@@ -11,22 +11,23 @@ namespace tiprub {
 /// For any member of this family a step is, with the modified mass mu = h^2 (1 + b) / (2 c) and the damping
 /// d = h (1 - b) / c,
 ///   mu (q+ - 2 q + q-)/h^2 + d (q+ - q-)/(2 h) + omega^2 q = f,   omega^2 = (1 - a + b)/c,
-/// which is what energy_audit counts.
+/// from which EnergyAudit derives its balance.
 struct StepCoefficients {
   Eigen::ArrayXd a;  ///< [1]
   Eigen::ArrayXd b;  ///< [1]
   Eigen::ArrayXd c;  ///< [s^2], never negative
 };
 
-/// What a scheme needs beside the modes and the step.
+/// The options of a scheme beside the modes and the step.
 struct SchemeOptions {
   Scheme scheme = Scheme::trigonometric;
   double theta = 0.5;              ///< [1] of Moreau-Jean, 1/2 .. 1: 1/2 conserves energy, more damps
   double penalty_stiffness = 100;  ///< [1] of penalty, in tip stiffnesses
 };
 
-/// Arrays over modes: omega [rad/s] >= 0, damping_ratio [1] >= 0; step h [s]. The first `moving` modes have mass, the
-/// others none (only residual flexibility has such). Raises NoMotion if one of these has no stiffness.
+/// The arrays over modes are omega [rad/s] >= 0 and damping_ratio [1] >= 0; `step` is h [s]. The first `moving` modes
+/// have mass. The others have none, which only residual flexibility uses; it raises NoMotion if one of these has no
+/// stiffness.
 StepCoefficients step_coefficients(const SchemeOptions& options, const Eigen::ArrayXd& omega,
                                    const Eigen::ArrayXd& damping_ratio, double step, Eigen::Index moving);
 

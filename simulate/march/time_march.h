@@ -12,26 +12,26 @@
 
 namespace tiprub {
 
-/// The one loop of all schemes: a rotor in modal coordinates against a rigid casing, step by step,
+/// The time loop of all schemes: a rotor in modal coordinates against a rigid casing, step by step,
 ///   q+ = a q - b q- - c Y^H Lambda_n,   Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha}, j < N/g,
-/// with lambda from the scheme's contact law, as a rule 0 <= lambda perpendicular to g+ >= 0.
-/// Only normal displacements of contact nodes pass between the nodal diameters. lambda found in the step from t_q to
-/// t_{q+1} is the force at t_q. Starts from rest. With the coefficients of central differences predict() is the
-/// paper's eq. 13, and the contact forces and what they do are its eq. 14 and eq. 15. Modes without mass (residual
-/// flexibility) take no part in the free step. Costs 2 m n_c complex multiplications a nodal diameter, twice that in
-/// contact.
+/// with lambda from the contact law of the scheme, usually 0 <= lambda perpendicular to g+ >= 0. The nodal diameters
+/// are coupled by the normal displacements of the contact nodes only. The lambda found in the step from t_q to
+/// t_{q+1} is the force at t_q. The march starts from rest. With the coefficients of central differences, predict()
+/// is the paper's eq. 13, and the contact forces and their effect are its eq. 14 and eq. 15. Modes without mass
+/// (residual flexibility) take no part in the free step. A step costs 2 m n_c complex multiplications for each nodal
+/// diameter, and twice that in contact.
 ///
-/// Values by contact node stand in one vector, sector after sector, each padded to width() nodes.
+/// Values of contact nodes are stored in one vector, sector after sector, each padded to width() nodes.
 class TimeMarch {
  public:
-  /// Everything raises NoMotion if the contact compliance is no such thing.
+  /// All members raise NoMotion if a contact problem has no solution.
   explicit TimeMarch(MarchedScene scene);
 
-  /// predict(), then the scheme's contact law, and what its forces do.
+  /// One step: predict(), the contact law of the scheme, and the effect of its forces.
   void step();
-  /// The free step to t_{q+1}. Whether a node penetrates.
+  /// The free step to t_{q+1}. Returns whether a node penetrates.
   bool predict();
-  /// Adds the forces [N] along -normal at t_q to the step just predicted; indices of the nodes that have one.
+  /// Adds forces [N] along -normal at t_q to the step just predicted. `nodes`: the indices of the nodes with a force.
   void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
 
   const MarchedScene& scene() const { return scene_; }
@@ -59,19 +59,19 @@ class TimeMarch {
   std::size_t wave_count() const { return waves_.size(); }
   /// By place in RotorAtSpeed::waves.
   const MarchedWave& wave(std::size_t wave) const { return waves_[wave]; }
-  /// With what the last step's forces do.
+  /// The modal coordinates, the effect of the last step's forces included.
   ModalCoordinates coordinates(std::size_t wave, Instant instant = Instant::now) const {
     return waves_.coordinates(wave, instant);
   }
   /// [N] Lambda_n of the last step that had contact; n_c.
   Eigen::VectorXcd modal_forces(std::size_t wave) const { return waves_.forces(wave); }
-  /// Puts the modal coordinates of a nodal diameter [m sqrt(kg)] at t_q and t_{q-1}.
+  /// Sets the modal coordinates of a nodal diameter [m sqrt(kg)] at t_q and t_{q-1}.
   void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before);
   /// Sets the clock: steps since the start (the casing's distortion grows over the first revolutions).
   void set_step(std::int64_t step);
 
  private:
-  /// gap_ from displacement_[0], and whether a gap is negative.
+  /// Computes gap_ from displacement_[0]. Returns whether a gap is negative.
   bool measure_gaps();
   void tabulate_obstacle();
 

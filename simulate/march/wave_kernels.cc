@@ -50,7 +50,7 @@ TIPRUB_INLINE void travelling_group(const double* shapes, const double* q_re, co
   lanes4(p_im) = __builtin_shufflevector(all, all, 4, 5, 6, 7);
 }
 
-/// The two halves of a block apart: the chain of additions is half as long.
+/// The two halves of a block are summed separately, which halves the chain of additions.
 template <std::size_t count>
 TIPRUB_INLINE void standing_group(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
                                   double* p) {
@@ -114,7 +114,7 @@ void to_nodes_standing(const double* shapes, const double* q, std::size_t modes,
   }
 }
 
-/// Eight sums at once: products of real and imaginary parts apart, two vectors of modes.
+/// Eight sums at once: the four products of real and imaginary parts, for two vectors of modes.
 TIPRUB_CLONES
 void add_force_travelling(const double* shapes, const double* c, const double* f_re, const double* f_im,
                           const ForcedNodes& forced, std::size_t modes, double* q_re, double* q_im) {

@@ -9,12 +9,11 @@ namespace tiprub::kernels {
 constexpr std::size_t lane_count = 4;
 constexpr std::size_t mode_block = 16;
 
-/// The inner loops of the march, in real arithmetic on split real and imaginary parts, compiled for several
-/// instruction sets and chosen when the program starts. No sum is reordered at run time: same machine, same bits.
+/// The inner loops of the march, in real arithmetic on separate real and imaginary parts.
 ///
-/// `shapes` is Y in one order for both maps: for each block of modes, for each of `nodes` nodes, the real parts of Y
-/// over the block, then (travelling only) the imaginary parts. A nodal diameter's part stays in the innermost cache
-/// between add_force and the next step's to_nodes, if the two follow each other.
+/// `shapes` is Y in one order for both maps: for each block of modes and each of `nodes` nodes it holds the real
+/// parts of Y over the block, then (for travelling waves) the imaginary parts. The share of one nodal diameter stays
+/// in the innermost cache between add_force and the to_nodes of the next step, if the two follow each other.
 
 /// next = a q - b previous, over `count` modes.
 void advance(const double* a, const double* b, const double* q, const double* previous, double* next,
@@ -37,15 +36,15 @@ void add_force_travelling(const double* shapes, const double* c, const double* f
 void add_force_standing(const double* shapes, const double* c, const double* f, const ForcedNodes& forced,
                         std::size_t modes, double* q);
 
-/// gap = clearance - ramp * distortion - displacement over `width` nodes; whether any is negative.
+/// gap = clearance - ramp * distortion - displacement over `width` nodes. Returns whether any gap is negative.
 bool gap_of_sector(const double* clearance, const double* distortion, double ramp, const double* displacement,
                    std::size_t width, double* gap);
 
-/// The waves' sum at one sector: displacement = sum over waves of cosine p_re - sine p_im. `p`: for each wave `width`
-/// real parts, then as many imaginary ones; `phases`: for each wave its cosine, then its sine.
+/// The sum of the waves at one sector: displacement = sum over waves of cosine p_re - sine p_im. `p` holds for each
+/// wave `width` real parts, then `width` imaginary parts; `phases` holds for each wave its cosine, then its sine.
 void add_waves(const double* p, const double* phases, std::size_t waves, std::size_t width, double* displacement);
 
-/// The way back for one wave: f_re + i f_im = sum over the sectors listed of (cosine - i sine) values.
+/// The adjoint of add_waves for one wave: f_re + i f_im = sum over the sectors listed of (cosine - i sine) values.
 void gather_sectors(const double* values, const double* cosine, const double* sine, const int* sectors,
                     std::size_t count, std::size_t width, double* f_re, double* f_im);
 

@@ -7,14 +7,14 @@
 
 namespace tiprub {
 
-/// There is no motion here, for a reason that lies in the scene or in the numbers: a speed fails by it, or a branch
-/// ends. It never ends the program, as RunError does, and never stands for a file or for memory that can't be had.
+/// No motion can be computed here, for a reason that lies in the scene or in the numerics: the speed fails, or the
+/// branch ends. Unlike RunError it never ends the program, and it never reports a fault of a file or of memory.
 class NoMotion : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What came of work that may find no motion, or why nothing did.
+/// The result of work that may find no motion, or the reason why there is none.
 template <class Result>
 struct Attempt {
   std::optional<Result> result;

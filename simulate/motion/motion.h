@@ -6,14 +6,14 @@
 
 namespace tiprub {
 
-/// What moves, in the band of resolved frequencies, when a speed is left. A beat is 1/lobes of a revolution: the time
-/// after which a blade meets the same casing again.
+/// The class of the motion in the band of resolved frequencies when the march of a speed ends. A beat is 1/lobes of a
+/// revolution: the time after which a blade meets the same shape of the casing again.
 enum class MotionClass {
   periodic,     ///< the same every beat
   subharmonic,  ///< the same every `period_beats` beats
-  modulated,    ///< a few lines beside the multiples of the beat's frequency
-  broadband,    ///< energy spread between them
-  not_settled,  ///< still on its way: what will be can't be told yet
+  modulated,    ///< a few spectral lines beside the multiples of the beat frequency
+  broadband,    ///< energy spread between the multiples of the beat frequency
+  not_settled,  ///< still changing: its final class is not known yet
 };
 
 /// Whether a class names a motion that repeats itself.
@@ -21,13 +21,13 @@ constexpr bool repeats(MotionClass motion) {
   return motion == MotionClass::periodic || motion == MotionClass::subharmonic;
 }
 
-/// What two motions of a speed are compared by.
+/// How two motions of a speed are compared.
 enum class MotionMeasure {
-  motion,    ///< sample by sample: both repeat themselves alike
-  spectrum,  ///< amplitudes of engine orders: trajectories that never repeat mean nothing
+  motion,    ///< sample by sample: both have settled with the same period
+  spectrum,  ///< by amplitudes of engine orders: at least one of the two does not repeat itself
 };
 
-/// Where the energy of a speed went, over the recorded revolutions.
+/// The energy balance of a speed over the recorded revolutions.
 struct EnergyLedger {
   double contact_work = 0;   ///< [J] done by the casing on the rotor
   double dissipated = 0;     ///< [J] taken by damping
@@ -35,41 +35,40 @@ struct EnergyLedger {
   double closing_error = 0;  ///< [1] (work - dissipated - change) over the largest of the three
 };
 
-/// How the settled motion was found, if it was looked for as an orbit.
+/// How the settled motion was found, if the case asked for a search for an orbit.
 struct OrbitReport {
   enum class Outcome {
-    none,     ///< not asked for, or not possible
+    none,     ///< no search was asked for, or none is possible
     found,    ///< by Newton's method: stable, and confirmed by marching
-    marched,  ///< Newton's method found nothing, or what repels: the march went on from before it
+    marched,  ///< Newton's method found no stable orbit, and the march went on from its state before
   };
 
   Outcome outcome = Outcome::none;
-  int maps = 1;            ///< of 1/lcm(N, lobes) of a revolution each, after which it repeats itself
-  double revolutions = 0;  ///< that all maps come to, the linearised ones too
-  double residual = 0;     ///< [1] change of the state by the map, of its size
-  /// [1] of the largest Floquet multiplier, per revolution: its magnitude, and how exactly that is known; 0: not
-  /// known
+  int maps = 1;            ///< period of the orbit in maps of 1/lcm(N, lobes) of a revolution each
+  double revolutions = 0;  ///< total cost of all maps, the linearised ones included
+  double residual = 0;     ///< [1] change of the state by the map, relative to the state
+  /// [1] The magnitude of the largest Floquet multiplier per revolution, and its uncertainty; 0 if not known.
   double multiplier = 0, multiplier_uncertainty = 0;
-  double multiplier_angle = 0;  ///< [rad] 0 .. pi, of a map: pi for a flip
+  double multiplier_angle = 0;  ///< [rad] 0 .. pi, of one map: pi for a period doubling
 };
 
-/// Whether the nodal diameters left out for symmetry would have stayed at rest.
+/// Whether the nodal diameters that were left out by symmetry would stay at rest.
 enum class SymmetryVerdict {
-  all_held,   ///< none was left out
-  unchecked,  ///< not looked at
+  all_held,   ///< no nodal diameter was left out
+  unchecked,  ///< their growth was not computed
   holds,      ///< a small disturbance of them dies out
-  breaking,   ///< it grows: the motion found is not the one that nature would show
+  breaking,   ///< it grows: the motion found would not be observed
   undecided,  ///< it neither clearly grows nor clearly dies out
 };
 
 /// The natural frequencies of the model that was marched, condensed at each speed (reduce/model/condensation.h).
 struct FrequencyTable {
   Eigen::VectorXd speed;  ///< [rad/s] even, from 0 to the highest speed of the sweep
-  /// [Hz] one a nodal diameter 0 .. N/2, moving or not; speeds x modes, ascending in a row; negative,
+  /// [Hz] one matrix for each nodal diameter 0 .. N/2, marched or not; speeds x modes, ascending in a row; negative,
   /// -sqrt(-omega^2), where the rotor is statically unstable.
   std::vector<Eigen::MatrixXd> by_nodal_diameter;
-  /// [1] of critical, of the same modes: what the march gives a mode of that family and frequency; empty if the file
-  /// doesn't tell
+  /// [1] of critical, for the same modes: the damping with which a mode of that family and frequency is marched;
+  /// empty if the file has none
   std::vector<Eigen::MatrixXd> damping_ratio = {};
 };
 

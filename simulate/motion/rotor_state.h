@@ -6,8 +6,8 @@
 
 namespace tiprub {
 
-/// The motion of a wheel at an instant on whole revolutions, in the model's coordinates, so that a march at another
-/// speed, whose modes differ, can start from it. Velocities are per radian of rotation: a harmonic keeps its engine
+/// The state of a wheel after whole revolutions, in the coordinates of the model, so that a march at another speed,
+/// whose modes differ, can start from it. Velocities are per radian of rotation, so that a harmonic keeps its engine
 /// order.
 struct RotorState {
   std::vector<Eigen::VectorXcd> displacement;  ///< [m in contact rows] by nodal diameter 0 .. N/2; empty: at rest
@@ -16,9 +16,9 @@ struct RotorState {
   bool at_rest() const { return displacement.empty(); }
 };
 
-/// The whole rotor at one instant, in the dofs of the reduced model: what full fields are recovered from.
+/// The whole rotor at one instant, in the dofs of the reduced model. Full fields are recovered from it.
 struct RotorSnapshot {
-  int sample = 0;  ///< of the recorded ones; the rotor angle is 2 pi sample / samples_per_revolution
+  int sample = 0;  ///< the recorded sample; the rotor angle is 2 pi sample / samples_per_revolution
   double force =
       0;  ///< [N] sum of the contact forces' magnitudes over all N sectors, mean over the sample's interval
   /// [m in contact rows] by nodal diameter, in the order of those that move: u_j = Re(sum over n of x_n e^{i n j
@@ -26,10 +26,10 @@ struct RotorSnapshot {
   std::vector<Eigen::VectorXcd> displacement;
 };
 
-/// The whole rotor over the last recorded revolutions, sample by sample: what stress over a cycle is found from. Kept
-/// for speeds that are looked at in detail only.
+/// The whole rotor over the last recorded revolutions, sample by sample, from which stress over a cycle is computed.
+/// It is kept for examined speeds only.
 struct RotorCycle {
-  int first_sample = 0;  ///< of the recorded ones; the last column is the last of them
+  int first_sample = 0;  ///< recorded sample of the first column; the last column is the last sample
   /// [m in contact rows] by nodal diameter, dofs x samples; each column as RotorSnapshot::displacement.
   std::vector<Eigen::MatrixXcd> displacement;
 };

@@ -8,12 +8,13 @@
 
 namespace tiprub {
 
-/// The schemes. All are two-step recurrences of modal coordinates and share one
-/// loop (TimeMarch): they differ in the coefficients of the step and in the law that gives the contact force.
+/// The schemes are two-step recurrences of modal coordinates and share one loop (TimeMarch). They differ in the
+/// coefficients of the step and in the contact law.
 enum class Scheme {
   trigonometric,        ///< exact in statics and, up to 2.4 rad a step, in free flight (Gautschi 1961); no step limit
   central_differences,  ///< the paper's eq. 13; holds for h omega_max < 2
-  residual_flexibility,  ///< trigonometric for the lower modes; the others follow their forces at once, without mass
+  residual_flexibility,  ///< trigonometric for the lower modes; the others have no mass and follow their forces
+                         ///< without delay
   moreau_jean,           ///< theta method, impulses on the velocities of closed nodes (Moreau 1988, Jean 1999)
   penalty,               ///< central differences; a penetrating node is pushed by a spring
 };
@@ -23,12 +24,12 @@ enum class ContactRule {
   paper,            ///< eq. 14, eq. 15: every node that the free step pushes through is closed once, as an equality
 };
 
-/// What follows from a scheme, for all who needn't know which one it is.
+/// Properties of a scheme, so that other code need not ask for a scheme by name.
 struct SchemeTraits {
-  bool has_memory;    ///< its law of contact keeps more than the modes at two instants: no map of states, no orbit
-  bool limits_step;   ///< holds for h < 2/omega_max
-  bool springs;       ///< a closed node stands on a spring, which raises omega_max; the others hold it still, by W
-  bool quasi_static;  ///< keeps the modes beyond those with mass, which follow their forces at once
+  bool has_memory;    ///< its contact law remembers more than the modes at two instants, which rules out orbits
+  bool limits_step;   ///< stable for h < 2/omega_max only
+  bool springs;       ///< a closed node stands on a spring, which raises omega_max
+  bool quasi_static;  ///< keeps the modes without mass, which follow their forces without delay
 };
 
 constexpr SchemeTraits traits_of(Scheme scheme) {
@@ -47,26 +48,26 @@ constexpr SchemeTraits traits_of(Scheme scheme) {
   return {};
 }
 
-/// Whether the state of a march is that of its modes at two instants, so that it can be looked at as a map of such
-/// states. By the paper's rule of contact the motion is no continuous function of them.
+/// Whether the modes at two instants are the whole state of a march, so that a march is a map of such states. With
+/// the paper's contact rule that map is not continuous.
 constexpr bool maps_states(Scheme scheme, ContactRule rule) {
   return rule == ContactRule::complementarity && !traits_of(scheme).has_memory;
 }
 
-/// The modal damping that was marched; ratios of critical, [1].
+/// The modal damping of the march, as ratios of critical [1].
 struct DampingRatios {
-  /// The first family's, the second's, ...; the last one holds for all further ones.
+  /// The ratio of the first family, of the second, and so on; the last one holds for all further families.
   std::vector<double> by_family = {};
-  /// [Hz, 1] ascending; linear between the points, level outside; for modes of all families. Empty: by family.
+  /// [Hz, 1] ascending in frequency, for all families; linear between the points, constant outside. Empty: by family.
   std::vector<std::array<double, 2>> by_frequency = {};
-  double beyond = 0;  ///< of modes above the resolved frequency
+  double beyond = 0;  ///< ratio of modes above the resolved frequency
 };
 
-/// For which speed the case gives its clearance.
+/// The speed for which the case gives its clearance.
 enum class ClearanceState {
-  cold,      ///< at standstill: the static shift under spin closes it
-  running,   ///< what remains, at whatever speed
-  at_speed,  ///< what remains at one speed: the static shift opens or closes it at others, as it would one casing's
+  cold,      ///< at standstill; the static shift under spin closes it
+  running,   ///< the clearance that remains, at every speed
+  at_speed,  ///< the clearance that remains at one speed; at others the static shift opens or closes it
 };
 
 // Names as case files and response.h5 have them.

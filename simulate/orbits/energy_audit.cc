@@ -51,7 +51,7 @@ void EnergyAudit::observe(const TimeMarch& march) {
   observe_left_out(march);
 }
 
-/// 1/2 Lambda^H (Y omega^-2 Y^H) Lambda of the left-out modes, under the forces of the step.
+/// Adds 1/2 Lambda^H (Y omega^-2 Y^H) Lambda, the energy of the left-out modes under the forces of the step.
 void EnergyAudit::observe_left_out(const TimeMarch& march) {
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     const Terms& terms = terms_[i];

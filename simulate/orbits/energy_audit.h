@@ -13,17 +13,18 @@ namespace tiprub {
 /// (q+ - q-)/2, a step is the exact balance
 ///   E(q+, q) - E(q, q-) = sum_j,k -lambda (p+ - p-)/2 - d |q+ - q-|^2/(4 h),
 ///   E(q+, q) = 1/2 mu |q+ - q|^2/h^2 + 1/2 omega^2 Re(q+ conj q),
-/// p the normal displacement. The work is counted at the contact nodes and the rest in modes, so that the closing
-/// error is rounding, and tests the maps between them as well. On a wall at rest with complementarity the work is
-/// -lambda g-/2 <= 0: contact never adds energy.
+/// with the normal displacement p. The work is summed at the contact nodes and the other terms in modes. The closing
+/// error is therefore rounding, and also tests the maps between nodes and modes. On a wall at rest with
+/// complementarity the work is -lambda g-/2 <= 0: contact never adds energy.
 class EnergyAudit {
  public:
-  /// Starts the ledger at the march's present state.
+  /// Starts the ledger at the present state of the march.
   explicit EnergyAudit(const TimeMarch& march);
-  /// After each step.
+  /// To be called after each step.
   void observe(const TimeMarch& march);
   EnergyLedger ledger(const TimeMarch& march) const;
-  /// [1] elastic energy of the modes without mass, or dropped, over that of all modes; means over the steps observed.
+  /// [1] the elastic energy of the modes that have no mass or are dropped over that of all modes, from means over the
+  /// observed steps.
   double left_out_share() const;
   /// [J] between the last two instants.
   double energy(const TimeMarch& march) const;
@@ -34,7 +35,7 @@ class EnergyAudit {
     Eigen::ArrayXd inertia;     ///< mu / (2 h^2) [1/s^2]; zero for padding
     Eigen::ArrayXd stiffness;   ///< omega^2 / 2 [1/s^2]
     Eigen::ArrayXd damping;     ///< d / (4 h) [1/s^2]
-    Eigen::MatrixXcd residual;  ///< [m/N] compliance of the modes without mass, or dropped; empty if there are none
+    Eigen::MatrixXcd residual;  ///< [m/N] compliance of the modes without mass or dropped; may be empty
   };
   void observe_left_out(const TimeMarch& march);
 

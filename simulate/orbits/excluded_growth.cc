@@ -18,11 +18,11 @@ namespace {
 
 constexpr double seed_share = 1e-8;       // of the settled motion
 constexpr double smallest_margin = 1e-3;  // of the factor from 1
-constexpr double small_residual = 1e-4;   // of the factor: more revolutions tell nothing new
-constexpr double clear_residual = 0.1;    // of the factor's distance from 1: nor do they here
-constexpr int fewest_states = 6;          // before a residual is believed
+constexpr double small_residual = 1e-4;   // of the factor: then it is exact enough
+constexpr double clear_residual = 0.1;    // of the distance of the factor from 1: then its side of 1 is clear
+constexpr int fewest_states = 6;          // before a residual counts
 
-/// The whole wheel's march, and the nodal diameters that the settled one left out as a vector.
+/// The march of the whole wheel, with the nodal diameters that the settled march leaves out as a state vector.
 class WholeWheel {
  public:
   explicit WholeWheel(const TimeMarch& settled)
@@ -39,7 +39,7 @@ class WholeWheel {
     march_.set_step(settled.step_count());
   }
 
-  /// Lower modes more than higher ones; always the same.
+  /// A pseudo-random start, always the same, in which lower modes have more weight than higher ones.
   Eigen::VectorXd seed() const {
     std::mt19937 source(1);
     Eigen::VectorXd state(excluded_.layout().size());
@@ -57,7 +57,7 @@ class WholeWheel {
     return state.normalized();
   }
 
-  /// What becomes of a state, of any size, in some revolutions.
+  /// The image of a state of any size after some revolutions.
   Eigen::VectorXd advanced(const Eigen::VectorXd& state, int revolutions) {
     excluded_.put(size_ * state, march_);
     const std::int64_t steps = static_cast<std::int64_t>(revolutions) * march_.steps_per_revolution();
@@ -79,7 +79,7 @@ class WholeWheel {
   double size_ = 0;       ///< [m/s sqrt(kg)] of the disturbance
 };
 
-/// The largest eigenvalue of the Hessenberg matrix, and how far it is from an eigenvalue of the map.
+/// The magnitude of the largest eigenvalue of the Hessenberg matrix, and the residual of its Ritz pair.
 Growth largest_ritz_value(const Eigen::MatrixXd& hessenberg, double next) {
   const GeneralEigenpairs ritz = general_eigenpairs(hessenberg);
   Eigen::Index largest = 0;

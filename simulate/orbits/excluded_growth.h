@@ -6,25 +6,29 @@
 
 namespace tiprub {
 
-/// How a small disturbance of the nodal diameters that symmetry left out grows.
+/// The growth of a small disturbance.
 struct Growth {
-  double factor = 0;       ///< [1] per revolution, in the long run
-  double uncertainty = 0;  ///< [1] of it
+  double factor = 0;       ///< [1] per revolution
+  double uncertainty = 0;  ///< [1] of the factor
 };
 
-/// The whole wheel is marched on from the settled motion, the nodal diameters left out at 1e-8 of it: without a seed
-/// nothing would show for hundreds of revolutions. Each period their state is made small again, before it meets
-/// rounding, or contact that it changes.
-/// With a `period` (whole revolutions) the states are those of one linear map, and the factor is its largest
-/// multiplier, by Arnoldi's method: a decaying disturbance hides a growing one for tens of revolutions, the
-/// multipliers of its Krylov space don't. The uncertainty is the residual. Without a period (0) it is the mean over
-/// the second half, with twice its standard error.
-/// At most `revolutions`; fewer if the residual is small, or small beside the factor's distance from 1. Costs N/(N/g)
-/// times as much a revolution as the march of the symmetric part, and more for the larger contact problem. Raises
-/// NoMotion if the contact problem of the whole wheel does.
+/// The growth of a small disturbance of the nodal diameters that symmetry leaves out. The whole wheel is marched on
+/// from the settled motion with these nodal diameters at 1e-8 of it; without a seed they would stay invisible for
+/// hundreds of revolutions. After each period their state is scaled back to that size, before it can be lost in
+/// rounding or change the contact.
+///
+/// With a `period` (whole revolutions) the states are images of one linear map. The factor is then its largest
+/// multiplier, found by Arnoldi's method, because a decaying disturbance can hide a growing one for tens of
+/// revolutions; the uncertainty is the residual. Without a period (0) the factor is the mean growth over the second
+/// half of the revolutions, and the uncertainty is twice its standard error.
+///
+/// Marches at most `revolutions`, and fewer if the residual becomes small or is small against the distance of the
+/// factor from 1. A revolution costs g times that of the symmetric march, and more for the larger contact problem.
+/// Raises NoMotion if the contact problem of the whole wheel has no solution.
 Growth excluded_growth(const TimeMarch& settled, int period, int revolutions);
 
-/// Growing or dying out by more than the uncertainty, and by more than a thousandth a revolution; else undecided.
+/// `breaking` or `holds` if the factor differs from 1 by more than its uncertainty and by more than a thousandth;
+/// otherwise `undecided`.
 SymmetryVerdict judge(const Growth& growth);
 
 }  // namespace tiprub

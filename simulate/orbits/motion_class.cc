@@ -13,7 +13,7 @@ namespace tiprub {
 
 namespace {
 
-/// One channel of all revolutions, one after the other; without its mean.
+/// One channel over all revolutions in order, without its mean.
 std::vector<double> signal_of(const std::deque<Eigen::VectorXd>& revolutions, Eigen::Index channels,
                               Eigen::Index channel) {
   std::vector<double> signal;
@@ -32,7 +32,7 @@ void apply_hann(std::vector<double>& signal) {
     signal[i] *= 1 - std::cos(2 * std::numbers::pi * static_cast<double>(i) / size);
 }
 
-/// Mean square by line, 1/R of an engine order apart, up to `orders`, summed over channels; [0] stays empty.
+/// The mean square of each line, summed over channels, up to engine order `orders`; line 0 stays zero.
 Eigen::VectorXd lines_of(const std::deque<Eigen::VectorXd>& revolutions, Eigen::Index channels, double orders,
                          Window window) {
   const auto count = static_cast<double>(revolutions.size());

@@ -83,7 +83,7 @@ void Recording::take_states(const TimeMarch& march, int sample) {
     states_[i].col(sample) = march.coordinates(i).head(states_[i].rows());
 }
 
-/// The step just made went from t_q to t_{q+1}; its forces act at t_q, and are counted there.
+/// The forces of a step from t_q to t_{q+1} act at t_q and are recorded there.
 void Recording::observe(const TimeMarch& march, int sample) {
   audit_.observe(march);
   const double penetration = -march.gap().minCoeff();

@@ -14,19 +14,19 @@
 
 namespace tiprub {
 
-/// How much of the tips' normal motion lies above the band of resolved frequencies: a chatter of the mesh's own
-/// modes, which is no engine order's business.
+/// Measures how much of the normal motion of the tips lies above the band of resolved frequencies. That is chatter of
+/// modes that the mesh does not resolve.
 class ChatterAudit {
  public:
   struct Share {
-    double share = 0;  ///< [1] of the mean square without the mean, all contact nodes
+    double share = 0;  ///< [1] of the mean square without the mean, over all contact nodes
     int node = 0;      ///< contact node with most of it
   };
 
   ChatterAudit(const TimeMarch& march, const EngineOrderBand& band);
-  /// At each instant.
+  /// To be called at each instant.
   void observe(const Eigen::VectorXd& displacement);
-  /// The means over the samples' intervals, of each whole revolution.
+  /// To be called with the means over the intervals of the samples of each revolution.
   void add_revolution(const Eigen::VectorXd& motion);
   Share share() const;
 
@@ -38,13 +38,13 @@ class ChatterAudit {
   Eigen::ArrayXd band_squares_;   ///< [m^2] over samples
 };
 
-/// Some revolutions of a march, sample by sample, and what was counted on the way.
+/// Some revolutions of a march, sample by sample, with the numbers collected on the way.
 struct Recorded {
   int samples_per_revolution = 0;
   int revolutions = 0;
   Eigen::MatrixXd displacement;   ///< [m] r, theta, z; samples x (sector, node, component)
   Eigen::MatrixXd contact_force;  ///< [N] along -normal, means over the samples' intervals; samples x (sector, node)
-  /// Steps in contact by area of the casing; (sector, node) x areas.
+  /// Number of steps in contact for each area of the casing; (sector, node) x areas.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic> contact_count;
   RotorSnapshot snapshot;           ///< of the sample with the largest contact force
   std::optional<RotorCycle> cycle;  ///< if it was asked for
@@ -67,16 +67,15 @@ class Recording {
     int samples_per_revolution;
     int revolutions;
     int casing_areas;
-    double leftover;            ///< [m] penetrations above count as left over by the contact law
-    double orders;              ///< engine orders up to it are the band of resolved frequencies
-    int cycle_revolutions = 0;  ///< so many of the last ones keep the whole rotor's state at every sample
+    double leftover;            ///< [m] larger penetrations after a step are counted
+    double orders;              ///< highest engine order of the band of resolved frequencies
+    int cycle_revolutions = 0;  ///< in this many last revolutions every sample of the whole rotor is kept
   };
   Recording(const TimeMarch& march, const Grid& grid);
 
-  /// One revolution; the normal displacements, each the mean over a sample's interval, for judging whether it is
-  /// steady.
+  /// Marches one revolution. Returns its normal displacements as march_revolution() does.
   Eigen::VectorXd revolution(TimeMarch& march);
-  /// What was recorded; hands it over, so that it can be asked for once.
+  /// Completes the recording and moves it out; to be called once.
   Recorded finish(const TimeMarch& march);
 
  private:
@@ -84,9 +83,9 @@ class Recording {
   void observe(const TimeMarch& march, int sample);
   void recover_displacements(int first_sample);
   double normal_amplitude() const;
-  /// Keeps the state of a sample if no one before it met a larger contact force.
+  /// Keeps the state of a sample if its contact force is the largest so far.
   void compare_force(int column, int sample);
-  /// Adds the states of the revolution just done to the cycle, if it is one of the last.
+  /// Adds the states of the present revolution to the cycle if it is one of the last.
   void keep_cycle();
 
   SharedRotor rotor_;
@@ -97,15 +96,15 @@ class Recording {
   EnergyAudit audit_;
   ChatterAudit chatter_;
   std::vector<Eigen::MatrixXcd> states_;   ///< modal coordinates of the samples of a revolution; m x samples
-  std::vector<Eigen::VectorXcd> hardest_;  ///< those of the sample with the largest contact force so far
+  std::vector<Eigen::VectorXcd> hardest_;  ///< modal coordinates at the sample with the largest contact force so far
   int hardest_sample_ = -1;
-  std::vector<Eigen::MatrixXcd> cycle_;  ///< those of all samples of the last revolutions; m x samples
+  std::vector<Eigen::MatrixXcd> cycle_;  ///< modal coordinates at all samples of the last revolutions; m x samples
   Recorded kept_;
   double pushing_ = 0, pulling_ = 0;  ///< [N] sums of the forces' magnitudes
 };
 
-/// One revolution without keeping anything but the normal displacements, each the mean over a sample's interval, so
-/// that what swings faster than the samples isn't taken for something slow; width values a sector, sectors, samples.
+/// Marches one revolution and returns its normal displacements, each the mean over the interval of a sample, so that
+/// motion faster than the samples is not aliased. Sample after sample, as TimeMarch::displacement().
 Eigen::VectorXd march_revolution(TimeMarch& march, int samples_per_revolution);
 
 }  // namespace tiprub

@@ -13,9 +13,10 @@ namespace tiprub {
 
 namespace {
 
-constexpr double quiet_motion = 1e-3;     // of the casing's amplitude: less is no motion
-constexpr double boundless_motion = 1e6;  // times amplitude and clearance: more has blown up
-constexpr std::size_t remembered = 24;    // revolutions, for the class of a motion that doesn't settle
+constexpr double quiet_motion = 1e-3;     // of the casing's amplitude: a smaller motion counts as rest
+constexpr double boundless_motion = 1e6;  // times amplitude and clearance: a larger motion has diverged
+constexpr std::size_t remembered = 24;    // revolutions, for the class of a motion that does not settle
+
 SteadyState make_judge(const Scene& scene, const TimeMarch& march) {
   const double size =
       std::sqrt(static_cast<double>(march.sectors()) * march.node_count() * scene.scope.samples_per_revolution);

@@ -12,33 +12,33 @@
 
 namespace tiprub {
 
-/// The march of one speed on its way to the settled motion: revolutions, their bound, and the judgement, which looks
-/// at the band of resolved frequencies only.
+/// Judges whether the march of one speed has settled, by the band of resolved frequencies only, and stops a motion
+/// that grows without bound.
 class Settling {
  public:
-  /// `min_revolutions`: before settling is judged.
+  /// `min_revolutions` are marched before settling is judged.
   Settling(const Scene& scene, TimeMarch& march, int min_revolutions);
 
-  /// One revolution that was marched. Raises NoMotion if the motion has grown without bound.
+  /// Adds a marched revolution. Raises NoMotion if the motion has grown without bound.
   void add(Eigen::VectorXd motion);
-  /// Whether the motion has settled after the fewest revolutions allowed.
+  /// Whether the motion has settled; never before the smallest allowed number of revolutions.
   bool settled() const;
   SettlingState state() const { return orbit_ ? *orbit_ : state_.judge(); }
-  /// What moves, of the last revolutions: of a settled motion one period, else up to 24.
+  /// The class of the motion, from one period of a settled motion, or else from up to 24 last revolutions.
   MotionReading reading() const;
   int revolutions() const { return revolutions_; }
   /// The highest engine order of the band.
   int highest_order() const { return band_.orders(); }
 
-  /// Marches one revolution. Raises what add() raises.
+  /// Marches and adds one revolution.
   void advance();
-  /// The march stands on an orbit that is known to repeat itself after so many revolutions, what disturbs it changing
-  /// by the factor `rate` a revolution: settled, whatever came before.
+  /// Declares the motion settled: the march has been put onto an orbit that repeats itself after
+  /// `period_revolutions`, and whose disturbances change by the factor `rate` per revolution.
   void stand_on_orbit(int period_revolutions, double rate);
   bool stands_on_orbit() const { return orbit_.has_value(); }
-  /// `drift` [1]: by how much a revolution has moved it.
+  /// `drift` [1]: the relative distance of the march from the orbit after the recording.
   void confirm_orbit(double drift);
-  /// It doesn't after all: settled is what add() says, from here on.
+  /// Withdraws the orbit. From here on the revolutions added decide again.
   void leave_orbit();
 
  private:
@@ -47,7 +47,7 @@ class Settling {
   EngineOrderBand band_;
   SteadyState state_;
   std::optional<SettlingState> orbit_;
-  std::deque<Eigen::VectorXd> last_;  ///< revolutions as they were marched, the newest last
+  std::deque<Eigen::VectorXd> last_;  ///< the last revolutions, the newest last
   double bound_;                      ///< [m]
   int min_revolutions_;
   int revolutions_ = 0;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int highest_order = 60;  // of the spectra that are compared
 
-/// rms over the revolutions of the amplitudes of engine orders 0 .. highest; orders x columns.
+/// The rms over the revolutions of the amplitudes of engine orders 0 .. highest_order; orders x columns.
 Eigen::MatrixXd averaged_spectrum(const SampledMotion& motion) {
   const Eigen::Index samples = motion.samples_per_revolution;
   const Eigen::Index orders = std::min<Eigen::Index>(highest_order, (samples - 1) / 2) + 1;
@@ -30,7 +30,7 @@ Eigen::MatrixXd averaged_spectrum(const SampledMotion& motion) {
   return (sum / motion.recorded_revolutions).cwiseSqrt();
 }
 
-/// The last period of a settled motion, begun `first` samples later.
+/// The last period of a settled motion, shifted cyclically by `first` samples.
 Eigen::MatrixXd last_period(const SampledMotion& motion, Eigen::Index first) {
   const Eigen::Index rows = static_cast<Eigen::Index>(motion.period_revolutions) * motion.samples_per_revolution;
   const auto period = motion.displacement.bottomRows(rows);

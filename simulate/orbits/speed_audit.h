@@ -8,10 +8,10 @@
 
 namespace tiprub {
 
-/// [1] condition number of W over the contact nodes. One eigenproblem of their number.
+/// [1] The condition number of W over the contact nodes. Solves one eigenproblem of that size.
 double compliance_condition(const TimeMarch& march);
 
-/// What two motions of one speed are compared by; refers to the displacement.
+/// A motion as difference() compares it; refers to the displacement.
 struct SampledMotion {
   const Eigen::MatrixXd& displacement;  ///< [m] samples x channels
   int samples_per_revolution;
@@ -19,11 +19,12 @@ struct SampledMotion {
   int period_revolutions;  ///< 0: not settled
 };
 
-/// Relative difference of two motions of one speed and one grid of samples: of the motion if both are settled with
-/// the same period (at the best shift by beats of the casing: each is a motion of the same scene), of the rms
-/// amplitudes of engine orders 0 .. 60 if not: trajectories that never repeat mean nothing, their spectra do.
+/// The relative difference of two motions of one speed on the same grid of samples. If both have settled with the
+/// same period, they are compared sample by sample, at the best shift by beats of the casing, because each shift is a
+/// motion of the same scene. Otherwise the rms amplitudes of engine orders 0 .. 60 are compared, because trajectories
+/// that do not repeat can't be compared themselves.
 struct MotionDifference {
-  double value = 0;  ///< [1] of the larger norm: 1 if one of them rests
+  double value = 0;  ///< [1] of the larger norm: 1 if one of the motions is at rest
   MotionMeasure measure = MotionMeasure::motion;
 };
 MotionDifference difference(const SampledMotion& here, const SampledMotion& there, int lobes);

@@ -9,20 +9,20 @@ namespace tiprub {
 
 namespace {
 
-constexpr int window = 8;               // changes that the rate is fitted to
-constexpr int decay_window = 24;        // changes that must have fallen, of a motion that will settle
-constexpr double recent_margin = 10;    // tolerances: no change of the last `longest_period` revolutions may be above
-constexpr double standing_rate = 0.98;  // change over one revolution that falls faster goes to zero: not subharmonic
-constexpr double rounding_floor = 1e-10;  // of the norm: below, changes are rounding and have no rate
+constexpr int window = 8;                 // changes that the rate is fitted to
+constexpr int decay_window = 24;          // changes by which decays() judges
+constexpr double recent_margin = 10;      // tolerances: bound of the changes in the last `longest_period` revolutions
+constexpr double standing_rate = 0.98;    // delta_1 that falls faster tends to zero: the motion is not subharmonic
+constexpr double rounding_floor = 1e-10;  // of the norm: smaller changes are rounding and have no rate
 
-/// A line through values at even distances.
+/// A line through evenly spaced values.
 struct EvenLine {
-  double slope = 0;        ///< per place; 0 of fewer than two values
-  double uncertainty = 0;  ///< standard error of the slope; 0 of fewer than three
+  double slope = 0;        ///< per interval; 0 for fewer than two values
+  double uncertainty = 0;  ///< standard error of the slope; 0 for fewer than three
 };
 
-/// Least squares. Two sums: the mean of the places is known, where Boost's simple_ordinary_least_squares wants the
-/// places in a container of their own and updates running means, which costs digits.
+/// Least squares with two sums, because the mean of the places is known. Boost's simple_ordinary_least_squares would
+/// need the places in a container and updates running means, which costs digits.
 EvenLine fit_even_line(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
   const double middle = (count - 1) / 2;

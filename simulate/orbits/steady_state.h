@@ -8,34 +8,37 @@
 
 namespace tiprub {
 
-/// What the motion looks like after some revolutions.
+/// Whether a motion has settled, and how fast it still changes.
 struct SettlingState {
   enum class Settled { yes, no };
 
   Settled settled = Settled::no;
-  int period_revolutions = 0;  ///< after which it repeats itself; 0 if it has not settled
-  double change = 0;           ///< [1] norm of the change over the period (one revolution if not settled)
+  int period_revolutions = 0;  ///< period of the settled motion; 0 if it has not settled
+  double change = 0;           ///< [1] relative change over the period (over one revolution if not settled)
   double rate = 0;             ///< [1] factor of that change per revolution
 };
 
-/// Judges from revolution to revolution whether a motion has settled, and to what. The change over L revolutions,
+/// Judges from revolution to revolution whether a motion has settled, and with which period. The change over L
+/// revolutions,
 ///   delta_L = |x(r) - x(r - L)| / |x(r)|,  L = 1 .. 6,
-/// must be small and must decay: with the factor rho per revolution, fitted to the last changes, what is still to
-/// come is delta_L rho^L / (1 - rho^L). A threshold on the change alone lies: near critical speeds it falls, and
-/// grows again. The smallest L that holds is the period; beyond 1 only while delta_1 stands: a motion whose
-/// disturbances alternate on their way to a periodic one meets delta_2 first.
+/// must be small and must decay. With its factor rho per revolution, fitted to the last changes, the remaining
+/// distance from the settled motion is delta_L rho^L / (1 - rho^L). A threshold on the change itself would not do:
+/// near critical speeds the change falls and grows again. The period is the smallest L that meets the tolerance.
+/// Periods beyond 1 are accepted only while delta_1 does not decay, because a motion that approaches a periodic one
+/// with alternating signs meets the tolerance with L = 2 first.
 class SteadyState {
  public:
   static constexpr int longest_period = 6;
 
-  /// `tolerance` [1]: allowed distance from the settled motion. `quiet_norm`: motions below count as no motion.
+  /// `tolerance` [1]: the allowed distance from the settled motion. Motions of a norm below `quiet_norm` count as
+  /// rest.
   SteadyState(double tolerance, double quiet_norm) : tolerance_(tolerance), quiet_norm_(quiet_norm) {}
 
-  /// The samples of one whole revolution, always of the same length.
+  /// Adds the samples of one whole revolution.
   void add(Eigen::VectorXd revolution);
   SettlingState judge() const;
-  /// Whether the change from revolution to revolution has clearly fallen over the last ones: by a line through its
-  /// logarithms, with twice the line's uncertainty.
+  /// Whether the change from revolution to revolution clearly falls: the slope of a line through the logarithms of
+  /// the last changes is negative by more than twice its uncertainty.
   bool decays() const;
 
  private:

@@ -7,17 +7,17 @@
 
 namespace tiprub {
 
-/// Which nodes are closed in each step of a stretch of march. With these sets held, the march is an affine map.
+/// The sets of closed nodes in consecutive steps of a march. With these sets held fixed, the march is an affine map.
 class ContactPattern {
  public:
   static constexpr int open = -1;
 
-  /// One step more; indices of the closed nodes, ascending.
+  /// Adds a step. `closed`: the indices of the closed nodes, ascending.
   void add(const std::vector<int>& closed);
 
-  /// For each step its place among sets(), or `open`.
+  /// For each step the index of its set in sets(), or `open`.
   const std::vector<int>& steps() const { return steps_; }
-  /// All that differ, each once, in the order in which they came; none is empty.
+  /// The distinct sets in the order of their first steps; no set is empty.
   const std::vector<std::vector<int>>& sets() const { return sets_; }
 
  private:

@@ -15,15 +15,15 @@
 
 namespace tiprub {
 
-/// Columns of a matrix that copies and views share: Anasazi's vectors, in one piece of memory, so that products of
-/// many are matrix products.
+/// The vectors of Anasazi as columns of one matrix, so that products of many vectors are matrix products. Copies and
+/// views share the matrix.
 struct KrylovVectors {
   std::shared_ptr<Eigen::MatrixXd> all;
   Eigen::Index first = 0, count = 0;
 
   KrylovVectors(Eigen::Index length, Eigen::Index columns)
       : all(std::make_shared<Eigen::MatrixXd>(Eigen::MatrixXd::Zero(length, columns))), count(columns) {}
-  /// Neighbouring columns of another, not copied.
+  /// A view of neighbouring columns of another object.
   KrylovVectors(const KrylovVectors& other, Eigen::Index from, Eigen::Index columns)
       : all(other.all), first(other.first + from), count(columns) {}
 
@@ -35,7 +35,7 @@ struct KrylovVectors {
 
 namespace Anasazi {
 
-/// Index lists are of neighbours, which is all that Anasazi asks for with blocks of one vector.
+/// Index lists hold neighbouring columns: Anasazi asks for no others with blocks of one vector.
 template <>
 class MultiVecTraits<double, tiprub::KrylovVectors> {
   using MV = tiprub::KrylovVectors;
@@ -106,7 +106,7 @@ class MultiVecTraits<double, tiprub::KrylovVectors> {
   static void MvScale(MV& mv, const std::vector<double>& alpha) {
     for (Eigen::Index i = 0; i < mv.count; ++i) mv.columns().col(i) *= alpha[static_cast<std::size_t>(i)];
   }
-  /// Always the same numbers: equal runs have equal bits.
+  /// Always the same numbers, so that equal runs give equal bits.
   static void MvRandom(MV& mv) {
     std::mt19937 source(1);
     for (Eigen::Index column = 0; column < mv.count; ++column)

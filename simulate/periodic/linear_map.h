@@ -6,7 +6,7 @@
 
 namespace tiprub {
 
-/// A x, for an A that nobody has as a matrix.
+/// The product A x of an operator A that is not available as a matrix.
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
 }  // namespace tiprub

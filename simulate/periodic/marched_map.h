@@ -12,12 +12,12 @@ namespace tiprub {
 /// The symmetric map of a march, or a power of it, and its derivative.
 class MarchedMap final : public PeriodicMap {
  public:
-  /// The march is referred to; its clock is left where it is.
+  /// Refers to the march, and leaves its clock unchanged.
   explicit MarchedMap(TimeMarch& march, int power = 1);
 
   const SymmetricMap& symmetric() const { return map_; }
-  /// Puts an orbit's state into the march. Modes without mass have none, and follow the force: if there are any, a
-  /// whole revolution is marched from there.
+  /// Puts the march onto an orbit. The state does not hold the modes without mass, which follow the forces: if there
+  /// are any, a whole revolution is marched.
   void put(const Eigen::VectorXd& state);
 
   MapImage image(const Eigen::VectorXd& state) override;

@@ -2,7 +2,7 @@
 #include "simulate/periodic/multipliers.h"
 
 #include <AnasaziConfigDefs.hpp>
-// Its stopwatches are one set for all threads.
+// Anasazi's timers are shared by all threads and not safe.
 #undef ANASAZI_TEUCHOS_TIME_MONITOR
 
 #include <AnasaziBasicEigenproblem.hpp>
@@ -23,7 +23,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr Eigen::Index dense = 40;                      // numbers of a state: fewer maps than a Krylov space
+constexpr Eigen::Index dense = 40;  // numbers in a state: up to here the whole matrix costs fewer maps
 constexpr int fewest_vectors = 40, most_vectors = 200;  // of a Krylov space
 constexpr int vectors_a_look = 10;
 
@@ -31,11 +31,11 @@ Teuchos::ParameterList settings(Eigen::Index vectors) {
   Teuchos::ParameterList list;
   list.set("Block Size", 1);
   list.set("Num Blocks", static_cast<int>(vectors));
-  list.set("Step Size", static_cast<int>(vectors) + 1);  // no look of its own
+  list.set("Step Size", static_cast<int>(vectors) + 1);  // no Ritz values before we ask
   return list;
 }
 
-/// Column by column.
+/// By the whole matrix, column by column.
 Multiplier of_dense(const LinearMap& map, Eigen::Index size) {
   Eigen::MatrixXd matrix(size, size);
   for (Eigen::Index i = 0; i < size; ++i) matrix.col(i) = map(Eigen::VectorXd::Unit(size, i));
@@ -57,8 +57,9 @@ std::complex<double> largest_ritz_value(Solver& solver) {
   return largest;
 }
 
-/// The largest Ritz value of a Krylov space that grows, until its magnitude stands over two looks. Of a march, which
-/// is nearly normal, it stands long before its vector does: many of nearly its size make that slow.
+/// The largest Ritz value of a growing Krylov space, until its magnitude is constant over two looks. For a march,
+/// whose map is nearly normal, the value converges long before its vector, since many multipliers are of nearly equal
+/// size.
 Multiplier of_krylov(const LinearMap& map, Eigen::Index size, double tolerance) {
   using Test = Anasazi::StatusTestMaxIters<double, KrylovVectors, LinearMap>;
   const auto start = Teuchos::rcp(new KrylovVectors(size, 1));

@@ -9,19 +9,19 @@
 
 namespace tiprub {
 
-/// A Floquet multiplier: what becomes of a small disturbance in one map.
+/// A Floquet multiplier: the factor of a small disturbance in one map.
 struct Multiplier {
   std::complex<double> value;
-  double uncertainty = 0;  ///< [1] by what its magnitude changed last, while it was sought
+  double uncertainty = 0;  ///< [1] the last change of its magnitude during the iteration
 };
 
 /// The multiplier of largest magnitude of a linear map of vectors of `size` numbers, by Anasazi's block Krylov-Schur
-/// method (Stewart 2001; of few numbers by the matrix itself), until its magnitude stands to `tolerance` of itself.
-/// Takes some sixty maps where slow modes are many; where it doesn't come to stand in some hundreds, its uncertainty
-/// says so.
+/// method (Stewart 2001), or by the whole matrix if `size` is small. Stops when the magnitude changes by less than
+/// `tolerance` of itself. This takes about sixty maps where there are many slow modes; if it does not converge within
+/// 200 maps, the uncertainty tells.
 Multiplier largest_multiplier(const LinearMap& map, Eigen::Index size, double tolerance = 2e-4);
 
-/// The same as a growth per revolution, of so many maps.
+/// The same as growth per revolution, which has `maps` maps.
 Growth per_revolution(const Multiplier& multiplier, double maps);
 
 }  // namespace tiprub

@@ -16,11 +16,11 @@ namespace tiprub {
 
 namespace {
 
-constexpr double linear_tolerance = 1e-2;  // of a Newton step: the next one is as small beside it
+constexpr double linear_tolerance = 1e-2;  // of a Newton step
 constexpr int most_halvings = 4;           // of a Newton step
-constexpr double rounding = 1e-13;         // of |x|: a residual that says nothing
+constexpr double rounding = 1e-13;         // of |x|: a smaller residual is rounding
 
-/// Converged when the last Newton step, before any halving, was small beside the state, or its residual is rounding.
+/// Converged if the last Newton step, before any halving, was small against the state, or the residual is rounding.
 class SmallNewtonStep final : public NOX::StatusTest::Generic {
  public:
   explicit SmallNewtonStep(double tolerance) : tolerance_(tolerance) {}
@@ -52,7 +52,7 @@ Teuchos::RCP<Teuchos::ParameterList> settings() {
   Teuchos::ParameterList& search = list->sublist("Line Search");
   search.set("Method", "Backtrack");
   search.sublist("Backtrack").set("Max Iters", most_halvings);
-  search.sublist("Backtrack").set("Recovery Step", 0.0);  // none: the start was no good
+  search.sublist("Backtrack").set("Recovery Step", 0.0);  // no recovery step: the search fails
   return list;
 }
 
@@ -80,7 +80,7 @@ NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, co
   result.state = numbers(last.getX());
   result.pattern = last.pattern();
   const double size = result.state.norm();
-  result.residual = size > 0 ? last.getNormF() / size : last.getNormF();  // at rest
+  result.residual = size > 0 ? last.getNormF() / size : last.getNormF();  // a state at rest
   result.iterations = newton->getNumIterations();
   LOCA::destroyGlobalData(global);
   return result;

@@ -10,7 +10,7 @@
 namespace tiprub {
 
 struct NewtonLimits {
-  double tolerance;     ///< [1] of |x|: the last whole Newton step is smaller
+  double tolerance;     ///< [1] of |x|: bound of the last whole Newton step
   int iterations = 12;  ///< at most
 };
 
@@ -19,15 +19,15 @@ struct NewtonResult {
 
   Found found = Found::no;
   Eigen::VectorXd state;
-  std::shared_ptr<const ContactPattern> pattern;  ///< that the map met there
+  std::shared_ptr<const ContactPattern> pattern;  ///< of the map at the state
   double residual = 0;                            ///< [1] |F(x) - x|/|x|
   int iterations = 0;
 };
 
-/// x = F(x) by Newton's method with a line search (NOX), its linear systems by `solver`, whose space is kept from
-/// call to call. On an affine piece a step lands on its fixed point, whatever the distance, so that what is left to
-/// do is to find the contact pattern that stands. Converges to orbits that repel as well. Raises what the map
-/// raises.
+/// Solves x = F(x) by Newton's method with a line search (NOX), and its linear systems by `solver`, which keeps its
+/// directions from call to call. On one affine piece of the map a single Newton step leads to the fixed point from
+/// any distance; the iteration finds the right piece, that is, the contact pattern. It also converges to orbits that
+/// repel. Raises what the map raises.
 NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, const NewtonLimits& limits,
                               const std::shared_ptr<RecycledGmres>& solver);
 

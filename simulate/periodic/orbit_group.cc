@@ -25,7 +25,7 @@ void be_quiet(Teuchos::ParameterList& printing) {
   printing.set("Error Stream", nowhere);
 }
 
-/// Trilinos keeps one book of times for all threads, in which they meet: it is closed.
+/// Switches off the stacked timer of Trilinos, which all threads would share without protection.
 void close_book_of_times() {
   static const bool is_closed = [] {
     Teuchos::TimeMonitor::setStackedTimer(Teuchos::null);
@@ -112,7 +112,7 @@ OrbitGroup::ReturnType OrbitGroup::computeF() {
 
 OrbitGroup::ReturnType OrbitGroup::computeJacobian() {
   computeF();
-  is_jacobian_ = true;  // the pattern is all that it needs
+  is_jacobian_ = true;  // needs nothing but the pattern
   return Ok;
 }
 

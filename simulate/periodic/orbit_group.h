@@ -19,15 +19,15 @@ namespace tiprub {
 /// The map at a parameter (a speed in rad/s).
 using MapFamily = std::function<std::shared_ptr<PeriodicMap>(double)>;
 
-/// A state's numbers, as NOX has them.
+/// The numbers of a NOX vector.
 Eigen::Map<const Eigen::VectorXd> numbers(const NOX::Abstract::Vector& vector);
 Eigen::Map<Eigen::VectorXd> numbers(NOX::Abstract::Vector& vector);
 
-/// NOX speaks of failures whatever it is told, to standard output: nobody hears it. Of its list "Printing".
+/// Silences NOX by its list "Printing": it would report failures on standard output at any level of verbosity.
 void be_quiet(Teuchos::ParameterList& printing);
 
-/// F(x; p) - x = 0 as NOX and LOCA see it: a state, its residual, and how to solve with the Jacobian DF - 1. Copies
-/// share the family and the solver. What the map raises passes through.
+/// F(x; p) - x = 0 for NOX and LOCA: a state, its residual, and solves with the Jacobian DF - 1. Copies share the
+/// family and the solver. Exceptions of the map pass through.
 class OrbitGroup final : public LOCA::Abstract::Group {
  public:
   static constexpr const char* parameter = "speed";
@@ -38,11 +38,11 @@ class OrbitGroup final : public LOCA::Abstract::Group {
              const Eigen::VectorXd& start, std::shared_ptr<RecycledGmres> solver);
   OrbitGroup(const OrbitGroup& other, NOX::CopyType type);
 
-  /// Who hears of each orbit that LOCA comes to: its speed and its state.
+  /// Is called with the speed and the state of each orbit that LOCA finds.
   using Listener = std::function<void(double, const Eigen::VectorXd&)>;
   void call_at_solutions(Listener listener) { listener_ = std::move(listener); }
 
-  /// That the map met at the state; computeF() first.
+  /// The contact pattern of the map at the state; to be called after computeF().
   const std::shared_ptr<const ContactPattern>& pattern() const { return pattern_; }
 
   // NOX
@@ -63,7 +63,7 @@ class OrbitGroup final : public LOCA::Abstract::Group {
   const NOX::Abstract::Vector& getX() const override { return x_; }
   const NOX::Abstract::Vector& getF() const override { return f_; }
   double getNormF() const override { return f_.norm(); }
-  const NOX::Abstract::Vector& getGradient() const override { return f_; }  // asked for by nobody here
+  const NOX::Abstract::Vector& getGradient() const override { return f_; }  // NOX demands it; no solver here uses it
   const NOX::Abstract::Vector& getNewton() const override { return newton_; }
   Teuchos::RCP<const NOX::Abstract::Vector> getXPtr() const override { return Teuchos::rcpFromRef(x_); }
   Teuchos::RCP<const NOX::Abstract::Vector> getFPtr() const override { return Teuchos::rcpFromRef(f_); }
@@ -78,7 +78,7 @@ class OrbitGroup final : public LOCA::Abstract::Group {
   double getParam(int id) const override { return parameters_.getValue(id); }
   double getParam(std::string name) const override { return parameters_.getValue(name); }
   void printSolution(double speed) const override;
-  /// By the size of the first state, so that a step's share of the state and of the speed are numbers of one kind.
+  /// Scaled by the size of the first state, so that the steps in state and in speed are comparable.
   double computeScaledDotProduct(const NOX::Abstract::Vector& one, const NOX::Abstract::Vector& other) const override;
 
  private:
@@ -88,7 +88,7 @@ class OrbitGroup final : public LOCA::Abstract::Group {
   std::shared_ptr<PeriodicMap> map_;
   std::shared_ptr<RecycledGmres> solver_;
   Listener listener_;
-  double size_;  ///< of the first state
+  double size_;  ///< norm of the first state
   LOCA::ParameterVector parameters_;
   NOX::LAPACK::Vector x_, f_, newton_;
   std::shared_ptr<const ContactPattern> pattern_;

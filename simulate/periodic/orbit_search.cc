@@ -15,13 +15,13 @@ namespace tiprub {
 
 namespace {
 
-constexpr int tries[] = {12, 24, 48};  // revolutions after the casing has grown: contact has found its place
-constexpr double come_back = 0.2;      // of the largest distance within the longest period: it nearly repeats itself
-constexpr double newton_step = 10;     // settle_tolerances: the last one; what is left after it is a hundredth of it
-constexpr double clear_distance = 5;   // uncertainties of a multiplier from 1: nearer, it is found more exactly
-constexpr double exact = 2e-5;         // of a multiplier
+constexpr int tries[] = {12, 24, 48};  // revolutions after the casing has grown
+constexpr double come_back = 0.2;      // of the largest distance within the longest period: the march nearly returns
+constexpr double newton_step = 10;    // of settle_tolerance: bound of the last step, whose error is a hundredth of it
+constexpr double clear_distance = 5;  // of a multiplier from 1, in uncertainties: nearer ones are found more exactly
+constexpr double exact = 2e-5;        // of a multiplier
 
-/// Once roughly; more exactly where that leaves open on which side of 1 it is.
+/// The largest multiplier, found more exactly if a rough value does not tell on which side of 1 it is.
 Multiplier clear_multiplier(const LinearMap& map, Eigen::Index size) {
   const Multiplier rough = largest_multiplier(map, size);
   const double distance = std::abs(std::abs(rough.value) - 1);
@@ -47,11 +47,11 @@ bool OrbitSearch::look_along(TimeMarch& coarse) {
     while (coarse.step_count() < (grown + revolutions) * coarse.steps_per_revolution()) coarse.step();
     if (jump(coarse)) return true;
     report_.outcome = OrbitReport::Outcome::none;
-    if (report_.multiplier > 0) break;  // there is one, and it repels
+    if (report_.multiplier > 0) break;  // an orbit exists, and it repels
   }
   while (coarse.step_count() < (grown + std::end(tries)[-1]) * coarse.steps_per_revolution()) coarse.step();
   report_.maps = recurrence(coarse);
-  solver_ = std::make_shared<RecycledGmres>();  // of another map
+  solver_ = std::make_shared<RecycledGmres>();  // for another map
   return report_.maps > 1 && jump(coarse);
 }
 
@@ -64,7 +64,7 @@ bool OrbitSearch::jump(TimeMarch& march) {
   return false;
 }
 
-/// After how many maps a march nearly comes back, if that is whole revolutions which are recorded anyway; else 1.
+/// The number of maps after which a march nearly returns, if its whole revolutions fit into a recording; else 1.
 int OrbitSearch::recurrence(TimeMarch& march) const {
   const int lobes = scene_.casing.lobes, maps = std::lcm(march.sector_count(), lobes);
   const SymmetricMap one(march);
@@ -141,7 +141,7 @@ void OrbitSearch::follow_excluded(const TimeMarch& march, const NewtonResult& or
 
 double OrbitSearch::drift(TimeMarch& march) const {
   const double moved = (SymmetricMap(march).state() - orbit_.state).norm(), size = orbit_.state.norm();
-  return size > 0 ? moved / size : moved;  // at rest
+  return size > 0 ? moved / size : moved;  // an orbit at rest
 }
 
 void OrbitSearch::give_up() {

@@ -14,38 +14,40 @@
 
 namespace tiprub {
 
-/// Whether the steady motion of a scene can be looked for as a fixed point of the symmetric map: its law of contact
-/// has no memory, and all that moves is what symmetry needs.
+/// Whether the steady motion of a scene can be sought as a fixed point of the symmetric map: the contact law has no
+/// memory, and only the nodal diameters that symmetry needs are marched.
 bool has_symmetric_map(const Scene& scene);
 
-/// Looks for the steady motion that a march from rest is on its way to, instead of marching there: with a coarse step
-/// first, then with one step size after another from the orbit before, by Newton's method for a fixed point of the
-/// symmetric map; where there is none that attracts, of the power of it after which the march nearly comes back.
-/// Orbits that repel are told from those that don't by their multiplier, and not taken. What was learnt with one step
-/// size makes the next one cheap.
+/// Finds the steady motion that a march from rest approaches, without marching all the way. Newton's method seeks a
+/// fixed point of the symmetric map, with a coarse step first and then with finer steps from the orbit before. If no
+/// fixed point attracts, it seeks one of the power of the map after which the march nearly returns. Orbits that repel
+/// are recognised by their multiplier and rejected. The directions that the linear solver has collected with one step
+/// size make the next one cheap.
 class OrbitSearch {
  public:
-  /// The scene is referred to.
+  /// Refers to the scene.
   explicit OrbitSearch(const Scene& scene) : scene_(scene) {}
 
-  /// From rest with a coarse step: marches until the casing has grown and some revolutions more, then puts the march
-  /// on a stable orbit near to it; if there is none, after ever more revolutions. Whether it has found one.
+  /// Marches from rest with a coarse step until the casing has grown, and some revolutions further. Then puts the
+  /// march onto a stable orbit nearby; if there is none, tries again after more revolutions. Returns whether one was
+  /// found.
   bool approach(TimeMarch& coarse);
-  /// Puts a march that goes on from the orbit before onto its own; else leaves it as it is, to the bit, and gives up.
+  /// Puts a march that continues from the last orbit onto its own orbit. If there is none, leaves the march
+  /// unchanged, to the bit, and gives up.
   bool jump(TimeMarch& march);
-  /// [1] how far the march, whole revolutions later, has moved from its orbit, of the orbit's size.
+  /// [1] The distance of the march from its orbit after whole revolutions, relative to the orbit.
   double drift(TimeMarch& march) const;
-  /// Whether the orbit that the march is on attracts with this march's step: what does so with a coarse one may
-  /// repel. Looks also at what symmetry leaves out. No, if the search has given up since it put a march on an orbit.
+  /// Whether the orbit of the march attracts with the step of this march, since an orbit that attracts with a coarse
+  /// step may repel with a finer one. Also computes excluded(). False if the search has given up.
   bool stands(TimeMarch& march);
-  /// The march did not confirm the last orbit, or nothing was found.
+  /// Ends the search: the march did not confirm the last orbit, or none was found.
   void give_up();
 
   const OrbitReport& report() const { return report_; }
-  /// After which the orbit repeats itself.
+  /// The period of the orbit.
   int period_revolutions() const;
-  /// How disturbances grow that symmetry leaves out, along the orbit that stands; none if there are none, or none
-  /// stands.
+  /// The growth of the nodal diameters that symmetry leaves out along the orbit; empty if none is left out or there
+  /// is no stable orbit.
   const std::optional<Growth>& excluded() const { return excluded_; }
 
  private:
@@ -59,7 +61,7 @@ class OrbitSearch {
 
   const Scene& scene_;
   std::shared_ptr<RecycledGmres> solver_ = std::make_shared<RecycledGmres>();
-  NewtonResult orbit_;  ///< the last one found
+  NewtonResult orbit_;  ///< the last orbit found
   OrbitReport report_;
   std::optional<Growth> excluded_;
 };

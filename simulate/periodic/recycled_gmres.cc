@@ -11,13 +11,13 @@ namespace {
 
 constexpr int most_steps = 200;          // of one solve
 constexpr Eigen::Index most_kept = 320;  // directions
-constexpr double new_direction = 1e-4;   // of a direction: what is left of it beside those kept is worth keeping
-constexpr int few_steps = 24;            // of a solve: its directions are not worth keeping
+constexpr double new_direction = 1e-4;   // of a direction: a larger remainder beside the kept ones is kept
+constexpr int few_steps = 24;            // of a solve: then its directions are not kept
 constexpr int look = 4;                  // steps between two looks at the residual
 
 }  // namespace
 
-/// (1 - A) Z = V_{m+1} H, and the solution in Z.
+/// (1 - A) Z = V_{m+1} H, and the coefficients of the solution in Z.
 struct RecycledGmres::Krylov {
   Eigen::MatrixXd basis, directions, hessenberg;
   Eigen::VectorXd coefficients;

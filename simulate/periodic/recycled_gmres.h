@@ -7,20 +7,20 @@
 
 namespace tiprub {
 
-/// Solves (1 - A) x = f for one operator A after another that differ little: GMRES (Saad, Schultz 1986),
-/// preconditioned by what all former solves have met. With an orthonormal basis S of their directions and T = (1 - A)
-/// S,
+/// Solves (1 - A) x = f for a sequence of operators A that differ little, by GMRES (Saad, Schultz 1986) with a
+/// preconditioner from all former solves. With an orthonormal basis S of their directions and T = (1 - A) S,
 ///   P = 1 + S ((S^T T)^-1 - 1) S^T
-/// takes out what S holds: of a march the slow modes, which are many and alike, so that GMRES alone would take a step
-/// for each, each time.
+/// is the exact inverse on the space of S. For a march that space holds the slow modes; they are many and have nearly
+/// equal multipliers, and GMRES without recycling would need a step for each of them in every solve.
 ///
-/// Belos has GMRES and recycling (GCRO-DR), on vectors of Epetra or Tpetra, whose libraries take 40 ms to load, four
-/// times what the rest of the program takes.
+/// Belos offers recycling (GCRO-DR) on vectors of Epetra or Tpetra only. Their libraries take 40 ms to load, four
+/// times as long as the rest of the program.
 class RecycledGmres {
  public:
-  /// x with |f - (1 - A) x| <= tolerance |f|, or the best of `most_steps`. One A a step.
+  /// Returns x with |f - (1 - A) x| <= tolerance |f|, or the best after `most_steps`. A step costs one product with
+  /// A.
   Eigen::VectorXd solve(const LinearMap& A, const Eigen::VectorXd& f, double tolerance);
-  /// A in all solves so far.
+  /// Products with A in all solves so far.
   int steps() const { return steps_; }
 
  private:

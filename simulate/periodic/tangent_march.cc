@@ -10,9 +10,9 @@ namespace tiprub {
 
 namespace {
 
-constexpr double diagonal_shift = 1e-12;  // of W's diagonal, as the march has it: tied nodes keep a solution
+constexpr double diagonal_shift = 1e-12;  // of W's diagonal, as in ContactImpulses
 
-/// The disturbances of an orbit, on a casing that all tips touch.
+/// The scene of the disturbances of an orbit, with a casing that all tips touch.
 MarchedScene disturbed(MarchedScene orbit, Disturbance disturbance) {
   const auto rotor = std::make_shared<RotorAtSpeed>(*orbit.rotor);
   if (disturbance == Disturbance::excluded) {
@@ -35,8 +35,8 @@ TangentMarch::TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int 
       compliance_(march_.compliance()),
       forces_(Eigen::VectorXd::Zero(march_.gap().size())) {
   if (disturbance == Disturbance::symmetric) return;
-  // Excluded nodal diameters alone can't move all sectors alike, so that W has no full rank. What moves them alike
-  // is added: it meets no disturbance of theirs.
+  // The excluded nodal diameters can't move all copies alike, so that W is singular. A compliance for equal motion of
+  // all copies makes it regular; it does not couple to these disturbances.
   const double unit = compliance_.diagonal().maxCoeff() / copies_;
   for (int from = 0; from < copies_; ++from)
     for (int to = 0; to < copies_; ++to)

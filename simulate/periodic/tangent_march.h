@@ -11,24 +11,24 @@
 
 namespace tiprub {
 
-/// Which of a wheel's disturbances are followed along an orbit.
+/// Which disturbances of a wheel are followed along an orbit.
 enum class Disturbance {
-  symmetric,  ///< the orbit's own nodal diameters
-  excluded,   ///< those that symmetry leaves out; the two don't mix in first order
+  symmetric,  ///< those of the nodal diameters of the orbit
+  excluded,   ///< those of the nodal diameters left out; the two kinds do not couple in first order
 };
 
-/// The march linearised along an orbit's own contact pattern: nodes that the orbit has closed stay where they are,
-/// all others feel no force. Costs what the march costs, without its search for the pattern.
+/// The march linearised along the contact pattern of an orbit: nodes that the orbit closes stay in place, and no
+/// force acts on the others. Costs as much as the march, without the search for the pattern.
 class TangentMarch {
  public:
-  /// Of an orbit's march. Excluded disturbances are those of RotorAtSpeed::others, on all N sectors. `power`: of the
-  /// symmetric map, whose pattern it follows.
+  /// `orbit` is the march of the orbit. Excluded disturbances are those of RotorAtSpeed::others, on all N sectors.
+  /// `power` is that of the symmetric map whose pattern is followed.
   TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int power);
 
   Eigen::Index size() const { return map_.state().size(); }
   double maps_per_revolution() const { return map_.maps_per_revolution(); }
-  /// DF times a change of the state, as SymmetricMap has it. Raises NoMotion if nodes that the pattern closes
-  /// together can't be.
+  /// DF times a change of a state of SymmetricMap. Raises NoMotion if the compliance of nodes that the pattern closes
+  /// together is singular.
   Eigen::VectorXd operator()(const std::shared_ptr<const ContactPattern>& pattern, const Eigen::VectorXd& change);
 
  private:
@@ -37,10 +37,10 @@ class TangentMarch {
 
   TimeMarch march_;
   SymmetricMap map_;
-  int copies_, nodes_a_copy_;   ///< of the orbit's sectors in this march, and what lies between two of them
+  int copies_, nodes_a_copy_;   ///< how often this march repeats the sectors of the orbit; values in each
   Eigen::MatrixXd compliance_;  ///< [m/N] W, of full rank
   std::shared_ptr<const ContactPattern> pattern_;
-  std::vector<std::vector<int>> closed_;  ///< the pattern's sets, on all sectors
+  std::vector<std::vector<int>> closed_;  ///< the sets of the pattern, on all sectors
   std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;
   Eigen::VectorXd forces_, of_set_;
 };

@@ -29,7 +29,6 @@ constexpr BranchArray arrays[] = {
     {"multiplier_uncertainty", "1", "uncertainty of that magnitude", &OrbitBranch::multiplier_uncertainty},
     {"multiplier_angle", "rad", "angle of that multiplier, a map", &OrbitBranch::multiplier_angle}};
 
-/// None of a branch's numbers is below zero or without bound; its speeds are above zero.
 void require_sound(const Hdf5File& file, const std::string& dataset, const Eigen::VectorXd& values) {
   if (values.allFinite() && values.minCoeff() >= 0) return;
   throw RunError(file.path() + ": " + dataset + " must be finite and not below 0");

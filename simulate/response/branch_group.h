@@ -9,10 +9,10 @@
 
 namespace tiprub {
 
-/// `/branch/<place>` of response.h5.
+/// Writes `/branch/<place>` of response.h5.
 void write_branch(Hdf5File& file, std::size_t place, const OrbitBranch& branch);
 
-/// All of a file. Raises RunError if a branch's arrays don't fit together or a number is out of its bounds.
+/// Reads all branches. Raises RunError if the arrays of a branch do not fit together or a number is out of bounds.
 std::vector<OrbitBranch> read_branches(const Hdf5File& file, NamedAxes& axes);
 
 }  // namespace tiprub

@@ -9,11 +9,10 @@ namespace tiprub {
 
 namespace {
 
-/// How a state's numbers are described; its contact dofs come first.
 constexpr const char* unit = "m";
 constexpr const char* state_meaning = "wave of the model's dofs; m in contact dofs";
 
-/// The model's dofs of a nodal diameter: as many in each state of each speed.
+/// The axis of the model's dofs of a nodal diameter, which all states of all speeds share.
 std::string dofs_axis(int nodal_diameter) {
   return "dofs of nodal diameter " + std::to_string(nodal_diameter);
 }
@@ -22,7 +21,7 @@ std::string at(const std::string& states, int nodal_diameter) {
   return states + "/" + std::to_string(nodal_diameter);
 }
 
-/// The axes of states stand in the speed's group, beside the groups of states: these hold nothing but states.
+/// The axes of states lie in the group of the speed, because the groups of states hold states only.
 std::string dofs_of(const std::string& group, int nodal_diameter) {
   return group + "/dof_" + std::to_string(nodal_diameter);
 }

@@ -9,12 +9,12 @@
 
 namespace tiprub {
 
-/// The whole rotor in a speed's group of response.h5: "snapshot", one instant, and "cycle", all samples of the last
-/// revolutions. Both are optional.
+/// Writes the states of the whole rotor to the group of a speed: "snapshot", one instant, and "cycle", all samples of
+/// the last revolutions. Both are optional.
 void write_kept_states(Hdf5File& file, const std::string& group, const SpeedResponse& speed,
                        const SimulatedScene& scene);
 
-/// Raises RunError if they don't fit together or to the `samples` that were recorded.
+/// Raises RunError if the states do not fit together or do not fit the number of recorded samples.
 void read_kept_states(const Hdf5File& file, const std::string& group, const SimulatedScene& scene, NamedAxes& axes,
                       Eigen::Index samples, SpeedResponse& speed);
 

@@ -10,19 +10,19 @@
 
 namespace tiprub {
 
-// Axes that more than one kind of dataset of response.h5 has.
+// Axes that several kinds of datasets of response.h5 share.
 inline const std::string samples_axis = "samples", sectors_axis = "sectors", nodes_axis = "contact nodes",
                          components_axis = "components";
 
-/// The axes of a file's datasets by what they count: an axis has one length in whichever dataset it stands. What can
-/// be told beforehand is set; of another axis the first dataset that has it sets the length for all that follow.
+/// The lengths of the axes of a file by name: an axis has the same length in all datasets. A length is either set
+/// beforehand, or taken from the first dataset with that axis.
 class NamedAxes {
  public:
   explicit NamedAxes(const Hdf5File& file) : file_(file) {}
 
   void set(const std::string& axis, std::size_t length, const std::string& because);
-  /// Looks at the dataset's shape before anything of it is read. Raises RunError if it has not these axes, the last
-  /// one fastest, or one of them is empty.
+  /// Checks the shape of a dataset before it is read. Raises RunError unless it has these axes, the last one fastest,
+  /// and none is empty.
   void require(const std::string& dataset, const std::vector<std::string>& axes);
 
  private:

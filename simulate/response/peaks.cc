@@ -7,7 +7,7 @@ namespace tiprub {
 
 namespace {
 
-/// The lowest sample from `index` in direction `step`, up to the first one that is higher than the start.
+/// The lowest sample from `index` in direction `step`, up to the first sample that is higher than the start.
 Eigen::Index valley(const Eigen::VectorXd& curve, Eigen::Index index, int step) {
   Eigen::Index lowest = index;
   for (Eigen::Index i = index + step; i >= 0 && i < curve.size() && curve[i] <= curve[index]; i += step)

@@ -7,25 +7,25 @@
 
 namespace tiprub {
 
-/// A local maximum of a curve, and the valleys it stands between.
+/// A local maximum of a curve, and the valleys on both sides of it.
 struct Peak {
   Eigen::Index index = 0;
-  Eigen::Index left_valley = 0;   ///< lowest sample between the peak and the next higher one (or the end) on its left
-  Eigen::Index right_valley = 0;  ///< the same on its right
+  Eigen::Index left_valley = 0;   ///< lowest sample between the peak and the next higher one (or the end) on the left
+  Eigen::Index right_valley = 0;  ///< the same on the right
   double prominence = 0;          ///< height above the higher of the two valleys
 };
 
-/// Of the parabola through a sample and its two neighbours: where it is highest.
+/// The vertex of the parabola through a sample and its two neighbours.
 struct ParabolaTop {
-  double offset = 0;  ///< of the place, from the middle sample
+  double offset = 0;  ///< from the middle sample
   double height = 0;  ///< above the middle sample
 };
 
-/// Needs a middle sample that is higher than one neighbour and not lower than the other; places ascending.
+/// The middle sample must be higher than one neighbour and not lower than the other; places must ascend.
 ParabolaTop parabola_top(const std::array<double, 3>& places, const std::array<double, 3>& values);
 
-/// Samples higher than both neighbours (of equal ones the first), whose prominence is at least `share` of their own
-/// height. The two ends are no peaks: nobody knows what follows. Ascending in index.
+/// The samples that are higher than both neighbours (the first of equal ones) and whose prominence is at least
+/// `share` of their height; ascending in index. The two ends are never peaks, because the curve may rise beyond them.
 std::vector<Peak> find_peaks(const Eigen::VectorXd& curve, double share);
 
 /// The ends of a curve towards which it rises by at least `share` of its height there: a peak may lie beyond them.

@@ -16,76 +16,76 @@
 
 namespace tiprub {
 
-/// "periodic", "not settled", ...: as response.h5 has it.
+/// The name in response.h5: "periodic", "not settled", ...
 const char* name_of(MotionClass motion);
-/// "motion" or "spectrum": likewise.
+/// The name in response.h5: "motion" or "spectrum".
 const char* name_of(MotionMeasure measure);
 
-/// How far a speed's result can be trusted: what was checked, beyond the ledger and the settling.
+/// Checks of the result at a speed, beside the energy ledger and the settling.
 struct SpeedAudit {
-  /// [1] relative difference to the same speed with half the step; only at a few speeds of a sweep
+  /// [1] relative difference to the same speed with half the step; absent where no step was halved
   std::optional<double> halving_difference;
-  std::optional<MotionMeasure> halving_measure;  ///< of that difference
+  std::optional<MotionMeasure> halving_measure;  ///< how that difference was measured
   std::string halving_failure;                   ///< empty, or why half the step gave no motion
   /// [1] factor per revolution of a small disturbance of the nodal diameters left out for symmetry
   std::optional<double> excluded_growth;
-  std::optional<double> excluded_growth_uncertainty;  ///< [1] of that factor
+  std::optional<double> excluded_growth_uncertainty;  ///< [1] uncertainty of that factor
   SymmetryVerdict symmetry = SymmetryVerdict::all_held;
   /// [1] relative difference to the same speed from rest, for a sweep that carries its state along
   std::optional<double> rest_difference;
   OrbitReport orbit;
-  double left_out_energy = 0;       ///< [1] elastic energy of the modes without mass or dropped, of all of it
+  double left_out_energy = 0;       ///< [1] share of the elastic energy in modes without mass or dropped
   double compliance_condition = 0;  ///< [1] condition number of W
   std::int64_t leftover_steps = 0;  ///< recorded steps that leave a node clearly in the casing
-  double tension_share = 0;         ///< [1] share of tensile contact force: of the sum of the forces' magnitudes
+  double tension_share = 0;         ///< [1] share of tensile forces in the sum of the magnitudes of contact forces
 };
 
-/// From where a critical speed is looked at once more.
+/// A start from which a critical speed is marched again.
 enum class Start {
   up,           ///< from the motion at the speed 1 % below
   down,         ///< from the motion at the speed 1 % above
-  disturbed,    ///< from its own motion with twice the displacement
+  disturbed,    ///< from the settled motion with twice the displacement
   whole_wheel,  ///< from rest with all nodal diameters, where symmetry does not clearly hold
 };
 
-/// "up", "down", "disturbed", "whole wheel": as response.h5 has it.
+/// The name in response.h5: "up", "down", "disturbed", "whole wheel".
 const char* name_of(Start start);
 
-/// What a critical speed comes to from another start.
+/// The motion of a critical speed from another start.
 struct OtherStart {
   Start start = Start::up;
-  std::string failure;   ///< empty, or why there is no motion; then the rest is
-  double amplitude = 0;  ///< [m] as SpeedResponse has it
+  std::string failure;   ///< empty, or why there is no motion; then the other numbers mean nothing
+  double amplitude = 0;  ///< [m] as SpeedResponse::amplitude
   MotionClass motion = MotionClass::not_settled;
   int period_beats = 0;
-  double difference = 0;  ///< [1] relative, to the motion of the speed's own start
+  double difference = 0;  ///< [1] relative difference to the motion of the speed itself
 };
 
-/// How closely a speed was looked at.
+/// How thoroughly a speed was computed.
 enum class Depth {
-  scanned,   ///< with a coarse step, for its amplitude alone; not in a finished response
+  scanned,   ///< with a coarse step, for its amplitude only; not in a finished response
   full,      ///< within the tolerances
-  examined,  ///< from other starts as well, with the whole cycle kept
+  examined,  ///< also from other starts, with the whole cycle kept
 };
 
-/// The settled response at one speed. A sample is an instant on whole revolutions: sample s of the recorded ones lies
-/// at the rotor angle 2 pi s / samples_per_revolution. Only the `independent_sectors` = N / g first sectors are held,
-/// g = gcd(N, orders of the casing): sector j moves as sector j mod (N / g) at every instant.
+/// The settled response at one speed. Recorded sample s lies at the rotor angle 2 pi s / samples_per_revolution. Only
+/// the first `independent_sectors` = N / g sectors are kept, with g = gcd(N, lobes): sector j moves as sector
+/// j mod (N / g) at every instant.
 struct SpeedResponse {
   double speed = 0;     ///< [rad/s]
   std::string failure;  ///< empty, or why this speed has no response; then the arrays are empty
   int steps_per_revolution = 0;
   int samples_per_revolution = 0;
-  int recorded_revolutions = 0;  ///< as many as asked for; of a settled motion one period, if that is less
+  int recorded_revolutions = 0;  ///< as asked for, or one period of a settled motion if that is less
   int revolutions = 0;           ///< marched in all, the recorded ones included
   Depth depth = Depth::full;
-  double amplitude = 0;  ///< [m] half of the peak-to-peak normal displacement, the largest of nodes and sectors
+  double amplitude = 0;  ///< [m] half of the peak-to-peak normal displacement, largest of all nodes and sectors
   MotionClass motion = MotionClass::not_settled;
-  int period_beats = 0;        ///< of a periodic (1) or subharmonic motion, else 0
-  int period_revolutions = 0;  ///< whole ones after which a settled motion repeats itself; 0 if it has not settled
-  double off_beat_energy = 0;  ///< [1] share of the band's mean square at no multiple of lobes x Omega
-  double chatter = 0;          ///< [1] share of the mean square that is above the band
-  int chatter_node = 0;        ///< contact node with most of it
+  int period_beats = 0;        ///< period of a periodic (1) or subharmonic motion, else 0
+  int period_revolutions = 0;  ///< period of a settled motion; 0 if it has not settled
+  double off_beat_energy = 0;  ///< [1] share of the mean square in the band that is at no multiple of lobes x Omega
+  double chatter = 0;          ///< [1] share of the mean square above the band
+  int chatter_node = 0;        ///< contact node with most chatter
   double change = 0;           ///< [1] relative change of the motion over the last period, or revolution
   double change_rate = 0;      ///< [1] factor of that change per revolution; below 1 it decays
 
@@ -101,63 +101,62 @@ struct SpeedResponse {
   /// Steps in contact by area of the casing, over the recorded revolutions; (sector, node) x areas. Area a spans
   /// the absolute angles 2 pi a/areas .. 2 pi (a+1)/areas.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic> contact_count;
-  /// At the recorded sample with the largest contact force, the first of equals; files may come without.
+  /// At the first recorded sample with the largest contact force; files may have none.
   std::optional<RotorSnapshot> snapshot;
-  std::optional<RotorCycle> cycle;  ///< where it was asked for
+  std::optional<RotorCycle> cycle;  ///< at examined speeds
 
   EnergyLedger energy;
-  double step_ratio = 0;              ///< h omega_max / 2; central differences hold below 1
+  double step_ratio = 0;              ///< h omega_max / 2; central differences are stable below 1
   double largest_penetration = 0;     ///< [m] of any node, over the recorded revolutions; 0 if none
   double smallest_multiplier = 0;     ///< [N] below zero where the casing pulled
   std::int64_t contact_steps = 0;     ///< recorded steps with at least one closed node
-  std::int64_t tension_steps = 0;     ///< recorded steps with a negative multiplier (only the paper's rule has them)
+  std::int64_t tension_steps = 0;     ///< recorded steps with a negative multiplier (with the paper's rule only)
   std::int64_t solver_fallbacks = 0;  ///< steps in which the active set needed its finite fallback
   SpeedAudit audit;
   std::vector<OtherStart> other_starts;  ///< of an examined speed
 };
 
-/// How exact a case asks motions to be; all [1].
+/// The tolerances of a case; all [1].
 struct AskedAccuracy {
-  double critical_speeds = 0.02;  ///< of a critical speed's amplitude, beside what the mesh leaves open
-  double step = 5e-3;             ///< of a settled motion: what the last halving of the step may change
-  double settling = 1e-4;         ///< of a settled motion: what may still be to come
+  double critical_speeds = 0.02;  ///< of the amplitude of a critical speed, the error of the mesh excluded
+  double step = 5e-3;             ///< of a settled motion: its allowed change by the last halving of the step
+  double settling = 1e-4;         ///< of a settled motion: its allowed distance from the limit
 };
 
 /// The casing and the scene as they were simulated, for drawing and for the record.
 struct SimulatedScene {
-  AskedAccuracy asked;                 ///< how exact the motions were to be
+  AskedAccuracy asked;                 ///< the tolerances of the case
   int sector_count = 0;                ///< N
   int independent_sectors = 0;         ///< N / g
-  std::vector<int> nodal_diameters;    ///< those that move
+  std::vector<int> nodal_diameters;    ///< those that were marched
   Eigen::VectorXd casing_angle;        ///< [rad] 0 .. 2 pi
   Eigen::VectorXd casing_distortion;   ///< [m] inward, at these angles, after the ramp
   int lobes = 0;                       ///< N_l: the casing repeats every 2 pi / lobes
-  std::optional<Scheme> scheme;        ///< none if the file doesn't tell
+  std::optional<Scheme> scheme;        ///< empty if the file has none
   std::optional<ContactRule> contact;  ///< likewise
-  DampingRatios damping;               ///< empty if the file doesn't tell
-  /// [Hz] the upper end of the band that motions are classified in; infinite: all that the samples resolve
+  DampingRatios damping;               ///< empty if the file has none
+  /// [Hz] the upper end of the band in which motions are classified; infinite: all that the samples resolve
   double resolved_frequency = std::numeric_limits<double>::infinity();
   Eigen::VectorXd clearance;  ///< [m] cold or running as the case says, at the contact nodes
   ClearanceState clearance_state = ClearanceState::running;
-  std::vector<ModelledEffect> effects;  ///< what of the scene was modelled; empty if the file doesn't tell
+  std::vector<ModelledEffect> effects;  ///< what was modelled and left out; empty if the file has none
   std::string model_digest;             ///< digest() of the model that was marched
-  std::string scope;                    ///< what was modelled, what was left out, and why; one reason a line
+  std::string scope;                    ///< what was modelled and left out, and why; one reason in a line
   std::string casing;                   ///< the table [casing] of the case, as TOML
-  std::string provenance;               ///< the case and the chain that made it, as text
+  std::string provenance;               ///< the case and the provenance of the model, as text
 };
 
-/// Orbits that hang together over speed, stable and unstable ones, in the order of their arc length. Arrays over the
-/// orbits.
+/// A connected curve of orbits over speed, stable and unstable, in the order of arc length. Arrays over the orbits.
 struct OrbitBranch {
-  double start = 0;                        ///< [rad/s] the speed at which it was met first
-  int steps_per_revolution = 0;            ///< of the march whose orbits they are
+  double start = 0;                        ///< [rad/s] the speed at which the branch was begun
+  int steps_per_revolution = 0;            ///< of the march
   std::string ends[2];                     ///< why it ends at its first orbit, and at its last
   Eigen::VectorXd speed;                   ///< [rad/s]
-  Eigen::VectorXd amplitude;               ///< [m] as SpeedResponse has it
+  Eigen::VectorXd amplitude;               ///< [m] as SpeedResponse::amplitude
   Eigen::VectorXd multiplier;              ///< [1] magnitude of the largest Floquet multiplier per revolution
   Eigen::VectorXd multiplier_uncertainty;  ///< [1]
-  Eigen::VectorXd multiplier_angle;        ///< [rad] a map, 0 .. pi
-  Eigen::VectorXd folds;                   ///< [rad/s] where it turns back in speed; may be empty
+  Eigen::VectorXd multiplier_angle;        ///< [rad] of one map, 0 .. pi
+  Eigen::VectorXd folds;                   ///< [rad/s] speeds at which the branch turns back; may be empty
 
   bool attracts(Eigen::Index orbit) const { return multiplier[orbit] < 1; }
 };
@@ -170,10 +169,10 @@ struct ClearanceRange {
 /// response.h5 in memory. Schema "tiprub-response".
 struct Response {
   SimulatedScene scene;
-  std::string key;  ///< names all that decides a speed's result (model, casing, scheme): equal keys, equal results
+  std::string key;                         ///< identifies everything that decides the result of a speed (run_key)
   std::vector<SpeedResponse> speeds;       ///< ascending in speed
   FrequencyTable frequencies = {};         ///< empty in the parts of an unfinished sweep
-  std::vector<OrbitBranch> branches = {};  ///< where they were asked for
+  std::vector<OrbitBranch> branches = {};  ///< empty unless the case asks for them
 
   /// Over all contact nodes and all speeds that have a response.
   ClearanceRange clearances() const {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* schema = "tiprub-response";
 constexpr int schema_version = 5;
-constexpr int oldest_version = 4;  // that is read: without axes and what is along that of speed
+constexpr int oldest_version = 4;  // that can still be read; it has no axes
 const std::string end_group = "/end";
 constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
 constexpr std::size_t nodal_diameter_max = 10000;  // of any wheel
@@ -32,7 +32,7 @@ std::string group_of(std::size_t index) {
   return "/speed/" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
 }
 
-/// [bytes] of a group's arrays as they are read; complex states count twice.
+/// [bytes] that the arrays of a group take in memory.
 double size_of_speed(const Hdf5File& file, const std::string& group) {
   double size = 0;
   const auto add = [&](const std::string& name, double bytes_each) {

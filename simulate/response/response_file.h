@@ -13,13 +13,13 @@ namespace tiprub {
 /// response.h5, schema "tiprub-response" version 5; the format is described in simulate/format.md.
 void write_response(const Response& response, const std::filesystem::path& path, const std::string& generator);
 
-/// What a file is written for.
+/// The purpose of a file.
 enum class ResponseUse {
-  kept,     ///< by people
-  passing,  ///< a part of a sweep, soon read and removed: not packed, and without the axis of all speeds
+  kept,     ///< the result of a sweep
+  passing,  ///< a part of a sweep, soon read and removed: not compressed, without the axis of all speeds
 };
 
-/// The same file speed by speed, for sweeps that don't fit into memory. Speeds must come in ascending order.
+/// Writes the same file speed by speed, for sweeps that do not fit into memory. Speeds must ascend.
 class ResponseWriter {
  public:
   ResponseWriter(const std::filesystem::path& path, const SimulatedScene& scene, const std::string& key,
@@ -30,9 +30,9 @@ class ResponseWriter {
   /// Once, before or after the speeds.
   void add(const FrequencyTable& frequencies);
   void add(const OrbitBranch& branch);
-  /// The state at the end of the last one; for the parts of a sweep that carries it on.
+  /// The state at the end of the last speed; for the parts of a sweep that starts each speed from the one before.
   void add_end(const RotorState& state);
-  /// The last step: raises RunError if the disk doesn't take all of it.
+  /// To be called last. Raises RunError if the file can't be written completely.
   void close();
 
  private:
@@ -40,14 +40,14 @@ class ResponseWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Reads version 4 too. Raises RunError if the file is missing, damaged, of another schema, its arrays don't fit
-/// together, or a number is out of its bounds.
+/// Also reads version 4. Raises RunError if the file is missing, damaged or of another schema, if its arrays do not
+/// fit together, or if a number is out of bounds.
 Response read_response(const std::filesystem::path& path);
 
-/// What add_end() wrote; at rest if there is none.
+/// The state that add_end() has written; at rest if there is none.
 RotorState read_end_state(const std::filesystem::path& path);
 
-/// Only its key; raises as read_response() does.
+/// Reads only the key. Raises RunError as read_response() does.
 std::string read_response_key(const std::filesystem::path& path);
 
 }  // namespace tiprub

@@ -21,7 +21,7 @@ const std::string damping_group = "/damping", family_axis = damping_group + "/fa
                   damping_frequency = damping_group + "/frequency",
                   ratio_by_frequency = damping_group + "/ratio_by_frequency";
 
-/// Raises RunError with what the file must hold, unless it does.
+/// Raises RunError with the violated condition.
 void require(bool holds, const Hdf5File& file, const std::string& must) {
   if (!holds) throw RunError(file.path() + ": " + must);
 }
@@ -31,13 +31,13 @@ bool increases(const Values& values) {
   return std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
 }
 
-/// An attribute of the file, if it is there.
+/// Reads an optional attribute of the file.
 void read_positive(const Hdf5File& file, const std::string& name, double& value) {
   if (file.has_attribute("/", name)) value = file.number_attribute("/", name);
   require(value > 0, file, "attribute " + name + " must be above 0");
 }
 
-/// The value that an attribute names.
+/// The value named by an attribute.
 template <class Value, std::size_t count>
 Value named(const NamedValues<Value, count>& names, const Hdf5File& file, const std::string& object,
             const std::string& attribute) {
@@ -92,7 +92,7 @@ std::string frequencies_at(std::size_t nodal_diameter) {
   return frequency_group + "/nodal_diameter/" + std::to_string(nodal_diameter);
 }
 
-/// Of the modes of those frequencies.
+/// The damping ratios of the modes of frequencies_at().
 std::string damping_at(std::size_t nodal_diameter) {
   return damping_of_modes + "/" + std::to_string(nodal_diameter);
 }

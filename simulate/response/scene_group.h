@@ -7,12 +7,12 @@
 
 namespace tiprub {
 
-/// What all speeds of a response.h5 have in common. The readers raise RunError at what does not fit together.
+/// The scene, which all speeds of response.h5 share. The readers raise RunError if parts do not fit together.
 void write_scene(Hdf5File& file, const SimulatedScene& scene);
 SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes);
 
 void write_frequencies(Hdf5File& file, const FrequencyTable& frequencies);
-/// An empty table, if the file has none.
+/// Returns an empty table if the file has none.
 FrequencyTable read_frequencies(const Hdf5File& file, int sector_count, NamedAxes& axes);
 
 }  // namespace tiprub

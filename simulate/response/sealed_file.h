@@ -5,14 +5,14 @@
 
 namespace tiprub {
 
-/// What the end of a file tells of its bytes.
+/// The state of the seal at the end of a file.
 enum class Seal {
-  none,    ///< it was never sealed
-  broken,  ///< they are not those that were sealed
-  whole,
+  none,    ///< there is no seal
+  broken,  ///< the bytes have changed since the file was sealed
+  whole,   ///< the bytes are those that were sealed
 };
 
-/// Appends the digest of all bytes to a finished file. HDF5 doesn't mind what follows its end. Raises RunError.
+/// Appends the digest of all bytes to a finished file; HDF5 ignores bytes after its own end. Raises RunError.
 void seal(const std::filesystem::path& path);
 
 Seal seal_of(const std::filesystem::path& path);

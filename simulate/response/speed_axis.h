@@ -9,8 +9,8 @@
 
 namespace tiprub {
 
-/// What the speeds' groups tell each by itself, once more along one axis of speed in the root of response.h5: what
-/// tools for netCDF read at a glance. The reader takes the groups.
+/// The numbers of all speeds once more, along one axis of speed in the root of response.h5, for netCDF tools. Our
+/// reader uses the groups of the speeds.
 class SpeedAxis {
  public:
   void add(const SpeedResponse& speed);
@@ -22,7 +22,7 @@ class SpeedAxis {
     const char* name;
     const char* units;
     const char* long_name;
-    std::vector<double> values;  ///< NaN where there is none
+    std::vector<double> values;  ///< NaN where a speed has none
   };
   struct Texts {
     const char* name;

@@ -16,7 +16,7 @@ namespace tiprub {
 
 namespace {
 
-/// The columns of a matrix seen as further axes of an array; rows first.
+/// A matrix as an array whose first axis is the rows, and whose further axes are the columns.
 Array<double> unfold(const Eigen::MatrixXd& matrix, const std::vector<std::size_t>& column_axes) {
   Array<double> array;
   array.shape = {static_cast<std::size_t>(matrix.rows())};
@@ -39,7 +39,7 @@ void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse
     using Value = std::decay_t<decltype(value)>;
     const char* const name = meaning.name;
     if constexpr (std::is_same_v<Value, std::optional<double>>) {
-      if (value) file.set_attribute(group, name, *value);  // absent where it wasn't looked at
+      if (value) file.set_attribute(group, name, *value);  // absent where it was not computed
     } else if constexpr (std::is_same_v<Value, std::int64_t>) {
       file.set_attribute(group, name, static_cast<double>(value));
     } else {
@@ -48,7 +48,7 @@ void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse
   });
 }
 
-/// Raises RunError unless the attribute is within its bounds.
+/// Reads an attribute. Raises RunError unless it is within its bounds.
 double bounded(const Hdf5File& file, const std::string& group, const std::string& name, Bounds bounds) {
   const double value = file.number_attribute(group, name);
   if (value >= bounds.low && value <= bounds.high) return value;
@@ -75,7 +75,7 @@ void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse&
   });
 }
 
-/// Only where it was asked for; older files have none.
+/// Written only where a search was asked for; older files have none.
 void write_orbit(Hdf5File& file, const std::string& group, const OrbitReport& orbit) {
   if (orbit.outcome == OrbitReport::Outcome::none) return;
   file.set_attribute(group, "orbit", std::string(name_of(orbit.outcome)));
@@ -122,7 +122,7 @@ OtherStart read_other_start(const Hdf5File& file, const std::string& group) {
   return start;
 }
 
-/// Of each speed its own: a netCDF group that can be opened alone.
+/// Each speed has axes of its own, so that its netCDF group can be opened by itself.
 void write_axes(Hdf5File& file, const std::string& group, const SpeedResponse& speed, const SimulatedScene& scene) {
   const double turn = 2 * std::numbers::pi;
   const Eigen::Index samples = speed.displacement.rows(), areas = speed.contact_count.cols();
@@ -159,7 +159,7 @@ void write_arrays(Hdf5File& file, const std::string& group, const SpeedResponse&
   file.describe(count, "recorded steps in contact", {sector, node, group + "/casing_angle"});
 }
 
-/// The arrays of a speed, of the shapes that the scene and the speed's own numbers ask for.
+/// Reads the arrays of a speed, whose shapes the scene and the numbers of the speed determine.
 void read_arrays(const Hdf5File& file, const std::string& group, NamedAxes& axes, SpeedResponse& speed) {
   const std::string clearance = group + "/clearance", displacement = group + "/displacement",
                     force = group + "/contact_force", count = group + "/contact_count";

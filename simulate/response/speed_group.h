@@ -9,16 +9,16 @@
 
 namespace tiprub {
 
-/// One speed's group of response.h5, "/speed/00000", ...: attributes, arrays and states of the rotor, as
-/// simulate/format.md lists them. A speed that failed has no datasets.
+/// Writes the group of one speed, "/speed/00000", ...: attributes, arrays and states of the rotor, as described in
+/// simulate/format.md. A failed speed has no datasets.
 void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& response,
                        const SimulatedScene& scene);
 
-/// Whether every number of it is finite; a reader refuses others.
+/// Whether every number is finite, which the reader demands.
 bool is_finite(const SpeedResponse& speed);
 
-/// Raises RunError if an attribute is missing, unknown or out of its bounds, or the arrays don't fit together, to the
-/// scene, and to the speeds that were read with the same axes.
+/// Raises RunError if an attribute is missing, unknown or out of bounds, or if the arrays do not fit together, the
+/// scene, or the speeds read before with the same axes.
 SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene,
                                NamedAxes& axes);
 

@@ -9,17 +9,17 @@
 
 namespace tiprub {
 
-/// What a number of a speed that did not fail may be; ends included.
+/// The allowed range of a number of a speed that did not fail; ends included.
 struct Bounds {
   double low, high;
 };
-constexpr double beyond_counting = 9007199254740992.0;  // 2^53: up to there a double tells whole numbers apart
+constexpr double beyond_counting = 9007199254740992.0;  // 2^53: up to here a double holds every whole number
 constexpr Bounds any = {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
 constexpr Bounds not_negative = {0, any.high}, not_positive = {any.low, 0}, share = {0, 1};
 constexpr Bounds whole = {0, beyond_counting}, at_least_one = {1, beyond_counting},
                  at_least_two = {2, beyond_counting};
 
-/// A number of a speed as response.h5 has it.
+/// How response.h5 describes a number of a speed.
 struct NumberMeaning {
   const char* name;
   const char* units;
@@ -80,8 +80,8 @@ void visit_audit(Speed& speed, Visit visit) {
   visit({"tension_share", "1", "share of tensile contact force", share}, audit.tension_share);
 }
 
-/// Every number of a speed, and what it means: one list for the writers and the reader. `visit(meaning, value)` is
-/// given an int, std::int64_t, double, or, of what may be absent, std::optional<double>.
+/// Calls `visit(meaning, value)` with every number of a speed: one list for the writers and the reader. The value is
+/// an int, a std::int64_t, a double, or, if it may be absent, a std::optional<double>.
 template <class Speed, class Visit>
 void visit_numbers(Speed& speed, Visit visit) {
   visit_motion(speed, visit);
@@ -89,7 +89,7 @@ void visit_numbers(Speed& speed, Visit visit) {
   visit_audit(speed, visit);
 }
 
-/// The same of an orbit that was looked for; older files have no `orbit_maps`.
+/// The same for the search for an orbit; older files have no `orbit_maps`.
 template <class Orbit, class Visit>
 void visit_orbit_numbers(Orbit& orbit, Visit visit) {
   visit({"orbit_maps", "1", "maps after which the orbit repeats itself", at_least_one}, orbit.maps);
@@ -101,7 +101,7 @@ void visit_orbit_numbers(Orbit& orbit, Visit visit) {
   visit({"multiplier_angle", "rad", "angle of that multiplier, a map", not_negative}, orbit.multiplier_angle);
 }
 
-/// A text of a speed as response.h5 has it.
+/// A text of a speed in response.h5.
 struct SpeedText {
   const char* name;
   const char* long_name;
@@ -112,7 +112,7 @@ std::vector<SpeedText> texts_of(const SpeedResponse& speed);
 
 const char* name_of(OrbitReport::Outcome outcome);
 
-/// What name_of() and texts_of() gave. Raise RunError, which begins with `where`, if there is none of that name.
+/// The inverse of name_of() and texts_of(). Raise RunError, which begins with `where`, if a name is unknown.
 MotionClass motion_named(const std::string& name, const std::string& where);
 SymmetryVerdict symmetry_named(const std::string& name, const std::string& where);
 Depth depth_named(const std::string& name, const std::string& where);

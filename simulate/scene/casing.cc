@@ -101,7 +101,7 @@ void read_shape(CaseTable& table, Casing& casing) {
         table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
 }
 
-/// The smallest of them joins `clearance`.
+/// The smallest of the numbers is moved into `clearance`.
 void read_blade_clearance(CaseTable& table, Casing& casing) {
   if (!table.has("blade_clearance")) return;
   casing.blade_clearance = table.numbers("blade_clearance", std::nullopt, Range::any(), "m more, blade by blade");

@@ -12,32 +12,31 @@
 
 namespace tiprub {
 
-/// [Hz] up to which a model's modes are taken for those of the wheel: twice the highest frequency at which it was
-/// verified against the unreduced sector (the lowest of the nodal diameters' last ones, at any speed). A bending wave
-/// of twice the frequency is 1.4 times as short, so that quadratic bricks, whose error goes as the fourth power of
-/// that, are four times as wrong there. Infinite if the model came without verification.
+/// [Hz] The frequency up to which the modes of a model are trusted: twice the highest frequency at which the model
+/// was verified against the unreduced sector (the lowest of the last verified frequencies of all nodal diameters and
+/// speeds). A bending wave of twice the frequency is shorter by a factor of 1.4; the error of quadratic elements
+/// grows with the fourth power of that, and is four times as large. Infinite if the model came without verification.
 double resolved_frequency(const ReducedModel& model);
 
-/// Modal damping: ratios of critical, by family or by frequency, up to the highest frequency that is resolved;
-/// another ratio beyond it. Modes beyond stand for the compliance of the tips; their frequencies are the mesh's, and
-/// with a wheel's own small damping they ring on after each impact and keep a motion from settling that is none of
-/// theirs.
+/// Modal damping as ratios of critical: by family or by frequency up to the resolved frequency, and one ratio beyond
+/// it. The modes beyond represent the compliance of the tips, but their frequencies are artefacts of the mesh. With
+/// the small damping of a wheel they would ring on after each impact and keep the motion from settling.
 class Damping {
  public:
   using Table = decltype(DampingRatios::by_frequency);
 
   Damping() = default;
-  /// The first family's, the second's, ...; the last one holds for all further ones.
+  /// The ratio of the first family, of the second, and so on; the last one holds for all further families.
   explicit Damping(std::vector<double> by_family) : ratios_{.by_family = std::move(by_family)} {}
   Damping(std::initializer_list<double> by_family) : ratios_{.by_family = by_family} {}
-  /// Linear between the points, level outside.
+  /// Linear between the points, constant outside.
   explicit Damping(Table by_frequency) : ratios_{.by_frequency = std::move(by_frequency)} {}
 
-  /// Modes above `frequency` [Hz] take `ratio`.
+  /// Modes above `frequency` [Hz] get `ratio`.
   void set_beyond(double frequency, double ratio);
-  /// [1] of critical of mode `family` (from 0) of a nodal diameter, at its frequency [Hz].
+  /// [1] of critical, for mode `family` (from 0) of a nodal diameter at its frequency [Hz].
   double ratio(std::size_t family, double frequency) const;
-  /// [1] the largest of those given for resolved modes.
+  /// [1] The largest ratio of resolved modes.
   double largest() const;
   const DampingRatios& ratios() const { return ratios_; }
 
@@ -46,11 +45,11 @@ class Damping {
   double resolved_ = std::numeric_limits<double>::infinity();
 };
 
-/// [1] of critical: modes that swing, with room to the critical damping, at which the march divides by nothing.
+/// [1] of critical. Modes must oscillate; the bound keeps clear of critical damping, where the coefficients of the
+/// step are singular.
 extern const Range damping_range;
 
-/// Reads the keys of [simulate] that give the damping, without what the model says of its resolution. Raises
-/// InputError.
+/// Reads the keys of [simulate] that give the damping of resolved modes. Raises InputError.
 Damping read_damping(CaseTable& table);
 
 }  // namespace tiprub

@@ -7,7 +7,7 @@
 
 namespace tiprub {
 
-/// Through points [x, y] with ascending x; linear between them, level outside.
+/// Interpolates points [x, y] with ascending x: linear between them, constant outside.
 inline double linear_between(const std::vector<std::array<double, 2>>& points, double x) {
   if (x <= points.front()[0]) return points.front()[1];
   for (std::size_t i = 1; i < points.size(); ++i) {

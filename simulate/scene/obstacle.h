@@ -8,23 +8,24 @@
 
 namespace tiprub {
 
-/// What the tips meet at one speed: the casing, as the tips see it. It is rigid and stands still around the wheel, so
-/// that a gap depends on a tip's place and on time alone; one that gives way would add its compliance to the tips'.
+/// What the tips meet at one speed: the casing in the frame of the tips. It is rigid and stands still around the
+/// wheel, so that its gap depends only on the place of a tip and on time. A flexible obstacle would add its
+/// compliance to that of the tips.
 class Obstacle {
  public:
-  /// `clearance` [m]: at the tips of the tightest blade, at this speed.
+  /// `clearance` [m] is that of the tightest blade at this speed, tip by tip.
   Obstacle(const Casing& casing, const ContactLine& tips, Eigen::VectorXd clearance);
-  /// A casing without lobes that all tips touch: gaps are displacements.
+  /// The same without lobes and clearance: gaps are then negative displacements.
   Obstacle touching() const;
 
-  /// N_l: the same obstacle after every 2 pi / N_l.
+  /// N_l; the obstacle repeats every 2 pi / N_l.
   int lobes() const { return casing_.lobes; }
-  /// [m] between the tips of the tightest blade, and of a sector's blade, and the undistorted casing.
+  /// [m] The distance of the undistorted casing from the tips of the tightest blade, or from those of a sector.
   const Eigen::VectorXd& clearance() const { return clearance_; }
   Eigen::VectorXd clearance(int sector) const { return clearance_.array() + casing_.extra_clearance(sector); }
-  /// [m] by which the casing, fully grown, stands inward over a tip of sector 0 that has turned by an angle in rad.
+  /// [m] The full distortion inward over a tip of sector 0 after it has turned by an angle in rad.
   double distortion(int tip, double turn) const { return casing_.distortion(angle_[tip] + turn, fraction_[tip]); }
-  /// Factor of the distortion after so many revolutions.
+  /// The factor by which the distortion has grown after a number of revolutions.
   double grown(double revolutions) const { return casing_.ramp(revolutions); }
 
  private:

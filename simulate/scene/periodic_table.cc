@@ -9,8 +9,8 @@
 
 namespace tiprub {
 
-/// A slope depends on the neighbours at both sides, so the points of one period get one more before them and two
-/// after them; with these there are four, which pchip asks for, even of one point.
+/// Slopes depend on the neighbours at both sides, so that one point of the period before and two of the period after
+/// are added. This also gives pchip the four points that it needs if there is only one.
 PeriodicTable::PeriodicTable(const std::vector<std::array<double, 2>>& points, double period)
     : start_(points.front()[0]), period_(period) {
   std::vector<double> xs, ys;

@@ -7,14 +7,15 @@
 
 namespace tiprub {
 
-/// A smooth periodic function through given points: monotone cubic pieces (Fritsch and Butland 1984, Boost's pchip),
-/// so that it never leaves the range of its neighbours. Once continuously differentiable; one point is a constant.
+/// A smooth periodic function through given points. It consists of monotone cubics (Fritsch and Butland 1984, Boost's
+/// pchip), never leaves the range of neighbouring points, and has a continuous first derivative. One point gives a
+/// constant.
 class PeriodicTable {
  public:
   PeriodicTable() = default;
-  /// [1] of the period, between two points: nearer ones would become one, a period on.
+  /// [1] of the period: the smallest distance of two points, which rounding could otherwise merge a period later.
   static constexpr double closest = 1e-9;
-  /// Points [x, y] with x increasing, by more than `closest`, inside [x_0, x_0 + period).
+  /// Points [x, y] with x increasing by more than `closest` inside [x_0, x_0 + period).
   PeriodicTable(const std::vector<std::array<double, 2>>& points, double period);
 
   double operator()(double x) const;

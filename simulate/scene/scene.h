@@ -8,7 +8,7 @@
 
 namespace tiprub {
 
-/// All that a sweep's speeds have in common.
+/// The data that all speeds of a sweep share.
 struct Scene {
   const ReducedModel& model;
   const Casing& casing;
@@ -16,7 +16,7 @@ struct Scene {
   const SceneScope& scope;
 };
 
-/// [m] amplitude and clearance of a scene: what its motions are measured by.
+/// [m] Amplitude plus clearance, the length with which motions of a scene are compared.
 inline double length_scale(const Scene& scene) {
   return scene.casing.amplitude + scene.casing.given_clearance(scene.model.contact).maxCoeff();
 }

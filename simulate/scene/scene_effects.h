@@ -8,7 +8,7 @@
 
 namespace tiprub {
 
-/// What a scene models of the effects on a wheel that rubs, and what it simplifies or leaves out.
+/// Which effects on a rubbing wheel a scene models, which it simplifies, and which it leaves out.
 std::vector<ModelledEffect> effects_of(const Scene& scene);
 
 }  // namespace tiprub

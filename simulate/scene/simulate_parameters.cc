@@ -14,9 +14,9 @@ namespace {
 constexpr int count_max = 1'000'000;
 const Range accuracy_range = Range::between(1e-5, 0.5);
 
-/// Where a march begins: it is halved at least once, so that the first halving tells its error. On the wheels of
-/// cases/speed_accuracy 200 steps a period of the first family, halved, are within 4e-3; errors fall with the square
-/// of the step or, through hard impacts, with the step. Without contact any step is exact.
+/// The steps in a period of the first march. The step is halved at least once, and the first halving tells the error.
+/// On the wheels of cases/speed_accuracy 200 steps in a period of the first family, halved once, give errors below
+/// 4e-3. Errors fall with the square of the step or, in hard impacts, with the step.
 double steps_for(double tolerance) {
   constexpr double measured_tolerance = 5e-3, measured_steps = 200;
   return measured_steps * std::sqrt(measured_tolerance / tolerance);
@@ -40,7 +40,7 @@ std::vector<double> read_speeds(CaseTable& table) {
   return speeds;
 }
 
-constexpr double unresolved_damping = 0.02;  // of critical: rings down within a few of a mode's own periods
+constexpr double unresolved_damping = 0.02;  // of critical: a mode decays within a few of its periods
 
 void read_damping_and_band(CaseTable& table, SimulateParameters& parameters) {
   parameters.damping = read_damping(table);
@@ -84,7 +84,7 @@ void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
                                 {{"critical_speeds", Examination::critical_speeds}, {"none", Examination::none}});
 }
 
-/// An orbit is known by its modes at two instants, and by nothing that a law of contact remembers beside them.
+/// The modes at two instants must determine an orbit, which rules out contact laws with memory.
 void require_law_without_memory(CaseTable& table, const SimulateParameters& parameters) {
   if (maps_states(parameters.scheme, parameters.contact)) return;
   const std::string what =

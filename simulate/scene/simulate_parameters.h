@@ -12,7 +12,7 @@
 namespace tiprub {
 
 enum class DiameterChoice {
-  symmetric,  ///< only those that the casing's orders can move from rest
+  symmetric,  ///< only those that the orders of the casing excite from rest
   all,
 };
 
@@ -23,44 +23,44 @@ enum class SweepDirection {
   down,  ///< from the motion at the next higher speed
 };
 
-/// Which speeds a sweep has.
+/// The speeds of a sweep.
 enum class SpeedChoice {
   given,     ///< those of the case
-  adaptive,  ///< those, and what it takes to locate the peaks and the jumps of the response
+  adaptive,  ///< those, and the speeds needed to locate the peaks and jumps of the response
 };
 
-/// What is done about the speeds at the response's peaks.
+/// What is done at the peaks of the response.
 enum class Examination {
   none,
-  critical_speeds,  ///< other starts, the step, the whole wheel where symmetry doesn't clearly hold; the cycle is
-                    ///< kept
+  critical_speeds,  ///< other starts, half the step, the whole wheel where symmetry does not clearly hold; the
+                    ///< cycle is kept
 };
 
-/// How a speed comes to its settled motion.
+/// How the settled motion of a speed is found.
 enum class SteadyStateMethod {
   march,  ///< by marching until it has settled
-  orbit,  ///< by Newton's method for a fixed point of the symmetric map, from a short march; by marching if that
+  orbit,  ///< by Newton's method for a fixed point of the symmetric map after a short march; by marching if that
           ///< fails
 };
 
-/// Which orbits are followed over speed, once the sweep is done.
+/// Which orbits are followed over speed after the sweep.
 enum class BranchChoice {
   none,
-  critical_speeds,  ///< those at the speeds that were examined
+  critical_speeds,  ///< those at the examined speeds
 };
 
 /// What is done about speeds whose symmetric motion is unstable.
 enum class BrokenSymmetry {
-  mark,      ///< they are named
-  full_run,  ///< and run again with all nodal diameters, into a response of their own
+  mark,      ///< they are reported
+  full_run,  ///< they are run again with all nodal diameters, into a response of their own
 };
 
-/// What [simulate] asks for.
+/// The parameters of [simulate].
 struct SimulateParameters {
   std::vector<double>
-      speeds;  ///< [rad/s], ascending, all different: all, or those that an adaptive sweep begins with
+      speeds;  ///< [rad/s] ascending, all different: all speeds, or the first ones of an adaptive sweep
   SpeedChoice speed_choice = SpeedChoice::given;
-  int scan_per_interval = 0;     ///< scanned speeds between two of an adaptive sweep's first ones
+  int scan_per_interval = 0;     ///< of an adaptive sweep, between two of its first speeds
   int speed_count_max = 0;       ///< of an adaptive sweep
   double peak_prominence = 0.1;  ///< [1] of a peak's height: lower ones are neither located nor examined
   Examination examination = Examination::none;
@@ -68,25 +68,25 @@ struct SimulateParameters {
   ContactRule contact = ContactRule::complementarity;
   double theta = 0.5;              ///< [1] of Moreau-Jean
   double penalty_stiffness = 100;  ///< [1] of penalty, in tip stiffnesses
-  int modes = 0;                   ///< with mass, a nodal diameter; 0: all
+  int modes = 0;                   ///< modes with mass in a nodal diameter; 0: all
   SweepDirection sweep = SweepDirection::rest;
   Damping damping;
-  /// [Hz] modes and motions above it are the mesh's, not the wheel's; 0 in a case: what the model says
+  /// [Hz] Modes and motions above it are artefacts of the mesh. 0 in a case: resolved_frequency(model).
   double resolved_frequency = std::numeric_limits<double>::infinity();
   DiameterChoice nodal_diameters = DiameterChoice::symmetric;
   double damping_ratio_beyond = 0;  ///< [1] of critical, of modes above the resolved frequency
-  double accuracy = 0.02;           ///< [1] of a critical speed's amplitude; the tolerances' defaults come from it
-  double step_tolerance = 5e-3;     ///< [1] of the settled motion: the step is halved until that changes it by less
-  double steps_per_period = 200;    ///< at least, of the lowest natural frequency, of the first march
+  double accuracy = 0.02;           ///< [1] of the amplitude of a critical speed; sets the defaults of the tolerances
+  double step_tolerance = 5e-3;     ///< [1] of the settled motion: the step is halved until the change is smaller
+  double steps_per_period = 200;    ///< at least, in a period of the lowest natural frequency, for the first march
   int steps_per_revolution = 0;     ///< at least, and never halved; 0: from steps_per_period
   int samples_per_revolution = 0;   ///< at least
   int recorded_revolutions = 0;
   int min_revolutions = 0;
   int max_revolutions = 0;
   SteadyStateMethod steady_state = SteadyStateMethod::march;
-  double settle_tolerance = 0;  ///< [1] estimated distance from the settled motion, of its norm
+  double settle_tolerance = 0;  ///< [1] estimated distance from the settled motion
   int casing_areas = 0;
-  int symmetry_check_revolutions = 0;  ///< after settling, with a small disturbance of what symmetry left out
+  int symmetry_check_revolutions = 0;  ///< marched for the growth of what symmetry leaves out
   BrokenSymmetry when_symmetry_breaks = BrokenSymmetry::mark;
   BranchChoice branches = BranchChoice::none;
   double branch_range = 0;  ///< [1] of a speed, to either side of it
@@ -97,7 +97,7 @@ struct SimulateParameters {
 /// Reads [simulate]. Raises InputError.
 SimulateParameters read_simulate_parameters(CaseTable& table);
 
-/// The resolved frequency as the model has it, if the case doesn't say, and the damping beyond it.
+/// Sets the resolved frequency from the model, unless the case gives it, and the damping beyond it.
 void fit_to_model(SimulateParameters& parameters, const ReducedModel& model);
 
 }  // namespace tiprub

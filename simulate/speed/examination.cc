@@ -35,7 +35,7 @@ SettledMotion of_whole_wheel(const Scene& scene, double speed, int steps_per_rev
   return settled_from(whole, rotor_of(whole, speed), {}, steps_per_revolution);
 }
 
-/// What a start came to, beside the motion found.
+/// The motion from another start, compared with the motion found.
 OtherStart compared(Start start, const Attempt<SettledMotion>& other, const SettledMotion& found, int lobes) {
   OtherStart compared;
   compared.start = start;

@@ -12,14 +12,14 @@
 
 namespace tiprub {
 
-/// What else a critical speed may show: the motion that it comes to from those 1 % below ("up") and above ("down"),
-/// from its own with twice the displacement ("disturbed"), and, where symmetry does not clearly hold, with all nodal
-/// diameters from rest ("whole wheel"). All with the step of `found`, whose motion they are compared with, and from
-/// which `end` is the state. Costs three or four marches.
+/// The other motions of a critical speed: from the motions 1 % below ("up") and 1 % above ("down"), from its own
+/// motion with twice the displacement ("disturbed"), and, where symmetry does not clearly hold, from rest with all
+/// nodal diameters ("whole wheel"). Each is marched with the step of `found` and compared with its motion; `end` is
+/// the last state of `found`. Costs three or four marches.
 std::vector<OtherStart> other_starts(const Scene& scene, const SharedRotor& rotor, const RotorState& end,
                                      const SettledMotion& found, SymmetryVerdict symmetry);
 
-/// What half the step changes, starting from `end`, of a motion whose step was given.
+/// The change of a motion by half its step, starting from `end`; for motions whose step the case fixes.
 Attempt<MotionDifference> halved_step(const Scene& scene, const SharedRotor& rotor, const RotorState& end,
                                       const SettledMotion& found);
 

@@ -19,19 +19,19 @@ namespace tiprub {
 
 namespace {
 
-constexpr double leftover_gap = 1e-9;  // of amplitude and clearance: a penetration above is no rounding
-constexpr double seed_motion = 1e-3;   // of the casing's amplitude: seeds nodal diameters that symmetry keeps still
-constexpr double worst_condition = 1e12;  // of W, if modes are dropped: beyond it, it has lost its rank
+constexpr double leftover_gap = 1e-9;  // of amplitude and clearance: a larger penetration is more than rounding
+constexpr double seed_motion = 1e-3;   // of the casing's amplitude: start of nodal diameters that it does not excite
+constexpr double worst_condition = 1e12;  // of W, if modes are dropped: beyond it W is singular
 constexpr std::size_t most_halvings = 10;
-constexpr int most_steps_to_halve = 1 << 23;  // a revolution: with the step halved once more it takes a minute
-constexpr int longest_cycle = 2;              // revolutions of a motion that doesn't settle, whose states are kept
-constexpr double coarse_steps = 100;          // a period of the lowest frequency
+constexpr int most_steps_to_halve = 1 << 23;  // per revolution, which then takes a minute
+constexpr int longest_cycle = 2;              // revolutions of a motion that does not settle
+constexpr double coarse_steps = 100;          // in a period of the lowest frequency
 constexpr double coarse_settling = 1e-3;
-constexpr double scatter = 1.6;            // the true error over the differences, against a closed-form impact orbit
-constexpr double useless_halving = 0.9;    // of the difference before it: the error doesn't fall
-constexpr int min_revolutions_again = 10;  // from a motion that has settled with twice the step
+constexpr double scatter = 1.6;            // true error over difference, measured on a closed-form impact orbit
+constexpr double useless_halving = 0.9;    // of the difference before: the error does not fall
+constexpr int min_revolutions_again = 10;  // when the start has settled with twice the step
 
-/// h < 2/omega_max, damping or not: the paper's eq. 13 damps at the middle instant.
+/// h < 2/omega_max, with and without damping, because the paper's eq. 13 damps at the middle instant.
 void require_stable_step(const TimeMarch& march, double omega_max) {
   const SchemeTraits traits = traits_of(march.scene().setup.scheme);
   const double step_ratio = march.time_step() * omega_max / 2;
@@ -46,7 +46,7 @@ void require_stable_step(const TimeMarch& march, double omega_max) {
   throw NoMotion(text.str());
 }
 
-/// With fewer modes than closed nodes, no force can close them all, and small errors meet huge ones.
+/// With fewer modes than closed nodes no finite force can close all nodes.
 void require_full_rank(const TimeMarch& march, int modes, double condition) {
   const SchemeTraits traits = traits_of(march.scene().setup.scheme);
   const bool dropped = !traits.quasi_static && march.rotor().waves[0].residual_compliance.size();
@@ -58,8 +58,8 @@ void require_full_rank(const TimeMarch& march, int modes, double condition) {
   throw NoMotion(text.str());
 }
 
-/// All nodal diameters from exact symmetry stay in it for hundreds of revolutions, stable or not: those that the
-/// casing's orders can't move get a small start.
+/// A march of all nodal diameters from a symmetric state stays symmetric for hundreds of revolutions, even if that
+/// motion is unstable. The nodal diameters that the casing does not excite therefore get a small start.
 void seed_excluded_diameters(const Scene& scene, TimeMarch& march) {
   const int symmetry = std::gcd(scene.model.sector_count, scene.casing.lobes);
   for (std::size_t i = 0; i < march.wave_count(); ++i) {
@@ -73,21 +73,21 @@ void seed_excluded_diameters(const Scene& scene, TimeMarch& march) {
   }
 }
 
-/// As many revolutions as are worth keeping: one period of a settled motion, else what was asked for.
+/// One period of a settled motion if it is shorter than asked for; else the revolutions asked for.
 int revolutions_to_record(const SimulateParameters& parameters, const SettlingState& state) {
   const bool settled = state.settled == SettlingState::Settled::yes;
   return settled ? std::min(state.period_revolutions, parameters.recorded_revolutions)
                  : parameters.recorded_revolutions;
 }
 
-/// Jumps, or marches until the motion has settled or the allowed revolutions are spent.
+/// Jumps to the orbit, or marches until the motion has settled or no revolutions are left.
 void come_to_rest(OrbitSearch* search, int last_start, TimeMarch& march, Settling& settling) {
   if (search && search->jump(march))
     settling.stand_on_orbit(search->period_revolutions(), search->report().multiplier);
   while (settling.revolutions() < last_start && !settling.settled()) settling.advance();
 }
 
-/// Whether the revolutions just recorded bear out an orbit, if the march was put on one.
+/// Whether the recorded revolutions confirm the orbit onto which the march was put, if any.
 bool is_confirmed(const Scene& scene, OrbitSearch* search, TimeMarch& march, Settling& settling) {
   if (!settling.stands_on_orbit()) return true;
   const double drift = search->drift(march);
@@ -98,8 +98,8 @@ bool is_confirmed(const Scene& scene, OrbitSearch* search, TimeMarch& march, Set
   return false;
 }
 
-/// Marches until the motion has settled or the allowed revolutions are spent, then records. A motion that is no
-/// longer settled, or of another period, at the end of its recording is given more time.
+/// Marches until the motion has settled or no revolutions are left, then records. If the motion is no longer settled
+/// at the end of the recording, or has another period, marching continues.
 SettledMotion march_and_record(const Scene& scene, const MarchPlan& plan, std::unique_ptr<TimeMarch> march) {
   const SimulateParameters& parameters = scene.parameters;
   const int last_start = parameters.max_revolutions - parameters.recorded_revolutions;
@@ -147,31 +147,31 @@ SettledMotion halved(const Scene& scene, const SettledMotion& coarse, const Marc
   return finer;
 }
 
-/// Through impacts the error is of first order, and its differences scatter: a small one counts only as far as half
-/// of the one before, a quarter of the one before that, ... are small as well.
+/// With impacts the error is of first order and its differences scatter. A small difference therefore counts only if
+/// half of the one before, a quarter of the one before that, and so on, are small as well.
 bool is_small(const std::vector<double>& differences, double tolerance) {
   double error = 0;
   for (const double difference : differences) error = std::max(difference, error / 2);
   return scatter * error <= tolerance;
 }
 
-/// Whether half the step can be counted, and isn't lost in rounding: velocities are differences of positions, which
-/// are good to their last digit.
+/// Whether half the step is possible and not lost in rounding: velocities are differences of positions, which have
+/// the precision of a double.
 bool can_halve(const TimeMarch& march, double tolerance) {
   const double angle = std::numbers::pi * march.rotor().first_frequency * march.time_step();  // of half a step
   return march.steps_per_revolution() <= most_steps_to_halve &&
          std::numeric_limits<double>::epsilon() <= tolerance * angle * angle;
 }
 
-/// Two halvings after which the differences stand where they were.
+/// Whether two halvings in succession have hardly changed the difference.
 bool is_useless(const std::vector<double>& differences) {
   const std::size_t count = differences.size();
   return count > 2 && differences[count - 1] > useless_halving * differences[count - 2] &&
          differences[count - 2] > useless_halving * differences[count - 3];
 }
 
-/// An orbit that a march from rest is on its way to, found with a coarse step, as a state to start from; at rest if
-/// there is none. `search` knows then, and is empty where nothing is to be looked for.
+/// The state of the orbit that a march from rest approaches, found with a coarse step; at rest if there is none.
+/// Creates `search` where the case asks for orbits and they are possible.
 RotorState approach(const Scene& scene, const SharedRotor& rotor, std::optional<OrbitSearch>& search) {
   if (scene.parameters.steady_state != SteadyStateMethod::orbit || !has_symmetric_map(scene)) return {};
   SimulateParameters parameters = scene.parameters;

@@ -20,7 +20,7 @@ constexpr const char* not_finite =
     "the motion has numbers that are not finite: forces or displacements beyond what can be counted; look at the "
     "model's units, the damping and the casing's amplitude";
 
-/// Whether what symmetry left out stays small.
+/// Whether the nodal diameters that symmetry leaves out stay small.
 struct SymmetryCheck {
   SymmetryVerdict verdict = SymmetryVerdict::all_held;
   std::optional<Growth> growth;
@@ -37,7 +37,7 @@ SymmetryCheck check_symmetry(const Scene& scene, const RefinedMotion& found) {
   return {growth.result ? judge(*growth.result) : SymmetryVerdict::unchecked, growth.result};
 }
 
-/// How far a motion is from the one from rest, if there is such.
+/// The difference of a motion from the one from rest; empty if there is none from rest.
 std::optional<double> rest_difference(const Scene& scene, const SharedRotor& rotor, const SettledMotion& found) {
   const auto difference_to_rest = attempt([&] {
     const MarchPlan plan{found.march->steps_per_revolution(), scene.parameters.min_revolutions};
@@ -61,7 +61,7 @@ void report(const Attempt<MotionDifference>& halving, SpeedAudit& audit) {
   audit.halving_measure = halving.result->measure;
 }
 
-/// What a file keeps of a motion.
+/// The part of a motion that response.h5 keeps.
 SpeedResponse response_of(SettledMotion motion) {
   SpeedResponse response;
   response.steps_per_revolution = motion.march->steps_per_revolution();

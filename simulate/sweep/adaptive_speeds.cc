@@ -12,12 +12,12 @@ namespace tiprub {
 
 namespace {
 
-constexpr double inside = 0.9;        // of the goal: a new sample lands within it
-constexpr double lopsided = 8;        // ratio of the two sides at which the larger one is closed in first
-constexpr double step_out = 3;        // so many times the smaller side
-constexpr double candidate = 0.5;     // of the prominence: a coarse curve shows a peak lower than it is
-constexpr double clear_valley = 0.5;  // of a peak's height: below, the valley's own depth decides nothing
-constexpr double beyond_jump = 5e-3;  // of the speed: a scan may have it so far off
+constexpr double inside = 0.9;        // of the goal: a new sample lies within it
+constexpr double lopsided = 8;        // ratio of the two sides above which the larger one is narrowed first
+constexpr double step_out = 3;        // times the smaller side
+constexpr double candidate = 0.5;     // of the prominence: a coarse curve underestimates a peak
+constexpr double clear_valley = 0.5;  // of a peak's height: a lower valley is deep enough for any prominence
+constexpr double beyond_jump = 5e-3;  // of the speed: error of a scan in the place of a jump
 constexpr double of_scan_speed = 2e-3, of_scan_fall = 0.05;
 
 Eigen::VectorXd amplitudes(const SampledCurve& curve) {
@@ -63,8 +63,8 @@ void refine_peak(const Triple& peak, const LocationGoal& goal, std::set<double>&
   }
 }
 
-/// On each side of a peak, one beside the last speed that is nearly as high, if the first that is not is far away:
-/// between them a peak a few percent higher may hide.
+/// On each side of a peak, adds a speed beside the last one that is nearly as high as the peak if the next lower one
+/// is far away, because a peak that is a few percent higher may hide between the two.
 void look_beside(const SampledCurve& curve, std::size_t peak, const LocationGoal& goal, std::set<double>& next) {
   const SampledSpeed& top = curve[peak];
   for (const int step : {-1, 1}) {
@@ -90,7 +90,7 @@ void refine_jumps(const SampledCurve& curve, const LocationGoal& goal, std::set<
   }
 }
 
-/// Whether a speed of `full` between two of the scan is so low that no more needs to be known of the valley there.
+/// Whether a speed of `full` between two speeds of the scan already shows a clear valley.
 bool falls_between(const SampledCurve& full, double from, double to, double height) {
   return std::any_of(full.begin(), full.end(), [&](const SampledSpeed& at) {
     return at.speed >= std::min(from, to) && at.speed <= std::max(from, to) && at.amplitude < clear_valley * height;

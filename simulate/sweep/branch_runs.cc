@@ -16,12 +16,12 @@ namespace tiprub {
 
 namespace {
 
-constexpr int first_try = 12, last_try = 96;  // revolutions after the casing has grown, twice as many each time
-constexpr double newton_step = 1e-4;          // of the state, the last one: a start, which is made exact
+constexpr int first_try = 12, last_try = 96;  // revolutions after the casing has grown; doubled each time
+constexpr double newton_step = 1e-4;          // of the state: bound of the last step, for a start that LOCA refines
 constexpr double first_step = 1e-3;           // of a speed
-constexpr double same_amplitude = 0.03;       // an orbit of a branch, and the motion at a speed
+constexpr double same_amplitude = 0.03;       // relative difference of an orbit and a motion that counts as none
 
-/// An orbit, whether it attracts or not, near to where a march from rest comes by.
+/// An orbit, attracting or repelling, near the path of a march from rest.
 std::optional<Eigen::VectorXd> orbit_near(const Scene& scene, const SharedRotor& rotor, int steps) {
   TimeMarch march(marched_scene(scene, rotor, steps));
   const auto solver = std::make_shared<RecycledGmres>();

@@ -10,9 +10,9 @@
 
 namespace tiprub {
 
-/// The branches through the orbits at a sweep's examined speeds, of `speeds` [rad/s]: those that attract and those
-/// that repel. A speed whose motion lies on a branch already followed begins none; nor does one near whose march from
-/// rest there is no orbit. None if [simulate] branches does not ask for them, or the sweep goes up or down.
+/// The branches of orbits, attracting and repelling, through the orbits at the examined ones of `speeds` [rad/s]. No
+/// branch begins at a speed whose motion lies on another branch, or where no orbit is found near the march from rest.
+/// Empty if [simulate] branches does not ask for branches, or if the sweep goes up or down.
 std::vector<OrbitBranch> follow_branches(const Scene& scene, const std::vector<double>& speeds,
                                          const FinishedSpeeds& finished, Progress::Shown shown);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t digits_of_a_speed = 16;
 
-/// By its name: a part, or one that was being written. Nothing else in the folder is ours.
+/// Whether the name is that of a part or of its scratch file. Other files in the folder are not ours.
 bool is_part(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   const std::size_t digits = name.find_first_not_of("0123456789abcdef");
@@ -47,7 +47,7 @@ FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std
   take_over_output(output);
 }
 
-/// Named by the bits of the speed: exact, and legible to nobody else.
+/// The name holds the bits of the speed, so that it is exact.
 fs::path FinishedSpeeds::part(double speed, Depth depth) const {
   char name[32];
   std::snprintf(name, sizeof(name), "%016llx%s.h5",
@@ -56,7 +56,7 @@ fs::path FinishedSpeeds::part(double speed, Depth depth) const {
   return folder_ / name;
 }
 
-/// Reads what a part tells of its speed, if it is one, whole, and of this sweep.
+/// Takes over a part if it is intact and belongs to this sweep. Returns whether it did.
 bool FinishedSpeeds::take_over(const fs::path& file) {
   if (seal_of(file) != Seal::whole) return false;
   try {

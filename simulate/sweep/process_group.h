@@ -8,9 +8,9 @@
 
 namespace tiprub {
 
-/// The processes that share a sweep: those that mpirun started together, or this one alone. MPI is initialised only
-/// under mpirun (by what it leaves in the environment): the serial program starts without it. At most one may live in
-/// a program; its end is MPI's end.
+/// The processes that share a sweep: those that mpirun started together, or only this one. MPI is initialised only
+/// under mpirun, which is recognised by environment variables; the serial program starts without it. A program may
+/// hold one group at most, because its destructor finalises MPI.
 class ProcessGroup {
  public:
   ProcessGroup();
@@ -24,17 +24,17 @@ class ProcessGroup {
   /// Processes of the group on this machine.
   int local_size() const { return local_size_; }
 
-  /// 0, 1, 2, ...: each number goes to one caller only, in any process. Any thread may ask. One atomic addition in
-  /// the leader's memory; no process waits for another one.
+  /// Returns 0, 1, 2, ...: each number goes to one caller only, in any thread of any process. It is one atomic
+  /// addition in the memory of the leader; no process waits for another.
   std::size_t next();
-  /// next() begins anew; all processes must call, after the last one of a list has been taken.
+  /// Lets next() begin anew. All processes must call it after the last number of a list has been taken.
   void restart();
   /// From now on next() gives numbers beyond any list.
   void stop();
-  /// Waits for all processes, and raises in all if one failed: its failure there, RunError in the others. An
-  /// exception that only one of them saw would leave the others waiting. All must call.
+  /// Waits for all processes, which must all call it. If one has failed, raises its failure there and RunError in the
+  /// others, which would otherwise wait for ever.
   void agree(const std::exception_ptr& failure);
-  /// Does what may fail in one process alone, and agrees.
+  /// Runs work that may fail in one process only, and agrees.
   template <class Body>
   void together(const Body& body) {
     std::exception_ptr failure;
@@ -45,7 +45,7 @@ class ProcessGroup {
     }
     agree(failure);
   }
-  /// The leader's values for all; all processes must call.
+  /// Gives the values of the leader to all processes, which must all call it.
   void share(std::vector<double>& values);
 
  private:

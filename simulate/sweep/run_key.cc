@@ -10,7 +10,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr int content = 4;  // of a speed's result: counts up when it holds more, or means something else
+constexpr int content = 4;  // version of a speed's result: to be raised when its content or meaning changes
 
 bool is_exempt(const std::string& key) {
   return std::any_of(exempt_keys().begin(), exempt_keys().end(),

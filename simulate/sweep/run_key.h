@@ -10,21 +10,22 @@
 
 namespace tiprub {
 
-/// Both tables of a case that a sweep reads, resolved: defaults included.
+/// The two tables of a case that a sweep reads, with defaults.
 struct SweepSettings {
   CaseSettings casing, simulate;
 };
 
-/// A key of [casing] or [simulate] that decides no speed's result.
+/// A key of [casing] or [simulate] on which the result of a speed does not depend.
 struct ExemptKey {
   const char* key;
   const char* reason;
 };
 const std::vector<ExemptKey>& exempt_keys();
 
-/// A name for all that decides the result at a speed: the model's numbers, every setting that is not exempt, and the
-/// program's version; of a sweep that carries its state along, the speeds too. 16 hexadecimal digits (a Digest). A
-/// key that a reader newly asks for counts by itself: a forgotten one would silently give back former results.
+/// A digest (16 hexadecimal digits) of everything that decides the result of a speed: the numbers of the model, every
+/// setting that is not exempt, and the version of the program; for a sweep that starts each speed from the one
+/// before, also the speeds. New keys of the tables count without being listed, because a forgotten key would silently
+/// give back former results.
 std::string run_key(const ReducedModel& model, const SweepSettings& settings, const SimulateParameters& parameters,
                     const std::string& generator);
 

@@ -8,13 +8,13 @@
 
 namespace tiprub {
 
-/// Where a scene comes from, as text.
+/// The origin of a scene, as text.
 struct SceneOrigin {
-  std::string provenance;  ///< the case, and the model's
+  std::string provenance;  ///< the case, and the provenance of the model
   std::string casing;      ///< the table [casing] as the case has it (CaseTable::written())
 };
 
-/// What response.h5 tells of a scene.
+/// The description of a scene in response.h5.
 SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin);
 
 }  // namespace tiprub

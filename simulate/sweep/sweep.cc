@@ -29,9 +29,9 @@ namespace tiprub {
 namespace {
 
 constexpr double real_bytes = 8, complex_bytes = 16, bytes_per_gib = 1024.0 * 1024 * 1024;
-constexpr double revolutions_to_judge_by = 32;  // normal displacements of the last ones, and their spectrum
+constexpr double revolutions_to_judge_by = 32;  // normal displacements and their spectrum
 constexpr double values_per_sample = 4;         // three displacements and a force of a contact node
-constexpr double copies = 3;                    // of a recording: being made, being halved, the result
+constexpr double copies = 3;  // of a recording: in progress, before the last halving, and in the result
 
 double modes_of(const Scene& scene) {
   double modes = 0;
@@ -40,8 +40,8 @@ double modes_of(const Scene& scene) {
   return modes;
 }
 
-/// [bytes] an estimate of what a speed holds at its peak: samples, the states of a cycle, and the revolutions by
-/// which its motion is judged.
+/// [bytes] An estimate of the peak memory of a speed: samples, the states of a cycle, and the revolutions by which
+/// its motion is judged.
 double memory_of_speed(const Scene& scene) {
   const double samples = scene.scope.samples_per_revolution;
   const double recorded = samples * scene.parameters.recorded_revolutions;
@@ -53,7 +53,7 @@ double memory_of_speed(const Scene& scene) {
                        copies * scene.parameters.casing_areas);
 }
 
-/// Raises RunError, with both numbers, if so many speeds at once need more than there is.
+/// Raises RunError if this many speeds at once need more memory than there is.
 void require_memory(const Scene& scene, int threads, double available) {
   const double each = memory_of_speed(scene);
   if (threads * each <= available) return;
@@ -66,7 +66,7 @@ void require_memory(const Scene& scene, int threads, double available) {
   throw RunError(text.str());
 }
 
-/// One speed of a sweep and how closely it is to be looked at.
+/// A speed of a sweep and how thoroughly it is to be computed.
 struct SpeedTask {
   double speed;  ///< [rad/s]
   Depth depth;
@@ -95,7 +95,7 @@ class Sweep {
  private:
   using Amplitudes = std::map<double, double>;  ///< [m] over speed
 
-  // What is there, and what becomes of it
+  // Begin and end
   void open(const SweepSettings& settings, const SceneOrigin& origin);
   std::vector<double> speeds() const;
   void assemble(SweepOutcome& outcome);
@@ -123,7 +123,7 @@ class Sweep {
   int threads_;
   ProcessGroup& group_;
   std::optional<FinishedSpeeds> finished_;
-  Amplitudes full_, scanned_;  ///< the leader's
+  Amplitudes full_, scanned_;  ///< of the leader only
   std::size_t computed_ = 0;
 };
 
@@ -141,7 +141,7 @@ std::vector<double> Sweep::speeds() const {
   return speeds;
 }
 
-/// Branches, natural frequencies and speeds into the response; then the finished speeds go.
+/// Writes branches, natural frequencies and speeds to the response, and removes the parts.
 void Sweep::assemble(SweepOutcome& outcome) {
   const std::vector<OrbitBranch> branches = follow_branches(scene_, speeds(), *finished_, shown());
   outcome.branches = branches.size();
@@ -191,7 +191,7 @@ void Sweep::locate() {
   while (round("peaks and jumps", Depth::full, [&] { return speeds_to_refine(curve(full_), goal()); })) continue;
 }
 
-/// Whether there was anything to compute; nothing that would go beyond speed_count_max.
+/// Computes a round, unless it would exceed speed_count_max. Returns whether there was anything to compute.
 bool Sweep::round(const char* what, Depth depth, const std::function<std::vector<double>()>& choose) {
   std::vector<double> next;
   if (group_.leads()) next = choose();
@@ -233,9 +233,9 @@ Progress::Shown Sweep::shown() const {
                                                                      : Progress::Shown::never;
 }
 
-/// Those that the leader's folder doesn't hold, known to all processes.
+/// The tasks that the folder of the leader does not hold, for all processes.
 std::vector<SpeedTask> Sweep::missing_of(const std::vector<SpeedTask>& tasks) {
-  std::vector<double> places;  // in the list; doubles, because processes share such
+  std::vector<double> places;  // in the list, as doubles, which processes can share
   for (std::size_t i = 0; i < tasks.size(); ++i)
     if (group_.leads() && !finished_->has(tasks[i].speed, tasks[i].depth)) places.push_back(static_cast<double>(i));
   group_.share(places);
@@ -245,12 +245,12 @@ std::vector<SpeedTask> Sweep::missing_of(const std::vector<SpeedTask>& tasks) {
   return missing;
 }
 
-/// With a progress bar, or a line a speed if verbose.
+/// Shows a progress bar, or a line for each speed if verbose.
 void Sweep::compute_missing(const char* what, const std::vector<SpeedTask>& tasks) {
   const std::vector<SpeedTask> missing = missing_of(tasks);
   group_.restart();
   Progress progress(what, missing.size(), shown());
-  std::size_t seen = 0;  // other processes' speeds count when this one gets a later one
+  std::size_t seen = 0;  // speeds of other processes count once this one gets a later speed
   const Done done = [&](const SpeedResponse& response, std::size_t place) {
     for (const std::size_t end = std::max(seen, place) + 1; seen < std::min(end, missing.size()); ++seen)
       progress.advance();
@@ -266,10 +266,10 @@ void Sweep::compute_missing(const char* what, const std::vector<SpeedTask>& task
   computed_ += missing.size();
 }
 
-/// Speeds are independent: threads and processes work over speeds, never inside one; each takes the next one that
-/// nobody has and keeps it as it comes, and results don't depend on their number.
+/// Speeds are independent. Each thread of each process takes the next free speed and keeps its result at once, so
+/// that results do not depend on the number of threads or processes.
 void Sweep::compute_together(const std::vector<SpeedTask>& missing, const Done& done) {
-  std::mutex one_at_a_time;  // HDF5 and OutputFile know one caller only
+  std::mutex one_at_a_time;  // HDF5 and OutputFile are not safe for several threads
   std::exception_ptr failure;
   const auto work = [&] {
     for (std::size_t i = group_.next(); i < missing.size(); i = group_.next()) {
@@ -291,8 +291,8 @@ void Sweep::compute_together(const std::vector<SpeedTask>& missing, const Done& 
   group_.agree(failure);
 }
 
-/// Upwards or downwards, one after the other, in one process. A finished speed hands on the state that was kept with
-/// it, so that an interrupted sweep goes on bit by bit.
+/// Runs the speeds one after the other, upwards or downwards, in one process. The state kept with a finished speed
+/// starts the next one, so that an interrupted sweep continues with equal bits.
 void Sweep::carry(const std::vector<SpeedTask>& tasks, const std::function<void(const SpeedResponse&)>& done) {
   std::vector<SpeedTask> way = tasks;
   if (scene_.parameters.sweep == SweepDirection::down) std::reverse(way.begin(), way.end());

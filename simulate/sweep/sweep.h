@@ -13,22 +13,22 @@
 
 namespace tiprub {
 
-/// What a sweep came to.
+/// The outcome of a sweep. The counts are those of the leading process.
 struct SweepOutcome {
-  SweepTally tally;              ///< the leader's
-  std::size_t speeds = 0;        ///< the leader's: of the response
-  std::size_t scanned = 0;       ///< the leader's: only for where to look
-  std::size_t branches = 0;      ///< the leader's: of orbits, that were followed
-  std::size_t computed = 0;      ///< of both, that weren't there from before
-  std::vector<double> breaking;  ///< [rad/s] speeds that break the symmetry; all processes know them
+  SweepTally tally;
+  std::size_t speeds = 0;        ///< in the response
+  std::size_t scanned = 0;       ///< only to find peaks and jumps
+  std::size_t branches = 0;      ///< of orbits
+  std::size_t computed = 0;      ///< speeds, full or scanned, that no former run had finished
+  std::vector<double> breaking;  ///< [rad/s] speeds that break the symmetry; known to all processes
 };
 
-/// All that a sweep is, into arguments.output. It takes over what a former run finished and computes the rest with
-/// `threads` (0: as [simulate] or the machine says), round after round: the speeds of the case; if adaptive, a scan
-/// between them, then what it takes to locate each peak and jump (speeds_to_refine()); last, the examination of the
-/// peaks. What a round does hangs on the results of those before alone: with whatever threads, processes and
-/// interruptions, the same speeds. Then it follows the branches, and writes the response. All processes of the group
-/// must call. Raises RunError, and writes nothing, if a file can't be written or no speed could be computed.
+/// Runs a sweep and writes arguments.output. It takes over the speeds that a former run has finished and computes the
+/// others with `threads` (0: as [simulate] or the machine says) in rounds: the speeds of the case; if adaptive, a
+/// scan between them and the speeds that locate each peak and jump; last, the examination of the peaks. A round
+/// depends only on the results of the rounds before, so that the speeds are the same with any number of threads,
+/// processes and interruptions. Then the branches are followed and the response is written. All processes of the
+/// group must call. Raises RunError, and writes nothing, if a file can't be written or no speed could be computed.
 SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, const SweepSettings& settings,
                        const SceneOrigin& origin, int threads, ProcessGroup& group);
 

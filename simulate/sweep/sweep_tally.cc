@@ -35,7 +35,7 @@ std::string audit_text(const SpeedAudit& audit) {
   return text.str();
 }
 
-/// What to write into the case to see the whole wheel at these speeds.
+/// How to change the case to march the whole wheel at these speeds.
 std::string breaking_text(const std::vector<double>& speeds, BrokenSymmetry broken) {
   std::ostringstream out;
   out << "\nsymmetry-breaking at " << speeds.size() << " speeds: a nodal diameter left out grows";

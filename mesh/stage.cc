@@ -14,10 +14,10 @@ namespace tiprub {
 
 namespace {
 
-/// What is checked, and how it is written then.
+/// Writes a mesh that is made and checked already.
 using Writer = std::function<void(const std::filesystem::path&)>;
 
-/// Of the sector in memory: an inverted element shows only there.
+/// The sector is checked in memory, because an inverted element shows only there.
 Writer mesh_wheel(const StageArguments& arguments, CaseTable& table) {
   const Wheel wheel = read_wheel(table);
   if (arguments.verbosity == Verbosity::verbose) say(arguments, table.resolved());
@@ -34,7 +34,7 @@ Writer import_mesh(const StageArguments& arguments, CaseTable& table) {
   return [sector](const std::filesystem::path& path) { write_mesh(sector.mesh, path); };
 }
 
-/// An import's file takes the place of [mesh] mesh_file.
+/// The file given by --import replaces [mesh] mesh_file.
 std::vector<std::string> settings_of(const StageArguments& arguments, const std::string& import) {
   std::vector<std::string> settings = arguments.settings;
   if (!import.empty()) settings.push_back("mesh.mesh_file='" + std::filesystem::absolute(import).string() + "'");

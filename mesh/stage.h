@@ -8,7 +8,7 @@
 
 namespace tiprub {
 
-/// What is read of the case: [mesh].
+/// The table that this stage reads from the case, [mesh], with all its values.
 std::string mesh_tables(const CaseFile& file);
 
 /// tiprub-mesh case.toml -o sector.msh. `import`: a mesh of another code in place of [mesh] mesh_file, or empty.

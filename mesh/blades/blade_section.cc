@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t fewest_points = 3;
 constexpr double least_step = 1e-9;        // of a section's length
-constexpr double negligible_width = 0.01;  // of its widest place: what two curves through points may cross by
+constexpr double negligible_width = 0.01;  // of the largest width; two fitted curves may cross by so much
 
 double product(const MeridionalPoint& a, const MeridionalPoint& b) {
   return a.z * b.z + a.r * b.r;

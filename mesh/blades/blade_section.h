@@ -25,24 +25,24 @@ struct FileSplitter {
   double pitch_fraction;               ///< its place between two main blades, towards +theta
 };
 
-/// What all formats of blade files come to.
+/// A blade as every format of blade files gives it.
 struct FileBlade {
   std::string file;                    ///< its name, for messages
   std::vector<BladeSection> sections;  ///< from hub to tip
   std::optional<FileSplitter> splitter;
-  std::optional<int> blade_count;  ///< of the wheel, where the file says it
+  std::optional<int> blade_count;  ///< of the wheel, if the file gives it
 };
 
-/// What a file's numbers are in.
+/// The units of a file's numbers.
 struct FileUnits {
   double length;  ///< [m] of one unit
   double angle;   ///< [rad] of one unit
 };
 
-/// [1] of the points of a section, and of the sections of a blade: more are none that a person made.
+/// The largest numbers of points in a section, and of sections in a blade, that are read.
 inline constexpr int most_points = 2000, most_sections = 1000;
 
-/// Raises InputError at the line of a point that no wheel has: off the axis, nearer than 10 m.
+/// Raises InputError, with the line, if a point lies on the axis or more than 10 m away, as no point of a wheel does.
 void require_on_wheel(const NamedText& file, int line, const MeridionalPoint& at);
 
 /// The fraction of the meridional length at each point, from 0 to 1.
@@ -51,8 +51,8 @@ std::vector<double> fractions_of_length(const BladeSection& section);
 /// Where half of the meridional length lies on either side.
 MeridionalPoint mid_chord(const BladeSection& section);
 
-/// The section with half widths that count towards +theta, whichever side came first. Raises InputError at `line`,
-/// where the section begins, if its mean line stands still or is too short, or if its sides change places.
+/// The section with positive half widths, whichever side the file gives first. Raises InputError at `line`, where the
+/// section begins, if it has too few points, if two of them coincide, or if its sides cross.
 BladeSection upright_section(const NamedText& file, int line, BladeSection section);
 
 /// Raises InputError if there are fewer than two sections, if one runs against the first, or if they don't follow

@@ -28,7 +28,7 @@ double sign_change(const std::function<double(double)>& function, double low, do
   return 0.5 * (low + high);
 }
 
-/// The spans between which a blade stands in its path.
+/// The spans at which a blade meets the hub and ends below the shroud.
 class Cut {
  public:
   Cut(const SectionSurface& blade, const MeridionalPath& hub, const MeridionalPath& shroud, double clearance)
@@ -71,7 +71,7 @@ void require_on_hub(const Cut& cut, double chord, const std::string& blade_name,
 
 constexpr std::size_t coordinates = 3;
 constexpr double same_place = 1e-9;        // of a section's length
-constexpr double allowed_mismatch = 0.05;  // of a section's length, between its sides' meridional ways
+constexpr double allowed_mismatch = 0.05;  // of a section's length: between the meridional curves of its sides
 
 BladePoint point_of(const NamedText& file, const NumberLine& line, double length) {
   const auto coordinate = [&](std::size_t word, const char* meaning) {
@@ -89,7 +89,7 @@ BladePoint point_of(const NamedText& file, const NumberLine& line, double length
   return {at, std::atan2(y, x), 0.0};
 }
 
-/// The points of a profile once round, angles without jumps.
+/// The points once round a profile; their angles have no jumps.
 using Loop = BladeSection;
 
 void close(Loop& loop) {
@@ -97,7 +97,7 @@ void close(Loop& loop) {
     loop[i].theta = loop[i - 1].theta + std::remainder(loop[i].theta - loop[i - 1].theta, 2.0 * std::numbers::pi);
 }
 
-/// The leading and the trailing edge, by their places in the loop.
+/// The indices of the leading and the trailing edge in the loop.
 std::pair<std::size_t, std::size_t> edges(const Loop& loop, const MeridionalPath& hub) {
   std::pair<std::size_t, std::size_t> found{0, 0};
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -108,8 +108,8 @@ std::pair<std::size_t, std::size_t> edges(const Loop& loop, const MeridionalPath
   return found;
 }
 
-/// One side, from leading to trailing edge: on with the loop, or back. Of an edge that stands across the flow the
-/// first points are passed over, so that the side begins and ends with its own.
+/// One side from leading to trailing edge, along the loop or against it. Where an edge stands across the flow,
+/// several points coincide in the meridional plane; the side keeps only the one that belongs to it.
 BladeSection side(const Loop& loop, std::size_t from, std::size_t to, std::size_t step) {
   const double least = same_place * distance(loop[from].at, loop[to].at);
   BladeSection points;

@@ -15,7 +15,7 @@ constexpr double least_pitch_fraction = 0.2, largest_pitch_fraction = 0.8;
 
 enum class Thickness { normal, tangential };
 
-/// The lines of the file, one after the other.
+/// Gives the lines of the file one after the other, without empty ones.
 class Cursor {
  public:
   explicit Cursor(const NamedText& file) : file_(file), lines_(lines_of(file)) {
@@ -37,7 +37,7 @@ bool is_letter(std::string_view word, char letter) {
   return word.size() == 1 && std::tolower(static_cast<unsigned char>(word[0])) == letter;
 }
 
-// Behind the number of layers, or on a line of its own.
+// The flag follows the number of layers, or stands on a line of its own.
 Thickness read_thickness_flag(const NamedText& file, Cursor& cursor, const NumberLine& layers) {
   const NumberLine* next = cursor.peek();
   const bool own_line = layers.words.size() < 2 && next != nullptr;
@@ -51,7 +51,7 @@ Thickness read_thickness_flag(const NamedText& file, Cursor& cursor, const Numbe
   return normal ? Thickness::normal : Thickness::tangential;
 }
 
-// A layer may give the angle alone (a) or the thickness alone (t).
+// The format allows layers that give only the angle (a) or only the thickness (t).
 void require_whole_layer(const NamedText& file, const NumberLine& line) {
   std::string uses;
   for (std::size_t word = 2; word < line.words.size(); ++word)
@@ -66,7 +66,7 @@ void require_whole_layer(const NamedText& file, const NumberLine& line) {
                 "a layer for the angle or the thickness alone can't be taken; write layers for both");
 }
 
-/// A point whose half width is half of the thickness [m] yet.
+/// A point whose half width is still half of the thickness in metres, not an angle.
 BladePoint meanline_point(const NamedText& file, const NumberLine& line, double length) {
   if (line.words.size() != columns)
     refuse_line(file, line.number,
@@ -79,7 +79,7 @@ BladePoint meanline_point(const NamedText& file, const NumberLine& line, double 
   return {at, angle_in(file, line, 1, "theta", 1.0), 0.5 * thickness};
 }
 
-// One point without thickness may stand at either end: a sharp edge.
+// At either end one point without thickness is kept: it is a sharp edge.
 void leave_out_what_is_no_blade(BladeSection& points) {
   const auto thick = [](const BladePoint& point) { return point.half_width > 0.0; };
   const auto first = std::find_if(points.begin(), points.end(), thick);
@@ -108,7 +108,7 @@ std::vector<double> lengths_of(const BladeSection& points) {
   return lengths;
 }
 
-// Sound points, whose half width is in metres yet, to such with angles.
+// Turns half widths in metres into angles.
 void spread_along_circles(BladeSection& points, Thickness thickness) {
   const std::vector<double> lengths = lengths_of(points);
   for (std::size_t i = 0; i < points.size(); ++i) {

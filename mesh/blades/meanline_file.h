@@ -5,11 +5,11 @@
 
 namespace tiprub {
 
-/// BladeGen's meanline data (.rtzt), as Ansys' "BladeModeler User's Guide" publishes it under "Standard UserIO
+/// Reads BladeGen's meanline data (.rtzt), as Ansys' "BladeModeler User's Guide" publishes it under "Standard UserIO
 /// Formats": number of blades; 1 with splitters, else 0; then of each blade its pitch fraction, the number of layers,
 /// N or T (thickness normal to the mean line in the layer, or along the circle), and of each layer its span fraction,
-/// its number of points, and the points r, theta [rad], z, thickness. `length` is what a unit is in metres. Parts of
-/// a layer without thickness are no blade. Raises InputError with the line.
+/// its number of points, and the points r, theta [rad], z, thickness. `length` is the file's unit in metres. Points
+/// without thickness lie outside the blade and are left out. Raises InputError with the line.
 FileBlade read_meanline(const NamedText& file, double length);
 
 }  // namespace tiprub

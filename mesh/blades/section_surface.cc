@@ -101,7 +101,7 @@ BladePoint SectionSurface::at(double chord, double span) const {
 SplitterSurface::SplitterSurface(const std::string& file, const SectionSurface& main, const FileSplitter& splitter,
                                  double blunt_edge, double pitch)
     : surface_(splitter.sections, blunt_edge), starts_(find_starts(file, main, surface_)), start_(starts_.at(0.5)) {
-  // Its angles may be its own or the main blade's: only what is left of whole pitches counts.
+  // The file may give the splitter at its own angle or at the main blade's. Whole pitches don't matter.
   const auto apart = [&](double chord, double span) {
     const double station = start_ + chord * (1.0 - start_);
     return surface_.at(chord, span).theta - main.at(main_chord(station, span), span).theta;

@@ -14,8 +14,8 @@ namespace tiprub {
 /// the fraction of the way from hub to tip (measured at mid-chord), both by SmoothTable.
 class SectionSurface {
  public:
-  /// Sections are sound (see require_blade). Over the fraction `blunt_edge` of the length at either edge the blade
-  /// keeps the thickness that it has there: a round edge would end in elements without thickness.
+  /// The sections must have passed require_blade(). Within the fraction `blunt_edge` of the length from either edge
+  /// the thickness stays constant, because a round edge would end in elements without thickness.
   SectionSurface(const std::vector<BladeSection>& sections, double blunt_edge);
 
   /// Chord 0 is the leading edge, span 0 the first section.
@@ -31,13 +31,13 @@ class SectionSurface {
 };
 
 /// A splitter that stands on the main blade's mean surface, turned by a fraction of the pitch, from its own leading
-/// edge to the main blade's trailing edge: what a sector's lattice can hold. Stations run along the main blade; the
-/// one at which the splitter begins is the same from hub to tip, so a station is another fraction of the length at
+/// edge to the main blade's trailing edge. A sector's lattice can hold no other. Stations run along the main blade.
+/// The splitter begins at the same station from hub to tip, so a station is a different fraction of the length at
 /// each span.
 class SplitterSurface {
  public:
-  /// `pitch` is of the main blades [rad]. Raises InputError, beginning with the file's name, where the splitter is
-  /// another one.
+  /// `pitch` [rad] is that of the main blades. Raises InputError, which begins with the file's name, if the splitter
+  /// stands elsewhere.
   SplitterSurface(const std::string& file, const SectionSurface& main, const FileSplitter& splitter,
                   double blunt_edge, double pitch);
 

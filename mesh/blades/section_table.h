@@ -5,9 +5,9 @@
 
 namespace tiprub {
 
-/// A plain table: a line that begins with the word "section", then its points, a line each, from leading to trailing
-/// edge: z, r, theta of one side, theta of the other. What stands after a '#' is a remark. So NASA's tables of Rotor
-/// 37 are printed. Raises InputError with the line.
+/// Reads a plain table, the form in which NASA printed Rotor 37. A line with the word "section" begins a section.
+/// Each line after it holds a point, from leading to trailing edge: z, r, theta of one side, theta of the other. Text
+/// after a '#' is a remark. Raises InputError with the line.
 FileBlade read_section_table(const NamedText& file, const FileUnits& units);
 
 }  // namespace tiprub

@@ -39,7 +39,7 @@ std::vector<ReferencePoint> wedge_points(int line) {
   return points;
 }
 
-/// Those of a brick, drawn together at the apex.
+/// The points of a brick, drawn together at the apex.
 std::vector<ReferencePoint> pyramid_points(int across, int along) {
   std::vector<ReferencePoint> points;
   for (const auto& [c, wc] : gauss_points(along)) {
@@ -51,7 +51,7 @@ std::vector<ReferencePoint> pyramid_points(int across, int along) {
   return points;
 }
 
-/// x^i, 1 for i = 0, also of x = 0; and 0 before a pole.
+/// x^i; 1 for i = 0, even if x = 0.
 double power(double x, int exponent) {
   double value = 1;
   for (int i = 0; i < std::abs(exponent); ++i) value *= x;
@@ -63,7 +63,7 @@ double monomial(const Exponents& exponents, const Eigen::Vector3d& at) {
   return across == 0 ? 0 : across * power(at[2], exponents[2]);
 }
 
-/// Those of exponents 0 to 2, and the pyramid's over z, that a kind has.
+/// The monomials that a kind has, with exponents 0 to 2 and, for a pyramid, also 1/z.
 std::vector<Exponents> chosen(const std::function<bool(int, int, int)>& has) {
   std::vector<Exponents> monomials;
   for (int k = -1; k <= 2; ++k)
@@ -81,7 +81,7 @@ Eigen::MatrixXd values(const std::vector<Exponents>& monomials, const std::vecto
   return matrix;
 }
 
-/// Mid-side nodes, and what follows from nodes and monomials. `smooth` are those of the stress.
+/// Adds the mid-side nodes and all that follows from nodes and monomials. `smooth` are the monomials of the stress.
 CellKind completed(CellKind kind, const std::vector<Exponents>& smooth) {
   kind.corners = static_cast<int>(kind.places.size());
   for (const auto& [a, b] : kind.edges) kind.places.push_back((kind.places[a] + kind.places[b]) / 2);
@@ -163,7 +163,7 @@ CellKind hex27() {
   return brick(kind);
 }
 
-/// Serendipity: exponents of 1 don't count in the degree.
+/// In the degree of a serendipity element, exponents of 1 don't count.
 CellKind hex20() {
   const auto counted = [](int exponent) { return exponent > 1 ? exponent : 0; };
   CellKind kind = named("hex20", 17, 25, "C3D20");
@@ -218,7 +218,7 @@ std::string cell_node_counts() {
   return "10, 13, 15, 20 or 27";
 }
 
-// The lower side of a wedge or a brick.
+// A face is the lower side of a wedge or a brick.
 Eigen::MatrixX3d face_shape(int nodes, double s, double t) {
   static const std::vector<int> triangle = {0, 1, 2, 6, 7, 8}, quadrangle = {0, 1, 2, 3, 8, 9, 10, 11, 24};
   const CellKind& kind = cell_kind(nodes == 6 ? 15 : nodes == 8 ? 20 : 27);

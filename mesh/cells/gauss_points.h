@@ -12,8 +12,8 @@ struct GaussPoint {
   double weight;
 };
 
-/// The rule of 2 to 5 points, exact for polynomials of degree 2 count - 1. Not Boost's Gauss rules: 1.74 computes
-/// those of few points at run time, and one weight of five and one of three differ from these in the last bit, which
+/// The rule of 2 to 5 points, exact for polynomials of degree 2 count - 1. Boost's Gauss rules don't serve: version
+/// 1.74 computes those of few points at run time, and two of its weights differ from these in the last bit, which
 /// would move the nodes of every mesh.
 inline std::span<const GaussPoint> gauss_points(int count) {
   static constexpr std::array<GaussPoint, 2> two = {{{-0.5773502691896258, 1.0}, {0.5773502691896258, 1.0}}};

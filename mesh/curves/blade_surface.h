@@ -6,8 +6,8 @@
 
 namespace tiprub {
 
-/// What wraps a blade round the wheel: its angles along hub and tip. The angle beta lies between the blade and the
-/// meridional plane, positive where the blade turns towards +theta on its way to the trailing edge.
+/// The angles of a blade along hub and tip. The angle beta lies between the blade and the meridional plane, positive
+/// where the blade turns towards +theta on its way to the trailing edge.
 struct BladeAngles {
   SmoothTable hub;  ///< beta over the fraction of the hub's length [rad]
   SmoothTable tip;  ///< beta over the fraction of the tip's length [rad]

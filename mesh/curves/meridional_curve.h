@@ -7,8 +7,8 @@
 
 namespace tiprub {
 
-/// F(x), the integral of a smooth f from 0 to x in [0, 1]: five-point Gauss on equal panels, so that 64 panels are
-/// exact to round-off for the curves of a blade. The whole panels are summed once; a call pays for one panel.
+/// F(x), the integral of a smooth f from 0 to x in [0, 1], by five-point Gauss quadrature on 64 equal panels: exact
+/// to round-off for the curves of a blade. Whole panels are summed once, so that a call costs one panel.
 class RunningIntegral {
  public:
   explicit RunningIntegral(std::function<double(double)> integrand);
@@ -42,7 +42,7 @@ double distance(MeridionalPoint a, MeridionalPoint b);  ///< [m]
 class MeridionalCurve {
  public:
   /// The arms are the lengths of the curve's two handles, at the inlet as a fraction of the axial length, at the exit
-  /// as a fraction of the radial height; 0.5523 twice is a quarter of an ellipse to 3e-4.
+  /// as a fraction of the radial height; two arms of 0.5523 make a quarter of an ellipse to 3e-4.
   MeridionalCurve(MeridionalPoint inlet, MeridionalPoint exit, std::array<double, 2> arms);
 
   double length() const { return arc_.total(); }        ///< [m]

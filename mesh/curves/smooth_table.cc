@@ -9,7 +9,7 @@ namespace tiprub {
 
 namespace {
 
-// Weighted harmonic mean of the chords on both sides: zero at a turning point, so that nothing overshoots.
+// The weighted harmonic mean of the slopes on both sides. It is zero at a turning point, so that nothing overshoots.
 double inner_slope(double width_left, double chord_left, double width_right, double chord_right) {
   if (chord_left * chord_right <= 0.0) return 0.0;
   const double weight_left = 2.0 * width_right + width_left;

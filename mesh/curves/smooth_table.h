@@ -8,8 +8,8 @@ namespace tiprub {
 
 /// A smooth curve y(x) through given points that never overshoots them: the piecewise cubic of Fritsch and Carlson
 /// (1980), slopes by Fritsch and Butland (1984), once continuously differentiable. One point is a constant. Outside
-/// of the points the end values hold. Not Boost's pchip, which is the same curve: it refuses fewer than four points,
-/// and most tables of a blade have two or three.
+/// of the points the end values hold. Boost's pchip is the same curve, but it refuses fewer than four points, and
+/// most tables of a blade have two or three.
 class SmoothTable {
  public:
   /// At least one point; x strictly increasing.

@@ -30,7 +30,7 @@ class WheelGeometry {
   virtual double half_width(BladeKind blade, double station, double span) const = 0;
   /// The span at which the fillet at the root ends; 0 without one.
   virtual double fillet_end(double /*station*/) const { return 0.0; }
-  /// The keys of [mesh] that shape this part, for whoever has to mend it.
+  /// The keys of [mesh] that shape this part, for messages.
   virtual std::string keys_that_shape(Region region) const = 0;
 };
 

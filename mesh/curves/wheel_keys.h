@@ -10,7 +10,7 @@
 
 namespace tiprub {
 
-/// [m] Of a wheel; beyond ten metres somebody meant millimetres.
+/// [m] The lengths of a wheel. A length beyond ten metres was meant in millimetres.
 inline const Range wheel_length{0.0, 10.0, Range::LowEnd::excluded};
 
 /// A curve over the chord, [[fraction, value], ...] with fractions from 0 to 1, or one point for a constant. Values

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t small_width = 8, large_width = 16;
 
-/// An entry with its continuations: fields[0] is its name.
+/// An entry with its continuation lines.
 struct Card {
   std::string name;
   std::vector<std::string> fields;  ///< after the name
@@ -47,13 +47,13 @@ class BdfReader {
   }
 
  private:
-  /// The name and eight fields (four large ones), whatever the line has.
+  /// The name and eight fields (or four large ones); those that the line lacks are empty.
   std::vector<std::string> fields_of(std::string_view line) const {
     std::vector<std::string> fields;
     std::size_t data = 8;
     if (line.find(',') != std::string_view::npos) {
       for (const std::string_view field : comma_fields(line)) fields.emplace_back(field);
-      if (fields.size() > data + 1) fields.resize(data + 1);  // what follows names the next line
+      if (fields.size() > data + 1) fields.resize(data + 1);  // a further field names the next line
     } else {
       fields.emplace_back(trimmed(line.substr(0, small_width)));
       const bool large = fields[0].find('*') != std::string::npos;
@@ -96,7 +96,7 @@ class BdfReader {
     add_node(mesh_, lines_.file(), card.line, whole(card, 0, "a node's number"), at);
   }
 
-  /// Nastran has a brick's and a wedge's upright mid-sides before those of the upper face.
+  /// Nastran lists the mid-side nodes of a brick's or a wedge's upright edges before those of the upper face.
   void add_solid(const Card& card, int corners) {
     static const std::map<int, std::vector<std::size_t>> order = {
         {4, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}},
@@ -120,7 +120,7 @@ class BdfReader {
     mesh_.cell_sets["PID " + field(card, 1)].push_back(number);
   }
 
-  /// Numbers, or first THRU last.
+  /// Adds numbers, and ranges "first THRU last".
   void add_set(const std::string& name, const std::vector<std::string>& words, std::size_t first) {
     constexpr long most = 10000000;
     std::vector<long>& set = mesh_.node_sets[name];
@@ -137,7 +137,7 @@ class BdfReader {
     }
   }
 
-  /// "SET 3 = 1, 2, THRU, 9", which goes on after a comma at the line's end.
+  /// Reads a set such as "SET 3 = 1, 2, THRU, 9". A comma at the end of a line continues it on the next.
   void read_case_set(std::string_view text, Card& card) {
     std::string all(text);
     while (trimmed(all).ends_with(','))

@@ -130,7 +130,7 @@ class CdbReader {
     return kept;
   }
 
-  /// A negative number ends a range that the number before began.
+  /// A negative number ends a range that begins with the number before it.
   void read_component(const std::vector<std::string_view>& words) {
     if (words.size() < 4) lines_.refuse("CMBLOCK takes a name, NODE or ELEM, and a count");
     constexpr long most = 10000000;  // of a range

@@ -10,7 +10,7 @@
 
 namespace tiprub {
 
-/// A face that one cell alone has.
+/// A face that belongs to only one cell.
 struct FreeFace {
   std::vector<int> nodes;  ///< corners around, seen from outside, then the mid-sides between them
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, outward, of its corners
@@ -18,10 +18,10 @@ struct FreeFace {
   std::size_t corners() const { return nodes.size() / 2; }
 };
 
-/// A foreign mesh in our terms: metres, axis z, nodes and cells counted from 0.
+/// An imported mesh in metres, with the axis z, and with nodes and cells counted from 0.
 struct CellMesh {
   std::string file;
-  Eigen::Matrix3Xd nodes;               ///< [m]; those of solids alone
+  Eigen::Matrix3Xd nodes;               ///< [m]; only those of solids
   std::vector<std::vector<int>> cells;  ///< in VTK's order
   std::vector<FreeFace> faces;
   std::map<std::string, std::vector<int>> node_sets;  ///< nodes of sets of nodes, or of elements, in the file's order

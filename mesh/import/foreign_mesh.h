@@ -16,23 +16,23 @@ struct ForeignCell {
   std::vector<long> nodes;
 };
 
-/// What all formats come to: nodes, solids and sets by the numbers and names of the file.
+/// A mesh as every format gives it: nodes, solids and sets, under the numbers and names of the file.
 struct ForeignMesh {
   std::string file;                          ///< its name, for messages
   std::map<long, Eigen::Vector3d> nodes;     ///< in the file's unit of length, about the file's axis
   std::vector<ForeignCell> cells;            ///< in the file's order
-  std::map<long, std::vector<long>> others;  ///< elements that are no solids (shells on a surface): their nodes
+  std::map<long, std::vector<long>> others;  ///< nodes of elements that aren't solids, as shells on a surface
   std::map<std::string, std::vector<long>> node_sets;  ///< in the file's order
   std::map<std::string, std::vector<long>> cell_sets;  ///< numbers of cells, or of others
 };
 
-/// What is said of elements that have corners only; `what` is the format's own name of them.
+/// Refuses elements that have corners only; `what` is the format's own name for them.
 [[noreturn]] void refuse_linear(const NamedText& file, int line, const std::string& what);
 
-/// Adds a node. Raises InputError at the line of a number that is no node's, or that two nodes have.
+/// Adds a node. Raises InputError, with the line, if its number isn't positive or is another node's.
 void add_node(ForeignMesh& mesh, const NamedText& file, int line, long number, const Eigen::Vector3d& at);
 
-/// A file format: reads a text, or raises InputError with the line.
+/// The readers of the formats. They raise InputError with the line.
 ForeignMesh read_inp(const NamedText& file);  ///< CalculiX, Abaqus: *NODE, *ELEMENT, *NSET, *ELSET, *SURFACE
 ForeignMesh read_bdf(const NamedText& file);  ///< Nastran: GRID, CTETRA, CPYRAM, CPENTA, CHEXA, SPC, SPC1, SET
 ForeignMesh read_cdb(const NamedText& file);  ///< Ansys: NBLOCK, EBLOCK, CMBLOCK

@@ -79,7 +79,7 @@ class InpReader {
     }
   }
 
-  /// Nodes of a solid with this name (C3D20R, C3D10M), 0 of any other element.
+  /// The number of nodes of a solid of this type (C3D20R, C3D10M), or 0 for any other element.
   std::size_t nodes_of_type(const std::string& type) const {
     if (!type.starts_with("C3D")) return 0;
     const std::string rest = type.substr(3);
@@ -149,7 +149,7 @@ class InpReader {
     sets[name].insert(sets[name].end(), set.begin(), set.end());
   }
 
-  /// A set of nodes, or faces of elements: "12, S3" or "set, S3".
+  /// A surface is a set of nodes or of faces of elements: "12, S3" or "set, S3".
   void read_surface(const Keyword& keyword) {
     std::vector<long>& set = mesh_.node_sets[keyword.value("NAME")];
     const bool nodes = upper(keyword.value("TYPE")) == "NODE";
@@ -176,10 +176,10 @@ class InpReader {
     if (cell_of_.size() != mesh_.cells.size())
       for (std::size_t k = cell_of_.size(); k < mesh_.cells.size(); ++k) cell_of_.emplace(mesh_.cells[k].number, k);
     const auto known = cell_of_.find(cell);
-    if (known == cell_of_.end()) return;  // of a shell
+    if (known == cell_of_.end()) return;  // the face of a shell
     const std::vector<long>& nodes = mesh_.cells[known->second].nodes;
     const CellKind& kind = cell_kind(static_cast<int>(nodes.size()));
-    // By the corners that make faces 1, 2, ... of a tetrahedron, a wedge, a brick.
+    // The corners of faces 1, 2, ... of a tetrahedron, a wedge and a brick.
     static const std::map<int, std::vector<std::vector<int>>> faces = {
         {4, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}}},
         {6, {{0, 1, 2}, {3, 4, 5}, {0, 1, 3, 4}, {1, 2, 4, 5}, {0, 2, 3, 5}}},

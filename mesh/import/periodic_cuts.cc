@@ -25,7 +25,7 @@ Eigen::Vector3d centre(const CellMesh& mesh, const FreeFace& face) {
   return sum / static_cast<double>(face.corners());
 }
 
-/// Of a face's normal, the part along the circle at its centre.
+/// The component of a face's normal along the circle through its centre.
 double along_circle(const FreeFace& face, const Eigen::Vector3d& at) {
   const double r = std::hypot(at.x(), at.y());
   return r > 0 ? (face.normal.y() * at.x() - face.normal.x() * at.y()) / r : 0.0;
@@ -42,7 +42,7 @@ class Search {
     }
   }
 
-  /// Those of the faces that find a partner.
+  /// The faces that have a partner for this number of sectors.
   PeriodicCuts of(int sector_count) const {
     PeriodicCuts cuts;
     cuts.sector_count = sector_count;
@@ -78,7 +78,7 @@ class Search {
     return std::nullopt;
   }
 
-  /// N of the angle from one place to another with the same r and z, 0 if it is no whole fraction of a turn.
+  /// N if the angle from one place to another with the same r and z is 2 pi/N; else 0.
   int sectors_between(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const {
     if (std::abs(low.head<2>().norm() - high.head<2>().norm()) > reach_) return 0;
     double angle = std::atan2(high.y(), high.x()) - std::atan2(low.y(), low.x());

@@ -9,15 +9,15 @@ namespace tiprub {
 
 inline constexpr int most_sectors = 1000;
 
-/// Free faces that another free face is, turned about z by 2 pi/N: by number in CellMesh::faces.
+/// Pairs of free faces of which the first, turned about z by 2 pi/N, is the second; by number in CellMesh::faces.
 struct PeriodicCuts {
   int sector_count = 1;  ///< N; 1 if there are none
   std::vector<int> low, high;
 };
 
-/// Looks for the cuts of a sector: faces that look to -theta, and, turned by 2 pi/N, are faces that look to +theta.
-/// `sector_count` is N, or 0 to look for it: the smallest N of a pair of faces with the same r and z that more faces
-/// have. Places agree to 1e-5 of the largest radius.
+/// Finds the cuts of a sector: faces whose normal points towards -theta and which, turned by 2 pi/N, coincide with
+/// faces whose normal points towards +theta. `sector_count` is N, or 0 to find it; then N is the smallest for which
+/// at least two pairs of faces have the same r and z. Places agree to 1e-5 of the largest radius.
 PeriodicCuts find_cuts(const CellMesh& mesh, int sector_count);
 
 }  // namespace tiprub

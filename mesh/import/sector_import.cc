@@ -21,7 +21,7 @@ namespace tiprub {
 
 namespace {
 
-/// By the file's ending, if the case doesn't say.
+/// The format that a file's ending stands for.
 std::optional<MeshFormat> usual_format(const std::string& name) {
   const std::string end = std::filesystem::path(name).extension().string();
   if (end == ".inp") return MeshFormat::inp;
@@ -31,7 +31,7 @@ std::optional<MeshFormat> usual_format(const std::string& name) {
   return std::nullopt;
 }
 
-/// What can't be read here may still be read by gmsh.
+/// Refuses a file of an unknown format, and says how gmsh can convert it.
 void require_format(const CaseTable& table, const std::string& name) {
   if (table.has("mesh_format") || usual_format(name)) return;
   const std::filesystem::path path(name);
@@ -63,7 +63,7 @@ ForeignMesh read(const ImportParameters& parameters) {
   return {};
 }
 
-/// The solids that have a name, and the rest.
+/// The solids, divided by the sets that the case names.
 class Parts {
  public:
   Parts(const CellMesh& mesh, const ImportParameters& parameters) : part_(mesh.cells.size()) {
@@ -104,7 +104,7 @@ NamedMesh::Entity surface(const CellMesh& mesh, const std::string& name, const s
   return entity;
 }
 
-/// With which axis and count there would be cuts that pair; empty: with none.
+/// For a message: the axis and the number of sectors with which cuts would pair. Empty if there are none.
 std::string where_cuts_pair(const ImportParameters& parameters) {
   constexpr int any_count = 0;
   const ForeignMesh given = read(parameters);
@@ -143,7 +143,7 @@ PeriodicCuts cuts_of(const CellMesh& mesh, const ImportParameters& parameters) {
 
 /// The tip of one blade.
 struct Tip {
-  std::string faces_key, line_key;  ///< the names of its groups too
+  std::string faces_key, line_key;  ///< keys of [mesh], and names of the groups
   std::vector<int> faces, line;     ///< the line from leading to trailing edge; without one there is no contact
 };
 

@@ -12,8 +12,7 @@ namespace tiprub {
 
 enum class MeshFormat { inp, bdf, cdb, unv };
 
-/// [mesh] with mesh_file in place of family: a mesh of another code, and which of its faces, nodes and solids are
-/// what.
+/// [mesh] with mesh_file instead of family: a mesh of another code, and the names of its faces, nodes and solids.
 struct ImportParameters {
   NamedText file;
   MeshFormat format = MeshFormat::inp;
@@ -32,13 +31,13 @@ bool is_import(const CaseTable& table);
 /// Raises InputError as CaseTable does.
 ImportParameters read_import_parameters(CaseTable& table);
 
-/// A foreign mesh as sector.msh wants it, and what was found, for people.
+/// An imported mesh with the groups of sector.msh, and a description of what was found.
 struct ImportedSector {
   NamedMesh mesh;
   std::string description;  ///< lines
 };
 
-/// Reads the file, and names the groups of sector.msh: the one place where that is done. Raises InputError.
+/// Reads the file and names the groups of sector.msh. Raises InputError.
 ImportedSector import_sector(const ImportParameters& parameters);
 
 }  // namespace tiprub

@@ -43,7 +43,7 @@ IsIn every_corner(const std::function<bool(int)>& is_in) {
   };
 }
 
-/// What is selected by geometry, or nothing if the words are none of these.
+/// The selection by geometry that the words describe, or nothing if they are the name of a set.
 IsIn by_geometry(const CellMesh& mesh, const std::string& key, const std::string& selection) {
   std::istringstream words(selection);
   std::string kind, axis;
@@ -96,7 +96,7 @@ int first_of(const CellMesh& mesh, const std::vector<int>& nodes, LeadingEdge le
   });
 }
 
-/// Those of a way that come farther from its first node.
+/// The nodes of a path that lie farther from its first node than all before them.
 std::vector<int> advancing(const CellMesh& mesh, const std::vector<int>& way) {
   const auto distance = [&](int node) { return (meridional(mesh, node) - meridional(mesh, way.front())).norm(); };
   double length = 0;
@@ -107,7 +107,7 @@ std::vector<int> advancing(const CellMesh& mesh, const std::vector<int>& way) {
   return kept;
 }
 
-/// The nodes round the faces, mid-sides too.
+/// The nodes on the outer edge of the faces, mid-side nodes included.
 std::vector<int> loop_round(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key) {
   std::map<std::array<int, 2>, int> directed;  // the middle, by the ends of an edge in the face's direction
   for (const int f : faces) {

@@ -23,11 +23,13 @@ const std::vector<int>& select_cells(const CellMesh& mesh, const std::string& ke
 enum class LeadingEdge { low_z, high_z };
 
 /// Nodes of a line in order from leading to trailing edge: by distance in the meridional plane from the end with the
-/// lowest (highest) z, of the smallest radius among equal ones. Nodes that come no farther are left out.
+/// lowest (highest) z, of the smallest radius among equal ones. Nodes that come no farther than those before them are
+/// left out.
 std::vector<int> ordered_line(const CellMesh& mesh, std::vector<int> nodes, LeadingEdge leading);
 
-/// A line along a tip that has faces alone: of the two ways along the faces' edge from leading to trailing edge, the
-/// one with more nodes. Raises InputError if the faces, those of the key `key`, have no single edge.
+/// A line along a tip of which only the faces are known. Two paths lead along their outer edge from leading to
+/// trailing edge; the one with more nodes is taken. Raises InputError, which names `key`, if the faces have no single
+/// outer edge.
 std::vector<int> line_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key,
                                 LeadingEdge leading);
 

@@ -10,7 +10,7 @@
 
 namespace tiprub {
 
-/// A text line by line, for formats in which a line's place says what it means.
+/// A text line by line, for formats in which the meaning of a line depends on its place.
 class TextLines {
  public:
   explicit TextLines(const NamedText& file) : file_(file), rest_(file.text) {}
@@ -35,14 +35,14 @@ class TextLines {
   int number_ = 0;
 };
 
-/// Without blanks at both ends.
+/// The text without blanks at its ends.
 std::string_view trimmed(std::string_view text);
 std::string upper(std::string_view text);
-/// Between commas, trimmed; an empty one after the last comma is none.
+/// The fields between commas, trimmed. A comma at the end begins no further field.
 std::vector<std::string_view> comma_fields(std::string_view line);
-/// Between blanks.
+/// The words between blanks.
 std::vector<std::string_view> blank_fields(std::string_view line);
-/// In columns of this width, trimmed.
+/// The fields in columns of this width, trimmed; empty ones at the end are left out.
 std::vector<std::string_view> column_fields(std::string_view line, std::size_t width);
 
 }  // namespace tiprub

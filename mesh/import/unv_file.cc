@@ -35,7 +35,7 @@ class UnvReader {
   }
 
  private:
-  /// Takes the line that ends a dataset.
+  /// Whether the dataset ends here; its last line is then taken.
   bool ended() {
     const auto line = lines_.peek();
     if (!line) lines_.refuse("a dataset has no end, -1; is the file cut off?");
@@ -72,7 +72,8 @@ class UnvReader {
   void read_element() {
     constexpr long most_nodes = 100;
     static const std::set<long> beams = {11, 21, 22, 23, 24}, linear = {111, 112, 115};
-    // Where VTK's nodes stand: around each face corners and mid-sides in turn, the upright mid-sides between.
+    // Where VTK's nodes stand. I-deas lists corners and mid-sides in turn around either face, and between the two
+    // faces the mid-sides of the upright edges.
     static const std::map<long, std::vector<std::size_t>> solids = {
         {118, {0, 2, 4, 9, 1, 3, 5, 6, 7, 8}},
         {113, {0, 2, 4, 9, 11, 13, 1, 3, 5, 10, 12, 14, 6, 7, 8}},

@@ -9,7 +9,7 @@ namespace tiprub {
 
 namespace {
 
-constexpr int most_elements = 400;  // a direction; beyond it no computer of ours holds the sector
+constexpr int most_elements = 400;  // in each direction; a sector with more doesn't fit in memory
 constexpr double steepest_grading = 100.0;
 
 int count(CaseTable& table, const char* key, int fallback, int least) {
@@ -31,7 +31,7 @@ void read_blade(CaseTable& table, SectorPlan& plan) {
   plan.grading_along_span = grading(table, "grading_along_span");
 }
 
-// Up to the end of an element that is nearest to the splitter's leading edge.
+// The number of elements up to the boundary between two that is nearest to the splitter's leading edge.
 int elements_upstream(const SectorPlan& plan) {
   const int count_along = plan.elements.chord;
   const auto distance = [&](int element) {

@@ -6,9 +6,9 @@
 
 namespace tiprub {
 
-/// Where half of an element index, 0 .. 2 count, lies along a direction whose elements grow by the same factor from
-/// both ends to the middle: as the half index that stands there when all are alike. `ratio` is the largest element
-/// over the smallest; one or two are alike whatever it is. Mid-side nodes stay in the middle of their elements.
+/// The place of a half element index, 0 .. 2 count, along a direction whose elements grow by a constant factor from
+/// both ends to the middle, counted in half elements of equal size. `ratio` is the largest element over the smallest;
+/// one or two elements are always alike. Mid-side nodes stay in the middle of their elements.
 double graded(int half_index, int count, double ratio);
 
 /// By their number of nodes.
@@ -72,10 +72,10 @@ struct SectorPlan {
   double splitter_chord(double station) const;
 };
 
-/// What all families say in the same words: element, clamped, the counts of elements. Blades must be known already.
+/// Reads the keys that all families share: element, clamped, the numbers of elements. plan.blades must be known.
 void read_common(CaseTable& table, SectorPlan& plan, int fewest_along_chord);
 
-/// The same of a main blade without a disc.
+/// Reads the same keys for a main blade without a disc.
 void read_common_of_blade(CaseTable& table, SectorPlan& plan);
 
 }  // namespace tiprub

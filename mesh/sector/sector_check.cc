@@ -58,7 +58,8 @@ double volume_between(const SectorPlan& plan, int first_station, const Section& 
   return volume;
 }
 
-// In two parts, for the width of a fillet begins like a square root at the hub, and ends with a kink.
+// The volume is integrated in two parts, because the width of a fillet begins like a square root at the hub and ends
+// with a kink.
 double blade_volume(const Wheel& wheel, BladeKind kind, int first_station) {
   const WheelGeometry& geometry = *wheel.geometry;
   std::map<double, double> ends;  // by station: each is asked for at many heights

@@ -8,7 +8,7 @@
 
 namespace tiprub {
 
-/// What is known of a meshed sector, for people and for tests.
+/// Measurements of a meshed sector, for people and for tests.
 struct SectorReport {
   double smallest_radius;        ///< [m]
   double largest_radius;         ///< R [m]
@@ -17,14 +17,14 @@ struct SectorReport {
   std::size_t worst_cell;        ///< index of its cell
   double pairing_mismatch;       ///< largest distance of a cyclic_high node from its turned partner, over R
   double mesh_volume;            ///< of the quadratic cells [m^3]
-  double geometry_volume;        ///< of the shape itself, by circles through its meridional section [m^3]
+  double geometry_volume;        ///< of the exact shape, see geometry_volume() [m^3]
   std::size_t clamped_nodes;
   std::size_t clamped_cyclic_nodes;  ///< of these on cyclic_low or cyclic_high; the clamp wins there
   double normal_angle_leading_deg;   ///< contact normal at the leading edge: 0 radial, 90 along -z, towards the inlet
   double normal_angle_trailing_deg;  ///< at the trailing edge
 };
 
-/// Measures the sector. Raises InputError at an inverted element: where it is and which keys shape it.
+/// Measures the sector. Raises InputError if an element is inverted, with its place and the keys that shape it.
 SectorReport measure_sector(const MeshedSector& mesh, const Wheel& wheel);
 
 /// Unit normals of the tip surface at the contact nodes, outward, leading to trailing edge.

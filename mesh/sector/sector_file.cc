@@ -20,7 +20,7 @@ namespace {
 constexpr int line2 = 1, quad8 = 16, quad9 = 10;
 constexpr int volume_dimension = 3, surface_dimension = 2, curve_dimension = 1;
 
-// gmsh is one model for the whole program; this one lives as long as a file is written.
+// gmsh has one model for the whole program. A session lasts while a file is written.
 class GmshSession {
  public:
   GmshSession() {
@@ -44,7 +44,8 @@ void add_nodes(const NamedMesh& mesh, int entity) {
   gmsh::model::mesh::addNodes(volume_dimension, entity, tags, coordinates);
 }
 
-/// Nodes of elements of one of gmsh's types, in its order, counted from 1. Faces and lines are those of VTK.
+/// The nodes of elements of one of gmsh's types, in gmsh's order, counted from 1. For faces and lines that is VTK's
+/// order.
 std::vector<std::size_t> for_gmsh(int type, const std::vector<std::size_t>& nodes) {
   std::vector<int> place = {0};
   for (const CellKind& kind : all_cell_kinds())
@@ -57,7 +58,7 @@ std::vector<std::size_t> for_gmsh(int type, const std::vector<std::size_t>& node
   return turned;
 }
 
-/// All volumes first: gmsh counts them, then come the nodes, then elements.
+/// gmsh wants all volumes first, then the nodes, then the elements.
 void add_entities(const NamedMesh& mesh) {
   std::vector<int> tags;
   for (const NamedMesh::Entity& entity : mesh.entities)
@@ -79,7 +80,7 @@ void add_entities(const NamedMesh& mesh) {
     gmsh::model::setPhysicalName(dimension[name], gmsh::model::addPhysicalGroup(dimension[name], entities), name);
 }
 
-// gmsh says nothing of a disk that is full; the last words of a whole file do.
+// gmsh doesn't report a full disk, so the end of the file is compared with that of a whole one.
 void require_whole(const std::filesystem::path& path) {
   const std::string last_words = "$EndElements\n";
   std::ifstream file(path, std::ios::binary);

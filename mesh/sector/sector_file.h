@@ -11,7 +11,7 @@
 
 namespace tiprub {
 
-/// What a file holds: nodes, and elements in named groups.
+/// The contents of a mesh file: nodes, and elements in named groups.
 struct NamedMesh {
   struct Entity {
     int dimension;                                     ///< 3 cells, 2 faces, 1 lines

@@ -69,7 +69,7 @@ class Mesher {
   std::size_t slot(const Index& node) const {
     return (std::size_t(node[2]) * nodes_across_[1] + node[1]) * nodes_across_[0] + node[0];
   }
-  /// Of the node at a place in the reference cell.
+  /// The node at a place in the reference cell.
   static Index node_of(const Index& cell, const Eigen::Vector3d& place) {
     const Eigen::Vector3i step = place.cast<int>();
     return {2 * cell[0] + 1 + step[0], 2 * cell[1] + 1 + step[1], 2 * cell[2] + 1 + step[2]};
@@ -118,7 +118,7 @@ class Mesher {
     return {at.r * std::cos(theta), at.r * std::sin(theta), at.z};
   }
 
-  // Turned, not computed anew, so that partners agree to round-off.
+  // The partner is turned, not computed anew, so that both agree to round-off.
   Eigen::Vector3d partner_on_high(int i, int k) {
     const std::size_t low = number_[slot({0, i, k})];
     mesh_.low_and_high_nodes.push_back({low, number_[slot({nodes_across_[0] - 1, i, k})]});

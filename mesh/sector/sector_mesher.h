@@ -44,7 +44,7 @@ struct MeshedSector {
 
 /// A structured lattice of blocks (gap, main blade, gap, splitter, gap round the sector; disc and blade in depth), on
 /// the wheel's own map: mid-side nodes lie on the true geometry, and cyclic_high is cyclic_low turned by 2 pi/N. A
-/// lattice is taken rather than a CAD volume because it conforms whatever the counts, and pairs node for node.
+/// lattice conforms for any numbers of elements and pairs node for node, which a mesh of a CAD volume would not.
 MeshedSector mesh_sector(const Wheel& wheel);
 
 }  // namespace tiprub

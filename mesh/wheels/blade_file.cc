@@ -19,8 +19,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr double narrowest = 1e-3;  // of the hub's radius, a disc between its faces
-constexpr double printed = 1e-6;    // relative, of a number that a person copies from a file
+constexpr double narrowest = 1e-3;  // width of a disc over the hub's radius
+constexpr double printed = 1e-6;    // relative precision of a number that is copied from a printed table
 constexpr double usual_blunt_edge = 0.01, widest_blunt_edge = 0.2;
 
 enum class BladeFormat { sections, curve, rtzt };
@@ -31,7 +31,7 @@ enum class Turning { positive, negative };
 enum class Disc {
   profile,    ///< an axial wheel's, by its thickness over the height
   back_face,  ///< a radial wheel's, by its bore and the back face
-  none,       ///< nothing: the blade alone
+  none,       ///< there is no disc, only the blade
 };
 
 double read_angle_unit(CaseTable& table) {
@@ -102,7 +102,7 @@ struct DiscProfile {
 class BladesOfFile final : public WheelGeometry {
  public:
   explicit BladesOfFile(SectionSurface blade) : blade_(std::move(blade)) {}
-  /// To be known before the disc, which stands on the same stations.
+  /// To be called before stand_on(), because the disc has the same stations.
   void add(const SplitterSurface& splitter, const SectorPlan& plan) {
     splitter_ = splitter;
     plan_ = plan;

@@ -33,8 +33,8 @@ SmoothTable read_back_profile(CaseTable& table);
 /// Reads `elements_along_bore`; those along the chord must be known. Raises InputError.
 void read_bore_elements(CaseTable& table, SectorPlan& plan);
 
-/// A centrifugal impeller in its designers' terms. The hub's leading edge is at z = 0, the flow turns from the axis
-/// to the radius, the back face lies on the side of larger z.
+/// A centrifugal impeller, by the dimensions that its designers use. The hub's leading edge is at z = 0, the flow
+/// turns from the axis to the radius, the back face lies on the side of larger z.
 struct ImpellerParameters {
   double inlet_hub_radius;         ///< [m]
   double inlet_tip_radius;         ///< [m]

@@ -52,8 +52,8 @@ class WheelWithFillet final : public WheelGeometry {
     const double across = radius_ - std::sqrt(h * (2.0 * radius_ - h));
     return across / (wheel_->blade_point(station, span).r * cos_angle(station, span));
   }
-  // Of the angle between the blade and the meridional plane: what stands out across the blade is longer by it round
-  // the circle.
+  // The cosine of the angle between the blade and the meridional plane. A width across the blade, divided by it, is
+  // the width along the circle.
   double cos_angle(double station, double span) const {
     const double from = std::max(0.0, station - slope_step), to = std::min(1.0, station + slope_step);
     const double along = distance(wheel_->blade_point(from, span), wheel_->blade_point(to, span));

@@ -15,10 +15,10 @@ namespace {
 
 enum class Family { impeller, bladed_disc, blade_file };
 
-constexpr int fewest_sectors = 3;  // below it a sector and its neighbour on either side are no longer three
+constexpr int fewest_sectors = 3;  // so that a sector and its two neighbours are different sectors
 constexpr int most_sectors = 1000;
 
-// The blades are looked at without their fillets first: with one, it is at fault.
+// The blades are checked without their fillets first, so that a fillet is at fault if they cross only with it.
 const char* key_of_width(const CaseTable& table, const SectorPlan& plan, double span) {
   if (plan.elements.fillet > 0) return "fillet_radius";
   if (table.has("blade_file")) return "blade_file";
@@ -59,7 +59,7 @@ void check_widths(const CaseTable& table, const Wheel& wheel) {
     for (double span : {0.0, 1.0}) check_widths_at(table, wheel, wheel.plan.station(half), span);
 }
 
-// A wheel without splitters may have the key, so that the message can say what is wrong.
+// The key is also read for a wheel without splitters, so that the message can say what is wrong.
 void read_contact_blades(CaseTable& table, SectorPlan& plan) {
   const bool has_splitter = plan.blades == Blades::main_and_splitter;
   if (!has_splitter && !table.has("contact_blades")) return;

@@ -37,7 +37,7 @@ void write_cut_faces(std::ostream& out, const SectorMesh& mesh) {
       << "*CYCLIC SYMMETRY MODEL, N=" << mesh.sector_count << ", TIE=cut\n0, 0, 0, 0, 0, 1\n";
 }
 
-/// Those of one kind; CalculiX numbers their nodes as VTK does.
+/// Writes the cells of one kind. CalculiX numbers their nodes as VTK does.
 void write_cells(std::ostream& out, const SectorMesh& mesh, const CellKind& kind) {
   bool begun = false;
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
@@ -66,7 +66,8 @@ void write_mesh(std::ostream& out, const SectorMesh& mesh, const ReductionParame
       << "*BOUNDARY\nclamped, 1, 3\n";
 }
 
-/// CalculiX stops Newton's method at 0.5 % of the load; these are R_n and C_n, residual force and last correction.
+/// CalculiX stops Newton's method at 0.5 % of the load if it isn't told otherwise. The two numbers are its tolerances
+/// R_n of the residual force and C_n of the last correction.
 std::string calculix_controls() {
   return "*CONTROLS, PARAMETERS=FIELD\n1e-10, 1e-10\n";
 }

@@ -23,11 +23,11 @@ namespace tiprub {
 
 namespace {
 
-constexpr double mode_tolerance = 1e-5;  // of 1/omega^2, a residual; the error of a frequency goes with its square
-constexpr int krylov_vectors = 12;       // a wanted mode, with their products
-constexpr double least_mac = 0.5;        // of one branch
+constexpr double mode_tolerance = 1e-5;  // residual of 1/omega^2; the error of a frequency goes with its square
+constexpr int krylov_vectors = 12;       // for each wanted mode, with their products
+constexpr double least_mac = 0.5;        // between modes of one branch
 
-/// The parts of a sector, or the sector itself as the only one.
+/// The parts of a sector, or the whole sector as one part if the mesh names none.
 std::map<std::string, std::vector<int>> parts_of(const SectorMesh& mesh) {
   if (!mesh.parts.empty()) return mesh.parts;
   std::vector<int> all(mesh.cell_count());
@@ -92,7 +92,8 @@ class LinearAnalysis {
     results_.clearance_loss = Eigen::MatrixXd::Zero(speeds, tip_.size());
   }
 
-  /// The shapes under spin, and where rest is asked for, the modes that share its factor.
+  /// Finds the shapes under spin. If rest is among the speeds, its modes are found here too, because they use the
+  /// same factor.
   void find_shapes() {
     const SectorFactor factor(
         elasticity_.stiffness(0.0, Eigen::Matrix3Xd::Zero(3, mesh_.node_count()), parameters_.prestress), dofs_);
@@ -144,7 +145,8 @@ class LinearAnalysis {
     });
   }
 
-  /// Of the modes found last. The stiffness of a part is assembled when the factor is gone: both are large.
+  /// Shares out the energy of the modes found last. The stiffness of a part is assembled when the factor is released,
+  /// because both are large.
   void share_energy(int row) {
     Eigen::Index part = 0;
     for (const auto& [name, cells] : parts_) {

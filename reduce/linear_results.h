@@ -21,7 +21,7 @@ struct ModesOverSpeed {
   std::vector<Eigen::MatrixXd> energy_share;  ///< [1] one a part: its share of the mode's strain energy; n_s x n_f
 };
 
-/// What a wheel does without contact: modes and static state of the unreduced sector under spin.
+/// The modes and the static state of the unreduced sector under spin, without contact.
 struct LinearResults {
   int sector_count = 0;
   std::string prestress;
@@ -46,7 +46,7 @@ LinearResults linear_results(const SectorMesh& mesh, const ReductionParameters& 
 /// Three tables, blank-separated, one header line each: modes, static state of the parts, tip.
 void print(std::ostream& out, const LinearResults& results);
 
-/// HDF5, schema "tiprub-modes"; see the README.
+/// Writes modes.h5, schema "tiprub-modes", which reduce/format.md describes.
 void write_linear_results(const LinearResults& results, const std::filesystem::path& path,
                           const std::string& generator, const std::string& provenance);
 

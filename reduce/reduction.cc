@@ -43,8 +43,9 @@ Eigen::MatrixXd misfit(const SampledStiffness& stiffness, const SpeedSamples& sa
   return table;
 }
 
-/// eq. 7 of the paper: fills in K0, K1, ... of a model that has M, and for nonlinear prestress what eq. 7 alone makes
-/// wrong in the verification frequencies: K of the polynomial's shape against K of the equilibrium on the same basis.
+/// eq. 7 of the paper: fills in K0, K1, ... of a model that has M. For nonlinear prestress it also fills in the
+/// errors that eq. 7 alone causes in the verification frequencies: K of the polynomial's shape against K of the
+/// equilibrium on the same basis.
 void fit_polynomial(const SampledStiffness& stiffness, const SpeedSamples& samples,
                     const ReductionParameters& parameters, ReducedModel& model) {
   const PolynomialFit fit(speeds_at(samples.polynomial_fractions(), parameters.speed_max));
@@ -83,8 +84,8 @@ Eigen::VectorXcd on_nodes(const SectorDofs& dofs, const Eigen::VectorXcd& sector
   return values;
 }
 
-/// The work of one reduction. Two factors, of rest and of full speed, serve all nodal diameters; these go side by
-/// side, and what belongs to one is released as soon as its model is made and verified.
+/// The work of one reduction. Two factors, of rest and of full speed, serve all nodal diameters; these are reduced
+/// side by side, and the memory of each is released as soon as its model is made and verified.
 class Reducer {
  public:
   Reducer(const SectorMesh& mesh, const ReductionParameters& parameters, Progress& progress, FieldsWriter* fields)
@@ -157,14 +158,15 @@ class Reducer {
     report.memory_needed = need.total();
   }
 
-  /// The same for the shape that was found, if that takes more; counted from the start.
+  /// Requires the memory, as it was available at the start, for the shape that was found, if that takes more.
   void require_room(const SpeedSamples& samples, ReductionReport& report) const {
     const MemoryNeed need = memory_need_of(samples);
     if (need.total() > report.memory_needed) require_memory(need, available_at_start_, mappable_at_start_);
     report.memory_needed = std::max(report.memory_needed, need.total());
   }
 
-  /// K of a polynomial that is far from the shape under spin may look like that of an unstable rotor: says so.
+  /// K of a polynomial that is far from the shape under spin may look like K of an unstable rotor; the message then
+  /// says so.
   SampledStiffness blaming_shape(const SpinShape& shape, const std::function<SampledStiffness()>& body) const {
     try {
       return body();
@@ -178,7 +180,7 @@ class Reducer {
   }
 
   /// Complex vectors that one nodal diameter holds: its basis, and either the Lanczos vectors with their products or
-  /// what it takes to follow all modes at all verification speeds (shapes, loads, directions, and those of some
+  /// the vectors that follow all modes at all verification speeds (shapes, loads, directions, and those of some
   /// rounds).
   int columns_at_once() const {
     constexpr int krylov = 6, following = 8;

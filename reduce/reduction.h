@@ -13,14 +13,14 @@
 
 namespace tiprub {
 
-/// What a part of the work took.
+/// The time that a part of the work took.
 struct PartOfWork {
   std::string what;
   double wall = 0;       ///< [s]
   double processor = 0;  ///< [s] of all threads
 };
 
-/// What the reduction tells about itself.
+/// Sizes, errors and times of a reduction.
 struct ReductionReport {
   int newton_steps = 0;        ///< most of all speeds, with nonlinear prestress
   double newton_residual = 0;  ///< [1] largest of all speeds; see spin_equilibrium()

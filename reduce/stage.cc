@@ -44,8 +44,8 @@ void tell(const StageArguments& arguments, const std::string& line) {
   say(arguments, std::string(program) + ": " + line);
 }
 
-/// Metres and millimetres are told apart by the speed of the tip: no material holds what is refused here (the best
-/// flywheels end at a third of it), and a wheel a thousand times too large is always beyond it.
+/// A mesh in millimetres is recognised by the speed of its tip. No material bears the speeds that are refused here
+/// (the best flywheels reach a third of them), and a wheel that is a thousand times too large always exceeds them.
 void require_metres(const SectorMesh& mesh, double speed_max) {
   constexpr double most = 5000;  // [m/s]
   const double radius = mesh.nodes.topRows<2>().colwise().norm().maxCoeff(), tip_speed = radius * speed_max;
@@ -98,12 +98,12 @@ Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
   if (arguments.verbosity == Verbosity::verbose) say(arguments, "[reduce]\n" + table.resolved());
   say_blas(arguments);
   SectorMesh mesh = read_sector(arguments, options, parameters.cyclic_tolerance);
-  if (mesh.matrices != nullptr) parameters.prestress = Prestress::linear;  // theirs is in K already
+  if (mesh.matrices != nullptr) parameters.prestress = Prestress::linear;  // K holds its effect already
   require_metres(mesh, parameters.speed_max);
   return {std::move(parameters), std::move(mesh), case_file.source()};
 }
 
-/// What this run may write, tried before the work and held until its end.
+/// The files that this run may write. They are tried before the work and locked until its end.
 class Outputs {
  public:
   Outputs(const StageArguments& arguments, const ReduceOptions& options) {
@@ -174,7 +174,7 @@ ReducedModel reduce_with_fields(const StageArguments& arguments, const Inputs& i
 
 ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const ReduceOptions& options,
                  ReductionReport& report) {
-  OutputFile output(arguments.output);  // complains before the work, not after it
+  OutputFile output(arguments.output);  // refuses before the work, not after it
   std::optional<OutputFile> fields;
   if (!options.fields_file.empty()) fields.emplace(options.fields_file);
   ReducedModel model = reduce_with_fields(arguments, inputs, fields, report);
@@ -212,7 +212,7 @@ std::string summary(const ReducedModel& model, const ReductionReport& report) {
   return line.str();
 }
 
-/// What it took: memory, times, and the shapes of each nodal diameter.
+/// Tells what the reduction took: memory, times, and the shapes of each nodal diameter.
 void tell_details(const StageArguments& arguments, const ReductionReport& report) {
   say(arguments, "memory: " + std::to_string(report.memory_needed / bytes_per_gib) + " GiB expected");
   for (const PartOfWork& part : report.parts)

@@ -9,7 +9,8 @@
 
 namespace tiprub {
 
-/// What this stage may write besides model.h5, or instead of it; empty: not asked for.
+/// The options of this stage: what it writes besides model.h5, or instead of it, and what it reads. Empty ones were
+/// not given.
 struct ReduceOptions {
   std::string calculix_folder;           ///< instead
   std::string modes_file;                ///< instead
@@ -20,7 +21,7 @@ struct ReduceOptions {
   std::vector<std::string> matrices_at;  ///< "RPM", "K", ...: K at further speeds
 };
 
-/// What is read of the case: [reduce].
+/// The table that this stage reads from the case, [reduce], with all its values.
 std::string reduce_tables(const CaseFile& file);
 
 /// tiprub-reduce case.toml sector.msh -o model.h5.

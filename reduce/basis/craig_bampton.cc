@@ -36,10 +36,10 @@ void CraigBamptonBasis::append(const Eigen::MatrixXcd& shapes) {
   if (shapes.cols() == 0) return;
   const Eigen::MatrixXcd loads = transform_.apply(*stiffness_.front(), shapes);
   const Eigen::VectorXd scale = shapes.conjugate().cwiseProduct(loads).colwise().sum().real().unaryExpr(
-      [](double square) { return square > 0 ? 1 / std::sqrt(square) : 0.0; });  // 0: speed changed nothing
+      [](double square) { return square > 0 ? 1 / std::sqrt(square) : 0.0; });  // 0 where speed changed nothing
   const auto known = raw_.rightCols(raw_.cols() - contact_dofs_);
   const Eigen::MatrixXcd overlap = known.adjoint() * loads;
-  // What is known is orthonormal but for rounding, which counts where a shape is all but known.
+  // The known shapes are orthonormal only up to rounding, which matters where a new shape hardly differs from them.
   const Eigen::MatrixXcd shadow =
       stiffness_products_.front().bottomRightCorner(known.cols(), known.cols()).llt().solve(overlap);
   const Eigen::MatrixXcd gram =

@@ -10,8 +10,8 @@
 
 namespace tiprub {
 
-/// The matrix of products T^H Y T of shapes that grow in number: adds the columns T^H Y t of new shapes t. They end
-/// in the new diagonal block.
+/// Extends the matrix T^H Y T when new shapes t join the shapes T. `columns` are T^H Y t; their last rows are the new
+/// diagonal block.
 inline void append_products(Eigen::MatrixXcd& products, const Eigen::MatrixXcd& columns) {
   const Eigen::Index old = products.cols(), more = columns.cols();
   products.conservativeResize(old + more, old + more);
@@ -20,15 +20,15 @@ inline void append_products(Eigen::MatrixXcd& products, const Eigen::MatrixXcd& 
   products.bottomRightCorner(more, more) = hermitian_part(columns.bottomRows(more));
 }
 
-/// eq. 9: one basis of one nodal diameter for all speeds. It holds the constraint modes at rest, kept as they are so
-/// that contact dofs stay physical, and an M-orthonormal set made from everything else: fixed-interface modes of
-/// several speeds, changes of the constraint modes with speed (without them a thin blade that has turned under load
-/// is far off), and what modes at other speeds turn out to miss. Directions are dropped by their stiffness norm,
-/// never by mass: light directions are the stiff ones.
+/// eq. 9: one basis of one nodal diameter for all speeds. It holds the constraint modes at rest, unchanged so that
+/// contact dofs stay physical, and an M-orthonormal set made from all other shapes: fixed-interface modes of several
+/// speeds, changes of the constraint modes with speed (without them a thin blade that has turned under load is far
+/// off), and corrections for modes at other speeds. Directions are dropped by their stiffness norm, never by mass:
+/// light directions are the stiff ones.
 ///
-/// The matrices are applied to each shape when it is appended; all else happens on small matrices. What is appended
-/// is made orthonormal to what is there, in the stiffness at rest, first: small matrices of nearly dependent shapes
-/// would lose the lowest modes to rounding.
+/// The sector's matrices are applied to each shape when it is appended; all other work is on small matrices. A new
+/// shape is first made orthonormal to the others in the stiffness at rest, because small matrices of nearly dependent
+/// shapes would lose the lowest modes to rounding.
 class CraigBamptonBasis {
  public:
   /// `stiffness` are the sector's at the speeds that the model samples, the first one at rest; all matrices must
@@ -36,22 +36,23 @@ class CraigBamptonBasis {
   CraigBamptonBasis(const CyclicTransformation& transform, const SymmetricMatrix& mass,
                     std::vector<const SymmetricMatrix*> stiffness, const Eigen::MatrixXcd& constraint_modes);
 
-  /// More shapes, independent x any number, with contact rows of zero; then call orthonormalise().
+  /// Adds shapes, independent x any number, with contact rows of zero. Call orthonormalise() afterwards.
   void append(const Eigen::MatrixXcd& shapes);
-  /// Makes the generalized dofs: the modes, contact nodes held, of the small model at rest, by ascending frequency.
+  /// Makes the generalized dofs: the modes of the small model at rest with its contact nodes held, by ascending
+  /// frequency.
   void orthonormalise();
 
   /// Contact dofs, then generalized dofs.
   Eigen::Index size() const { return contact_dofs() + weights_.cols(); }
   Eigen::Index contact_dofs() const { return contact_dofs_; }
-  /// Shapes that the others already hold.
+  /// The number of shapes that were dropped because the others already held them.
   int dropped() const { return dropped_; }
   /// eq. 10: T^H K T at a sampled speed, and T^H M T; size x size, Hermitian, real for a standing transform.
   Eigen::MatrixXcd stiffness(std::size_t sample) const { return reduced(stiffness_products_[sample]); }
   Eigen::MatrixXcd mass() const { return reduced(mass_products_); }
   /// The shapes times `coefficients` (size x any number); independent x columns.
   Eigen::MatrixXcd combine(const Eigen::MatrixXcd& coefficients) const;
-  /// Their inner products with columns of loads (independent x any number); size x columns.
+  /// The inner products of the shapes with columns of loads (independent x any number); size x columns.
   Eigen::MatrixXcd inner_products(const Eigen::MatrixXcd& loads) const;
   /// All shapes; independent x size.
   Eigen::MatrixXcd shapes() const { return combine(Eigen::MatrixXcd::Identity(size(), size())); }

@@ -16,9 +16,9 @@ namespace {
 
 constexpr Eigen::Index block_size = 8;
 constexpr double rank_tolerance = 1e-12;  // of the largest direction of a block, in squares
-constexpr double rounding = 1e-13;        // of what a new block was orthogonalised from
+constexpr double rounding = 1e-13;        // of a new block before it was orthogonalised
 
-/// Real for a standing wave: its matrices are real, and so must be its modes.
+/// The same noise in each run. It is real for a standing wave, because its modes must be real.
 Eigen::MatrixXcd reproducible_noise(Eigen::Index rows, Eigen::Index columns, bool real) {
   std::mt19937_64 generator(1);
   const auto uniform = [&] { return static_cast<double>(generator() >> 11) * 0x1.0p-52 - 1.0; };
@@ -35,7 +35,7 @@ class KrylovSpace {
 
   Eigen::Index size() const { return size_; }
   const Eigen::MatrixXcd& projected() const { return projected_; }
-  /// How the last step's new block couples to the one before; its norm bounds the residuals.
+  /// The coupling of the last step's new block with the block before; its norm bounds the residuals.
   const Eigen::MatrixXcd& coupling() const { return coupling_; }
   Eigen::MatrixXcd combine(const Eigen::MatrixXcd& weights) const { return Q_.leftCols(weights.rows()) * weights; }
 
@@ -47,13 +47,14 @@ class KrylovSpace {
     operated_ = 0;
   }
 
-  /// Operates on the newest block; returns false when the space is invariant (nothing new is left).
+  /// Applies the operator to the newest block. Returns false when the space is invariant.
   bool grow() {
     const Eigen::Index old = size_, width = size_ - operated_;
     if (width == 0) return false;
     Eigen::MatrixXcd next = stiffness_.solve(MQ_.middleCols(operated_, width), contact_);
     Eigen::MatrixXcd column = Eigen::MatrixXcd::Zero(old, width);
-    // In exact arithmetic a block meets the last two only; what rounding adds is taken off all, in a second pass.
+    // In exact arithmetic a block overlaps with the last two blocks only. A second pass, over all blocks, removes
+    // what rounding adds.
     for (const Eigen::Index from : {std::max<Eigen::Index>(operated_ - block_size, 0), Eigen::Index{0}}) {
       const Eigen::MatrixXcd part = MQ_.middleCols(from, old - from).adjoint() * next;
       next -= Q_.middleCols(from, old - from) * part;
@@ -93,7 +94,7 @@ class KrylovSpace {
       block = block * scaled;
       moved = moved * scaled;
     }
-    // Columns are appended by moving pages, not numbers, so nothing is gained by reserving room.
+    // Appending columns moves memory pages, not numbers, so reserving room would gain nothing.
     Q_.conservativeResize(block.rows(), size_ + block.cols());
     MQ_.conservativeResize(block.rows(), size_ + block.cols());
     Q_.middleCols(size_, block.cols()) = block;

@@ -10,10 +10,11 @@ namespace tiprub {
 
 namespace {
 
-// Of 1/omega^2, a residual; the error of a frequency goes with its square, and it is the modes' span that the basis
-// wants.
+// The residual of 1/omega^2. The error of a frequency goes with its square, and the basis needs only the span of the
+// modes.
 constexpr double mode_tolerance = 1e-2;
-// Of Omega_max: below, K, which goes with Omega^2, is nearer to rest than to full speed.
+// The fraction of Omega_max below which K, which changes with Omega^2, is nearer to K at rest than to K at full
+// speed.
 constexpr double nearer_to_rest = 0.7;
 
 }  // namespace
@@ -48,7 +49,8 @@ CraigBamptonBasis DiameterReduction::start_basis() const {
 
 int DiameterReduction::correct(CraigBamptonBasis& basis) const {
   ModeFollowing modes = modes_between(basis, {corrected_speeds.begin(), corrected_speeds.end()});
-  // Of omega^2, whose error is twice that of omega: half of it is left to what the estimate is worth.
+  // The tolerance is applied to omega^2, whose error is twice that of omega: half of it is left for the error of the
+  // estimate.
   modes.correct(parameters_.frequency_tolerance);
   basis.append(modes.corrections());
   basis.orthonormalise();

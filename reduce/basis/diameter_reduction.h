@@ -10,9 +10,9 @@
 
 namespace tiprub {
 
-/// The reduction of one nodal diameter: a Craig-Bampton basis from two speeds, rest and Omega_max, what it misses in
-/// between, and the unreduced modes that verify it. Holds a dense factor a speed, and a Lanczos or Davidson space
-/// while it looks for modes.
+/// The reduction of one nodal diameter: a Craig-Bampton basis from two speeds, rest and Omega_max, its corrections at
+/// the speeds between, and the unreduced frequencies that verify it. It holds a dense factor for each of the two
+/// speeds, and a Lanczos or Davidson space while it looks for modes.
 class DiameterReduction {
  public:
   /// The factors are those of K at rest and at Omega_max. All arguments must outlive the object. Raises RunError,
@@ -24,8 +24,8 @@ class DiameterReduction {
   /// Modes and static shapes of both speeds (eq. 8), made one basis (eq. 9). It needs the span of the fixed-interface
   /// modes at Omega_max, not the modes: one inverse iteration of those at rest gives it.
   CraigBamptonBasis start_basis() const;
-  /// Modes at speeds between those of the basis: where the basis misses one by more than [reduce]
-  /// frequency_tolerance, it gets what it misses. Returns how many shapes that are.
+  /// Estimates the errors of the modes at speeds between those of the basis. Where one is larger than [reduce]
+  /// frequency_tolerance, the basis gets the shapes that it lacks. Returns the number of these.
   int correct(CraigBamptonBasis& basis) const;
   /// [Hz] The unreduced sector's lowest frequencies at the verification speeds, followed from the modes of the basis;
   /// n_s x n_f.

@@ -17,11 +17,12 @@ namespace {
 constexpr int longest = 30;                    // rounds before giving up
 constexpr double direction_tolerance = 1e-12;  // of a round's directions, in squared stiffness norm
 
-// Of a tolerance: residuals whose compliance is only guessed must stay below.
+// The fraction of a tolerance that an error must stay below if it is only guessed from the largest compliance.
 constexpr double of_a_guess = 0.1;
 
-/// Directions of unit length in the norm of the nearby stiffness. A residual is orthogonal to the basis, so what
-/// becomes of it is so as well in that norm: only the new block has to be made independent.
+/// Makes directions independent, with unit length in the norm of the nearby stiffness. A residual is orthogonal to
+/// the basis, so its direction is orthogonal to the basis in that norm, and only the new block has to be made
+/// independent.
 Eigen::MatrixXcd independent(const Eigen::MatrixXcd& directions, const Eigen::MatrixXcd& residual) {
   const auto [squares, vectors] = eigenpairs(hermitian_part(directions.adjoint() * residual));
   const Eigen::Index kept = (squares.array() > direction_tolerance * squares[squares.size() - 1]).count();

@@ -28,30 +28,31 @@ struct FollowedModes {
   Eigen::VectorXd frequencies() const;
 };
 
-/// From the modes of a basis to the modes of the unreduced sector at several speeds, with the factor of a speed
-/// nearby as preconditioner: generalized Davidson (Morgan and Scott 1986), without restart. With
-/// r = K x - omega^2 M x, a mode's omega^2 is too high by about r^H K^-1 r, and K^-1 r is what the basis lacks. What
-/// a mode lacks at one speed it lacks at all, but for little: the speeds come one after the other, and share what is
-/// found. It is passing through the factor that costs. So only residuals that count are taken through it: r^H K^-1 r
-/// of the others is at most about r^H r times the largest compliance, r^H K^-1 r / r^H r, that a residual has had so
-/// far. What the basis doesn't contain at all can't be found. The basis must hold the constraint modes of rest and of
-/// the factors' speeds, so that contact nodes may be held in what is added. All raise RunError if a stiffness is not
-/// positive definite on the basis.
+/// Follows the modes of a basis to the modes of the unreduced sector at several speeds, by the generalized Davidson
+/// method (Morgan and Scott 1986) without restart. The factor of a nearby speed is the preconditioner. With r = K x -
+/// omega^2 M x, a mode's omega^2 is too high by about r^H K^-1 r, and K^-1 r is what the basis lacks. What a mode
+/// lacks at one speed it lacks, nearly unchanged, at all speeds, so the speeds are treated one after the other and
+/// share the shapes found. The passes through the factor take most of the time, so only residuals that matter are
+/// taken through it: for the others, r^H K^-1 r is at most about r^H r times the largest compliance, r^H K^-1 r / r^H
+/// r, of any residual so far. A mode that is orthogonal to the basis can't be found. The basis must hold the
+/// constraint modes of rest and of the factors' speeds, so that contact nodes may be held in what is added. All raise
+/// RunError if a stiffness is not positive definite on the basis.
 ///
-/// Why not Trilinos' Anasazi (it has a block Davidson): its space belongs to one operator, so that speeds
-/// could share nothing, and it has no complex adapter here (see cyclic_modes.h).
+/// The block Davidson method of Trilinos' Anasazi isn't used because its space belongs to one operator, so that
+/// speeds could share nothing, and because it has no complex adapter here (see cyclic_modes.h).
 class ModeFollowing {
  public:
   /// The lowest `count` modes; everything must outlive this object.
   ModeFollowing(const CraigBamptonBasis& basis, const SymmetricMatrix& mass, std::vector<SpeedToFollow> speeds,
                 int count);
 
-  /// Estimates the error of each mode at a speed that may err by more than `tolerance`. Shapes that are missing for
-  /// those that do; independent x any number, contact rows of zero.
+  /// Estimates the error of each mode that may err by more than `tolerance` at a speed. Returns the shapes that those
+  /// lack that do; independent x any number, contact rows of zero.
   Eigen::MatrixXcd missing(std::size_t speed, double tolerance);
-  /// One speed after the other, adds what is missing there for all of them. Returns whether anything was.
+  /// Adds, one speed after the other, the shapes that are missing there, for all speeds. Returns whether any was
+  /// missing.
   bool correct(double tolerance);
-  /// Repeats until no mode errs by more. Raises RunError if it doesn't converge.
+  /// Repeats this until no mode errs by more than `tolerance`. Raises RunError if it doesn't converge.
   void converge(double tolerance);
 
   /// All that was added; independent x any number.

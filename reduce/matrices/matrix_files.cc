@@ -33,7 +33,7 @@ class Lines {
   [[noreturn]] void refuse(const std::string& message) const {
     throw InputError(path_.string() + ":" + std::to_string(number_) + ": " + message);
   }
-  /// The numbers of a line, so many.
+  /// The numbers of a line, which must be `count`.
   template <std::size_t count>
   std::array<double, count> numbers(const std::string& line, const char* what) const {
     std::array<double, count> values{};
@@ -88,7 +88,7 @@ void add(Triplets& entries, int row, int column, double value, bool symmetric) {
   if (symmetric && row != column) entries.emplace_back(column, row, value);
 }
 
-/// Columns one after the other, of a symmetric one from the diagonal down.
+/// The columns one after the other; those of a symmetric matrix begin at the diagonal.
 void read_array(Lines& lines, int size, bool symmetric, Triplets& entries) {
   std::string line;
   for (int column = 0; column < size; ++column)

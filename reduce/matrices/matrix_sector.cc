@@ -75,7 +75,7 @@ Matrix read(const std::filesystem::path& path, Eigen::Index size) {
   if (size > 0 && matrix.rows() > size)
     throw InputError(path.string() + ": has " + std::to_string(matrix.rows()) + " rows, K at rest " +
                      std::to_string(size));
-  if (size > 0) matrix.conservativeResize(size, size);  // zeros at the end have no lines
+  if (size > 0) matrix.conservativeResize(size, size);  // a file may leave out rows of zeros at its end
   return matrix;
 }
 
@@ -93,7 +93,7 @@ Eigen::MatrixXd rigid_motions(const Eigen::Matrix3Xd& nodes) {
   return motions;
 }
 
-/// What tells which node and direction each row is.
+/// The files that say which node and direction a row is.
 std::string said_by(const MatrixFiles& files) {
   return files.nodes.string() + (files.dofs.empty() ? "" : " and " + files.dofs.string());
 }
@@ -111,8 +111,8 @@ void require_mass(const Matrix& mass, const MatrixFiles& files, const Eigen::Mat
   throw InputError(message.str());
 }
 
-/// What the middle one of the nodes feels of a rigid motion, over what it would of one node alone: next to nothing,
-/// but near dofs that are left out.
+/// Refuses a K that resists rigid motions. The force that a rigid motion causes in a row, over the diagonal entry of
+/// the row, is next to nothing except near dofs that are left out, so the median over all rows must be small.
 void require_places(const Matrix& stiffness, const MatrixFiles& files, const Eigen::MatrixXd& motions) {
   constexpr double tolerance = 1e-5;
   const Eigen::MatrixXd forces = (stiffness * motions).cwiseAbs();
@@ -133,7 +133,7 @@ void require_places(const Matrix& stiffness, const MatrixFiles& files, const Eig
   }
 }
 
-/// A node that has none of its dofs in the matrices is held.
+/// Sorts the nodes by their places. A node that has none of its dofs in the matrices is clamped.
 void place_nodes(const NodeTable& table, const Eigen::MatrixXi& rows, SectorMesh& mesh) {
   for (int node = 0; node < table.position.cols(); ++node) {
     const int known = static_cast<int>((rows.col(node).array() >= 0).count());
@@ -188,7 +188,7 @@ SymmetricMatrix on_sector_dofs(const Matrix& matrix, const SectorMesh& mesh, con
     for (Matrix::InnerIterator at(matrix, column); at; ++at) {
       const int a = static_cast<int>(at.row()) / directions, to_row = dofs.first[a], to_column = dofs.first[b];
       if (to_row < to_column || to_column < 0) continue;
-      // Its part of the block frame_a' K_ab frame_b.
+      // The part of the block frame_a' K_ab frame_b that comes from this entry.
       const Eigen::Matrix3d block =
           at.value() * frames[a].row(at.row() % directions).transpose() * frames[b].row(column % directions);
       for (int k = 0; k < directions; ++k)

@@ -21,12 +21,13 @@ struct MatrixFiles {
 /// A sector whose K and M another code has made, both cut faces free: mesh.matrices holds them, and it has no cells.
 /// The contact line is the nodes `contact` in the order of the table.
 ///
-/// What is checked, because nothing else would show it: M is positive on its diagonal and gives the same mass in x, y
-/// and z and none between them (rows in another order, K for M); a rigid motion meets no force of K at rest at most
-/// of the nodes (places of other nodes); the cut faces pair. Raises RunError or InputError.
+/// Checks what nothing else would show: M is positive on its diagonal and gives the same mass in x, y and z and none
+/// between them, which finds rows in another order and K in place of M; K at rest meets a rigid motion with no force
+/// at most of the nodes, which finds places that belong to other nodes; and the cut faces pair. Raises RunError or
+/// InputError.
 SectorMesh read_matrix_sector(const MatrixFiles& files, double cyclic_tolerance);
 
-/// One of them on the dofs of the sector, in cylindrical components; its pattern is the same for all.
+/// One of these matrices on the dofs of the sector, in cylindrical components. All have the same pattern.
 SymmetricMatrix on_sector_dofs(const Eigen::SparseMatrix<double>& matrix, const SectorMesh& mesh,
                                const SectorDofs& dofs);
 

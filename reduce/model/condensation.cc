@@ -12,8 +12,8 @@ namespace {
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// In this basis K has no coupling: fixed-interface modes do no work on constraint modes. What is known to be zero,
-/// or one, isn't multiplied out.
+/// In this basis K has no coupling: fixed-interface modes do no work on constraint modes. Entries that are known to
+/// be zero or one aren't computed.
 template <class Scalar>
 CondensedModel in_second_basis(const Matrix<Scalar>& K, const Matrix<Scalar>& M, Eigen::Index contact,
                                Eigen::Index modes) {

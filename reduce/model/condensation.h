@@ -17,10 +17,11 @@ struct CondensedModel {
   Eigen::VectorXd natural_frequencies() const;
 };
 
-/// A second Craig-Bampton inside the reduced model, at one speed [rad/s] (Craig and Bampton 1968). A basis that must
-/// serve all speeds holds the modes of several; at any one speed far fewer will do: it leaves out the highest
-/// frequencies, which cost a march its steps, at hardly any loss. `modes` of 0, or as many as there are, leave the
-/// model as it is. Milliseconds: one dense eigenproblem of the generalized dofs.
+/// A second Craig-Bampton inside the reduced model, at one speed [rad/s] (Craig and Bampton 1968). A basis that
+/// serves all speeds holds the modes of several; at any one speed far fewer suffice. Leaving out the highest
+/// frequencies lets a march take larger steps and loses hardly any accuracy. With `modes` of 0, or of at least the
+/// number of generalized dofs, the model stays as it is. Costs one dense eigenproblem of the generalized dofs, which
+/// takes milliseconds.
 CondensedModel condense(const NodalDiameterModel& model, double speed, int contact_dofs, int modes);
 
 }  // namespace tiprub

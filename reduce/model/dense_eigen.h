@@ -6,7 +6,7 @@
 
 namespace tiprub {
 
-/// Of a product T^H Y T, which is Hermitian but for rounding.
+/// Takes the rounding errors out of a product T^H Y T, which is Hermitian in exact arithmetic.
 inline Eigen::MatrixXcd hermitian_part(const Eigen::MatrixXcd& matrix) {
   return 0.5 * (matrix + matrix.adjoint());
 }
@@ -20,8 +20,8 @@ struct Eigenpairs {
 using RealEigenpairs = Eigenpairs<double>;
 using ComplexEigenpairs = Eigenpairs<std::complex<double>>;
 
-// Dense eigenproblems of all programs. They are solved in one unit, because the solvers take long to compile. Of a
-// problem that can't be solved all values are NaN.
+// The dense eigenproblems of all programs are solved in one unit, because the solvers take long to compile. If a
+// problem can't be solved, all values are NaN.
 
 /// A x = lambda x of a Hermitian A, of which the lower triangle is read; vectors of unit length.
 RealEigenpairs eigenpairs(const Eigen::MatrixXd& A);

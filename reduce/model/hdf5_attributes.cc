@@ -12,7 +12,7 @@ namespace tiprub {
 
 namespace {
 
-/// Open, and a single value: a scalar or an array of one.
+/// Opens an attribute, which must hold a single value, as a scalar or as an array of one.
 Hdf5Id single(hid_t object, const std::string& name) {
   Hdf5Id attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
   const Hdf5Id space(H5Aget_space(attribute), H5Sclose);

@@ -28,7 +28,8 @@ Hdf5Shape extents_of(hid_t set) {
   return hdf5_extents(Hdf5Id(H5Dget_space(set), H5Sclose));
 }
 
-/// How many values a dataset holds, as far as the machine could hold them: a damaged one may name any shape.
+/// The number of values of a dataset. Raises std::bad_alloc if they are more than the machine could hold, because a
+/// damaged dataset may have any shape.
 std::size_t affordable_count(hid_t set, std::size_t bytes_each) {
   const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   const double count = hdf5_filled_count(set);
@@ -47,7 +48,7 @@ bool has_real_member(hid_t type, unsigned place, const std::string& wanted) {
   return named_so && H5Tget_member_class(type, place) == H5T_FLOAT;
 }
 
-/// HDF5 fills what members of the same names find, and leaves the rest as it was.
+/// Must be known before reading: HDF5 fills members of the same names, and leaves the others as they were.
 bool is_complex(hid_t set) {
   const Hdf5Id type(H5Dget_type(set), H5Tclose);
   return H5Tget_nmembers(type) == 2 && has_real_member(type, 0, "r") && has_real_member(type, 1, "i");
@@ -56,13 +57,13 @@ bool is_complex(hid_t set) {
 }  // namespace
 
 Hdf5Id hdf5_packed_creation(hid_t type, const Hdf5Shape& shape) {
-  constexpr hsize_t least = 4096;  // bytes: what is smaller loses more by a chunk's table than it gains
+  constexpr hsize_t least = 4096;  // bytes; a smaller dataset would lose more by a chunk's table than it gains
   constexpr hsize_t chunk_size = hsize_t{1} << 20;  // bytes: HDF5's cache holds one
-  constexpr unsigned fastest = 1;                   // more gains a fiftieth
+  constexpr unsigned fastest = 1;                   // higher levels gain a fiftieth
   Hdf5Id creation = hdf5_dataset_creation();
   hsize_t row = H5Tget_size(type);
   for (std::size_t i = 1; i < shape.size(); ++i) row *= shape[i];
-  const bool text = H5Tget_class(type) == H5T_STRING;  // elsewhere in the file: what stands here are pointers
+  const bool text = H5Tget_class(type) == H5T_STRING;  // stands elsewhere in the file; the dataset holds pointers
   if (text || shape.empty() || row * shape.front() < least) return creation;
   const hsize_t chunks = std::min((row * shape.front() + chunk_size - 1) / chunk_size, shape.front());
   Hdf5Shape chunk = shape;

@@ -9,7 +9,8 @@ namespace tiprub {
 
 namespace {
 
-/// Silent, and without HDF5's own clean-up at exit: after a full disk that tries again to write, and crashes.
+/// Makes HDF5 silent, and leaves out its own clean-up at exit, which tries to write again after a full disk, and
+/// crashes.
 void prepare_library() {
   static const herr_t left_to_us = H5dont_atexit();  // counts only before the library's first use
   static_cast<void>(left_to_us);

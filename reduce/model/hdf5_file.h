@@ -21,22 +21,23 @@ struct Array {
 };
 
 /// A facade of HDF5 for the files between the stages. Names are absolute paths inside the file ("/contact/position");
-/// groups on the way are made as needed. Same content, same bytes: object times are off.
-/// Everything raises RunError with "file: dataset: what is wrong".
+/// groups on the way are made as needed. The same content gives the same bytes, because object times are off. All
+/// functions raise RunError with "file: dataset: what is wrong".
 class Hdf5File {
  public:
   /// How a file's datasets are stored.
   enum class Storage {
     plain,            ///< contiguous; the unit is the attribute `unit`
     netcdf,           ///< as netCDF-4 tools expect: large ones in chunks, shuffled and deflated; the unit is `units`
-    netcdf_unpacked,  ///< the same, contiguous: for what is soon read and removed
+    netcdf_unpacked,  ///< the same, contiguous, for files that are soon read and removed
   };
   static Hdf5File create(const std::filesystem::path& path, Storage storage = Storage::plain);
   static Hdf5File open(const std::filesystem::path& path);
   ~Hdf5File();
   Hdf5File(Hdf5File&&) noexcept;
   Hdf5File& operator=(Hdf5File&&) noexcept;
-  /// Writes what HDF5 still holds back. A writer's last step: destructors can't report a full disk. Raises RunError.
+  /// Writes what HDF5 still holds back. It must be a writer's last step, because destructors can't report a full
+  /// disk. Raises RunError.
   void close();
 
   /// Attributes of a group or dataset; "/" is the file itself.
@@ -48,7 +49,7 @@ class Hdf5File {
   int integer_attribute(const std::string& object, const std::string& name) const;
   bool has_attribute(const std::string& object, const std::string& name) const;
 
-  /// A text of any length, as a dataset: an attribute holds 64 KB.
+  /// Writes a text of any length as a dataset, because an attribute holds only 64 KB.
   void write_text(const std::string& name, const std::string& text);
   /// A text that write_text() wrote, or, in older files, the attribute of that name of its group.
   std::string read_text(const std::string& name) const;
@@ -73,7 +74,7 @@ class Hdf5File {
   enum class Number { real, complex };
   void make_slices(const std::string& name, const std::vector<std::size_t>& shape, Number number,
                    const std::string& unit);
-  /// Of real slices the imaginary parts are left out.
+  /// For real slices the imaginary parts are ignored.
   void write_slice(const std::string& name, std::size_t index, const std::vector<std::complex<float>>& values);
   std::vector<std::complex<float>> read_slice(const std::string& name, std::size_t index) const;
   std::vector<std::size_t> shape_of(const std::string& name) const;
@@ -99,7 +100,7 @@ class Hdf5File {
  private:
   struct Handle;
   Hdf5File(std::string path, std::unique_ptr<Handle> handle);
-  /// Does it; what HDF5 raises becomes a RunError with this complaint.
+  /// Calls `body`; a failure of HDF5 becomes a RunError with this complaint.
   template <class Body>
   auto attempt(const std::string& object, const std::string& complaint, const Body& body) const;
   [[noreturn]] void fail(const std::string& object, const std::string& what) const;

@@ -12,25 +12,25 @@
 
 #include "reduce/model/hdf5_file.h"
 
-// What the facade's own files share: HDF5's headers reach nobody else.
+// Shared by the facade's own .cc files only, so that HDF5's headers reach no other code.
 namespace tiprub {
 
 using Hdf5Shape = std::vector<hsize_t>;
 
-/// Something that HDF5 refused; Hdf5File::attempt() tells what was tried.
+/// A call of HDF5 that failed. Hdf5File::attempt() adds what was tried.
 class Hdf5Failure : public std::exception {
  public:
   const char* what() const noexcept override { return "HDF5 failed"; }
 };
 
-/// What a call of HDF5 gave back: an id, a count, a truth. Raises Hdf5Failure if the call failed.
+/// Passes on what a call of HDF5 returned (an id, a count, a truth value). Raises Hdf5Failure if the call failed.
 template <class Result>
 Result hdf5_checked(Result result) {
   if (result < 0) throw Hdf5Failure();
   return result;
 }
 
-/// An open object of HDF5. Its destructor can't report what the disk did not take: what was written to is closed by
+/// An open object of HDF5. Its destructor can't report a full disk, so an object that was written to is closed by
 /// close().
 class Hdf5Id {
  public:
@@ -48,7 +48,7 @@ class Hdf5Id {
     if (id_ >= 0) close_(id_);
   }
 
-  /// Raises Hdf5Failure if HDF5 still held something back and can't write it; the object is gone all the same.
+  /// Raises Hdf5Failure if HDF5 still held something back and can't write it; the object is closed in any case.
   void close() { hdf5_checked(close_(std::exchange(id_, H5I_INVALID_HID))); }
   operator hid_t() const { return id_; }
 
@@ -69,10 +69,10 @@ Hdf5Id hdf5_complex_type(hid_t real) {
 Hdf5Shape hdf5_extents(hid_t space);
 /// "3 x 4", "scalar".
 std::string hdf5_shape_text(const Hdf5Shape& shape);
-/// How many values a dataset has. Raises std::length_error if they are more than the file can hold: of what was never
-/// written HDF5 gives zeros, terabytes of them.
+/// How many values a dataset has. Raises std::length_error if they are more than the file can hold, because HDF5
+/// returns zeros, maybe terabytes of them, for values that were never written.
 double hdf5_filled_count(hid_t set);
-/// Of an object that hasn't it yet: one value, or one text.
+/// Adds an attribute of one value or one text, which the object must not have yet.
 void hdf5_add_attribute(hid_t object, const std::string& name, hid_t type, const void* value);
 void hdf5_add_attribute(hid_t object, const std::string& name, const std::string& text);
 /// The type of a text of fixed length.
@@ -109,23 +109,23 @@ struct Hdf5File::Handle {
     body(at);
     at.close();
   }
-  /// A type as the file has it by name, given to it if it hasn't: netCDF passes over compounds without one.
+  /// The type that the file has under a name; it is added if it isn't there. netCDF ignores compounds without a name.
   Hdf5Id named(const std::string& name, Hdf5Id type) const;
-  /// A new dataset, with nothing in it; with an empty unit none.
+  /// Makes a new dataset without values, and without an attribute for the unit if that is empty.
   Hdf5Id make(const std::string& name, hid_t type, const Hdf5Shape& shape, hid_t creation,
               const std::string& unit) const;
-  /// The same, with all its values, closed.
+  /// Makes a dataset, writes all its values and closes it.
   void write(const std::string& name, hid_t type, const Hdf5Shape& shape, const void* values,
              const std::string& unit) const;
-  /// Texts of any length, which netCDF reads; of those of fixed length it dies.
+  /// Writes texts of variable length; netCDF crashes on texts of fixed length.
   void write_texts(const std::string& name, const Hdf5Shape& shape, const std::vector<const char*>& texts) const;
 };
 
-/// Touches what a reader may touch, in a process of its own: HDF5 follows damaged tables to wherever they point, and
-/// may die of it. Raises RunError then; what HDF5 itself refuses is left to the reader.
+/// Reads, in a process of its own, all that a reader may read: HDF5 follows damaged tables wherever they point, and
+/// may crash. Raises RunError if it does. What HDF5 itself refuses is left to the reader.
 void hdf5_require_harmless(const std::string& path);
 
-/// Of a dataset whose times are not kept: same content, same bytes.
+/// The creation properties of a dataset without times, so that the same content gives the same bytes.
 Hdf5Id hdf5_dataset_creation();
 /// The same, in chunks, shuffled and deflated, if it is large enough to gain by it.
 Hdf5Id hdf5_packed_creation(hid_t type, const Hdf5Shape& shape);

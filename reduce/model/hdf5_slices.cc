@@ -21,7 +21,7 @@ bool is_compound(hid_t set) {
   return H5Tget_class(Hdf5Id(H5Dget_type(set), H5Tclose)) == H5T_COMPOUND;
 }
 
-/// Selects one slice of a dataset's space; the space of the slice alone.
+/// Selects one slice of a dataset's space. Returns the space of that slice.
 Hdf5Id select_slice(hid_t space, std::size_t index) {
   Hdf5Shape count = hdf5_extents(space);
   if (count.empty() || index >= count.front()) throw Hdf5Failure();

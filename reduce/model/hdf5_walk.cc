@@ -12,7 +12,8 @@ namespace {
 constexpr SandboxLimits limits = {1024.0 * 1024 * 1024, 50};
 constexpr double most_read = 1 << 25;  // values of one dataset; more is not tried
 
-/// Whether the bits of a number, or of a compound's, lie within it: HDF5 converts what lies beyond as well.
+/// Whether the bit fields of a number, or of a compound's numbers, lie within its bytes. HDF5 would also convert bits
+/// that lie beyond.
 bool is_sound(hid_t type) {
   const H5T_class_t kind = H5Tget_class(type);
   if (kind == H5T_COMPOUND) {
@@ -40,7 +41,7 @@ Hdf5Id type_in_memory(hid_t type) {
   return {H5Tcopy(number ? H5T_NATIVE_DOUBLE : type), H5Tclose};
 }
 
-/// Whether what was written of a dataset has the size that is read of it: HDF5 reads beyond.
+/// Whether a dataset has as many bytes in the file as its shape takes. HDF5 would read beyond them.
 bool is_whole(hid_t set, hid_t type, hid_t space) {
   const Hdf5Id creation(H5Dget_create_plist(set), H5Pclose);
   const auto size = static_cast<hsize_t>(H5Tget_size(type));
@@ -57,7 +58,7 @@ bool is_whole(hid_t set, hid_t type, hid_t space) {
   return stored == bytes;
 }
 
-/// Reads it. False if that does harm that HDF5 survives.
+/// Reads a dataset. Returns false if it is damaged in a way that HDF5 wouldn't notice.
 bool touch_dataset(hid_t set) {
   const Hdf5Id type(H5Dget_type(set), H5Tclose), space(H5Dget_space(set), H5Sclose);
   if (!is_sound(type) || !is_whole(set, type, space)) return false;

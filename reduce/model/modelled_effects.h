@@ -9,7 +9,7 @@ namespace tiprub {
 
 class Hdf5File;
 
-/// What bears on the motion of a wheel that rubs, or on how exactly that is computed.
+/// An effect on the motion of a wheel that rubs, or on the accuracy with which it is computed.
 enum class Effect {
   normal_contact,
   friction,
@@ -42,7 +42,7 @@ enum class Treatment {
   left_out,
 };
 
-/// What a model or a scene makes of one effect. The program that knows it says so: reduce in model.h5, simulate in
+/// How a model or a scene treats one effect. The program that knows it writes it: reduce in model.h5, simulate in
 /// response.h5; postprocess adds the sizes that it can estimate.
 struct ModelledEffect {
   Effect effect = Effect::normal_contact;

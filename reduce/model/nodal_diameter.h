@@ -21,12 +21,12 @@ constexpr bool is_standing(int nodal_diameter, int sector_count) {
   return wave_kind(nodal_diameter, sector_count) == WaveKind::standing;
 }
 
-/// Members of a nodal diameter in each modal family of the wheel: a wave that travels counts twice.
+/// The number of modes of a nodal diameter in each modal family of the wheel: a travelling wave counts twice.
 constexpr int wave_count(int nodal_diameter, int sector_count) {
   return is_standing(nodal_diameter, sector_count) ? 1 : 2;
 }
 
-/// e^{i n j alpha}, alpha = 2 pi / N: what a wave of nodal diameter n is multiplied with from sector 0 to sector j.
+/// e^{i n j alpha}, alpha = 2 pi / N: the factor by which a wave of nodal diameter n on sector j is that on sector 0.
 /// The angle is reduced in whole numbers, so that equal sectors are equal to the last bit.
 inline std::complex<double> sector_phase(int nodal_diameter, int sector, int sector_count) {
   const auto turn = static_cast<double>(std::int64_t{nodal_diameter} * sector % sector_count);

@@ -63,12 +63,13 @@ void check(const NodalDiameterModel& model, int contact_dofs, bool real, const s
   require(Eigen::LLT<Eigen::MatrixXcd>(model.M).info() == Eigen::Success, where + "/M is not positive definite");
 }
 
-/// In the meridional plane (r, z) the arc from one contact node to the next is no shorter than the way straight
-/// across, and not much longer.
+/// In the meridional plane (r, z) the arc from one contact node to the next must not be shorter than the straight
+/// line between them, nor much longer.
 void check_step(const ContactLine& contact, Eigen::Index k, const std::string& name) {
   const double along = contact.arc_length[k] - contact.arc_length[k - 1];
   require(along > 0, name + ": /contact/arc_length must increase from the leading edge");
-  // A splitter's is that of the main blade's line beside it: the ways of the two differ where they bend.
+  // A splitter has the arc lengths of the main blade's line beside it, which differ from its own where the lines
+  // bend.
   const double tolerance = k > contact.trailing_edge() ? half_circle - 1 : arc_tolerance;
   const Eigen::RowVector3d step = contact.position.row(k) - contact.position.row(k - 1);
   const double across = std::hypot(step[0], step[2]);

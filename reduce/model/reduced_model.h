@@ -24,9 +24,9 @@ struct NodalDiameterModel {
   Eigen::VectorXd natural_frequencies(double speed) const;
 };
 
-/// What the loaded shape changes in the stiffness.
+/// How the loaded shape changes the stiffness.
 enum class Prestress {
-  given,        ///< whatever the matrices hold that came with the sector, or with a model by hand
+  given,        ///< as it is in the matrices that came with the sector, or with a model made by hand
   stress_only,  ///< K0 + Omega^2 (K_sigma - M_perp): the stress of the linear static solution, on the shape at rest
   linear,       ///< material stiffness at F = I + grad u of the linear static solution, plus its K_sigma: what
                 ///< CalculiX does after a linear static step; then quadratic in Omega^2, exactly as eq. 7
@@ -81,12 +81,13 @@ struct Verification {
 /// What ReducedModel::stiffness_under_spin() ends with where K(Omega) holds no spin softening.
 inline constexpr const char* without_spin_softening = ", without spin softening";
 
-/// What happens to a rotor between its stages: a small model that knows its speed. Schema "tiprub-model".
+/// A small model of a rotor that holds for all its speeds: what reduce hands on to the other programs. Schema
+/// "tiprub-model".
 struct ReducedModel {
   int sector_count = 0;    ///< N
   double speed_max = 0;    ///< [rad/s] the model holds for 0 .. speed_max
-  int modes_at_speed = 0;  ///< generalized dofs that do at any one speed (see condensation.h); 0: all of them
-  Prestress prestress = Prestress::given;  ///< how K1, K2 came to be
+  int modes_at_speed = 0;  ///< generalized dofs that suffice at any one speed (see condensation.h); 0: all of them
+  Prestress prestress = Prestress::given;  ///< how K1, K2, ... were made
   SpinSoftening spin_softening = SpinSoftening::on;
   ContactLine contact;
   std::vector<NodalDiameterModel> nodal_diameters;  ///< n = 0 .. floor(N/2): the blocks of Bdiag, eq. 12
@@ -102,7 +103,7 @@ struct ReducedModel {
   std::string stiffness_under_spin() const;
 };
 
-/// What the matrices of a model hold of the effects on a wheel, and what they leave out.
+/// The effects on a wheel that the matrices of a model hold, and those that they leave out.
 std::vector<ModelledEffect> effects_of(const ReducedModel& model);
 
 /// Raises RunError (prefixed by `name`) if a shape is wrong, a matrix is not Hermitian, a mass is not positive

@@ -36,7 +36,7 @@ std::string shift_name(int power) {
   return shift_stem + std::to_string(power);
 }
 
-/// A model by hand may leave units out, but not mean others.
+/// A model made by hand may leave units out, but must not use others.
 void require_unit(const Hdf5File& file, const std::string& name, const std::string& unit) {
   if (!file.has_attribute(name, "unit")) return;
   if (const std::string found = file.text_attribute(name, "unit"); found != unit)
@@ -51,7 +51,7 @@ Eigen::MatrixX3d read_triples(const Hdf5File& file, const std::string& name, con
   return table;
 }
 
-/// A model by hand may leave out what is zero.
+/// A model made by hand may leave out terms that are zero.
 void read_static_shift(const Hdf5File& file, ContactLine& contact) {
   const Eigen::MatrixX3d zero = Eigen::MatrixX3d::Zero(contact.arc_length.size(), 3);
   std::set<std::string> known;
@@ -72,7 +72,7 @@ Eigen::MatrixXcd read_matrix(const Hdf5File& file, const std::string& name, cons
   return matrix;
 }
 
-/// What has another name would be left out of the model without a word.
+/// Refuses members of other names, which would otherwise be ignored without a message.
 void require_known_members(const Hdf5File& file, const std::string& group) {
   std::set<std::string> known = {"M", "K0", "K1", "K2"};
   for (int k = 3; file.exists(group + "/K" + std::to_string(k)); ++k) known.insert("K" + std::to_string(k));
@@ -101,7 +101,7 @@ ContactKind read_contact_kind(const Hdf5File& file) {
   throw RunError(file.path() + ": attribute `contact` is \"" + name + "\", must be \"points\" or \"segments\"");
 }
 
-/// A model by hand may leave both out; older files tell the softening in the text of the prestress.
+/// A model made by hand may leave both out. Older files name the softening in the text of the prestress.
 void read_stiffness_under_spin(const Hdf5File& file, ReducedModel& model) {
   if (!file.has_attribute("/", "prestress")) return;
   std::string prestress = file.text_attribute("/", "prestress");

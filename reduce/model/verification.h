@@ -12,9 +12,9 @@ struct ModelError {
   double speed = 0;     ///< [rad/s] where it is
 };
 
-/// Of the wheel's first frequencies (nodal diameters strictly between 0 and N/2 count twice) at most `most`, as many
-/// as the paper counts, and only as far as every nodal diameter has some: above the lowest of their last ones, a
-/// frequency may be missing.
+/// The error of at most `most` of the wheel's first frequencies (the paper counts 50), of which those of nodal
+/// diameters strictly between 0 and N/2 count twice. Frequencies above the lowest of the nodal diameters' last ones
+/// are left out, because others may be missing there.
 ModelError model_error(const ReducedModel& model, int most = 50);
 
 }  // namespace tiprub

@@ -15,7 +15,7 @@ namespace tiprub {
 
 namespace {
 
-// Of a solve: enough to hide the pass through the factor, little to hold.
+// Columns of one solve: enough to share the cost of a pass through the factor, and few enough to take little memory.
 constexpr Eigen::Index columns_at_once = 24;
 
 /// Real and imaginary parts side by side: real operators then work on one real matrix. A standing wave has no

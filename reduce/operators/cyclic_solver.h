@@ -8,16 +8,16 @@
 
 namespace tiprub {
 
-/// What holds the contact nodes, or the displacements of the contact segments.
+/// Whether the contact nodes, or the displacements of the contact segments, are held.
 enum class ContactNodes { free, fixed };
 
 /// Solves T^H K T x = b of one nodal diameter (eq. 6) from the one factor of the sector's K. Only the Schur
-/// complement on cut faces and contact nodes knows of the phase: a dense Cholesky factorization a nodal diameter, and
-/// two passes through the sector's factor for each block of right sides.
+/// complement on cut faces and contact nodes depends on the phase. A nodal diameter costs a dense Cholesky
+/// factorization of it, and each block of right sides two passes through the sector's factor.
 ///
-/// Contact nodes are rows of it. Segments, B' u = q, aren't: with Psi = K^-1 B (B' K^-1 B)^-1, the shapes that move
-/// one by one and the others not, a solution with all of them held is x - Psi B' x. Costs a solve a segment at the
-/// start, and leaves the factor as it is.
+/// Contact nodes are rows of the Schur complement; segments, B' u = q, are not. Psi = K^-1 B (B' K^-1 B)^-1 holds the
+/// shapes in which one segment moves and the others don't, so x - Psi B' x is the solution with all segments held.
+/// This costs one solve for each segment at the start, and leaves the factor as it is.
 class CyclicSolver {
  public:
   /// Raises RunError if K of this nodal diameter is not positive definite.

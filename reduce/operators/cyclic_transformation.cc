@@ -70,7 +70,8 @@ auto parts(const Columns& columns) {
     return columns;
 }
 
-/// Calls body(first, count) for some rows at a time: in the cache the orders of a strip and of columns don't matter.
+/// Calls body(first, count) for some rows at a time, so that the change of order between a strip and columns stays in
+/// the cache.
 template <class Body>
 void in_cache(Eigen::Index rows, const Body& body) {
   constexpr Eigen::Index at_once = 256;

@@ -6,7 +6,7 @@
 
 namespace tiprub {
 
-/// What is held at once.
+/// What a reduction holds at once.
 struct Holdings {
   int factors = 0;      ///< of the sector's K
   int stiffnesses = 0;  ///< sparse K of the sector
@@ -19,7 +19,7 @@ struct MemoryNeed {
   double factor = 0;    ///< L of each speed, its interface part, and a nodal diameter's dense factors
   double bases = 0;     ///< vectors of the nodal diameters at work, and those on their way through a factor
   double matrices = 0;  ///< sparse K and M, the shape functions at the Gauss points, and the program itself
-  double threads = 0;   ///< that they map, their stacks and the BLAS's buffers, most of which is never touched
+  double threads = 0;   ///< address space of their stacks and of the BLAS's buffers, most of which is never touched
 
   double total() const { return factor + bases + matrices; }
 };
@@ -33,8 +33,8 @@ MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Hol
 /// may be mapped.
 void require_memory(const MemoryNeed& need, double available, double mappable);
 
-/// Requires the memory that the work will take, and starts the BLAS's threads. OpenBLAS tries for ever to map a
-/// buffer that a limit leaves no room for: nothing may call it before.
+/// Requires the memory that the work will take, and starts the BLAS's threads. Nothing may call the BLAS before this:
+/// OpenBLAS tries for ever to map a buffer for which a limit leaves no room.
 void start_threads(const MemoryNeed& need, int threads);
 
 }  // namespace tiprub

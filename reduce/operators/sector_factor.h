@@ -13,8 +13,8 @@ namespace tiprub {
 /// With I the interior and F the interface dofs (both cut faces and the contact nodes), P K P' = L L' is a supernodal
 /// Cholesky factorization (CHOLMOD; Chen, Davis, Hager, Rajamanickam 2008) in which the interface comes last. Then
 /// L_FF L_FF' is the Schur complement S = K_FF - K_FI K_II^-1 K_IF. A nodal diameter couples interface dofs only, so
-/// what depends on it is a small dense matrix made from S (see cyclic_solver.h). Six factorizations would cost five
-/// times as much and give the same digits.
+/// what depends on it is a small dense matrix made from S (see cyclic_solver.h). A factorization for each of six
+/// nodal diameters would cost five times as much and give the same digits.
 ///
 /// A sector with free cut faces need not be positive definite at speed: a multiple of the identity is added to K_FF
 /// before, and taken from S afterwards. K_II indefinite means that the rotor is unstable.

@@ -20,7 +20,7 @@ inline std::string name_of_speed(double speed) {
   return "at " + std::to_string(std::lround(speed * rpm_per_rad_s)) + " rpm";
 }
 
-/// Does what is to be done at a speed [rad/s]; a RunError then says at which.
+/// Calls `body`, and adds the speed [rad/s] to the message of a RunError.
 template <class Body>
 auto at_speed(double speed, const Body& body) {
   try {
@@ -38,8 +38,8 @@ class PolynomialFit {
   /// Speeds [rad/s], ascending from zero.
   explicit PolynomialFit(const std::vector<double>& speeds);
 
-  /// From Y, matrices or vectors, at the speeds. With many terms the inverse of their matrix loses
-  /// digits: what the sum then misses of Y at the speeds is taken for Y once more (iterative refinement).
+  /// From Y, matrices or vectors, at the speeds. With many terms the inverse of their matrix loses digits, so the
+  /// misfit at the speeds is fitted again (iterative refinement).
   template <class Matrix>
   SpeedPolynomial<Matrix, 0> through(const std::vector<Matrix>& samples) const;
   /// Y(Omega) as a sum of Y at the speeds: the weight of each.
@@ -86,8 +86,8 @@ SpeedPolynomial<Matrix, 0> PolynomialFit::through(const std::vector<Matrix>& sam
   return Y;
 }
 
-/// Where, over Omega_max, the basis is corrected by modes that it may miss: between the speeds that made it,
-/// and at full speed, whose modes it has from one inverse iteration.
+/// The speeds over Omega_max at which the basis is corrected: between those that made it, and at full speed, of which
+/// it knows the modes by one inverse iteration only.
 inline constexpr std::array corrected_speeds = {0.25, 0.5, 0.75, 1.0};
 
 /// [rad/s] of fractions of Omega_max.
@@ -97,9 +97,9 @@ std::vector<double> speeds_at(std::vector<double> fractions, double speed_max);
 /// steps keep all of them.
 std::vector<double> chebyshev_fractions(int steps);
 
-/// The speeds, as fractions of Omega_max, at which a sector's K is assembled. First those that eq. 7 goes through: it
-/// is exact for K of the shapes that a SpinShape has, so that any speeds do. Then, with nonlinear prestress, those at
-/// which K of the equilibrium itself is wanted beside.
+/// The speeds, as fractions of Omega_max, at which a sector's K is assembled. The first are those that eq. 7 goes
+/// through. It is exact for K of the shapes of a SpinShape, so any speeds serve. With nonlinear prestress the speeds
+/// follow at which K of the equilibrium itself is needed.
 class SpeedSamples {
  public:
   /// `shape_terms` of the SpinShape.

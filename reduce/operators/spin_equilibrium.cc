@@ -87,7 +87,7 @@ SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const Sec
   found.residual = balance.norm(force) / scale;
   while (found.residual > tolerance) {
     if (++found.iterations > most_newton_steps) break;
-    // As exact as Newton's next step will be, no more.
+    // The linear step needs no more accuracy than Newton's next step will have.
     const double accuracy = std::min(coarsest_solution, found.residual);
     const Eigen::VectorXcd step =
         balance.solve(balance.tangent(found.displacement), force, accuracy).cast<std::complex<double>>();

@@ -28,8 +28,8 @@ struct SpinEquilibrium {
 SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const SectorMesh& mesh,
                                  const CyclicSolver& nearby, double speed, const Eigen::VectorXd& guess);
 
-/// What a shape (sector dofs) [m] leaves of the load at a speed [rad/s]: the residual of spin_equilibrium(), 0 in
-/// balance. Costs the forces and two solves.
+/// The share of the load at a speed [rad/s] that a shape (sector dofs) [m] leaves out of balance: the residual of
+/// spin_equilibrium(). Costs the forces and two solves.
 double spin_imbalance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
                       double speed, const Eigen::VectorXd& shape);
 
@@ -39,9 +39,9 @@ struct KnownShape {
   Eigen::VectorXd over_square;  ///< [m s^2] displacement over Omega^2; sector dofs
 };
 
-/// spin_equilibrium() from the shape at a lower speed, which grows with Omega^2; where Newton's method doesn't find
-/// the way from there, over one or more speeds in between. Raises RunError, with the first speed that it doesn't
-/// reach.
+/// Runs spin_equilibrium() from the shape at a lower speed, scaled with Omega^2. Where Newton's method doesn't
+/// converge from there, it goes over one or more speeds in between. Raises RunError, with the first speed that it
+/// doesn't reach.
 SpinEquilibrium climb(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
                       const KnownShape& from, double speed, int halvings = 3);
 

@@ -53,7 +53,7 @@ class ShapeFit {
     return known.at[speed] = found.displacement;
   }
 
-  /// Where twice as many terms would have their new speeds.
+  /// The largest imbalance at the speeds that twice as many terms would add.
   double imbalance(int terms) const {
     double largest = 0;
     const std::vector<double> finer = speeds_at(chebyshev_fractions(2 * terms), parameters_.speed_max);

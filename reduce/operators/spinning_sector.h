@@ -28,24 +28,24 @@ struct SpinShape {
   SpinShapes equilibria;  ///< at the verification speeds, and at those that it goes through
 };
 
-/// As many terms as `polynomial_speeds` says or, with 0, as it takes: 1, 2, 4 or 8, the first that leaves less than
-/// `polynomial_tolerance` of the load out of balance, or 8. Their speeds are Chebyshev's of Omega^2 on 0 ..
-/// Omega_max, of which each choice keeps those of the one before. `at_rest` is K(0) of nodal diameter 0. Raises
-/// RunError, with the speed, where there is no equilibrium.
+/// Its number of terms follows from `polynomial_speeds`. If that is 0, it is the first of 1, 2, 4 and 8 that leaves
+/// less than `polynomial_tolerance` of the load out of balance, or 8. The polynomial goes through the equilibria at
+/// Chebyshev's points of Omega^2 on 0 .. Omega_max; each number of terms keeps the points of the one before.
+/// `at_rest` is K(0) of nodal diameter 0. Raises RunError, with the speed, where there is no equilibrium.
 SpinShape spin_shape(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& at_rest,
                      const ReductionParameters& parameters);
 
-/// A sector's M, its shape under spin, and K at any speed. First K at rest; with its factor, spin() gives the rest.
-/// Of a sector that is given by its matrices the shape under spin isn't known, and zero.
+/// A sector's M, its shape under spin, and K at any speed. K at rest is assembled at once; spin() and sample() need
+/// its factor. The shape under spin of a sector that is given by its matrices isn't known; it is taken to be zero.
 class SpinningSector {
  public:
   /// All arguments must outlive the sector.
   SpinningSector(const SectorMesh& mesh, const SectorDofs& dofs, const ReductionParameters& parameters);
 
-  /// The shape under spin; `transform` is that of nodal diameter 0. Returns at which speeds K is to be sampled.
-  /// Raises RunError, with the speed.
+  /// Finds the shape under spin; `transform` is that of nodal diameter 0. Returns the speeds at which K is to be
+  /// sampled. Raises RunError, with the speed.
   const SpeedSamples& spin(const SectorFactor& factor_at_rest, const CyclicTransformation& transform);
-  /// K there, and what assembles it released: it is large.
+  /// Assembles K at these speeds, and releases the elements' data, which are large.
   void sample();
 
   const SymmetricMatrix& mass() const { return mass_; }

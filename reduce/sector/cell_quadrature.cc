@@ -38,7 +38,7 @@ Key sorted(Key key) {
   return key;
 }
 
-/// Whether neighbours agree: about the nodes in the middle of what they share, and about faces.
+/// Checks that neighbours agree about the mid-side nodes and the faces that they share.
 class Neighbours {
  public:
   explicit Neighbours(const SectorMesh& mesh) : mesh_(mesh) {}
@@ -56,7 +56,7 @@ class Neighbours {
     }
   }
 
-  /// A quadrangle that one cell has alone, against triangles that one cell has alone.
+  /// Refuses a quadrangle of only one cell that has the place of triangles of only one cell.
   void require_closed() const {
     std::set<Key> triangles;
     for (const auto& [corners, cells] : faces_)

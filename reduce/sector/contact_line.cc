@@ -37,12 +37,12 @@ Eigen::Vector2d tangent(const SectorMesh& mesh, const std::vector<int>& line, co
          meridional(mesh.nodes.col(line[middle + 1])) * ((s - a) + (s - b)) / ((c - a) * (c - b));
 }
 
-/// Whether a normal at a node leads out of the blade: of the nodes that it shares cells with, the one that lies best
-/// in line with the normal lies behind. Most of them may lie before it, where the tip bends towards the casing and
-/// the cells are flat.
+/// Whether a normal at a node points out of the blade. Of the nodes that share a cell with it, the one that is most
+/// nearly in line with the normal must lie behind it. Most of them may lie in front, where the tip bends towards the
+/// casing and the cells are flat.
 bool leads_outward(const SectorMesh& mesh, int node, const std::vector<int>& neighbours,
                    const Eigen::Vector2d& normal) {
-  constexpr double round_the_axis = 1e-6;  // of the largest distance: that is no way in the meridional plane
+  constexpr double round_the_axis = 1e-6;  // of the largest distance; a shorter way leads round the axis
   Eigen::Matrix2Xd ways(2, neighbours.size());
   for (std::size_t k = 0; k < neighbours.size(); ++k)
     ways.col(static_cast<Eigen::Index>(k)) =

@@ -9,23 +9,25 @@
 namespace tiprub {
 
 /// Raises InputError where a contact line, of the main blade or of the splitter, stands still or turns back in the
-/// meridional plane, and names the place: then its points are out of order, or its curves are directed against each
-/// other. The casing, a surface of revolution about the line, would fold there.
+/// meridional plane, and names the place: its points are then out of order, or its curves have opposite directions,
+/// and the casing, the surface of revolution of the line, would fold there.
 void require_one_way(const SectorMesh& mesh);
 
 /// `count` nodes of each contact line, the main blade's first: the ends and those nearest to equal steps of arc
 /// length between them; the defaults follow the paper's ten. Raises InputError if a line has fewer.
 std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count);
 
-/// [m] at which a contact line comes nearest to each of some nodes in the meridional plane, from its leading edge on.
+/// [m] The arc lengths, from its leading edge, at which a contact line comes nearest to each of some nodes in the
+/// meridional plane.
 Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int>& line,
                                    const std::vector<int>& nodes);
 
 /// Where the chosen nodes stand, and the normals of the casing there. The casing is a surface of revolution about the
 /// tip line, so a normal lies in the meridional plane, square to the line (tangents by quadratic differences over arc
-/// length), and points away from the blade. A splitter's nodes come after the main blade's; normals are of its own
-/// tip line, arc lengths those at which the main blade's comes nearest: one casing goes round both. Static shifts are
-/// left zero. Raises InputError if a splitter so goes back along the main blade's line.
+/// length), and points away from the blade. A splitter's nodes come after the main blade's. Their normals are those
+/// of the splitter's own tip line; their arc lengths are those at which the main blade's line comes nearest, because
+/// one casing surrounds both. Static shifts are left zero. Raises InputError if these arc lengths don't increase
+/// along a splitter.
 ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& contact);
 
 }  // namespace tiprub

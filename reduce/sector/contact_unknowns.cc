@@ -22,8 +22,8 @@ struct FacePoint {
   double weight;
 };
 
-/// Hats have kinks inside faces: each face in parts, with 3 x 3 Gauss points; a triangle is a square of which one
-/// side is drawn together.
+/// The hats have kinks inside faces, so each face is integrated in parts, with 3 x 3 Gauss points in each. A triangle
+/// is a square of which one side is drawn together.
 std::vector<FacePoint> face_points(int nodes) {
   constexpr int parts = 8, triangle_nodes = 6;
   const auto gauss = [](int k) { return gauss_points(3)[static_cast<std::size_t>(k % 3)]; };
@@ -98,7 +98,7 @@ class TipIntegrals {
   std::map<int, std::vector<FacePoint>> points_;  // of a face with so many nodes
 };
 
-/// The weights, each row with the sum one.
+/// The weights, scaled so that the sum of each row is one.
 Eigen::MatrixXd scaled(const SectorMesh& mesh, const BladeTip& blade, const TipIntegrals& tip) {
   constexpr double least_share = 1e-3;  // of an even part of the tip
   const Eigen::VectorXd areas = tip.loads.rowwise().sum();
@@ -111,7 +111,7 @@ Eigen::MatrixXd scaled(const SectorMesh& mesh, const BladeTip& blade, const TipI
   return areas.cwiseInverse().asDiagonal() * tip.loads;
 }
 
-/// Whether no segment's displacement follows from those of the others.
+/// Whether the displacements of the segments are independent of each other.
 bool independent(const Eigen::MatrixXd& weights) {
   constexpr double least_pivot = 1e-6;  // of the largest
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weights.transpose());
@@ -143,7 +143,7 @@ Eigen::MatrixX3d normals_beside(const ContactLine& line, const Eigen::VectorXd& 
   return normals;
 }
 
-/// The nodes of a blade's contact line that stand next to some arc lengths beside the main blade's.
+/// The nodes of a blade's contact line that are nearest to some arc lengths of the main blade's line.
 std::vector<int> nearest_nodes(const SectorMesh& mesh, const std::vector<int>& line,
                                const Eigen::VectorXd& arc_length) {
   const Eigen::VectorXd lengths = arc_lengths_beside(mesh, mesh.contact_line, line);

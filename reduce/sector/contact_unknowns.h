@@ -12,9 +12,10 @@ namespace tiprub {
 
 /// What carries contact in a sector: nodes of the tip line, or segments of the tip.
 struct ContactUnknowns {
-  std::vector<int> nodes;     ///< of the contact line, one an unknown: the chosen ones, or those next to the centres
-  ContactLine line;           ///< static shifts are left zero
-  std::vector<int> tip = {};  ///< the nodes that segments spread over; none with points
+  std::vector<int>
+      nodes;         ///< of the contact line, one for each unknown: the chosen ones, or those nearest to the centres
+  ContactLine line;  ///< static shifts are left zero
+  std::vector<int> tip = {};     ///< the nodes that segments spread over; none with points
   Eigen::MatrixXd weights = {};  ///< [1] W, of each node of the tip in a segment; each row's sum is one
 };
 
@@ -22,17 +23,19 @@ struct ContactUnknowns {
 /// the tip is clamped or lies on a cut face.
 SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact);
 
-/// `count` contact unknowns on each blade that has a contact line, of the kind that is asked for; of none: segments
-/// if the mesh names the tips' faces, and a line has more than a node, else points. Points: choose_contact_nodes().
+/// `count` contact unknowns on each blade that has a contact line, of the kind that is asked for. If none is, they
+/// are segments where the mesh names the tips' faces and each line has more than one node, else points. Points are
+/// chosen by choose_contact_nodes().
 ///
-/// Segments: knots in equal steps of a blade's contact line's arc length s, and a hat w_k(s) about each, constant
-/// through the blade's thickness, so that all hats together are one. With N_i the shape functions of the tip's faces,
+/// Segments have knots at equal steps of the arc length s of a blade's contact line. Each has a hat function w_k(s),
+/// constant through the blade's thickness; the sum of all hats is one. With N_i the shape functions of the tip's
+/// faces,
 ///     W_ki = int N_i w_k dA / int w_k dA,   q_k = sum_i W_ki u_i:
 /// a gap is the mean over its segment, and a force lambda_k is the traction lambda_k w_k / int w_k dA, consistently
-/// on the nodes. It stays the same traction on any mesh, so that its compliance converges, which that of a force at a
-/// point doesn't. Places, arc lengths and normals (made unit again) are the same means of the nodes'. Raises
-/// InputError if the mesh doesn't name the tip's faces, if they leave out a stretch of the line, or if there are more
-/// segments than the mesh can tell apart.
+/// on the nodes. The traction is the same on any mesh, so its compliance converges, unlike that of a force at a
+/// point. Places, arc lengths and normals (made unit again) are the same means of the nodes'. Raises InputError if
+/// the mesh doesn't name the tip's faces, if they leave out a stretch of the line, or if there are more segments than
+/// the mesh can tell apart.
 ContactUnknowns choose_contact(const SectorMesh& mesh, std::optional<ContactKind> kind, int count);
 
 }  // namespace tiprub

@@ -45,7 +45,7 @@ int sectors_of(double angle) {
                                                                               : static_cast<int>(std::lround(count));
 }
 
-/// Whom the nodes of the lower face meet.
+/// The partners of the nodes of the lower face.
 struct Pairing {
   int sector_count = 0;
   std::vector<int> partners;  ///< of cyclic_low; -1 where there is none
@@ -104,7 +104,7 @@ double largest_mismatch(const SectorMesh& mesh, int sector_count) {
   return largest;
 }
 
-/// That one face is shifted against the other, if it is.
+/// Says that one face is shifted against the other, if it is; else empty.
 std::string shift(const SectorMesh& mesh, int sector_count, double tolerance) {
   const Eigen::AngleAxisd turn(2 * std::numbers::pi / sector_count, Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d by = centre(mesh, mesh.cyclic_high) - turn * centre(mesh, mesh.cyclic_low);
@@ -118,7 +118,7 @@ std::string shift(const SectorMesh& mesh, int sector_count, double tolerance) {
   return text.str();
 }
 
-/// Why the faces don't pair, if they would in another frame or under other names; else empty.
+/// Says why the faces don't pair, if they would in another frame or under other names; else empty.
 std::string cause(const SectorMesh& mesh, double tolerance) {
   SectorMesh other = mesh;
   std::swap(other.cyclic_low, other.cyclic_high);

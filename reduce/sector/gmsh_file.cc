@@ -21,7 +21,7 @@ namespace tiprub {
 
 namespace {
 
-/// A file that stays the same one from the look at its first line to gmsh's reading.
+/// An open file. gmsh reads it by its descriptor, so that it is the file whose first line was checked.
 class OpenFile {
  public:
   explicit OpenFile(const std::filesystem::path& path)
@@ -47,7 +47,7 @@ class OpenFile {
     const std::string_view text(start.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     return std::string(text.substr(0, text.find_first_of("\r\n")));
   }
-  /// Without an ending, by which gmsh would choose a reader, and with no options file beside it.
+  /// This name has no ending by which gmsh would choose a reader, and no options file stands beside it.
   std::string name() const { return "/proc/self/fd/" + std::to_string(file_); }
 
  private:
@@ -55,7 +55,7 @@ class OpenFile {
   double size_ = 0;
 };
 
-/// Values one after the other as bytes, and back.
+/// Packs values as bytes, one after the other, and unpacks them.
 class Bytes {
  public:
   Bytes() = default;
@@ -135,7 +135,7 @@ void read_group(int dimension, int tag, GmshFile& file) {
   }
 }
 
-/// In the child: gmsh, its one model, and nothing to leave behind.
+/// Runs in the child process, so that gmsh's only model needs no clean-up.
 std::string read_by_gmsh(const std::string& name) {
   try {
     gmsh::initialize(0, nullptr, false);  // without the user's option files

@@ -31,10 +31,10 @@ struct GmshFile {
 
 /// Reads a mesh in gmsh's format, version 2.2, 4.0 or 4.1, in text or binary. gmsh runs what is in its script
 /// language as commands, in the file or in "FILE.opt" beside it; only what begins as a mesh is given to it, under a
-/// name that leads to its mesh reader and has nothing beside it. It reads in a child process, because its counts are
-/// not checked by gmsh: one that is too small makes it write past its arrays, and to check all of them before would
-/// be another reader of all versions. Raises RunError if the file can't be opened, and InputError with gmsh's reason
-/// if it is no such mesh.
+/// name that leads to its mesh reader and has nothing beside it. gmsh runs in a child process because it doesn't
+/// check the counts in a file: one that is too small makes it write past its arrays, and a check of all counts
+/// beforehand would be a second reader of all versions. Raises RunError if the file can't be opened, and InputError
+/// with gmsh's reason if it is no such mesh.
 GmshFile read_gmsh_file(const std::filesystem::path& path);
 
 }  // namespace tiprub

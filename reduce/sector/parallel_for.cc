@@ -12,7 +12,7 @@ namespace tiprub {
 
 namespace {
 
-/// While it lives.
+/// The BLAS runs on one thread while this lives.
 class OneBlasThread {
  public:
   OneBlasThread() { openblas_set_num_threads(1); }

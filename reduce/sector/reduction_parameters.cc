@@ -13,7 +13,7 @@ namespace {
 constexpr double usual_accuracy = 0.02;
 constexpr int most_modes = 500;
 
-/// What the basis leaves out of a motion falls with the square of its size (cases/price_of_accuracy).
+/// The part of a motion that the basis leaves out falls with the square of the basis' size (cases/price_of_accuracy).
 int modes_for(double accuracy, int usual) {
   const double more = std::sqrt(std::max(1.0, usual_accuracy / accuracy));
   return std::min(static_cast<int>(std::lround(usual * more)), most_modes);

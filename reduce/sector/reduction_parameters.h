@@ -17,10 +17,10 @@ struct ReductionParameters {
   double speed_max = 0;  ///< [rad/s] Omega_max of eq. 7
   Prestress prestress = Prestress::linear;
   SpinSoftening spin_softening = SpinSoftening::on;
-  std::optional<ContactKind> contact;       ///< none: what the mesh has, see contact_unknowns.h
+  std::optional<ContactKind> contact;       ///< none: chosen by what the mesh has, see contact_unknowns.h
   int contact_nodes = 10;                   ///< points, or segments
   int fixed_interface_modes = 0;            ///< at each of the two speeds that give modes, 0 and Omega_max
-  int modes_at_speed = 0;                   ///< generalized dofs that do at any one speed; 0: all
+  int modes_at_speed = 0;                   ///< generalized dofs that suffice at any one speed; 0: all
   std::vector<double> verification_speeds;  ///< [1] over Omega_max
   int verification_modes = 0;               ///< a nodal diameter
   double verification_tolerance = 0;        ///< [1] of omega^2, estimated

@@ -28,7 +28,7 @@ std::vector<Place> place_nodes(const SectorMesh& mesh, const std::vector<int>& c
                        " lies on a cyclic face; a contact node must be inside the sector");
     places[node] = Place::contact;
   }
-  // What is clamped stays clamped, also on the cut faces; its partner goes with it.
+  // A clamped node stays clamped on a cut face too, and its partner is clamped with it.
   for (const int node : mesh.clamped) {
     if (places[node] == Place::contact)
       throw InputError(mesh.file + ": the contact node at " + mesh.place_of(node) +

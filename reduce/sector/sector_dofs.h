@@ -23,7 +23,7 @@ struct SectorDofs {
   int face = 0;                ///< number of dofs of one cut face
   int clamped_face_nodes = 0;  ///< nodes of the lower cut face that belong to the clamp
   /// B: the loads of unit forces on the contact unknowns, r, theta, z of each; their displacements are q = B' u. With
-  /// nodes it takes their dofs; with segments these are interior ones. Sector x contact dofs.
+  /// nodes, these are the nodes' dofs; with segments, B is on interior dofs. Sector x contact dofs.
   Eigen::SparseMatrix<double> contact_loads;
 
   int boundary() const { return static_cast<int>(3 * contact.size()); }

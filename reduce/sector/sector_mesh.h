@@ -33,7 +33,7 @@ struct SectorMesh {
                               ///< if the mesh doesn't name them
   Eigen::MatrixXi splitter_faces;                  ///< of the splitter's tip, likewise
   std::map<std::string, std::vector<int>> parts;   ///< cells of `disc`, `main_blade`, `splitter`, where present
-  std::shared_ptr<const SectorMatrices> matrices;  ///< of a sector that is given by them, and then has no cells
+  std::shared_ptr<const SectorMatrices> matrices;  ///< of a sector given by its matrices, which has no cells
   double pairing_mismatch = 0;                     ///< [m] largest distance between partners on the cut faces
 
   int node_count() const { return static_cast<int>(nodes.cols()); }

@@ -126,7 +126,7 @@ std::vector<int> read_surface(const GmshFile& file, const std::string& name, con
   return nodes;
 }
 
-/// A mesh without both cut faces is whole: one blade, or one turn of a wheel. One face without the other is missed.
+/// A mesh without cut faces is one whole body: a blade, or a whole wheel. One cut face without the other is refused.
 void read_cut_faces(const GmshFile& file, const NodeNumbers& numbers, double tolerance, SectorMesh& mesh) {
   mesh.sector_count = 1;
   if (file.group(2, "cyclic_low").empty() && file.group(2, "cyclic_high").empty()) return;
@@ -135,7 +135,8 @@ void read_cut_faces(const GmshFile& file, const NodeNumbers& numbers, double tol
   pair_cut_faces(mesh, tolerance);
 }
 
-/// A blade's tip, if the mesh names it, and by faces of its cells; not all reductions ask for it.
+/// The faces of a blade's tip. Not all reductions need them: they are none if the mesh doesn't name them, or not by
+/// faces of its cells.
 Eigen::MatrixXi read_tip(const GmshFile& file, const std::string& name, const NodeNumbers& numbers) {
   std::vector<std::vector<int>> tip;
   int most = 0;
@@ -195,7 +196,7 @@ std::vector<int> read_line(const GmshFile& file, const std::string& name, const 
   return nodes;
 }
 
-/// The line along the splitter's tip, which may be absent, but not by mistake.
+/// The line along the splitter's tip. It may be absent, but a group of its name must hold a line.
 std::vector<int> read_splitter_line(const GmshFile& file, const NodeNumbers& numbers, const SectorMesh& mesh) {
   const std::string name = "contact_splitter";
   std::vector<int> nodes = read_line(file, name, numbers, mesh);

@@ -36,11 +36,11 @@ struct LinearResults {
   int speed_count() const { return static_cast<int>(speeds.size()); }
 };
 
-/// Modes at the verification speeds, from scratch at each (one factor a speed, block Lanczos), followed across speed
-/// by the modal assurance criterion MAC_ij = |phi_i^H M phi_j|^2 of M-orthonormal shapes: the largest pair first,
-/// then the largest of those left; below 0.5 a branch begins. A mode's strain energy is that of the material at rest,
-/// u^H K(0) u / 2, summed over the cells of each part. Raises RunError for an unstable rotor, with the speed, and for
-/// too little memory.
+/// Finds the modes at each verification speed anew, with one factor and block Lanczos, and follows them across speed
+/// by the modal assurance criterion MAC_ij = |phi_i^H M phi_j|^2 of M-orthonormal shapes. The pair with the largest
+/// MAC is joined first, then the largest of the remaining pairs; a mode whose MAC is below 0.5 begins a branch. A
+/// mode's strain energy is that of the material at rest, u^H K(0) u / 2, summed over the cells of each part. Raises
+/// RunError for an unstable rotor, with the speed, and for too little memory.
 LinearResults linear_results(const SectorMesh& mesh, const ReductionParameters& parameters);
 
 /// Three tables, blank-separated, one header line each: modes, static state of the parts, tip.

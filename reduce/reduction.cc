@@ -44,7 +44,7 @@ Eigen::MatrixXd misfit(const SampledStiffness& stiffness, const SpeedSamples& sa
 }
 
 /// eq. 7 of the paper: fills in K0, K1, ... of a model that has M. For nonlinear prestress it also fills in the
-/// errors that eq. 7 alone causes in the verification frequencies: K of the polynomial's shape against K of the
+/// errors that only eq. 7 causes in the verification frequencies: K of the polynomial's shape against K of the
 /// equilibrium on the same basis.
 void fit_polynomial(const SampledStiffness& stiffness, const SpeedSamples& samples,
                     const ReductionParameters& parameters, ReducedModel& model) {
@@ -134,7 +134,7 @@ class Reducer {
   }
 
  private:
-  /// What all nodal diameters share.
+  /// The data that all nodal diameters share.
   struct Shared {
     const SpinningSector& sector;
     const SectorFactor& at_rest;

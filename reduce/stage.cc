@@ -31,7 +31,7 @@ namespace tiprub {
 namespace {
 
 constexpr const char* program = "tiprub-reduce";
-constexpr double tolerable_misfit = 0.001;  // of a frequency, by eq. 7 alone
+constexpr double tolerable_misfit = 0.001;  // error of a frequency caused by eq. 7
 constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
 
 struct Inputs {

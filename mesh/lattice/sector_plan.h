@@ -44,11 +44,11 @@ struct ElementCounts {
   int splitter;        ///< through the splitter's
   int span;            ///< from hub to tip
   int fillet;          ///< of these along the fillet at the root; 0: no fillet
-  int disc;            ///< from bore or back face to hub; 0: no disc, the main blade alone
+  int disc;            ///< from bore or back face to hub; 0: no disc, only the main blade
   int between_blades;  ///< round one passage; without blades round the sector
 };
 
-/// What the mesher needs to know beside the shape itself.
+/// The numbers and names by which the mesher divides a shape into elements.
 struct SectorPlan {
   ElementKind element = ElementKind::hex20;
   int sector_count = 0;  ///< N
@@ -68,7 +68,7 @@ struct SectorPlan {
   double station(int half_index) const;
   /// The fraction of the way from hub to tip, 0 .. 2 elements.span: even to the end of the fillet, then graded.
   double span(int half_index, double fillet_end) const;
-  /// How far along its own chord a splitter is at that station; 0 upstream of it.
+  /// The fraction of a splitter's own chord at that station; 0 upstream of the splitter.
   double splitter_chord(double station) const;
 };
 

@@ -62,7 +62,7 @@ double volume_between(const SectorPlan& plan, int first_station, const Section& 
 // with a kink.
 double blade_volume(const Wheel& wheel, BladeKind kind, int first_station) {
   const WheelGeometry& geometry = *wheel.geometry;
-  std::map<double, double> ends;  // by station: each is asked for at many heights
+  std::map<double, double> ends;  // by station; each is needed at many heights
   const auto end_at = [&](double station) {
     const auto [known, is_new] = ends.try_emplace(station, 0.0);
     if (is_new) known->second = geometry.fillet_end(station);

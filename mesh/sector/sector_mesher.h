@@ -33,8 +33,8 @@ struct MeshedSector {
   std::vector<Eigen::Vector3d> nodes;  ///< [m], axis of rotation z
   std::vector<SectorCell> cells;
   std::vector<SectorSurface> surfaces;
-  std::vector<std::size_t> contact;                            ///< leading to trailing edge, on the main blade's tip
-  std::vector<std::size_t> contact_splitter;                   ///< likewise on the splitter's; none unless asked for
+  std::vector<std::size_t> contact;           ///< leading to trailing edge, on the main blade's tip
+  std::vector<std::size_t> contact_splitter;  ///< likewise on the splitter's; empty unless the case asks for it
   std::vector<std::array<std::size_t, 2>> low_and_high_nodes;  ///< partners on cyclic_low and cyclic_high
 
   const CellKind& kind() const { return cell_kind(static_cast<int>(element)); }

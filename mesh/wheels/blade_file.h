@@ -9,7 +9,7 @@
 
 namespace tiprub {
 
-/// A wheel whose blades come from a file, alone or on a disc that the keys describe. Reads and checks the keys of
+/// A wheel whose blades come from a file, with or without a disc that the keys describe. Reads and checks the keys of
 /// this family and the file, and what they say about the plan. Raises InputError, and RunError if the file can't be
 /// read.
 std::unique_ptr<WheelGeometry> read_wheel_of_blade_file(CaseTable& table, SectorPlan& plan);

@@ -21,8 +21,8 @@ class DiameterReduction {
                     const SectorFactor& factor_at_top, const CyclicTransformation& transform,
                     const ReductionParameters& parameters);
 
-  /// Modes and static shapes of both speeds (eq. 8), made one basis (eq. 9). It needs the span of the fixed-interface
-  /// modes at Omega_max, not the modes: one inverse iteration of those at rest gives it.
+  /// Modes and static shapes of both speeds (eq. 8), made one basis (eq. 9). At Omega_max it needs only the span of
+  /// the fixed-interface modes, which one inverse iteration of the modes at rest gives.
   CraigBamptonBasis start_basis() const;
   /// Estimates the errors of the modes at speeds between those of the basis. Where one is larger than [reduce]
   /// frequency_tolerance, the basis gets the shapes that it lacks. Returns the number of these.

@@ -14,9 +14,9 @@ namespace tiprub {
 /// A speed at which modes are wanted.
 struct SpeedToFollow {
   std::string where;                           ///< for messages, as "at 9000 rpm"
-  std::function<SymmetricMatrix()> stiffness;  ///< the sector's K; asked for when it is needed, and not kept
+  std::function<SymmetricMatrix()> stiffness;  ///< makes the sector's K when it is needed; it isn't kept
   Eigen::MatrixXcd reduced;                    ///< the basis' T^H K T
-  const CyclicSolver* nearby;                  ///< of the nearest speed that is factorized
+  const CyclicSolver* nearby;                  ///< the solver of the nearest speed that is factorized
 };
 
 /// Modes at one speed.

@@ -64,7 +64,7 @@ class Hdf5File {
   /// Texts along one axis.
   void write(const std::string& name, const std::vector<std::string>& texts);
 
-  /// Makes a dataset of one axis the coordinate of that axis (a dimension scale), by its own name.
+  /// Makes a dataset of one axis the coordinate of that axis (a dimension scale), under the dataset's name.
   void make_axis(const std::string& name);
   /// Tells what a dataset is, in words, and its axes by the datasets that make_axis() was told, slowest first.
   void describe(const std::string& name, const std::string& long_name, const std::vector<std::string>& axes = {});

@@ -42,7 +42,7 @@ const char* name_of(Prestress prestress);
 /// Raises RunError, which begins with `where`, if there is none of that name.
 Prestress prestress_named(const std::string& name, const std::string& where);
 
-/// What a contact unknown is.
+/// The kind of the contact unknowns.
 enum class ContactKind {
   points,    ///< the displacement of a node: forces act at points
   segments,  ///< a weighted mean over a stretch of the tip: forces are spread over it with the same weights
@@ -71,7 +71,7 @@ struct ContactLine {
 /// Frequencies of the unreduced sector that verify the reduction, with those of the model beside them.
 struct Verification {
   Eigen::VectorXd speeds;                  ///< [rad/s]; n_s
-  std::vector<Eigen::MatrixXd> unreduced;  ///< [Hz] one a nodal diameter; n_s x n_f
+  std::vector<Eigen::MatrixXd> unreduced;  ///< [Hz] one for each nodal diameter; n_s x n_f
   std::vector<Eigen::MatrixXd> reduced;    ///< [Hz] the same from the model; n_s x n_f
   /// [1] largest relative error of the model's first n_f frequencies that is due to eq. 7 alone; n_s x nodal
   /// diameters; empty where eq. 7 is exact (linear and stress-only prestress)

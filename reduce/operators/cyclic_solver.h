@@ -40,7 +40,7 @@ class CyclicSolver {
   CyclicTransformation transform_;
   Eigen::MatrixXcd
       cholesky_;  ///< L of S_n = T^H S T, low | contact; its leading block is that of fixed contact nodes
-  Eigen::MatrixXcd segment_modes_;  ///< Psi; independent x contact dofs, none with contact nodes
+  Eigen::MatrixXcd segment_modes_;  ///< Psi; independent x contact dofs, empty with contact nodes
 };
 
 }  // namespace tiprub

@@ -27,7 +27,8 @@ __attribute__((target_clones("avx512f", "avx2,fma", "default"))) void multiply_s
   using Lanes = double __attribute__((vector_size(lanes * sizeof(double)), aligned(alignof(double)), may_alias));
   const auto row_of = [](auto* strip, int row) { return strip + static_cast<std::ptrdiff_t>(row) * strip_width; };
   for (int node = 0; node < columns; node += node_dofs) {
-    // Of column 0 of a node the first three entries are its own, of column 1 two, of column 2 one.
+    // The first three entries of a node's column 0 couple the node with itself, and so do two of column 1 and one of
+    // column 2.
     const double* column[node_dofs] = {values + starts[node], values + starts[node + 1], values + starts[node + 2]};
     const int blocks = (starts[node + 1] - starts[node] - node_dofs) / node_dofs;
     const int* row = rows + starts[node] + node_dofs;

@@ -13,9 +13,9 @@ namespace tiprub {
 ///
 /// eq. 3: a wheel's K and M are block-circulant. A sector's high cut face is its neighbour's low one, so the dofs of
 /// one sector are interior | low face | contact; Y_0 couples them with themselves, Y_1 with those of the sector
-/// before. eq. 4: the Fourier matrix makes them block-diagonal, a block a nodal diameter, so that neither the wheel's
-/// matrices nor the Fourier matrix are ever formed. eq. 6: in cylindrical components the high face moves as the low
-/// one times e^{i n alpha}, and
+/// before. eq. 4: the Fourier matrix makes them block-diagonal, with one block for each nodal diameter, so that
+/// neither the wheel's matrices nor the Fourier matrix are ever formed. eq. 6: in cylindrical components the high
+/// face moves as the low one times e^{i n alpha}, and
 ///     T^H Y_s T = Y_0 + e^{-i n alpha} Y_1 + e^{i n alpha} Y_1^T
 /// of the sector's own Y_s (both cut faces free) is the block of n. It takes the place of the paper's real block in
 /// half its size: the real and imaginary part of u are its cosine and (negative) sine halves.

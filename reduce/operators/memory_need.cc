@@ -97,7 +97,7 @@ MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Hol
   const double interface = dofs.interface(), kept = dofs.face + dofs.boundary(), independent = dofs.independent();
   MemoryNeed need;
   need.threads = mapped_by_threads(held.threads);
-  // Besides those that are held, each thread makes one of its own.
+  // Each thread makes one more than those that are held.
   const double sparse_matrices = other_matrices + held.stiffnesses + at_once;
   need.matrices = program_bytes +
                   sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size()) +

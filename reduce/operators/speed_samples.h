@@ -42,7 +42,7 @@ class PolynomialFit {
   /// misfit at the speeds is fitted again (iterative refinement).
   template <class Matrix>
   SpeedPolynomial<Matrix, 0> through(const std::vector<Matrix>& samples) const;
-  /// Y(Omega) as a sum of Y at the speeds: the weight of each.
+  /// The weights by which Y(Omega) is a sum of Y at the speeds.
   Eigen::VectorXd weights(double speed) const;
 
  private:
@@ -106,13 +106,13 @@ class SpeedSamples {
   SpeedSamples(const ReductionParameters& parameters, int shape_terms);
 
   const std::vector<double>& fractions() const { return fractions_; }
-  /// Those that eq. 7 goes through are the first, from zero to one.
+  /// The number of speeds that eq. 7 goes through: the first ones, from zero to one.
   int polynomial_terms() const { return terms_; }
   std::vector<double> polynomial_fractions() const { return {fractions_.begin(), fractions_.begin() + terms_}; }
-  /// K at any fraction as a sum of K at the samples: the weight of each. At a sample, that one alone; at an
-  /// equilibrium, K of the equilibrium.
+  /// The weights by which K at any fraction is a sum of K at the samples. At a sample only that one has a weight; if
+  /// K of an equilibrium is known there, it is taken.
   Eigen::VectorXd weights(double fraction) const;
-  /// That sum for a model's small matrices.
+  /// This sum for a model's small matrices.
   Eigen::MatrixXcd combine(const std::vector<Eigen::MatrixXcd>& samples, double fraction) const;
 
  private:

@@ -14,14 +14,15 @@ namespace tiprub {
 
 /// The shape that a sector takes under spin, at every speed:
 ///     u(Omega) = Omega^2 s_1 + Omega^4 s_2 + ... + Omega^2m s_m.
-/// Linear and stress-only prestress: s_1 alone, exactly. Nonlinear: through the equilibria at m speeds.
+/// With linear and stress-only prestress s_1 is the only term, and exact. With nonlinear prestress the polynomial
+/// goes through the equilibria at m speeds.
 ///
-/// Why a polynomial of the shape, and not of K through its own samples: a thin blade that turns takes its stiff
-/// directions with it. Entry by entry, a polynomial through K is as wrong between its speeds as these directions
-/// turn, by a part of the membrane's stiffness that may be many times the bending stiffness. The tangent of a shape
-/// has its stiff directions where the shape has turned them, whichever shape it is. And it is quadratic in the shape
-/// (St Venant-Kirchhoff), so that K at all of these shapes is K0 + Omega^2 K1 + ... of 2m + 1 terms, exactly: eq. 7,
-/// which has three, is the case of m = 1.
+/// The polynomial is that of the shape, not of K, because a thin blade that turns takes its stiff directions with it.
+/// Between its speeds, a polynomial through the entries of K errs as much as these directions turn, by a part of the
+/// membrane stiffness that may be many times the bending stiffness. The tangent of a shape has its stiff directions
+/// where the shape has turned them, whichever shape it is. And it is quadratic in the shape (St Venant-Kirchhoff), so
+/// that K at all of these shapes is K0 + Omega^2 K1 + ... of 2m + 1 terms, exactly: eq. 7, which has three, is the
+/// case of m = 1.
 struct SpinShape {
   SpeedPolynomial<Eigen::VectorXd, 1> displacement;  ///< u; s_1, s_2, ... [m s^2, m s^4, ...]; sector dofs
   double imbalance = 0;   ///< [1] see spin_imbalance(); largest in the middle between its speeds

@@ -50,7 +50,7 @@ class RotatingElasticity {
   /// Forces of the stress at a displaced shape, int B(F)' S(E) [N]: Green-Lagrange strain E, second Piola-Kirchhoff
   /// stress S = lambda tr(E) + 2 mu E. stiffness(0, u, nonlinear) is its derivative. Sector dofs.
   Eigen::VectorXd internal_force(const Eigen::Matrix3Xd& displacement) const;
-  /// Stiffness at rest of some cells alone: u' K u / 2 is their share of the strain energy [J].
+  /// Stiffness at rest of only some cells: u' K u / 2 is their share of the strain energy [J].
   SymmetricMatrix stiffness_of(const std::vector<int>& cells) const;
   /// [Pa] von Mises stress, the largest of each cell's Gauss points: of the linear stress, or with nonlinear
   /// prestress of the Cauchy stress F S F' / det F.

@@ -5,8 +5,7 @@
 #include "postprocess/stage.h"
 
 int main(int argc, char** argv) {
-  std::string fields_file, compared;
-  std::vector<std::filesystem::path> runs;
+  tiprub::PostprocessOptions options;
   tiprub::Stage stage;
   stage.name = "tiprub-postprocess";
   stage.summary = "Draws what a rub simulation found: interaction maps, contact maps, critical speeds, a report.";
@@ -17,16 +16,16 @@ int main(int argc, char** argv) {
   stage.tables = tiprub::postprocess_tables;
   stage.add_options = [&](CLI::App& app) {
     app.add_option(
-        "--fields", fields_file,
+        "--fields", options.fields_file,
         "full fields, from tiprub-reduce --fields: adds displacement and stress on the whole wheel, and the "
         "stress at every critical speed");
-    app.add_option("--compare", compared,
+    app.add_option("--compare", options.compared,
                    "another report's folder, or another response of this model: lays its response, maps and critical "
                    "speeds beside these");
-    app.add_option("--runs", runs, "what a stage before noted with --times, for the page; may be repeated")
+    app.add_option("--runs", options.runs, "what a stage before noted with --times, for the page; may be repeated")
         ->allow_extra_args(false);
   };
   return tiprub::run_stage(argc, argv, stage, [&](const tiprub::StageArguments& arguments) {
-    tiprub::run_postprocess(arguments, {fields_file, compared, runs});
+    tiprub::run_postprocess(arguments, options);
   });
 }

@@ -10,14 +10,11 @@
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/compare/comparison.h"
-#include "postprocess/figures/gnuplot.h"
-#include "postprocess/figures/meridional_section.h"
+#include "postprocess/figures/drawing.h"
 #include "postprocess/figures/study_figures.h"
-#include "postprocess/records/critical_speed_record.h"
-#include "postprocess/report/report_folder.h"
-#include "postprocess/report/summary.h"
+#include "postprocess/records/study_records.h"
+#include "postprocess/report/report.h"
 #include "postprocess/report/verdict.h"
-#include "postprocess/tables/interruption.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
 
@@ -34,8 +31,6 @@ struct Inputs {
   ReducedModel model;
   Response response;
   SweepFiles sweeps;
-  fs::path fields_file;  ///< empty: no full fields
-  fs::path compared;     ///< empty: nothing to compare with
   RunRecord run{{}, {}};
 };
 
@@ -60,8 +55,6 @@ Inputs read_inputs(const StageArguments& arguments, const PostprocessOptions& op
     return name.empty() ? fs::path() : arguments.inputs[0].parent_path() / name;
   };
   inputs.sweeps = {beside_case(inputs.parameters.response_up), beside_case(inputs.parameters.response_down)};
-  inputs.fields_file = options.fields_file;
-  inputs.compared = options.compared;
   std::vector<fs::path> others = options.runs;
   others.insert(others.end(), {options.fields_file, inputs.sweeps.up, inputs.sweeps.down, options.compared});
   refuse_overwriting({arguments.output}, others);
@@ -78,34 +71,34 @@ void print(const std::string& table) {
     throw RunError("stdout: can't be written to its end; is the disk full?");
 }
 
-/// Beyond the inputs: what the scene needs, which takes no pictures and no stress.
-void check(Inputs inputs) {
-  if (!inputs.fields_file.empty()) check_fields(inputs.fields_file, inputs.model);
+/// Checks the inputs and prints what the scene needs, which takes no pictures and no stress.
+void check(Inputs inputs, const PostprocessOptions& options) {
+  if (!options.fields_file.empty()) check_fields(options.fields_file, inputs.model);
   const Study study = study_of(inputs);
-  if (!inputs.compared.empty()) read_other_report(inputs.compared, study);
+  if (!options.compared.empty()) read_other_report(options.compared, study);
   print(aligned_text(
-      scene_needs_record(scene_needs(study, field_effects(inputs.fields_file, study.model, study.critical)))));
+      scene_needs_record(scene_needs(study, field_effects(options.fields_file, study.model, study.critical)))));
 }
 
-ReportContents run(Inputs inputs, Progress::Shown shown) {
+ReportContents run(Inputs inputs, const PostprocessOptions& options, Progress::Shown shown) {
   inputs.run.done("reading");
   ReportContents contents{.study = study_of(inputs), .source = std::move(inputs.source)};
   contents.figures = study_figures(contents.study);
   inputs.run.done("study");
-  if (!inputs.fields_file.empty()) {
-    contents.fields = recover_fields(inputs.fields_file, contents.study, inputs.strength, shown);
+  if (!options.fields_file.empty()) {
+    contents.fields = recover_fields(options.fields_file, contents.study, inputs.strength, shown);
     contents.figures.push_back(meridional_section_figure(contents.fields->sector, contents.study.model.contact,
                                                          contents.study.response.scene.clearance));
   }
   contents.field_results = field_results(contents.fields, contents.study.critical);
   contents.numbers = report_numbers(contents.study, contents.field_results);
-  if (!inputs.compared.empty()) {
-    contents.other = read_other_report(inputs.compared, contents.study);
+  if (!options.compared.empty()) {
+    contents.other = read_other_report(options.compared, contents.study);
     contents.figures.push_back(comparison_figure(contents.numbers, *contents.other));
     contents.figures.push_back(comparison_map_figure(contents.study, contents.numbers, *contents.other));
   }
   contents.needs =
-      scene_needs(contents.study, field_effects(inputs.fields_file, contents.study.model, contents.study.critical));
+      scene_needs(contents.study, field_effects(options.fields_file, contents.study.model, contents.study.critical));
   inputs.run.done("fields");
   contents.run = std::move(inputs.run);
   return contents;
@@ -134,14 +127,14 @@ std::string postprocess_tables(const CaseFile& file) {
 }
 
 void run_postprocess(const StageArguments& arguments, const PostprocessOptions& options) try {
-  if (arguments.action == Action::check) return check(read_inputs(arguments, options));
+  if (arguments.action == Action::check) return check(read_inputs(arguments, options), options);
   const OutputLock lock(arguments.output);
   OutputFile output(arguments.output);
   Inputs inputs = read_inputs(arguments, options);
   note_interruptions();
   const Progress::Shown shown =
       arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal;
-  ReportContents contents = run(std::move(inputs), shown);
+  ReportContents contents = run(std::move(inputs), options, shown);
   write_report_folder(contents, output.scratch(), shown);
   stop_if_interrupted();
   output.commit();

@@ -29,12 +29,19 @@ void remove_files_and_leave(int signal_number) {
   _exit(exit_by_signal + signal_number);
 }
 
-void handle_signals() {
+volatile sig_atomic_t signal_that_came = 0;
+
+void remember(int signal_number) {
+  signal_that_came = signal_number;
+}
+
+/// Without SA_RESTART: a wait for a child ends at once.
+void handle_signals(void (*handler)(int)) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     if (sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) continue;
     action = {};
-    action.sa_handler = remove_files_and_leave;
+    action.sa_handler = handler;
     sigaction(number, &action, nullptr);
   }
 }
@@ -46,7 +53,7 @@ void announce_signals(const std::string& program) {
   const std::string text =
       after_control_c + program + ": interrupted; what was finished is kept, and no half file is left\n";
   if (text.size() < announcement.size()) std::memcpy(announcement.data(), text.c_str(), text.size() + 1);
-  handle_signals();
+  handle_signals(remove_files_and_leave);
 }
 
 void tell_interruption() {
@@ -61,7 +68,7 @@ RemovedOnSignal::RemovedOnSignal(const std::filesystem::path& file) {
   if (slot_ < 0) return;
   std::memcpy(slots[slot_].name.data(), name.c_str(), name.size() + 1);
   slots[slot_].armed = true;
-  handle_signals();
+  handle_signals(remove_files_and_leave);
 }
 
 void RemovedOnSignal::release() {
@@ -69,6 +76,18 @@ void RemovedOnSignal::release() {
   slots[slot_].armed = false;
   slots[slot_].taken = false;
   slot_ = -1;
+}
+
+void note_interruptions() {
+  handle_signals(remember);
+}
+
+void stop_if_interrupted() {
+  if (signal_that_came != 0) throw Interrupted();
+}
+
+int interruption() {
+  return signal_that_came;
 }
 
 }  // namespace tiprub

@@ -69,11 +69,11 @@ class PeakReader {
   Component component_;
 };
 
-/// [1] of a peak's amplitude: tops that are that close can't be told apart.
+/// [1] of a peak's amplitude: tops that differ by less can't be told apart.
 constexpr double even_top = 0.02;
 
-/// [rad/s] where the response, from sample `place` in direction `step`, has clearly fallen: on the line between its
-/// last sample of at least `least` and the next one.
+/// [rad/s] Where the response, from sample `place` in direction `step`, falls to `least`: between the last sample
+/// that is at least as large and the next one.
 double foot(const Response& response, const Eigen::VectorXd& amplitudes, Eigen::Index place, int step, double least) {
   Eigen::Index i = place + step;
   while (i > 0 && i + 1 < amplitudes.size() && amplitudes[i] >= least) i += step;
@@ -140,6 +140,14 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
     all.push_back(critical);
   }
   return all;
+}
+
+std::optional<std::size_t> worst_critical(const std::vector<CriticalSpeed>& critical) {
+  const auto worst =
+      std::max_element(critical.begin(), critical.end(),
+                       [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.amplitude < b.amplitude; });
+  if (worst == critical.end()) return std::nullopt;
+  return static_cast<std::size_t>(worst - critical.begin());
 }
 
 OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, const SpeedRange& operating,

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "postprocess/analysis/linear_criterion.h"
 #include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/waves/wave_label.h"
 #include "reduce/model/reduced_model.h"
@@ -13,7 +12,13 @@
 
 namespace tiprub {
 
-/// How much the tip line moves, over speed.
+/// A range of speeds [rad/s], its ends included.
+struct SpeedRange {
+  double low = 0;
+  double high = 0;
+};
+
+/// How much the tip line moves at each speed.
 struct TipAmplitudes {
   Eigen::MatrixXd by_node;  ///< [m] half of the peak-to-peak, the largest over the sectors; nodes x speeds
   Eigen::VectorXd largest;  ///< [m] over the nodes; speeds
@@ -32,33 +37,36 @@ struct CriticalSpeed {
   double speed = 0;        ///< [rad/s]
   double amplitude = 0;    ///< [m]
   double prominence = 0;   ///< [m]
-  /// [rad/s] where the response has fallen by 2 % and what the step changes, on the lines between its samples: a
-  /// ragged or flat top lies somewhere between them.
+  /// [rad/s] Where the response, linear between its samples, has fallen by 2 % and by what the last halving of the
+  /// step changed. The peak of a ragged or flat top lies somewhere between the two.
   double speed_low = 0, speed_high = 0;
-  /// [m] the amplitude less and more what the last halving of the step changed; more, also what the parabola through
-  /// the peak's three samples adds.
+  /// [m] The amplitude minus and plus what the last halving of the step changed. The upper one is at least the top of
+  /// the parabola through the peak's three samples.
   double amplitude_low = 0, amplitude_high = 0;
   int node = 0;  ///< contact node that moves most
-  /// The wave that makes the peak: of all lines above frequency zero, at that node and of the component of the
-  /// amplitude, the one that rises most above the higher of its values at the two valleys. The largest line need not
-  /// be it: the casing pushes every wheel through N_l Omega at every speed.
+  /// The wave that makes the peak: among all spectral lines above frequency zero, at that node and of the component
+  /// of the amplitude, the one that rises most above the higher of its values at the two valleys. This need not be
+  /// the largest line, because the casing drives every wheel at N_l Omega at every speed.
   WaveLabel rising;
-  /// The other waves there with at least a fifth of the largest one's amplitude, the largest first, four at most.
+  /// At most four other waves there, the largest first, each with at least a fifth of the largest one's amplitude.
   std::vector<WaveLabel> others;
   MotionClass motion = MotionClass::not_settled;
   int period_beats = 0;
   bool by_equation_2 = false;  ///< predicted by the linear rule
   bool by_aliasing = false;    ///< predicted by the rule with aliasing
 
-  /// [1] of the amplitude that the rising wave has. Several waves add up to more than 1 where their crests don't
-  /// meet.
+  /// [1] The rising wave's amplitude over the peak's. The shares of several waves add up to more than 1 where their
+  /// crests do not meet.
   double wave_share() const { return amplitude > 0 ? rising.amplitude / amplitude : 0.0; }
 };
 
-/// All peaks, ascending in speed, without the predictions. Needs a response at every speed.
+/// All peaks, ascending in speed; with_predictions() adds what the rules predict. Needs a response at every speed.
 std::vector<CriticalSpeed> critical_speeds(const Response& response, const ContactLine& contact,
                                            const TipAmplitudes& amplitudes, const FrequencyCurves& curves,
                                            const PostprocessParameters& parameters);
+
+/// Index of the one with the largest amplitude; nothing if there is none.
+std::optional<std::size_t> worst_critical(const std::vector<CriticalSpeed>& critical);
 
 /// How far an end of the operating range is from the nearest critical speed outside it.
 struct SpeedMargin {
@@ -66,13 +74,13 @@ struct SpeedMargin {
   double margin = 0;  ///< [1] of the speed at that end of the range
 };
 
-/// Critical speeds and the speeds at which a wheel is to run.
+/// Where the critical speeds lie relative to the speeds at which a wheel is to run.
 struct OperatingMargin {
   std::vector<double> inside;               ///< [rad/s] critical speeds in the range, its ends included
   std::optional<SpeedMargin> below, above;  ///< the nearest outside; nothing if there is none
 };
 
-/// Critical speeds with less than `smallest_amplitude` [m] don't count.
+/// Leaves out critical speeds with an amplitude of less than `smallest_amplitude` [m].
 OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, const SpeedRange& operating,
                                  double smallest_amplitude);
 

@@ -6,8 +6,7 @@
 
 #include "cases/program/errors.h"
 #include "postprocess/tables/table.h"
-#include "postprocess/tables/units.h"
-#include "postprocess/waves/frequency_curves.h"
+#include "postprocess/waves/wave_label.h"
 #include "reduce/model/model_digest.h"
 
 namespace tiprub {
@@ -16,7 +15,8 @@ namespace {
 
 constexpr const char* another_model = "; give the model that the response was made with";
 
-/// Squares and fourth powers are taken of what is measured, and gnuplot scales it: damaged numbers show here.
+/// Squares and fourth powers of these numbers are computed later, and gnuplot scales them: damaged ones must end
+/// here.
 template <class Values>
 void check_measure(const Values& values, const std::string& where) {
   constexpr double largest = 1e30;
@@ -25,7 +25,7 @@ void check_measure(const Values& values, const std::string& where) {
                    ", beyond all measure; the file is damaged, or that motion grew without bound");
 }
 
-/// Of the states that fields are recovered from.
+/// Checks the states from which full fields are recovered.
 void check_states(const SpeedResponse& speed, const std::vector<int>& moving, const ReducedModel& model,
                   const std::string& name) {
   const auto require = [&](std::size_t place, Eigen::Index dofs) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/analysis/postprocess_parameters.h"
 
+#include <array>
+
 namespace tiprub {
 
 PostprocessParameters read_postprocess_parameters(CaseTable& table) {
@@ -41,17 +43,9 @@ PostprocessParameters read_postprocess_parameters(CaseTable& table) {
 }
 
 const char* name_of(Component component) {
-  switch (component) {
-    case Component::normal:
-      return "displacement along the casing normal";
-    case Component::radial:
-      return "radial displacement";
-    case Component::tangential:
-      return "tangential displacement";
-    case Component::axial:
-      return "axial displacement";
-  }
-  return "";
+  constexpr std::array names = {"displacement along the casing normal", "radial displacement",
+                                "tangential displacement", "axial displacement"};
+  return names[static_cast<std::size_t>(component)];
 }
 
 const char* name_of(TipEdge edge) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cases/program/case_file.h"
-#include "postprocess/waves/tip_motion.h"
+#include "postprocess/waves/travelling_spectrum.h"
 
 namespace tiprub {
 
@@ -15,19 +15,19 @@ enum class TipEdge { leading, trailing };
 /// The [postprocess] table of a case.
 struct PostprocessParameters {
   Component component = Component::normal;  ///< of the tip motion, in every amplitude
-  TipEdge edge = TipEdge::leading;          ///< whose map comes first; of the spectra and the trackings
+  TipEdge edge = TipEdge::leading;          ///< whose map comes first, and whose spectra and trackings are drawn
   int families = 2;                         ///< modal families drawn
   int engine_order_max = 12;                ///< highest engine order drawn and listed
-  double prominence = 0.25;                 ///< [1] of a peak's own amplitude, that it must stand above its valleys
-  double prediction_tolerance = 0.1;        ///< [1] of a speed, within which a rule's speed counts as a hit
+  double prominence = 0.25;                 ///< [1] height above its valleys that a peak needs, of its amplitude
+  double prediction_tolerance = 0.1;        ///< [1] relative distance at which a rule's speed still counts as a hit
   double amplitude_decades = 2.5;           ///< colour range of the maps, below the largest amplitude
-  double shown_speed_rpm = 0;  ///< [rpm] motion, force and bars are drawn at the nearest speed; 0: see Study::shown
+  double shown_speed_rpm = 0;  ///< [rpm] motion, force and bars are drawn at the nearest one; 0: see Study::shown
   std::string response_up, response_down;  ///< this case swept up and down, relative to the case; empty: not compared
   double amplitude_max_mm = 0;             ///< [mm] upper colour limit of the maps; 0: the largest amplitude
   /// [rpm] the speeds at which the wheel is to run, for the margin; 0: not given
   double operating_min_rpm = 0, operating_max_rpm = 0;
-  double operating_amplitude_mm = 0;  ///< [mm] critical speeds with less don't count for the margin
-  double tip_patch_mm = 0;            ///< [mm] from the tip line, where stress isn't read; 0: see StressZones
+  double operating_amplitude_mm = 0;  ///< [mm] critical speeds with less are left out of the margin
+  double tip_patch_mm = 0;            ///< [mm] nearer to the tip line no stress is read; 0: see stress_zones()
   double wear_coefficient = 1e-15;    ///< [m^2/N] Archard's k/H of casing against tip; 0: wear isn't estimated
 };
 
@@ -40,11 +40,11 @@ const char* name_of(Component component);
 const char* name_of(TipEdge edge);
 TipEdge other_than(TipEdge edge);
 
-/// The [material] table of a case: what the wheel's material bears. There are no default strengths: they depend on
-/// heat treatment, surface and size of a part, so that no number would be right without being asked for.
+/// The [material] table of a case: the strengths of the wheel's material. They have no defaults, because they depend
+/// on heat treatment, surface and size of a part.
 struct MaterialStrength {
   double ultimate = 0;          ///< [Pa] in tension
-  double endurance = 0;         ///< [Pa] amplitude that it bears fully reversed, for as many cycles as are asked for
+  double endurance = 0;         ///< [Pa] amplitude, fully reversed, that it bears for the required number of cycles
   std::optional<double> yield;  ///< [Pa]
 };
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -20,8 +20,7 @@ std::vector<SpeedResponse> take_failed(Response& response) {
   return failed;
 }
 
-}  // namespace
-
+/// See Study::shown.
 Eigen::Index shown_speed(const Response& response, const TipAmplitudes& amplitudes, double asked_rpm) {
   const auto& speeds = response.speeds;
   Eigen::Index shown = -1;
@@ -37,11 +36,11 @@ Eigen::Index shown_speed(const Response& response, const TipAmplitudes& amplitud
   return shown < 0 ? amplitudes.worst() : shown;
 }
 
+}  // namespace
+
 const SpeedResponse& Study::judged_response() const {
-  const auto most =
-      std::max_element(critical.begin(), critical.end(),
-                       [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.amplitude < b.amplitude; });
-  return most == critical.end() ? worst_response() : speed_at(most->index);
+  const std::optional<std::size_t> worst = worst_critical(critical);
+  return worst ? speed_at(critical[*worst].index) : worst_response();
 }
 
 Study make_study(const PostprocessParameters& parameters, ReducedModel model, Response response,

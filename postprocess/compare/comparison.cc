@@ -5,14 +5,13 @@
 #include <cmath>
 
 #include "postprocess/figures/maps.h"
-#include "postprocess/records/columns.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
 namespace {
 
-/// One here, one there, or both.
+/// A critical speed of this report, of the other one, or of both.
 struct PeakPair {
   std::optional<ComparedPeak> here, there;
 
@@ -24,7 +23,7 @@ bool same_wave(const ComparedPeak& a, const ComparedPeak& b) {
          std::abs(a.engine_order - b.engine_order) < 1e-6;
 }
 
-/// The nearest two first.
+/// Pairs by the same wave, the nearest two first.
 std::vector<PeakPair> pairs_of(const std::vector<ComparedPeak>& here, const std::vector<ComparedPeak>& there) {
   std::vector<std::pair<std::size_t, std::size_t>> candidates;
   for (std::size_t i = 0; i < here.size(); ++i)
@@ -55,7 +54,7 @@ Cell value_of(const std::optional<ComparedPeak>& peak, Get get) {
   return optional_cell(peak ? get(*peak) : std::nullopt);
 }
 
-/// [%] of what is there; 0 if it is no more than rounding.
+/// The change [%] relative to the other report; 0 if it is within rounding.
 Cell change_of(const PeakPair& pair, Get get) {
   constexpr double same = 1e-8;
   if (!pair.here || !pair.there) return optional_cell(std::nullopt);
@@ -75,7 +74,7 @@ std::optional<double> stress_of(const ComparedPeak& peak) {
   return peak.stress;
 }
 
-/// [rpm] all speeds of either.
+/// [rpm] A range with all speeds of both.
 DrawnRange speed_axis_of_both(const ReportNumbers& here, const ReportNumbers& other) {
   return DrawnRange{std::min(here.speed.minCoeff(), other.speed.minCoeff()),
                     std::max(here.speed.maxCoeff(), other.speed.maxCoeff())}
@@ -114,16 +113,11 @@ Figure comparison_map_figure(const Study& study, const ReportNumbers& this_one, 
   const MapFrame frame{speed_axis_of_both(this_one, other),
                        map_frequency_high(own),
                        {high * std::pow(10.0, -study.parameters.amplitude_decades), high}};
-  Figure figure{.drawing = {.name = "comparison_map", .width = 1000, .height = 480, .script = "comparison_map"},
-                .title = "Interaction maps compared",
-                .caption = std::string("Amplitude at the ") + name_of(study.parameters.edge) +
-                           ", the sum over the nodal diameters, with the same logarithmic colours: this report's at "
-                           "the left, that of " +
-                           other.name +
-                           " at the right. White lines: engine orders. Orange lines: this wheel's natural "
-                           "frequencies. Grey: no speeds. Engine orders above " +
-                           std::to_string(study.parameters.engine_order_max) + " are in no report's tables.",
-                .data = {{"report", "speed [rpm]", "engine order", "total [mm]"}, {}}};
+  Figure figure =
+      listed_figure("comparison_map", {{"edge", name_of(study.parameters.edge)},
+                                       {"other", other.name},
+                                       {"engine_order_max", std::to_string(study.parameters.engine_order_max)}});
+  figure.data = {{"report", "speed [rpm]", "engine order", "total [mm]"}, {}};
   set_map_axes(figure.drawing, own, frame);
   figure.drawing.values.emplace_back("map_title", std::vector<std::string>{"this report", other.name});
   set_pixels(figure, map_pixels(here, own.failed, frame, columns, rows));
@@ -141,20 +135,14 @@ Figure comparison_figure(const ReportNumbers& this_one, const ReportNumbers& oth
   Eigen::MatrixXd here(this_one.speed.size(), 2), there(other.speed.size(), 2);
   here << this_one.speed, this_one.amplitude;
   there << other.speed, other.amplitude;
-  Figure figure{.drawing = {.name = "comparison",
-                            .width = 1000,
-                            .height = 480,
-                            .script = "comparison",
-                            .values = {{"other_name", std::vector<std::string>{other.name}}},
-                            .tables = {{"here", {here}}, {"there", {there}}}},
-                .title = "Comparison",
-                .caption = "The largest tip amplitude over speed, of this report and of " + other.name +
-                           ". The table beside it has both, one after the other.",
-                .data = {{"response", "speed [rpm]", "amplitude [mm]"}, {}}};
+  Figure figure = listed_figure("comparison", {{"other", other.name}});
+  figure.drawing.values = {{"speed", speed_axis_of_both(this_one, other)},
+                           {"other_name", std::vector<std::string>{other.name}}};
+  figure.drawing.tables = {{"here", {here}}, {"there", {there}}};
+  figure.data = {{"response", "speed [rpm]", "amplitude [mm]"}, {}};
   const std::pair<std::string, const Eigen::MatrixXd*> both[] = {{"this", &here}, {"other", &there}};
   for (const auto& [name, rows] : both)
     for (const auto& row : rows->rowwise()) figure.data.rows.push_back({name, row[0], row[1]});
-  set_speed_axis(figure.drawing, speed_axis_of_both(this_one, other));
   return figure;
 }
 

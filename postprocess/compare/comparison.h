@@ -6,12 +6,12 @@
 
 namespace tiprub {
 
-/// Critical speeds side by side with their shifts, from there to here, ascending in speed; a shift that is no
-/// more than rounding is 0. Two belong together if the same wave makes them (engine order, signed nodal diameter and
-/// family), the nearest if there are several; the others stand alone.
+/// Critical speeds of both reports side by side, ascending in speed, with the shifts from the other report to this
+/// one; a shift within rounding is 0. Two belong together if the same wave makes them (engine order, signed nodal
+/// diameter and family), the nearest ones if there are several. The others have a row of their own.
 Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& other);
 
-/// The interaction maps of both, of the edge asked for, side by side.
+/// The interaction maps of both reports side by side, for the edge asked for.
 Figure comparison_map_figure(const Study& study, const ReportNumbers& this_one, const ReportNumbers& other);
 
 /// Both responses over speed.

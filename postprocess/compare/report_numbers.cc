@@ -6,8 +6,8 @@
 
 #include "cases/program/errors.h"
 #include "postprocess/analysis/input_check.h"
+#include "postprocess/figures/axes.h"
 #include "postprocess/tables/table.h"
-#include "postprocess/tables/units.h"
 #include "simulate/response/response_file.h"
 
 namespace fs = std::filesystem;
@@ -112,7 +112,7 @@ ReportNumbers from_folder(const fs::path& folder) {
   }
 }
 
-/// The same parameters and model, another casing, clearance, damping, ...
+/// Studies a response with the same parameters and model; casing, clearance, damping and so on may differ.
 ReportNumbers from_response(const fs::path& path, const Study& study) {
   Response response = read_response(path);
   check_together(study.model, response, path.string() + " (to compare; of another model, give its report)");
@@ -124,15 +124,8 @@ ReportNumbers from_response(const fs::path& path, const Study& study) {
 
 ReportNumbers report_numbers(const Study& study, const FieldResults& fields) {
   const int orders = study.parameters.engine_order_max;
-  ReportNumbers numbers{{},
-                        {},
-                        study.amplitudes.largest * mm_per_m,
-                        {},
-                        up_to(study.waves.leading, orders),
-                        up_to(study.waves.trailing, orders)};
-  numbers.speed.resize(numbers.amplitude.size());
-  for (std::size_t i = 0; i < study.response.speeds.size(); ++i)
-    numbers.speed[static_cast<Eigen::Index>(i)] = study.response.speeds[i].speed * rpm_per_rad_s;
+  ReportNumbers numbers{{}, rpm_of(study.response.speeds),      study.amplitudes.largest * mm_per_m,
+                        {}, up_to(study.waves.leading, orders), up_to(study.waves.trailing, orders)};
   for (std::size_t i = 0; i < study.critical.size(); ++i) {
     const CriticalSpeed& critical = study.critical[i];
     numbers.peaks.push_back(

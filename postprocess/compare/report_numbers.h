@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "postprocess/analysis/study.h"
-#include "postprocess/fields/field_results.h"
+#include "postprocess/fields/field_study.h"
 
 namespace tiprub {
 
@@ -21,24 +21,23 @@ struct ComparedPeak {
   std::optional<double> stress;  ///< [MPa] von Mises, spin and vibration; where the report has it
 };
 
-/// What is compared of two reports, whose wheels may differ.
+/// The numbers that two reports are compared by; their wheels may differ.
 struct ReportNumbers {
-  std::string name;                  ///< as the other report was given
-  Eigen::VectorXd speed, amplitude;  ///< [rpm], [mm] the largest on the tip line
+  std::string name;                  ///< path of the other report, as the user gave it
+  Eigen::VectorXd speed, amplitude;  ///< [rpm]; [mm] the largest on the tip line
   std::vector<ComparedPeak> peaks;   ///< ascending in speed
-  /// Parts and total up to engine_order_max; of the spectra only lines and revolutions.
+  /// Parts and totals up to engine_order_max; their spectra have only a number of lines and revolutions.
   InteractionMap leading_map, trailing_map;
 };
 
 ReportNumbers report_numbers(const Study& study, const FieldResults& fields);
 
-/// As a report keeps them in numbers.json, schema tiprub-numbers. Its lists are as long as the speeds, the critical
-/// speeds or the spectra's lines.
+/// The file of a report that holds them, schema tiprub-numbers.
 inline constexpr const char* numbers_file = "numbers.json";
 std::string to_json(const ReportNumbers& numbers);
 
-/// From a report's folder, or from another response of the same model, which is studied with the same parameters.
-/// Raises InputError if it is neither.
+/// Reads a report's folder, or studies another response of the same model with the same parameters. Raises InputError
+/// if `path` is neither.
 ReportNumbers read_other_report(const std::filesystem::path& path, const Study& study);
 
 }  // namespace tiprub

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/explore/speed_data.h"
+#include "postprocess/explore/page_data.h"
 
 #include <algorithm>
 #include <array>
 
-#include "postprocess/explore/packed_arrays.h"
 #include "postprocess/figures/maps.h"
-#include "postprocess/records/columns.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/records/study_records.h"
+#include "postprocess/tables/packing.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -27,12 +27,12 @@ std::vector<Edge> edges_of(const WaveMaps& waves, const ContactMaps& contact) {
           {"trailing", waves.trailing.node, waves.trailing, contact.trailing}};
 }
 
-/// As the case file has it.
+/// The component's name in the case file.
 const char* key_of(Component component) {
   return std::array{"normal", "radial", "tangential", "axial"}[static_cast<std::size_t>(component)];
 }
 
-/// Those of the response's own sectors; the others follow them.
+/// The columns of the sectors that the response holds; the others move as these do.
 Eigen::MatrixXd held(const SimulatedScene& scene, const Eigen::MatrixXd& of_all_sectors) {
   return of_all_sectors.leftCols(scene.independent_sectors);
 }
@@ -49,7 +49,7 @@ void add_motion(PackedArrays& arrays, const Study& study, const SpeedResponse& s
     arrays.add_coarse(place + key_of(study.parameters.component), motion(study.parameters.component));
 }
 
-/// Rows of a spectrum that are drawn: as high as the maps reach, and the engine orders asked for.
+/// How many lines of a spectrum are drawn: as high as the maps reach, and at least the engine orders asked for.
 int drawn_lines(const SpeedFrame& frame, const TravellingSpectrum& spectrum, double speed) {
   const double orders = std::max<double>(frame.engine_order_max, map_frequency_high(frame) / (speed * hz_per_rad_s));
   return std::min(spectrum.lines(), static_cast<int>(orders * spectrum.revolutions) + 1);
@@ -96,7 +96,7 @@ json speeds_of(const SpeedFrame& frame, const std::vector<Crossing>& crossings) 
   return speeds;
 }
 
-/// [Hz] of the drawn families over the speeds; every nodal diameter.
+/// [Hz] The drawn families of every nodal diameter over the speeds.
 json add_modes(PackedArrays& arrays, const SpeedFrame& frame) {
   json list = json::array();
   for (int n = 0; n < frame.nodal_diameters(); ++n)
@@ -119,7 +119,7 @@ json axes_of(const Study& study, const SpeedFrame& frame) {
           {"engine_orders", study.parameters.engine_order_max}};
 }
 
-/// The parts and the total of a map [mm], speed after speed, and where each speed's begin.
+/// The parts and the total of a map [mm], speed after speed, and where those of each speed begin.
 json add_map(PackedArrays& arrays, const InteractionMap& map, const std::string& place) {
   json speeds = json::array();
   Eigen::Index lines = 0;
@@ -138,7 +138,7 @@ json add_map(PackedArrays& arrays, const InteractionMap& map, const std::string&
   return speeds;
 }
 
-/// What the page lays beside its own views.
+/// The other report, which the page draws beside this one.
 json add_other(PackedArrays& arrays, const ReportNumbers& other) {
   arrays.add("other/speed", other.speed);
   arrays.add("other/largest", other.amplitude);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/explore/wheel_data.h"
+#include "postprocess/explore/page_data.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 #include <set>
 
 #include "mesh/cells/cell_kind.h"
-#include "postprocess/explore/packed_arrays.h"
 #include "postprocess/fields/blade_place.h"
 #include "postprocess/fields/wheel_surface.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/packing.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -19,17 +19,17 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_nodes = 5000;  // of a sector's surface, with those between its faces' corners
+constexpr std::size_t most_nodes = 5000;  // of a sector's surface; beyond it only corners of faces are drawn
 
 /// The free surface of a sector in triangles.
 struct Surface {
-  std::vector<int> nodes;              ///< of the sector that are on it
-  std::vector<std::uint32_t> corners;  ///< three a triangle: indices into `nodes`
-  std::vector<std::uint32_t> edges;    ///< two a straight piece of an edge of a face, likewise
+  std::vector<int> nodes;              ///< the sector's nodes on the surface
+  std::vector<std::uint32_t> corners;  ///< three for each triangle: indices into `nodes`
+  std::vector<std::uint32_t> edges;    ///< two for each straight piece of a face's edge, likewise
 };
 
 Surface surface_of(const std::vector<SurfaceFace>& faces, Eigen::Index nodes, bool corners_only) {
-  // Of a face's nodes, by its corners: with the corners alone, and with the mid-sides.
+  // Triangles of a face by its number of corners: of the corners only, and with the mid-side nodes.
   static const std::map<int, std::vector<int>> coarse = {{3, {0, 1, 2}}, {4, {0, 1, 2, 0, 2, 3}}};
   static const std::map<int, std::vector<int>> fine = {{3, {0, 3, 5, 1, 4, 3, 2, 5, 4, 3, 4, 5}},
                                                        {4, {0, 4, 7, 1, 5, 4, 2, 6, 5, 3, 7, 6, 4, 5, 6, 4, 6, 7}}};
@@ -65,7 +65,7 @@ Surface surface_of(const SectorFields& sector) {
   return surface.nodes.size() > most_nodes ? surface_of(faces, sector.nodes.cols(), true) : surface;
 }
 
-/// Those of some nodes of the sector that are drawn, as indices into the surface's.
+/// Which of these nodes of the sector are drawn, as indices into the surface's nodes.
 std::vector<std::uint32_t> drawn_of(const Surface& surface, const std::set<int>& nodes) {
   std::vector<std::uint32_t> drawn;
   for (std::size_t i = 0; i < surface.nodes.size(); ++i)
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> drawn_of(const Surface& surface, const std::set<int>&
   return drawn;
 }
 
-/// Empty where the mesh doesn't tell its disc from its blades.
+/// The nodes of the disc; empty if the mesh does not name its parts.
 std::set<int> disc_nodes(const SectorFields& sector) {
   std::set<int> nodes;
   if (const auto disc = sector.parts.find(disc_part); disc != sector.parts.end() && sector.parts.size() > 1)
@@ -98,7 +98,7 @@ json add_modes(PackedArrays& arrays, const FieldStudy& fields, const std::vector
   return list;
 }
 
-/// [MPa] what all but the highest few nodes stay below: single ones, at corners of the clamp, may stand far above.
+/// [MPa] A limit that all but a few nodes stay below; single ones, at corners of the clamp, may lie far above it.
 double stress_limit(Eigen::VectorXd stress) {
   constexpr double colour_quantile = 0.999;
   const auto place =
@@ -131,9 +131,9 @@ json add_motion(PackedArrays& arrays, const std::vector<SpeedResponse>& speeds, 
                      {"order", moving.motion.waves[i].engine_order},
                      {"share", moving.motion.waves[i].share}});
   }
-  arrays.add_coarse(place + "/vibration", moving.vibration(nodes) * mpa_per_pa);
-  arrays.add_coarse(place + "/spin", moving.spin(nodes) * mpa_per_pa);
-  arrays.add_coarse(place + "/both", moving.both(nodes) * mpa_per_pa);
+  arrays.add_coarse(place + "/vibration", moving.stress.vibration(nodes) * mpa_per_pa);
+  arrays.add_coarse(place + "/spin", moving.stress.spin(nodes) * mpa_per_pa);
+  arrays.add_coarse(place + "/both", moving.stress.both(nodes) * mpa_per_pa);
   arrays.add_coarse(place + "/force",
                     at->contact_force.middleRows(moving.motion.first_sample, moving.motion.samples));
   arrays.add(place + "/clearance", at->clearance);
@@ -143,8 +143,8 @@ json add_motion(PackedArrays& arrays, const std::vector<SpeedResponse>& speeds, 
           {"samples", moving.motion.samples},
           {"samples_per_revolution", at->samples_per_revolution},
           {"left_out", moving.motion.left_out},
-          {"largest", moving.displacement},
-          {"stress_limit", stress_limit(moving.both)},
+          {"largest", moving.stress.displacement},
+          {"stress_limit", stress_limit(moving.stress.both)},
           {"waves", std::move(waves)}};
 }
 

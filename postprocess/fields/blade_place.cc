@@ -12,7 +12,8 @@ namespace tiprub {
 namespace {
 
 constexpr int lines_along = 101;
-constexpr double edge_length = 0.1, root_span = 0.1, low_span = 0.35, high_span = 0.65;  // shares that words begin at
+constexpr double edge_length = 0.1, root_span = 0.1, low_span = 0.35,
+                 high_span = 0.65;  // shares at which the words change
 
 /// Points at even shares of a polyline's length.
 Eigen::Matrix2Xd even_points(const std::vector<Eigen::Vector2d>& line) {
@@ -77,7 +78,7 @@ int BladePlaces::bricks_of(const std::string& part, int node) const {
   return known == bricks_.end() ? 0 : known->second[static_cast<std::size_t>(node)];
 }
 
-/// From leading to trailing edge a root advances in the direction in which the tip line does on the whole.
+/// Orders the root's points in the direction from the first to the last point of the tip line.
 void BladePlaces::lay_lines(const std::string& blade) {
   std::vector<Eigen::Vector2d> tip, root;
   for (const int node : tip_line(sector_)) tip.push_back(meridional(sector_.nodes.col(node)));
@@ -92,7 +93,7 @@ void BladePlaces::lay_lines(const std::string& blade) {
   tip_ = even_points(tip);
 }
 
-/// By the nearest of the lines.
+/// Reads span and length from the nearest line.
 BladePlaces::Share BladePlaces::share(int node) const {
   const Eigen::Vector2d place = meridional(sector_.nodes.col(node));
   double nearest = std::numeric_limits<double>::infinity();

@@ -47,8 +47,8 @@ CellStress::CellStress(const SectorFields& sector)
   }
 }
 
-/// Of `parts` displacements at once, whose numbers of a component stand beside each other, as those of stress do.
-/// Cells are too small for Eigen's blocked products.
+/// Adds the stress of `parts` displacements at once: one real field, or real and imaginary part, which lie side by
+/// side in memory. Cells are too small for Eigen's blocked products.
 template <int parts>
 void CellStress::add_cells(const double* displacement, double* stress) const {
   using Moved = Eigen::Vector<double, 3 * parts>;

@@ -9,30 +9,28 @@
 
 namespace tiprub {
 
-/// Symmetric tensors at nodes: xx, yy, zz, xy, yz, zx; one a column.
+/// Symmetric tensors at nodes, a column each: xx, yy, zz, xy, yz, zx.
 using Tensors = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 using ComplexTensors = Eigen::Matrix<std::complex<double>, 6, Eigen::Dynamic>;
 
-/// Stress at the nodes of a sector by linear elasticity, sigma = lambda tr(eps) I + 2 mu eps. Strains are taken at
-/// the points of each cell where they are exact to one order more (the 2 x 2 x 2 Gauss points of a brick: Barlow
-/// 1976), carried on to its nodes by the lowest polynomials through them (trilinear in a brick: Hinton and Campbell
-/// 1974), and averaged over the cells that share a node. Strains at the nodes themselves would be of the same order,
-/// and several times as wrong.
+/// Stress at the nodes of a sector by linear elasticity, sigma = lambda tr(eps) I + 2 mu eps. Strains are computed at
+/// the superconvergent points of each cell (the 2 x 2 x 2 Gauss points of a brick: Barlow 1976), extrapolated to its
+/// nodes by the lowest polynomials through them (trilinear in a brick: Hinton and Campbell 1974), and averaged over
+/// the cells that share a node. Strains computed at the nodes directly would have errors several times as large.
 class CellStress {
  public:
   explicit CellStress(const SectorFields& sector);
 
-  /// [Pa] of a displacement [m] in x, y, z: sums over the cells at each node.
+  /// [Pa] The stress of a displacement [m] in x, y, z, summed over the cells at each node.
   Tensors sum(const Eigen::Matrix3Xd& displacement) const;
   ComplexTensors sum(const Eigen::Matrix3Xcd& displacement) const;
   /// How many cells each node has.
   const Eigen::VectorXi& cells_at_node() const { return cells_at_node_; }
-  /// [Pa] averages over the cells of the sector alone.
+  /// [Pa] Averages over the cells of this sector, without its neighbours.
   Tensors average(const Eigen::Matrix3Xd& displacement) const;
   /// [m^3] by cell.
   const Eigen::VectorXd& volumes() const { return volumes_; }
-  /// The first cell that is flat or turned inside out at a point, where it has no strain; none in a sound
-  /// mesh.
+  /// The first cell that is flat or turned inside out, so that it has no strain; none in a sound mesh.
   const std::optional<Eigen::Index>& degenerate_cell() const { return degenerate_; }
 
  private:
@@ -41,7 +39,7 @@ class CellStress {
 
   const Eigen::MatrixXi& cells_;
   double lambda_, mu_;
-  /// [1/m] by cell: of its shape functions by x, y, z at the first point, then at the second, ...; nodes x columns.
+  /// [1/m] By cell: gradients of its shape functions in x, y, z at the first point, the second, ...; nodes x columns.
   std::vector<Eigen::MatrixXd> gradient_;
   Eigen::VectorXi cells_at_node_;
   Eigen::VectorXd volumes_;

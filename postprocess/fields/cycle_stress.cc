@@ -7,7 +7,7 @@ namespace tiprub {
 
 namespace {
 
-/// The waves of each sample of some columns.
+/// The waves of each of some samples.
 std::vector<std::vector<WaveField>> recovered(const WheelCycle& cycle, int first, int count,
                                               const WaveRecovery& recover) {
   std::vector<std::vector<WaveField>> by_sample(static_cast<std::size_t>(count));
@@ -18,8 +18,8 @@ std::vector<std::vector<WaveField>> recovered(const WheelCycle& cycle, int first
   return by_sample;
 }
 
-/// [Pa] of spin and mean vibration, by blades that live differently: a blade's mean is that of all sectors whose
-/// states it passes through.
+/// [Pa] The mean stress, spin included, by blades with different histories. A blade's mean is that of all sectors
+/// whose states it passes through.
 std::vector<Tensors> mean_stress(const WheelCycle& cycle, const Tensors& spin, int sector_count,
                                  const WaveRecovery& recover) {
   std::vector<WaveField> mean;
@@ -38,7 +38,7 @@ constexpr Eigen::Index nodes_at_once = 256;  // their waves fit into a processor
 /// Goes through the states and keeps the largest values.
 class Maxima {
  public:
-  /// `mean` by blades that live differently; none: no mean and no alternating part.
+  /// `mean` by blades with different histories; if it is empty, there is no alternating part.
   Maxima(const Tensors& spin, std::vector<Tensors> mean) : spin_(spin), mean_(std::move(mean)) {
     const Eigen::Index nodes = spin.cols();
     found.vibration = found.both = Eigen::VectorXd::Zero(nodes);

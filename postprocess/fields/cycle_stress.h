@@ -11,23 +11,23 @@
 
 namespace tiprub {
 
-/// Von Mises stress at every node of a sector, the largest over all samples and all sectors of a cycle.
+/// The largest von Mises stress at every node of a sector over all samples and all sectors of a cycle.
 struct CycleStress {
   Eigen::VectorXd vibration;       ///< [Pa] of the vibration alone
   Eigen::VectorXd spin;            ///< [Pa] of the static shape under spin alone
   Eigen::VectorXd both;            ///< [Pa] of their sum
-  Eigen::VectorXi sector, sample;  ///< where and when the vibration's is largest; the sample of the recorded ones
-  /// [Pa] of the mean tensor over the cycle, spin included, and the largest of the tensor minus that mean; nodes x
-  /// blades that live differently (WheelCycle::histories()). Empty if there is only an instant.
+  Eigen::VectorXi sector, sample;  ///< where and when that of the vibration is largest; the recorded sample
+  /// [Pa] Von Mises stress of the mean tensor over the cycle, spin included, and the largest one of the tensor minus
+  /// that mean; nodes x blades with different histories (WheelCycle::histories()). Empty if there is only an instant.
   Eigen::MatrixXd mean, alternating;
   double displacement = 0;  ///< [m] the farthest that any node moves by vibration
 };
 
-/// Waves with their stress, one a column of states of a nodal diameter (the index into SimulatedScene's).
+/// Recovers waves with their stress, one for each column of states; `diameter` is an index into SimulatedScene's.
 using WaveRecovery = std::function<std::vector<WaveField>(std::size_t diameter, const Eigen::MatrixXcd& states)>;
 
-/// Costs the recovery of each of the cycle's samples once; takes as much memory as `block` samples of the recovered
-/// waves, at least one. `progress` advances by each sample.
+/// Recovers each of the cycle's samples once, `block` (at least one) at a time to bound the memory. `progress`
+/// advances with each sample.
 CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int sector_count, const WaveRecovery& recover,
                          int block, Progress& progress);
 

@@ -4,22 +4,45 @@
 #include <Eigen/Dense>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "postprocess/analysis/postprocess_parameters.h"
 #include "postprocess/fields/blade_place.h"
 #include "postprocess/fields/cycle_stress.h"
-#include "postprocess/fields/stress_zones.h"
+#include "reduce/model/fields_file.h"
 
 namespace tiprub {
 
-/// [Pa] The largest von Mises stresses of a zone, over its nodes, all sectors and all samples.
+/// Tells where a sector's stress can be read, and where it is unbounded in the exact solution, so that it grows as
+/// the mesh is refined.
+enum class StressZone {
+  body,       ///< neither of the others
+  tip_patch,  ///< near the tip line: the casing pushes at single nodes
+  clamp_rim,  ///< near the edge of the clamped surface
+};
+
+/// The zones of a sector. Their lengths do not depend on the mesh, so that meshes can be compared.
+struct StressZones {
+  double tip_patch = 0;             ///< [m] from the line through the contact nodes
+  double clamp_rim = 0;             ///< [m] from the clamp's edge, in the meridional plane
+  std::vector<StressZone> at_node;  ///< by node of the sector
+};
+
+/// `tip_patch` [m] also is the width of the clamp's rim; 0 means 5 % of the tip line's length. Raises InputError if
+/// no node is left in the body.
+StressZones stress_zones(const SectorFields& sector, double tip_patch);
+
+/// [m] The length of the tip line.
+double tip_length(const SectorFields& sector);
+
+/// [Pa] The largest von Mises stresses over a zone's nodes, all sectors and all samples.
 struct StressMaxima {
   double vibration = 0;  ///< of the vibration alone
   double spin = 0;       ///< of the static shape under spin alone
   double both = 0;       ///< of their sum
 };
 
-/// What a node goes through in a cycle.
+/// The stress of a node over a cycle.
 struct StressCycle {
   double mean = 0;                ///< [Pa] von Mises stress of the mean tensor, spin included
   double alternating = 0;         ///< [Pa] the largest von Mises stress of the tensor minus its mean
@@ -38,10 +61,10 @@ struct FieldPeak {
   std::string part;                                 ///< volume group that it belongs to; empty without groups
   std::string where;                                ///< in words
   int samples = 0;                                  ///< of the cycle; 0: only a snapshot
-  /// Outside tip patch and clamp rim, where the utilisation is largest, or else the alternating part; only of a
+  /// Where, in the body, the utilisation is largest (the alternating part, if the case gives no strengths); only of a
   /// cycle.
   std::optional<StressCycle> cycle;
-  std::optional<double> yield_share;  ///< [1] body's stress of both over the yield strength, where the case gives it
+  std::optional<double> yield_share;  ///< [1] the body's stress of both over the yield strength, if given
 };
 
 FieldPeak field_peak(const SectorFields& sector, const CycleStress& stress, const StressZones& zones,

@@ -22,12 +22,6 @@ Eigen::Matrix3d rotation(double angle) {
 
 }  // namespace
 
-WheelField& WheelField::operator+=(const WheelField& other) {
-  for (std::size_t j = 0; j < displacement.size(); ++j) displacement[j] += other.displacement[j];
-  for (std::size_t j = 0; j < stress.size(); ++j) stress[j] += other.stress[j];
-  return *this;
-}
-
 Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& cylindrical) {
   Eigen::Matrix3Xcd displacement(3, sector.nodes.cols());
   for (Eigen::Index node = 0; node < sector.nodes.cols(); ++node) {

@@ -14,41 +14,39 @@ namespace tiprub {
 struct WaveField {
   int nodal_diameter = 0;
   Eigen::Matrix3Xcd displacement;  ///< [m]; 3 x nodes
-  ComplexTensors stress;           ///< [Pa]; 6 x nodes; empty if it wasn't asked for
+  ComplexTensors stress;           ///< [Pa]; 6 x nodes; may be empty
 };
 
 /// Displacement and stress of one sector at one instant, in the x, y, z of sector 0.
 struct SectorField {
   Eigen::Matrix3Xd displacement;  ///< [m]
-  Tensors stress;                 ///< [Pa]; empty where the waves came without
+  Tensors stress;                 ///< [Pa]; empty if the waves have none
 };
 
 /// Displacement and stress of all sectors at one instant, in the wheel's x, y, z.
 struct WheelField {
   std::vector<Eigen::Matrix3Xd> displacement;  ///< [m] by sector
   std::vector<Tensors> stress;                 ///< [Pa] by sector
-
-  WheelField& operator+=(const WheelField& other);
 };
 
 /// From r, theta, z of node 0, node 1, ... to x, y, z.
 Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& cylindrical);
 
-/// A wave's stress from its displacement. Nodes of the cut faces are averaged over the bricks of both sectors that
-/// share them: the high face is the low face of the next sector, turned and with the wave's phase.
+/// Computes a wave's stress from its displacement. At nodes of the cut faces it is averaged over the cells of both
+/// sectors that share them: the high face is the low face of the next sector, turned and with the wave's phase.
 void add_stress(const SectorFields& sector, const CellStress& bricks, WaveField& wave);
 
 /// The static shape under spin [rad/s], the same in every sector: a wave of nodal diameter 0.
 WaveField spin_field(const SectorFields& sector, const CellStress& bricks, double speed);
 
-/// Sector j of a sum of waves.
+/// A sum of waves on sector j.
 SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count);
 
-/// Some nodes of it.
+/// The same at some of its nodes.
 SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count, Eigen::Index first_node,
                       Eigen::Index nodes);
 
-/// All N sectors of a sum of waves.
+/// A sum of waves on all N sectors.
 WheelField on_wheel(const std::vector<WaveField>& waves, int sector_count);
 
 /// Positions [m] of the nodes of sector j.

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "cases/program/errors.h"
-#include "postprocess/tables/interruption.h"
+#include "cases/program/signal_cleanup.h"
 #include "postprocess/tables/table.h"
 #include "reduce/model/model_digest.h"
 
@@ -57,7 +57,7 @@ void require_sound_bricks(const CellStress& bricks, const std::string& name) {
                      "nodes");
 }
 
-/// Squares of the stress are taken; what is beyond this came from damaged numbers.
+/// Squares of the stress are computed later, and stress beyond this limit comes from damaged numbers.
 void require_sound_stress(const WaveField& wave, const std::string& name) {
   constexpr double largest = 1e100;  // [Pa]
   if (!(wave.stress.array().abs2() < largest * largest).all())
@@ -78,7 +78,7 @@ struct CycleAtSpeed {
   WheelCycle cycle;
 };
 
-/// Of the speeds whose states the response holds.
+/// The cycles of the speeds whose states the response holds.
 std::vector<CycleAtSpeed> cycles_at(const std::vector<std::size_t>& speeds, const Response& all,
                                     const ReducedModel& model) {
   std::vector<CycleAtSpeed> cycles;
@@ -101,7 +101,7 @@ std::size_t worst_of(const std::vector<std::size_t>& speeds, const Eigen::Vector
   });
 }
 
-/// So many samples of recovered waves fit into `recovery_memory`.
+/// How many samples of recovered waves fit into `recovery_memory`.
 int block_of_samples(const SimulatedScene& scene, const SectorFields& sector) {
   const std::size_t numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
   const std::size_t sample = sizeof(std::complex<double>) * numbers_at_node *
@@ -125,9 +125,9 @@ WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,
   };
 }
 
-/// What is moved and coloured in the page.
+/// The wheel as the page moves and colours it.
 MovingWheel moving_wheel(const FieldsReader& reader, WheelMotion motion, double speed, const CycleStress& stress) {
-  MovingWheel moving{speed, std::move(motion), {}, stress.displacement, stress.vibration, stress.spin, stress.both};
+  MovingWheel moving{speed, std::move(motion), {}, stress};
   for (RotorWave& wave : moving.motion.waves) {
     stop_if_interrupted();
     const Eigen::MatrixXcd found = reader.expand(wave.nodal_diameter, wave.state);
@@ -196,6 +196,40 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
     if (index == worst && response.snapshot) recover_instant(response, recover, spin, fields);
   }
   return fields;
+}
+
+namespace {
+
+std::string scope_of(const std::optional<FieldStudy>& fields) {
+  const std::string what = "displacement and stress on the whole wheel: ";
+  if (!fields) return what + "left out, no fields.h5 was given (--fields)";
+  const auto is_cycle = [](const FieldPeak& peak) { return peak.cycle.has_value(); };
+  if (std::any_of(fields->peaks.begin(), fields->peaks.end(), is_cycle))
+    return what + "over all recorded samples of the critical speeds, by linear elasticity";
+  return what + (fields->has_instant ? "at the sample with the largest contact force, by linear elasticity; the "
+                                       "response holds no whole cycle"
+                                     : "modes only, the response holds no state of the rotor; simulate it again");
+}
+
+}  // namespace
+
+bool FieldResults::has_stress() const {
+  return std::any_of(peaks.begin(), peaks.end(), [](const auto& peak) { return peak.has_value(); });
+}
+
+bool FieldResults::has_cycles() const {
+  return std::any_of(peaks.begin(), peaks.end(), [](const auto& peak) { return peak && peak->cycle; });
+}
+
+FieldResults field_results(const std::optional<FieldStudy>& fields, const std::vector<CriticalSpeed>& critical) {
+  FieldResults results{scope_of(fields), std::vector<std::optional<FieldPeak>>(critical.size())};
+  if (!fields) return results;
+  results.tip_patch = fields->zones.tip_patch;
+  results.clamp_rim = fields->zones.clamp_rim;
+  for (std::size_t i = 0; i < critical.size(); ++i)
+    for (const FieldPeak& peak : fields->peaks)
+      if (peak.speed == critical[i].speed) results.peaks[i] = peak;
+  return results;
 }
 
 }  // namespace tiprub

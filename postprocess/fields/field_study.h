@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 #include "postprocess/fields/field_peak.h"
 #include "postprocess/fields/field_recovery.h"
 #include "postprocess/fields/natural_modes.h"
-#include "postprocess/fields/wheel_motion.h"
+#include "postprocess/fields/wheel_cycle.h"
 
 namespace tiprub {
 
@@ -19,18 +20,15 @@ struct MovingWheel {
   double speed = 0;              ///< [rad/s]
   WheelMotion motion;            ///< its waves, without their states
   std::vector<WaveField> waves;  ///< the same on the nodes
-  double displacement = 0;       ///< [m] the farthest that any node moves
-  Eigen::VectorXd vibration;     ///< [Pa] the largest von Mises stress over the cycle and the sectors; by node
-  Eigen::VectorXd spin;          ///< [Pa] of the static shape under spin alone
-  Eigen::VectorXd both;          ///< [Pa] the largest of their sum
+  CycleStress stress;            ///< over that cycle
 };
 
 /// Full fields of a study.
 struct FieldStudy {
   SectorFields sector;
-  double speed = 0;                 ///< [rad/s] of the modes and the contact instant: the worst critical speed
+  double speed = 0;                 ///< [rad/s] the worst critical speed, of the modes and the contact instant
   NaturalModes modes;               ///< at that speed
-  bool has_instant = false;         ///< whether the response holds the rotor's state; if not, the rest is empty
+  bool has_instant = false;         ///< whether the response holds the rotor's state; if not, what follows is empty
   double angle = 0;                 ///< [rad] of the rotor at the contact instant, from the start of the recording
   double force = 0;                 ///< [N] all contact forces then
   WheelField vibration, spin;       ///< at the contact instant
@@ -39,18 +37,26 @@ struct FieldStudy {
   std::vector<MovingWheel> moving;  ///< at every critical speed that has a cycle
 };
 
-/// Recovers everything. Raises InputError if the fields are of another model.
+/// Recovers all full fields. Raises InputError if the fields are of another model.
 FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study,
                           const std::optional<MaterialStrength>& strength, Progress::Shown shown);
 
-/// Only looks whether the fields are those of the model; raises as recover_fields() does.
+/// Raises as recover_fields() does if the fields are not those of the model.
 void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model);
 
-/// At the speed of the contact instant; null if it has no cycle.
-const MovingWheel* moving_at_instant(const FieldStudy& fields);
+/// What tables and page show of the full fields.
+struct FieldResults {
+  std::string scope;  ///< a line on what was recovered, or why nothing was
+  /// One per critical speed; nothing without full fields, or where the response holds no state of the rotor.
+  std::vector<std::optional<FieldPeak>> peaks;
+  double tip_patch = 0, clamp_rim = 0;  ///< [m] see StressZones
 
-/// modes_sector.vtu, modes_wheel.vtu, contact_sector.vtu, contact_wheel.vtu; motion_sector.pvd and its frames in
-/// motion_sector/, if there is a motion.
-void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& folder);
+  bool has_stress() const;
+  /// Whether a critical speed's stress is that of a whole cycle.
+  bool has_cycles() const;
+};
+
+/// Without `fields`, every peak is nothing.
+FieldResults field_results(const std::optional<FieldStudy>& fields, const std::vector<CriticalSpeed>& critical);
 
 }  // namespace tiprub

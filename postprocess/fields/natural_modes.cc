@@ -16,11 +16,11 @@ namespace tiprub {
 
 namespace {
 
-constexpr int most_nodal_diameters = 3;  // looked at
-constexpr int lowest_families = 2;       // drawn, of all that are looked at
-constexpr int most_families = 8;         // looked at, of those that the reduction was verified with
+constexpr int most_nodal_diameters = 3;  // examined
+constexpr int lowest_families = 2;       // drawn, of all that are examined
+constexpr int most_families = 8;         // examined, of those that the reduction was verified with
 
-/// Those that the casing's first harmonics drive (eq. 17), ascending.
+/// The nodal diameters that the casing's first harmonics drive (eq. 17), ascending.
 std::vector<int> driven_nodal_diameters(int casing_lobes, int sectors) {
   std::set<int> chosen;
   const int lobes = std::max(1, casing_lobes);
@@ -29,7 +29,7 @@ std::vector<int> driven_nodal_diameters(int casing_lobes, int sectors) {
   return {chosen.begin(), chosen.end()};
 }
 
-/// Of a nodal diameter.
+/// How many families of a nodal diameter are examined.
 Eigen::Index families_of(const ReducedModel& model, int nodal_diameter) {
   const auto n = static_cast<std::size_t>(nodal_diameter);
   const Eigen::Index verified =

@@ -24,25 +24,26 @@ struct ModeShares {
   std::map<std::string, double> share;  ///< [1] by part: see part_shares()
 };
 
-/// Natural modes of the wheel at one speed, of the nodal diameters that the casing's lowest harmonics drive.
+/// Natural modes of the wheel at one speed, for the nodal diameters that the casing's lowest harmonics drive.
 struct NaturalModes {
-  /// Of the lowest families, by nodal diameter, then family; after them those of the disc (disc_modes()).
+  /// The lowest families, by nodal diameter and then family, followed by the modes of the disc (disc_modes()).
   std::vector<ModeField> drawn;
-  std::vector<ModeShares> shares;  ///< of all families that were looked at, by nodal diameter, then family
+  std::vector<ModeShares> shares;  ///< of all examined families, by nodal diameter, then family
 };
 
-/// At a speed [rad/s]; so many families at most are the lowest. Without parts that are told apart there are no shares
-/// and no modes of the disc.
+/// At a speed [rad/s]; at most `families` of the lowest families are drawn. If the mesh does not name its parts,
+/// there are no shares and no modes of the disc.
 NaturalModes natural_modes(const FieldsReader& reader, const ReducedModel& model, int lobes, int families,
                            double speed);
 
-/// [1] of the integral of |u|^2 over the wheel, by part: each cell by its volume and the mean over its nodes.
+/// [1] Each part's share of the integral of |u|^2 over the wheel, with the mean over a cell's nodes in each cell.
 /// `volumes` [m^3] by cell; `displacement` 3 x nodes.
 std::map<std::string, double> part_shares(const SectorFields& sector, const Eigen::VectorXd& volumes,
                                           const Eigen::Matrix3Xcd& displacement);
 
-/// Of the families from `first` on the one whose two modes with the largest share of the disc have the most of it;
-/// their places in `shares`, ascending. Empty where no share is above zero.
+/// Chooses, among the families from `first` on, the one in which the disc takes part most, judged by its two modes
+/// with the largest shares of the disc. Gives these two by their places in `shares`, ascending; empty if all shares
+/// are 0.
 std::vector<std::size_t> disc_modes(const std::vector<ModeShares>& shares, int first);
 
 }  // namespace tiprub

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/fields/wheel_cycle.h"
 
+#include <fftw3.h>
+
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <memory>
+#include <numbers>
 #include <numeric>
 
 #include "cases/program/errors.h"
@@ -20,7 +25,7 @@ void require_dofs(Eigen::Index found, Eigen::Index asked) {
                      std::to_string(asked) + "; give the model that the response was made with");
 }
 
-/// How far the later states of a cycle are from earlier ones turned.
+/// How far the later states of a cycle are from earlier ones that are turned.
 class TurnedDifference {
  public:
   TurnedDifference(const WheelCycle& cycle, const SpeedResponse& response, const SimulatedScene& scene,
@@ -31,7 +36,7 @@ class TurnedDifference {
     for (std::size_t i = 0; i < cycle.states.size(); ++i) norm_ += energy(i, cycle.states[i]);
   }
 
-  /// [1] of the norm: states `shift` samples later against those that turned by so many sectors.
+  /// [1] Relative difference between the states `shift` samples later and the states turned by `turn` sectors.
   double operator()(int shift, int turn) const {
     double difference = 0;
     const Eigen::Index columns = cycle_.samples() - shift;
@@ -54,8 +59,8 @@ class TurnedDifference {
   double norm_ = 0;
 };
 
-/// Keeps the samples up to the first from which on all are earlier ones turned. Only after whole beats, when each
-/// lobe is where another one was, can it be; half of the samples at least must show it.
+/// Drops the samples that repeat earlier ones, turned by some sectors. Only after whole beats, when each lobe is
+/// where another one was, can a motion repeat; at least half of the samples must show that it does.
 void drop_repeats(WheelCycle& cycle, int beat, const TurnedDifference& difference) {
   for (int shift = beat; 2 * shift <= cycle.samples(); shift += beat)
     for (int turn = 0; turn < cycle.sectors; ++turn)
@@ -92,6 +97,66 @@ WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scen
   if (cycle.whole && response.samples_per_revolution % beats == 0)
     drop_repeats(cycle, response.samples_per_revolution / beats, TurnedDifference(cycle, response, scene, model));
   return cycle;
+}
+
+namespace {
+
+/// The Fourier coefficients of the states of a cycle; model dofs x lines. The phase of line m over R revolutions is
+/// k phi_s = 2 pi m s / S, with s counted from the start of the recording.
+Eigen::MatrixXcd fourier_lines(Eigen::MatrixXcd states, int first_sample) {
+  const auto dofs = static_cast<int>(states.rows()), samples = static_cast<int>(states.cols());
+  Eigen::MatrixXcd lines(dofs, samples);
+  const std::unique_ptr<fftw_plan_s, decltype(&fftw_destroy_plan)> plan(
+      fftw_plan_many_dft(1, &samples, dofs, reinterpret_cast<fftw_complex*>(states.data()), nullptr, dofs, 1,
+                         reinterpret_cast<fftw_complex*>(lines.data()), nullptr, dofs, 1, FFTW_FORWARD,
+                         FFTW_ESTIMATE),
+      &fftw_destroy_plan);
+  fftw_execute(plan.get());
+  for (int m = 0; m < samples; ++m) {
+    const int turns = first_sample % samples * m % samples;
+    lines.col(m) *= std::polar(1.0 / samples, -2 * std::numbers::pi * turns / samples);
+  }
+  return lines;
+}
+
+/// Adds the waves of one nodal diameter. If it stands, its states are real, and both signs of k are one wave.
+void add_waves(std::vector<RotorWave>& waves, const Eigen::MatrixXcd& lines, int nodal_diameter, int revolutions,
+               bool stands, const Eigen::MatrixXcd& mass) {
+  const auto samples = static_cast<int>(lines.cols());
+  for (int m = 0; m < samples; ++m) {
+    const int k = 2 * m > samples ? m - samples : m;
+    if (stands && k < 0) continue;
+    const double both_signs = stands && k > 0 && 2 * k != samples ? 2 : 1, time_mean = stands && k == 0 ? 1 : 0.5;
+    RotorWave wave{nodal_diameter, static_cast<double>(k) / revolutions, 0, both_signs * lines.col(m)};
+    wave.share = time_mean * wave.state.dot(mass * wave.state).real();
+    waves.push_back(std::move(wave));
+  }
+}
+
+}  // namespace
+
+WheelMotion wheel_motion(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model,
+                         double left_out, std::size_t most) {
+  const RotorCycle& cycle = *response.cycle;
+  WheelMotion motion{cycle.first_sample, static_cast<int>(cycle.displacement.front().cols()), {}, 1};
+  const int revolutions = std::max(1, motion.samples / response.samples_per_revolution);
+  std::vector<RotorWave> waves;
+  for (std::size_t i = 0; i < cycle.displacement.size(); ++i) {
+    const int n = scene.nodal_diameters[i];
+    add_waves(waves, fourier_lines(cycle.displacement[i], motion.first_sample), n, revolutions,
+              is_standing(n, scene.sector_count), model.nodal_diameters[static_cast<std::size_t>(n)].M);
+  }
+  std::stable_sort(waves.begin(), waves.end(),
+                   [](const RotorWave& a, const RotorWave& b) { return a.share > b.share; });
+  double all = 0;
+  for (const RotorWave& wave : waves) all += wave.share;
+  for (RotorWave& wave : waves) {
+    if (motion.waves.size() == most || motion.left_out <= left_out) break;
+    wave.share /= all > 0 ? all : 1;
+    motion.left_out -= wave.share;
+    motion.waves.push_back(std::move(wave));
+  }
+  return motion;
 }
 
 }  // namespace tiprub

@@ -9,27 +9,50 @@
 
 namespace tiprub {
 
-/// The wheel's states over a cycle, without those that are other ones turned: a motion that travels with the casing
-/// repeats itself, turned by some sectors, many times a revolution. So the stress at a few samples of all
-/// independent sectors is all the stress there is.
+/// The wheel's states over a cycle, without repetitions. A motion that travels with the casing repeats itself, turned
+/// by some sectors, many times a revolution. So a few samples of all independent sectors hold all the stress of the
+/// cycle.
 struct WheelCycle {
-  /// By nodal diameter, as SimulatedScene lists them; model dofs x samples. The state after the last of them is the
-  /// first one turned, or the cycle's end.
+  /// By nodal diameter, as SimulatedScene lists them; model dofs x samples. After the last of them the first one
+  /// follows again, turned by `turn` sectors, or the cycle ends.
   std::vector<Eigen::MatrixXcd> states;
   int first_sample = 0;  ///< of the recorded ones
-  int turn = 0;          ///< [sectors] what sector j does after the last of the samples, sector j + turn did before
+  int turn = 0;          ///< [sectors] after the last sample sector j repeats what sector j + turn did
   int sectors = 0;       ///< independent ones
-  bool whole = false;    ///< a cycle; if not, one instant, which has no mean
-  /// Samples of the cycle for which these stand.
+  bool whole = false;    ///< whether this is a cycle, or only one instant, which has no mean
+  /// How many samples the whole cycle has.
   int recorded_samples = 0;
 
   int samples() const { return static_cast<int>(states.front().cols()); }
-  /// How many blades live differently: blades j and j + histories() pass through the same states, at other times.
+  /// How many blades have different histories: blades j and j + histories() pass through the same states, at
+  /// different times.
   int histories() const;
 };
 
-/// From the cycle of a speed, or else from its snapshot, one of which must be there. States that differ by less than
-/// 1e-3 of their norm (of elastic energy) are one and the same, which is far below what stress from a mesh is worth.
+/// From the cycle of a speed or, without one, from its snapshot; the speed must have either. States that differ by
+/// less than 1e-3 of their norm (of elastic energy) count as equal; the error of stress from a mesh is far larger.
 WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model);
+
+/// One travelling wave of the whole rotor: sector j moves by Re(x e^{i (k phi + n j alpha)}), phi the rotor's angle
+/// from the start of the recording, k = engine_order, of either sign.
+struct RotorWave {
+  int nodal_diameter = 0;   ///< n, 0 .. N/2
+  double engine_order = 0;  ///< k; 0: at rest in the rotor
+  double share = 0;         ///< [1] of the motion's mean square, weighted by mass
+  Eigen::VectorXcd state;   ///< x, in the model's dofs [m in contact rows]
+};
+
+/// The rotor's motion over a cycle as a sum of its largest waves: a few numbers per node describe all instants.
+struct WheelMotion {
+  int first_sample = 0;          ///< of the recorded ones: the cycle's
+  int samples = 0;               ///< in the cycle, to the end of the recording
+  std::vector<RotorWave> waves;  ///< the largest first
+  double left_out = 0;           ///< [1] share of the mean square in all other waves
+};
+
+/// The largest waves of the motion of a speed that has a cycle: as many as leave out a share of `left_out` or less,
+/// but at most `most`. They are terms of the Fourier series of the model's states over whole revolutions.
+WheelMotion wheel_motion(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model,
+                         double left_out, std::size_t most);
 
 }  // namespace tiprub

@@ -8,7 +8,7 @@
 
 namespace tiprub {
 
-/// A face that one cell alone has: what is seen of a body.
+/// A face that belongs to only one cell, and so lies on the surface.
 struct SurfaceFace {
   enum class Side { free, cyclic_low, cyclic_high };
 
@@ -20,7 +20,7 @@ struct SurfaceFace {
 
 /// The surface of a sector; the faces on the cut planes are marked.
 std::vector<SurfaceFace> sector_surface(const SectorFields& sector);
-/// The same of some of its cells alone.
+/// The surface of some of its cells.
 std::vector<SurfaceFace> surface_of_cells(const SectorFields& sector, const std::vector<int>& cells);
 
 }  // namespace tiprub

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -77,10 +77,6 @@ std::vector<Crossing> drawn_crossings(const SpeedFrame& frame, const std::vector
     return crossing.family < frame.families && crossing.engine_order <= frame.engine_order_max;
   });
   return drawn;
-}
-
-void set_speed_axis(Drawing& drawing, const DrawnRange& axis) {
-  drawing.values.insert(drawing.values.end(), {{"speed", axis}});
 }
 
 void set_engine_orders(Drawing& drawing, const SpeedFrame& frame) {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "postprocess/figures/study_figures.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -77,25 +77,18 @@ Eigen::VectorXd gap(double clearance, const SimulatedScene& scene) {
 
 Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMaps& maps,
                           const std::string& of_blade) {
-  const ContactMap& map = edge == TipEdge::leading ? maps.leading : maps.trailing;
-  const ContactDrift drift = edge == TipEdge::leading ? maps.leading_drift : ContactDrift{};  // as in the paper
-  const std::string where = edge == TipEdge::leading ? "leading" : "trailing";
+  const bool leading = edge == TipEdge::leading;
+  const ContactMap& map = leading ? maps.leading : maps.trailing;
+  const ContactDrift drift = leading ? maps.leading_drift : ContactDrift{};  // as in the paper
   const int places = map.clusters.maxCoeff();
-  Figure figure{.drawing = {.name = "contact_map_" + where + "_edge",
-                            .width = 1000,
-                            .height = 560,
-                            .script = "contact_map",
-                            .values = {{"places", DrawnRange{0, std::max(1.0, 1.1 * places)}},
-                                       {"places_tics", std::max(1, (places + 3) / 4)}}},
-                .title = "Contact map, " + where + " edge" + of_blade,
-                .caption = "Where the " + where + " edge" + of_blade + " of sector 0 rubs: the casing in " +
-                           std::to_string(map.share.rows()) +
-                           " areas, each coloured by the share of the steps over it that are in contact, from white "
-                           "(never) to dark blue (always). Below: contrast, near 1 where the contact keeps to few "
-                           "places, and the number of separate places. Grey: speeds without a response.",
-                .data = contact_table(frame.speeds, map)};
+  Figure figure = listed_figure(
+      "contact_map", {{"edge", name_of(edge)}, {"of_blade", of_blade}, {"areas", std::to_string(map.share.rows())}});
+  figure.drawing.name += leading ? "_leading_edge" : "_trailing_edge";
+  figure.drawing.values = {{"speed", frame.axis},
+                           {"places", DrawnRange{0, std::max(1.0, 1.1 * places)}},
+                           {"places_tics", std::max(1, (places + 3) / 4)}};
+  figure.data = contact_table(frame.speeds, map);
   if (drift.determination > 0) figure.caption += drift_sentence(drift) + lag_sentence(maps.lag);
-  set_speed_axis(figure.drawing, frame.axis);
   set_drift(figure.drawing, frame.lobes, drift);
   set_pixels(figure, contact_pixels(frame, map));
   return figure;
@@ -104,19 +97,11 @@ Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMa
 Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact) {
   constexpr double smallest_distortion = 1e-12;  // [m] of a round casing
   const double largest = std::max(scene.casing_distortion.cwiseAbs().maxCoeff(), smallest_distortion);
-  Figure figure{
-      .drawing = {.name = "casing",
-                  .width = 1000,
-                  .height = 430,
-                  .script = "casing",
-                  .values = {{"largest_distortion", largest * mm_per_m}}},
-      .title = "Casing",
-      .caption = "Left: the shape, its largest distortion of " + fixed(largest * mm_per_m, 3) +
-                 " mm drawn as a fifth of the radius; dashed: the round casing. Right: the gap between the casing "
-                 "and the tip" +
-                 of_main_blade(contact) + " that spins at " + rpm_text(shown.speed) +
-                 " without vibrating; below zero the blade has to bend.",
-      .data = {{"angle [deg]", "gap at leading edge [mm]", "gap at trailing edge [mm]", "distortion [mm]"}, {}}};
+  Figure figure = listed_figure("casing", {{"largest", fixed(largest * mm_per_m, 3)},
+                                           {"of_blade", of_main_blade(contact)},
+                                           {"speed", rpm_text(shown.speed)}});
+  figure.drawing.values = {{"largest_distortion", largest * mm_per_m}};
+  figure.data = {{"angle [deg]", "gap at leading edge [mm]", "gap at trailing edge [mm]", "distortion [mm]"}, {}};
   const Eigen::VectorXd leading = gap(shown.clearance[0], scene),
                         trailing = gap(shown.clearance[contact.trailing_edge()], scene);
   for (Eigen::Index i = 0; i < scene.casing_angle.size(); ++i)

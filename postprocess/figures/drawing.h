@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -9,20 +11,20 @@
 
 namespace tiprub {
 
-/// Ends of an axis or of a colour scale; a script knows those of "speed" as speed_low and speed_high.
+/// Ends of an axis or of a colour scale. In a script those of "speed" are speed_low and speed_high.
 struct DrawnRange {
   double low = 0;
   double high = 0;
 
-  /// At least a ten-thousandth of itself wide, because gnuplot draws no empty range and tells tics apart by six
-  /// digits: wider to both sides, or upwards from zero.
+  /// Widened, if it is too narrow, to a ten-thousandth of its magnitude: to both sides, or upwards from zero. gnuplot
+  /// draws no empty range and labels tics with six digits.
   DrawnRange widened() const;
 };
 
-/// What a script knows by a name: a number, a text for people, a list of either (an array, from 1), or a range.
+/// A value that a script reads by name: a number, a text, a list of either (an array, from 1), or a range.
 using ScriptValue = std::variant<int, double, std::string, std::vector<double>, std::vector<std::string>, DrawnRange>;
 
-/// Numbers that a script plots as $name; several sheets are told apart by `index 0`, `index 1`, ..
+/// Numbers that a script plots as $name; its sheets are `index 0`, `index 1`, and so on.
 struct ScriptTable {
   std::string name;
   std::vector<Eigen::MatrixXd> sheets;
@@ -33,14 +35,31 @@ inline Eigen::MatrixXd as_column(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// One picture: a script of scripts/ and what it reads. How it looks is the script's affair.
+/// One picture: a script of scripts/, which decides how it looks, and what that script reads.
 struct Drawing {
   std::string name{};    ///< of the files, without ending
   int width = 900;       ///< [px] of the SVG; the PNG has twice as many
   int height = 540;      ///< [px]
   std::string script{};  ///< without ending
   std::vector<std::pair<std::string, ScriptValue>> values{};
-  std::vector<ScriptTable> tables{};  ///< each comes with its number of rows, <name>_rows
+  std::vector<ScriptTable> tables{};  ///< a script finds the number of rows in <name>_rows
 };
+
+/// What gnuplot runs for a drawing: its values and tables as assignments, then scripts/draw.gp.
+std::string prologue(const Drawing& drawing);
+
+/// A text as gnuplot shows it unchanged, whatever names a case gives. It stands between single quotes, where gnuplot
+/// runs and replaces nothing; single quotes become an escape between double ones, letters that enhanced mode would
+/// read as markup are escaped, and line ends become blanks.
+std::string gnuplot_text(const std::string& text);
+
+/// Raises RunError if gnuplot can't be started.
+void require_gnuplot();
+
+/// Draws name.svg and name.png for each drawing in the folder, with at most `jobs` processes at a time, and calls
+/// `drawn` after each. Raises RunError with gnuplot's message if one fails or leaves no whole picture, and
+/// Interrupted if a signal came. No process outlives the call.
+void draw(const std::vector<Drawing>& drawings, const std::filesystem::path& folder, int jobs,
+          const std::function<void()>& drawn);
 
 }  // namespace tiprub

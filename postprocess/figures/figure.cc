@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/figures/figure.h"
 
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "cases/program/output_file.h"
-#include "postprocess/figures/gnuplot.h"
-#include "postprocess/tables/interruption.h"
+#include "cases/program/signal_cleanup.h"
+#include "embedded/figure_list.h"
+#include "postprocess/figures/drawing.h"
 
 namespace fs = std::filesystem;
 
@@ -25,6 +27,22 @@ void write_pixels(const Pixels& pixels, const fs::path& folder) {
 }
 
 }  // namespace
+
+Figure listed_figure(const std::string& name, const std::map<std::string, std::string>& values) {
+  static const nlohmann::json list = nlohmann::json::parse(embedded::figure_list::figures_json, nullptr, true, true);
+  const nlohmann::json& entry = list.at(name);
+  std::string caption;
+  for (const nlohmann::json& line : entry.at("caption"))
+    caption += (caption.empty() ? "" : " ") + line.get<std::string>();
+  const std::string text = filled(entry.at("title").get<std::string>() + "\n" + caption, values);
+  const std::size_t title_end = text.find('\n');
+  return {.drawing = {.name = name,
+                      .width = entry.at("size").at(0),
+                      .height = entry.at("size").at(1),
+                      .script = entry.value("script", name)},
+          .title = text.substr(0, title_end),
+          .caption = text.substr(title_end + 1)};
+}
 
 void set_pixels(Figure& figure, Eigen::MatrixXf values) {
   figure.drawing.values.insert(figure.drawing.values.end(), {{"pixel_columns", static_cast<int>(values.cols())},

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@
 
 namespace tiprub {
 
-/// Colours on a regular grid, as a drawing reads them from `file`; rows go up, columns to the right. They are
-/// resampled for the eye, and thrown away after drawing: the numbers are in the figure's table.
+/// Colours on a regular grid, which a drawing reads from `file`; rows go up, columns to the right. They are resampled
+/// for the eye and deleted after drawing: the numbers are in the figure's table.
 struct Pixels {
   std::string file;
   Eigen::MatrixXf values;
@@ -24,10 +25,13 @@ struct Figure {
   Drawing drawing;
   std::string title;
   std::string caption;
-  Table data{};  ///< what is drawn, as <name>.csv, which the drawing may read
+  Table data{};  ///< what is drawn; written as <name>.csv, which the drawing may read
   std::vector<Pixels> pixels{};
-  std::string seen{};  ///< what is seen, in words, for those who can't see it; empty: the caption says it
 };
+
+/// A figure as figures.json lists it, with name, size, script, title and caption; each {{word}} is replaced by its
+/// value.
+Figure listed_figure(const std::string& name, const std::map<std::string, std::string>& values = {});
 
 /// Gives the figure its pixels, as <name>.pixels; the script finds their counts in pixel_columns and pixel_rows.
 void set_pixels(Figure& figure, Eigen::MatrixXf values);

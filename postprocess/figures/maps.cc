@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -16,7 +16,12 @@ constexpr double above_modes = 2;          // how far a map reaches above the hi
 constexpr double smallest_map = 1e-6;      // [mm] of a map without motion
 constexpr double seconds_per_minute = 60;  // EO k is the line f = k rpm / 60
 
-/// The line of a spectrum that is drawn at a frequency, or -1 between lines.
+/// Half of the width of a spectral line as it is drawn, in engine orders.
+double line_half_width(const TravellingSpectrum& spectrum) {
+  return std::min(0.5 / spectrum.revolutions, widest_half_line);
+}
+
+/// The line of a spectrum that is drawn at an engine order, or -1 between lines.
 int line_at(const TravellingSpectrum& spectrum, double engine_order) {
   const double line = engine_order * spectrum.revolutions;
   const int nearest = static_cast<int>(std::lround(line));
@@ -31,7 +36,7 @@ Eigen::VectorXd speeds_of(const InteractionMap& map) {
   return rpm;
 }
 
-/// `amplitude` [m] of a column's line on a grid [mm].
+/// `amplitude` [m] of a column's line, drawn on a grid [mm].
 Eigen::MatrixXf gridded(const InteractionMap& map, const Eigen::VectorXd& failed, const MapFrame& frame, int columns,
                         int rows, const std::function<double(const MapColumn&, int line)>& amplitude) {
   const Eigen::VectorXi nearest = nearest_speeds(speeds_of(map), failed, frame.speed, columns);
@@ -54,7 +59,7 @@ Eigen::MatrixXf gridded(const InteractionMap& map, const Eigen::VectorXd& failed
   return pixels;
 }
 
-/// [mm] as map_pixels(), the part of one nodal diameter.
+/// [mm] The same as map_pixels() for the part of one nodal diameter.
 Eigen::MatrixXf part_pixels(const InteractionMap& map, int nodal_diameter, const Eigen::VectorXd& failed,
                             const MapFrame& frame, int columns, int rows) {
   return gridded(map, failed, frame, columns, rows,
@@ -84,7 +89,7 @@ std::string node_name(const ContactLine& contact, int node) {
          (place.empty() ? " of 0 .. " + std::to_string(contact.size() - 1) : ", the " + place);
 }
 
-/// Where the families of nodal diameter 0 enter the map [Hz], those that do.
+/// Where families of nodal diameter 0 enter the map [Hz].
 ScriptTable family_labels(const SpeedFrame& frame) {
   const double speed = frame.axis.low / rpm_per_rad_s;
   std::vector<double> frequencies;
@@ -94,7 +99,7 @@ ScriptTable family_labels(const SpeedFrame& frame) {
   return {"family_labels", {as_column(frequencies)}};
 }
 
-/// Speeds [rpm] whose motion is of a kind that the paper's assumptions leave out.
+/// Speeds [rpm] for which a property holds.
 ScriptTable speeds_where(const std::vector<SpeedResponse>& speeds, const char* name,
                          const std::function<bool(const SpeedResponse&)>& holds) {
   std::vector<double> found;
@@ -112,7 +117,7 @@ std::vector<ScriptTable> unusual_motion(const std::vector<SpeedResponse>& speeds
           })};
 }
 
-/// Those that can move, as many as there is room for.
+/// The lowest of the nodal diameters that can move, as many as there is room for.
 std::vector<int> panel_nodal_diameters(std::vector<int> moving) {
   constexpr std::size_t most = 12;
   std::sort(moving.begin(), moving.end());
@@ -150,17 +155,13 @@ MapFrame map_frame(const SpeedFrame& frame, const WaveMaps& waves, const Postpro
   return {frame.axis, map_frequency_high(frame), {high * std::pow(10.0, -parameters.amplitude_decades), high}};
 }
 
-double line_half_width(const TravellingSpectrum& spectrum) {
-  return std::min(0.5 / spectrum.revolutions, widest_half_line);
-}
-
 void set_map_axes(Drawing& drawing, const SpeedFrame& frame, const MapFrame& map) {
-  set_speed_axis(drawing, map.speed);
   set_engine_orders(drawing, frame);
   set_critical_speeds(drawing, frame, map.frequency_high);
   set_modes(drawing, frame, frame.axis);
-  drawing.values.insert(drawing.values.end(),
-                        {{"frequency", DrawnRange{0, map.frequency_high}}, {"amplitude", map.amplitude}});
+  drawing.values.insert(
+      drawing.values.end(),
+      {{"speed", map.speed}, {"frequency", DrawnRange{0, map.frequency_high}}, {"amplitude", map.amplitude}});
 }
 
 Eigen::MatrixXf map_pixels(const InteractionMap& map, const Eigen::VectorXd& failed, const MapFrame& frame,
@@ -176,22 +177,12 @@ std::string largest_place(const TipAmplitudes& amplitudes, const ContactLine& co
 Figure interaction_map_figure(const SpeedFrame& frame, const MapFrame& axes, const EdgeMap& edge,
                               const std::vector<SpeedResponse>& speeds) {
   constexpr int columns = 700, rows = 480;
-  const std::string where = edge.edge == TipEdge::leading ? "leading" : "trailing";
-  Figure figure{
-      .drawing = {.name = "interaction_map_" + where + "_edge",
-                  .width = 1000,
-                  .height = 640,
-                  .script = "interaction_map"},
-      .title = "Interaction map, " + where + " edge" + edge.of_blade,
-      .caption = "Amplitude of the " + edge.component + " at the " + name_of(edge.edge) + edge.of_blade +
-                 ", the sum over the nodal diameters, rotor frame, logarithmic colours, the same for both edges. " +
-                 edge.remark +
-                 " White lines: engine orders f = k\xCE\xA9. Orange lines: natural frequencies of the first "
-                 "families, all nodal diameters. Diamonds: the critical speeds. A ridge glows where an engine order "
-                 "meets a mode that its nodal "
-                 "diameter can drive. Marks at the foot: speeds whose motion is not the same every revolution, or at "
-                 "which a nodal diameter that was left out would grow. Grey: speeds without a response.",
-      .data = map_table(frame, edge.map)};
+  Figure figure = listed_figure("interaction_map", {{"edge", name_of(edge.edge)},
+                                                    {"of_blade", edge.of_blade},
+                                                    {"component", edge.component},
+                                                    {"remark", edge.remark}});
+  figure.drawing.name += edge.edge == TipEdge::leading ? "_leading_edge" : "_trailing_edge";
+  figure.data = map_table(frame, edge.map);
   set_map_axes(figure.drawing, frame, axes);
   figure.drawing.tables.push_back(family_labels(frame));
   for (ScriptTable& marks : unusual_motion(speeds)) figure.drawing.tables.push_back(std::move(marks));
@@ -204,19 +195,9 @@ Figure interaction_map_parts_figure(const SpeedFrame& frame, const MapFrame& axe
   constexpr int width = 330, height = 260, columns = 3;
   const std::vector<int> panels = panel_nodal_diameters(moving);
   const int count = static_cast<int>(panels.size()), rows = (count + columns - 1) / columns;
-  Figure figure{
-      .drawing = {.name = "interaction_map_parts",
-                  .width = 1100,
-                  .height = 100 + 330 * rows,
-                  .script = "interaction_map_parts"},
-      .title = "Interaction map by nodal diameter",
-      .caption =
-          std::string("The parts whose sum is the interaction map of the ") + name_of(waves.asked) +
-          ", on the same colours; forward and backward waves of a "
-          "nodal diameter are added; those at rest are left out. Orange lines: the natural frequencies of that nodal "
-          "diameter. The table "
-          "beside it lists the ridges: every wave's peaks over speed.",
-      .data = ridge_table(waves.ridges)};
+  Figure figure = listed_figure("interaction_map_parts", {{"edge", name_of(waves.asked)}});
+  figure.drawing.height = 100 + 330 * rows;
+  figure.data = ridge_table(waves.ridges);
   set_map_axes(figure.drawing, frame, axes);
   std::vector<std::string> titles;
   for (const int n : panels) {
@@ -259,13 +240,8 @@ Eigen::MatrixXd outline(const SpeedFrame& frame, const MapColumn& column) {
 }  // namespace
 
 Figure waterfall_figure(const SpeedFrame& frame, const InteractionMap& map) {
-  Figure figure{.drawing = {.name = "waterfall", .width = 900, .height = 640, .script = "waterfall"},
-                .title = "Waterfall",
-                .caption =
-                    "The spectra of the interaction map one above the other, linear in amplitude, which the bar at "
-                    "the right measures; grey: engine orders. The largest line is " +
-                    fixed(map.largest() * mm_per_m, 3) + " mm high.",
-                .data = {{"speed [rpm]", "frequency [Hz]", "total [mm]"}, {}}};
+  Figure figure = listed_figure("waterfall", {{"largest", fixed(map.largest() * mm_per_m, 3)}});
+  figure.data = {{"speed [rpm]", "frequency [Hz]", "total [mm]"}, {}};
   std::vector<double> speeds;
   ScriptTable spectra{"spectra", {}};
   for (auto column = map.columns.rbegin(); column != map.columns.rend(); ++column) {
@@ -275,10 +251,10 @@ Figure waterfall_figure(const SpeedFrame& frame, const InteractionMap& map) {
       figure.data.rows.push_back({speeds.back(), column->spectrum.engine_order(line) * column->speed * hz_per_rad_s,
                                   column->total[line] * mm_per_m});
   }
-  set_speed_axis(figure.drawing, frame.axis);
   set_engine_orders(figure.drawing, frame);
   figure.drawing.values.insert(figure.drawing.values.end(),
-                               {{"frequency", DrawnRange{0, map_frequency_high(frame)}},
+                               {{"speed", frame.axis},
+                                {"frequency", DrawnRange{0, map_frequency_high(frame)}},
                                 {"amplitude", DrawnRange{0, std::max(map.largest() * mm_per_m, smallest_map)}},
                                 {"speeds", static_cast<int>(speeds.size())},
                                 {"speed", speeds}});

@@ -5,19 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "postprocess/analysis/wave_maps.h"
+#include "postprocess/analysis/interaction_map.h"
 #include "postprocess/figures/axes.h"
 #include "postprocess/figures/figure.h"
 
 namespace tiprub {
 
-/// What a map is drawn over.
+/// Axes and colours of a map.
 struct MapFrame {
   DrawnRange speed;           ///< [rpm]
   double frequency_high = 0;  ///< [Hz]
-  DrawnRange amplitude;       ///< [mm] what is less has the lowest colour: log scales don't know zero
+  DrawnRange amplitude;       ///< [mm] smaller amplitudes have the lowest colour: a log scale has no zero
 };
-/// Of a study's own maps; both edges share their colours.
+/// For a study's own maps: both edges share their colours.
 MapFrame map_frame(const SpeedFrame& frame, const WaveMaps& waves, const PostprocessParameters& parameters);
 
 /// [Hz] the highest engine order at the highest speed, but not far above the families that are drawn.
@@ -26,17 +26,14 @@ double map_frequency_high(const SpeedFrame& frame);
 /// [mm] the largest amplitude of both edges' maps, never zero.
 double map_amplitude_high(const WaveMaps& waves);
 
-/// Half of the width of a spectral line as it is drawn, in engine orders.
-double line_half_width(const TravellingSpectrum& spectrum);
-
-/// What scripts/map.gp reads, apart from the pixels.
+/// Sets what scripts/map.gp reads, except the pixels.
 void set_map_axes(Drawing& drawing, const SpeedFrame& frame, const MapFrame& map);
 
-/// [mm] the total over speed and frequency; NaN where it has no speed, or one of `failed` [rpm] is nearer.
+/// [mm] The total over speed and frequency; NaN where the map has no speed or one of `failed` [rpm] is nearer.
 Eigen::MatrixXf map_pixels(const InteractionMap& map, const Eigen::VectorXd& failed, const MapFrame& frame,
                            int columns, int rows);
 
-/// An edge's map and what its caption tells.
+/// An edge's map and the words of its caption.
 struct EdgeMap {
   TipEdge edge;
   const InteractionMap& map;

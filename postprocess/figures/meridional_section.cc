@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/figures/meridional_section.h"
+#include "postprocess/figures/study_figures.h"
 
 #include <algorithm>
 #include <boost/polygon/polygon.hpp>
@@ -9,7 +9,7 @@
 #include "postprocess/fields/blade_place.h"
 #include "postprocess/fields/field_recovery.h"
 #include "postprocess/figures/axes.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -21,9 +21,9 @@ using Polygon = polygon::polygon_data<int>;
 using Piece = polygon::polygon_with_holes_data<int>;
 
 constexpr double sliver = 1e-4;  // of the largest piece's area
-constexpr double steps = 1e7;    // of the whole numbers that unions are exact in, along the largest place
+constexpr double steps = 1e7;    // whole numbers, in which unions are exact, along the largest coordinate
 
-/// A face in the plane: corners and middles in turn.
+/// A face in the plane: corners and middle nodes alternate.
 Polygon projected(const Eigen::Matrix3Xd& nodes, const SurfaceFace& face, double step) {
   const auto corners = static_cast<std::size_t>(face.corners());
   std::vector<Point> around;
@@ -66,7 +66,7 @@ namespace {
 
 constexpr double drawn_gap = 0.02;  // of the outer radius, at least: how wide the mean gap is drawn
 
-/// r, z [m], 2 x points, by the name that people read.
+/// A line in r, z [m], 2 x points, with the name that is shown.
 struct SectionLine {
   std::string name;
   Eigen::Matrix2Xd points;
@@ -78,7 +78,7 @@ bool inlet_below(const SectorFields& sector) {
   return sector.nodes(2, contact.front()) <= sector.nodes(2, contact.back());
 }
 
-/// Of the mesh's parts, of the whole sector where they are not told apart.
+/// The outlines of the mesh's parts, or of the whole sector if the mesh does not name its parts.
 std::vector<SectionLine> outlines(const SectorFields& sector) {
   std::vector<SectionLine> lines;
   const auto add = [&](const std::string& name, const std::vector<SurfaceFace>& of) {
@@ -89,7 +89,7 @@ std::vector<SectionLine> outlines(const SectorFields& sector) {
   return lines;
 }
 
-/// Nodes that lie on one circle around the axis are one point.
+/// The points of some nodes in the meridional plane; nodes on one circle around the axis are one point.
 Eigen::Matrix2Xd distinct(const SectorFields& sector, const std::vector<int>& nodes) {
   const double grid = 1e-6 * outer_radius(sector);
   std::set<std::pair<long, long>> seen;
@@ -103,7 +103,7 @@ Eigen::Matrix2Xd distinct(const SectorFields& sector, const std::vector<int>& no
   return points;
 }
 
-/// The round casing over the main blade's contact nodes, its gap so many times as wide.
+/// The round casing over the main blade's contact nodes, with its gap `times` as wide.
 Eigen::Matrix2Xd casing(const ContactLine& contact, const Eigen::VectorXd& clearance, double times) {
   Eigen::Matrix2Xd points(2, contact.trailing_edge() + 1);
   for (int k = 0; k <= contact.trailing_edge(); ++k) {
@@ -114,7 +114,7 @@ Eigen::Matrix2Xd casing(const ContactLine& contact, const Eigen::VectorXd& clear
   return points;
 }
 
-/// A whole number with one digit that is not 0, 1 at least.
+/// How many times as wide the gap is drawn: at least 1, and a whole number with one digit that is not 0.
 double gap_factor(double mean, double radius) {
   if (!(mean > 0)) return 1;
   const double wanted = drawn_gap * radius / mean, tens = std::pow(10.0, std::floor(std::log10(wanted)));
@@ -153,19 +153,9 @@ Figure meridional_section_figure(const SectorFields& sector, const ContactLine& 
                                  const Eigen::VectorXd& clearance) {
   const double radius = outer_radius(sector), times = gap_factor(clearance.mean(), radius);
   std::vector<SectionLine> lines = outlines(sector);
-  Figure figure{.drawing = {.name = "meridional_section",
-                            .width = 760,
-                            .height = 640,
-                            .script = "meridional_section",
-                            .values = {{"inlet_first", inlet_below(sector) ? 1 : 0}}},
-                .title = "Section of the wheel",
-                .caption =
-                    "The sector's mesh in the meridional plane: what each of its parts covers, turned about the "
-                    "axis. Blue: contact nodes" +
-                    of_main_blade(line) +
-                    "; red: clamped nodes. The line over the blade is the round "
-                    "casing, its clearance as the case gives it drawn " +
-                    fixed(times, 0) + " times as wide."};
+  Figure figure =
+      listed_figure("meridional_section", {{"of_blade", of_main_blade(line)}, {"times", fixed(times, 0)}});
+  figure.drawing.values = {{"inlet_first", inlet_below(sector) ? 1 : 0}};
   set_outlines(figure.drawing, lines);
   const std::vector<int>& tip = sector.node_set("contact");  // a splitter's nodes come last
   const Eigen::Matrix2Xd contact = distinct(sector, {tip.begin(), tip.end() - line.splitter_nodes}),

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "postprocess/figures/study_figures.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 #include "postprocess/waves/aliasing.h"
 #include "reduce/model/nodal_diameter.h"
 
@@ -52,7 +52,8 @@ std::vector<double> middles(const Eigen::MatrixXd& values) {
   return {middle.begin(), middle.end()};
 }
 
-/// What is drawn of a spectrum: lines 1 .. last, nodal diameters lowest .. lowest + N - 1, colours low .. high.
+/// The part of a spectrum that is drawn: lines 1 .. last, nodal diameters lowest .. lowest + N - 1, colours low ..
+/// high.
 struct Drawn {
   int last, lowest;
   double low, high;
@@ -102,73 +103,51 @@ void set_waves(Figure& figure, const TravellingSpectrum& spectrum, const Drawn& 
 
 }  // namespace
 
-Figure sectors_figure(const SectorSignal& signal, const SpeedResponse& shown, const FigureName& name) {
+Figure sectors_figure(const std::string& name, const SectorSignal& signal, const SpeedResponse& shown) {
   constexpr double clear_of_each_other = 1.15, smallest_spacing = 1e-9;
   const int revolutions = drawn_revolutions(shown);
   const int samples_per_revolution = shown.samples_per_revolution;
   const double spacing = std::max(2 * clear_of_each_other * vibration_amplitude(signal.values), smallest_spacing);
-  const std::string bar_label = fixed(0.5 * spacing, 3) + " " + signal.unit;
-  return {.drawing = {.name = name.file,
-                      .width = 1000,
-                      .height = 640,
-                      .script = "sectors",
-                      .values = {{"revolutions", revolutions},
-                                 {"sectors", static_cast<int>(signal.values.cols())},
-                                 {"middle", middles(signal.values)},
-                                 {"spacing", spacing},
-                                 {"bar_label", bar_label}}},
-          .title = name.title,
-          .caption = signal.what + ", at " + rpm_text(shown.speed) + ", one sector above the other; the bar is " +
-                     bar_label +
-                     " long. In a fully symmetric steady motion each sector repeats its neighbour's signal.",
-          .data = signal_table(signal, static_cast<Eigen::Index>(samples_per_revolution) * revolutions,
-                               samples_per_revolution)};
+  const std::string bar = fixed(0.5 * spacing, 3) + " " + signal.unit;
+  Figure figure = listed_figure(name, {{"what", signal.what}, {"speed", rpm_text(shown.speed)}, {"bar", bar}});
+  figure.drawing.values = {{"revolutions", revolutions},
+                           {"sectors", static_cast<int>(signal.values.cols())},
+                           {"middle", middles(signal.values)},
+                           {"spacing", spacing},
+                           {"bar_label", bar}};
+  figure.data =
+      signal_table(signal, static_cast<Eigen::Index>(samples_per_revolution) * revolutions, samples_per_revolution);
+  return figure;
 }
 
-Figure two_way_spectrum_figure(const SectorSignal& signal, const SpeedResponse& shown, const SpeedFrame& frame,
-                               double decades, const FigureName& name) {
+Figure two_way_spectrum_figure(const std::string& name, const SectorSignal& signal, const SpeedResponse& shown,
+                               const SpeedFrame& frame, double decades) {
   const TravellingSpectrum spectrum = travelling_spectrum(signal.values, shown.recorded_revolutions);
   const Drawn drawn = drawn_part(spectrum, frame.engine_order_max, decades);
-  Figure figure{
-      .drawing = {.name = name.file,
-                  .width = 1000,
-                  .height = 520,
-                  .script = "two_way_spectrum",
-                  .values = {{"lines", drawn.last},
-                             {"revolutions", spectrum.revolutions},
-                             {"sectors", spectrum.sector_count},
-                             {"lowest_nodal_diameter", drawn.lowest},
-                             {"amplitude", DrawnRange{drawn.low, drawn.high}},
-                             {"unit", signal.unit}},
-                  .tables = {{"expected",
-                              {expected_waves(frame.lobes, frame.engine_order_max, spectrum.sector_count)}}}},
-      .title = name.title,
-      .caption = signal.what + ", at " + rpm_text(shown.speed) +
-                 ": amplitude of each travelling wave. Positive nodal diameters run against the rotation "
-                 "(backward), negative ones with it (forward), as seen from the rotor. Circles: where eq. "
-                 "17 puts the casing's harmonics."};
+  Figure figure = listed_figure(name, {{"what", signal.what}, {"speed", rpm_text(shown.speed)}});
+  figure.drawing.values = {{"lines", drawn.last},
+                           {"revolutions", spectrum.revolutions},
+                           {"sectors", spectrum.sector_count},
+                           {"lowest_nodal_diameter", drawn.lowest},
+                           {"amplitude", DrawnRange{drawn.low, drawn.high}},
+                           {"unit", signal.unit}};
+  figure.drawing.tables = {
+      {"expected", {expected_waves(frame.lobes, frame.engine_order_max, spectrum.sector_count)}}};
   set_waves(figure, spectrum, drawn, signal.unit);
   return figure;
 }
 
 Figure contact_force_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact,
                             int engine_order_max) {
-  const int last_node = contact.trailing_edge(), samples = shown.samples_per_revolution;
-  const Eigen::VectorXd leading = tip_force(shown, scene, 0).col(0);
-  const Eigen::VectorXd trailing = tip_force(shown, scene, last_node).col(0);
-  Figure figure{
-      .drawing = {.name = "contact_force",
-                  .width = 1000,
-                  .height = 520,
-                  .script = "contact_force",
-                  .values = {{"engine_order_max", engine_order_max}},
-                  .tables = {{"lines",
-                              {line_spectra(leading, trailing, shown.recorded_revolutions, engine_order_max)}}}},
-      .title = "Contact force" + of_main_blade(contact),
-      .caption = "Sector 0 at " + fixed(shown.speed * rpm_per_rad_s, 0) +
-                 " rpm, the first recorded revolution (above), and the spectrum over all recorded ones "
-                 "(below). The force acts along the normal, from the casing on the blade.",
-      .data = {{"rotor angle [deg]", "leading edge [N]", "trailing edge [N]"}, {}}};
+  const int samples = shown.samples_per_revolution;
+  const Eigen::VectorXd leading = tip_force(shown, scene, 0).col(0),
+                        trailing = tip_force(shown, scene, contact.trailing_edge()).col(0);
+  Figure figure =
+      listed_figure("contact_force", {{"of_blade", of_main_blade(contact)}, {"speed", rpm_text(shown.speed)}});
+  figure.drawing.values = {{"engine_order_max", engine_order_max}};
+  figure.drawing.tables = {
+      {"lines", {line_spectra(leading, trailing, shown.recorded_revolutions, engine_order_max)}}};
+  figure.data = {{"rotor angle [deg]", "leading edge [N]", "trailing edge [N]"}, {}};
   for (int s = 0; s < samples; ++s) figure.data.rows.push_back({360.0 * s / samples, leading[s], trailing[s]});
   return figure;
 }
@@ -180,20 +159,12 @@ Figure harmonic_bars_figure(const MapColumn& shown, int lobes, int last) {
   // diameter 4.
   const int order = 2 * std::max(lobes, 1);
   const int diameter = aliased_nodal_diameter(order, spectrum.sector_count);
-  Figure figure{.drawing = {.name = "harmonic_bars",
-                            .width = 1000,
-                            .height = 400,
-                            .script = "harmonic_bars",
-                            .values = {{"engine_order", order},
-                                       {"nodal_diameter", diameter},
-                                       {"nodal_diameters", half + 1},
-                                       {"engine_orders", last}}},
-                .title = "Harmonics at one speed",
-                .caption = "At " + fixed(shown.speed * rpm_per_rad_s, 0) +
-                           " rpm: the nodal diameters on engine order " + std::to_string(order) +
-                           ", and the engine orders on nodal diameter " + std::to_string(diameter) +
-                           ", both directions one on the other. The trackings follow these bars over speed.",
-                .data = {{"engine order", "nodal diameter", "backward or standing [mm]", "forward [mm]"}, {}}};
+  Figure figure = listed_figure("harmonic_bars", {{"speed", rpm_text(shown.speed)},
+                                                  {"engine_order", std::to_string(order)},
+                                                  {"nodal_diameter", std::to_string(diameter)}});
+  figure.drawing.values = {
+      {"engine_order", order}, {"nodal_diameter", diameter}, {"nodal_diameters", half + 1}, {"engine_orders", last}};
+  figure.data = {{"engine order", "nodal diameter", "backward or standing [mm]", "forward [mm]"}, {}};
   for (int n = 0; n <= half; ++n) figure.data.rows.push_back(bar_row(spectrum, order, n));
   for (int k = 1; k <= last; ++k) figure.data.rows.push_back(bar_row(spectrum, k, diameter));
   return figure;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "postprocess/figures/study_figures.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -52,14 +52,14 @@ Eigen::MatrixXd veering_rows(const SpeedFrame& frame, int families, double speed
   return rows;
 }
 
-/// How many engine orders stay below a frequency, one at least, and at most as many as lines can be told apart.
+/// How many engine orders stay below a frequency: at least one, and not more than can be told apart.
 int engine_orders_below(double frequency_high, double speed) {
   constexpr double most = 2000;
   return static_cast<int>(std::clamp(frequency_high / (speed * hz_per_rad_s), 1.0, most));
 }
 
-/// Engine orders 0 .. that stay below a frequency: nodal diameter, frequency [Hz], engine order, driven by the
-/// casing.
+/// Engine orders from 0 that stay below a frequency: nodal diameter, frequency [Hz], engine order, and 1 if the
+/// casing drives it.
 Eigen::MatrixXd zigzag_rows(const SpeedFrame& frame, double speed, double frequency_high) {
   const int last = engine_orders_below(frequency_high, speed), lobes = frame.lobes;
   Eigen::MatrixXd rows(last + 1, 4);
@@ -69,7 +69,7 @@ Eigen::MatrixXd zigzag_rows(const SpeedFrame& frame, double speed, double freque
   return rows;
 }
 
-/// The lowest critical speed, where the zig-zag has its many legs; the highest speed if there is none other.
+/// The lowest critical speed other than the shown one; the highest speed if there is none.
 double second_speed(const SpeedFrame& frame, double shown) {
   for (const CriticalSpeed& critical : frame.critical)
     if (critical.speed != shown) return critical.speed;
@@ -100,27 +100,15 @@ Table veering_table(int families, const std::vector<double>& speeds, const std::
 
 Figure campbell_figure(const SpeedFrame& frame, const LinearRules& rules) {
   const DrawnRange axis{0, frame.axis.high};
-  Figure figure{
-      .drawing = {.name = "campbell",
-                  .width = 1000,
-                  .height = 640,
-                  .script = "campbell",
-                  .values = {{"frequency", DrawnRange{0, headroom * highest_frequency(frame)}},
-                             {"range",
-                              DrawnRange{frame.range.low * rpm_per_rad_s, frame.range.high * rpm_per_rad_s}}},
-                  .tables = {{"aliased", {places(drawn_crossings(frame, rules.aliased))}},
-                             {"equation_2", {places(drawn_crossings(frame, rules.equation_2))}}}},
-      .title = "Campbell diagram",
-      .caption =
-          "Natural frequencies in the rotor frame over speed by nodal diameter, all families that make critical "
-          "speeds, and "
-          "engine-order lines. Shaded: the simulated speeds. Circles: crossings that the linear rule with "
-          "aliasing lists (f = k \xC3\x97 lobes \xC3\x97 \xCE\xA9 on the nodal diameter of eq. 17); squares: "
-          "those of eq. 2; diamonds: the critical speeds that were computed, at the frequency of the wave that makes "
-          "them (at the upper edge, where it is higher)."};
-  set_speed_axis(figure.drawing, axis);
+  const double frequency_high = headroom * highest_frequency(frame);
+  Figure figure = listed_figure("campbell");
+  figure.drawing.values = {{"speed", axis},
+                           {"frequency", DrawnRange{0, frequency_high}},
+                           {"range", DrawnRange{frame.range.low * rpm_per_rad_s, frame.range.high * rpm_per_rad_s}}};
+  figure.drawing.tables = {{"aliased", {places(drawn_crossings(frame, rules.aliased))}},
+                           {"equation_2", {places(drawn_crossings(frame, rules.equation_2))}}};
   set_engine_orders(figure.drawing, frame);
-  set_critical_speeds(figure.drawing, frame, headroom * highest_frequency(frame));
+  set_critical_speeds(figure.drawing, frame, frequency_high);
   set_modes(figure.drawing, frame, axis);
   figure.data = mode_table(frame, figure.drawing);
   return figure;
@@ -140,24 +128,16 @@ Figure interference_figure(const SpeedFrame& frame, double shown, int asked_fami
     engine_orders.push_back(engine_orders_below(frequency_high, speed));
     titles.push_back("at " + rpm_text(speed));
   }
-  return {.drawing = {.name = "interference",
-                      .width = 1050,
-                      .height = 580,
-                      .script = "interference",
-                      .values = {{"nodal_diameters", frame.nodal_diameters()},
-                                 {"sectors", frame.sector_count},
-                                 {"families", families},
-                                 {"frequency", DrawnRange{0, frequency_high}},
-                                 {"panel_title", titles},
-                                 {"engine_orders", engine_orders}},
-                      .tables = {{"modes", modes}, {"zigzag", zigzags}}},
-          .title = "Nodal diameter over frequency",
-          .caption =
-              "The families over the nodal diameter, at rest and at two speeds: the one whose motion is shown "
-              "below, and the lowest critical speed. The zig-zag is where the sectors see the engine orders "
-              "(eq. 17); a resonance threatens where one of its orange corners, the multiples of the lobes, "
-              "lies on a mode.",
-          .data = veering_table(families, speeds, modes)};
+  Figure figure = listed_figure("interference");
+  figure.drawing.values = {{"nodal_diameters", frame.nodal_diameters()},
+                           {"sectors", frame.sector_count},
+                           {"families", families},
+                           {"frequency", DrawnRange{0, frequency_high}},
+                           {"panel_title", titles},
+                           {"engine_orders", engine_orders}};
+  figure.drawing.tables = {{"modes", modes}, {"zigzag", zigzags}};
+  figure.data = veering_table(families, speeds, modes);
+  return figure;
 }
 
 }  // namespace tiprub

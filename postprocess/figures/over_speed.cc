@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "postprocess/analysis/interaction_map.h"
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/records/study_records.h"
-#include "postprocess/tables/units.h"
-#include "postprocess/waves/harmonic_tracking.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -57,7 +57,8 @@ Eigen::MatrixXd speeds_of(const std::vector<Crossing>& crossings) {
   return as_column(speeds);
 }
 
-/// Speed [rpm], from rest, up, down [mm], the last two once more where they differ; NaN where there is nothing.
+/// Speed [rpm], amplitudes from rest, up and down [mm], the last two again where they differ; NaN where there is
+/// none.
 Eigen::MatrixXd sweep_rows(const Eigen::VectorXd& rpm, const TipAmplitudes& amplitudes,
                            const std::vector<SweepComparison>& sweeps) {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Constant(rpm.size(), 6, std::nan(""));
@@ -75,8 +76,8 @@ Eigen::MatrixXd sweep_rows(const Eigen::VectorXd& rpm, const TipAmplitudes& ampl
   return rows;
 }
 
-/// Speed [rpm], amplitude [mm] of each run of orbits that attract, or of those that repel; the latter reach to their
-/// neighbours.
+/// Speed [rpm], amplitude [mm] of each run of orbits that attract, or that repel. Runs that repel extend to the
+/// neighbouring orbits, so that no gap is drawn.
 std::vector<Eigen::MatrixXd> runs(const OrbitBranch& branch, bool attracting) {
   std::vector<Eigen::MatrixXd> found;
   const Eigen::Index count = branch.speed.size();
@@ -112,31 +113,6 @@ void append(Table& table, const Panel& panel, const std::string& curve, const Ei
     table.rows.push_back({panel.title, rpm[i], curve, amplitude[i] * mm_per_m});
 }
 
-/// `names` are the curves', the same in each panel.
-Drawing tracking_drawing(const SpeedFrame& frame, const std::string& name, const std::vector<Panel>& panels,
-                         const std::vector<std::string>& names) {
-  const int count = static_cast<int>(panels.size());
-  ScriptTable curves{"curves", {}};
-  std::vector<std::string> titles;
-  for (const Panel& panel : panels) {
-    Eigen::MatrixXd rows(panel.tracking.mean.size(), 2 + panel.tracking.curves.cols());
-    rows << frame.speeds, panel.tracking.mean * mm_per_m, panel.tracking.curves * mm_per_m;
-    curves.sheets.push_back(rows);
-    titles.push_back(panel.title);
-  }
-  Drawing drawing{.name = name,
-                  .width = 1000,
-                  .height = 90 + 270 * count,
-                  .script = "tracking",
-                  .values = {{"panels", count},
-                             {"panel_title", titles},
-                             {"curves", static_cast<int>(names.size())},
-                             {"curve_name", names}},
-                  .tables = {curves}};
-  set_speed_axis(drawing, frame.axis);
-  return drawing;
-}
-
 Table tracking_table(const Eigen::VectorXd& rpm, const std::vector<Panel>& panels,
                      const std::vector<std::string>& names) {
   Table table{{"followed", "speed [rpm]", "curve", "amplitude [mm]"}, {}};
@@ -146,6 +122,30 @@ Table tracking_table(const Eigen::VectorXd& rpm, const std::vector<Panel>& panel
     append(table, panel, "mean", rpm, panel.tracking.mean);
   }
   return table;
+}
+
+/// `names`: those of the curves, the same in each panel.
+Figure tracking_figure(const SpeedFrame& frame, const std::string& name, const std::vector<Panel>& panels,
+                       const std::vector<std::string>& names) {
+  ScriptTable curves{"curves", {}};
+  std::vector<std::string> titles;
+  for (const Panel& panel : panels) {
+    Eigen::MatrixXd rows(panel.tracking.mean.size(), 2 + panel.tracking.curves.cols());
+    rows << frame.speeds, panel.tracking.mean * mm_per_m, panel.tracking.curves * mm_per_m;
+    curves.sheets.push_back(rows);
+    titles.push_back(panel.title);
+  }
+  const int count = static_cast<int>(panels.size());
+  Figure figure = listed_figure(name);
+  figure.drawing.height = 90 + 270 * count;
+  figure.drawing.values = {{"speed", frame.axis},
+                           {"panels", count},
+                           {"panel_title", titles},
+                           {"curves", static_cast<int>(names.size())},
+                           {"curve_name", names}};
+  figure.drawing.tables = {curves};
+  figure.data = tracking_table(frame.speeds, panels, names);
+  return figure;
 }
 
 /// The nodal diameters, the one with the most motion first.
@@ -161,46 +161,26 @@ std::vector<int> by_energy(const InteractionMap& map) {
 
 Figure response_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes, const LinearRules& rules,
                        const std::vector<SpeedResponse>& speeds, Component component) {
-  Figure figure{
-      .drawing = {.name = "response",
-                  .width = 1000,
-                  .height = 520,
-                  .script = "response",
-                  .values = {{"amplitude", DrawnRange{0, amplitudes.largest.maxCoeff() * mm_per_m}},
-                             {"peak_name", peak_names(frame.critical)}},
-                  .tables = {{"peaks", {peaks(frame.critical)}},
-                             {"not_periodic", {not_periodic(speeds, amplitudes)}},
-                             {"aliased", {speeds_of(drawn_crossings(frame, rules.aliased))}},
-                             {"equation_2", {speeds_of(drawn_crossings(frame, rules.equation_2))}},
-                             {"failed", {frame.failed}}}},
-      .title = "Response",
-      .caption = std::string("Half of the peak-to-peak ") + name_of(component) +
-                 ", the largest over sectors. Each critical speed carries the engine order and signed nodal diameter "
-                 "(+ backward, - forward) of the wave that makes it. Triangles at the foot: speeds "
-                 "predicted by the linear rules for the drawn families. Rings: motion that is not the same every "
-                 "revolution.",
-      .data = amplitude_table(frame.speeds, amplitudes)};
-  set_speed_axis(figure.drawing, frame.axis);
+  Figure figure = listed_figure("response", {{"component", name_of(component)}});
+  figure.drawing.values = {{"speed", frame.axis},
+                           {"amplitude", DrawnRange{0, amplitudes.largest.maxCoeff() * mm_per_m}},
+                           {"peak_name", peak_names(frame.critical)}};
+  figure.drawing.tables = {{"peaks", {peaks(frame.critical)}},
+                           {"not_periodic", {not_periodic(speeds, amplitudes)}},
+                           {"aliased", {speeds_of(drawn_crossings(frame, rules.aliased))}},
+                           {"equation_2", {speeds_of(drawn_crossings(frame, rules.equation_2))}},
+                           {"failed", {frame.failed}}};
+  figure.data = amplitude_table(frame.speeds, amplitudes);
   return figure;
 }
 
 Figure sweeps_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes,
                      const std::vector<SweepComparison>& sweeps, Table record) {
-  Figure figure{.drawing = {.name = "sweeps",
-                            .width = 1000,
-                            .height = 480,
-                            .script = "sweeps",
-                            .values = {{"sweeps_drawn", 1}},
-                            .tables = {{"sweeps", {sweep_rows(frame.speeds, amplitudes, sweeps)}},
-                                       {"attracting", {}},
-                                       {"repelling", {}}}},
-                .title = "From rest, upwards, downwards",
-                .caption =
-                    "Amplitude of the motion that each speed settles to from rest, and from the motion at the "
-                    "speed below (up) and above (down). Where motions differ (filled), there is more than one, "
-                    "and the wheel's past decides.",
-                .data = std::move(record)};
-  set_speed_axis(figure.drawing, frame.axis);
+  Figure figure = listed_figure("sweeps");
+  figure.drawing.values = {{"speed", frame.axis}, {"sweeps_drawn", 1}};
+  figure.drawing.tables = {
+      {"sweeps", {sweep_rows(frame.speeds, amplitudes, sweeps)}}, {"attracting", {}}, {"repelling", {}}};
+  figure.data = std::move(record);
   return figure;
 }
 
@@ -214,21 +194,12 @@ Figure branches_figure(const TipAmplitudes& amplitudes, const Eigen::VectorXd& s
     range.low = std::min(range.low, branch.speed.minCoeff() * rpm_per_rad_s);
     range.high = std::max(range.high, branch.speed.maxCoeff() * rpm_per_rad_s);
   }
-  return {.drawing = {.name = "branches",
-                      .width = 1000,
-                      .height = 480,
-                      .script = "sweeps",
-                      .values = {{"speed", range}, {"sweeps_drawn", sweeps.empty() ? 0 : 1}},
-                      .tables = {{"sweeps", {sweep_rows(speeds, amplitudes, sweeps)}},
-                                 std::move(attracting),
-                                 std::move(repelling)}},
-          .title = "Branches of orbits",
-          .caption =
-              "Orbits that travel with the casing, followed over speed: solid where they attract, dashed where they "
-              "repel, so that no march shows them. Where a curve turns back, orbits begin or end in pairs. The thin "
-              "line: the "
-              "motion from rest; beside a dashed line alone it is of another kind, which swells and falls.",
-          .data = branch_record(branches)};
+  Figure figure = listed_figure("branches");
+  figure.drawing.values = {{"speed", range}, {"sweeps_drawn", sweeps.empty() ? 0 : 1}};
+  figure.drawing.tables = {
+      {"sweeps", {sweep_rows(speeds, amplitudes, sweeps)}}, std::move(attracting), std::move(repelling)};
+  figure.data = branch_record(branches);
+  return figure;
 }
 
 Figure nodal_diameter_tracking_figure(const SpeedFrame& frame, const InteractionMap& map) {
@@ -237,13 +208,8 @@ Figure nodal_diameter_tracking_figure(const SpeedFrame& frame, const Interaction
   std::vector<Panel> panels;
   for (int k = 1; k <= followed && (k == 1 || k * lobes <= frame.engine_order_max); ++k)
     panels.push_back({"EO " + std::to_string(k * lobes), nodal_diameter_tracking(map, k * lobes)});
-  const std::vector<std::string> names = numbered("ND", 0, panels.front().tracking.curves.cols());
-  return {.drawing = tracking_drawing(frame, "nodal_diameter_tracking", panels, names),
-          .title = "Nodal-diameter tracking",
-          .caption =
-              "Amplitudes of the nodal diameters at the casing's first engine orders, both directions added; "
-              "dotted: their mean.",
-          .data = tracking_table(frame.speeds, panels, names)};
+  return tracking_figure(frame, "nodal_diameter_tracking", panels,
+                         numbered("ND", 0, panels.front().tracking.curves.cols()));
 }
 
 Figure engine_order_tracking_figure(const SpeedFrame& frame, const InteractionMap& map) {
@@ -255,13 +221,7 @@ Figure engine_order_tracking_figure(const SpeedFrame& frame, const InteractionMa
   for (std::size_t k = 0; k < std::min(followed, nodal_diameters.size()); ++k)
     panels.push_back({"nodal diameter " + std::to_string(nodal_diameters[k]),
                       engine_order_tracking(map, nodal_diameters[k], engine_orders)});
-  const std::vector<std::string> names = numbered("EO", 1, averaged);
-  return {.drawing = tracking_drawing(frame, "engine_order_tracking", panels, names),
-          .title = "Engine-order tracking",
-          .caption =
-              "Amplitudes of the engine orders 1 to 6 on the two nodal diameters with the most motion; dotted: "
-              "their mean.",
-          .data = tracking_table(frame.speeds, panels, names)};
+  return tracking_figure(frame, "engine_order_tracking", panels, numbered("EO", 1, averaged));
 }
 
 }  // namespace tiprub

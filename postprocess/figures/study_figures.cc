@@ -5,7 +5,7 @@
 
 #include "postprocess/figures/maps.h"
 #include "postprocess/records/study_records.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -53,12 +53,11 @@ std::vector<Figure> motion_figures(const Study& study, const SpeedFrame& frame) 
   const SectorSignal motion{std::string("The ") + name_of(component) + ", " + place, "mm",
                             tip_motion(shown, scene, contact, node, component) * mm_per_m},
       force{"The contact force at the " + place, "N", tip_force(shown, scene, node)};
-  return {sectors_figure(motion, shown, {"tip_motion", "Motion of all sectors"}),
-          two_way_spectrum_figure(motion, shown, frame, decades, {"tip_spectrum", "Two-way spectrum of the motion"}),
+  return {sectors_figure("tip_motion", motion, shown),
+          two_way_spectrum_figure("tip_spectrum", motion, shown, frame, decades),
           contact_force_figure(scene, shown, contact, frame.engine_order_max),
-          sectors_figure(force, shown, {"force_of_sectors", "Contact force on all sectors"}),
-          two_way_spectrum_figure(force, shown, frame, decades,
-                                  {"force_spectrum", "Two-way spectrum of the contact force"}),
+          sectors_figure("force_of_sectors", force, shown),
+          two_way_spectrum_figure("force_spectrum", force, shown, frame, decades),
           harmonic_bars_figure(study.waves.first().columns[static_cast<std::size_t>(study.shown)], scene.lobes,
                                frame.engine_order_max)};
 }

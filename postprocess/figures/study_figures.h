@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Dense>
 #include <string>
 #include <vector>
 
+#include "postprocess/fields/wheel_surface.h"
 #include "postprocess/figures/axes.h"
 #include "postprocess/figures/figure.h"
+#include "reduce/model/reduced_model.h"
 
 namespace tiprub {
 
-// One builder a figure; each says in its caption what is drawn and how. Those of maps are in maps.h.
+/// The closed outer lines of what some faces cover in the meridional plane; r, z [m], 2 x points. Edges of faces bend
+/// at their middle nodes. Pieces with less than a ten-thousandth of the largest one's area are left out.
+std::vector<Eigen::Matrix2Xd> meridional_outline(const Eigen::Matrix3Xd& nodes,
+                                                 const std::vector<SurfaceFace>& faces);
+
+/// Paper, fig. 2; `clearance` [m] as the case gives it, by contact node.
+Figure meridional_section_figure(const SectorFields& sector, const ContactLine& line,
+                                 const Eigen::VectorXd& clearance);
+
+// One builder for each figure; the captions in figures.json say what is drawn and how. Those of maps are in maps.h.
 
 // over_speed.cc
 /// Tip amplitude over speed, peaks labelled.
@@ -30,20 +42,17 @@ Figure campbell_figure(const SpeedFrame& frame, const LinearRules& rules);  ///<
 Figure interference_figure(const SpeedFrame& frame, double shown_speed, int asked_families);
 
 // motion.cc
-/// What all sectors do at the speed that is shown.
+/// A signal of all sectors at the speed that is shown.
 struct SectorSignal {
   std::string what;        ///< begins a caption: "The normal displacement, leading edge"
   std::string unit;        ///< of the values
-  Eigen::MatrixXd values;  ///< a row a sample, a column a sector
+  Eigen::MatrixXd values;  ///< samples x sectors
 };
-struct FigureName {
-  std::string file, title;
-};
-/// Paper, figs. 10, 16.
-Figure sectors_figure(const SectorSignal& signal, const SpeedResponse& shown, const FigureName& name);
-/// Paper, figs. 11, 17, made directional.
-Figure two_way_spectrum_figure(const SectorSignal& signal, const SpeedResponse& shown, const SpeedFrame& frame,
-                               double decades, const FigureName& name);
+/// Paper, figs. 10, 16: `name` is tip_motion or force_of_sectors.
+Figure sectors_figure(const std::string& name, const SectorSignal& signal, const SpeedResponse& shown);
+/// Paper, figs. 11, 17, made directional: `name` is tip_spectrum or force_spectrum.
+Figure two_way_spectrum_figure(const std::string& name, const SectorSignal& signal, const SpeedResponse& shown,
+                               const SpeedFrame& frame, double decades);
 /// Paper, figs. 14, 15.
 Figure contact_force_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact,
                             int engine_order_max);
@@ -56,7 +65,7 @@ Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMa
 /// Paper, fig. 21.
 Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact);
 
-/// All of them, in the order of the page; without sweeps or branches, theirs is left out.
+/// All figures in the order of the page; those of sweeps and branches only if there are any.
 std::vector<Figure> study_figures(const Study& study);
 
 }  // namespace tiprub

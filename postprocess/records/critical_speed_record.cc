@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/records/critical_speed_record.h"
+#include "postprocess/records/study_records.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 
-#include "postprocess/records/columns.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -37,12 +36,12 @@ std::string signed_percent(double value) {
   return (value >= 0 ? "+" : "") + fixed(percent * value, 1);
 }
 
-/// What full fields give; empty without them.
+/// A column from full fields; empty without them.
 Column<PeakRow> stress_column(const char* name, const std::function<Cell(const FieldPeak&)>& cell) {
   return {name, [cell](const PeakRow& peak) { return peak.stress ? cell(*peak.stress) : Cell(std::string()); }};
 }
 
-/// What a whole cycle gives; empty without one.
+/// A column from a whole cycle; empty without one.
 Column<PeakRow> cycle_column(const char* name, const std::function<Cell(const StressCycle&)>& cell) {
   return stress_column(
       name, [cell](const FieldPeak& peak) { return peak.cycle ? cell(*peak.cycle) : Cell(std::string()); });
@@ -58,21 +57,21 @@ std::string other_waves(const CriticalSpeed& critical, std::size_t count) {
   return text;
 }
 
-/// "-9 +12": to where the response has clearly fallen.
+/// "-9 +12": how far below and above the response has clearly fallen [rpm].
 std::string located(const CriticalSpeed& critical) {
   return "-" + fixed((critical.speed - critical.speed_low) * rpm_per_rad_s, 0) + " +" +
          fixed((critical.speed_high - critical.speed) * rpm_per_rad_s, 0);
 }
 
-/// [1] of the amplitude.
+/// [1] How uncertain the amplitude is, relative to it.
 double amplitude_slack(const CriticalSpeed& critical) {
   if (!(critical.amplitude > 0)) return 0;
   return std::max(critical.amplitude_high - critical.amplitude, critical.amplitude - critical.amplitude_low) /
          critical.amplitude;
 }
 
-/// "up: modulated 0.045 mm; ...": motions from other starts that differ from the speed's own by more than what the
-/// settling and the step leave open; "none found", or empty where nobody looked.
+/// "up: modulated 0.045 mm; ...": motions from other starts that clearly differ from the speed's own; "none found",
+/// or empty if no other start was tried.
 std::string other_motions(const SpeedResponse& response) {
   constexpr double another = 0.02;  // of the motion's norm
   std::string text;

@@ -2,26 +2,27 @@
 #include "postprocess/records/exactness_record.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <utility>
 
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 #include "reduce/model/verification.h"
 
 namespace tiprub {
 
 namespace {
 
-constexpr double frequency_share = 0.05;    // of the accuracy asked for: a peak lies where its mode does
-constexpr double energy_limit = 1e-6;       // the ledger closes to rounding
+constexpr double frequency_share = 0.05;    // of the accuracy asked for, since a peak lies where its mode does
+constexpr double energy_limit = 1e-6;       // the balance closes to rounding
 constexpr double penetration_limit = 0.01;  // of the smallest running clearance
 constexpr double left_out_limit = 0.01;     // of the elastic energy
-constexpr double stable_growth = 1.0;       // a revolution
-constexpr double sweep_limit = 0.01;        // above it a sweep came to another motion (sweep_comparison.h)
+constexpr double stable_growth = 1.0;       // per revolution
+constexpr double sweep_limit = 0.01;        // above it a sweep reached another motion (other_motions.h)
 
-/// A number of a speed; none where simulate didn't look.
+/// A number of a speed; nothing where simulate did not compute it.
 using Number = std::function<std::optional<double>(const SpeedResponse&)>;
 
 CheckVerdict verdict_of(const Check& check) {
@@ -46,7 +47,7 @@ Check check_speeds(const Study& study, const std::string& subject, const std::st
   return check;
 }
 
-/// The model's own speeds are few; which of them are beyond the limit isn't told, only whether the worst is.
+/// A check of the model at its few verification speeds: `beyond` only says whether the worst is above the limit.
 Check check_model(const std::string& what, double limit, const Eigen::VectorXd& speeds, double worst, double speed) {
   const auto count = static_cast<int>(speeds.size());
   return {.subject = "model",
@@ -77,7 +78,7 @@ std::vector<Check> model_checks(const ReducedModel& model, double limit) {
   return checks;
 }
 
-/// What step, settling and samples leave open of a critical speed's amplitude, of that amplitude.
+/// [1] How uncertain step, settling and samples leave a critical speed's amplitude, relative to that amplitude.
 double left_open(const CriticalSpeed& critical, const SpeedResponse& response) {
   const double range =
       std::max(critical.amplitude_high - critical.amplitude, critical.amplitude - critical.amplitude_low);
@@ -129,7 +130,7 @@ std::vector<Check> contact_checks(const Study& study) {
                        [](const SpeedResponse& speed) { return speed.audit.tension_share; })};
 }
 
-/// The verdicts are simulate's own: it knows how sure its growth is.
+/// The verdicts are those of simulate, which knows how certain its growth is.
 Check symmetry_check(const Study& study) {
   Check check = check_speeds(study, "symmetry", "growth per revolution of the nodal diameters left out [1]",
                              stable_growth, [](const SpeedResponse& speed) { return speed.audit.excluded_growth; });
@@ -149,17 +150,8 @@ Check symmetry_check(const Study& study) {
 }  // namespace
 
 std::string name_of(CheckVerdict verdict) {
-  switch (verdict) {
-    case CheckVerdict::passed:
-      return "yes";
-    case CheckVerdict::failed:
-      return "no";
-    case CheckVerdict::undecided:
-      return "undecided";
-    case CheckVerdict::not_looked_at:
-      return "not looked at";
-  }
-  return "";
+  constexpr std::array names = {"yes", "no", "undecided", "not looked at"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 std::vector<Check> exactness_checks(const Study& study) {

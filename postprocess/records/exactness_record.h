@@ -10,24 +10,24 @@
 
 namespace tiprub {
 
-/// Whether a check came out as it should.
+/// The outcome of a check.
 enum class CheckVerdict {
   passed,
   failed,
   undecided,      ///< too near the limit to tell
-  not_looked_at,  ///< at no speed
+  not_looked_at,  ///< no speed was checked
 };
 
 /// One thing that was checked, over the speeds.
 struct Check {
   std::string subject;            ///< "time step"
   std::string what;               ///< what its number is, and its unit: "relative change by the last halving [1]"
-  double limit = 0;               ///< the number must not be above
-  std::optional<double> worst{};  ///< the largest of those looked at
+  double limit = 0;               ///< the largest number that passes
+  std::optional<double> worst{};  ///< the largest number found
   double speed = 0;               ///< [rad/s] where that is
-  int looked_at = 0;              ///< speeds
-  int speeds = 0;                 ///< that there are to look at
-  int beyond = 0;                 ///< speeds above the limit
+  int looked_at = 0;              ///< number of speeds that were checked
+  int speeds = 0;                 ///< number of speeds that could be checked
+  int beyond = 0;                 ///< number of speeds above the limit
   CheckVerdict verdict = CheckVerdict::not_looked_at;
 };
 
@@ -37,7 +37,7 @@ std::vector<Check> exactness_checks(const Study& study);
 /// "yes", "no", "undecided", "not looked at": whether it passed.
 std::string name_of(CheckVerdict verdict);
 
-/// A row each: exactness.csv.
+/// A row for each check: exactness.csv.
 Table exactness_record(const Study& study);
 
 }  // namespace tiprub

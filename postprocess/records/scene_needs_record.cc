@@ -2,22 +2,21 @@
 #include "postprocess/records/scene_needs_record.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string_view>
 
-#include "postprocess/effects/casing_wear.h"
-#include "postprocess/effects/second_order_gap.h"
-#include "postprocess/records/columns.h"
 #include "postprocess/records/exactness_record.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/records/left_out_effects.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
 namespace {
 
-constexpr double clearance_share = 0.1;   // of the smallest running clearance, that the gap may be wrong by
-constexpr double frequency_limit = 1e-3;  // of a critical speed, that it is located to
+constexpr double clearance_share = 0.1;   // allowed error of the gap, of the smallest running clearance
+constexpr double frequency_limit = 1e-3;  // allowed error of a critical speed, relative
 constexpr double chatter_limit = 0.01;    // of the mean square: a tenth of the amplitude
 constexpr double hour = 3600;             // [s]
 
@@ -33,7 +32,7 @@ SceneNeed not_estimated(Effect effect, const std::string& how) {
   return {{.effect = effect}, NeedVerdict::not_estimated, how};
 }
 
-/// What simulate, or reduce, measured already. `otherwise`: how to, where it didn't.
+/// An effect that simulate or reduce may have measured. `otherwise`: how to measure it, if they did not.
 SceneNeed measured(const std::vector<Check>& checks, const std::string& subject, Effect effect,
                    const std::string& otherwise) {
   const auto check = std::find_if(checks.begin(), checks.end(), [&](const Check& c) { return c.subject == subject; });
@@ -47,7 +46,7 @@ SceneNeed measured(const std::vector<Check>& checks, const std::string& subject,
               " speeds; " + std::to_string(check->beyond) + " beyond"};
 }
 
-/// [m] a tenth of the smallest running clearance at the judged speed.
+/// [m] A tenth of the smallest running clearance at the judged speed.
 double gap_tolerance(const Study& study) {
   return clearance_share * study.judged_response().clearance.minCoeff();
 }
@@ -117,7 +116,7 @@ std::vector<SceneNeed> model_needs(const Study& study, const FieldEffects& field
           not_estimated(Effect::mesh, "compare two: make -C cases/convergence does so for its wheel")};
 }
 
-/// Of the motion: how it is marched and when it is left.
+/// Effects of how the motion is computed.
 std::vector<SceneNeed> march_needs(const Study& study, const std::vector<Check>& checks) {
   double chatter = 0;
   int unsettled = 0;
@@ -146,7 +145,7 @@ SceneNeed wear_need(const Study& study) {
                        "; the tolerance is reached after " + significant(hour * allowed / wear.depth, 2) + " s");
 }
 
-/// What the files tell of the effects: the model of the wheel, the response of the rest.
+/// The effects that the files describe: the model those of the wheel, the response all others.
 std::vector<ModelledEffect> known_effects(const Study& study) {
   std::vector<ModelledEffect> effects = study.model.effects;
   for (const ModelledEffect& effect : study.response.scene.effects)
@@ -154,7 +153,7 @@ std::vector<ModelledEffect> known_effects(const Study& study) {
   return effects;
 }
 
-/// Of what is left out without an estimate.
+/// How to estimate an effect that is left out and has no estimate.
 constexpr const char* no_estimate = "no program of this chain models it";
 
 void add_known(std::vector<SceneNeed>& needs, const ModelledEffect& known) {
@@ -170,7 +169,7 @@ void add_known(std::vector<SceneNeed>& needs, const ModelledEffect& known) {
   }
 }
 
-/// In millimetres what the file has in metres.
+/// A size in millimetres if the file has it in metres.
 Cell size_cell(Effect effect, const std::optional<double>& size) {
   if (!size) return std::string();
   return *size * (std::string_view(meaning_of(effect).unit) == "m" ? mm_per_m : 1.0);
@@ -222,19 +221,8 @@ std::string name_with_unit(Effect effect) {
 }
 
 std::string name_of(NeedVerdict verdict) {
-  switch (verdict) {
-    case NeedVerdict::none:
-      return "";
-    case NeedVerdict::negligible:
-      return "negligible";
-    case NeedVerdict::matters:
-      return "matters";
-    case NeedVerdict::undecided:
-      return "undecided";
-    case NeedVerdict::not_estimated:
-      return "not estimated";
-  }
-  return "";
+  constexpr std::array names = {"", "negligible", "matters", "undecided", "not estimated"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 Table scene_needs_record(const std::vector<SceneNeed>& needs) {

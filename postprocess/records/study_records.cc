@@ -2,12 +2,12 @@
 #include "postprocess/records/study_records.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <numbers>
 
-#include "postprocess/analysis/orbit_branches.h"
-#include "postprocess/records/columns.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/analysis/other_motions.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -24,19 +24,8 @@ struct SpeedRow {
 using SpeedColumns = std::vector<Column<SpeedRow>>;
 
 std::string symmetry_text(SymmetryVerdict symmetry) {
-  switch (symmetry) {
-    case SymmetryVerdict::all_held:
-      return "all held";
-    case SymmetryVerdict::unchecked:
-      return "unchecked";
-    case SymmetryVerdict::holds:
-      return "holds";
-    case SymmetryVerdict::undecided:
-      return "undecided";
-    case SymmetryVerdict::breaking:
-      return "breaking";
-  }
-  return "";
+  constexpr std::array names = {"all held", "unchecked", "holds", "breaking", "undecided"};
+  return names[static_cast<std::size_t>(symmetry)];
 }
 
 Cell count(std::int64_t value) {
@@ -140,6 +129,10 @@ void append_crossing(Table& table, const Study& study, const Crossing& crossing,
 }
 
 }  // namespace
+
+std::string motion_text(MotionClass motion, int period_beats) {
+  return name_of(motion) + (motion == MotionClass::subharmonic ? " 1/" + std::to_string(period_beats) : "");
+}
 
 Table speed_record(const Study& study) {
   std::vector<SpeedRow> speeds;

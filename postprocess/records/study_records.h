@@ -7,6 +7,17 @@
 
 namespace tiprub {
 
+/// The critical speeds with every digit and unit, for critical_speeds.csv. Stresses are empty without full fields.
+Table critical_speed_record(const Study& study, const FieldResults& fields);
+/// A shorter, rounded table for people; without stresses if there are no full fields.
+Table critical_speed_overview(const Study& study, const FieldResults& fields);
+/// Its two halves for the page, which is not wide enough for both side by side: the motion, and the stress.
+Table critical_speed_motions(const Study& study);
+Table critical_speed_stresses(const Study& study, const FieldResults& fields);
+
+/// "periodic", "subharmonic 1/3", "broadband", ...
+std::string motion_text(MotionClass motion, int period_beats);
+
 /// One row a speed, failed ones included: how steady, how exact, how much contact; speeds.csv.
 Table speed_record(const Study& study);
 
@@ -14,23 +25,22 @@ Table speed_record(const Study& study);
 Table sweep_record(const std::vector<SpeedResponse>& speeds, const TipAmplitudes& amplitudes,
                    const std::vector<SweepComparison>& sweeps);
 
-/// Every orbit of every branch, in the order in which they hang together: branches.csv. Needs branches.
+/// Every orbit of every branch, in the order along the branch: branches.csv. Needs branches.
 Table branch_record(const std::vector<OrbitBranch>& branches);
 
-/// How the contact moves with speed: the lines through the middles of both edges' contact, and how late the leading
-/// edge's force comes; contact_drift.csv.
+/// How the contact moves with speed: the lines through the middles of both edges' contact, and the lag of the leading
+/// edge's force; contact_drift.csv.
 Table drift_record(const ContactMaps& maps, const ContactLine& contact);
 
 /// What the linear rules list (eq. 2; eq. 17 with aliasing), and whether a critical speed was there:
-/// linear_criterion.csv. Forward waves that eq. 2 leaves out stand in it as excluded.
+/// linear_criterion.csv. Forward waves, which eq. 2 leaves out, are listed as excluded.
 Table linear_criterion_record(const Study& study);
-/// What each rule was worth, counted and by amplitude: linear_rules.csv.
+/// How well each rule predicted the critical speeds: linear_rules.csv.
 Table rule_score_record(const LinearRules& rules);
 
 /// The largest stress at every speed whose fields were recovered, and its place in full; stress_peaks.csv.
 Table stress_peak_record(const FieldStudy& fields);
-/// The frequency of every natural mode that was looked at, and how much each part of the wheel takes part in it;
-/// modes.csv.
+/// The frequency of every natural mode that was examined, and each part's share in it; modes.csv.
 Table mode_record(const FieldStudy& fields);
 
 }  // namespace tiprub

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/report/page.h"
+#include "postprocess/report/report.h"
 
-#include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
 #include <sstream>
 #include <string_view>
 
@@ -11,16 +13,13 @@
 #include "embedded/page_styles.h"
 #include "embedded/three_library.h"
 #include "postprocess/compare/comparison.h"
-#include "postprocess/explore/speed_data.h"
-#include "postprocess/explore/wheel_data.h"
-#include "postprocess/records/critical_speed_record.h"
+#include "postprocess/explore/page_data.h"
+#include "postprocess/fields/field_vtu.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/study_records.h"
-#include "postprocess/report/html.h"
-#include "postprocess/report/summary.h"
 #include "postprocess/report/verdict.h"
 #include "postprocess/tables/packing.h"
-#include "postprocess/tables/units.h"
+#include "postprocess/tables/table.h"
 
 namespace tiprub {
 
@@ -29,57 +28,133 @@ namespace {
 constexpr const char* response_figure_name = "response";
 constexpr const char* dot = " \xC2\xB7 ";
 
-/// The licence stays with the source.
+/// Text with the characters replaced that have a meaning in HTML.
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char letter : text) {
+    switch (letter) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:  // a control character has no place in a page; U+FFFD shows where one was
+        safe += std::iscntrl(static_cast<unsigned char>(letter)) != 0 && letter != '\n' && letter != '\t'
+                    ? "\xEF\xBF\xBD"
+                    : std::string(1, letter);
+    }
+  }
+  return safe;
+}
+
+std::string shown(const Cell& cell) {
+  constexpr int digits = 4;
+  constexpr double large = 1e3, huge = 1e9;  // whole numbers read better between them
+  if (const auto* value = std::get_if<double>(&cell)) {
+    if (!std::isfinite(*value)) return "";
+    if (std::abs(*value) >= large && std::abs(*value) < huge) return fixed(*value, 0);
+    return significant(*value, digits);
+  }
+  if (const auto* whole = std::get_if<int>(&cell)) return std::to_string(*whole);
+  const auto* text = std::get_if<std::string>(&cell);
+  return text ? escaped(*text) : "";
+}
+
+bool looks_numeric(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789.+-/ e") == std::string::npos;
+}
+
+/// The style of a cell: numbers are aligned to the right, and short words stay on one line.
+std::string class_of(const std::string& value) {
+  constexpr std::size_t short_text = 16;
+  if (looks_numeric(value)) return " class=\"n\"";
+  return value.size() <= short_text ? " class=\"s\"" : "";
+}
+
+/// A table with a head; numbers are aligned to the right, texts to the left.
+std::string html_table(const Table& table) {
+  std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table><thead><tr>";
+  for (const std::string& name : table.header) text += "<th scope=\"col\">" + escaped(name) + "</th>";
+  text += "</tr></thead><tbody>\n";
+  for (const auto& row : table.rows) {
+    text += "<tr>";
+    for (const Cell& cell : row) {
+      const std::string value = shown(cell);
+      const bool names_the_row = &cell == &row.front();
+      text += (names_the_row ? "<th scope=\"row\"" : "<td") + class_of(value) + ">" + value +
+              (names_the_row ? "</th>" : "</td>");
+    }
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table></div>\n";
+}
+
+/// A picture as a data URL for `src="..."`: its text with a few characters replaced, a quarter shorter than base 64.
+std::string svg_url(const std::string& svg) {
+  std::string url = "data:image/svg+xml,";
+  for (const char letter : svg) {
+    const std::string_view replaced = "%#\"<>&\n\t";
+    if (replaced.find(letter) == std::string_view::npos) {
+      url += letter;
+      continue;
+    }
+    char code[4];
+    std::snprintf(code, sizeof code, "%%%02X", static_cast<unsigned>(static_cast<unsigned char>(letter)));
+    url += code;
+  }
+  return url;
+}
+
+/// A template without its first line, the licence, which stays with the source.
 std::string without_first_line(std::string_view text) {
   return std::string(text.substr(text.find('\n') + 1));
 }
 
-/// To a file of the report's folder.
-std::string link(const std::string& file, const std::string& words) {
-  return "<a href=\"" + file + "\">" + words + "</a>";
-}
-
-/// Likewise, by its name.
+/// To a file of the report's folder, by its name.
 std::string link(const std::string& file) {
-  return link(file, std::filesystem::path(file).filename().string());
+  return "<a href=\"" + file + "\">" + std::filesystem::path(file).filename().string() + "</a>";
 }
 
 std::string item(const std::string& text) {
-  return "<li>" + html::escaped(text) + "</li>\n";
+  return "<li>" + escaped(text) + "</li>\n";
 }
 
 std::string paragraphs(const std::vector<std::string>& lines) {
   std::string text;
-  for (const std::string& line : lines) text += "<p>" + html::escaped(line) + "</p>";
+  for (const std::string& line : lines) text += "<p>" + escaped(line) + "</p>";
   return text;
 }
 
-/// What the stresses of the critical speeds are, or why there are none.
+/// Explains the stresses of the critical speeds, or why there are none.
 std::string stress_note(const FieldResults& fields) {
   if (!fields.has_stress())
     return "Stress at the peaks is left out: it takes full fields (--fields) and a response that holds the rotor's "
            "state.";
-  const std::string patch = fixed(fields.tip_patch * mm_per_m, 1), rim = fixed(fields.clamp_rim * mm_per_m, 1);
-  return "Vibration, spin, both: the largest von Mises stress on the wheel " +
-         std::string(fields.has_cycles() ? "over all recorded samples of the cycle"
-                                         : "at the recorded sample with the largest contact force (the response "
-                                           "holds no whole cycle)") +
-         ", of the vibration alone, of the static shape under spin, of both together. Left out, and reported apart "
-         "in the full table, are the tip patch, " +
-         patch + " mm from the tip line, where the casing pushes at points, and the clamp's rim, " + rim +
-         " mm from its edge: there the exact stress is unbounded, and grows as the mesh is refined. So it is along a "
-         "root without a fillet, which is not left out." +
-         (fields.has_cycles()
-              ? " Mean: von Mises stress of the mean tensor over the cycle, spin included; "
-                "alternating: the largest of the tensor minus that mean; Goodman: alternating over the "
-                "endurance limit plus mean over the ultimate strength, 1 is the limit."
-              : "");
+  const bool cycles = fields.has_cycles();
+  return filled(without_first_line(embedded::page_files::stress_html),
+                {{"when", cycles ? "over all recorded samples of the cycle"
+                                 : "at the recorded sample with the largest contact force (the response holds no "
+                                   "whole cycle)"},
+                 {"patch", fixed(fields.tip_patch * mm_per_m, 1)},
+                 {"rim", fixed(fields.clamp_rim * mm_per_m, 1)},
+                 {"fatigue", cycles ? " Mean: von Mises stress of the mean tensor over the cycle, spin included; "
+                                      "alternating: the largest of the tensor minus that mean; Goodman: alternating "
+                                      "over the endurance limit plus mean over the ultimate strength, 1 is the limit."
+                                    : ""}});
 }
 
 std::string answers(const std::vector<Answer>& list) {
-  std::vector<std::pair<std::string, std::string>> entries;
-  for (const Answer& answer : list) entries.emplace_back(answer.question, answer.text);
-  return html::definitions(entries);
+  std::string text = "<dl>";
+  for (const auto& [question, answer] : list)
+    text += "<dt>" + escaped(question) + "</dt><dd>" + escaped(answer) + "</dd>\n";
+  return text + "</dl>\n";
 }
 
 std::string scene_items(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
@@ -98,18 +173,20 @@ std::string scene_items(const Study& study, const FieldResults& fields, const st
   return text;
 }
 
-/// With its heading, so that neither stands alone on a printed page. `live`: where the page's scripts draw instead.
+/// A figure with its heading, so that a printed page keeps them together. `live`: an element that the page's scripts
+/// draw into instead.
 std::string figure_section(const Figure& figure, const std::filesystem::path& folder, const std::string& live = "") {
-  const std::string &name = figure.drawing.name, file = "figures/" + name;
-  return "<section><h2 id=\"" + name + "\">" + html::escaped(figure.title) + "</h2>\n" + live + "<figure" +
-         (live.empty() ? "" : " class=\"twin\"") + "><img alt=\"" + html::escaped(figure.title) + ": " +
-         html::escaped(figure.seen.empty() ? figure.caption : figure.seen) + "\" src=\"" +
-         html::svg_url(read_text(folder / (file + ".svg"))) + "\"><figcaption>" + html::escaped(figure.caption) +
-         " " + link(file + ".csv", "data") + dot + link(file + ".svg", "SVG") + dot + link(file + ".png", "PNG") +
-         "</figcaption></figure></section>\n";
+  const std::string& name = figure.drawing.name;
+  return filled(without_first_line(embedded::page_files::figure_html),
+                {{"name", name},
+                 {"title", escaped(figure.title)},
+                 {"caption", escaped(figure.caption)},
+                 {"live", live},
+                 {"class", live.empty() ? "" : " class=\"twin\""},
+                 {"picture", svg_url(read_text(folder / "figures" / (name + ".svg")))}});
 }
 
-/// All but the response, which stands at the top of the page.
+/// All figures except the response, which stands at the top of the page.
 std::string figure_sections(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
   std::string text;
   for (const Figure& figure : figures)
@@ -118,22 +195,20 @@ std::string figure_sections(const std::vector<Figure>& figures, const std::files
 }
 
 std::string response_section(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
-  const auto response = std::find_if(figures.begin(), figures.end(), [](const Figure& figure) {
-    return figure.drawing.name == response_figure_name;
-  });
-  return response == figures.end()
-             ? ""
-             : figure_section(*response, folder, "<div id=\"live-response\" class=\"live-only\"></div>\n");
+  for (const Figure& figure : figures)
+    if (figure.drawing.name == response_figure_name)
+      return figure_section(figure, folder, "<div id=\"live-response\" class=\"live-only\"></div>\n");
+  return "";
 }
 
 std::string figure_links(const std::vector<Figure>& figures) {
   std::string text;
   for (const Figure& figure : figures)
-    text += "<li><a href=\"#" + figure.drawing.name + "\">" + html::escaped(figure.title) + "</a></li>\n";
+    text += "<li><a href=\"#" + figure.drawing.name + "\">" + escaped(figure.title) + "</a></li>\n";
   return text;
 }
 
-/// Small files, each with one task, one after the other.
+/// The files one after the other.
 template <std::size_t count>
 std::string joined(const std::array<std::pair<std::string_view, std::string_view>, count>& files) {
   std::string text;
@@ -146,39 +221,34 @@ std::string record(const Study& study, const ReportSource& source) {
     return "<details><summary>" + title + "</summary>" + body +
            (file.empty() ? "" : "<p class=\"sub\">" + link(file) + "</p>") + "</details>\n";
   };
-  const auto listing = [](const std::string& text) { return "<pre>" + html::escaped(text) + "</pre>"; };
-  return folded("Every speed: how steady, how exact", html::table(speed_record(study)), "speeds.csv") +
-         folded("What the linear rules are worth", html::table(rule_score_record(study.rules)), "linear_rules.csv") +
-         folded("What the linear rules list", html::table(linear_criterion_record(study)), "linear_criterion.csv") +
+  const auto listing = [](const std::string& text) { return "<pre>" + escaped(text) + "</pre>"; };
+  return folded("Every speed: how steady, how exact", html_table(speed_record(study)), "speeds.csv") +
+         folded("What the linear rules are worth", html_table(rule_score_record(study.rules)), "linear_rules.csv") +
+         folded("What the linear rules list", html_table(linear_criterion_record(study)), "linear_criterion.csv") +
          (study.sweeps.empty()
               ? std::string()
               : folded("From rest, upwards, downwards",
-                       html::table(sweep_record(study.response.speeds, study.amplitudes, study.sweeps)),
+                       html_table(sweep_record(study.response.speeds, study.amplitudes, study.sweeps)),
                        "sweeps.csv")) +
          (study.response.branches.empty()
               ? std::string()
-              : folded("Branches of orbits", html::table(branch_record(study.response.branches)), "branches.csv")) +
-         folded("How the contact drifts with speed", html::table(drift_record(study.contact, study.model.contact)),
+              : folded("Branches of orbits", html_table(branch_record(study.response.branches)), "branches.csv")) +
+         folded("How the contact drifts with speed", html_table(drift_record(study.contact, study.model.contact)),
                 "contact_drift.csv") +
          folded("The case file", listing(source.case_text), "case.toml") +
          folded("Where the response comes from", listing(study.response.scene.provenance)) +
          folded("Where the model comes from", listing(study.model.provenance));
 }
 
-/// Critical speeds beside those of another report, where one was given.
+/// Critical speeds beside those of another report; empty if none was given.
 std::string comparison_section(const ReportContents& contents) {
   if (!contents.other) return "";
-  return "<section><h2 id=\"compared\">Compared with " + html::escaped(contents.other->name) + "</h2>\n" +
-         html::table(comparison_record(contents.numbers, *contents.other)) +
-         "<p class=\"sub\">Critical speeds that the same wave makes side by side, the others alone; shifts and "
-         "changes from "
-         "there to here. As a table: " +
-         link("comparison.csv") +
-         ". The other response is in the views above, and its maps can be chosen there; as pictures: " +
-         link("#comparison", "both responses") + ", " + link("#comparison_map", "both maps") + ".</p></section>\n";
+  return filled(without_first_line(embedded::page_files::compared_html),
+                {{"other", escaped(contents.other->name)},
+                 {"table", html_table(comparison_record(contents.numbers, *contents.other))}});
 }
 
-/// The wheel in 3-D, where there is one to draw: its place in the page.
+/// The place of the 3-D wheel in the page; empty without full fields.
 std::string wheel_section(const std::optional<FieldStudy>& fields) {
   if (!fields) return "";
   std::vector<std::string> files = {"modes_wheel.vtu", "modes_sector.vtu"};
@@ -188,11 +258,11 @@ std::string wheel_section(const std::optional<FieldStudy>& fields) {
   for (const std::string& file : files) links += (links.empty() ? "" : dot) + link("fields/" + file);
   const std::string peaks =
       fields->peaks.empty() ? "" : " Where the stress is largest, in full: " + link("stress_peaks.csv") + ".";
-  return html::filled(without_first_line(embedded::page_files::wheel_html),
-                      {{"vtu_links", links}, {"stress_peaks_link", peaks}});
+  return filled(without_first_line(embedded::page_files::wheel_html),
+                {{"vtu_links", links}, {"stress_peaks_link", peaks}});
 }
 
-/// Its data, with the library that draws it.
+/// The data of the 3-D wheel, with the library that draws it.
 std::string wheel_data_section(const ReportContents& contents) {
   if (!contents.fields) return "";
   const auto& [three, controls] = embedded::three_library::files;
@@ -209,9 +279,9 @@ std::string wheel_data_section(const ReportContents& contents) {
 std::string report_page(const ReportContents& contents, const std::filesystem::path& folder) {
   const auto& [study, source, full_fields, fields, needs, figures, numbers, other, run] = contents;
   const bool none = study.critical.empty();
-  return html::filled(
+  return filled(
       without_first_line(embedded::page_files::page_html),
-      {{"title", html::escaped(source.title.empty() ? "Blade-tip rub" : source.title)},
+      {{"title", escaped(source.title.empty() ? "Blade-tip rub" : source.title)},
        {"style", joined(embedded::page_styles::files)},
        {"script", joined(embedded::page_scripts::files)},
        {"speed_low", rpm_text(study.range.low)},
@@ -220,13 +290,13 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"brief_scene", answers(scene_in_brief(study))},
        {"response", response_section(figures, folder)},
        {"summary", paragraphs(summary(study, fields))},
-       {"critical_speeds", none ? "<p>None.</p>" : html::table(critical_speed_motions(study))},
-       {"critical_stresses", none || !fields.has_stress() ? "" : html::table(critical_speed_stresses(study, fields))},
+       {"critical_speeds", none ? "<p>None.</p>" : html_table(critical_speed_motions(study))},
+       {"critical_stresses", none || !fields.has_stress() ? "" : html_table(critical_speed_stresses(study, fields))},
        {"stress_note", stress_note(fields)},
        {"figure_links", figure_links(figures)},
        {"scene", scene_items(study, fields, needs)},
-       {"exactness", html::table(exactness_record(study))},
-       {"needs", html::table(scene_needs_record(needs))},
+       {"exactness", html_table(exactness_record(study))},
+       {"needs", html_table(scene_needs_record(needs))},
        {"figures", figure_sections(figures, folder)},
        {"record", record(study, source)},
        {"speed_data", speed_data(study, other)},

@@ -4,8 +4,7 @@
 #include <ctime>
 
 #include "cases/program/command_line.h"
-#include "cases/program/errors.h"
-#include "postprocess/tables/read_csv.h"
+#include "cases/program/text_file.h"
 #include "postprocess/tables/table.h"
 
 namespace fs = std::filesystem;
@@ -14,7 +13,7 @@ namespace tiprub {
 
 namespace {
 
-/// "2026-03-01 12:30 UTC"; empty if the file can't be asked.
+/// "2026-03-01 12:30 UTC"; empty if the file has no date.
 std::string date_of(const fs::path& file) {
   std::error_code error;
   const fs::file_time_type written = fs::last_write_time(file, error);
@@ -27,19 +26,20 @@ std::string date_of(const fs::path& file) {
   return text;
 }
 
-/// "model: tiprub-reduce 0.1.0, 12.3 s, of processors 20.1 s, of which there were 2".
+/// "model: tiprub-reduce 0.1.0, 12.3 s, 20.1 s of processor time on 2 processors".
 std::string stage_in_words(const fs::path& note) {
-  const CsvTable table = read_csv(note);
-  const std::size_t program = table.column("program");
+  const NamedText file = read_named_text(note, "a note that --times wrote");
+  const std::vector<NumberLine> lines = lines_below_heading(file);
+  if (lines.size() != 1) throw InputError(file.name + ": must hold one run, as --times notes it");
+  const NumberLine& line = lines.front();
+  require_words(file, line, 5, "program and version, wall time [s], processor time [s], processors");
   std::vector<double> numbers;
-  for (const char* column : {"wall time [s]", "processor time [s]", "processors"}) {
-    const Eigen::VectorXd values = table.numbers(column);
-    if (values.size() != 1 || !(values[0] >= 0))
-      throw InputError(note.string() + ": " + column + " must be one number, 0 or more, as --times notes it");
-    numbers.push_back(values[0]);
+  for (std::size_t word = 2; word < line.words.size(); ++word) {
+    numbers.push_back(number_in(file, line, word, "a time or a number of processors"));
+    if (numbers.back() < 0) refuse_line(file, line.number, "a time is negative; --times notes none");
   }
-  return note.stem().string() + ": " + table.rows.front()[program] + ", " + fixed(numbers[0], 1) + " s, " +
-         fixed(numbers[1], 1) + " s of processor time on " + fixed(numbers[2], 0) +
+  return note.stem().string() + ": " + std::string(line.words[0]) + " " + std::string(line.words[1]) + ", " +
+         fixed(numbers[0], 1) + " s, " + fixed(numbers[1], 1) + " s of processor time on " + fixed(numbers[2], 0) +
          (numbers[2] == 1 ? " processor" : " processors");
 }
 

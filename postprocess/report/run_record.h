@@ -11,14 +11,14 @@
 
 namespace tiprub {
 
-/// When a report was made, of what, and how long it took: the one thing in a report that differs from run to run of
-/// the same inputs.
+/// When, from what and in how much time a report was made. This is the only part of a report that differs between
+/// runs with the same inputs.
 class RunRecord {
  public:
-  /// `stages`: what the stages before noted with --times. Raises InputError or RunError if one can't be read.
+  /// `stages`: files that the stages before wrote with --times. Raises InputError or RunError if one can't be read.
   RunRecord(std::vector<std::filesystem::path> inputs, const std::vector<std::filesystem::path>& stages);
 
-  /// A part of the work is done: it took the time since the last one.
+  /// Notes that a part of the work is done; it took the time since the last call.
   void done(const std::string& part);
   /// Version and commit, dates of the inputs, times of the stages before and of the parts.
   std::vector<Answer> in_words() const;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/report/summary.h"
+#include "postprocess/report/verdict.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 
-#include "postprocess/analysis/orbit_branches.h"
+#include "postprocess/analysis/other_motions.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/tables/table.h"
-#include "postprocess/tables/units.h"
 #include "reduce/model/verification.h"
 
 namespace tiprub {
@@ -61,7 +60,7 @@ std::string steadiness_sentence(const std::vector<SpeedResponse>& speeds, std::s
          ".";
 }
 
-/// "12,000 to 12,400, 13,000 rpm": the speeds for which a property holds, neighbours drawn together.
+/// "12000 to 12400, 13000 rpm": the speeds for which a property holds; neighbours are joined.
 template <class Property>
 std::string runs_of_speeds(const std::vector<SpeedResponse>& speeds, const Property& holds) {
   std::string text;
@@ -114,7 +113,7 @@ std::string sweep_sentence(const Study& study) {
          fixed(change(*largest) * mm_per_m, 3) + " mm of amplitude.";
 }
 
-/// "From 33,800 to 34,800 rpm 3 orbits exist, 1 of them attracts. Stability changes at 33,900 rpm (flip)."
+/// "From 33800.0 to 34800 rpm 3 orbits exist, 1 of them attracts. Stability changes at 33900 rpm (flip)."
 std::string branch_sentence(const std::vector<OrbitBranch>& branches) {
   std::string text;
   for (const OrbitRange& range : ranges_of_many_orbits(branches))
@@ -140,7 +139,7 @@ std::string share_sentence(const InteractionMap& map) {
   return "Share of the motion by nodal diameter, over all speeds [%]: " + text + ".";
 }
 
-/// Goodman's share where the case gives strengths; else the alternating part.
+/// Judges by Goodman's rule if the case gives strengths, else by the alternating part.
 std::string fatigue_sentence(const FieldResults& fields) {
   const auto severity = [](const FieldPeak& peak) { return peak.cycle->goodman.value_or(peak.cycle->alternating); };
   const FieldPeak* worst = nullptr;

@@ -4,9 +4,7 @@
 #include <algorithm>
 
 #include "postprocess/records/exactness_record.h"
-#include "postprocess/report/summary.h"
 #include "postprocess/tables/table.h"
-#include "postprocess/tables/units.h"
 
 namespace tiprub {
 
@@ -14,15 +12,6 @@ namespace {
 
 std::string mm(double length) {
   return fixed(length * mm_per_m, 3) + " mm";
-}
-
-/// The critical speed with the largest amplitude; its index, or none.
-std::optional<std::size_t> worst_critical(const Study& study) {
-  const auto worst =
-      std::max_element(study.critical.begin(), study.critical.end(),
-                       [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.amplitude < b.amplitude; });
-  if (worst == study.critical.end()) return std::nullopt;
-  return static_cast<std::size_t>(worst - study.critical.begin());
 }
 
 /// "0.265 mm, 2.2 times the running clearance there": half of the peak-to-peak at a speed.
@@ -54,7 +43,7 @@ std::string still_rising(const Study& study) {
 }
 
 std::string how_bad(const Study& study, const FieldResults& fields) {
-  const std::optional<std::size_t> worst = worst_critical(study);
+  const std::optional<std::size_t> worst = worst_critical(study.critical);
   if (!worst)
     return "No critical speed: the amplitude has no peak that stands out. It is largest at " +
            rpm_text(study.worst_response().speed) + ", " + amplitude_text(study, study.amplitudes.worst()) + "." +
@@ -74,7 +63,7 @@ std::string node_text(const Study& study, int node) {
 }
 
 std::string where(const Study& study, const FieldResults& fields) {
-  const std::optional<std::size_t> worst = worst_critical(study);
+  const std::optional<std::size_t> worst = worst_critical(study.critical);
   std::string text =
       "The tip at " +
       node_text(study, study.amplitudes.node[worst ? study.critical[*worst].index : study.amplitudes.worst()]);
@@ -84,7 +73,7 @@ std::string where(const Study& study, const FieldResults& fields) {
 }
 
 std::string why(const Study& study) {
-  const std::optional<std::size_t> worst = worst_critical(study);
+  const std::optional<std::size_t> worst = worst_critical(study.critical);
   if (!worst) return "";
   const CriticalSpeed& peak = study.critical[*worst];
   const WaveLabel& wave = peak.rising;
@@ -121,7 +110,7 @@ std::string margin_text(const Study& study) {
   return text;
 }
 
-/// "symmetry (1.52 at 22000 rpm, limit 1; 1 speed of 93)"; of a count that must be none, the speeds only.
+/// "symmetry (1.52 at 22000 rpm, limit 1; 1 speed of 93)"; without the number if the limit is zero.
 std::string failed_text(const Check& check) {
   constexpr int digits = 3;
   const std::string worst = check.limit > 0
@@ -151,7 +140,7 @@ std::string trust(const Study& study) {
   return text;
 }
 
-/// "trigonometric scheme, complementarity"; empty if the response doesn't tell.
+/// "trigonometric scheme, contact by complementarity"; empty if the response does not say.
 std::string march_text(const SimulatedScene& scene) {
   if (!scene.scheme || !scene.contact) return "";
   std::string text =
@@ -169,7 +158,7 @@ std::string interference_text(const Study& study) {
          (low <= 0 && high <= 0 ? "; a tip that doesn't vibrate never touches)" : ")");
 }
 
-/// What a better model of this scene would begin with.
+/// The effects that a better model of this scene would have to include first.
 std::string what_matters(const std::vector<SceneNeed>& needs) {
   std::string text;
   for (const SceneNeed& need : needs)

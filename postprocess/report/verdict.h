@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "postprocess/analysis/study.h"
-#include "postprocess/fields/field_results.h"
+#include "postprocess/fields/field_study.h"
 #include "postprocess/records/scene_needs_record.h"
 
 namespace tiprub {
@@ -16,14 +16,21 @@ struct Answer {
   std::string text;
 };
 
-/// How bad the worst speed is, where, why, how far from the operating range, which checks passed, and which effects
-/// matter though they are left out.
+/// How bad the worst speed is, where and why, how far it is from the operating range, which checks passed, and which
+/// effects matter although they are left out.
 std::vector<Answer> verdict(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs);
 
 /// The scene in a few words: lobes, clearance, interference, damping, march, speeds.
 std::vector<Answer> scene_in_brief(const Study& study);
 
-/// "running clearances 0.120 .. 0.130 mm", over the tip line and the speeds.
+/// "running clearances 0.120 .. 0.130 mm, given cold": the range over the tip line and the speeds.
 std::string running_clearances(const Response& response);
+
+/// The findings that the verdict leaves out: stress, what the linear rules missed, how far the numbers can be
+/// trusted, and what is unusual. Each element is a paragraph.
+std::vector<std::string> summary(const Study& study, const FieldResults& fields);
+
+/// "1 speed", "3 speeds".
+std::string counted(std::size_t count, const std::string& what);
 
 }  // namespace tiprub

@@ -2,9 +2,11 @@
 #include "postprocess/tables/table.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <set>
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
@@ -116,6 +118,45 @@ std::string read_text(const std::filesystem::path& path) {
 
 void write_text(const std::string& text, const std::filesystem::path& path) {
   write_file(path, [&](std::ostream& stream) { stream << text; });
+}
+
+std::string filled(std::string_view page, const std::map<std::string, std::string>& values) {
+  constexpr std::string_view opening = "{{", closing = "}}";
+  std::string text;
+  std::set<std::string> used;
+  for (std::size_t start = page.find(opening); start != std::string_view::npos; start = page.find(opening)) {
+    const std::size_t end = page.find(closing, start);
+    assert(end != std::string_view::npos);
+    const auto value = values.find(std::string(page.substr(start + opening.size(), end - start - opening.size())));
+    assert(value != values.end());
+    text.append(page.substr(0, start)) += value->second;
+    used.insert(value->first);
+    page.remove_prefix(end + closing.size());
+  }
+  assert(used.size() == values.size());
+  return text.append(page);
+}
+
+std::string rpm_text(double speed) {
+  return fixed(speed * rpm_per_rad_s, 0) + " rpm";
+}
+
+std::string mpa_text(double stress) {
+  return fixed(stress * mpa_per_pa, 0) + " MPa";
+}
+
+std::string yes_or_no(bool value) {
+  return value ? "yes" : "no";
+}
+
+Cell optional_cell(const std::optional<double>& value) {
+  return value ? Cell(*value) : Cell(std::string());
+}
+
+void sort_by_speed(Table& table) {
+  std::stable_sort(table.rows.begin(), table.rows.end(), [](const auto& a, const auto& b) {
+    return std::get<double>(a.front()) < std::get<double>(b.front());
+  });
 }
 
 }  // namespace tiprub

@@ -1,39 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 
 namespace tiprub {
 
-/// Where a wave over the sectors runs, seen from the rotor.
+/// In which direction a wave runs over the sectors, seen from the rotor.
 enum class WaveDirection {
   backward,  ///< against the rotation
   forward,   ///< with the rotation
-  standing,  ///< nodal diameter 0 or N/2: both at once, or neither
+  standing,  ///< nodal diameter 0 or N/2, which have no direction
 };
 
-/// What N sectors see of a pattern that stands in the casing (paper, sec. 5.1.2, eq. 17, and its appendix, eq. 18 to
-/// eq. 21).
+/// How N sectors respond to a pattern that is fixed to the casing (paper, sec. 5.1.2, eq. 17, and its appendix, eq.
+/// 18 to eq. 21).
 ///
 /// Sector j sits at theta_abs = theta + j alpha + Omega t, alpha = 2 pi / N. A casing harmonic cos(k theta_abs)
-/// drives it with cos(k j alpha + k Omega t) (eq. 21, the paper's p is k): engine order k, and over the sectors the
-/// phase k j alpha, which N samples can't tell from n j alpha with n = k mod N. So N oscillators m x_j'' + c x_j =
-/// f_j (eq. 18) answer on that one nodal diameter of their expansion (eq. 19; eq. 20 for one engine order): table 1.
-/// The signed nodal diameter n of u_j(t) = Re(u e^{i (omega t + n j alpha)}) with omega > 0 is taken in (-N/2, N/2].
-/// Its phase stands still at j alpha = -omega t / n: n > 0 runs against the rotation (backward), n < 0 with it
-/// (forward). The paper's eq. 19 and eq. 20 keep n >= 0 only and lose the direction.
+/// drives it with cos(k j alpha + k Omega t) (eq. 21, the paper's p is k): at engine order k, with the phase k j
+/// alpha over the sectors. N samples can't tell that phase from n j alpha with n = k mod N. So N oscillators m x_j''
+/// + c x_j = f_j (eq. 18) respond in that one nodal diameter of their expansion (eq. 19; eq. 20 for one engine
+/// order): table 1. The signed nodal diameter n of u_j(t) = Re(u e^{i (omega t + n j alpha)}) with omega > 0 is taken
+/// in (-N/2, N/2]. A crest is at j alpha = -omega t / n: n > 0 runs against the rotation (backward), n < 0 with it
+/// (forward). The paper's eq. 19 and eq. 20 keep only n >= 0 and lose the direction.
 
-/// Engine order k to its signed nodal diameter in (-N/2, N/2], eq. 17 read from right to left. Needs sector_count
-/// >= 1.
+/// The signed nodal diameter in (-N/2, N/2] that engine order k drives: eq. 17 read from right to left. Needs
+/// sector_count >= 1.
 int signed_nodal_diameter(int engine_order, int sector_count);
 
 /// The zig-zag of the paper's fig. 13: |signed_nodal_diameter|, in 0 .. floor(N/2).
 int aliased_nodal_diameter(int engine_order, int sector_count);
-
-/// The smallest engine order k N_l, k >= 1, that a casing with N_l lobes (N_l >= 1) puts on nodal diameter n >= 0
-/// (eq. 17); nothing if none does. k repeats with period N, so at most N values are tried.
-std::optional<int> smallest_engine_order(int nodal_diameter, int lobes, int sector_count);
 
 /// Direction of a signed nodal diameter in (-N/2, N/2].
 WaveDirection wave_direction(int signed_nodal_diameter, int sector_count);

@@ -3,7 +3,29 @@
 
 #include <Eigen/Dense>
 
+#include "reduce/model/reduced_model.h"
+#include "simulate/response/response.h"
+
 namespace tiprub {
+
+/// A component of a contact node's displacement.
+enum class Component {
+  normal,      ///< along the normal from the blade to the casing: what closes the gap
+  radial,      ///< r
+  tangential,  ///< theta, with the rotation
+  axial,       ///< z
+};
+
+/// A displacement component of one contact node in all N sectors [m]; samples x N. The file holds the independent
+/// sectors 0 .. N/g - 1; sector j moves as sector j mod (N/g).
+Eigen::MatrixXd tip_motion(const SpeedResponse& response, const SimulatedScene& scene, const ContactLine& contact,
+                           int node, Component component);
+
+/// The contact force [N] of one contact node in all N sectors; samples x N.
+Eigen::MatrixXd tip_force(const SpeedResponse& response, const SimulatedScene& scene, int node);
+
+/// Half of the peak-to-peak motion, the largest over the sectors; unit of the motion.
+double vibration_amplitude(const Eigen::MatrixXd& motion);
 
 /// Two-way space-time transform of a motion u_j(t_s), j = 0 .. N-1 sectors, s = 0 .. S R - 1 samples on R whole
 /// revolutions of S samples (paper, sec. 5.1.1, made directional):
@@ -13,9 +35,9 @@ namespace tiprub {
 ///
 /// The second line is the expansion of eq. 19, with both directions; one line m of it is eq. 20. So amplitude(m, n) =
 /// a_m |X(m, n)| is the amplitude of one travelling wave: engine order m/R, signed nodal diameter n in (-N/2, N/2], n
-/// > 0 backward, n < 0 forward (see aliasing.h). Whole revolutions: a periodic motion does not leak, and a
-/// subharmonic one sits on fractions of an engine order. A transform over time alone merges lines that are close in
-/// frequency and differ in nodal diameter (frequency clustering); this one keeps them apart.
+/// > 0 backward, n < 0 forward (see aliasing.h). Over whole revolutions a periodic motion does not leak, and a
+/// subharmonic one lies on fractions of an engine order. A transform over time only would merge lines that are close
+/// in frequency and differ in nodal diameter (frequency clustering); this one keeps them apart.
 struct TravellingSpectrum {
   int sector_count = 0;       ///< N
   int revolutions = 0;        ///< R
@@ -30,10 +52,10 @@ struct TravellingSpectrum {
 };
 
 /// @param motion samples x sectors, any unit; rows on whole revolutions.
-/// Costs O(N S R log(N S R)). FFTW_ESTIMATE: the plan, and so the rounding, is the same every time.
+/// Costs O(N S R log(N S R)). With FFTW_ESTIMATE the plan, and so the rounding, is the same in every run.
 TravellingSpectrum travelling_spectrum(const Eigen::MatrixXd& motion, int revolutions);
 
-/// Amplitude of one signal over time alone, by line (the classical spectrum); floor(samples/2) + 1.
+/// The classical spectrum of one signal over time: the amplitude of each line; floor(samples/2) + 1 lines.
 Eigen::VectorXd line_spectrum(const Eigen::VectorXd& signal);
 
 }  // namespace tiprub

@@ -1,20 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Dense>
 #include <string>
+#include <vector>
 
 #include "postprocess/waves/aliasing.h"
-#include "postprocess/waves/frequency_curves.h"
+#include "simulate/response/response.h"
 
 namespace tiprub {
 
-/// A travelling wave of the response, and the natural mode next to it.
+/// Natural frequencies of the model at any speed, by nodal diameter and family (0 is the lowest), interpolated in the
+/// response's table.
+///
+/// The squares of the frequencies are nearly polynomials of Omega^2 (eq. 11). So they are interpolated by the cubic
+/// in Omega^2 through the four nearest speeds, which is exact if K2 = 0 and the shapes do not change with speed.
+class FrequencyCurves {
+ public:
+  static constexpr int stencil = 4;  ///< the least number of speeds in the table, which ascend
+
+  explicit FrequencyCurves(const FrequencyTable& table);
+
+  int nodal_diameters() const { return static_cast<int>(squares_.size()); }
+  int families(int nodal_diameter) const { return static_cast<int>(squares_[nodal_diameter].cols()); }
+  /// [Hz] at a speed [rad/s]; negative where the rotor is unstable.
+  double frequency(int nodal_diameter, int family, double speed) const;
+  /// The family whose frequency at this speed is nearest to one [Hz].
+  int nearest_family(int nodal_diameter, double frequency, double speed) const;
+
+ private:
+  Eigen::VectorXd speeds_;                ///< [rad/s], ascending
+  std::vector<Eigen::MatrixXd> squares_;  ///< [Hz^2], with their sign, by nodal diameter; speeds x families
+};
+
+/// A travelling wave of the response, and the natural mode whose frequency is nearest.
 struct WaveLabel {
   double engine_order = 0;        ///< a fraction for a subharmonic
   int signed_nodal_diameter = 0;  ///< see aliasing.h
   double amplitude = 0;           ///< [m]
   WaveDirection direction = WaveDirection::standing;
-  int family = 0;                ///< whose frequency at this nodal diameter and speed is nearest; 0 is the lowest
+  int family = 0;                ///< with the nearest frequency at this nodal diameter and speed; 0 is the lowest
   double natural_frequency = 0;  ///< [Hz] of that family
   double detuning = 0;           ///< [1] (engine order Omega/(2 pi) - natural frequency) / natural frequency
 };
@@ -23,7 +48,7 @@ struct WaveLabel {
 WaveLabel label_wave(const FrequencyCurves& curves, int sector_count, double speed, double engine_order,
                      int signed_nodal_diameter, double amplitude);
 
-/// "6", "5.5": an engine order of a subharmonic is no whole number.
+/// "6", or "5.5" for a subharmonic.
 std::string engine_order_text(double engine_order);
 /// "EO 6", "EO 5.5".
 std::string engine_order_name(double engine_order);

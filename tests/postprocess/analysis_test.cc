@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "postprocess/analysis/contact_map.h"
+#include "postprocess/analysis/contact_maps.h"
 #include "postprocess/analysis/critical_speeds.h"
+#include "postprocess/analysis/interaction_map.h"
 #include "postprocess/analysis/study.h"
 #include "postprocess/records/study_records.h"
-#include "postprocess/waves/harmonic_tracking.h"
 #include "simulate/motion/casing_areas.h"
 #include "synthetic_scene.h"
 

@@ -10,7 +10,7 @@
 #include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
 #include "postprocess/fields/cell_stress.h"
-#include "postprocess/fields/stress_zones.h"
+#include "postprocess/fields/field_peak.h"
 
 namespace tiprub {
 namespace {

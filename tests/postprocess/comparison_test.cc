@@ -4,11 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 
 #include "cases/program/errors.h"
-#include "postprocess/tables/read_csv.h"
 #include "synthetic_scene.h"
 
 namespace tiprub {
@@ -96,21 +94,6 @@ TEST(Comparison, RefusesWhatIsNoReport) {
     write_text(text, folder / numbers_file);
     EXPECT_NE(message().find("numbers.json: "), std::string::npos) << text.substr(0, 80) << message();
   }
-}
-
-TEST(Csv, IsReadAsItWasWritten) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "read.csv";
-  write_csv({{"a, \"b\" [mm]", "c"}, {{1.25, std::string("x,\ny")}, {-3e-7, std::string()}}}, file);
-  const CsvTable table = read_csv(file);
-  EXPECT_EQ(table.header[0], "a, \"b\" [mm]");
-  EXPECT_EQ(table.numbers(table.header[0]), Eigen::Vector2d(1.25, -3e-7));
-  EXPECT_EQ(table.rows[0][1], "x,\ny");
-  EXPECT_THROW(table.numbers("c"), InputError);
-  EXPECT_THROW(table.numbers("d"), InputError);
-  std::ofstream(file) << "a,b\n1,2\n3\n";
-  EXPECT_THROW(read_csv(file), InputError);
-  std::ofstream(file) << "a\nnan\n";
-  EXPECT_THROW(read_csv(file).numbers("a"), InputError);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/analysis/contact_drift.h"
+#include "postprocess/analysis/contact_maps.h"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,7 @@
 #include <vector>
 
 #include "cases/program/errors.h"
-#include "postprocess/figures/gnuplot.h"
-#include "postprocess/figures/prologue.h"
+#include "postprocess/figures/drawing.h"
 #include "tests/cases/full_disk.h"
 
 namespace fs = std::filesystem;

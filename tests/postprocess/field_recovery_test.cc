@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "mesh/cells/cell_kind.h"
-#include "postprocess/fields/vtu_file.h"
+#include "postprocess/fields/field_vtu.h"
 #include "postprocess/fields/wheel_surface.h"
 #include "postprocess/tables/table.h"
 #include "reduce/model/nodal_diameter.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The linear rules: eq. 2, and with aliasing eq. 16 and eq. 17. Checks 10-11.
-#include "postprocess/analysis/linear_criterion.h"
+#include "postprocess/analysis/linear_rules.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/figures/meridional_section.h"
+#include "postprocess/figures/study_figures.h"
 
 #include <gtest/gtest.h>
 

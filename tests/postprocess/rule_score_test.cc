@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/analysis/rule_score.h"
+#include "postprocess/analysis/linear_rules.h"
 
 #include <gtest/gtest.h>
 

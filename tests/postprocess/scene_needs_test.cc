@@ -11,10 +11,8 @@
 #include <tuple>
 
 #include "mesh/cells/cell_kind.h"
-#include "postprocess/effects/casing_wear.h"
-#include "postprocess/effects/coriolis.h"
-#include "postprocess/effects/second_order_gap.h"
 #include "postprocess/fields/cell_stress.h"
+#include "postprocess/records/left_out_effects.h"
 #include "synthetic_fields.h"
 #include "synthetic_scene.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/analysis/sweep_comparison.h"
+#include "postprocess/analysis/other_motions.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

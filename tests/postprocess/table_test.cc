@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cases/program/errors.h"
+#include "postprocess/report/run_record.h"
 
 namespace tiprub {
 namespace {
@@ -40,6 +41,24 @@ TEST_F(TableFile, SaysWhereThereIsNoNumber) {
   write_csv(table, path_);
   EXPECT_EQ(read_text(path_), "a,b\n1.5,NaN\nNaN,2\n");
   EXPECT_EQ(aligned_text(table), "  a  b\n1.5   \n     2\n");
+}
+
+TEST_F(TableFile, QuotesTexts) {
+  write_csv({{"a, \"b\" [mm]", "c"}, {{1.25, std::string("x,\ny")}, {-3e-7, std::string()}}}, path_);
+  EXPECT_EQ(read_text(path_), "\"a, \"\"b\"\" [mm]\",c\n1.25,\"x,\ny\"\n-3e-07,\n");
+}
+
+/// What a stage notes with --times, as the page tells it.
+TEST_F(TableFile, OfTimesIsRead) {
+  const std::string heading = "program,wall time [s],processor time [s],processors\n";
+  write_text(heading + "tiprub-reduce 0.1.0,12.34,20.1,2\n", path_);
+  EXPECT_EQ(RunRecord({}, {path_}).in_words().back().text,
+            path_.stem().string() + ": tiprub-reduce 0.1.0, 12.3 s, 20.1 s of processor time on 2 processors");
+  for (const char* line : {"", "tiprub-reduce 0.1.0,12.34,20.1\n", "tiprub-reduce 0.1.0,-1,20.1,2\n",
+                           "tiprub-reduce 0.1.0,nan,20.1,2\n"}) {
+    write_text(heading + line, path_);
+    EXPECT_THROW(RunRecord({}, {path_}), InputError) << line;
+  }
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "postprocess/waves/aliasing.h"
-#include "postprocess/waves/tip_motion.h"
 #include "synthetic_scene.h"
 
 namespace tiprub {

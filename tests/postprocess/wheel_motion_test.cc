@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/fields/wheel_motion.h"
+#include "postprocess/fields/wheel_cycle.h"
 
 #include <gtest/gtest.h>
 

@@ -18,7 +18,7 @@ STOREYS = {
     "mesh": ["cells", "curves", "blades", "lattice", "wheels", "sector", "import", ""],
     "reduce": ["model", "sector", "matrices", "operators", "basis", ""],
     "simulate": ["motion", "scene", "response", "march", "orbits", "periodic", "speed", "branches", "sweep", ""],
-    "postprocess": ["tables", "waves", "analysis", "fields", "effects", "records", "figures", "compare", "explore", "report", ""],
+    "postprocess": ["tables", "waves", "analysis", "fields", "records", "figures", "compare", "explore", "report", ""],
 }
 # What a room shows of itself to the rooms above it: its file, and nothing of how that is made.
 FILE_HEADERS = {"cases": ("cases/program/",), "mesh": ("mesh/cells/",), "reduce": ("reduce/model/",),

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/figures/drawing.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "cases/program/errors.h"
+#include "cases/program/signal_cleanup.h"
+#include "embedded/figure_scripts.h"
+#include "postprocess/tables/table.h"
+
+namespace fs = std::filesystem;
+
+namespace tiprub {
+
+namespace {
+
+constexpr int value_digits = 12;
+constexpr int table_digits = 8;  // more than a picture can show
+constexpr const char* array_start = "array ";
+
+/// With a point or an exponent, since gnuplot rounds the quotient of whole numbers.
+std::string number(double value) {
+  if (!std::isfinite(value)) return "NaN";
+  const std::string text = significant(value, value_digits);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+/// "name = 3", or an array, which has at least one element in gnuplot.
+struct Assignment {
+  const std::string& name;
+
+  std::string operator()(int value) const { return name + " = " + std::to_string(value) + "\n"; }
+  std::string operator()(double value) const { return name + " = " + number(value) + "\n"; }
+  std::string operator()(const std::string& text) const { return name + " = " + gnuplot_text(text) + "\n"; }
+  std::string operator()(const DrawnRange& range) const {
+    const DrawnRange drawn = range.widened();
+    return name + "_low = " + number(drawn.low) + "\n" + name + "_high = " + number(drawn.high) + "\n";
+  }
+  std::string operator()(const std::vector<double>& values) const { return list(values, number); }
+  std::string operator()(const std::vector<std::string>& texts) const { return list(texts, gnuplot_text); }
+
+  template <typename Value, typename Written>
+  std::string list(const std::vector<Value>& values, const Written& written) const {
+    if (values.empty()) return array_start + name + "[1]\n";
+    std::string text = array_start + name + "[" + std::to_string(values.size()) + "] = [";
+    for (std::size_t i = 0; i < values.size(); ++i) text += (i > 0 ? ", " : "") + written(values[i]);
+    return text + "]\n";
+  }
+};
+
+void write_sheet(std::ostream& out, const Eigen::MatrixXd& rows) {
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    for (Eigen::Index k = 0; k < rows.cols(); ++k)
+      out << (std::isfinite(rows(i, k)) ? significant(rows(i, k), table_digits) : "NaN")
+          << (k + 1 < rows.cols() ? ',' : '\n');
+}
+
+std::string data_block(const ScriptTable& table) {
+  std::ostringstream out;
+  out << "$" << table.name << " << EOD\n";
+  Eigen::Index rows = 0;
+  for (std::size_t i = 0; i < table.sheets.size(); ++i) {
+    if (i > 0) out << "\n\n";
+    write_sheet(out, table.sheets[i]);
+    rows += table.sheets[i].rows();
+  }
+  out << "EOD\n" << table.name << "_rows = " << rows << "\n";
+  return out.str();
+}
+
+}  // namespace
+
+DrawnRange DrawnRange::widened() const {
+  constexpr double narrowest = 1e-4, smallest = 1e-12;
+  const double least = std::max(narrowest * std::max(std::abs(low), std::abs(high)), smallest);
+  if (high - low >= least) return *this;
+  return low == 0 ? DrawnRange{0, least} : DrawnRange{low - 0.5 * least, high + 0.5 * least};
+}
+
+std::string gnuplot_text(const std::string& text) {
+  std::string quoted = "'";
+  for (const char letter : text) {
+    if (std::strchr("_^{}@&~\\", letter) != nullptr && letter != '\0') quoted += '\\';
+    if (letter == '\'')
+      quoted += R"('."\047".')";  // neither doubled nor as it is: gnuplot 5.4 loses count of either
+    else
+      quoted += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+  }
+  return quoted + "'";
+}
+
+std::string prologue(const Drawing& drawing) {
+  // Names of files are this program's own, letters and underscores, and need no quoting.
+  std::string text = "name = '" + drawing.name + "'\nscript = '" + drawing.script +
+                     "'\nwidth = " + std::to_string(drawing.width) + "\nheight = " + std::to_string(drawing.height) +
+                     "\n";
+  for (const auto& [name, value] : drawing.values) text += std::visit(Assignment{name}, value);
+  for (const ScriptTable& table : drawing.tables) text += data_block(table);
+  return text + "load 'scripts/draw.gp'\n";
+}
+
+namespace {
+
+constexpr const char* program = "gnuplot";
+constexpr const char* scripts_folder = "scripts";
+
+/// Starts gnuplot in the folder, with its messages in `log`.
+pid_t start(const fs::path& folder, const std::string& script, const std::string& log) {
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  std::string name = program, argument = script;
+  char* const arguments[] = {name.data(), argument.data(), nullptr};
+  pid_t child = -1;
+  const int error = posix_spawnp(&child, program, &files, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error != 0)
+    throw RunError(std::string("gnuplot can't be started: ") + std::strerror(error) +
+                   (error == ENOENT ? "; install it (Debian: gnuplot-nox)" : ""));
+  return child;
+}
+
+/// Waits for one child and gives its status; -1 if a signal ended the wait.
+int wait_for(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return -1;
+    if (interruption() != 0) return -1;
+  }
+  return status;
+}
+
+/// Whether a picture ends as it should: gnuplot does not report a full disk.
+bool is_whole(const fs::path& picture) {
+  const std::string last_words = picture.extension() == ".svg" ? "</svg>" : "IEND\xAE\x42\x60\x82";
+  constexpr std::streamoff end_size = 16;
+  std::ifstream stream(picture, std::ios::binary);
+  stream.seekg(-end_size, std::ios::end);
+  const std::string end(std::istreambuf_iterator<char>(stream), {});
+  return end.find(last_words) != std::string::npos;
+}
+
+struct Job {
+  const Drawing* drawing;
+  pid_t child;
+};
+
+class Jobs {
+ public:
+  explicit Jobs(fs::path folder) : folder_(std::move(folder)) {
+    fs::create_directories(folder_ / scripts_folder);
+    for (const auto& [name, text] : embedded::figure_scripts::files)
+      write_text(std::string(text), folder_ / scripts_folder / name);
+  }
+  Jobs(const Jobs&) = delete;
+  Jobs& operator=(const Jobs&) = delete;
+  ~Jobs() {
+    for (const Job& job : running_) {
+      kill(job.child, SIGKILL);
+      while (waitpid(job.child, nullptr, 0) < 0 && errno == EINTR) continue;
+    }
+    std::error_code ignored;
+    fs::remove_all(folder_ / scripts_folder, ignored);
+  }
+
+  std::size_t running() const { return running_.size(); }
+
+  void begin(const Drawing& drawing) {
+    const std::string script = drawing.name + ".gp";
+    write_text(prologue(drawing), folder_ / script);
+    running_.push_back({&drawing, start(folder_, script, drawing.name + ".log")});
+  }
+
+  /// Waits for the oldest process and checks its pictures.
+  void finish_oldest() {
+    const Job job = running_.front();
+    const int status = wait_for(job.child);
+    stop_if_interrupted();
+    running_.erase(running_.begin());
+    const std::string& name = job.drawing->name;
+    if (status != 0)
+      throw RunError((folder_ / name).string() + ": gnuplot could not draw it: " + complaint(name, status));
+    for (const char* ending : {".svg", ".png"})
+      if (const fs::path picture = folder_ / (name + ending); !is_whole(picture))
+        throw RunError(picture.string() +
+                       ": is not whole; is the disk full? gnuplot says: " + complaint(name, status));
+    for (const char* ending : {".gp", ".log"}) fs::remove(folder_ / (name + ending));
+  }
+
+ private:
+  /// gnuplot's message, on one line.
+  std::string complaint(const std::string& name, int status) const {
+    std::string text = read_text(folder_ / (name + ".log"));
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char letter) { return std::iscntrl(letter) != 0; }, ' ');
+    text.erase(0, text.find_first_not_of(' '));
+    text.erase(text.find_last_not_of(' ') + 1);
+    if (!text.empty()) return text;
+    if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status)) + " ended it";
+    return "it gave no reason";
+  }
+
+  fs::path folder_;
+  std::vector<Job> running_;
+};
+
+}  // namespace
+
+void require_gnuplot() {
+  const pid_t child = start(fs::path("/"), "--version", "/dev/null");
+  if (wait_for(child) != 0) throw RunError("gnuplot --version failed; reinstall it (Debian: gnuplot-nox)");
+}
+
+void draw(const std::vector<Drawing>& drawings, const fs::path& folder, int jobs,
+          const std::function<void()>& drawn) {
+  Jobs queue(folder);
+  const auto finish = [&] {
+    queue.finish_oldest();
+    drawn();
+  };
+  for (const Drawing& drawing : drawings) {
+    stop_if_interrupted();
+    if (queue.running() >= static_cast<std::size_t>(std::max(jobs, 1))) finish();
+    queue.begin(drawing);
+  }
+  while (queue.running() > 0) finish();
+}
+
+}  // namespace tiprub

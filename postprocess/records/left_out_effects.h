@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <filesystem>
+#include <optional>
+
+#include "postprocess/analysis/critical_speeds.h"
+#include "reduce/model/fields_file.h"
+#include "reduce/model/reduced_model.h"
+#include "simulate/response/response.h"
+
+namespace tiprub {
+
+/// How deep a rub would wear the casing, as an order of magnitude.
+struct CasingWear {
+  int node = 0;      ///< contact node whose track is worn most
+  double force = 0;  ///< [N] of that node, mean over time and blades
+  double depth = 0;  ///< [m] mean over the places of that track that are rubbed
+};
+
+/// Archard (1953): the worn volume is (k/H) F s, with k/H the `coefficient` [m^2/N], F the normal force and s the
+/// sliding distance. At a contact node all N blades rub the same track of the casing. Its width w reaches half way to
+/// the neighbouring nodes, and a share phi of its circumference is rubbed. In the time t [s] each blade slides r
+/// Omega t, so that the depth does not depend on the radius r:
+///
+///     (k/H) N F Omega t/(2 pi phi w).
+///
+/// The forces are those of a casing that does not wear.
+CasingWear casing_wear(const SpeedResponse& response, const SimulatedScene& scene, const ContactLine& contact,
+                       double coefficient, double time);
+
+/// [m] Terms with the square of the vibration u that a gap which is linear in the displacement, c - d - n . u, leaves
+/// out. Each is the largest over contact nodes, sectors and samples of one speed.
+struct SecondOrderGap {
+  /// n_r u_theta^2/(2 r): a tip that moves along the tangent leaves its circle outwards, so that a round casing is
+  /// nearer.
+  double curvature = 0;
+  /// |d'| |u_theta|/r, with d' the steepest slope of the distortion over the angle [m/rad]: the casing's shape is
+  /// read at the angle of the tip without vibration.
+  double distortion = 0;
+  /// (6/5) w^2/(2 L): the shortening of a beam of length L that a force at its tip bends by w (half the integral of
+  /// the squared slope of w (3 x^2 L - x^3)/(2 L^3)). w is the part of u across the normal, L the span at the node.
+  /// Nothing if the span is not known.
+  std::optional<double> foreshortening;
+};
+
+/// `span` [m] at the contact nodes, or empty.
+SecondOrderGap second_order_gap(const SpeedResponse& response, const SimulatedScene& scene,
+                                const ContactLine& contact, const Eigen::VectorXd& span);
+
+/// [m] The distance from each contact node to the nearest node of the part `disc`; empty without that part.
+Eigen::VectorXd tip_spans(const SectorFields& sector);
+
+/// How much the Coriolis terms, which the model leaves out, change a natural frequency: M q'' + 2 Omega G q' + K q =
+/// 0 is solved in the lowest modes of its nodal diameter, with u* G u the integral of rho conj(u) . (e_z x u) over
+/// shapes that are recovered on the sector.
+class CoriolisTerms {
+ public:
+  CoriolisTerms(const FieldsReader& reader, const ReducedModel& model);
+
+  /// [1] The relative change, the larger one of the wave's two directions; `family` from 0, at a speed [rad/s].
+  double change(int nodal_diameter, int family, double speed) const;
+
+ private:
+  const FieldsReader& reader_;
+  const ReducedModel& model_;
+  Eigen::VectorXd masses_;  // of the sector's nodes
+};
+
+/// [rad/s] Frequencies with the Coriolis terms, ascending; those below zero belong to waves that run the other way.
+/// `modes` are the frequencies [rad/s] without them, above zero; `coupling` is the skew-Hermitian integral G of
+/// rho conj(u_i) . (e_z x u_j) for modes of unit modal mass. The equation (-omega^2 + 2 i Omega omega G +
+/// diag(modes^2)) q = 0 becomes, with H = i G and W = diag(modes), the Hermitian eigenproblem of [0 W; W 2 Omega H].
+Eigen::VectorXd gyroscopic_frequencies(const Eigen::VectorXd& modes, const Eigen::MatrixXcd& coupling, double speed);
+
+/// [m^3] The weight of each sector node in integrals over the volume, exact for quadratic integrands in
+/// parallelepipeds. Corners of 20-node bricks and of 10-node tetrahedra have negative weights.
+Eigen::VectorXd node_volumes(const SectorFields& sector);
+
+/// The coupling of shapes of unit modal mass (3 nodes x shapes; r, theta, z of node 0, then of node 1, ...) with the
+/// nodes' masses [kg]. The shapes are not scaled to unit mass here, because the negative masses would make the mass
+/// of a shape that waves within a cell vanish.
+Eigen::MatrixXcd coriolis_coupling(const Eigen::MatrixXcd& shapes, const Eigen::VectorXd& masses);
+
+/// How much the Coriolis terms change the frequency of the mode that makes a critical speed.
+struct CoriolisShift {
+  double change = 0;  ///< [1] relative
+  double speed = 0;   ///< [rad/s] the critical one
+  int nodal_diameter = 0;
+  int family = 0;  ///< from 0
+};
+
+/// What full fields tell about the effects that are left out.
+struct FieldEffects {
+  Eigen::VectorXd tip_span{};               ///< [m] see tip_spans(); may be empty
+  std::optional<CoriolisShift> coriolis{};  ///< the largest of all critical speeds; nothing if there are none
+};
+
+/// Empty if `fields_file` is empty. Needs a file that passed check_fields().
+FieldEffects field_effects(const std::filesystem::path& fields_file, const ReducedModel& model,
+                           const std::vector<CriticalSpeed>& critical);
+
+}  // namespace tiprub

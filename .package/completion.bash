@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Completes what the programs themselves say: options of --help; after --set, the keys of the case that the line names.
+# Completes options from --help and, after --set, the keys of the case on the command line from --tables.
 _tiprub() {
   local word=$2 before=$3 case
   if [[ $before == --set ]]; then

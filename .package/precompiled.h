@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What many units include, parsed once (see CMakeLists.txt). Each unit still includes what it uses.
+// Headers that many units include, parsed once (see CMakeLists.txt). Each unit still includes what it uses.
 #pragma once
 
 #include <Eigen/Dense>

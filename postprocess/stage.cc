@@ -129,7 +129,7 @@ std::string postprocess_tables(const CaseFile& file) {
 void run_postprocess(const StageArguments& arguments, const PostprocessOptions& options) try {
   if (arguments.action == Action::check) return check(read_inputs(arguments, options), options);
   const OutputLock lock(arguments.output);
-  OutputFile output(arguments.output);
+  OutputFile output(arguments.output, OutputFile::Kind::folder);
   Inputs inputs = read_inputs(arguments, options);
   note_interruptions();
   const Progress::Shown shown =

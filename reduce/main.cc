@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   stage.inputs = {{"case.toml", "the scene; its table [reduce] is read"},
                   {"sector.msh", "one sector of the wheel", true}};
   stage.output = "model.h5";
-  stage.tables = tiprub::reduce_tables;
+  stage.tables = [&](const tiprub::CaseFile& file) { return tiprub::reduce_tables(file, options.input()); };
   stage.add_options = [&](CLI::App& app) {
     app.add_option("--export-ccx", options.calculix_folder,
                    "write the sector as CalculiX decks, one a verification speed, into this folder, and stop");
@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
            "--matrices", options.matrices,
            "K, M (Matrix Market, or CalculiX's .sti and .mas) and nodes.csv of a sector in place of sector.msh")
         ->expected(3);
+    app.add_option("--threads", options.threads, "threads; 0: as [reduce] says")->check(CLI::Range(0, 256));
     app.add_option("--matrix-dofs", options.matrix_dofs, "what the matrices' rows are (CalculiX's .dof)");
     app.add_option("--matrix-at", options.matrices_at, "a speed in rpm and K there; may be repeated")->expected(2, 4);
   };

@@ -94,7 +94,8 @@ SectorMesh read_sector(const StageArguments& arguments, const ReduceOptions& opt
 Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
   const CaseFile case_file(arguments.inputs[0], arguments.settings);
   CaseTable table = case_file.table("reduce");
-  ReductionParameters parameters = read_reduction_parameters(table);
+  ReductionParameters parameters = read_reduction_parameters(table, options.input());
+  if (options.threads > 0) parameters.threads = options.threads;
   if (arguments.verbosity == Verbosity::verbose) say(arguments, "[reduce]\n" + table.resolved());
   say_blas(arguments);
   SectorMesh mesh = read_sector(arguments, options, parameters.cyclic_tolerance);
@@ -241,8 +242,8 @@ void report(const StageArguments& arguments, const ReducedModel& model, const Re
 
 }  // namespace
 
-std::string reduce_tables(const CaseFile& file) {
-  return file.resolved("reduce", read_reduction_parameters);
+std::string reduce_tables(const CaseFile& file, SectorInput input) {
+  return file.resolved("reduce", [&](CaseTable& table) { read_reduction_parameters(table, input); });
 }
 
 void run_reduce(const StageArguments& arguments, const ReduceOptions& options) {

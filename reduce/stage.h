@@ -6,6 +6,7 @@
 
 #include "cases/program/case_file.h"
 #include "cases/program/command_line.h"
+#include "reduce/sector/reduction_parameters.h"
 
 namespace tiprub {
 
@@ -19,10 +20,13 @@ struct ReduceOptions {
   std::vector<std::string> matrices;     ///< K, M, nodes.csv in place of sector.msh; none: a mesh
   std::string matrix_dofs;               ///< what their rows are; may be empty
   std::vector<std::string> matrices_at;  ///< "RPM", "K", ...: K at further speeds
+  int threads = 0;                       ///< 0: as [reduce] says
+
+  SectorInput input() const { return matrices.empty() ? SectorInput::mesh : SectorInput::matrices; }
 };
 
 /// The table that this stage reads from the case, [reduce], with all its values.
-std::string reduce_tables(const CaseFile& file);
+std::string reduce_tables(const CaseFile& file, SectorInput input);
 
 /// tiprub-reduce case.toml sector.msh -o model.h5.
 void run_reduce(const StageArguments& arguments, const ReduceOptions& options);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include "cases/program/case_settings.h"
-#include "cases/program/case_text.h"
 #include "cases/program/digest.h"
 #include "cases/program/printable.h"
 #include "cases/program/text_file.h"
@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<std::string_view, 6> program_tables = {"mesh",     "reduce",      "casing",
                                                             "simulate", "postprocess", "material"};
 
-/// In as few digits as it takes to read the same number again; 6, or 17.
+/// With 6 digits if these are enough to read the same number again, and with 17 if not.
 std::string shortest(double value) {
   std::ostringstream out;
   out << value;
@@ -39,8 +39,16 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+template <class Value, class Shown>
+std::string listed(const std::vector<Value>& values, const Shown& shown) {
+  std::vector<std::string> words;
+  words.reserve(values.size());
+  for (const Value& value : values) words.push_back(shown(value));
+  return "[" + joined(words) + "]";
+}
+
 toml::table parse_case(const std::string& text, const std::string& file) {
-  if (const TextFault fault = fault_of_keys(text)) throw InputError(file + *fault);
+  require_short_keys(text, file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
@@ -53,21 +61,27 @@ toml::table parse_case(const std::string& text, const std::string& file) {
 struct CaseTable::Node {
   std::string file;
   std::string path;  ///< dotted name of this table, for messages
-  /// Never a copy: toml++ drops the positions of what it copies. A table inside another one keeps the whole alive.
+  /// This is never a copy, because toml++ drops the positions of what it copies. A table inside another one keeps the
+  /// whole alive.
   std::shared_ptr<const toml::table> values = std::make_shared<toml::table>();
   std::vector<std::string> asked;
   struct Setting {
     std::string key, value, unit;
     std::string digest = {};  ///< of the file that the value names
   };
-  std::vector<Setting> settings;  ///< what was read, in the order of reading
+  std::vector<Setting> settings;                         ///< what was read, in the order of reading
+  std::map<std::string, std::vector<std::string>> rows;  ///< of a list: where each of its rows stands
   std::vector<std::pair<std::string, std::shared_ptr<Node>>> children;
 
   std::string where(const toml::node* node) const {
     return place(file, node != nullptr ? node->source() : values->source());
   }
-  std::string where(std::string_view key) const {
-    return where(values->get(key)) + "[" + path + "] " + std::string(key);
+  /// `at` is where the value stands ("case.toml:3:1: ").
+  [[noreturn]] void refuse(const std::string& at, std::string_view key, const std::string& what) const {
+    throw InputError(at + "[" + path + "] " + std::string(key) + what);
+  }
+  [[noreturn]] void refuse(const toml::node& node, std::string_view key, const std::string& what) const {
+    refuse(where(&node), key, what);
   }
   const toml::node* ask(std::string_view key, bool required) {
     asked.emplace_back(key);
@@ -82,57 +96,68 @@ struct CaseTable::Node {
   }
   double number_at(const toml::node& node, std::string_view key, const Range& range, std::string_view unit) const {
     const auto value = node.value<double>();
-    if (!node.is_number() || !value)
-      throw InputError(where(&node) + "[" + path + "] " + std::string(key) + " is not a number");
+    if (!node.is_number() || !value) refuse(node, key, " is not a number");
     return checked(*value, where(&node), key, range, unit);
   }
-  /// The value that stands `at` ("case.toml:3:1: ").
   double checked(double value, const std::string& at, std::string_view key, const Range& range,
                  std::string_view unit) const {
-    const std::string said = at + "[" + path + "] " + std::string(key) + " = " + shortest(value) + " must be ";
-    if (!std::isfinite(value)) throw InputError(said + "a finite number");
+    const std::string said = " = " + shortest(value) + " must be ";
+    if (!std::isfinite(value)) refuse(at, key, said + "a finite number");
     if (!range.holds(value))
-      throw InputError(said + range.describe() + (unit.empty() ? "" : " [" + std::string(unit) + "]"));
+      refuse(at, key, said + range.describe() + (unit.empty() ? "" : " [" + std::string(unit) + "]"));
     return value;
   }
   NamedText file_beside(const std::string& name, const std::string& kind) const {
-    const std::filesystem::path file_path = std::filesystem::path(file).parent_path() / name;
-    return read_named_text(file_path, kind);
+    return read_named_text(std::filesystem::path(file).parent_path() / name, kind);
   }
 
-  /// Numbers of a list, and where they stand.
+  /// A row of a list: its numbers, and where the first and the last of them stand.
   struct Row {
-    std::string at, at_last;  ///< the first of them; the last one
+    std::string at, at_last;
     std::vector<double> numbers;
   };
-  /// Those of the file that a key names in place of a list.
-  std::vector<Row> rows_of_file(const std::string& file_name, std::size_t columns, std::string_view meaning) const {
-    const NamedText text = file_beside(file_name, "a file of numbers");
-    std::vector<Row> rows;
+  std::vector<Row> rows_of_file(const std::string& name, std::size_t columns, std::string_view meaning) const {
+    const NamedText text = file_beside(name, "a file of numbers");
+    std::vector<Row> found;
     for (const NumberLine& line : lines_below_heading(text)) {
       require_words(text, line, columns, meaning);
       const std::string at = text.name + ":" + std::to_string(line.number) + ": ";
       Row row{at, at, {}};
       for (std::size_t word = 0; word < columns; ++word) row.numbers.push_back(number_in(text, line, word, meaning));
-      rows.push_back(std::move(row));
+      found.push_back(std::move(row));
     }
-    if (rows.empty()) throw InputError(text.name + ": has no line of numbers");
-    return rows;
+    if (found.empty()) throw InputError(text.name + ": has no line of numbers");
+    return found;
   }
-  /// [x, y] pairs of a list; the range is that of y.
-  std::vector<Row> pairs_of_list(const toml::node& node, std::string_view key) const {
-    const std::string want = "[" + path + "] " + std::string(key) + " must be a list of [x, y] pairs";
-    const toml::array* list = node.as_array();
-    if (list == nullptr || list->empty()) throw InputError(where(&node) + want + ", or the name of a file");
-    std::vector<Row> rows;
-    for (const toml::node& item : *list) {
+  std::vector<Row> rows_of_list(const toml::array& list, std::string_view key, std::size_t columns) const {
+    std::vector<Row> found;
+    for (const toml::node& item : list) {
       const toml::array* pair = item.as_array();
-      if (pair == nullptr || pair->size() != 2) throw InputError(where(&item) + want);
-      Row row{where(&item), where(pair->get(1)), {}};
-      for (const toml::node& number : *pair) row.numbers.push_back(number_at(number, key, Range::any(), ""));
-      rows.push_back(std::move(row));
+      if (columns > 1 && (pair == nullptr || pair->size() != columns))
+        refuse(item, key, " must be a list of [x, y] pairs");
+      Row row{where(&item), where(columns > 1 ? pair->get(columns - 1) : &item), {}};
+      for (std::size_t i = 0; i < columns; ++i)
+        row.numbers.push_back(number_at(columns > 1 ? *pair->get(i) : item, key, Range::any(), ""));
+      found.push_back(std::move(row));
     }
-    return rows;
+    return found;
+  }
+  /// The rows of a list of numbers or of [x, y] pairs, or of the file that stands in its place.
+  std::vector<Row> rows_of(const toml::node& node, std::string_view key, std::size_t columns) {
+    std::vector<Row> found;
+    const toml::array* list = node.as_array();
+    if (node.is_string())
+      found =
+          rows_of_file(node.value<std::string>().value(), columns, std::string(key) + (columns > 1 ? ": x, y" : ""));
+    else if (list == nullptr || list->empty())
+      refuse(node, key,
+             std::string(" must be a list of ") + (columns > 1 ? "[x, y] pairs" : "numbers") +
+                 ", or the name of a file");
+    else
+      found = rows_of_list(*list, key, columns);
+    std::vector<std::string>& places = rows[std::string(key)];
+    for (const Row& row : found) places.push_back(row.at_last);
+    return found;
   }
 };
 
@@ -167,11 +192,9 @@ int CaseTable::integer(std::string_view key, std::optional<int> fallback, const 
   const toml::node* node = node_->ask(key, !fallback);
   int value = fallback.value_or(0);
   if (node != nullptr) {
-    if (!node->is_integer())
-      throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) + " is not a whole number");
+    if (!node->is_integer()) node_->refuse(*node, key, " is not a whole number");
     const double wide = node_->number_at(*node, key, range, unit);
-    if (std::abs(wide) > std::numeric_limits<int>::max())
-      throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) + " is too large");
+    if (std::abs(wide) > std::numeric_limits<int>::max()) node_->refuse(*node, key, " is too large");
     value = static_cast<int>(wide);
   }
   node_->note(key, std::to_string(value), unit);
@@ -180,8 +203,7 @@ int CaseTable::integer(std::string_view key, std::optional<int> fallback, const 
 
 bool CaseTable::flag(std::string_view key, bool fallback) {
   const toml::node* node = node_->ask(key, false);
-  if (node != nullptr && !node->is_boolean())
-    throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) + " must be true or false");
+  if (node != nullptr && !node->is_boolean()) node_->refuse(*node, key, " must be true or false");
   const bool value = node != nullptr ? node->value<bool>().value() : fallback;
   node_->note(key, value ? "true" : "false", "");
   return value;
@@ -189,8 +211,7 @@ bool CaseTable::flag(std::string_view key, bool fallback) {
 
 std::string CaseTable::text(std::string_view key, std::optional<std::string> fallback) {
   const toml::node* node = node_->ask(key, !fallback);
-  if (node != nullptr && !node->is_string())
-    throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) + " must be a text in quotes");
+  if (node != nullptr && !node->is_string()) node_->refuse(*node, key, " must be a text in quotes");
   std::string value = node != nullptr ? node->value<std::string>().value() : std::move(*fallback);
   node_->note(key, in_quotes(value), "");
   return value;
@@ -207,46 +228,31 @@ NamedText CaseTable::file(std::string_view key, std::string_view kind) {
 std::vector<double> CaseTable::numbers(std::string_view key, std::optional<std::vector<double>> fallback,
                                        const Range& range, std::string_view unit) {
   const toml::node* node = node_->ask(key, !fallback);
-  std::vector<double> values = std::move(fallback).value_or(std::vector<double>{});
-  if (node != nullptr) values.clear();
-  if (node != nullptr && node->is_string()) {
-    for (const Node::Row& row : node_->rows_of_file(node->value<std::string>().value(), 1, key))
+  std::vector<double> values = node == nullptr ? std::move(*fallback) : std::vector<double>{};
+  if (node != nullptr)
+    for (const Node::Row& row : node_->rows_of(*node, key, 1))
       values.push_back(node_->checked(row.numbers[0], row.at, key, range, unit));
-  } else if (node != nullptr) {
-    if (!node->is_array() || node->as_array()->empty())
-      throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) +
-                       " must be a list of numbers, or the name of a file");
-    for (const toml::node& item : *node->as_array()) values.push_back(node_->number_at(item, key, range, unit));
-  }
-  std::vector<std::string> words;
-  words.reserve(values.size());
-  for (double value : values) words.push_back(shortest(value));
-  node_->note(key, "[" + joined(words) + "]", unit);
+  node_->note(key, listed(values, shortest), unit);
   return values;
 }
 
 std::vector<std::array<double, 2>> CaseTable::points(std::string_view key,
                                                      std::optional<std::vector<std::array<double, 2>>> fallback,
                                                      const Range& range, std::string_view unit) {
+  using Points = std::vector<std::array<double, 2>>;
   const toml::node* node = node_->ask(key, !fallback);
-  std::vector<std::array<double, 2>> values = std::move(fallback).value_or(std::vector<std::array<double, 2>>{});
-  if (node != nullptr) {
-    values.clear();
-    for (const Node::Row& row :
-         node->is_string() ? node_->rows_of_file(node->value<std::string>().value(), 2, std::string(key) + ": x, y")
-                           : node_->pairs_of_list(*node, key)) {
+  Points values = node == nullptr ? std::move(*fallback) : Points{};
+  if (node != nullptr)
+    for (const Node::Row& row : node_->rows_of(*node, key, 2)) {
       const double x = row.numbers[0];
       if (!values.empty() && x <= values.back()[0])
-        throw InputError(row.at + "[" + node_->path + "] " + std::string(key) +
-                         " must be a list of [x, y] pairs with x increasing; " + shortest(x) + " follows " +
-                         shortest(values.back()[0]));
+        node_->refuse(row.at, key,
+                      " must be a list of [x, y] pairs with x increasing; " + shortest(x) + " follows " +
+                          shortest(values.back()[0]));
       values.push_back({x, node_->checked(row.numbers[1], row.at_last, key, range, unit)});
     }
-  }
-  std::vector<std::string> words;
-  words.reserve(values.size());
-  for (const auto& [x, y] : values) words.push_back("[" + shortest(x) + ", " + shortest(y) + "]");
-  node_->note(key, "[" + joined(words) + "]", unit);
+  const auto shown = [](const auto& point) { return "[" + shortest(point[0]) + ", " + shortest(point[1]) + "]"; };
+  node_->note(key, listed(values, shown), unit);
   return values;
 }
 
@@ -257,8 +263,8 @@ std::string CaseTable::choose(std::string_view key, std::optional<std::string> f
   if (node != nullptr) {
     value = node->value<std::string>().value_or("");
     if (!node->is_string() || std::find(names.begin(), names.end(), value) == names.end())
-      throw InputError(node_->where(node) + "[" + node_->path + "] " + std::string(key) +
-                       (node->is_string() ? " = \"" + value + "\"" : "") + " must be one of: " + joined(names));
+      node_->refuse(*node, key,
+                    (node->is_string() ? " = \"" + value + "\"" : "") + " must be one of: " + joined(names));
   }
   node_->note(key, '"' + value + '"', "one of " + joined(names));
   return value;
@@ -277,8 +283,13 @@ CaseTable CaseTable::table(std::string_view key) {
   return CaseTable(child);
 }
 
-void CaseTable::reject(std::string_view key, const std::string& message) const {
-  throw InputError(node_->where(key) + " " + message);
+void CaseTable::reject(std::string_view key, const std::string& message, std::optional<std::size_t> row) const {
+  const toml::node* node = node_->values->get(key);
+  const auto rows = node_->rows.find(std::string(key));
+  const bool is_list = rows != node_->rows.end();
+  if (is_list && row) node_->refuse(rows->second.at(*row), key, " " + message);
+  const bool in_file = is_list && node->is_string();
+  node_->refuse(node_->where(node), key, (in_file ? " = " + in_quotes(**node->as_string()) : "") + " " + message);
 }
 
 void CaseTable::close() const {

@@ -18,7 +18,7 @@
 
 namespace tiprub {
 
-/// The values a number in a case file may take, ends included unless said.
+/// The values that a number in a case file may take. The ends are included unless `low_end` says otherwise.
 struct Range {
   enum class LowEnd { included, excluded };
 
@@ -34,13 +34,12 @@ struct Range {
   std::string describe() const;
 };
 
-/// Keys and values, these as TOML writes them.
+/// Keys, and their values as TOML writes them.
 using CaseSettings = std::vector<std::pair<std::string, std::string>>;
 
-/// One table of a case file, read as a closed world: every key is asked for by name, with its default, range and
-/// unit, and close() refuses whatever was never asked for. All readers raise InputError with file:line:column, or
-/// with the setting that gave the value.
-/// A key without a default (std::nullopt) must be present.
+/// One table of a case file. Every key is asked for by name, with its default, range and unit, and close() refuses
+/// all other keys. All readers raise InputError with file:line:column, or with the setting that gave the value. A key
+/// without a default (std::nullopt) must be present.
 class CaseTable {
  public:
   struct Node;  ///< the toml node behind it; only the .cc files here know toml++
@@ -51,11 +50,11 @@ class CaseTable {
   int integer(std::string_view key, std::optional<int> fallback, const Range& range, std::string_view unit);
   bool flag(std::string_view key, bool fallback);
   std::string text(std::string_view key, std::optional<std::string> fallback);
-  /// What is in the file that the key names, beside the case file if its path is relative; `kind` is what it should
-  /// be ("a blade file"). Its digest is noted, so that what is made of it is out of date when it changes. Raises
-  /// RunError if it can't be read.
+  /// The contents of the file that the key names. A relative path begins in the folder of the case; `kind` is what
+  /// the file should be ("a blade file"). The digest of the file is noted among the settings, so that results become
+  /// out of date when the file changes. Raises RunError if it can't be read.
   NamedText file(std::string_view key, std::string_view kind);
-  /// An array of numbers, or the name of a file beside the case with one a line, below a heading if there is one.
+  /// An array of numbers, or the name of a file beside the case with one number a line. It may begin with a heading.
   std::vector<double> numbers(std::string_view key, std::optional<std::vector<double>> fallback, const Range& range,
                               std::string_view unit);
   /// An array of [x, y] pairs with x strictly increasing, or the name of such a file; the range and the unit are
@@ -66,18 +65,20 @@ class CaseTable {
   template <class Enum>
   Enum choice(std::string_view key, std::optional<Enum> fallback,
               std::initializer_list<std::pair<std::string_view, Enum>> names);
-  /// A table inside this one; an absent one reads as an empty one.
+  /// A table inside this one. If it is absent, it reads as an empty one.
   CaseTable table(std::string_view key);
 
-  /// Raises InputError at a key whose value is allowed by itself and wrong beside another one.
-  [[noreturn]] void reject(std::string_view key, const std::string& message) const;
-  /// Raises InputError at the first key that nobody asked for, and lists the known ones.
+  /// Raises InputError at a key whose value does not fit to the other values; of a list that was read, at one of its
+  /// rows, which may stand in a file of its own.
+  [[noreturn]] void reject(std::string_view key, const std::string& message,
+                           std::optional<std::size_t> row = std::nullopt) const;
+  /// Raises InputError at the first key that was not asked for, and lists the known ones.
   void close() const;
-  /// What was read, defaults included: one "key = value  # unit" a line, in the order of reading.
+  /// All values that were read, defaults included: lines "key = value  # unit" in the order of reading.
   std::string resolved() const;
-  /// What the case itself says in it, defaults left out: TOML, keys sorted, without comments.
+  /// The values that the case itself gives: TOML with sorted keys, without defaults and comments.
   std::string written() const;
-  /// What was read as keys and values, without the tables inside this one.
+  /// The keys and values that were read, without the tables inside this one.
   CaseSettings settings() const;
 
  private:
@@ -87,25 +88,23 @@ class CaseTable {
   std::shared_ptr<Node> node_;
 };
 
-/// A scene: one rotor, one casing, one range of speeds, in one TOML file. Each program reads only its own table of
-/// it.
+/// A scene in one TOML file: one rotor, one casing and one range of speeds. Each program reads only its own tables.
 class CaseFile {
  public:
-  /// Each setting is "TABLE.KEY=VALUE" with a value as TOML writes it; it takes the place of the file's key, or joins
-  /// it. Raises RunError if the file can't be read, InputError if it or a setting is not TOML or has a top-level
-  /// table that no program knows (the known ones: mesh, reduce, casing, simulate, postprocess, material, and the text
-  /// `title`).
+  /// Each setting is "TABLE.KEY=VALUE" with a value as TOML writes it. It replaces the key of the file or adds it;
+  /// without a value it removes the key. Raises RunError if the file can't be read. Raises InputError if the file or
+  /// a setting is not TOML, or if it has a table at the top that no program knows.
   explicit CaseFile(const std::filesystem::path& path, const std::vector<std::string>& settings = {});
 
   const std::string& title() const { return title_; }
-  /// The whole file as it was read, and a comment for each setting after it: for provenance.
+  /// The whole file as it was read, followed by a comment for each setting. Outputs keep it as their provenance.
   const std::string& source() const { return source_; }
   bool has(std::string_view name) const;
   /// Raises InputError if the table is absent.
   CaseTable table(std::string_view name) const;
   std::string resolved_title() const;
-  /// What a reader takes from a table, as CaseTable::resolved() gives it, headed by the table's name: the same text
-  /// for whatever spelling of the same values.
+  /// What a reader takes from a table, as CaseTable::resolved() gives it, below the name of the table. The text is
+  /// the same for every spelling of the same values.
   std::string resolved(std::string_view name, const std::function<void(CaseTable&)>& read) const;
 
  private:

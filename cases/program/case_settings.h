@@ -4,14 +4,20 @@
 #include <toml++/toml.h>
 
 #include <string>
+#include <string_view>
 
 namespace tiprub {
 
-/// Puts one "TABLE.KEY=VALUE" of the command line into a case: the key takes the place of the file's own or joins it,
-/// and a table that is not there is made. Raises InputError if it is not of this form or VALUE is no TOML value.
+/// Raises InputError at a key or a header with more parts than any case has. The TOML reader takes stack for each
+/// part, and has no limit.
+void require_short_keys(std::string_view text, const std::string& origin);
+
+/// Puts one "TABLE.KEY=VALUE" of the command line into a case. The key replaces that of the file or is added, and so
+/// is its table; without VALUE the key is removed. Raises InputError if the setting is not of this form, VALUE is not
+/// TOML, or the key that is to be removed is not there.
 void apply_setting(toml::table& values, const std::string& setting);
 
-/// "--set mesh.element="hex27"": what a message names in place of a file, and what provenance tells.
+/// "--set mesh.element="hex27"", which messages name in place of a file, and provenance lists.
 std::string setting_origin(const std::string& setting);
 
 /// The beginning of a message about a place in the case: "case.toml:3:7: ", or "--set mesh.element="hex27": ".

@@ -14,6 +14,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 
 #include "cases/program/case_file.h"
 #include "cases/program/errors.h"
@@ -30,30 +31,29 @@ constexpr int exit_failed = 1;
 constexpr int exit_wrong_input = 2;
 
 int complain(const Stage& stage, const std::string& message, int exit_code) {
-  std::fprintf(stderr, "%s: error: %s\n", stage.name.c_str(), printable(message).c_str());
+  constexpr std::size_t longest = 2000;  // bytes: a message may quote what a file holds
+  std::fprintf(stderr, "%s: error: %s\n", stage.name.c_str(), shortened(printable(message), longest).c_str());
   return exit_code;
 }
 
-/// A stream that is closed gives its number to the next file that is opened, and what is printed goes into that one.
-/// Writing to this stand-in of stdout fails.
+/// A closed stream would give its number to the next file that is opened, and that file would receive what is
+/// printed. Writing to this stand-in of stdout fails.
 void hold_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-/// The exit code, after all of stdout has gone out.
+/// The exit code, once stdout has been written to its end.
 int leave(const Stage& stage, int exit_code) {
   errno = 0;
   std::cout.flush();
   const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
   if (whole || exit_code != 0) return exit_code;
-  return complain(
-      stage,
-      std::string("stdout: can't be written") + (errno != 0 ? ": " : "") + (errno != 0 ? std::strerror(errno) : ""),
-      exit_failed);
+  const std::string reason = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
+  return complain(stage, "stdout: can't be written" + reason, exit_failed);
 }
 
-/// [s] of the user's and the system's work.
+/// [s] of user and system time.
 double processor_time(int whose) {
   constexpr double microsecond = 1e-6;
   rusage used{};
@@ -68,20 +68,12 @@ int processors() {
   return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
 }
 
-/// How long a program ran, noted for people: one row of CSV, "program", "wall time [s]", "processor time [s]" (its
-/// own and that of what it started) and "processors" (that it might run on). Under MPI they are one process's.
-class RunTimes {
- public:
-  /// Writes the note. Raises RunError if the file can't be written.
-  void write(const std::string& program, const std::filesystem::path& path) const;
+using Clock = std::chrono::steady_clock;
 
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
-
-void RunTimes::write(const std::string& program, const std::filesystem::path& path) const {
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  OutputFile output(path);
+/// Notes how long a program ran as one row of CSV: wall time, processor time (with that of the programs it started)
+/// and the processors that it could use. Under MPI these are the numbers of one process. Raises RunError.
+void write_times(OutputFile& output, const std::string& program, Clock::time_point begin) {
+  const double wall = std::chrono::duration<double>(Clock::now() - begin).count();
   write_file(output.scratch(), [&](std::ostream& stream) {
     stream << "program,wall time [s],processor time [s],processors\n"
            << program << ',' << wall << ',' << processor_time(RUSAGE_SELF) + processor_time(RUSAGE_CHILDREN) << ','
@@ -90,7 +82,6 @@ void RunTimes::write(const std::string& program, const std::filesystem::path& pa
   output.commit();
 }
 
-/// What the command line says.
 struct CommandLine {
   CLI::App app;
   StageArguments arguments;
@@ -105,18 +96,17 @@ struct CommandLine {
       app.add_option(stage.inputs[i].name, arguments.inputs[i], stage.inputs[i].help);
     app.add_option("-o,--output", arguments.output, "what to write")->capture_default_str();
     app.add_option("--set", arguments.settings,
-                   "a key of the case file instead of its own, TABLE.KEY=VALUE; may be repeated")
+                   "TABLE.KEY=VALUE takes the place of the case file's key, TABLE.KEY= removes it; may be repeated")
         ->allow_extra_args(false);
-    app.add_option("--times", times, "a file to note in how long the run took; tiprub-postprocess --runs shows it");
+    app.add_option("--times", times, "a file for the time that the run took; tiprub-postprocess --runs shows it");
     app.add_flag("--check", check, "validate the inputs and stop");
-    app.add_flag("--tables", tables,
-                 "print what is read of the case, which is all the input that this needs, and stop");
+    app.add_flag("--tables", tables, "print what is read of the case, and stop; needs no other input");
     CLI::Option* quiet_flag = app.add_flag("-q,--quiet", quiet, "print nothing but errors");
     app.add_flag("-v,--verbose", verbose, "print every parameter and choice")->excludes(quiet_flag);
     if (stage.add_options) stage.add_options(app);
   }
 
-  /// Raises CLI::ParseError. Inputs are missed last: a misspelt option is told first.
+  /// Raises CLI::ParseError. Missing inputs are reported last, so that a misspelt option is reported first.
   void parse(const Stage& stage, int argc, char** argv) {
     app.parse(argc, argv);
     for (std::size_t i = 0; i < (tables ? 1 : stage.inputs.size()); ++i)
@@ -127,12 +117,14 @@ struct CommandLine {
   }
 };
 
-/// The body's part of it: exceptions to exit codes.
+/// Runs the body, and turns what it throws into an exit code.
 int run(const Stage& stage, const std::function<void()>& body) {
   try {
     body();
     return 0;
   } catch (const InputError& error) {
+    return complain(stage, error.what(), exit_wrong_input);
+  } catch (const FileError& error) {
     return complain(stage, error.what(), exit_wrong_input);
   } catch (const std::bad_alloc&) {
     return complain(stage, "not enough memory", exit_failed);
@@ -144,7 +136,7 @@ int run(const Stage& stage, const std::function<void()>& body) {
 }
 
 int parse_and_run(int argc, char** argv, const Stage& stage, const std::function<void(const StageArguments&)>& body) {
-  const RunTimes times;
+  const Clock::time_point begin = Clock::now();
   CommandLine line(stage);
   try {
     line.parse(stage, argc, argv);
@@ -161,8 +153,10 @@ int parse_and_run(int argc, char** argv, const Stage& stage, const std::function
     }
     require_room_for_libraries();
     refuse_overwriting({arguments.output, line.times}, arguments.inputs);
+    std::optional<OutputFile> times;
+    if (!line.times.empty() && !line.check) times.emplace(line.times);
     body(arguments);
-    if (!line.times.empty() && !line.check) times.write(program_version(stage.name), line.times);
+    if (times) write_times(*times, program_version(stage.name), begin);
   });
 }
 

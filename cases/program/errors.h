@@ -5,7 +5,7 @@
 
 namespace tiprub {
 
-/// The user's input is wrong. The message is one line: where, what value, what is allowed, what to do. Exit code 2.
+/// The input is wrong. The message is one line: where, which value, what is allowed, what to do. Exit code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -15,6 +15,13 @@ class InputError : public std::runtime_error {
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// A file of another stage is damaged, or holds what it cannot hold. Exit code 2, because the input is wrong; a sweep
+/// that resumes catches it with the other reasons why a file can't be read.
+class FileError : public RunError {
+ public:
+  using RunError::RunError;
 };
 
 }  // namespace tiprub

@@ -29,7 +29,7 @@ constexpr double room_for_libraries = 160 * bytes_per_kib * bytes_per_kib;  // O
 constexpr const char* kernels_variable = "OPENBLAS_CORETYPE";
 constexpr const char* generic_kernels = "Prescott";
 
-/// The first number of a file, or the fallback if there is none ("max" in a control group's file is none).
+/// The first number of a file, or the fallback if there is none, as in the file of a control group that says "max".
 double number_in(const std::filesystem::path& path, double fallback) {
   std::ifstream file(path);
   double value = 0;
@@ -51,19 +51,19 @@ double control_group_memory(const std::filesystem::path& root) {
   return std::min(first, second);
 }
 
-/// A function of OpenBLAS, if the program has it: not all programs link a BLAS, and not every BLAS is OpenBLAS.
+/// A function of OpenBLAS, or null: not all programs link a BLAS, and not every BLAS is OpenBLAS.
 template <class Function>
 Function* find(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
 }
 
-/// Empty without OpenBLAS.
+/// The name of the kernels in use; empty without OpenBLAS.
 std::string kernels_taken() {
   auto* name = find<char*()>("openblas_get_corename");
   return name != nullptr ? name() : "";
 }
 
-/// OpenBLAS's name of the kernels for the widest vectors that the processor and its system keep.
+/// OpenBLAS's name of the kernels for the widest vectors that the processor and the operating system support.
 std::string kernels_of_processor() {
 #if defined(__x86_64__)
   __builtin_cpu_init();
@@ -77,7 +77,7 @@ std::string kernels_of_processor() {
   return generic_kernels;
 }
 
-/// Whether the variable was not set and is now.
+/// Sets a variable unless the user has set it. Returns whether it did.
 bool offer(const char* variable, const std::string& value) {
   return std::getenv(variable) == nullptr && setenv(variable, value.c_str(), 1) == 0;
 }
@@ -121,7 +121,7 @@ void work_together(int threads, const std::function<void()>& work) {
   others.reserve(static_cast<std::size_t>(std::max(threads - 1, 0)));
   try {
     for (int i = 1; i < threads; ++i) others.emplace_back(guarded);
-  } catch (const std::system_error&) {  // no more to be had
+  } catch (const std::system_error&) {  // the system gives no more threads
   }
   guarded();
   for (std::thread& other : others) other.join();

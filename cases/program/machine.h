@@ -7,35 +7,37 @@
 
 namespace tiprub {
 
-/// [bytes] that this process may still map under its resource limits (ulimit -d, -v); infinite without any.
+/// The memory [bytes] that this process may still map under its resource limits (ulimit -d, -v); infinite without
+/// any.
 double mappable_memory();
 
-/// [bytes] MemAvailable of /proc/meminfo, or less if a control group (versions 1 and 2) or a resource limit leaves
-/// less. Infinite if nothing is known. `root` is where /proc and /sys are.
+/// The available memory [bytes]: MemAvailable of /proc/meminfo, or less if a control group (version 1 or 2) or a
+/// resource limit leaves less. It is infinite if nothing is known. `root` is the folder that holds proc and sys.
 double available_memory(const std::filesystem::path& root = "/");
 
-/// Raises RunError if the limits leave no room for the buffers of the libraries. OpenBLAS asks for ever for a buffer
-/// that it is refused, and HDF5 works on without it: it is too late to find out there.
+/// Raises RunError if the limits leave no room for the buffers of the libraries. Without this check OpenBLAS would
+/// ask for its buffer again and again without end, and HDF5 would go on without its own.
 void require_room_for_libraries();
 
-/// Runs `work` at once on this thread and on up to `threads` - 1 others, and waits for all. With fewer others if the
-/// system gives no more (limits on memory or processes): results must not hang on how many there are. Raises what
-/// one of them raised, once all have ended.
+/// Runs `work` on this thread and, at the same time, on `threads` - 1 others, and waits for all. There are fewer if
+/// the system gives no more, so results must not depend on their number. Raises what one of them raised, once all
+/// have ended.
 void work_together(int threads, const std::function<void()>& work);
 
-/// The first step of the main of a program that works with OpenBLAS. OpenBLAS reads its variables as it is loaded,
-/// before main; where they should be others, this sets them and runs the program again, which takes 0.2 s.
-/// - OPENBLAS_CORETYPE: of an Intel processor that it does not know, OpenBLAS 0.3.21 may take the generic kernels of
-///   any 64-bit processor (family 6, models 183 and 207 among them), which are half as fast as what it can run.
-/// - OPENBLAS_NUM_THREADS: where memory is limited, the idle threads that OpenBLAS starts, one a processor, would
-/// take
-///   what there is. The program asks for its threads later, once it knows how much they leave.
-/// What the user has set is left alone.
+/// The first step in the main of a program that uses OpenBLAS. OpenBLAS reads its environment variables when it is
+/// loaded, before main. If they should be different, this sets them and runs the program again, which takes 0.2 s.
+/// - OPENBLAS_CORETYPE: OpenBLAS 0.3.21 does not know some Intel processors (family 6, models 183 and 207 among
+/// them), and
+///   may use generic kernels there, which are half as fast as others that the processor can run.
+/// - OPENBLAS_NUM_THREADS: OpenBLAS starts an idle thread for each processor. If memory is limited, they would take
+/// all
+///   of it. The program asks for its threads later, when it knows how many there is memory for.
+/// Variables that the user has set stay as they are.
 void prepare_blas(char** argv);
 
-/// OpenBLAS's own words, with the name of its kernels; empty if the program has no OpenBLAS.
+/// OpenBLAS's description of itself, with the name of its kernels; empty if the program has no OpenBLAS.
 std::string blas_description();
-/// Of generic kernels; empty if they are not.
+/// A warning if OpenBLAS uses its generic kernels; otherwise empty.
 std::string blas_warning();
 
 }  // namespace tiprub

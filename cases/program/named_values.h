@@ -9,7 +9,7 @@
 
 namespace tiprub {
 
-/// The values of an enumeration with the names that they have in files: one list for the writer and the reader.
+/// The values of an enumeration and their names in files. Writers and readers share one such list.
 template <class Value, std::size_t count>
 using NamedValues = std::array<std::pair<Value, const char*>, count>;
 
@@ -20,12 +20,12 @@ constexpr const char* name_in(const NamedValues<Value, count>& names, Value valu
   return "";
 }
 
-/// Raises RunError, which begins with `where`, if no value has that name.
+/// Raises FileError with a message that begins with `where` if no value has that name.
 template <class Value, std::size_t count>
 Value value_named(const NamedValues<Value, count>& names, const std::string& name, const std::string& where) {
   for (const auto& [value, known] : names)
     if (name == known) return value;
-  throw RunError(where + " \"" + name + "\" is not known");
+  throw FileError(where + " \"" + name + "\" is not known");
 }
 
 }  // namespace tiprub

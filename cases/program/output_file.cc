@@ -24,33 +24,45 @@ namespace {
 
 constexpr const char* list_name = ".tiprub-files";
 
-/// All but folders, relative to the folder; sorted.
-std::set<std::string> files_in(const fs::path& folder) {
+/// The name of a file relative to the folder; empty for a folder.
+std::string name_in(const fs::path& folder, const fs::directory_entry& entry) {
+  const bool is_file = !entry.is_directory() || entry.is_symlink();
+  return is_file ? entry.path().lexically_relative(folder).generic_string() : "";
+}
+
+/// Leaves in a folder the list of all files in it and below it. Raises RunError if it can't be written.
+void list_made_files(const fs::path& folder) {
   std::set<std::string> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (!entry.is_directory() || entry.is_symlink())
-      files.insert(entry.path().lexically_relative(folder).generic_string());
-  files.erase(list_name);
-  return files;
+    files.insert(name_in(folder, entry));
+  write_file(folder / list_name, [&](std::ostream& list) {
+    for (const std::string& file : files)
+      if (!file.empty()) list << file << "\n";
+  });
 }
 
-/// Leaves in a folder the list of all files in it, as made here. Raises RunError if it can't be written.
-void list_made_files(const fs::path& folder) {
-  std::ofstream list(folder / list_name);
-  for (const std::string& file : files_in(folder)) list << file << "\n";
-  list.close();
-  if (!list) throw RunError((folder / list_name).string() + ": can't be written");
-}
-
-/// A file in the folder, or in one below it, that is not on its list (relative to the folder); nothing if there is
-/// none. Of a folder without a list every file is a stranger.
-std::optional<fs::path> first_file_not_made_here(const fs::path& folder) {
-  std::set<std::string> made;
+/// A file in the folder, or below it, that is not on the folder's list. Without a list no file is.
+std::optional<std::string> file_not_made_here(const fs::path& folder) {
+  std::set<std::string> known = {"", list_name};
   std::ifstream list(folder / list_name);
-  for (std::string line; std::getline(list, line);) made.insert(line);
-  for (const std::string& file : files_in(folder))
-    if (!made.contains(file)) return fs::path(file);
+  for (std::string line; std::getline(list, line);) known.insert(line);
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (std::string name = name_in(folder, entry); !known.contains(name)) return name;
   return std::nullopt;
+}
+
+/// "report/" is the folder "report". Raises RunError if the last part of the path is no name.
+fs::path with_name(const fs::path& output) {
+  fs::path named = output.has_filename() ? output : output.parent_path();
+  if (named.filename().empty() || named.filename() == "." || named.filename() == "..")
+    throw RunError(output.string() + ": can't be replaced; give the output a name of its own");
+  return named;
+}
+
+/// Raises RunError if the folder of an output does not exist.
+void require_folder(const fs::path& output) {
+  const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder)) throw RunError(output.string() + ": can't be written: no folder " + folder.string());
 }
 
 /// "sector.msh" -> "sector.tiprub.part.msh".
@@ -59,7 +71,7 @@ fs::path beside(const fs::path& target, const std::string& word) {
   return name.replace_filename(target.stem().string() + ".tiprub." + word + target.extension().string());
 }
 
-/// By name too, for files that are still to come.
+/// Files that do not exist yet are compared by their names.
 bool same_file(const fs::path& one, const fs::path& other) {
   if (one.empty() || other.empty()) return false;
   std::error_code ignored;
@@ -68,17 +80,18 @@ bool same_file(const fs::path& one, const fs::path& other) {
   return !place.empty() && place == fs::weakly_canonical(fs::absolute(other), ignored);
 }
 
-void require_replaceable(const fs::path& target) {
+void require_replaceable(const fs::path& target, OutputFile::Kind kind) {
   const fs::file_status status = fs::status(target);
-  if (!fs::exists(status) || fs::is_regular_file(status)) return;
-  if (!fs::is_directory(status))
-    throw RunError(target.string() + ": can't be replaced: it is neither a file nor a folder; give another -o");
-  if (const auto stranger = first_file_not_made_here(target))
-    throw RunError(target.string() + ": can't be replaced: it holds " + stranger->string() +
+  const std::string refusal = target.string() + ": can't be replaced: it ";
+  if (!fs::exists(status) || (fs::is_regular_file(status) && kind == OutputFile::Kind::file)) return;
+  if (kind == OutputFile::Kind::file) throw RunError(refusal + "is no file; give another name");
+  if (!fs::is_directory(status)) throw RunError(refusal + "is no folder; give another name");
+  if (const auto stranger = file_not_made_here(target))
+    throw RunError(refusal + "holds " + *stranger +
                    ", which this program did not make; move that away, or give another -o");
 }
 
-/// Waits until the disk has the file: a full one may only be noticed here.
+/// Waits until the disk has the file. A full disk may show only now.
 std::error_code synchronise_file(const fs::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return {errno, std::generic_category()};
@@ -88,7 +101,7 @@ std::error_code synchronise_file(const fs::path& path) {
   return error;
 }
 
-/// The same for a file or all that is in a folder.
+/// The same for a file, or for all files in a folder.
 std::error_code synchronise(const fs::path& path) {
   if (!fs::is_directory(path)) return synchronise_file(path);
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
@@ -113,13 +126,12 @@ std::error_code replace_folder(const fs::path& scratch, const fs::path& target) 
   return error;
 }
 
-fs::path lock_of(fs::path output) {
-  if (!output.has_filename()) output = output.parent_path();  // "report/" is the folder "report"
-  const std::string name = "." + output.filename().string() + ".lock";
-  return output.replace_filename(name);
+fs::path lock_of(const fs::path& output) {
+  const fs::path named = with_name(output);
+  return fs::path(named).replace_filename("." + named.filename().string() + ".lock");
 }
 
-/// Whether the name still leads to the open file: its former holder removes it when it is done.
+/// Whether the name still leads to the open file. Its former holder may have removed it meanwhile.
 bool leads_to(const fs::path& path, int file) {
   struct stat by_name {
   }, opened{};
@@ -142,13 +154,10 @@ std::string holder(const fs::path& path) {
 
 }  // namespace
 
-OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
-  if (!target_.has_filename()) target_ = target_.parent_path();  // "report/" is the folder "report"
-  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder))
-    throw RunError(target_.string() + ": can't be written: no folder " + folder.string());
-  require_replaceable(target_);
-  scratch_ = beside(target_, "part");
+OutputFile::OutputFile(const fs::path& target, Kind kind)
+    : target_(with_name(target)), scratch_(beside(target_, "part")), kind_(kind) {
+  require_folder(target_);
+  require_replaceable(target_, kind_);
   fs::remove_all(scratch_);
   removed_on_signal_.emplace(scratch_);
 }
@@ -160,7 +169,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::commit() {
-  require_replaceable(target_);
+  require_replaceable(target_, kind_);
   if (fs::is_directory(scratch_)) list_made_files(scratch_);
   std::error_code error = synchronise(scratch_);
   if (!error && fs::is_directory(scratch_) && fs::is_directory(target_))
@@ -175,7 +184,7 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
   errno = 0;
   std::ofstream out(path, std::ios::binary);
   if (out) body(out);
-  out.close();  // streams hold back: only now is it known
+  out.close();  // a stream holds bytes back, so that a full disk may show only now
   const int reason = errno;
   if (!out)
     throw RunError(path.string() + ": can't be written" +
@@ -194,11 +203,12 @@ void refuse_overwriting(const std::vector<fs::path>& outputs, const std::vector<
 }
 
 OutputLock::OutputLock(const fs::path& output) : path_(lock_of(output)) {
-  const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder)) throw RunError(output.string() + ": can't be written: no folder " + folder.string());
+  require_folder(output);
   while (file_ < 0) {
     constexpr mode_t readable_by_all = 0644;
-    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, readable_by_all);
+    // A link that came with the case may lead to a file of the user's, and the lock would overwrite that.
+    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, readable_by_all);
+    if (file_ < 0 && errno == ELOOP) throw RunError(path_.string() + ": is a link in place of a lock; remove it");
     if (file_ < 0) throw RunError(output.string() + ": can't be written: " + std::generic_category().message(errno));
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
       ::close(file_);
@@ -211,7 +221,7 @@ OutputLock::OutputLock(const fs::path& output) : path_(lock_of(output)) {
   const std::string who = this_process() + "\n";
   const bool named = ::ftruncate(file_, 0) == 0 && ::write(file_, who.data(), who.size()) > 0;
   removed_on_signal_.emplace(path_);
-  static_cast<void>(named);  // on a full disk the lock holds without a name
+  static_cast<void>(named);  // on a full disk the lock holds all the same
 }
 
 OutputLock::~OutputLock() {

@@ -11,34 +11,37 @@
 
 namespace tiprub {
 
-/// A file or a folder that appears whole or not at all: it is written beside its place and renamed at the end.
-/// Until commit() the old one stands. A run that ends early by an exception removes what it had written; one that
-/// ends by SIGINT, SIGTERM or SIGHUP removes its file (a folder only where the stage turns signals into exceptions).
+/// A file or a folder that appears whole or not at all: it is written beside its place and renamed by commit(). Until
+/// then the old one stays. If an exception ends the run, what was written is removed. So is a file if SIGINT, SIGTERM
+/// or SIGHUP ends it; a stage that writes a folder must turn these signals into exceptions.
 ///
-/// A folder is replaced only if an OutputFile made all that it holds: commit() leaves the list of its files in it.
+/// A folder is replaced only if an OutputFile made all files in it. For this, commit() leaves a list of them there.
 class OutputFile {
  public:
-  /// Raises RunError if the target's folder doesn't exist, or if what stands at the target may not be replaced: a
-  /// folder that holds other people's files, a device.
-  explicit OutputFile(std::filesystem::path target);
+  enum class Kind { file, folder };
+
+  /// Raises RunError if the folder of the target doesn't exist, or if the target may not be replaced: it is of
+  /// another kind, a device, or a folder with files that this program did not make.
+  explicit OutputFile(const std::filesystem::path& target, Kind kind = Kind::file);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
 
-  /// Where to write: "sector.tiprub.part.msh" for "sector.msh" (the ending stays, because libraries judge by it).
+  /// Where to write: "sector.tiprub.part.msh" for "sector.msh". The extension stays, because libraries look at it.
   const std::filesystem::path& scratch() const { return scratch_; }
-  /// Puts what was written in its place, once the disk has all of it. Raises RunError if that can't be done.
+  /// Moves what was written to its place, once the disk has all of it. Raises RunError if that fails.
   void commit();
 
  private:
   std::filesystem::path target_;
   std::filesystem::path scratch_;
+  Kind kind_;
   std::optional<RemovedOnSignal> removed_on_signal_;
 };
 
-/// One run at a time on an output: held from before the work until the output stands. A lock of the operating system
-/// (flock) on ".NAME.lock" beside the output, so that it ends with the process, however that ends. That file names
-/// who holds it. Taking it also shows, before the work, that the output's folder exists and can be written.
+/// Lets one run at a time work on an output. It is a lock of the operating system (flock) on ".NAME.lock" beside the
+/// output, so that it ends with the process in any case. The file names the process. Taking the lock also shows,
+/// before the work, that the folder of the output exists and can be written.
 class OutputLock {
  public:
   /// Raises RunError if another process holds it, or if its file can't be made.
@@ -53,12 +56,12 @@ class OutputLock {
   std::optional<RemovedOnSignal> removed_on_signal_;
 };
 
-/// A file of whatever `body` puts into the stream, byte for byte; on its place at once. Raises RunError with the
-/// system's reason if the file can't be made, or the disk doesn't take all of it.
+/// Writes what `body` puts into the stream, byte for byte, directly to its place. Raises RunError with the reason of
+/// the system if the file can't be made, or the disk doesn't take all of it.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& body);
 
-/// Raises InputError if one of the outputs is one of the inputs, by whatever name or link, or another output. Empty
-/// names stand for nothing.
+/// Raises InputError if an output is the same file as an input or as another output, also by another name or by a
+/// link. Empty names are left out.
 void refuse_overwriting(const std::vector<std::filesystem::path>& outputs,
                         const std::vector<std::filesystem::path>& inputs);
 

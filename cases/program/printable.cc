@@ -8,11 +8,14 @@ namespace tiprub {
 
 namespace {
 
-/// C0, DEL, and C1 (U+0080 to U+009F), which a terminal obeys too.
-bool controls(std::string_view letter) {
-  const auto first = static_cast<unsigned char>(letter[0]);
-  if (letter.size() == 1) return first < 0x20 || first == 0x7f;
-  return letter.size() == 2 && first == 0xc2 && static_cast<unsigned char>(letter[1]) < 0xa0;
+/// Whether a letter makes a terminal show something else than the text: control characters (C0, DEL, C1), letters
+/// that change the direction of writing, and letters without any width.
+bool misleads(std::string_view letter) {
+  char32_t code = letter.size() == 1 ? letter[0] : letter[0] & (0x7f >> letter.size());
+  for (const char byte : letter.substr(1)) code = code << 6 | (byte & 0x3f);
+  const auto within = [&](char32_t first, char32_t last) { return first <= code && code <= last; };
+  return code < 0x20 || within(0x7f, 0x9f) || code == 0x61c || within(0x200b, 0x200f) || within(0x2028, 0x202e) ||
+         within(0x2060, 0x206f) || code == 0xfeff || within(0xe0000, 0xe0fff);
 }
 
 std::string escaped(char byte) {
@@ -66,13 +69,22 @@ std::string printable(std::string_view text, LineBreaks line_breaks) {
   while (!text.empty()) {
     const int length = letter_length(text);
     const std::string_view letter = text.substr(0, std::max(length, 1));
-    if (length > 0 && (!controls(letter) || (letter == "\n" && line_breaks == LineBreaks::kept)))
+    if (length > 0 && (!misleads(letter) || (letter == "\n" && line_breaks == LineBreaks::kept)))
       shown += letter;
     else
       for (const char byte : letter) shown += escaped(byte);
     text.remove_prefix(letter.size());
   }
   return shown;
+}
+
+std::string shortened(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  const auto begins_letter = [&](std::size_t at) { return (text[at] & 0xc0) != 0x80; };
+  std::size_t head = most / 2, tail = text.size() - most / 2;
+  while (!begins_letter(head)) --head;
+  while (tail < text.size() && !begins_letter(tail)) ++tail;
+  return text.substr(0, head) + " ... " + text.substr(tail);
 }
 
 std::string in_quotes(std::string_view text) {

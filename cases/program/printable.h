@@ -8,14 +8,18 @@ namespace tiprub {
 
 enum class LineBreaks { escaped, kept };
 
-/// A text as a terminal may show it, whoever wrote it: control characters, and bytes that are no UTF-8, as \n, \t,
-/// \r or \x1b; all else as it is.
+/// A text from anywhere as a terminal may show it. Characters that control the terminal, change the direction of
+/// writing or have no width, and bytes that are not UTF-8, become \n, \t, \r or \x1b. All others stay as they are.
 std::string printable(std::string_view text, LineBreaks line_breaks = LineBreaks::escaped);
 
-/// A text in quotes that ends at its last quote only: quotes and backslashes in it are escaped too.
+/// The beginning and the end of a text of more than `most` bytes; other texts as they are.
+std::string shortened(const std::string& text, std::size_t most);
+
+/// A text in quotes, with the quotes and backslashes in it escaped too, so that it ends at its last quote only.
 std::string in_quotes(std::string_view text);
 
-/// Bytes of the UTF-8 letter that the text begins with; 0 if that is none. No overlong ones, no surrogates.
+/// The length in bytes of the UTF-8 letter with which the text begins. It is 0 if there is none, and for overlong
+/// forms and surrogates.
 int letter_length(std::string_view text);
 
 }  // namespace tiprub

@@ -8,7 +8,7 @@
 
 namespace tiprub {
 
-/// A bar with the time left, on stderr, and only if that is a terminal. Steps may be reported from any thread.
+/// A progress bar with the time left, on stderr if that is a terminal. Any thread may report steps.
 class Progress {
  public:
   enum class Shown { on_a_terminal, never };

@@ -20,10 +20,10 @@ namespace tiprub {
 
 namespace {
 
-// The first letter of a child's answer.
+// The first letter of the child's answer.
 constexpr char made = 'm', wrong_input = 'i', failed = 'f', too_large = 'l';
 
-/// Whether the limit is the given one now, and not a tighter one that was there.
+/// Whether the limit could be lowered. A tighter one stays as it is.
 bool lower_limit(__rlimit_resource resource, double most) {
   rlimit limit{};
   if (getrlimit(resource, &limit) != 0 || static_cast<double>(limit.rlim_cur) <= most) return false;
@@ -31,7 +31,7 @@ bool lower_limit(__rlimit_resource resource, double most) {
   return setrlimit(resource, &limit) == 0;
 }
 
-/// [bytes] of address space that this process has.
+/// The address space of this process [bytes].
 double address_space() {
   std::ifstream file("/proc/self/statm");
   double pages = 0;
@@ -39,7 +39,7 @@ double address_space() {
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// Whether memory ends where the limits say, and not before.
+/// Applies the limits. Returns false if the process may take less memory than they allow.
 bool confine(const SandboxLimits& limits) {
   const bool all_memory = lower_limit(RLIMIT_AS, address_space() + limits.bytes);
   lower_limit(RLIMIT_CPU, limits.seconds);
@@ -47,7 +47,7 @@ bool confine(const SandboxLimits& limits) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) signal(number, SIG_DFL);  // the parent cleans up
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDOUT_FILENO);
-  dup2(nowhere, STDERR_FILENO);  // "double free or corruption" is told by the parent, in its words
+  dup2(nowhere, STDERR_FILENO);  // the parent reports a crash in its own words
   return all_memory;
 }
 

@@ -12,7 +12,7 @@ namespace tiprub {
 
 namespace {
 
-// A signal handler reaches nothing but static storage; unlink and _exit are all it may call here.
+// A signal handler can use static storage only, and may call few functions; unlink, write and _exit are among them.
 struct Slot {
   std::array<char, 4096> name{};
   std::atomic<bool> taken{false};

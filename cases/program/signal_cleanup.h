@@ -7,16 +7,16 @@
 
 namespace tiprub {
 
-/// From here on SIGINT, SIGTERM and SIGHUP say so in one line on stderr, and end the program with 128 + the signal's
-/// number. A signal that the program was started to ignore (nohup) stays ignored.
+/// From here on SIGINT, SIGTERM and SIGHUP print one line on stderr and end the program with 128 + the number of the
+/// signal. A signal that was ignored when the program started (nohup) stays ignored.
 void announce_signals(const std::string& program);
 
-/// That line, for whoever handles signals itself. A signal handler may call it.
+/// Prints that line, for a stage that handles signals itself. A signal handler may call it.
 void tell_interruption();
 
-/// While one lives, these signals remove its file, and end the program. A signal handler may remove no folder: a
-/// stage that writes one turns signals into exceptions instead (note_interruptions()). At most `most` live at a time;
-/// names of 4096 letters and more are left standing.
+/// As long as an object of this class lives, these signals remove its file before they end the program. It does not
+/// work for folders, because a signal handler can't remove them (see note_interruptions()). At most `most` objects
+/// work at a time, and only for names of less than 4096 bytes.
 class RemovedOnSignal {
  public:
   static constexpr int most = 8;

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <system_error>
 
-#include "cases/program/case_text.h"
+#include "cases/program/printable.h"
 
 namespace tiprub {
 
@@ -33,7 +33,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// Begins with a letter or a quote, and is no number in letters (nan, inf).
+/// Whether a word begins with a letter or a quote, and is not a number in letters (nan, inf).
 bool is_name(std::string_view word) {
   double number = 0;
   const bool has_letter = word[0] == '"' || std::isalpha(static_cast<unsigned char>(word[0])) != 0;
@@ -48,7 +48,27 @@ bool is_name(std::string_view word) {
   refuse_line(file, line.number, found + what);
 }
 
+void require_utf8(const NamedText& file, const std::string& kind) {
+  const std::string_view text = file.text;
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw InputError(file.name + ": is written in UTF-16; save it as UTF-8");
+  for (std::size_t i = 0; i < text.size();) {
+    const int length = letter_length(text.substr(i, 4));
+    if (length == 0 || text[i] == '\0')
+      throw InputError(file.name + place_in(text, i) + "the byte " + printable(text.substr(i, 1)) +
+                       " is no letter of UTF-8; is this " + kind + ", saved as UTF-8?");
+    i += length;
+  }
+}
+
 }  // namespace
+
+std::string place_in(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t start = before.find_last_of('\n') + 1;  // npos + 1 is 0
+  return ":" + std::to_string(line) + ":" + std::to_string(offset - start + 1) + ": ";
+}
 
 NamedText read_named_text(const std::filesystem::path& path, const std::string& kind) {
   namespace fs = std::filesystem;
@@ -61,11 +81,11 @@ NamedText read_named_text(const std::filesystem::path& path, const std::string& 
     throw InputError(path.string() + ": is larger than " + std::to_string(largest_text >> 20) + " MiB; name " + kind);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
+  NamedText file{path.string(), std::string(std::istreambuf_iterator<char>(stream), {})};
   if (!stream.is_open() || stream.bad())
     throw RunError(path.string() + ": can't be read" + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
-  if (const TextFault fault = fault_of_letters(text)) throw InputError(path.string() + *fault);
-  return {path.string(), text};
+  require_utf8(file, kind);
+  return file;
 }
 
 std::vector<NumberLine> lines_of(const NamedText& file) {

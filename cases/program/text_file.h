@@ -10,31 +10,33 @@
 
 namespace tiprub {
 
-/// A text file of the user's.
+/// A text file from the user.
 struct NamedText {
   std::string name;  ///< its path, for messages
   std::string text;
 };
 
-/// Reads all of a file. `kind` is what should be there, for messages ("a case file"). A folder, a device or a pipe is
-/// none: they might never end. Raises RunError where it can't be read, and InputError where it is too large or not
-/// UTF-8.
+/// Reads all of a file. `kind` is what it should be, for messages ("a case file"). Raises RunError if it can't be
+/// read or is a folder, a device or a pipe, which might never end. Raises InputError if it is too large or not UTF-8.
 NamedText read_named_text(const std::filesystem::path& path, const std::string& kind);
 
-/// A line of a file of numbers: its words, and what stands after a '#'.
+/// Where something stands in a text: ":LINE:COLUMN: ".
+std::string place_in(std::string_view text, std::size_t offset);
+
+/// A line of a file of numbers: its words, and its remark after a '#'.
 struct NumberLine {
   int number;  ///< from 1
   std::vector<std::string_view> words;
   std::string_view remark;  ///< from the '#' on; empty if there is none
 };
 
-/// The lines of a text that hold anything. They point into it. Words are parted by blanks, tabs and commas.
+/// The lines of a text that are not empty. They point into the text. Blanks, tabs and commas separate words.
 std::vector<NumberLine> lines_of(const NamedText& file);
 
-/// Those below a heading, which is a first line that begins with a letter.
+/// The lines that have words. A first line that begins with a letter is a heading, and is left out.
 std::vector<NumberLine> lines_below_heading(const NamedText& file);
 
-/// Raises InputError unless the line holds as many words; `meaning` is what these should be ("angle, inward").
+/// Raises InputError unless the line has `count` words; `meaning` is what these should be ("angle, inward").
 void require_words(const NamedText& file, const NumberLine& line, std::size_t count, std::string_view meaning);
 
 /// Raises InputError: "FILE:LINE: message".
@@ -43,7 +45,7 @@ void require_words(const NamedText& file, const NumberLine& line, std::size_t co
 /// The word as a finite number; `meaning` is what it should be ("r"). Raises InputError.
 double number_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning);
 
-/// The word as an angle in units of `unit` [rad], in radians: within a hundred turns. Raises InputError.
+/// The word as an angle in units of `unit` [rad], converted to radians. Raises InputError above a hundred turns.
 double angle_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning,
                 double unit);
 

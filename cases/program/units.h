@@ -5,7 +5,7 @@
 
 namespace tiprub {
 
-// What people read and write: rpm, Hz, mm, MPa. The files hold SI.
+// People read and write rpm, Hz, mm and MPa; the files hold SI units.
 inline constexpr double rad_s_per_rpm = std::numbers::pi / 30.0;
 inline constexpr double rpm_per_rad_s = 30.0 / std::numbers::pi;
 inline constexpr double hz_per_rad_s = 0.5 / std::numbers::pi;

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A study: many points of one case, one table, one page. A folder holds study.toml and a Makefile that includes this file.
-#   make -j 4            what is out of date of every point, then report/study.html;  -k goes on beside points that fail
-#   make runs            only the points' folders: then `make -C runs -j 4`, or `make -C runs point INDEX=1`, here or on a cluster
-#   make table           the table and the page of the points that are there
+# A study computes many points of one case, and makes one table and one page. Its folder holds study.toml and a Makefile that
+# includes this file.
+#   make -j 4            makes all points as far as they are out of date, then report/study.html;  -k goes on if a point fails
+#   make runs            makes only the folders of the points, for `make -C runs -j 4`, or `make -C runs point INDEX=1` on a cluster
+#   make table           makes the table and the page from the points that are finished
 #   make clean
-# May be set: STUDY, RUNS, BIN as in chain.mk, THREADS of one point, LAUNCH := mpirun -n 4 for each point's sweep.
+# These variables may be set: STUDY, RUNS, BIN as in chain.mk, THREADS for one point, LAUNCH := mpirun -n 4 for each sweep.
 STUDY ?= study.toml
 RUNS ?= runs
 HERE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))

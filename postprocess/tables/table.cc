@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -23,7 +24,16 @@ std::string number(double value, const char* format, int digits) {
   return buffer;
 }
 
+/// Whether a spreadsheet would take a text for a formula and compute it.
+bool is_formula(const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const bool begins = text.size() > 1 && std::string_view("=+-@").find(text[0]) != std::string_view::npos;
+  return begins && std::from_chars(text.data(), end, value).ptr != end;
+}
+
 std::string csv_text(const std::string& text) {
+  if (is_formula(text)) return csv_text("'" + text);
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);

@@ -33,7 +33,7 @@ Array<std::int32_t> table(const Eigen::MatrixXi& columns) {
 }
 
 [[noreturn]] void refuse(const Hdf5File& file, const std::string& name, const std::string& what) {
-  throw RunError(file.path() + ": " + name + " " + what);
+  throw FileError(file.path() + ": " + name + " " + what);
 }
 
 std::vector<int> read_list(const Hdf5File& file, const std::string& name, Eigen::Index limit) {

@@ -2,6 +2,8 @@
 #include "reduce/model/hdf5_file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <system_error>
 
 #include "reduce/model/hdf5_handle.h"
 
@@ -82,16 +84,21 @@ Hdf5File::Hdf5File(Hdf5File&&) noexcept = default;
 Hdf5File& Hdf5File::operator=(Hdf5File&&) noexcept = default;
 
 void Hdf5File::fail(const std::string& object, const std::string& what) const {
-  throw RunError(path_ + ": " + object + ": " + what);
+  const std::string message = path_ + ": " + object + ": " + what;
+  unsigned intent = H5F_ACC_RDWR;
+  if (H5Fget_intent(handle_->file, &intent) >= 0 && intent == H5F_ACC_RDONLY) throw FileError(message);
+  throw RunError(message);
 }
 
 Hdf5File Hdf5File::create(const std::filesystem::path& path, Storage storage) {
   prepare_library();
+  errno = 0;
   try {
     Hdf5Id file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
     return {path.string(), std::make_unique<Handle>(Handle{std::move(file), storage})};
   } catch (const Hdf5Failure&) {
-    throw RunError(path.string() + ": can't be written");
+    const std::string reason = errno != 0 ? std::generic_category().message(errno) : "is the disk full?";
+    throw RunError(path.string() + ": can't be written: " + reason);
   }
 }
 
@@ -103,7 +110,7 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path) {
     Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     return {path.string(), std::make_unique<Handle>(Handle{std::move(file)})};
   } catch (const Hdf5Failure&) {
-    throw RunError(path.string() + ": is not an HDF5 file, or is damaged");
+    throw FileError(path.string() + ": is not an HDF5 file, or is damaged");
   }
 }
 
@@ -152,12 +159,12 @@ void Hdf5File::set_schema(const std::string& schema, int version, const std::str
 
 void Hdf5File::require_schema(const std::string& schema, int version) const {
   if (!has_attribute("/", "schema"))
-    throw RunError(path_ + ": has no schema; expected " + schema + " version " + std::to_string(version));
+    throw FileError(path_ + ": has no schema; expected " + schema + " version " + std::to_string(version));
   const std::string found = text_attribute("/", "schema");
   const int found_version = has_attribute("/", "schema_version") ? integer_attribute("/", "schema_version") : 0;
   if (found != schema || found_version != version)
-    throw RunError(path_ + ": is " + found + " version " + std::to_string(found_version) + ", expected " + schema +
-                   " version " + std::to_string(version));
+    throw FileError(path_ + ": is " + found + " version " + std::to_string(found_version) + ", expected " + schema +
+                    " version " + std::to_string(version));
 }
 
 }  // namespace tiprub

@@ -136,10 +136,10 @@ void hdf5_require_harmless(const std::string& path) {
         },
         limits);
   } catch (const SandboxFailure& end) {
-    throw RunError(path + ": is not an HDF5 file, or is damaged (HDF5 dies of it: " + end.what() + ")");
+    throw FileError(path + ": is not an HDF5 file, or is damaged (HDF5 dies of it: " + end.what() + ")");
   } catch (const RunError&) {  // HDF5 can't open it: so it says again
   }
-  if (!harmful.empty()) throw RunError(path + ": " + harmful + ": is damaged: its numbers lie beyond its end");
+  if (!harmful.empty()) throw FileError(path + ": " + harmful + ": is damaged: its numbers lie beyond its end");
 }
 
 }  // namespace tiprub

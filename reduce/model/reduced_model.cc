@@ -27,7 +27,7 @@ constexpr double arc_tolerance = 1e-3;                // of a step along the con
 constexpr double half_circle = std::numbers::pi / 2;  // arc over chord: no tip bends more between two nodes
 
 void require(bool holds, const std::string& message) {
-  if (!holds) throw RunError(message);
+  if (!holds) throw FileError(message);
 }
 
 template <class Matrix>

@@ -28,13 +28,16 @@ std::optional<ContactKind> read_contact(CaseTable& table) {
 
 }  // namespace
 
-ReductionParameters read_reduction_parameters(CaseTable& table) {
+ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput input) {
   ReductionParameters p;
   const double accuracy =
       table.number("accuracy", usual_accuracy, Range::between(1e-5, 0.5), "of a critical speed's amplitude");
-  p.material.young = table.number("young_modulus", std::nullopt, Range::between(1.0, 1e15), "Pa");
-  p.material.poisson = table.number("poisson_ratio", std::nullopt, Range::between(0.0, 0.49), "1");
-  p.material.density = table.number("density", std::nullopt, Range::between(1e-3, 1e6), "kg/m^3");
+  const auto read_material = [&](const char* key, double& value, const Range& range, const char* unit) {
+    if (input == SectorInput::mesh || table.has(key)) value = table.number(key, std::nullopt, range, unit);
+  };
+  read_material("young_modulus", p.material.young, Range::between(1.0, 1e15), "Pa");
+  read_material("poisson_ratio", p.material.poisson, Range::between(0.0, 0.49), "1");
+  read_material("density", p.material.density, Range::between(1e-3, 1e6), "kg/m^3");
   p.speed_max = table.number("speed_max_rpm", std::nullopt, Range::between(1e-3, 1e8), "rpm") * rad_s_per_rpm;
   p.prestress = table.choice<Prestress>(
       "prestress", Prestress::linear,

@@ -31,7 +31,10 @@ struct ReductionParameters {
   int threads = 1;                          ///< for nodal diameters and the BLAS
 };
 
+/// What gives the sector. A mesh needs a material, whose keys have no effect on given matrices.
+enum class SectorInput { mesh, matrices };
+
 /// Reads and closes the table. Raises InputError.
-ReductionParameters read_reduction_parameters(CaseTable& table);
+ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput input);
 
 }  // namespace tiprub

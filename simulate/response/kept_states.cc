@@ -53,8 +53,8 @@ RotorSnapshot read_snapshot(const Hdf5File& file, const std::string& place, cons
   snapshot.sample = file.integer_attribute(place, "sample");
   snapshot.force = file.number_attribute(place, "contact_force");
   if (snapshot.sample < 0 || snapshot.sample >= samples)
-    throw RunError(file.path() + ": " + place + ": sample " + std::to_string(snapshot.sample) +
-                   " is not one of the " + std::to_string(samples) + " recorded ones");
+    throw FileError(file.path() + ": " + place + ": sample " + std::to_string(snapshot.sample) +
+                    " is not one of the " + std::to_string(samples) + " recorded ones");
   axes.set("instant", 1, "a snapshot is one");
   for (const int n : scene.nodal_diameters) {
     axes.require(at(place, n), {dofs_axis(n), "instant"});
@@ -86,8 +86,8 @@ RotorCycle read_cycle(const Hdf5File& file, const std::string& place, const Simu
   RotorCycle cycle;
   cycle.first_sample = file.integer_attribute(place, "first_sample");
   if (cycle.first_sample < 0 || cycle.first_sample >= samples)
-    throw RunError(file.path() + ": " + place + ": first_sample " + std::to_string(cycle.first_sample) +
-                   " is not one of the " + std::to_string(samples) + " recorded ones");
+    throw FileError(file.path() + ": " + place + ": first_sample " + std::to_string(cycle.first_sample) +
+                    " is not one of the " + std::to_string(samples) + " recorded ones");
   axes.set("samples of the cycle", static_cast<std::size_t>(samples - cycle.first_sample),
            "from first_sample to the last recorded one");
   for (const int n : scene.nodal_diameters) {

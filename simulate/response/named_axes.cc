@@ -28,8 +28,8 @@ void NamedAxes::require(const std::string& dataset, const std::vector<std::strin
   if (!fits) {
     std::string found;
     for (const std::size_t extent : shape) found += (found.empty() ? "" : " x ") + std::to_string(extent);
-    throw RunError(file_.path() + ": " + dataset + ": has shape " + (found.empty() ? "scalar" : found) +
-                   ", must have " + describe(axes));
+    throw FileError(file_.path() + ": " + dataset + ": has shape " + (found.empty() ? "scalar" : found) +
+                    ", must have " + describe(axes));
   }
   for (std::size_t i = 0; i < axes.size(); ++i) lengths_.try_emplace(axes[i], Length{shape[i], "as " + dataset});
 }

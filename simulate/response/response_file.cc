@@ -63,9 +63,9 @@ Hdf5File open_response(const std::filesystem::path& path) {
   Hdf5File file = Hdf5File::open(path);
   if (file.has_attribute("/", "schema") && file.text_attribute("/", "schema") == schema &&
       file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") < oldest_version)
-    throw RunError(file.path() + ": is " + schema + " version " +
-                   std::to_string(file.integer_attribute("/", "schema_version")) +
-                   ", made by an older tiprub-simulate; run it again");
+    throw FileError(file.path() + ": is " + schema + " version " +
+                    std::to_string(file.integer_attribute("/", "schema_version")) +
+                    ", made by an older tiprub-simulate; run it again");
   const bool former =
       file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") == oldest_version;
   file.require_schema(schema, former ? oldest_version : schema_version);
@@ -131,7 +131,7 @@ RotorState read_end_state(const std::filesystem::path& path) {
     std::size_t n = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), n);
     if (error != std::errc() || end != name.data() + name.size() || n > nodal_diameter_max)
-      throw RunError(file.path() + ": " + end_group + "/" + name + " is no nodal diameter");
+      throw FileError(file.path() + ": " + end_group + "/" + name + " is no nodal diameter");
     if (state.displacement.size() <= n) {
       state.displacement.resize(n + 1);
       state.velocity.resize(n + 1);
@@ -157,8 +157,8 @@ std::string read_response_key(const std::filesystem::path& path) {
 
 Response read_response(const std::filesystem::path& path) {
   if (seal_of(path) == Seal::broken)
-    throw RunError(path.string() +
-                   ": was damaged after it was written (its seal is broken); run tiprub-simulate again");
+    throw FileError(path.string() +
+                    ": was damaged after it was written (its seal is broken); run tiprub-simulate again");
   const Hdf5File file = open_response(path);
   NamedAxes axes(file);
   Response response;
@@ -173,7 +173,7 @@ Response read_response(const std::filesystem::path& path) {
     const std::string group = "/speed/" + name;
     SpeedResponse speed = read_speed_group(file, group, response.scene, axes);
     if (!response.speeds.empty() && speed.speed <= response.speeds.back().speed)
-      throw RunError(file.path() + ": " + group + ": attribute speed must be above that of the group before it");
+      throw FileError(file.path() + ": " + group + ": attribute speed must be above that of the group before it");
     response.speeds.push_back(std::move(speed));
   }
   return response;

@@ -21,9 +21,9 @@ const std::string damping_group = "/damping", family_axis = damping_group + "/fa
                   damping_frequency = damping_group + "/frequency",
                   ratio_by_frequency = damping_group + "/ratio_by_frequency";
 
-/// Raises RunError with the violated condition.
+/// Raises FileError with the violated condition.
 void require(bool holds, const Hdf5File& file, const std::string& must) {
-  if (!holds) throw RunError(file.path() + ": " + must);
+  if (!holds) throw FileError(file.path() + ": " + must);
 }
 
 template <class Values>

@@ -56,7 +56,7 @@ double bounded(const Hdf5File& file, const std::string& group, const std::string
   must << (value < bounds.low ? "at least " : "at most ") << (value < bounds.low ? bounds.low : bounds.high);
   std::ostringstream is;
   is << value;
-  throw RunError(file.path() + ": " + group + ": attribute " + name + " is " + is.str() + ", must be " + must.str());
+  throw FileError(file.path() + ": " + group + ": attribute " + name + " is " + is.str() + ", must be " + must.str());
 }
 
 void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse& speed) {
@@ -177,7 +177,7 @@ void read_arrays(const Hdf5File& file, const std::string& group, NamedAxes& axes
                                  static_cast<Eigen::Index>(counts.shape[2]));
   const double recorded = static_cast<double>(speed.steps_per_revolution) * speed.recorded_revolutions;
   if (speed.contact_count.minCoeff() < 0 || speed.contact_count.maxCoeff() > recorded)
-    throw RunError(file.path() + ": " + count + ": must be within 0 .. the recorded steps");
+    throw FileError(file.path() + ": " + count + ": must be within 0 .. the recorded steps");
 }
 
 }  // namespace
@@ -237,7 +237,7 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   axes.set(samples_axis, static_cast<std::size_t>(samples), "samples_per_revolution x recorded_revolutions");
   read_arrays(file, group, axes, speed);
   if (speed.chatter_node >= speed.clearance.size())
-    throw RunError(where + ": attribute chatter_node is " + std::to_string(speed.chatter_node) +
+    throw FileError(where + ": attribute chatter_node is " + std::to_string(speed.chatter_node) +
                    ", must be one of the " + std::to_string(speed.clearance.size()) + " contact nodes, from 0");
   read_kept_states(file, group, scene, axes, samples, speed);
   return speed;

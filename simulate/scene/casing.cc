@@ -19,14 +19,17 @@ constexpr double two_pi = 2 * std::numbers::pi;
 void read_distortion_table(CaseTable& table, Casing& casing) {
   auto points = table.points("distortion_table", std::nullopt, Range::any(), "deg, m inward");
   const double period = 360.0 / casing.lobes;
-  if (points.front()[0] < 0 || points.back()[0] >= period)
+  const bool too_low = points.front()[0] < 0;
+  if (too_low || points.back()[0] >= period)
     table.reject("distortion_table",
-                 "must have its angles in 0 .. 360/lobes deg, that end excluded; it repeats `lobes` times");
+                 "must have its angles in 0 .. 360/lobes deg, that end excluded; it repeats `lobes` times",
+                 too_low ? 0 : points.size() - 1);
   const auto nearer = [&](const auto& one, const auto& next) {
     return next[0] - one[0] <= PeriodicTable::closest * period;
   };
-  if (std::adjacent_find(points.begin(), points.end(), nearer) != points.end())
-    table.reject("distortion_table", "must have its angles more than 1e-9 of 360/lobes deg apart");
+  if (const auto near = std::adjacent_find(points.begin(), points.end(), nearer); near != points.end())
+    table.reject("distortion_table", "must have its angles more than 1e-9 of 360/lobes deg apart",
+                 near - points.begin() + 1);
   for (auto& [angle, inward] : points) {
     angle *= radians_per_degree;
     casing.amplitude = std::max(casing.amplitude, std::abs(inward));
@@ -105,11 +108,13 @@ void read_shape(CaseTable& table, Casing& casing) {
 void read_blade_clearance(CaseTable& table, Casing& casing) {
   if (!table.has("blade_clearance")) return;
   casing.blade_clearance = table.numbers("blade_clearance", std::nullopt, Range::any(), "m more, blade by blade");
-  const double least = *std::min_element(casing.blade_clearance.begin(), casing.blade_clearance.end());
+  const auto closest = std::min_element(casing.blade_clearance.begin(), casing.blade_clearance.end());
+  const std::size_t row = closest - casing.blade_clearance.begin();
+  const double least = *closest;
   for (double& more : casing.blade_clearance) more -= least;
   for (std::array<double, 2>& point : casing.clearance) point[1] += least;
   if (std::any_of(casing.clearance.begin(), casing.clearance.end(), [](const auto& point) { return point[1] < 0; }))
-    table.reject("blade_clearance", "takes more from `clearance` than there is");
+    table.reject("blade_clearance", "takes more from `clearance` than there is", row);
 }
 
 const char* key_of_shape(CasingShape shape) {
@@ -131,8 +136,10 @@ Casing read_casing(CaseTable& table) {
     casing.clearance_speed =
         rad_s_per_rpm * table.number("clearance_speed_rpm", std::nullopt, Range::at_least(0), "rev/min");
   casing.clearance = table.points("clearance", std::nullopt, Range::at_least(0), "fraction of the chord, m");
-  if (casing.clearance.front()[0] < 0 || casing.clearance.back()[0] > 1)
-    table.reject("clearance", "must have its fractions of the arc length in 0 .. 1");
+  const bool too_low = casing.clearance.front()[0] < 0;
+  if (too_low || casing.clearance.back()[0] > 1)
+    table.reject("clearance", "must have its fractions of the arc length in 0 .. 1",
+                 too_low ? 0 : casing.clearance.size() - 1);
   read_blade_clearance(table, casing);
   table.close();
   return casing;
@@ -156,16 +163,17 @@ void require_blades_of_wheel(const CaseTable& table, const Casing& casing, const
 void require_lengths_in_metres(const CaseTable& table, const Casing& casing, const ContactLine& contact) {
   constexpr double largest_share = 0.1;
   const double radius = contact.position.col(0).maxCoeff();
-  const auto require = [&](const char* key, double length) {
+  const auto require = [&](const char* key, double length, std::optional<std::size_t> row = {}) {
     if (length <= largest_share * radius) return;
     std::ostringstream text;
     text << "has " << length << " m, more than a tenth of the tip's radius of " << radius
          << " m; it is in metres, not in millimetres";
-    table.reject(key, text.str());
+    table.reject(key, text.str(), row);
   };
   require(key_of_shape(casing.shape), casing.amplitude);
-  for (const std::array<double, 2>& point : casing.clearance) require("clearance", point[1]);
-  for (const double more : casing.blade_clearance) require("blade_clearance", more);
+  for (std::size_t i = 0; i < casing.clearance.size(); ++i) require("clearance", casing.clearance[i][1], i);
+  for (std::size_t i = 0; i < casing.blade_clearance.size(); ++i)
+    require("blade_clearance", casing.blade_clearance[i], i);
 }
 
 }  // namespace tiprub

@@ -29,6 +29,11 @@ std::vector<double> read_speeds(CaseTable& table) {
     std::sort(speeds.begin(), speeds.end());
     if (std::adjacent_find(speeds.begin(), speeds.end()) != speeds.end())
       table.reject("speeds_rpm", "names a speed twice; drop one");
+    for (const char* key : {"speed_min_rpm", "speed_max_rpm", "speed_count"})
+      if (table.has(key))
+        table.reject(key,
+                     std::string("belongs to a range of speeds, and speeds_rpm lists them; leave one of them out ") +
+                         "(--set simulate." + key + "= removes this key)");
   } else {
     const double low = table.number("speed_min_rpm", std::nullopt, Range::positive(), "rev/min");
     const double high = table.number("speed_max_rpm", std::nullopt, Range::positive(), "rev/min");

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that are no case: one line each, before the TOML reader sees them.
-#include "cases/program/case_text.h"
+// Files that are no case are refused with one line, before the TOML reader sees them.
+#include "cases/program/case_file.h"
 
 #include <sys/stat.h>
 
 #include <functional>
 
-#include "cases/program/case_file.h"
 #include "tests/cases/temporary_folder.h"
 
 namespace tiprub {
@@ -54,9 +53,9 @@ TEST_F(CaseTexts, MustNotBeHuge) {
 
 TEST_F(CaseTexts, MustBeUtf8) {
   EXPECT_EQ(refusal("title = \"\"\n[me\xffsh]\n"),
-            ":2:4: not TOML: the byte \\xff is no letter of UTF-8; is this a case file, saved as UTF-8?");
+            ":2:4: the byte \\xff is no letter of UTF-8; is this a case file, saved as UTF-8?");
   EXPECT_EQ(refusal("[mesh]\0\n"s),
-            ":1:7: not TOML: the byte \\x00 is no letter of UTF-8; is this a case file, saved as UTF-8?");
+            ":1:7: the byte \\x00 is no letter of UTF-8; is this a case file, saved as UTF-8?");
   EXPECT_EQ(refusal("\xff\xfe[\0"s), ": is written in UTF-16; save it as UTF-8");
   write(path("case.toml"), "\xef\xbb\xbf[mesh]\ncount = 2\n");  // a byte order mark, as some editors leave it
   EXPECT_EQ(CaseFile(path("case.toml")).table("mesh").integer("count", 1, Range::any(), ""), 2);

@@ -74,7 +74,7 @@ TEST_F(OutputFiles, SayThatTheDiskIsFull) {
 
 TEST_F(OutputFiles, FoldersAppearWholeAndReplaceOldOnes) {
   for (const std::string version : {"first", "second"}) {
-    OutputFile output(path("report/"));
+    OutputFile output(path("report/"), OutputFile::Kind::folder);
     EXPECT_EQ(output.scratch(), path("report.tiprub.part"));
     fs::create_directory(output.scratch());
     write(output.scratch() / version, version);
@@ -97,7 +97,7 @@ TEST_F(OutputFiles, AFolderWithSomebodysFilesIsRefusedAndKept) {
   fs::create_directories(path("case/notes"));
   write(path("case/notes/thesis.txt"), "mine");
   try {
-    OutputFile output(path("case"));
+    OutputFile output(path("case"), OutputFile::Kind::folder);
     FAIL();
   } catch (const RunError& error) {
     EXPECT_EQ(error.what(), path("case").string() +
@@ -109,13 +109,13 @@ TEST_F(OutputFiles, AFolderWithSomebodysFilesIsRefusedAndKept) {
 
 TEST_F(OutputFiles, AFileAddedToAMadeFolderIsKept) {
   {
-    OutputFile output(path("report"));
+    OutputFile output(path("report"), OutputFile::Kind::folder);
     fs::create_directory(output.scratch());
     write(output.scratch() / "report.html", "made");
     output.commit();
   }
   write(path("report/notes.txt"), "mine");
-  EXPECT_THROW(OutputFile(path("report")), RunError);
+  EXPECT_THROW(OutputFile(path("report"), OutputFile::Kind::folder), RunError);
   EXPECT_EQ(read(path("report/notes.txt")), "mine");
 }
 
@@ -127,6 +127,19 @@ TEST_F(OutputFiles, NamesThatAreNotOursAreKept) {
   output.commit();
   EXPECT_EQ(read(path("model.part.h5")), "mine");
   EXPECT_TRUE(fs::exists(path("report.old")));
+}
+
+/// Symptom: after all the work the file could not be put in the place of the folder, or "." could not be renamed, and
+/// the list of files of "/" was read to its end first.
+TEST_F(OutputFiles, ATargetOfAnotherKindOrWithoutANameIsRefusedBeforeTheWork) {
+  fs::create_directory(path("empty"));
+  write(path("model.h5"), "old");
+  EXPECT_THROW(OutputFile(path("empty")), RunError);
+  EXPECT_THROW(OutputFile(path("model.h5"), OutputFile::Kind::folder), RunError);
+  for (const fs::path& name : {path("empty/."), path(".."), fs::path("/"), fs::path(".")}) {
+    EXPECT_THROW(OutputFile(name, OutputFile::Kind::folder), RunError) << name;
+    EXPECT_THROW(OutputLock{name}, RunError) << name;
+  }
 }
 
 TEST_F(OutputFiles, ADeviceIsNoTarget) {
@@ -164,13 +177,13 @@ TEST_F(OutputFiles, FailToCommitWhatWasNeverWritten) {
 
 TEST_F(OutputFiles, AFailedCommitLeavesTheOldFolder) {
   {
-    OutputFile output(path("report"));
+    OutputFile output(path("report"), OutputFile::Kind::folder);
     fs::create_directory(output.scratch());
     write(output.scratch() / "index.html", "old");
     output.commit();
   }
   {
-    OutputFile output(path("report"));
+    OutputFile output(path("report"), OutputFile::Kind::folder);
     write(output.scratch(), "a file where a folder stands");
     EXPECT_THROW(output.commit(), RunError);
   }
@@ -218,6 +231,15 @@ TEST_F(OutputFiles, OneRunAtATimeOnAnOutput) {
   });
   EXPECT_EQ(code, 7);
   const OutputLock other(path("response.h5"));  // another output is free
+}
+
+/// Symptom: a link named as the lock, in a case from elsewhere, led to a file of the user's, which was overwritten.
+TEST_F(OutputFiles, ALockFollowsNoLink) {
+  write(path("mine.txt"), "precious");
+  fs::create_symlink("mine.txt", path(".model.h5.lock"));
+  EXPECT_THROW(OutputLock{path("model.h5")}, RunError);
+  EXPECT_EQ(read(path("mine.txt")), "precious");
+  EXPECT_TRUE(fs::is_symlink(path(".model.h5.lock")));
 }
 
 TEST_F(OutputFiles, ALockEndsWithItsRunHoweverThatEnds) {

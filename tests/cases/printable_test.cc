@@ -15,6 +15,19 @@ TEST(Printable, EscapesWhatATerminalObeys) {
   EXPECT_EQ(printable("one\ntwo\x1b", LineBreaks::kept), "one\ntwo\\x1b");
 }
 
+TEST(Printable, EscapesWhatTurnsOrHidesText) {
+  EXPECT_EQ(printable("a\u202egnp.exe"), "a\\xe2\\x80\\xaegnp.exe");
+  for (const std::string hidden :
+       {"\u061c", "\u200b", "\u200f", "\u2028", "\u2066", "\u2069", "\ufeff", "\U000e0041"})
+    EXPECT_EQ(printable(hidden).substr(0, 2), "\\x") << hidden;
+}
+
+TEST(Printable, ShortensLongTextsBetweenLetters) {
+  EXPECT_EQ(shortened("brief", 5), "brief");
+  EXPECT_EQ(shortened("aaaabbbbcccc", 8), "aaaa ... cccc");
+  EXPECT_EQ(shortened("aaaäbbbbäccc", 8), "aaa ... ccc");
+}
+
 TEST(Printable, KeepsUtf8Whole) {
   for (const std::string text : {"Gehäuse 0,13 µm", "蜗壳", "🌀", "\u00a0", ""}) EXPECT_EQ(printable(text), text);
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/fuzz/bytes.h"
+#include "tests/fuzz/inputs.h"
 
 namespace tiprub::fuzz {
 
@@ -60,34 +60,20 @@ hid_t compound_type(const char* first, const char* second, hid_t member) {
 
 hid_t another_type(Random& random) {
   const hsize_t three = 3;
-  switch (random.below(13)) {
-    case 0:
-      return H5Tcopy(H5T_STD_I8LE);
-    case 1:
-      return H5Tcopy(H5T_STD_U64BE);
-    case 2:
-      return H5Tcopy(H5T_IEEE_F32BE);
-    case 3:
-      return H5Tcopy(H5T_NATIVE_LDOUBLE);
-    case 4:
-      return text_type(false, 8);
-    case 5:
-      return text_type(true, 0);
-    case 6:
-      return compound_type("r", "i", H5T_IEEE_F64LE);
-    case 7:
-      return compound_type("i", "r", H5T_IEEE_F64LE);
-    case 8:
-      return compound_type("x", "y", H5T_IEEE_F64LE);
-    case 9:
-      return compound_type("r", "i", H5T_STD_I16LE);
-    case 10:
-      return H5Tarray_create2(H5T_IEEE_F64LE, 1, &three);
-    case 11:
-      return H5Tcopy(H5T_STD_REF_OBJ);
-    default:
-      return H5Tcreate(H5T_OPAQUE, 5);
-  }
+  static const hid_t types[] = {H5T_STD_I8LE,
+                                H5T_STD_U64BE,
+                                H5T_IEEE_F32BE,
+                                H5T_NATIVE_LDOUBLE,
+                                text_type(false, 8),
+                                text_type(true, 0),
+                                compound_type("r", "i", H5T_IEEE_F64LE),
+                                compound_type("i", "r", H5T_IEEE_F64LE),
+                                compound_type("x", "y", H5T_IEEE_F64LE),
+                                compound_type("r", "i", H5T_STD_I16LE),
+                                H5Tarray_create2(H5T_IEEE_F64LE, 1, &three),
+                                H5T_STD_REF_OBJ,
+                                H5Tcreate(H5T_OPAQUE, 5)};
+  return H5Tcopy(random.of(types));
 }
 
 Extents extents_of(hid_t space) {

@@ -6,9 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "tests/fuzz/random.h"
 #include "tests/fuzz/readers.h"
 
 namespace tiprub::fuzz {
+
+/// A number at which programs stumble: not finite, subnormal, at the ends of integers, far too large.
+double extreme_number(Random& random);
+/// Puts an extreme double, float, or integer of 4 or 8 bytes at a place, as far as the data reaches.
+void put_extreme_number(std::string& data, std::size_t at, Random& random);
 
 struct Base {
   std::filesystem::path file;

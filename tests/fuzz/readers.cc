@@ -160,8 +160,10 @@ const std::vector<Reader> readers = {
     {"case",
      ".toml",
      Format::text,
-     {table("mesh", read_wheel), table("reduce", read_reduction_parameters), table("casing", read_casing),
-      table("simulate", read_simulate_parameters), table("postprocess", read_postprocess_parameters), read_material}},
+     {table("mesh", read_wheel),
+      table("reduce", [](CaseTable& values) { read_reduction_parameters(values, SectorInput::mesh); }),
+      table("casing", read_casing), table("simulate", read_simulate_parameters),
+      table("postprocess", read_postprocess_parameters), read_material}},
     {"sections", ".txt", Format::text, {read_sections}},
     {"profile", ".curve", Format::text, {read_curves, read_path}},
     {"meanline", ".rtzt", Format::text, {read_meanline_file}},
@@ -183,7 +185,7 @@ const std::vector<Reader> readers = {
 
 }  // namespace
 
-const Reader& reader(const std::string& name) {
+const Reader& reader_named(const std::string& name) {
   for (const Reader& one : readers)
     if (one.name == name) return one;
   throw std::out_of_range("no reader " + name +

@@ -21,6 +21,6 @@ struct Reader {
 };
 
 /// Raises std::out_of_range if there is none of this name.
-const Reader& reader(const std::string& name);
+const Reader& reader_named(const std::string& name);
 
 }  // namespace tiprub::fuzz

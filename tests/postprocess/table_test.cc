@@ -61,5 +61,11 @@ TEST_F(TableFile, OfTimesIsRead) {
   }
 }
 
+/// Symptom: the message of a failed speed in a response.h5 from elsewhere stood in speeds.csv as a formula.
+TEST_F(TableFile, HoldsNoFormulas) {
+  write_csv({{"a", "b", "c"}, {{"=HYPERLINK(\"x\")", "-2+cmd", "-2.5"}}}, path_);
+  EXPECT_EQ(read_text(path_), "a,b,c\n\"'=HYPERLINK(\"\"x\"\")\",'-2+cmd,-2.5\n");
+}
+
 }  // namespace
 }  // namespace tiprub

@@ -18,6 +18,10 @@ expect_message(generic_kernels PROGRAM ${CMAKE_COMMAND} -E env OPENBLAS_CORETYPE
                ARGUMENTS case.toml sector.msh --check
                ERRORS "warning: OpenBLAS works with its generic kernels (Prescott), which take twice as long or more: OPENBLAS_CORETYPE")
 expect_message(other_output ARGUMENTS case.toml sector.msh -o other.h5 ERRORS "other.h5: 6 sectors" WRITES other.h5)
+expect_message(threads ARGUMENTS case.toml sector.msh --threads 2 ERRORS "6 sectors of" WRITES model.h5)
+expect_message(too_many_threads ARGUMENTS case.toml sector.msh --threads 1000 EXIT_CODE 2 ERRORS "--threads" "not in range")
+expect_message(times_in_place_of_a_folder ARGUMENTS case.toml sector.msh --times /tmp EXIT_CODE 1
+               ERRORS "/tmp: can't be replaced: it is no file")
 expect_message(no_arguments ARGUMENTS -q EXIT_CODE 2 ERRORS "case.toml is required")
 expect_message(unknown_option ARGUMENTS case.toml sector.msh --fast EXIT_CODE 2 ERRORS "--fast")
 expect_message(unknown_key KEY density LINE "densty = 7800.0" EXIT_CODE 2 ERRORS "[reduce] has no density")

@@ -39,7 +39,7 @@ expect_message(table_beyond_a_lobe OLD "shape = \"cosine\"\nlobes = 2\namplitude
 expect_message(amplitude_of_a_table OLD "shape = \"cosine\""
                NEW "shape = \"table\"\ndistortion_table = [[0, 0], [90, 1e-4]]" EXIT_CODE 2
                ERRORS "unknown key \"amplitude\" in [casing]")
-foreach(file profile long damping overdamped speeds)
+foreach(file profile long damping overdamped speeds clearance)
   set(with_${file} INPUTS ${made}/case.toml ${made}/model.h5 ${made}/${file}.csv)
 endforeach()
 expect_message(word_in_a_profile ${with_profile} OLD "shape = \"cosine\"" NEW "shape = \"profile\"\nprofile = \"profile.csv\""
@@ -55,6 +55,14 @@ expect_message(overdamped_in_a_file ${with_overdamped} OLD "damping_ratio = 0.00
                ERRORS "overdamped.csv:2: [simulate] damping_table = 2 must be at least 0 and at most 0.9 [Hz, of critical]")
 expect_message(speeds_from_a_file ${with_speeds} OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40"
                NEW "speeds_rpm = \"speeds.csv\"" ARGUMENTS case.toml --tables OUTPUTS "speeds_rpm = [9000, 10000, 9500]")
+expect_message(clearance_in_millimetres_in_a_file ${with_clearance}
+               OLD "clearance = [[0.0, 1.5e-4], [1.0, 1.2e-4]]" NEW "clearance = \"clearance.csv\"" EXIT_CODE 2
+               ERRORS "clearance.csv:3: [casing] clearance has 0.12 m, more than a tenth of the tip's radius")
+expect_message(speeds_beside_a_range ARGUMENTS case.toml model.h5 -o response.h5 --set simulate.speeds_rpm=[9500] EXIT_CODE 2
+               ERRORS "[simulate] speed_min_rpm belongs to a range of speeds" "--set simulate.speed_min_rpm= removes this key")
+expect_message(speeds_in_place_of_a_range OUTPUTS "speeds_rpm = [9500]"
+               ARGUMENTS case.toml --tables --set simulate.speeds_rpm=[9500] --set simulate.speed_min_rpm= --set simulate.speed_max_rpm=
+                         --set simulate.speed_count=)
 set(blades "blade_clearance = [0, 1e-5, 2e-5, 0, 0, 0]")
 expect_message(blades_that_differ OLD "lobes = 2" NEW "lobes = 2\n${blades}" EXIT_CODE 2
                ERRORS "[casing] blade_clearance makes the sectors differ; set [simulate] nodal_diameters = \"all\"")
@@ -119,15 +127,15 @@ expect_message(too_few_revolutions OLD "max_revolutions = 70" NEW "max_revolutio
                ERRORS "max_revolutions must be at least min_revolutions")
 
 # Models with one thing wrong.
-function(expect_wrong_model model)
+function(expect_wrong_model model code)
   expect_message(model_${model} INPUTS ${made}/case.toml ${made}/${model}.h5 ARGUMENTS case.toml ${model}.h5 -o response.h5
-                 EXIT_CODE 1 ERRORS ${ARGN})
+                 EXIT_CODE ${code} ERRORS ${ARGN})
 endfunction()
-expect_wrong_model(text "text.h5: is not an HDF5 file, or is damaged")
-expect_wrong_model(not_finite "not_finite.h5: /nodal_diameter/0/K0: value 1 (row-major, from 0) is not finite")
-expect_wrong_model(other_schema "is tiprub-response version 1, expected tiprub-model version 1")
-expect_wrong_model(not_hermitian "/M is not Hermitian")
-expect_wrong_model(unstable "no speed could be computed" "nodal diameter 1 has omega^2 = -" "statically unstable")
+expect_wrong_model(text 2 "text.h5: is not an HDF5 file, or is damaged")
+expect_wrong_model(not_finite 2 "not_finite.h5: /nodal_diameter/0/K0: value 1 (row-major, from 0) is not finite")
+expect_wrong_model(other_schema 2 "is tiprub-response version 1, expected tiprub-model version 1")
+expect_wrong_model(not_hermitian 2 "/M is not Hermitian")
+expect_wrong_model(unstable 1 "no speed could be computed" "nodal diameter 1 has omega^2 = -" "statically unstable")
 
 set(check ARGUMENTS case.toml model.h5 --check)
 expect_message(check ${check} ERRORS "at least 200 a period of the lowest frequency, halved until that changes the motion by less than 0.005"

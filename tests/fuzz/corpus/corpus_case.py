@@ -117,6 +117,9 @@ def of_tables():
             yield Entry(f"{table}.absent", program, "case.toml", edit(lambda text, table=table: text.replace(f"[{table}]", "[material]")
                         if "[material]" not in text else re.sub(rf"(?ms)^\[{table}\]\n.*?(?=^\[|\Z)", "", text)), 2, f"has no [{table}] table; add it")
     yield of_key("reduce", "spin_softening", "number", "1", "[reduce] spin_softening must be true or false")
+    for key in ("speed_min_rpm", "speed_max_rpm", "speed_count"):
+        yield Entry(f"speeds_rpm.and_{key}", "simulate", "case.toml", with_line("simulate", "speeds_rpm", f"speeds_rpm = [20000.0]\n{key} = 20000"), 2,
+                    f"[simulate] {key} belongs to a range of speeds, and speeds_rpm lists them; leave one of them out (--set simulate.{key}= removes this key)")
     for key in ("response_up", "response_down"):
         yield of_key("postprocess", key, "number", "1", f"[postprocess] {key} must be a text in quotes")
 
@@ -127,8 +130,10 @@ def text_entry(name, change, phrase):
 
 OTHER_TEXTS = [
     text_entry("empty", lambda text: "", "has no [reduce] table; add it"),
-    text_entry("binary", lambda text: "\x00\x01" + text, "1:1: not TOML: the byte \\x00 is no letter of UTF-8; is this a case file, saved as UTF-8?"),
-    text_entry("not_utf8", lambda text: text + "# \udcff\n", "not TOML: the byte \\xff is no letter of UTF-8"),
+    text_entry("binary", lambda text: "\x00\x01" + text, "1:1: the byte \\x00 is no letter of UTF-8; is this a case file, saved as UTF-8?"),
+    text_entry("not_utf8", lambda text: text + "# \udcff\n", "the byte \\xff is no letter of UTF-8"),
+    text_entry("turned", lambda text: text.replace("density", "\u202edensity"), "\\xe2\\x80\\xae"),
+    text_entry("endless_word", lambda text: text.replace("density", f'prestress = "{60000 * "x"}"\ndensity'), "xxx ... xxx"),
     text_entry("escape", lambda text: text + "\"\x1b[31m\" = 1\n", "unescaped control characters other than TAB"),
     text_entry("unclosed", lambda text: text.replace("[reduce]", "[reduce"), "not TOML: "),
     text_entry("no_value", lambda text: text.replace("density = ", "density = #"), "not TOML: "),

@@ -82,7 +82,7 @@ class Stage:
     def __init__(self, program, file, options=()):
         self.program, self.file, self.options = program, file, options
 
-    def entry(self, name, change, phrase, code=1):
+    def entry(self, name, change, phrase, code=2):
         return Entry(name, self.program, self.file, change, code, phrase, self.options)
 
     def of_dataset(self, name, axes, optional=False):

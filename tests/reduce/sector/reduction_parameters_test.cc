@@ -15,7 +15,7 @@ ReductionParameters read(const std::string& keys) {
                       << keys;
   CaseFile file(path);
   CaseTable table = file.table("reduce");
-  return read_reduction_parameters(table);
+  return read_reduction_parameters(table, SectorInput::mesh);
 }
 
 TEST(ReductionParameters, AccuracySetsTheSizeOfTheBasis) {

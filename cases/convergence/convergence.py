@@ -65,7 +65,7 @@ class Bench:
         """By speed: radial displacement of the leading edge of sector 0 over one period, and the motion's class."""
         response = os.path.join(self.folder, name + "_response.h5")
         self.run("tiprub-simulate", [model], response, "simulate",
-                 {"speeds_rpm": SPEEDS_RPM, "samples_per_revolution": SAMPLES, **keys})
+                 {"speeds_rpm": SPEEDS_RPM, "speeds": '"given"', "samples_per_revolution": SAMPLES, **keys})
         with h5py.File(response) as file:
             return [(group["displacement"][:, 0, 0, 0], group.attrs["motion"].decode())
                     for group in file["speed"].values()]

@@ -32,7 +32,7 @@ def critical_speeds(bench, name, sector):
     bench.run("tiprub-reduce", [sector, "--fields", files["fields.h5"]], files["model.h5"], "reduce",
               {"verification_speeds": [0.0]})
     speeds = [rpm for window in WINDOWS_RPM.values() for rpm in window]
-    bench.run("tiprub-simulate", [files["model.h5"]], files["response.h5"], "simulate", {"speeds_rpm": speeds})
+    bench.run("tiprub-simulate", [files["model.h5"]], files["response.h5"], "simulate", {"speeds_rpm": speeds, "speeds": '"given"'})
     bench.run("tiprub-postprocess", [files["model.h5"], files["response.h5"], "--fields", files["fields.h5"]],
               files["report"], "postprocess", {"prominence": 0.1})
     with open(os.path.join(files["report"], "critical_speeds.csv"), encoding="utf-8") as file:

@@ -74,11 +74,10 @@ void read_revolutions(CaseTable& table, SimulateParameters& parameters) {
 void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
   parameters.speeds = read_speeds(table);
   parameters.speed_choice = table.choice<SpeedChoice>(
-      "speeds", SpeedChoice::given, {{"given", SpeedChoice::given}, {"adaptive", SpeedChoice::adaptive}});
-  if (parameters.speed_choice == SpeedChoice::adaptive && parameters.speeds.size() < 2)
-    table.reject("speeds", "= \"adaptive\" needs at least two speeds to begin with");
-  parameters.scan_per_interval =
-      table.integer("scan_per_interval", 4, Range::between(0, 1000), "scanned speeds between two, if adaptive");
+      "speeds", SpeedChoice::adaptive, {{"given", SpeedChoice::given}, {"adaptive", SpeedChoice::adaptive}});
+  if (parameters.speeds.size() < 2) parameters.speed_choice = SpeedChoice::given;  // nothing lies between
+  parameters.scan_per_interval = table.integer("scan_per_interval", 4, Range::between(0, 1000),
+                                               "scanned speeds between two, at least, if adaptive");
   parameters.speed_count_max =
       table.integer("speed_count_max", std::max(1000, 4 * static_cast<int>(parameters.speeds.size())),
                     Range::between(2, count_max), "speeds, if adaptive");

@@ -60,7 +60,7 @@ struct SimulateParameters {
   std::vector<double>
       speeds;  ///< [rad/s] ascending, all different: all speeds, or the first ones of an adaptive sweep
   SpeedChoice speed_choice = SpeedChoice::given;
-  int scan_per_interval = 0;     ///< of an adaptive sweep, between two of its first speeds
+  int scan_per_interval = 0;     ///< of an adaptive sweep, between two of its first speeds, at least
   int speed_count_max = 0;       ///< of an adaptive sweep
   double peak_prominence = 0.1;  ///< [1] of a peak's height: lower ones are neither located nor examined
   Examination examination = Examination::none;

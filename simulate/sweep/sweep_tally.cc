@@ -45,9 +45,9 @@ std::string breaking_text(const std::vector<double>& speeds, BrokenSymmetry brok
   }
   out << ". For the whole wheel there, set [simulate] when_symmetry_breaks = \"full_run\", or run again into another "
          "file with "
-         "nodal_diameters = \"all\" and, in place of speed_min_rpm, speed_max_rpm and speed_count, "
-         "speeds_rpm "
-         "= [";
+         "nodal_diameters = \"all\", speeds = \"given\" and, in place of speed_min_rpm, speed_max_rpm and "
+         "speed_count, "
+         "speeds_rpm = [";
   out << std::setprecision(10);
   for (std::size_t i = 0; i < speeds.size(); ++i) out << (i > 0 ? ", " : "") << speeds[i] * rpm_per_rad_s;
   out << "]";

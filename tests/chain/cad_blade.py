@@ -32,7 +32,7 @@ def main(programs, source, work):
         tutorial.run(f"make TIPRUB='{source}' {goal}\n", programs, source, by_make)
     assert filecmp.cmp(f"{by_hand}/report/critical_speeds.csv", f"{by_make}/report/critical_speeds.csv", shallow=False)
     with open(f"{by_make}/report/critical_speeds.txt", encoding="utf-8") as file:
-        assert re.search(r"^ +16250 .*EO 4 ND 0", file.read(), re.M), "not the peak that the text tells of"
+        assert re.search(r"^ +163\d\d .*EO 4 ND 0", file.read(), re.M), "not the peak that the text tells of"
     assert os.path.exists(f"{by_make}/report/fields/contact_wheel.vtu"), "no stress"
     tutorial.run(f"make TIPRUB='{source}' clean\n", programs, source, by_make)
     assert sorted(os.listdir(by_make)) == ["Makefile", "blade.geo", "case.toml"], os.listdir(by_make)

@@ -2,6 +2,7 @@
 #include "simulate/response/peaks.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tiprub {
 
@@ -35,11 +36,32 @@ std::vector<Peak> find_peaks(const Eigen::VectorXd& curve, double share) {
   return peaks;
 }
 
+std::vector<Peak> named_peaks(const Eigen::VectorXd& curve, const PeakMeasure& measure) {
+  std::vector<Peak> peaks = find_peaks(curve, std::min(measure.prominence, measure.apart));
+  const double severe = curve.size() > 0 ? measure.severe * curve.maxCoeff() : 0.0;
+  std::erase_if(peaks, [&](const Peak& peak) {
+    return peak.prominence < measure.prominence * curve[peak.index] && curve[peak.index] < severe;
+  });
+  return peaks;
+}
+
 ParabolaTop parabola_top(const std::array<double, 3>& places, const std::array<double, 3>& values) {
   const double left = places[1] - places[0], right = places[2] - places[1];
   const double rise = (values[1] - values[0]) / left, fall = (values[2] - values[1]) / right;
   const double offset = 0.5 * (rise * right + fall * left) / (rise - fall);
   return {offset, (rise - fall) / (left + right) * offset * offset};
+}
+
+double rise_beside(const Eigen::VectorXd& places, const Eigen::VectorXd& curve, Eigen::Index place, int step) {
+  const auto slope = [&](Eigen::Index from, Eigen::Index to) {
+    return (curve[to] - curve[from]) / std::abs(places[to] - places[from]);
+  };
+  const Eigen::Index next = place + step, after = next + step;
+  const double gap = std::abs(places[next] - places[place]), rise = slope(place - step, place);
+  if (after < 0 || after >= curve.size()) return rise * gap;
+  const double fall = slope(after, next), top = curve[next] + fall * gap;
+  if (top < curve[place] || rise + fall <= 0) return std::min(rise * gap, curve[place] - curve[next]);
+  return rise * (top - curve[place]) / (rise + fall);
 }
 
 std::vector<Eigen::Index> rising_ends(const Eigen::VectorXd& curve, double share) {

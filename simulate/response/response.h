@@ -173,6 +173,7 @@ struct Response {
   std::vector<SpeedResponse> speeds;       ///< ascending in speed
   FrequencyTable frequencies = {};         ///< empty in the parts of an unfinished sweep
   std::vector<OrbitBranch> branches = {};  ///< empty unless the case asks for them
+  Eigen::VectorXd scanned_speeds = {};     ///< [rad/s] ascending: where an adaptive sweep marched with a coarse step
 
   /// Over all contact nodes and all speeds that have a response.
   ClearanceRange clearances() const {

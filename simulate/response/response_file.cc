@@ -108,6 +108,10 @@ void ResponseWriter::add(const OrbitBranch& branch) {
   write_branch(state_->file, state_->branches++, branch);
 }
 
+void ResponseWriter::add_scanned(const Eigen::VectorXd& speeds) {
+  write_scanned_speeds(state_->file, speeds);
+}
+
 void ResponseWriter::add_end(const RotorState& state) {
   for (std::size_t n = 0; n < state.displacement.size(); ++n) {
     if (state.displacement[n].size() == 0) continue;
@@ -147,6 +151,7 @@ void write_response(const Response& response, const std::filesystem::path& path,
   if (response.frequencies.speed.size() > 0) writer.add(response.frequencies);
   for (const SpeedResponse& speed : response.speeds) writer.add(speed);
   for (const OrbitBranch& branch : response.branches) writer.add(branch);
+  writer.add_scanned(response.scanned_speeds);
   writer.close();
 }
 
@@ -166,6 +171,7 @@ Response read_response(const std::filesystem::path& path) {
   response.scene = read_scene(file, axes);
   response.frequencies = read_frequencies(file, response.scene.sector_count, axes);
   response.branches = read_branches(file, axes);
+  response.scanned_speeds = read_scanned_speeds(file, axes);
   if (!file.exists("/speed")) return response;
   const std::vector<std::string> speeds = file.members("/speed");
   require_memory(file, speeds);

@@ -15,6 +15,7 @@ namespace tiprub {
 namespace {
 
 const std::string frequency_group = "/frequencies";
+const std::string scanned_speeds = "/scanned_speed";
 const std::string damping_of_modes = frequency_group + "/damping_ratio";
 const std::string damping_group = "/damping", family_axis = damping_group + "/family",
                   ratio_by_family = damping_group + "/ratio_by_family",
@@ -217,6 +218,18 @@ FrequencyTable read_frequencies(const Hdf5File& file, int sector_count, NamedAxe
     require_ratios(file, damping_at(n), table.damping_ratio.back());
   }
   return table;
+}
+
+void write_scanned_speeds(Hdf5File& file, const Eigen::VectorXd& speeds) {
+  if (speeds.size() > 0) write_axis(file, scanned_speeds, speeds, "rad/s", "speeds scanned with a coarse step");
+}
+
+Eigen::VectorXd read_scanned_speeds(const Hdf5File& file, NamedAxes& axes) {
+  if (!file.exists(scanned_speeds)) return {};
+  axes.require(scanned_speeds, {"scanned speeds"});
+  Eigen::VectorXd speeds = file.read_vector(scanned_speeds);
+  require(increases(speeds) && speeds[0] >= 0, file, scanned_speeds + " must increase from 0 or more");
+  return speeds;
 }
 
 }  // namespace tiprub

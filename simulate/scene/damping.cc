@@ -12,6 +12,14 @@ namespace {
 
 constexpr double beyond_verified = 2;  // times the highest verified frequency
 
+/// Of resolved modes.
+std::vector<double> all_given(const DampingRatios& ratios) {
+  if (ratios.by_frequency.empty()) return ratios.by_family;
+  std::vector<double> given;
+  for (const auto& [frequency, ratio] : ratios.by_frequency) given.push_back(ratio);
+  return given;
+}
+
 }  // namespace
 
 const Range damping_range = Range::between(0, 0.9);
@@ -35,10 +43,13 @@ double Damping::ratio(std::size_t family, double frequency) const {
 }
 
 double Damping::largest() const {
-  if (ratios_.by_frequency.empty()) return *std::max_element(ratios_.by_family.begin(), ratios_.by_family.end());
-  return std::max_element(ratios_.by_frequency.begin(), ratios_.by_frequency.end(),
-                          [](const auto& a, const auto& b) { return a[1] < b[1]; })
-      ->back();
+  const std::vector<double> given = all_given(ratios_);
+  return *std::max_element(given.begin(), given.end());
+}
+
+double Damping::smallest() const {
+  const std::vector<double> given = all_given(ratios_);
+  return *std::min_element(given.begin(), given.end());
 }
 
 Damping read_damping(CaseTable& table) {

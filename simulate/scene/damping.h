@@ -38,6 +38,8 @@ class Damping {
   double ratio(std::size_t family, double frequency) const;
   /// [1] The largest ratio of resolved modes.
   double largest() const;
+  /// [1] the smallest of them.
+  double smallest() const;
   const DampingRatios& ratios() const { return ratios_; }
 
  private:

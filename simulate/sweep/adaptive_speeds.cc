@@ -6,8 +6,6 @@
 #include <cmath>
 #include <set>
 
-#include "simulate/response/peaks.h"
-
 namespace tiprub {
 
 namespace {
@@ -16,14 +14,32 @@ constexpr double inside = 0.9;        // of the goal: a new sample lies within i
 constexpr double lopsided = 8;        // ratio of the two sides above which the larger one is narrowed first
 constexpr double step_out = 3;        // times the smaller side
 constexpr double candidate = 0.5;     // of the prominence: a coarse curve underestimates a peak
+constexpr double nearly = 0.95;       // of the height of severe peaks, for the same reason
 constexpr double clear_valley = 0.5;  // of a peak's height: a lower valley is deep enough for any prominence
 constexpr double beyond_jump = 5e-3;  // of the speed: error of a scan in the place of a jump
-constexpr double of_scan_speed = 2e-3, of_scan_fall = 0.05;
+constexpr double of_scan_speed = 2;   // times that of the goal
+constexpr double of_scan_fall = 0.05, of_scan_amplitude = 0.05;
+constexpr double finest = 2e-4;  // of the speed: no interval becomes narrower
 
 Eigen::VectorXd amplitudes(const SampledCurve& curve) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(curve.size()));
   for (std::size_t i = 0; i < curve.size(); ++i) values[static_cast<Eigen::Index>(i)] = curve[i].amplitude;
   return values;
+}
+
+Eigen::VectorXd speeds_of(const SampledCurve& curve) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(curve.size()));
+  for (std::size_t i = 0; i < curve.size(); ++i) values[static_cast<Eigen::Index>(i)] = curve[i].speed;
+  return values;
+}
+
+/// What may turn out to be a peak when it is looked at more closely.
+std::vector<Peak> candidates(const SampledCurve& curve, const LocationGoal& goal) {
+  PeakMeasure measure = goal.peaks;
+  measure.prominence *= candidate;
+  measure.apart *= candidate;
+  measure.severe *= nearly;
+  return named_peaks(amplitudes(curve), measure);
 }
 
 /// A peak's sample between its two neighbours.
@@ -48,12 +64,23 @@ void close_in(const Triple& peak, const LocationGoal& goal, std::set<double>& ne
     if (side > goal.speed * peak.top.speed) next.insert(peak.top.speed + sign * std::max(width, side / lopsided));
 }
 
-void refine_peak(const Triple& peak, const LocationGoal& goal, std::set<double>& next) {
+/// Halves each gap beside a peak in which the response may rise too far above it.
+void halve_gaps(const SampledCurve& curve, Eigen::Index place, const LocationGoal& goal, std::set<double>& next) {
+  const Eigen::VectorXd speed = speeds_of(curve), amplitude = amplitudes(curve);
+  for (const int step : {-1, 1}) {
+    const double gap = speed[place + step] - speed[place];
+    if (std::abs(gap) > 2 * goal.narrowest * speed[place] &&
+        rise_beside(speed, amplitude, place, step) > goal.amplitude * amplitude[place])
+      next.insert(speed[place] + gap / 2);
+  }
+}
+
+void refine_peak(const SampledCurve& curve, Eigen::Index place, const LocationGoal& goal, std::set<double>& next) {
+  const Triple peak = triple_at(curve, place);
   const double left = peak.left_side(), right = peak.right_side(), wide = goal.speed * peak.top.speed;
   const ParabolaTop parabola = peak.parabola();
   if (std::max(left, right) <= wide) {
-    const bool apart = std::abs(parabola.offset) > goal.narrowest * peak.top.speed;
-    if (apart && parabola.height > goal.amplitude * peak.top.amplitude) next.insert(peak.top.speed + parabola.offset);
+    halve_gaps(curve, place, goal, next);
   } else if (std::max(left, right) > lopsided * std::min(left, right)) {
     next.insert(peak.top.speed + (left > right ? -1 : 1) * step_out * std::min(left, right));
   } else if (std::abs(parabola.offset) > wide / 2) {
@@ -104,18 +131,41 @@ std::vector<double> without(std::set<double> speeds, const SampledCurve& curve) 
 
 }  // namespace
 
+LocationGoal LocationGoal::of_damping(double ratio) {
+  LocationGoal goal;
+  goal.speed = std::clamp(inside * resolving_spacing * ratio, finest, goal.speed);
+  return goal;
+}
+
 LocationGoal LocationGoal::of_scan() const {
   LocationGoal goal = *this;
-  goal.speed = of_scan_speed;
+  goal.speed *= of_scan_speed;
   goal.fall = of_scan_fall;
+  goal.amplitude = of_scan_amplitude;
   goal.jump_reach = 1;
   return goal;
 }
 
+std::vector<double> speeds_to_scan(const std::vector<double>& given, int per_interval, double damping_ratio,
+                                   std::size_t most) {
+  std::vector<double> speeds;
+  for (double widest = inside * finding_spacing * std::max(damping_ratio, finest);; widest *= 2) {
+    speeds = given;
+    std::size_t more = 0;
+    for (std::size_t i = 0; i + 1 < given.size(); ++i) {
+      const double gap = given[i + 1] - given[i];
+      const int parts = std::max(per_interval + 1, static_cast<int>(std::ceil(gap / (widest * given[i]))));
+      more += static_cast<std::size_t>(parts - per_interval - 1);
+      for (int part = 1; part < parts; ++part) speeds.push_back(given[i] + gap * part / parts);
+    }
+    if (more == 0 || speeds.size() <= most) return speeds;
+  }
+}
+
 std::vector<double> speeds_to_refine(const SampledCurve& curve, const LocationGoal& goal) {
   std::set<double> next;
-  const std::vector<Peak> peaks = find_peaks(amplitudes(curve), candidate * goal.prominence);
-  for (const Peak& peak : peaks) refine_peak(triple_at(curve, peak.index), goal, next);
+  const std::vector<Peak> peaks = candidates(curve, goal);
+  for (const Peak& peak : peaks) refine_peak(curve, peak.index, goal, next);
   refine_jumps(curve, goal, next);
   if (next.empty())
     for (const Peak& peak : peaks) look_beside(curve, static_cast<std::size_t>(peak.index), goal, next);
@@ -124,7 +174,7 @@ std::vector<double> speeds_to_refine(const SampledCurve& curve, const LocationGo
 
 std::vector<double> speeds_to_confirm(const SampledCurve& scan, const SampledCurve& full, const LocationGoal& goal) {
   std::set<double> next;
-  for (const Peak& peak : find_peaks(amplitudes(scan), candidate * goal.prominence)) {
+  for (const Peak& peak : candidates(scan, goal)) {
     const Triple triple = triple_at(scan, peak.index);
     const double top = triple.top.speed + triple.parabola().offset;
     for (const double side : {-inside, 0.0, inside}) next.insert(top * (1 + side * goal.speed));
@@ -144,7 +194,7 @@ std::vector<double> speeds_to_confirm(const SampledCurve& scan, const SampledCur
 
 std::vector<std::size_t> located_peaks(const SampledCurve& curve, const LocationGoal& goal) {
   std::vector<std::size_t> places;
-  for (const Peak& peak : find_peaks(amplitudes(curve), goal.prominence))
+  for (const Peak& peak : named_peaks(amplitudes(curve), goal.peaks))
     places.push_back(static_cast<std::size_t>(peak.index));
   return places;
 }

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "simulate/response/peaks.h"
+
 namespace tiprub {
 
 /// A speed of a sweep and the amplitude of its motion.
@@ -18,24 +20,32 @@ using SampledCurve = std::vector<SampledSpeed>;
 
 /// When a peak or a jump of a curve counts as located.
 struct LocationGoal {
-  double prominence = 0.1;   ///< [1] of the height of a peak: lower peaks are ignored
+  PeakMeasure peaks;         ///< other maxima are ignored
   double speed = 1e-3;       ///< [1] half width of the interval around a peak
-  double amplitude = 1e-2;   ///< [1] largest excess of the parabola's vertex over the peak
-  double narrowest = 1e-4;   ///< [1] distance from a sample at which the vertex needs no sample of its own
+  double amplitude = 1e-2;   ///< [1] largest rise above a peak that the samples beside it leave room for
+  double narrowest = 1e-4;   ///< [1] of the speed: no gap beside a peak becomes narrower
   double fall = 0.02;        ///< [1] of the height of a peak: the response must be seen to fall by this much ...
   double flank = 5e-3;       ///< [1] ... within this share of the speed, so that no higher peak hides beside it
   double jump = 0.3;         ///< [1] change of amplitude between neighbours
   double jump_width = 1e-3;  ///< [1] of the speed: width of the interval around a jump
   double jump_reach = 6e-3;  ///< [1] of the speed: neighbours farther apart are not a jump
 
+  /// The goal that resolves a peak of this damping ratio (see resolving_spacing).
+  static LocationGoal of_damping(double ratio);
   /// The goal for a scan: wider intervals, a look farther down the sides of peaks, and all jumps.
   LocationGoal of_scan() const;
 };
 
+/// The given speeds, and at least `per_interval` even speeds between every two of them: so many that no resonance of
+/// this damping ratio is missed (see finding_spacing), unless there would be more than `most` speeds in all.
+std::vector<double> speeds_to_scan(const std::vector<double>& given, int per_interval, double damping_ratio,
+                                   std::size_t most);
+
 /// The speeds that a curve needs next to locate every peak and every jump: ascending and new; empty when all are
 /// located. Near a peak this is the vertex of the parabola through its three samples or, where the vertex is the peak
-/// itself, a speed on each side that is still too wide. The interval of a jump is halved. When nothing else is left,
-/// a speed is added where the side of a peak falls between two speeds far apart.
+/// itself, a speed on each side that is still too wide, and then the middle of a gap that leaves room for a rise. The
+/// interval of a jump is halved. When nothing else is left, a speed is added where the side of a peak falls between
+/// two speeds far apart.
 std::vector<double> speeds_to_refine(const SampledCurve& curve, const LocationGoal& goal);
 
 /// The speeds that must be computed in full to confirm the located peaks and jumps of a scan. For each peak these are

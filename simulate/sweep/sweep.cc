@@ -66,6 +66,14 @@ void require_memory(const Scene& scene, int threads, double available) {
   throw RunError(text.str());
 }
 
+/// [rad/s] the speeds of amplitudes over speed.
+Eigen::VectorXd speeds_of(const std::map<double, double>& amplitudes) {
+  Eigen::VectorXd speeds(static_cast<Eigen::Index>(amplitudes.size()));
+  Eigen::Index place = 0;
+  for (const auto& [speed, amplitude] : amplitudes) speeds[place++] = speed;
+  return speeds;
+}
+
 /// A speed of a sweep and how thoroughly it is to be computed.
 struct SpeedTask {
   double speed;  ///< [rad/s]
@@ -106,7 +114,7 @@ class Sweep {
   void locate();
   void examine();
   bool round(const char* what, Depth depth, const std::function<std::vector<double>()>& choose);
-  std::vector<double> scan() const;
+  std::vector<double> scan() const;  ///< to begin with
   LocationGoal goal() const;
   Amplitudes& found(Depth depth) { return depth == Depth::scanned ? scanned_ : full_; }
 
@@ -136,9 +144,8 @@ void Sweep::open(const SweepSettings& settings, const SceneOrigin& origin) {
 }
 
 std::vector<double> Sweep::speeds() const {
-  std::vector<double> speeds;
-  for (const auto& [speed, amplitude] : full_) speeds.push_back(speed);
-  return speeds;
+  const Eigen::VectorXd speeds = speeds_of(full_);
+  return {speeds.begin(), speeds.end()};
 }
 
 /// Writes branches, natural frequencies and speeds to the response, and removes the parts.
@@ -154,6 +161,7 @@ void Sweep::assemble(SweepOutcome& outcome) {
     writer.add(response);
   }
   for (const OrbitBranch& branch : branches) writer.add(branch);
+  writer.add_scanned(speeds_of(scanned_));
   writer.close();
   const bool all_failed = outcome.tally.failed == full_.size();
   if (!all_failed) file.commit();
@@ -212,19 +220,15 @@ void Sweep::examine() {
   if (!peaks.empty()) compute("examination of critical speeds", peaks, Depth::examined);
 }
 
-/// The given speeds and those between them.
 std::vector<double> Sweep::scan() const {
-  const std::vector<double>& given = scene_.parameters.speeds;
-  std::vector<double> speeds = given;
-  const int parts = scene_.parameters.scan_per_interval + 1;
-  for (std::size_t i = 0; i + 1 < given.size(); ++i)
-    for (int part = 1; part < parts; ++part) speeds.push_back(given[i] + (given[i + 1] - given[i]) * part / parts);
-  return speeds;
+  const SimulateParameters& parameters = scene_.parameters;
+  return speeds_to_scan(parameters.speeds, parameters.scan_per_interval, parameters.damping.smallest(),
+                        static_cast<std::size_t>(parameters.speed_count_max));
 }
 
 LocationGoal Sweep::goal() const {
-  LocationGoal goal;
-  goal.prominence = scene_.parameters.peak_prominence;
+  LocationGoal goal = LocationGoal::of_damping(scene_.parameters.damping.smallest());
+  goal.peaks.prominence = scene_.parameters.peak_prominence;
   return goal;
 }
 

@@ -34,9 +34,12 @@ require(ranks.stderr.count("12 speeds") == 1, "only one of them reports")
 require(bench.read("ranks.h5") == whole, "two processes: the same bytes")
 require(not glob.glob(bench.path("*.speeds")), "and leave nothing beside it")
 
-bench.write("adaptive.toml", small.replace("speed_max_rpm = 12000", "speed_max_rpm = 10000") + 'speeds = "adaptive"\n')
+bench.write("adaptive.toml", small.replace("speed_max_rpm = 12000", "speed_max_rpm = 10000").replace('speeds = "given"\n', ""))
 run = bench.run("--threads", "1", case="adaptive.toml", output="adaptive.h5")
 require(run.returncode == 0 and " more scanned" in run.stderr, "adaptive: " + run.stderr.strip())
+with h5py.File(bench.path("adaptive.h5")) as file:
+    scanned = file["scanned_speed"][:]
+    require(len(scanned) > len(file["speed"]) and (scanned[1:] > scanned[:-1]).all(), "  and the response lists what was scanned")
 bench.run("-q", "--threads", "2", case="adaptive.toml", output="two.h5")
 subprocess.run(mpirun + bench.command("-q", "--threads", "1", case="adaptive.toml", output="shared.h5"))
 process = subprocess.Popen(bench.command("-q", "--threads", "1", case="adaptive.toml", output="killed.h5"))

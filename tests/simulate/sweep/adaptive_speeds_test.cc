@@ -106,6 +106,43 @@ TEST(AdaptiveSpeeds, StayWithinTheRangeBesideAJumpAtItsEnd) {
   EXPECT_EQ(found.back().speed, 2000);
 }
 
+/// Symptom: a second peak with 84 % of the worst amplitude, 7 % above the valley between, was neither located nor
+/// examined.
+TEST(AdaptiveSpeeds, LocateAllThatIsNearlyAsSevereAsTheWorst) {
+  const Curve curve = [](double x) {
+    const auto top = [x](double height, double speed, double half_width) {
+      return height / std::hypot(1, (x - speed) / half_width);
+    };
+    return std::max({top(1, 1503.3, 15), top(0.84, 1583.7, 15), top(0.78, 1530, 200)});
+  };
+  const SampledCurve found = sweep(curve, {}, curve);
+  EXPECT_EQ(located_peaks(found, {}).size(), 2u);
+  expect_located(found, 1503.3, 1);
+  expect_located(found, 1583.7, 0.84);
+}
+
+/// Twice as many scanned speeds for half of the damping, where the first ones leave room for a peak.
+TEST(AdaptiveSpeeds, ScanSoThatNoResonanceHidesBetween) {
+  const std::vector<double> given = {1000, 1100, 1200};
+  EXPECT_EQ(speeds_to_scan(given, 4, 0.02, 1000).size(), 11u);
+  for (const double damping : {5e-3, 2.5e-3}) {
+    std::vector<double> speeds = speeds_to_scan(given, 4, damping, 1000);
+    std::sort(speeds.begin(), speeds.end());
+    for (std::size_t i = 0; i + 1 < speeds.size(); ++i)
+      EXPECT_LE(speeds[i + 1] - speeds[i], finding_spacing * damping * speeds[i]);
+  }
+  EXPECT_LE(speeds_to_scan(given, 4, 0, 100).size(), 100u);
+  EXPECT_EQ(speeds_to_scan({1000}, 4, 0.01, 100), (std::vector<double>{1000}));
+}
+
+TEST(AdaptiveSpeeds, ResolveAPeakOfItsDamping) {
+  for (const double damping : {0.05, 5e-3, 1e-3}) {
+    const LocationGoal goal = LocationGoal::of_damping(damping);
+    EXPECT_LE(goal.speed, resolving_spacing * damping);
+    EXPECT_LE(goal.speed, 1e-3);
+  }
+}
+
 TEST(AdaptiveSpeeds, AskForNothingOnASmoothCurve) {
   const Curve line = [](double x) { return x / 1000; };
   EXPECT_EQ(sweep(line, {}, line).size(), 21u);

@@ -2,6 +2,8 @@
 #include "postprocess/analysis/critical_speeds.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "postprocess/waves/travelling_spectrum.h"
 
@@ -56,6 +58,7 @@ class PeakReader {
     const auto rising = std::max_element(waves.begin(), waves.end(),
                                          [](const PeakWave& a, const PeakWave& b) { return a.rise < b.rise; });
     critical.rising = label(*rising);
+    critical.largest = label(waves.front());
     for (auto wave = waves.begin(); wave != waves.end() && critical.others.size() < most_others; ++wave) {
       if (wave->amplitude < large_wave * waves.front().amplitude) break;
       if (wave != rising) critical.others.push_back(label(*wave));
@@ -69,35 +72,72 @@ class PeakReader {
   Component component_;
 };
 
-/// [1] of a peak's amplitude: tops that differ by less can't be told apart.
-constexpr double even_top = 0.02;
+constexpr double even_top = 0.02;       // of a peak's amplitude: tops that are that close can't be told apart
+constexpr double most_of_range = 0.65;  // an interval that spans it locates nothing
 
-/// [rad/s] Where the response, from sample `place` in direction `step`, falls to `least`: between the last sample
-/// that is at least as large and the next one.
-double foot(const Response& response, const Eigen::VectorXd& amplitudes, Eigen::Index place, int step, double least) {
+/// A response over speed.
+struct Samples {
+  Eigen::VectorXd speed;             ///< [rad/s]
+  const Eigen::VectorXd& amplitude;  ///< [m]
+  Eigen::VectorXd step_change;       ///< [1] by the last halving of the step
+
+  Eigen::Index last() const { return speed.size() - 1; }
+};
+
+/// The nearest sample in direction `step` at which the response is below `least`, or the last one.
+Eigen::Index foot(const Samples& samples, Eigen::Index place, int step, double least) {
   Eigen::Index i = place + step;
-  while (i > 0 && i + 1 < amplitudes.size() && amplitudes[i] >= least) i += step;
-  const double below = response.speeds[static_cast<std::size_t>(i)].speed;
-  const double above = response.speeds[static_cast<std::size_t>(i - step)].speed;
-  if (amplitudes[i] >= least) return below;
-  return above + (below - above) * (amplitudes[i - step] - least) / (amplitudes[i - step] - amplitudes[i]);
+  while (i > 0 && i < samples.last() && samples.amplitude[i] >= least) i += step;
+  return i;
 }
 
-void locate(CriticalSpeed& critical, const Response& response, const Eigen::VectorXd& amplitudes) {
-  const auto place = static_cast<std::size_t>(critical.index);
-  const std::vector<SpeedResponse>& speeds = response.speeds;
-  const double step_error = speeds[place].audit.halving_difference.value_or(0) * critical.amplitude;
-  const double least = (1 - even_top) * critical.amplitude - step_error;
-  critical.speed_low = foot(response, amplitudes, critical.index, -1, least);
-  critical.speed_high = foot(response, amplitudes, critical.index, +1, least);
-  const ParabolaTop top =
-      parabola_top({speeds[place - 1].speed, critical.speed, speeds[place + 1].speed},
-                   {amplitudes[critical.index - 1], critical.amplitude, amplitudes[critical.index + 1]});
+/// [m] the highest that may stand between a peak's sample and its neighbours: what the flanks leave room for, or a
+/// resonance of the mode's damping that has its top in the middle between two samples.
+double highest_between(const Samples& samples, const CriticalSpeed& critical) {
+  const auto rise = [&](int step) { return rise_beside(samples.speed, samples.amplitude, critical.index, step); };
+  const double half_gap = critical.spacing_over_half_width().value_or(0) / 2;
+  return std::max(critical.amplitude + std::max(rise(-1), rise(+1)), critical.amplitude * std::hypot(1.0, half_gap));
+}
+
+void locate(CriticalSpeed& critical, const Samples& samples) {
+  const auto& [speed, amplitude, step_change] = samples;
+  const Eigen::Index place = critical.index;
+  const double least = (1 - even_top - step_change[place]) * critical.amplitude;
+  const Eigen::Index low = foot(samples, place, -1, least), high = foot(samples, place, +1, least);
+  critical.speed_low = speed[low];
+  critical.speed_high = speed[high];
+  critical.spacing = std::max(speed[place] - speed[place - 1], speed[place + 1] - speed[place]);
+  const double step_error = step_change.segment(low + 1, high - low - 1).maxCoeff() * critical.amplitude;
   critical.amplitude_low = critical.amplitude - step_error;
-  critical.amplitude_high = critical.amplitude + std::max(step_error, top.height);
+  critical.amplitude_high = highest_between(samples, critical) + step_error;
+  critical.located = std::max(amplitude[low], amplitude[high]) < least &&
+                     amplitude.segment(low, high - low + 1).maxCoeff() <= critical.amplitude &&
+                     speed[high] - speed[low] < most_of_range * (speed[samples.last()] - speed[0]);
+}
+
+Samples samples_of(const Response& response, const Eigen::VectorXd& amplitude) {
+  Samples samples{Eigen::VectorXd(amplitude.size()), amplitude, Eigen::VectorXd(amplitude.size())};
+  for (Eigen::Index i = 0; i < amplitude.size(); ++i) {
+    const SpeedResponse& speed = response.speeds[static_cast<std::size_t>(i)];
+    samples.speed[i] = speed.speed;
+    samples.step_change[i] = speed.audit.halving_difference.value_or(0);
+  }
+  return samples;
 }
 
 }  // namespace
+
+std::optional<double> CriticalSpeed::spacing_over_half_width() const {
+  std::optional<double> narrowest = rising.half_width;
+  if (!narrowest) return std::nullopt;
+  for (const WaveLabel& wave : others) narrowest = std::min(*narrowest, wave.half_width.value_or(*narrowest));
+  return *narrowest > 0 ? spacing / *narrowest : std::numeric_limits<double>::infinity();
+}
+
+std::string wave_names(const CriticalSpeed& critical) {
+  return wave_name(critical.rising) +
+         (critical.has_larger_wave() ? " (largest: " + wave_name(critical.largest) + ")" : "");
+}
 
 Eigen::Index TipAmplitudes::worst() const {
   Eigen::Index worst = 0;
@@ -125,7 +165,8 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
                                            const PostprocessParameters& parameters) {
   const PeakReader reader(response, contact, curves, parameters.component);
   std::vector<CriticalSpeed> all;
-  for (const Peak& peak : find_peaks(amplitudes.largest, parameters.prominence)) {
+  const Samples samples = samples_of(response, amplitudes.largest);
+  for (const Peak& peak : named_peaks(amplitudes.largest, {.prominence = parameters.prominence})) {
     const SpeedResponse& peak_response = response.speeds[static_cast<std::size_t>(peak.index)];
     CriticalSpeed critical;
     critical.index = peak.index;
@@ -135,8 +176,8 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
     critical.node = amplitudes.node[peak.index];
     critical.motion = peak_response.motion;
     critical.period_beats = peak_response.period_beats;
-    locate(critical, response, amplitudes.largest);
     reader.name_waves(critical, peak);
+    locate(critical, samples);
     all.push_back(critical);
   }
   return all;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "postprocess/analysis/postprocess_parameters.h"
@@ -31,23 +32,27 @@ struct TipAmplitudes {
 
 TipAmplitudes tip_amplitudes(const Response& response, const ContactLine& contact, Component component);
 
-/// A peak of the largest tip amplitude over speed (see find_peaks()), and why it is there.
+/// A peak of the largest tip amplitude over speed (see named_peaks()), and why it is there.
 struct CriticalSpeed {
   Eigen::Index index = 0;  ///< in the response's speeds
   double speed = 0;        ///< [rad/s]
   double amplitude = 0;    ///< [m]
   double prominence = 0;   ///< [m]
-  /// [rad/s] Where the response, linear between its samples, has fallen by 2 % and by what the last halving of the
-  /// step changed. The peak of a ragged or flat top lies somewhere between the two.
+  /// [rad/s] The nearest simulated speeds at which the response has fallen by 2 % and by what the last halving of the
+  /// step changed. The top lies somewhere between the two.
   double speed_low = 0, speed_high = 0;
-  /// [m] The amplitude minus and plus what the last halving of the step changed. The upper one is at least the top of
-  /// the parabola through the peak's three samples.
+  /// [m] The amplitude minus and plus what the last halving of the step changed, here and at speeds that are nearly
+  /// as high. To the upper one is added what may stand between the speeds (see rise_beside()).
   double amplitude_low = 0, amplitude_high = 0;
+  double spacing = 0;  ///< [rad/s] to the farther one of its two neighbours
+  /// Whether the response falls on both sides before it rises higher or the range ends, within most of the range.
+  bool located = false;
   int node = 0;  ///< contact node that moves most
   /// The wave that makes the peak: among all spectral lines above frequency zero, at that node and of the component
   /// of the amplitude, the one that rises most above the higher of its values at the two valleys. This need not be
   /// the largest line, because the casing drives every wheel at N_l Omega at every speed.
   WaveLabel rising;
+  WaveLabel largest;  ///< the largest wave there; often the same
   /// At most four other waves there, the largest first, each with at least a fifth of the largest one's amplitude.
   std::vector<WaveLabel> others;
   MotionClass motion = MotionClass::not_settled;
@@ -58,9 +63,18 @@ struct CriticalSpeed {
   /// [1] The rising wave's amplitude over the peak's. The shares of several waves add up to more than 1 where their
   /// crests do not meet.
   double wave_share() const { return amplitude > 0 ? rising.amplitude / amplitude : 0.0; }
+  /// Whether another wave is larger than the one that makes the peak.
+  bool has_larger_wave() const { return largest.amplitude > rising.amplitude; }
+  /// [1] the spacing over the half-width of the narrowest resonance among the peak's large waves; nothing if the
+  /// response does not tell the damping.
+  std::optional<double> spacing_over_half_width() const;
 };
 
-/// All peaks, ascending in speed; with_predictions() adds what the rules predict. Needs a response at every speed.
+/// "EO 20 ND 0", or "EO 20 ND 0 (largest: EO 8 ND -2)": the wave that makes the peak, and a larger one.
+std::string wave_names(const CriticalSpeed& critical);
+
+/// All peaks (named_peaks()), located or not, ascending in speed; with_predictions() adds what the rules predict.
+/// Needs a response at every speed.
 std::vector<CriticalSpeed> critical_speeds(const Response& response, const ContactLine& contact,
                                            const TipAmplitudes& amplitudes, const FrequencyCurves& curves,
                                            const PostprocessParameters& parameters);

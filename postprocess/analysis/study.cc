@@ -20,6 +20,14 @@ std::vector<SpeedResponse> take_failed(Response& response) {
   return failed;
 }
 
+std::vector<CriticalSpeed> take_not_located(std::vector<CriticalSpeed>& peaks) {
+  const auto first =
+      std::stable_partition(peaks.begin(), peaks.end(), [](const CriticalSpeed& peak) { return peak.located; });
+  std::vector<CriticalSpeed> others(first, peaks.end());
+  peaks.erase(first, peaks.end());
+  return others;
+}
+
 /// See Study::shown.
 Eigen::Index shown_speed(const Response& response, const TipAmplitudes& amplitudes, double asked_rpm) {
   const auto& speeds = response.speeds;
@@ -52,6 +60,7 @@ Study make_study(const PostprocessParameters& parameters, ReducedModel model, Re
   TipAmplitudes amplitudes = tip_amplitudes(response, contact, parameters.component);
   WaveMaps waves = wave_maps(response, contact, curves, parameters);
   std::vector<CriticalSpeed> critical = critical_speeds(response, contact, amplitudes, curves, parameters);
+  std::vector<CriticalSpeed> not_located = take_not_located(critical);
   LinearRules rules = linear_rules(response, contact, curves, amplitudes, critical, parameters);
   critical = with_predictions(std::move(critical), rules, parameters.prediction_tolerance);
   ContactMaps contact_places = contact_maps(response, contact);
@@ -68,6 +77,7 @@ Study make_study(const PostprocessParameters& parameters, ReducedModel model, Re
           std::move(waves),
           std::move(contact_places),
           std::move(critical),
+          std::move(not_located),
           std::move(rules),
           std::move(compared),
           shown};

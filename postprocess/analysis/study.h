@@ -24,6 +24,7 @@ struct Study {
   WaveMaps waves;
   ContactMaps contact;
   std::vector<CriticalSpeed> critical;
+  std::vector<CriticalSpeed> not_located;  ///< peaks of the response that aren't critical speeds: see `located`
   LinearRules rules;
   std::vector<SweepComparison> sweeps;  ///< one per speed, or none
   /// Index of the speed whose motion and force are drawn: the one nearest to that asked for, or the one with the

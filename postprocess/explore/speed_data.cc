@@ -85,7 +85,7 @@ json add_speed(PackedArrays& arrays, const Study& study, const SpeedFrame& frame
 json critical_of(const std::vector<CriticalSpeed>& all) {
   json list = json::array();
   for (const CriticalSpeed& critical : all)
-    list.push_back({{"index", critical.index}, {"wave", wave_name(critical.rising)}});
+    list.push_back({{"index", critical.index}, {"wave", wave_names(critical)}});
   return list;
 }
 

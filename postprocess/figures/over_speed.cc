@@ -45,7 +45,7 @@ Eigen::MatrixXd peaks(const std::vector<CriticalSpeed>& critical) {
 /// The waves that make the peaks: "EO 6 ND -4".
 std::vector<std::string> peak_names(const std::vector<CriticalSpeed>& all) {
   std::vector<std::string> names;
-  for (const CriticalSpeed& critical : all) names.push_back(wave_name(critical.rising));
+  for (const CriticalSpeed& critical : all) names.push_back(wave_names(critical));
   return names;
 }
 

@@ -57,7 +57,7 @@ std::string other_waves(const CriticalSpeed& critical, std::size_t count) {
   return text;
 }
 
-/// "-9 +12": how far below and above the response has clearly fallen [rpm].
+/// "-9 +12": how far below and above are the speeds at which the response has clearly fallen [rpm].
 std::string located(const CriticalSpeed& critical) {
   return "-" + fixed((critical.speed - critical.speed_low) * rpm_per_rad_s, 0) + " +" +
          fixed((critical.speed_high - critical.speed) * rpm_per_rad_s, 0);
@@ -95,6 +95,8 @@ PeakColumns amplitude_columns() {
           {"speed high [rpm]", [](const PeakRow& peak) { return peak.critical.speed_high * rpm_per_rad_s; }},
           {"amplitude low [mm]", [](const PeakRow& peak) { return peak.critical.amplitude_low * mm_per_m; }},
           {"amplitude high [mm]", [](const PeakRow& peak) { return peak.critical.amplitude_high * mm_per_m; }},
+          {"speeds beside it over half-width [1]",
+           [](const PeakRow& peak) { return optional_cell(peak.critical.spacing_over_half_width()); }},
           {"prominence [mm]", [](const PeakRow& peak) { return peak.critical.prominence * mm_per_m; }},
           {"contact node", [](const PeakRow& peak) { return peak.critical.node; }}};
 }
@@ -110,6 +112,8 @@ PeakColumns wave_columns() {
       {"natural frequency [Hz]", [](const PeakRow& peak) { return peak.critical.rising.natural_frequency; }},
       {"detuning [%]", [](const PeakRow& peak) { return percent * peak.critical.rising.detuning; }},
       {"wave share [1]", [](const PeakRow& peak) { return peak.critical.wave_share(); }},
+      {"largest wave", [](const PeakRow& peak) { return wave_name(peak.critical.largest); }},
+      {"largest wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.largest.amplitude * mm_per_m; }},
       {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, peak.critical.others.size()); }},
   };
 }
@@ -167,7 +171,7 @@ PeakColumns rounded_columns() {
       {"within [%]", [](const PeakRow& peak) { return fixed(percent * amplitude_slack(peak.critical), 1); }},
       {"node", [](const PeakRow& peak) { return std::to_string(peak.critical.node); }},
       {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.rising.family + 1); }},
-      {"wave", [](const PeakRow& peak) { return wave_name(peak.critical.rising); }},
+      {"wave", [](const PeakRow& peak) { return wave_names(peak.critical); }},
       {"runs", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
       {"share [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.wave_share(), 0); }},
       {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.rising.detuning); }},

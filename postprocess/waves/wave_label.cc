@@ -9,7 +9,7 @@
 
 namespace tiprub {
 
-FrequencyCurves::FrequencyCurves(const FrequencyTable& table) : speeds_(table.speed) {
+FrequencyCurves::FrequencyCurves(const FrequencyTable& table) : speeds_(table.speed), damping_(table.damping_ratio) {
   for (const Eigen::MatrixXd& frequencies : table.by_nodal_diameter)
     squares_.emplace_back(frequencies.cwiseProduct(frequencies.cwiseAbs()));
 }
@@ -43,6 +43,20 @@ int FrequencyCurves::nearest_family(int nodal_diameter, double wanted, double sp
   return nearest;
 }
 
+std::optional<double> FrequencyCurves::damping_ratio(int nodal_diameter, int family, double speed) const {
+  if (damping_.empty()) return std::nullopt;
+  Eigen::Index row = 0;
+  (speeds_.array() - speed).abs().minCoeff(&row);
+  return damping_[static_cast<std::size_t>(nodal_diameter)](row, family);
+}
+
+std::optional<double> FrequencyCurves::smallest_damping_ratio() const {
+  std::optional<double> smallest;
+  for (const Eigen::MatrixXd& ratios : damping_)
+    smallest = std::min(smallest.value_or(ratios.minCoeff()), ratios.minCoeff());
+  return smallest;
+}
+
 WaveLabel label_wave(const FrequencyCurves& curves, int sector_count, double speed, double engine_order,
                      int signed_nodal_diameter, double amplitude) {
   WaveLabel label;
@@ -55,6 +69,8 @@ WaveLabel label_wave(const FrequencyCurves& curves, int sector_count, double spe
   label.family = curves.nearest_family(nodal_diameter, frequency, speed);
   label.natural_frequency = curves.frequency(nodal_diameter, label.family, speed);
   label.detuning = (frequency - label.natural_frequency) / label.natural_frequency;
+  if (const auto damping = curves.damping_ratio(nodal_diameter, label.family, speed))
+    label.half_width = *damping * std::abs(label.natural_frequency) / (engine_order * hz_per_rad_s);
   return label;
 }
 

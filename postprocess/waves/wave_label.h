@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,15 @@ class FrequencyCurves {
   double frequency(int nodal_diameter, int family, double speed) const;
   /// The family whose frequency at this speed is nearest to one [Hz].
   int nearest_family(int nodal_diameter, double frequency, double speed) const;
+  /// [1] of critical, at the nearest speed of the table; nothing if the response does not tell it.
+  std::optional<double> damping_ratio(int nodal_diameter, int family, double speed) const;
+  /// [1] The smallest of all modes.
+  std::optional<double> smallest_damping_ratio() const;
 
  private:
   Eigen::VectorXd speeds_;                ///< [rad/s], ascending
   std::vector<Eigen::MatrixXd> squares_;  ///< [Hz^2], with their sign, by nodal diameter; speeds x families
+  std::vector<Eigen::MatrixXd> damping_;  ///< [1] of the same modes, or none
 };
 
 /// A travelling wave of the response, and the natural mode whose frequency is nearest.
@@ -42,6 +48,9 @@ struct WaveLabel {
   int family = 0;                ///< with the nearest frequency at this nodal diameter and speed; 0 is the lowest
   double natural_frequency = 0;  ///< [Hz] of that family
   double detuning = 0;           ///< [1] (engine order Omega/(2 pi) - natural frequency) / natural frequency
+  /// [rad/s] Half-width of the mode's resonance over speed: its damping ratio times its frequency over the engine
+  /// order. Nothing if the response does not tell the damping.
+  std::optional<double> half_width{};
 };
 
 /// Fills in direction, family and detuning of a wave at a speed [rad/s].

@@ -106,7 +106,7 @@ ReportContents run(Inputs inputs, const PostprocessOptions& options, Progress::S
 
 void report(const StageArguments& arguments, const ReportContents& contents) {
   const Study& study = contents.study;
-  print(aligned_text(critical_speed_overview(study, contents.field_results)));
+  print(printed_critical_speeds(study, contents.field_results));
   if (arguments.verbosity == Verbosity::verbose) {
     for (const Answer& answer : verdict(study, contents.field_results, contents.needs))
       say(arguments, answer.question + ": " + answer.text);

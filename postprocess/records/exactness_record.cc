@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "postprocess/tables/table.h"
@@ -30,18 +31,20 @@ CheckVerdict verdict_of(const Check& check) {
   return check.beyond > 0 ? CheckVerdict::failed : CheckVerdict::passed;
 }
 
+void add(Check& check, double value, double speed) {
+  ++check.looked_at;
+  if (!(value <= check.limit)) ++check.beyond;
+  if (check.worst && value <= *check.worst) return;
+  check.worst = value;
+  check.speed = speed;
+}
+
 Check check_speeds(const Study& study, const std::string& subject, const std::string& what, double limit,
                    const Number& number) {
   Check check{
       .subject = subject, .what = what, .limit = limit, .speeds = static_cast<int>(study.response.speeds.size())};
   for (const SpeedResponse& speed : study.response.speeds) {
-    const std::optional<double> here = number(speed);
-    if (!here) continue;
-    ++check.looked_at;
-    if (!(std::abs(*here) <= limit)) ++check.beyond;
-    if (check.worst && std::abs(*here) <= *check.worst) continue;
-    check.worst = std::abs(*here);
-    check.speed = speed.speed;
+    if (const std::optional<double> here = number(speed)) add(check, std::abs(*here), speed.speed);
   }
   check.verdict = verdict_of(check);
   return check;
@@ -78,28 +81,32 @@ std::vector<Check> model_checks(const ReducedModel& model, double limit) {
   return checks;
 }
 
-/// [1] How uncertain step, settling and samples leave a critical speed's amplitude, relative to that amplitude.
+/// [1] How uncertain step, settling and the distance of the speeds leave a peak's amplitude, relative to that
+/// amplitude.
 double left_open(const CriticalSpeed& critical, const SpeedResponse& response) {
   const double range =
       std::max(critical.amplitude_high - critical.amplitude, critical.amplitude - critical.amplitude_low);
   return range / critical.amplitude + (response.settled() ? response.change : 0.0);
 }
 
-Check accuracy_check(const Study& study) {
-  Check check{.subject = "accuracy",
-              .what = "of the critical speeds' amplitudes, what step, settling and samples leave open [1]",
-              .limit = study.response.scene.asked.critical_speeds,
-              .speeds = static_cast<int>(study.critical.size())};
-  for (const CriticalSpeed& critical : study.critical) {
-    const double open = left_open(critical, study.response.speeds[static_cast<std::size_t>(critical.index)]);
-    ++check.looked_at;
-    if (!(open <= check.limit)) ++check.beyond;
-    if (check.worst && open <= *check.worst) continue;
-    check.worst = open;
-    check.speed = critical.speed;
-  }
+/// Of the peaks, located or not.
+Check check_peaks(const Study& study, const std::string& subject, const std::string& what, double limit,
+                  const std::function<std::optional<double>(const CriticalSpeed&)>& number) {
+  Check check{.subject = subject,
+              .what = what,
+              .limit = limit,
+              .speeds = static_cast<int>(study.critical.size() + study.not_located.size())};
+  for (const auto* peaks : {&study.critical, &study.not_located})
+    for (const CriticalSpeed& peak : *peaks)
+      if (const std::optional<double> here = number(peak)) add(check, *here, peak.speed);
   check.verdict = verdict_of(check);
   return check;
+}
+
+Check accuracy_check(const Study& study) {
+  return check_peaks(study, "accuracy", "of the peaks' amplitudes, what step, settling and speeds leave open [1]",
+                     study.response.scene.asked.critical_speeds,
+                     [&](const CriticalSpeed& peak) { return left_open(peak, study.speed_at(peak.index)); });
 }
 
 std::vector<Check> march_checks(const Study& study) {
@@ -147,16 +154,28 @@ Check symmetry_check(const Study& study) {
   return check;
 }
 
-}  // namespace
-
-std::string name_of(CheckVerdict verdict) {
-  constexpr std::array names = {"yes", "no", "undecided", "not looked at"};
-  return names[static_cast<std::size_t>(verdict)];
+/// Between the speeds that were simulated, scanned, or failed: a resonance with the smallest damping of all modes may
+/// hide there.
+Check range_check(const Study& study) {
+  std::set<double> speeds(study.response.scanned_speeds.begin(), study.response.scanned_speeds.end());
+  for (const auto* list : {&study.response.speeds, &study.failed})
+    for (const SpeedResponse& speed : *list) speeds.insert(speed.speed);
+  Check check{
+      .subject = "speeds over the range",
+      .what = "distance of neighbours, scanned ones too, over the half-width of the least damped resonance [1]",
+      .limit = finding_spacing,
+      .speeds = static_cast<int>(speeds.size()) - 1};
+  const std::optional<double> damping = study.curves.smallest_damping_ratio();
+  if (damping && !speeds.empty())
+    for (auto low = speeds.begin(), high = std::next(low); high != speeds.end(); ++low, ++high)
+      add(check, (*high - *low) / (*damping * *low), *low);
+  check.verdict = verdict_of(check);
+  return check;
 }
 
-std::vector<Check> exactness_checks(const Study& study) {
-  std::vector<Check> checks = model_checks(study.model, frequency_share * study.response.scene.asked.critical_speeds);
-  checks.push_back(accuracy_check(study));
+/// Of the motions at the simulated speeds.
+std::vector<Check> response_checks(const Study& study) {
+  std::vector<Check> checks = {accuracy_check(study)};
   const auto append = [&](std::vector<Check> more) {
     std::move(more.begin(), more.end(), std::back_inserter(checks));
   };
@@ -169,6 +188,41 @@ std::vector<Check> exactness_checks(const Study& study) {
   Check sweep = check_speeds(study, "sweep", "relative difference from the response from rest [1]", sweep_limit,
                              [](const SpeedResponse& speed) { return speed.audit.rest_difference; });
   if (sweep.looked_at > 0) checks.push_back(std::move(sweep));  // of a response that is a sweep
+  return checks;
+}
+
+}  // namespace
+
+std::string name_of(CheckVerdict verdict) {
+  constexpr std::array names = {"yes", "no", "undecided", "not looked at"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+std::vector<Check> speeds_checks(const Study& study) {
+  return {check_peaks(study, "speeds beside each peak", "their distance over the half-width of its resonance [1]",
+                      resolving_spacing, [](const CriticalSpeed& peak) { return peak.spacing_over_half_width(); }),
+          range_check(study)};
+}
+
+bool speeds_too_far_apart(const Study& study) {
+  const std::vector<Check> checks = speeds_checks(study);
+  return std::any_of(checks.begin(), checks.end(),
+                     [](const Check& check) { return check.verdict == CheckVerdict::failed; });
+}
+
+std::string speeds_caveat(const Study& study) {
+  return speeds_too_far_apart(study) ? " (not trustworthy: speeds too far apart)" : "";
+}
+
+std::vector<Check> exactness_checks(const Study& study) {
+  std::vector<Check> checks = speeds_checks(study);
+  const auto append = [&](const std::vector<Check>& more) { checks.insert(checks.end(), more.begin(), more.end()); };
+  append(model_checks(study.model, frequency_share * study.response.scene.asked.critical_speeds));
+  std::vector<Check> of_response = response_checks(study);
+  if (speeds_too_far_apart(study))
+    for (Check& check : of_response)
+      if (check.verdict == CheckVerdict::passed) check.verdict = CheckVerdict::undecided;
+  append(of_response);
   return checks;
 }
 

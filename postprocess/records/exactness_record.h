@@ -14,7 +14,7 @@ namespace tiprub {
 enum class CheckVerdict {
   passed,
   failed,
-  undecided,      ///< too near the limit to tell
+  undecided,      ///< too near the limit to tell, or checked beside the peaks only
   not_looked_at,  ///< no speed was checked
 };
 
@@ -31,7 +31,17 @@ struct Check {
   CheckVerdict verdict = CheckVerdict::not_looked_at;
 };
 
-/// The model's frequencies, the time step, settling, the energy balance, contact, symmetry.
+/// Whether the speeds are close enough together to find every peak, and those beside each peak to resolve it.
+std::vector<Check> speeds_checks(const Study& study);
+
+/// Whether one of these failed. Then peaks may be higher, lie elsewhere or be missing, and no other check of the
+/// response passes: what was looked at need not be where the wheel moves most.
+bool speeds_too_far_apart(const Study& study);
+
+/// Beside a number that hangs on the peaks: empty, or " (not trustworthy: speeds too far apart)".
+std::string speeds_caveat(const Study& study);
+
+/// The speeds, the model's frequencies, the time step, settling, the energy balance, contact, symmetry.
 std::vector<Check> exactness_checks(const Study& study);
 
 /// "yes", "no", "undecided", "not looked at": whether it passed.

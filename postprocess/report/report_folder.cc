@@ -68,7 +68,7 @@ void write_figures(const std::vector<Figure>& figures, const std::filesystem::pa
 
 void write_tables(const Study& study, const FieldResults& fields, const std::filesystem::path& folder) {
   write_csv(critical_speed_record(study, fields), folder / "critical_speeds.csv");
-  write_text(aligned_text(critical_speed_overview(study, fields)), folder / "critical_speeds.txt");
+  write_text(printed_critical_speeds(study, fields), folder / "critical_speeds.txt");
   write_csv(linear_criterion_record(study), folder / "linear_criterion.csv");
   write_csv(rule_score_record(study.rules), folder / "linear_rules.csv");
   write_csv(speed_record(study), folder / "speeds.csv");

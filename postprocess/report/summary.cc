@@ -140,7 +140,7 @@ std::string share_sentence(const InteractionMap& map) {
 }
 
 /// Judges by Goodman's rule if the case gives strengths, else by the alternating part.
-std::string fatigue_sentence(const FieldResults& fields) {
+std::string fatigue_sentence(const Study& study, const FieldResults& fields) {
   const auto severity = [](const FieldPeak& peak) { return peak.cycle->goodman.value_or(peak.cycle->alternating); };
   const FieldPeak* worst = nullptr;
   for (const std::optional<FieldPeak>& peak : fields.peaks)
@@ -149,10 +149,11 @@ std::string fatigue_sentence(const FieldResults& fields) {
   const StressCycle& cycle = *worst->cycle;
   return " For fatigue the worst is " + rpm_text(worst->speed) + ": " + mpa_text(cycle.alternating) +
          " alternating about a mean of " + mpa_text(cycle.mean) + (cycle.where.empty() ? "" : ", " + cycle.where) +
-         (cycle.goodman ? ", " + fixed(*cycle.goodman, 2) + " of what Goodman's rule allows" : "") + ".";
+         (cycle.goodman ? ", " + fixed(*cycle.goodman, 2) + " of what Goodman's rule allows" : "") +
+         speeds_caveat(study) + ".";
 }
 
-std::string stress_sentence(const FieldResults& fields) {
+std::string stress_sentence(const Study& study, const FieldResults& fields) {
   const FieldPeak* worst = nullptr;
   for (const std::optional<FieldPeak>& peak : fields.peaks)
     if (peak && (worst == nullptr || peak->body.vibration > worst->body.vibration)) worst = &*peak;
@@ -162,7 +163,7 @@ std::string stress_sentence(const FieldResults& fields) {
          mpa_text(worst->body.both) + " (spin alone " + mpa_text(worst->body.spin) + ")" +
          (worst->cycle ? ", the largest of the cycle" : ", at one instant") + ". Inside the tip patch it is " +
          mpa_text(worst->tip_patch.vibration) + ", at point forces: that grows as the mesh is refined." +
-         fatigue_sentence(fields);
+         fatigue_sentence(study, fields);
 }
 
 std::string model_sentence(const ReducedModel& model) {
@@ -179,7 +180,7 @@ std::string accuracy_sentence(const Study& study) {
       std::find_if(checks.begin(), checks.end(), [](const Check& c) { return c.subject == "accuracy"; });
   if (check == checks.end() || !check->worst) return "";
   return "Accuracy: " + significant(percent * check->limit, 2) +
-         " % of the critical speeds' amplitudes was asked for; step, " + "settling and samples leave " +
+         " % of the critical speeds' amplitudes was asked for; step, settling and the distance of the speeds leave " +
          significant(percent * *check->worst, 2) + " % open at most, at " + rpm_text(check->speed) +
          (check->beyond > 0
               ? "; " + std::to_string(check->beyond) + " of " + std::to_string(check->looked_at) + " are beyond"
@@ -196,7 +197,7 @@ std::string counted(std::size_t count, const std::string& what) {
 std::vector<std::string> summary(const Study& study, const FieldResults& fields) {
   std::vector<std::string> lines;
   for (const std::string& line :
-       {stress_sentence(fields), rule_sentence(study.rules, study.parameters.prediction_tolerance),
+       {stress_sentence(study, fields), rule_sentence(study.rules, study.parameters.prediction_tolerance),
         model_sentence(study.model), accuracy_sentence(study),
         steadiness_sentence(study.response.speeds, study.failed.size()), unusual_sentence(study.response.speeds),
         sweep_sentence(study), branch_sentence(study.response.branches), share_sentence(study.waves.first())})

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "postprocess/records/exactness_record.h"
+#include "postprocess/records/study_records.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub {
@@ -24,12 +25,13 @@ std::string amplitude_text(const Study& study, Eigen::Index speed) {
                                         : "");
 }
 
-std::string stress_text(const std::optional<FieldPeak>& peak) {
+std::string stress_text(const Study& study, const std::optional<FieldPeak>& peak) {
   if (!peak) return "";
   std::string text = " Its vibration stresses the wheel with " + mpa_text(peak->body.vibration) + ", with spin " +
                      mpa_text(peak->body.both);
   if (peak->cycle && peak->cycle->goodman)
-    text += "; by Goodman's rule that is " + fixed(*peak->cycle->goodman, 2) + " of what the material bears";
+    text += "; by Goodman's rule that is " + fixed(*peak->cycle->goodman, 2) + " of what the material bears" +
+            speeds_caveat(study);
   return text + ".";
 }
 
@@ -42,16 +44,29 @@ std::string still_rising(const Study& study) {
   return text.empty() ? "" : text + ": a peak may lie outside the simulated speeds.";
 }
 
+/// Peaks that are no critical speeds, because the response doesn't fall clearly on both sides.
+std::string not_located(const Study& study) {
+  std::string text;
+  for (const CriticalSpeed& peak : study.not_located)
+    text += (text.empty() ? " Not located, and no critical speeds: " : "; ") + mm(peak.amplitude) + " at " +
+            rpm_text(peak.speed) + ", a top that may lie anywhere between " +
+            fixed(peak.speed_low * rpm_per_rad_s, 0) + " and " + rpm_text(peak.speed_high);
+  return text.empty() ? text : text + ".";
+}
+
 std::string how_bad(const Study& study, const FieldResults& fields) {
   const std::optional<std::size_t> worst = worst_critical(study.critical);
+  const std::string largest =
+      rpm_text(study.worst_response().speed) + ", " + amplitude_text(study, study.amplitudes.worst()) + ".";
   if (!worst)
-    return "No critical speed: the amplitude has no peak that stands out. It is largest at " +
-           rpm_text(study.worst_response().speed) + ", " + amplitude_text(study, study.amplitudes.worst()) + "." +
-           still_rising(study);
+    return "No critical speed: the amplitude has no peak that stands out and is located. It is largest at " +
+           largest + not_located(study) + still_rising(study);
   const CriticalSpeed& peak = study.critical[*worst];
+  const bool more_elsewhere = study.amplitudes.largest.maxCoeff() > peak.amplitude;
   return counted(study.critical.size(), "critical speed") + ". The worst, at " + rpm_text(peak.speed) +
-         ", moves the tip by " + amplitude_text(study, peak.index) + "." + stress_text(fields.peaks[*worst]) +
-         still_rising(study);
+         ", moves the tip by " + amplitude_text(study, peak.index) + "." + stress_text(study, fields.peaks[*worst]) +
+         (more_elsewhere ? " Where no peak is located, the amplitude is larger: at " + largest : "") +
+         not_located(study) + still_rising(study);
 }
 
 /// "contact node 9 of 0 .. 9 (trailing edge)", or "contact segment ...".
@@ -83,6 +98,9 @@ std::string why(const Study& study) {
                      fixed(percent * peak.wave_share(), 0) + " % of the amplitude, " +
                      fixed(percent * std::abs(wave.detuning), 1) + (wave.detuning < 0 ? " % below" : " % above") +
                      " that mode's frequency.";
+  if (peak.has_larger_wave())
+    text += " That wave rises most; the largest is " + wave_name(peak.largest) + " with " +
+            mm(peak.largest.amplitude) + ".";
   for (std::size_t i = 0; i < std::min<std::size_t>(2, peak.others.size()); ++i)
     text += (i == 0 ? " Beside it: " : ", ") + wave_name(peak.others[i]) + " with " + mm(peak.others[i].amplitude);
   return text + (peak.others.empty() ? "" : ".");
@@ -104,7 +122,7 @@ std::string margin_text(const Study& study) {
                        fixed(percent * there->margin, 1) + " % away"
                  : std::string();
   };
-  text += outside(margin.below, "below") + outside(margin.above, "above") + ".";
+  text += outside(margin.below, "below") + outside(margin.above, "above") + speeds_caveat(study) + ".";
   if (operating.low < study.range.low || operating.high > study.range.high)
     text += " Not all of the range was simulated.";
   return text;
@@ -179,6 +197,22 @@ std::string given_words(ClearanceState state) {
 
 }  // namespace
 
+std::string speeds_warning(const Study& study) {
+  std::string text;
+  for (const Check& check : speeds_checks(study))
+    if (check.verdict == CheckVerdict::failed) text += (text.empty() ? "" : ", ") + failed_text(check);
+  return text.empty() ? text
+                      : "The speeds are too far apart: " + text +
+                            ". Peaks may be missing, lie elsewhere and be higher than the tables say. Simulate with "
+                            "speeds = \"adaptive\".";
+}
+
+std::string printed_critical_speeds(const Study& study, const FieldResults& fields) {
+  const std::string warning = speeds_warning(study);
+  return (warning.empty() ? "" : "Not trustworthy. " + warning + "\n") +
+         aligned_text(critical_speed_overview(study, fields));
+}
+
 std::string running_clearances(const Response& response) {
   const ClearanceRange range = response.clearances();
   return "running clearances " + fixed(range.low * mm_per_m, 3) + " .. " + fixed(range.high * mm_per_m, 3) +
@@ -186,9 +220,13 @@ std::string running_clearances(const Response& response) {
 }
 
 std::vector<Answer> verdict(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
-  std::vector<Answer> answers = {
-      {"How bad", how_bad(study, fields)}, {"Where", where(study, fields)}, {"Why", why(study)},
-      {"Margin", margin_text(study)},      {"Trust", trust(study)},         {"Left out", what_matters(needs)}};
+  std::vector<Answer> answers = {{"Not trustworthy", speeds_warning(study)},
+                                 {"How bad", how_bad(study, fields)},
+                                 {"Where", where(study, fields)},
+                                 {"Why", why(study)},
+                                 {"Margin", margin_text(study)},
+                                 {"Trust", trust(study)},
+                                 {"Left out", what_matters(needs)}};
   return without_empty(std::move(answers));
 }
 

@@ -16,8 +16,14 @@ struct Answer {
   std::string text;
 };
 
-/// How bad the worst speed is, where and why, how far it is from the operating range, which checks passed, and which
-/// effects matter although they are left out.
+/// "The speeds are too far apart: ..."; empty if they are not.
+std::string speeds_warning(const Study& study);
+
+/// The table of critical speeds as it is printed, below that warning.
+std::string printed_critical_speeds(const Study& study, const FieldResults& fields);
+
+/// Whether the speeds are too far apart, how bad the worst speed is, where and why, how far it is from the operating
+/// range, which checks passed, and which effects matter although they are left out.
 std::vector<Answer> verdict(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs);
 
 /// The scene in a few words: lobes, clearance, interference, damping, march, speeds.

@@ -159,8 +159,10 @@ TEST_F(Page, SaysHowExactItIs) {
   EXPECT_NE(page.find("first 11 frequencies within 0.12 % of the unreduced sector's, at 2 speeds"),
             std::string::npos);
   const auto rows = rows_of(folder_ / "verified" / "exactness.csv");
-  ASSERT_GT(rows.size(), 4U);
-  EXPECT_NEAR(std::stod(rows[0].at("worst of those looked at")), 0.00125, 1e-9);
+  const auto model = std::find_if(rows.begin(), rows.end(),
+                                  [](const auto& row) { return row.at("check").rfind("model: ", 0) == 0; });
+  ASSERT_NE(model, rows.end());
+  EXPECT_NEAR(std::stod(model->at("worst of those looked at")), 0.00125, 1e-9);
 }
 
 /// Symptom: exactness.csv showed a growth of 1.032 where "stable below 1" was asked for, unmarked, and a worst of
@@ -251,7 +253,7 @@ TEST_F(Page, BeginsWithTheVerdict) {
         std::string("EO 6 drives family 1 on nodal diameter 4 as a forward wave"),
         fixed(100 * std::stod(worst.at("wave share [1]")), 0) + " % of the amplitude",
         "the next above, " + rounded("speed [rpm]", 0) + " rpm, is " + above + " % away",
-        std::string("Failed: unsettled motion (1 speed of 47), energy (0.0002 at "),
+        std::string("Failed: accuracy ("), std::string("unsettled motion (1 speed of 47), energy (0.0002 at "),
         std::string("2 lobes, 0.300 mm inward at the crest"), std::string("-0.020 .. 0.040 mm")})
     EXPECT_NE(first.find(phrase), std::string::npos) << phrase << "\n" << first.substr(first.find("class=\"lead\""));
   EXPECT_NE(text_of(folder_ / "without" / "report.html").find("the case gives no operating range"),

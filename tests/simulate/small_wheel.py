@@ -23,10 +23,10 @@ clearance = [[0.0, 1.5e-4], [1.0, 1.2e-4]]
 speed_min_rpm = 9000
 speed_max_rpm = 12000
 speed_count = 40
-speeds = "given"
 damping_ratio = 0.005
 min_revolutions = 40
 max_revolutions = 70
+speeds = "given"
 """
 
 

@@ -15,14 +15,11 @@
 
 #include "cases/program/output_file.h"
 #include "cases/program/units.h"
-#include "reduce/calculix_deck.h"
+#include "reduce/exports.h"
 #include "reduce/linear_results.h"
 #include "reduce/matrices/matrix_sector.h"
-#include "reduce/model/matrix_market.h"
-#include "reduce/model/model_digest.h"
 #include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model_file.h"
-#include "reduce/model/verification.h"
 #include "reduce/reduction.h"
 #include "reduce/sector/sector_reader.h"
 

@@ -20,9 +20,7 @@ double product(const MeridionalPoint& a, const MeridionalPoint& b) {
 }
 
 double length_of(const BladeSection& section) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < section.size(); ++i) length += distance(section[i].at, section[i - 1].at);
-  return length;
+  return lengths_along(section).back();
 }
 
 [[noreturn]] void refuse_section(const NamedText& file, std::size_t section, std::size_t count,
@@ -33,11 +31,17 @@ double length_of(const BladeSection& section) {
 
 }  // namespace
 
-std::vector<double> fractions_of_length(const BladeSection& section) {
+std::vector<double> lengths_along(const BladeSection& section) {
   std::vector<double> lengths = {0.0};
   for (std::size_t i = 1; i < section.size(); ++i)
     lengths.push_back(lengths.back() + distance(section[i].at, section[i - 1].at));
-  for (double& length : lengths) length /= length_of(section);
+  return lengths;
+}
+
+std::vector<double> fractions_of_length(const BladeSection& section) {
+  std::vector<double> lengths = lengths_along(section);
+  const double whole = lengths.back();
+  for (double& length : lengths) length /= whole;
   return lengths;
 }
 

@@ -45,6 +45,9 @@ inline constexpr int most_points = 2000, most_sections = 1000;
 /// Raises InputError, with the line, if a point lies on the axis or more than 10 m away, as no point of a wheel does.
 void require_on_wheel(const NamedText& file, int line, const MeridionalPoint& at);
 
+/// [m] The meridional length from the leading edge to each point.
+std::vector<double> lengths_along(const BladeSection& section);
+
 /// The fraction of the meridional length at each point, from 0 to 1.
 std::vector<double> fractions_of_length(const BladeSection& section);
 

@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "mesh/blades/section_surface.h"
-#include "mesh/curves/smooth_table.h"
 
 namespace tiprub {
 
@@ -120,14 +119,6 @@ BladeSection side(const Loop& loop, std::size_t from, std::size_t to, std::size_
       points.back() = loop[i];
     if (i == to) return points;
   }
-}
-
-template <class Value>
-SmoothTable over_length(const BladeSection& points, Value value) {
-  const std::vector<double> fractions = fractions_of_length(points);
-  std::vector<std::array<double, 2>> pairs;
-  for (std::size_t i = 0; i < points.size(); ++i) pairs.push_back({fractions[i], value(points[i])});
-  return SmoothTable(std::move(pairs));
 }
 
 /// Mean line and thickness from two sides, at the points of the first.

@@ -10,13 +10,6 @@ namespace tiprub {
 
 namespace {
 
-template <class Value>
-SmoothTable table_of(const BladeSection& section, const std::vector<double>& fractions, Value value) {
-  std::vector<std::array<double, 2>> points;
-  for (std::size_t i = 0; i < section.size(); ++i) points.push_back({fractions[i], value(section[i])});
-  return SmoothTable(std::move(points));
-}
-
 constexpr int spans = 8;     // intervals, where the leading edge is looked for
 constexpr int pieces = 400;  // of the main blade's line there
 constexpr double earliest = 0.05, latest = 0.95;
@@ -72,8 +65,7 @@ SmoothTable find_starts(const std::string& file, const SectionSurface& main, con
 SectionSurface::SectionSurface(const std::vector<BladeSection>& sections, double blunt_edge)
     : blunt_edge_(blunt_edge), heights_{0.0} {
   for (const BladeSection& section : sections) {
-    const std::vector<double> fractions = fractions_of_length(section);
-    const auto table = [&](auto value) { return table_of(section, fractions, value); };
+    const auto table = [&](auto value) { return over_length(section, value); };
     tables_.push_back({table([](const BladePoint& p) { return p.at.z; }),
                        table([](const BladePoint& p) { return p.at.r; }),
                        table([](const BladePoint& p) { return p.theta; }),

@@ -3,12 +3,22 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/blades/blade_section.h"
 #include "mesh/curves/smooth_table.h"
 
 namespace tiprub {
+
+/// A quantity of a section's points over the fraction of the meridional length.
+template <class Value>
+SmoothTable over_length(const BladeSection& section, Value value) {
+  const std::vector<double> fractions = fractions_of_length(section);
+  std::vector<std::array<double, 2>> points;
+  for (std::size_t i = 0; i < section.size(); ++i) points.push_back({fractions[i], value(section[i])});
+  return SmoothTable(std::move(points));
+}
 
 /// A blade through given sections: along a section over the fraction of its meridional length, between sections over
 /// the fraction of the way from hub to tip (measured at mid-chord), both by SmoothTable.

@@ -28,10 +28,6 @@ MeridionalPoint position(const Control& control, double t) {
          t * t * t * control[3];
 }
 
-double norm(MeridionalPoint a) {
-  return std::hypot(a.z, a.r);
-}
-
 }  // namespace
 
 RunningIntegral::RunningIntegral(std::function<double(double)> integrand)
@@ -85,7 +81,7 @@ double distance(MeridionalPoint a, MeridionalPoint b) {
 MeridionalCurve::MeridionalCurve(MeridionalPoint inlet, MeridionalPoint exit, std::array<double, 2> arms)
     : control_{inlet, inlet + MeridionalPoint{arms[0] * (exit.z - inlet.z), 0.0},
                exit - MeridionalPoint{0.0, arms[1] * (exit.r - inlet.r)}, exit},
-      arc_([control = control_](double t) { return norm(derivative(control, t)); }) {}
+      arc_([control = control_](double t) { return length_of(derivative(control, t)); }) {}
 
 MeridionalPoint MeridionalCurve::at(double fraction) const {
   return position(control_, arc_.inverse(fraction * arc_.total()));
@@ -93,7 +89,7 @@ MeridionalPoint MeridionalCurve::at(double fraction) const {
 
 MeridionalPoint MeridionalCurve::unit_tangent(double fraction) const {
   const MeridionalPoint direction = derivative(control_, arc_.inverse(fraction * arc_.total()));
-  return (1.0 / norm(direction)) * direction;
+  return (1.0 / length_of(direction)) * direction;
 }
 
 }  // namespace tiprub

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "mesh/cells/cell_kind.h"
-#include "mesh/import/foreign_mesh.h"
 #include "mesh/import/text_lines.h"
 
 namespace tiprub {
@@ -21,9 +20,9 @@ struct Card {
   int line = 0;
 };
 
-class BdfReader {
+class BdfReader : MeshReader {
  public:
-  explicit BdfReader(const NamedText& file) : lines_(file) { mesh_.file = file.name; }
+  explicit BdfReader(const NamedText& file) : MeshReader(file) {}
 
   ForeignMesh read() {
     Card card;
@@ -86,14 +85,11 @@ class BdfReader {
   }
 
   void add_grid(const Card& card) {
-    Eigen::Vector3d at = Eigen::Vector3d::Zero();
     if (const std::string system = field(card, 1); !system.empty() && system != "0")
       lines_.refuse("the GRID before is given in coordinate system " + system +
                     "; write the file in the basic system, 0");
-    for (std::size_t d = 0; d < 3; ++d)
-      if (const std::string value = field(card, d + 2); !value.empty())
-        at[static_cast<Eigen::Index>(d)] = lines_.number_in(value, "a coordinate");
-    add_node(mesh_, lines_.file(), card.line, whole(card, 0, "a node's number"), at);
+    const Eigen::Vector3d at = point_in(card.fields, 2);
+    add_node(card.line, whole(card, 0, "a node's number"), at);
   }
 
   /// Nastran lists the mid-side nodes of a brick's or a wedge's upright edges before those of the upper face.
@@ -105,7 +101,7 @@ class BdfReader {
         {8, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15}}};
     ForeignCell cell{whole(card, 0, "an element's number"), {}};
     for (const std::size_t at : order.at(corners)) {
-      if (field(card, at + 2).empty()) refuse_linear(lines_.file(), card.line, card.name + " without mid-side nodes");
+      if (field(card, at + 2).empty()) refuse_linear(card.line, card.name + " without mid-side nodes");
       cell.nodes.push_back(whole(card, at + 2, "a node"));
     }
     mesh_.cell_sets["PID " + field(card, 1)].push_back(cell.number);
@@ -154,9 +150,6 @@ class BdfReader {
     if (words.size() == 1 && (upper(words[0]) == "ALL" || upper(words[0]) == "NONE")) return;
     add_set(upper(trimmed(std::string_view(all).substr(0, equals))), words, 0);
   }
-
-  TextLines lines_;
-  ForeignMesh mesh_;
 };
 
 }  // namespace

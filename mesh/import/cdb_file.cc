@@ -4,7 +4,6 @@
 #include <map>
 
 #include "mesh/cells/cell_kind.h"
-#include "mesh/import/foreign_mesh.h"
 #include "mesh/import/text_lines.h"
 
 namespace tiprub {
@@ -16,9 +15,9 @@ struct Columns {
   std::size_t whole_count = 0, whole_width = 0, number_width = 0;
 };
 
-class CdbReader {
+class CdbReader : MeshReader {
  public:
-  explicit CdbReader(const NamedText& file) : lines_(file) { mesh_.file = file.name; }
+  explicit CdbReader(const NamedText& file) : MeshReader(file) {}
 
   ForeignMesh read() {
     while (const auto line = lines_.next()) {
@@ -68,12 +67,9 @@ class CdbReader {
     while (const auto line = lines_.next()) {
       if (line->starts_with('N') || trimmed(*line).starts_with('-')) return;
       const std::size_t wholes = columns.whole_count * columns.whole_width;
-      Eigen::Vector3d at = Eigen::Vector3d::Zero();
       const std::string_view rest = line->substr(std::min(wholes, line->size()));
-      const std::vector<std::string_view> fields = column_fields(rest, columns.number_width);
-      for (std::size_t d = 0; d < std::min<std::size_t>(3, fields.size()); ++d)
-        if (!fields[d].empty()) at[static_cast<Eigen::Index>(d)] = lines_.number_in(fields[d], "a coordinate");
-      add_node(mesh_, lines_.file(), lines_.number(), whole(trimmed(line->substr(0, columns.whole_width))), at);
+      const Eigen::Vector3d at = point_in(column_fields(rest, columns.number_width), 0);
+      add_node(lines_.number(), whole(trimmed(line->substr(0, columns.whole_width))), at);
     }
     lines_.refuse("the block of nodes has no end; is the file cut off?");
   }
@@ -108,7 +104,7 @@ class CdbReader {
     constexpr long brick20 = 186, tetrahedron10 = 187, older_brick20 = 95, older_tetrahedron10 = 92, brick8 = 185,
                    older_brick8 = 45, tetrahedron4 = 285;
     if (type == brick8 || type == older_brick8 || type == tetrahedron4)
-      refuse_linear(lines_.file(), lines_.number(), "SOLID" + std::to_string(type));
+      refuse_linear(lines_.number(), "SOLID" + std::to_string(type));
     if ((type == tetrahedron10 || type == older_tetrahedron10) && nodes.size() == 10)
       mesh_.cells.push_back({number, nodes});
     else if ((type == brick20 || type == older_brick20) && nodes.size() == 20)
@@ -154,8 +150,6 @@ class CdbReader {
     }
   }
 
-  TextLines lines_;
-  ForeignMesh mesh_;
   std::map<long, long> types_;  // Ansys' number of an element type (186), by its number in the archive
 };
 

@@ -26,12 +26,6 @@ struct ForeignMesh {
   std::map<std::string, std::vector<long>> cell_sets;  ///< numbers of cells, or of others
 };
 
-/// Refuses elements that have corners only; `what` is the format's own name for them.
-[[noreturn]] void refuse_linear(const NamedText& file, int line, const std::string& what);
-
-/// Adds a node. Raises InputError, with the line, if its number isn't positive or is another node's.
-void add_node(ForeignMesh& mesh, const NamedText& file, int line, long number, const Eigen::Vector3d& at);
-
 /// The readers of the formats. They raise InputError with the line.
 ForeignMesh read_inp(const NamedText& file);  ///< CalculiX, Abaqus: *NODE, *ELEMENT, *NSET, *ELSET, *SURFACE
 ForeignMesh read_bdf(const NamedText& file);  ///< Nastran: GRID, CTETRA, CPYRAM, CPENTA, CHEXA, SPC, SPC1, SET

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "mesh/cells/cell_kind.h"
-#include "mesh/import/foreign_mesh.h"
 #include "mesh/import/text_lines.h"
 
 namespace tiprub {
@@ -36,9 +35,9 @@ Keyword keyword_of(std::string_view line) {
   return keyword;
 }
 
-class InpReader {
+class InpReader : MeshReader {
  public:
-  explicit InpReader(const NamedText& file) : lines_(file) { mesh_.file = file.name; }
+  explicit InpReader(const NamedText& file) : MeshReader(file) {}
 
   ForeignMesh read() {
     while (const auto line = lines_.next()) {
@@ -69,12 +68,9 @@ class InpReader {
   void read_nodes(const Keyword& keyword) {
     while (const auto line = data()) {
       const std::vector<std::string_view> fields = comma_fields(*line);
-      Eigen::Vector3d at = Eigen::Vector3d::Zero();
-      for (std::size_t d = 0; d < 3 && d + 1 < fields.size(); ++d)
-        if (!fields[d + 1].empty())
-          at[static_cast<Eigen::Index>(d)] = lines_.number_in(fields[d + 1], "a coordinate");
+      const Eigen::Vector3d at = point_in(fields, 1);
       const long number = lines_.whole_in(fields.front(), "a node's number");
-      add_node(mesh_, lines_.file(), lines_.number(), number, at);
+      add_node(lines_.number(), number, at);
       if (keyword.has("NSET")) mesh_.node_sets[keyword.value("NSET")].push_back(number);
     }
   }
@@ -84,7 +80,7 @@ class InpReader {
     if (!type.starts_with("C3D")) return 0;
     const std::string rest = type.substr(3);
     for (const char* linear : {"8", "6", "5", "4"})
-      if (rest.starts_with(linear)) refuse_linear(lines_.file(), lines_.number(), type);
+      if (rest.starts_with(linear)) refuse_linear(lines_.number(), type);
     for (const int nodes : {20, 15, 10})
       if (rest.starts_with(std::to_string(nodes))) return static_cast<std::size_t>(nodes);
     lines_.refuse("elements of type " + type + " are not known; C3D10, C3D15 and C3D20 (also C3D10M, C3D20R) are");
@@ -195,8 +191,6 @@ class InpReader {
       if (has(kind.edges[e][0]) && has(kind.edges[e][1])) set.push_back(nodes[kind.corners + e]);
   }
 
-  TextLines lines_;
-  ForeignMesh mesh_;
   std::map<long, std::size_t> cell_of_;
 };
 

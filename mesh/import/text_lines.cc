@@ -68,6 +68,19 @@ long TextLines::whole_in(std::string_view word, const char* meaning) const {
   return value;
 }
 
+void MeshReader::refuse_linear(int line, const std::string& what) const {
+  throw InputError(mesh_.file + ":" + std::to_string(line) + ": " + what +
+                   ": elements that have corners only bend too stiffly; mesh again with quadratic ones, 10-node "
+                   "tetrahedra, 15-node wedges or 20-node bricks");
+}
+
+void MeshReader::add_node(int line, long number, const Eigen::Vector3d& at) {
+  const std::string where = mesh_.file + ":" + std::to_string(line) + ": node " + std::to_string(number);
+  if (number <= 0) throw InputError(where + " must have a number above 0");
+  if (!mesh_.nodes.emplace(number, at).second)
+    throw InputError(where + " is there twice; does the file hold several parts? Write one");
+}
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/program/case_file.h"
+#include "mesh/import/foreign_mesh.h"
 
 namespace tiprub {
 
@@ -33,6 +34,29 @@ class TextLines {
   const NamedText& file_;
   std::string_view rest_;
   int number_ = 0;
+};
+
+/// What the readers of all formats share: the lines of the file, and the mesh that is made of them.
+class MeshReader {
+ protected:
+  explicit MeshReader(const NamedText& file) : lines_(file) { mesh_.file = file.name; }
+
+  /// Three coordinates, of which those that are missing or empty are 0.
+  template <class Fields>
+  Eigen::Vector3d point_in(const Fields& fields, std::size_t first) const {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    for (std::size_t d = 0; d < 3 && first + d < fields.size(); ++d)
+      if (!fields[first + d].empty())
+        at[static_cast<Eigen::Index>(d)] = lines_.number_in(fields[first + d], "a coordinate");
+    return at;
+  }
+  /// Raises InputError, with the line, if the number isn't positive or is another node's.
+  void add_node(int line, long number, const Eigen::Vector3d& at);
+  /// Refuses elements that have corners only; `what` is the format's own name for them.
+  [[noreturn]] void refuse_linear(int line, const std::string& what) const;
+
+  TextLines lines_;
+  ForeignMesh mesh_;
 };
 
 /// The text without blanks at its ends.

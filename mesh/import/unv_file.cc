@@ -4,16 +4,15 @@
 #include <map>
 #include <set>
 
-#include "mesh/import/foreign_mesh.h"
 #include "mesh/import/text_lines.h"
 
 namespace tiprub {
 
 namespace {
 
-class UnvReader {
+class UnvReader : MeshReader {
  public:
-  explicit UnvReader(const NamedText& file) : lines_(file) { mesh_.file = file.name; }
+  explicit UnvReader(const NamedText& file) : MeshReader(file) {}
 
   ForeignMesh read() {
     static const std::set<std::string_view> groups = {"2435", "2452", "2467", "2477"};
@@ -56,10 +55,8 @@ class UnvReader {
 
   void read_node() {
     const long number = whole(words(4, "a node's number and three others")[0]);
-    const std::vector<std::string_view> places = words(3, "three coordinates");
-    Eigen::Vector3d at;
-    for (int d = 0; d < 3; ++d) at[d] = lines_.number_in(places[static_cast<std::size_t>(d)], "a coordinate");
-    add_node(mesh_, lines_.file(), lines_.number(), number, at);
+    const Eigen::Vector3d at = point_in(words(3, "three coordinates"), 0);
+    add_node(lines_.number(), number, at);
   }
 
   std::vector<long> read_numbers(long count) {
@@ -81,7 +78,7 @@ class UnvReader {
     const std::vector<std::string_view> head = words(6, "an element's six numbers");
     const long number = whole(head[0]), type = whole(head[1]), count = whole(head[5]);
     if (count < 1 || count > most_nodes) lines_.refuse("an element has " + std::to_string(count) + " nodes");
-    if (linear.contains(type)) refuse_linear(lines_.file(), lines_.number(), "descriptor " + std::to_string(type));
+    if (linear.contains(type)) refuse_linear(lines_.number(), "descriptor " + std::to_string(type));
     if (beams.contains(type)) lines_.next();
     const std::vector<long> nodes = read_numbers(count);
     const auto solid = solids.find(type);
@@ -112,9 +109,6 @@ class UnvReader {
       }
     }
   }
-
-  TextLines lines_;
-  ForeignMesh mesh_;
 };
 
 }  // namespace

@@ -9,9 +9,8 @@
 
 #include "cases/program/units.h"
 #include "mesh/blades/curve_files.h"
-#include "mesh/blades/meanline_file.h"
+#include "mesh/blades/section_files.h"
 #include "mesh/blades/section_surface.h"
-#include "mesh/blades/section_table.h"
 #include "mesh/curves/wheel_keys.h"
 #include "mesh/wheels/impeller.h"
 

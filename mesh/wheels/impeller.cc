@@ -2,6 +2,7 @@
 #include "mesh/wheels/impeller.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "cases/program/units.h"
@@ -53,6 +54,15 @@ void check_channel(const CaseTable& table, const ImpellerParameters& p) {
     table.reject("back_profile", "must go from bore_radius to exit_radius; mend its first or its last radius");
 }
 
+// d theta / d fraction = length tan(beta) / r
+double wrap_rate(const MeridionalCurve& curve, const SmoothTable& angle, double fraction) {
+  return curve.length() * std::tan(angle.at(fraction)) / curve.at(fraction).r;
+}
+
+RunningIntegral wrap(const MeridionalCurve& curve, const SmoothTable& angle) {
+  return RunningIntegral([curve, angle](double fraction) { return wrap_rate(curve, angle, fraction); });
+}
+
 class Impeller final : public WheelGeometry {
  public:
   Impeller(const ImpellerParameters& parameters, const SectorPlan& plan)
@@ -92,6 +102,26 @@ class Impeller final : public WheelGeometry {
 };
 
 }  // namespace
+
+BladeSurface::BladeSurface(const MeridionalCurve& hub, const MeridionalCurve& tip, const BladeAngles& angles)
+    : hub_(hub), tip_(tip), angles_(angles), wrap_hub_(wrap(hub, angles.hub)), wrap_tip_(wrap(tip, angles.tip)) {}
+
+MeridionalPoint BladeSurface::point(double chord, double span) const {
+  return (1.0 - span) * hub_.at(chord) + span * tip_.at(chord);
+}
+
+double BladeSurface::theta(double chord, double span) const {
+  return (1.0 - span) * wrap_hub_.at(chord) + span * (wrap_tip_.at(chord) + angles_.tip_lean);
+}
+
+double BladeSurface::cos_angle(double chord, double span) const {
+  const double theta_rate =
+      (1.0 - span) * wrap_rate(hub_, angles_.hub, chord) + span * wrap_rate(tip_, angles_.tip, chord);
+  const MeridionalPoint along =
+      (1.0 - span) * hub_.length() * hub_.unit_tangent(chord) + span * tip_.length() * tip_.unit_tangent(chord);
+  const double meridional_rate = std::hypot(along.z, along.r);
+  return meridional_rate / std::hypot(meridional_rate, point(chord, span).r * theta_rate);
+}
 
 MeridionalPoint BackFace::foot(double station) const {
   if (station <= bore_end) return {front_z + (profile.at(bore_radius) - front_z) * station / bore_end, bore_radius};

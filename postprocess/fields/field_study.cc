@@ -8,7 +8,7 @@
 #include "cases/program/errors.h"
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/tables/table.h"
-#include "reduce/model/model_digest.h"
+#include "reduce/model/reduced_model.h"
 
 namespace tiprub {
 

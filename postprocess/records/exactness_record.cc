@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "postprocess/tables/table.h"
-#include "reduce/model/verification.h"
+#include "reduce/model/reduced_model.h"
 
 namespace tiprub {
 

@@ -9,7 +9,7 @@
 #include "postprocess/analysis/other_motions.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/tables/table.h"
-#include "reduce/model/verification.h"
+#include "reduce/model/reduced_model.h"
 
 namespace tiprub {
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "mesh/cells/cell_kind.h"
-#include "reduce/model/hdf5_file.h"
 
 namespace tiprub {
 
@@ -108,96 +107,72 @@ SectorFields read_sector(const Hdf5File& file) {
 
 }  // namespace
 
-struct FieldsWriter::State {
-  Hdf5File file;
-  std::size_t nodes = 0;
-};
-
 FieldsWriter::FieldsWriter(const std::filesystem::path& path, const std::string& generator)
-    : state_(std::make_unique<State>(State{Hdf5File::create(path)})) {
-  state_->file.set_schema(fields_schema, fields_schema_version, generator);
+    : file_(Hdf5File::create(path)) {
+  file_.set_schema(fields_schema, fields_schema_version, generator);
 }
-FieldsWriter::~FieldsWriter() = default;
 
 void FieldsWriter::close(const std::string& model_digest) {
-  state_->file.set_attribute("/", "model_digest", model_digest);
-  state_->file.close();
+  file_.set_attribute("/", "model_digest", model_digest);
+  file_.close();
 }
 
 void FieldsWriter::write_sector(const SectorFields& sector) {
-  Hdf5File& file = state_->file;
-  state_->nodes = static_cast<std::size_t>(sector.nodes.cols());
-  file.set_attribute("/", "sector_count", sector.sector_count);
-  file.set_attribute("/", "mesh_digest", sector.mesh_digest);
-  file.set_attribute("/", "young_modulus", sector.young);
-  file.set_attribute("/", "poisson_ratio", sector.poisson);
-  file.set_attribute("/", "density", sector.density);
-  file.write("/nodes", Eigen::MatrixXd(sector.nodes.transpose()), "m");
-  file.write("/cells", table(sector.cells), "1");
-  for (const auto& [name, nodes] : sector.node_sets) file.write("/node_set/" + name, list(nodes), "1");
-  for (const auto& [name, cells] : sector.parts) file.write("/part/" + name, list(cells), "1");
+  nodes_ = static_cast<std::size_t>(sector.nodes.cols());
+  file_.set_attribute("/", "sector_count", sector.sector_count);
+  file_.set_attribute("/", "mesh_digest", sector.mesh_digest);
+  file_.set_attribute("/", "young_modulus", sector.young);
+  file_.set_attribute("/", "poisson_ratio", sector.poisson);
+  file_.set_attribute("/", "density", sector.density);
+  file_.write("/nodes", Eigen::MatrixXd(sector.nodes.transpose()), "m");
+  file_.write("/cells", table(sector.cells), "1");
+  for (const auto& [name, nodes] : sector.node_sets) file_.write("/node_set/" + name, list(nodes), "1");
+  for (const auto& [name, cells] : sector.parts) file_.write("/part/" + name, list(cells), "1");
   for (int k = 1; k <= sector.static_displacement.highest(); ++k)
-    file.write(displacement_name(k), Eigen::MatrixXd(sector.static_displacement.coefficient(k).transpose()),
-               "m s^" + std::to_string(2 * k));
+    file_.write(displacement_name(k), Eigen::MatrixXd(sector.static_displacement.coefficient(k).transpose()),
+                "m s^" + std::to_string(2 * k));
 }
 
 void FieldsWriter::write_basis(int nodal_diameter, Eigen::Index dofs, bool standing, const Shape& shape) {
   const std::string name = basis_of(nodal_diameter);
-  state_->file.make_slices(name, {static_cast<std::size_t>(dofs), state_->nodes, 3},
-                           standing ? Hdf5File::Number::real : Hdf5File::Number::complex, "m in contact dofs");
+  file_.make_slices(name, {static_cast<std::size_t>(dofs), nodes_, 3},
+                    standing ? Hdf5File::Number::real : Hdf5File::Number::complex, "m in contact dofs");
   std::vector<std::complex<float>> values;
   for (Eigen::Index k = 0; k < dofs; ++k) {
     const Eigen::VectorXcf single = shape(k).cast<std::complex<float>>();
     values.assign(single.data(), single.data() + single.size());
-    state_->file.write_slice(name, static_cast<std::size_t>(k), values);
+    file_.write_slice(name, static_cast<std::size_t>(k), values);
   }
 }
 
-struct FieldsReader::State {
-  Hdf5File file;
-  SectorFields sector;
-  std::string model_digest;
-};
-
-FieldsReader::FieldsReader(const std::filesystem::path& path)
-    : state_(std::make_unique<State>(State{Hdf5File::open(path), {}, {}})) {
-  state_->file.require_schema(fields_schema, fields_schema_version);
-  state_->sector = read_sector(state_->file);
-  state_->model_digest = state_->file.text_attribute("/", "model_digest");
-  for (int n = 0; n <= state_->sector.sector_count / 2; ++n) dofs(n);
-}
-FieldsReader::~FieldsReader() = default;
-
-const SectorFields& FieldsReader::sector() const {
-  return state_->sector;
-}
-
-const std::string& FieldsReader::model_digest() const {
-  return state_->model_digest;
+FieldsReader::FieldsReader(const std::filesystem::path& path) : file_(Hdf5File::open(path)) {
+  file_.require_schema(fields_schema, fields_schema_version);
+  sector_ = read_sector(file_);
+  model_digest_ = file_.text_attribute("/", "model_digest");
+  for (int n = 0; n <= sector_.sector_count / 2; ++n) dofs(n);
 }
 
 Eigen::Index FieldsReader::dofs(int nodal_diameter) const {
   const std::string name = basis_of(nodal_diameter);
-  const std::vector<std::size_t> shape = state_->file.shape_of(name);
-  if (shape.size() != 3 || shape[1] != static_cast<std::size_t>(state_->sector.nodes.cols()) || shape[2] != 3)
-    refuse(state_->file, name, "must have the axes model dof, node, component");
+  const std::vector<std::size_t> shape = file_.shape_of(name);
+  if (shape.size() != 3 || shape[1] != static_cast<std::size_t>(sector_.nodes.cols()) || shape[2] != 3)
+    refuse(file_, name, "must have the axes model dof, node, component");
   return static_cast<Eigen::Index>(shape[0]);
 }
 
 Eigen::MatrixXcd FieldsReader::expand(int nodal_diameter, const Eigen::MatrixXcd& amplitudes) const {
   const std::string name = basis_of(nodal_diameter);
   if (amplitudes.rows() != dofs(nodal_diameter))
-    refuse(state_->file, name,
+    refuse(file_, name,
            "has " + std::to_string(dofs(nodal_diameter)) + " dofs, the model has " +
                std::to_string(amplitudes.rows()) + "; give the fields that were written with the model");
   // Real and imaginary parts beside each other: Eigen multiplies real numbers faster than complex ones.
-  const Eigen::Index size = 3 * state_->sector.nodes.cols(), columns = amplitudes.cols();
+  const Eigen::Index size = 3 * sector_.nodes.cols(), columns = amplitudes.cols();
   Eigen::MatrixXd fields = Eigen::MatrixXd::Zero(size, 2 * columns), shapes(size, 2 * slices_at_once);
   for (Eigen::Index first = 0; first < amplitudes.rows(); first += slices_at_once) {
     const Eigen::Index count = std::min(slices_at_once, amplitudes.rows() - first);
     for (Eigen::Index k = 0; k < count; ++k) {
-      const std::vector<std::complex<float>> slice =
-          state_->file.read_slice(name, static_cast<std::size_t>(first + k));
+      const std::vector<std::complex<float>> slice = file_.read_slice(name, static_cast<std::size_t>(first + k));
       const Eigen::Map<const Eigen::VectorXcf> shape(slice.data(), size);
       shapes.col(k) = shape.real().cast<double>();
       shapes.col(count + k) = shape.imag().cast<double>();

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "reduce/model/hdf5_file.h"
 #include "reduce/model/speed_polynomial.h"
 
 namespace tiprub {
@@ -34,7 +34,6 @@ struct SectorFields {
 class FieldsWriter {
  public:
   FieldsWriter(const std::filesystem::path& path, const std::string& generator);
-  ~FieldsWriter();
 
   void write_sector(const SectorFields& sector);
   /// The shape of model dof k on the sector's nodes, r, theta, z of node 0, then of node 1, ...
@@ -46,19 +45,18 @@ class FieldsWriter {
   void close(const std::string& model_digest);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  Hdf5File file_;
+  std::size_t nodes_ = 0;
 };
 
 /// Reads it. Raises RunError with the file and the dataset if something is missing or doesn't fit.
 class FieldsReader {
  public:
   explicit FieldsReader(const std::filesystem::path& path);
-  ~FieldsReader();
 
-  const SectorFields& sector() const;
+  const SectorFields& sector() const { return sector_; }
   /// The digest() of the model that the fields were written with.
-  const std::string& model_digest() const;
+  const std::string& model_digest() const { return model_digest_; }
   /// How many dofs the model has at a nodal diameter 0 .. floor(N/2).
   Eigen::Index dofs(int nodal_diameter) const;
   /// Fields of several states at once: basis times `amplitudes` (dofs x states), read in one pass; 3 nodes x states,
@@ -66,8 +64,9 @@ class FieldsReader {
   Eigen::MatrixXcd expand(int nodal_diameter, const Eigen::MatrixXcd& amplitudes) const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  Hdf5File file_;
+  SectorFields sector_;
+  std::string model_digest_;
 };
 
 }  // namespace tiprub

@@ -4,9 +4,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
+#include "cases/program/digest.h"
 #include "cases/program/errors.h"
 #include "cases/program/named_values.h"
 #include "reduce/model/dense_eigen.h"
@@ -127,6 +130,41 @@ ModelledEffect spin_stiffness(const ReducedModel& model) {
   return effect;
 }
 
+struct Compared {
+  double unreduced = 0;  ///< [Hz]
+  double error = 0;      ///< [1]
+};
+
+/// The wheel's frequencies at one verified speed, as far as all nodal diameters reach; ascending.
+std::vector<Compared> compared_frequencies(const ReducedModel& model, Eigen::Index speed) {
+  const Verification& verified = model.verification;
+  double end = std::numeric_limits<double>::infinity();
+  for (const Eigen::MatrixXd& table : verified.unreduced) end = std::min(end, table.row(speed).maxCoeff());
+  std::vector<Compared> wheel;
+  for (std::size_t n = 0; n < verified.unreduced.size(); ++n) {
+    const int count = wave_count(static_cast<int>(n), model.sector_count);
+    for (Eigen::Index mode = 0; mode < verified.unreduced[n].cols(); ++mode) {
+      const double exact = verified.unreduced[n](speed, mode);
+      if (exact <= end && exact != 0)  // a rigid motion has no relative error
+        wheel.insert(wheel.end(), count, {exact, std::abs(verified.reduced[n](speed, mode) / exact - 1)});
+    }
+  }
+  std::sort(wheel.begin(), wheel.end(),
+            [](const Compared& a, const Compared& b) { return a.unreduced < b.unreduced; });
+  return wheel;
+}
+
+void add(Digest& digest, const Eigen::MatrixXd& matrix) {
+  digest.add(static_cast<std::int64_t>(matrix.rows()));
+  digest.add(static_cast<std::int64_t>(matrix.cols()));
+  digest.add(matrix.data(), static_cast<std::size_t>(matrix.size()));
+}
+
+void add(Digest& digest, const Eigen::MatrixXcd& matrix) {
+  add(digest, Eigen::MatrixXd(matrix.real()));
+  add(digest, Eigen::MatrixXd(matrix.imag()));
+}
+
 }  // namespace
 
 std::vector<ModelledEffect> effects_of(const ReducedModel& model) {
@@ -183,6 +221,52 @@ void check(const ReducedModel& model, const std::string& name) {
     check(model.nodal_diameters[n], model.contact_dofs(), is_standing(n, model.sector_count),
           name + ": /nodal_diameter/" + std::to_string(n));
   check(model.verification, model.nodal_diameters.size(), name);
+}
+
+ModelError model_error(const ReducedModel& model, int most) {
+  ModelError found;
+  const Eigen::VectorXd& speeds = model.verification.speeds;
+  if (speeds.size() == 0 || model.verification.unreduced.empty()) return found;
+  std::vector<std::vector<Compared>> wheels;
+  std::size_t count = static_cast<std::size_t>(std::max(most, 0));
+  for (Eigen::Index speed = 0; speed < speeds.size(); ++speed) {
+    wheels.push_back(compared_frequencies(model, speed));
+    count = std::min(count, wheels.back().size());
+  }
+  found.frequencies = static_cast<int>(count);
+  for (std::size_t speed = 0; speed < wheels.size(); ++speed)
+    for (std::size_t i = 0; i < count; ++i) {
+      if (wheels[speed][i].error <= found.error) continue;
+      found.error = wheels[speed][i].error;
+      found.speed = speeds[static_cast<Eigen::Index>(speed)];
+    }
+  return found;
+}
+
+std::string digest(const ReducedModel& model) {
+  Digest digest;
+  digest.add(model.sector_count);
+  digest.add(model.speed_max);
+  digest.add(model.modes_at_speed);
+  digest.add(model.stiffness_under_spin());
+  const ContactLine& contact = model.contact;
+  add(digest, Eigen::MatrixXd(contact.position));
+  add(digest, Eigen::MatrixXd(contact.normal));
+  for (int k = 1; k <= contact.static_shift.highest(); ++k)
+    add(digest, Eigen::MatrixXd(contact.static_shift.coefficient(k)));
+  add(digest, Eigen::MatrixXd(contact.arc_length));
+  if (contact.kind != ContactKind::points) digest.add(contact.kind);
+  if (contact.splitter_nodes > 0) digest.add(contact.splitter_nodes);
+  for (const NodalDiameterModel& matrices : model.nodal_diameters) {
+    for (int k = 0; k <= 2; ++k) add(digest, matrices.K.coefficient(k));
+    add(digest, matrices.M);
+    for (int k = 3; k <= matrices.K.highest(); ++k) add(digest, matrices.K[k]);
+  }
+  add(digest, Eigen::MatrixXd(model.verification.speeds));
+  add(digest, model.verification.polynomial_misfit);
+  for (const auto* frequencies : {&model.verification.unreduced, &model.verification.reduced})
+    for (const Eigen::MatrixXd& table : *frequencies) add(digest, table);
+  return digest.digits();
 }
 
 }  // namespace tiprub

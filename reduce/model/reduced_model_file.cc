@@ -4,7 +4,6 @@
 #include <set>
 
 #include "reduce/model/hdf5_file.h"
-#include "reduce/model/model_digest.h"
 
 namespace tiprub {
 

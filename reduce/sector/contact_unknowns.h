@@ -12,9 +12,8 @@ namespace tiprub {
 
 /// What carries contact in a sector: nodes of the tip line, or segments of the tip.
 struct ContactUnknowns {
-  std::vector<int>
-      nodes;         ///< of the contact line, one for each unknown: the chosen ones, or those nearest to the centres
-  ContactLine line;  ///< static shifts are left zero
+  std::vector<int> nodes;  ///< one of the contact line for each unknown: the chosen one, or that next to the centre
+  ContactLine line;        ///< static shifts are left zero
   std::vector<int> tip = {};     ///< the nodes that segments spread over; none with points
   Eigen::MatrixXd weights = {};  ///< [1] W, of each node of the tip in a segment; each row's sum is one
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "cases/program/digest.h"
-#include "reduce/model/model_digest.h"
+#include "reduce/model/reduced_model.h"
 
 namespace tiprub {
 

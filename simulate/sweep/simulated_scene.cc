@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "reduce/model/model_digest.h"
+#include "reduce/model/reduced_model.h"
 #include "simulate/scene/scene_effects.h"
 
 namespace tiprub {

@@ -6,9 +6,8 @@
 
 #include "cases/program/case_file.h"
 #include "mesh/blades/curve_files.h"
-#include "mesh/blades/meanline_file.h"
+#include "mesh/blades/section_files.h"
 #include "mesh/blades/section_surface.h"
-#include "mesh/blades/section_table.h"
 #include "mesh/import/sector_import.h"
 #include "mesh/wheels/wheel.h"
 #include "postprocess/analysis/postprocess_parameters.h"

@@ -9,7 +9,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "mesh/blades/section_table.h"
+#include "mesh/blades/section_files.h"
 #include "mesh/sector/sector_check.h"
 #include "tests/mesh/mesh_cases.h"
 

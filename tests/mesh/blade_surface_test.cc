@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/curves/blade_surface.h"
+#include "mesh/wheels/impeller.h"
 
 #include <gtest/gtest.h>
 

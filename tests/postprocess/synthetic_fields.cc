@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "mesh/cells/cell_kind.h"
-#include "reduce/model/model_digest.h"
 #include "reduce/model/nodal_diameter.h"
+#include "reduce/model/reduced_model.h"
 
 namespace tiprub::synthetic {
 

@@ -8,7 +8,6 @@
 
 #include "cases/program/units.h"
 #include "postprocess/waves/aliasing.h"
-#include "reduce/model/model_digest.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/motion/casing_areas.h"
 #include "simulate/response/response_file.h"

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "reduce/model/verification.h"
+#include "reduce/model/reduced_model.h"
 #include "reduce/sector/contact_line.h"
 #include "tests/reduce/complaint.h"
 #include "tests/reduce/dense_algebra.h"

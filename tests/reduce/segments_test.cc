@@ -6,8 +6,7 @@
 #include <filesystem>
 
 #include "reduce/model/fields_file.h"
-#include "reduce/model/model_digest.h"
-#include "reduce/model/verification.h"
+#include "reduce/model/reduced_model.h"
 #include "reduce/operators/cyclic_solver.h"
 #include "reduce/reduction.h"
 #include "reduce/sector/contact_unknowns.h"

@@ -14,7 +14,6 @@
 
 #include "postprocess/tables/table.h"
 #include "program_fixture.h"
-#include "reduce/model/model_digest.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
 #include "synthetic_fields.h"

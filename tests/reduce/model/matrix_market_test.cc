@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/model/matrix_market.h"
+#include "reduce/exports.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "reduce/model/hdf5_file.h"
-#include "reduce/model/model_digest.h"
 #include "tests/cases/full_disk.h"
 #include "tests/reduce/complaint.h"
 #include "tests/reduce/model/some_model.h"

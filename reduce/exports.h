@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "reduce/model/reduced_model.h"
 #include "reduce/sector/reduction_parameters.h"
 #include "reduce/sector/sector_mesh.h"
 
@@ -15,5 +16,11 @@ namespace tiprub {
 /// written.
 void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& parameters,
                           const std::filesystem::path& folder);
+
+/// Writes the matrices of a model in Matrix Market's array format (Boisvert, Pozo, Remington 1996), one file each:
+/// `n<n>_K0.mtx`, `n<n>_K1.mtx`, `n<n>_K2.mtx`, `n<n>_M.mtx` for every nodal diameter n, "hermitian" or, where they
+/// are real, "symmetric": the lower triangle by columns, 17 digits, so that they read back bit by bit. `folder` is
+/// made if it doesn't exist. Raises RunError if a file can't be written.
+void write_matrix_market(const ReducedModel& model, const std::filesystem::path& folder);
 
 }  // namespace tiprub

@@ -5,6 +5,11 @@
 
 namespace tiprub {
 
+/// Reads a plain table, the form in which NASA printed Rotor 37. A line with the word "section" begins a section.
+/// Each line after it holds a point, from leading to trailing edge: z, r, theta of one side, theta of the other. Text
+/// after a '#' is a remark. Raises InputError with the line.
+FileBlade read_section_table(const NamedText& file, const FileUnits& units);
+
 /// Reads BladeGen's meanline data (.rtzt), as Ansys' "BladeModeler User's Guide" publishes it under "Standard UserIO
 /// Formats": number of blades; 1 with splitters, else 0; then of each blade its pitch fraction, the number of layers,
 /// N or T (thickness normal to the mean line in the layer, or along the circle), and of each layer its span fraction,

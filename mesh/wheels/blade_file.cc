@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/wheels/blade_file.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,6 +10,7 @@
 #include "mesh/blades/section_files.h"
 #include "mesh/blades/section_surface.h"
 #include "mesh/curves/wheel_keys.h"
+#include "mesh/wheels/families.h"
 #include "mesh/wheels/impeller.h"
 
 namespace tiprub {

@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/wheels/bladed_disc.h"
-
 #include <cmath>
 #include <numbers>
 
 #include "cases/program/units.h"
+#include "mesh/curves/smooth_table.h"
 #include "mesh/curves/wheel_keys.h"
+#include "mesh/wheels/families.h"
 
 namespace tiprub {
 
 namespace {
+
+/// An annular disc, with axial blades on its rim or bare. The rim's middle is at z = 0, the leading edge at
+/// z = -axial_length / 2.
+struct BladedDiscParameters {
+  double bore_radius;          ///< [m]
+  double rim_radius;           ///< [m]
+  double axial_length;         ///< of the rim and of the blades [m]
+  SmoothTable disc_profile;    ///< the disc's axial thickness over the radius [m]
+  double tip_radius;           ///< [m]; the rim's without blades
+  double stagger_root;         ///< between blade and axis, positive towards +theta downstream [rad]
+  double stagger_tip;          ///< [rad]; the root's for a straight blade
+  SmoothTable thickness_root;  ///< over the chord [m]
+  SmoothTable thickness_tip;
+};
 
 constexpr double steepest_stagger_deg = 80.0;
 
@@ -71,7 +85,7 @@ class BladedDisc final : public WheelGeometry {
 
 }  // namespace
 
-BladedDiscParameters read_bladed_disc(CaseTable& table, SectorPlan& plan) {
+std::unique_ptr<WheelGeometry> read_bladed_disc(CaseTable& table, SectorPlan& plan) {
   const auto size = [&](const char* key) { return table.number(key, std::nullopt, wheel_length, "m"); };
   const SmoothTable nothing({{0.0, 0.0}});
   BladedDiscParameters p{
@@ -82,11 +96,7 @@ BladedDiscParameters read_bladed_disc(CaseTable& table, SectorPlan& plan) {
   plan.blades = table.choice<Blades>("blade", Blades::main, {{"present", Blades::main}, {"none", Blades::none}});
   if (plan.blades == Blades::main) read_blade(table, p);
   read_common(table, plan, 1);
-  return p;
-}
-
-std::unique_ptr<WheelGeometry> make_bladed_disc(const BladedDiscParameters& parameters) {
-  return std::make_unique<BladedDisc>(parameters);
+  return std::make_unique<BladedDisc>(p);
 }
 
 }  // namespace tiprub

@@ -7,10 +7,28 @@
 
 #include "cases/program/units.h"
 #include "mesh/curves/wheel_keys.h"
+#include "mesh/wheels/families.h"
 
 namespace tiprub {
 
 namespace {
+
+/// A centrifugal impeller, by the dimensions that its designers use. The hub's leading edge is at z = 0, the flow
+/// turns from the axis to the radius, the back face lies on the side of larger z.
+struct ImpellerParameters {
+  double inlet_hub_radius;         ///< [m]
+  double inlet_tip_radius;         ///< [m]
+  double exit_radius;              ///< [m]
+  double exit_tip_width;           ///< blade height at the exit [m]
+  double axial_length;             ///< of the hub, from leading edge to exit [m]
+  std::array<double, 2> hub_arms;  ///< of the hub's Bezier curve, see MeridionalCurve
+  std::array<double, 2> tip_arms;
+  BladeAngles angles;
+  SmoothTable thickness_root;  ///< over a blade's own chord [m]
+  SmoothTable thickness_tip;
+  double bore_radius;        ///< [m]
+  SmoothTable back_profile;  ///< z of the back face over the radius [m]
+};
 
 constexpr double usual_bore_share = 0.45;  // of the stations that stand on the bore
 
@@ -140,7 +158,7 @@ void read_bore_elements(CaseTable& table, SectorPlan& plan) {
       table.integer("elements_along_bore", usual, Range::between(1, plan.elements.chord - 1), "elements");
 }
 
-ImpellerParameters read_impeller(CaseTable& table, SectorPlan& plan) {
+std::unique_ptr<WheelGeometry> read_impeller(CaseTable& table, SectorPlan& plan) {
   const auto size = [&](const char* key) { return table.number(key, std::nullopt, wheel_length, "m"); };
   const auto thickness = [&](const char* key) {
     return read_chord_table(table, key, std::nullopt, wheel_length, "m");
@@ -158,10 +176,6 @@ ImpellerParameters read_impeller(CaseTable& table, SectorPlan& plan) {
   read_splitter(table, plan);
   read_common(table, plan, BackFace::fewest_stations);
   read_bore_elements(table, plan);
-  return parameters;
-}
-
-std::unique_ptr<WheelGeometry> make_impeller(const ImpellerParameters& parameters, const SectorPlan& plan) {
   return std::make_unique<Impeller>(parameters, plan);
 }
 

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <array>
-#include <memory>
 
 #include "cases/program/case_file.h"
 #include "mesh/curves/meridional_curve.h"
 #include "mesh/curves/smooth_table.h"
-#include "mesh/curves/wheel_geometry.h"
 #include "mesh/lattice/sector_plan.h"
 
 namespace tiprub {
@@ -58,27 +56,5 @@ class BladeSurface {
   RunningIntegral wrap_hub_;
   RunningIntegral wrap_tip_;
 };
-
-/// A centrifugal impeller, by the dimensions that its designers use. The hub's leading edge is at z = 0, the flow
-/// turns from the axis to the radius, the back face lies on the side of larger z.
-struct ImpellerParameters {
-  double inlet_hub_radius;         ///< [m]
-  double inlet_tip_radius;         ///< [m]
-  double exit_radius;              ///< [m]
-  double exit_tip_width;           ///< blade height at the exit [m]
-  double axial_length;             ///< of the hub, from leading edge to exit [m]
-  std::array<double, 2> hub_arms;  ///< of the hub's Bezier curve, see MeridionalCurve
-  std::array<double, 2> tip_arms;
-  BladeAngles angles;
-  SmoothTable thickness_root;  ///< over a blade's own chord [m]
-  SmoothTable thickness_tip;
-  double bore_radius;        ///< [m]
-  SmoothTable back_profile;  ///< z of the back face over the radius [m]
-};
-
-/// Reads and checks the keys of this family, and what it says about the plan. Raises InputError.
-ImpellerParameters read_impeller(CaseTable& table, SectorPlan& plan);
-
-std::unique_ptr<WheelGeometry> make_impeller(const ImpellerParameters& parameters, const SectorPlan& plan);
 
 }  // namespace tiprub

@@ -8,9 +8,7 @@
 #include <sstream>
 
 #include "mesh/curves/wheel_keys.h"
-#include "mesh/wheels/blade_file.h"
-#include "mesh/wheels/bladed_disc.h"
-#include "mesh/wheels/impeller.h"
+#include "mesh/wheels/families.h"
 
 namespace tiprub {
 
@@ -162,13 +160,16 @@ Wheel read_wheel(CaseTable& table) {
       {{"impeller", Family::impeller}, {"bladed_disc", Family::bladed_disc}, {"blade_file", Family::blade_file}});
   wheel.plan.sector_count =
       table.integer("blade_count", std::nullopt, Range::between(fewest_sectors, most_sectors), "sectors");
-  if (family == Family::impeller) {
-    const ImpellerParameters parameters = read_impeller(table, wheel.plan);
-    wheel.geometry = make_impeller(parameters, wheel.plan);
-  } else if (family == Family::bladed_disc) {
-    wheel.geometry = make_bladed_disc(read_bladed_disc(table, wheel.plan));
-  } else {
-    wheel.geometry = read_wheel_of_blade_file(table, wheel.plan);
+  switch (family) {
+    case Family::impeller:
+      wheel.geometry = read_impeller(table, wheel.plan);
+      break;
+    case Family::bladed_disc:
+      wheel.geometry = read_bladed_disc(table, wheel.plan);
+      break;
+    case Family::blade_file:
+      wheel.geometry = read_wheel_of_blade_file(table, wheel.plan);
+      break;
   }
   read_contact_blades(table, wheel.plan);
   if (wheel.plan.blades != Blades::none) {

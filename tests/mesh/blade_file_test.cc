@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/wheels/blade_file.h"
+#include "mesh/wheels/families.h"
 
 #include <gtest/gtest.h>
 

@@ -60,28 +60,17 @@ Teuchos::RCP<Teuchos::ParameterList> settings(double speed, const BranchLimits& 
   return list;
 }
 
-/// Converged when the residual is small beside the state, which may grow a hundredfold along a branch.
-class SmallResidual final : public NOX::StatusTest::Generic {
- public:
-  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& problem,
-                                          NOX::StatusTest::CheckType /*type*/) override {
-    const NOX::Abstract::Group& now = problem.getSolutionGroup();
-    const auto* extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedVector*>(&now.getX());
-    const double size = extended ? extended->getXVec()->norm() : now.getX().norm();
-    status_ =
-        now.isF() && now.getNormF() <= residual * size ? NOX::StatusTest::Converged : NOX::StatusTest::Unconverged;
-    return status_;
-  }
-  NOX::StatusTest::StatusType getStatus() const override { return status_; }
-  std::ostream& print(std::ostream& stream, int /*indent*/) const override { return stream; }
-
- private:
-  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
-};
+/// Whether the residual is small against the state, which may grow a hundredfold along a branch.
+bool has_small_residual(const NOX::Solver::Generic& solver) {
+  const NOX::Abstract::Group& now = solver.getSolutionGroup();
+  const auto* extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedVector*>(&now.getX());
+  const double size = extended ? extended->getXVec()->norm() : now.getX().norm();
+  return now.isF() && now.getNormF() <= residual * size;
+}
 
 Teuchos::RCP<NOX::StatusTest::Generic> test() {
   auto any = Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR));
-  any->addStatusTest(Teuchos::rcp(new SmallResidual));
+  any->addStatusTest(Teuchos::rcp(new StopsWhen(has_small_residual)));
   any->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(newton_iterations)));
   return any;
 }

@@ -33,7 +33,7 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
         map_(march_),
         layout_(unpadded(reference)),
         ratio_(reference.speed / speed) {
-    march_.set_step(grown_steps());
+    march_.set_step(scene.casing.grown_after() * steps_per_revolution);
     for (std::size_t i = 0; i < march_.rotor().waves.size(); ++i) {
       const WaveModes &wave = march_.rotor().waves[i], &fixed = reference.waves[i];
       const Eigen::MatrixXcd& M = scene.model.nodal_diameters[static_cast<std::size_t>(wave.nodal_diameter)].M;
@@ -101,9 +101,6 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
     Eigen::ArrayXd scale, fixed_scale;  ///< [rad/s] of positions, here and at the reference speed
   };
 
-  std::int64_t grown_steps() const {
-    return static_cast<std::int64_t>(std::ceil(scene_.casing.ramp_revolutions)) * march_.steps_per_revolution();
-  }
   /// Leaves out the modes that the march adds as padding.
   static StateLayout unpadded(const RotorAtSpeed& rotor) {
     std::vector<StateLayout::Wave> waves;

@@ -11,13 +11,10 @@ double angle_of_step(const TimeMarch& march) {
   return 2 * std::numbers::pi / march.steps_per_revolution();
 }
 
-std::vector<StateLayout::Wave> waves_with_mass(const TimeMarch& march, std::size_t first_wave,
-                                               EnergyState::StandingWaves standing) {
+std::vector<StateLayout::Wave> waves_with_mass(const TimeMarch& march, std::size_t first_wave) {
   std::vector<StateLayout::Wave> waves;
-  for (std::size_t i = first_wave; i < march.wave_count(); ++i) {
-    const bool real = standing == EnergyState::StandingWaves::real && march.wave(i).kind == WaveKind::standing;
-    waves.push_back({march.wave(i).moving, real ? 1 : 2});
-  }
+  for (std::size_t i = first_wave; i < march.wave_count(); ++i)
+    waves.push_back({march.wave(i).moving, march.wave(i).kind == WaveKind::standing ? 1 : 2});
   return waves;
 }
 
@@ -92,8 +89,8 @@ void StateLayout::write(const Modes& modes, std::size_t wave, Eigen::VectorXd& s
   }
 }
 
-EnergyState::EnergyState(const TimeMarch& march, std::size_t first_wave, StandingWaves standing)
-    : first_wave_(first_wave), layout_(waves_with_mass(march, first_wave, standing)) {
+EnergyState::EnergyState(const TimeMarch& march, std::size_t first_wave)
+    : first_wave_(first_wave), layout_(waves_with_mass(march, first_wave)) {
   for (std::size_t i = first_wave; i < march.wave_count(); ++i)
     scale_.emplace_back(march.wave(i).omega.head(march.wave(i).moving).max(march.rotor().speed));
 }

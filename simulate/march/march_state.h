@@ -10,7 +10,7 @@
 
 #include "reduce/model/reduced_model.h"
 #include "simulate/march/time_march.h"
-#include "simulate/motion/rotor_state.h"
+#include "simulate/motion/motion.h"
 
 namespace tiprub {
 
@@ -58,14 +58,11 @@ class StateLayout {
 };
 
 /// The modes with mass of the waves of a march, from `first_wave` on, as a vector whose squared norm is twice their
-/// energy: positions times frequencies (at least the speed of rotation), then velocities [m/s sqrt(kg)].
+/// energy: positions times frequencies (at least the speed of rotation), then velocities [m/s sqrt(kg)]. Standing
+/// waves have real parts only.
 class EnergyState {
  public:
-  enum class StandingWaves {
-    real,     ///< without the imaginary parts, which are zero
-    complex,  ///< with both parts, as travelling waves
-  };
-  EnergyState(const TimeMarch& march, std::size_t first_wave, StandingWaves standing);
+  explicit EnergyState(const TimeMarch& march, std::size_t first_wave = 0);
 
   const StateLayout& layout() const { return layout_; }
   /// The modes of each wave are multiplied by its entry of `phases`; an empty list stands for 1.

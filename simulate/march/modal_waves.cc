@@ -36,12 +36,12 @@ kernels::Lines lay_out_shapes(const Eigen::MatrixXcd& normal_rows, Eigen::Index 
   return shapes;
 }
 
-MarchedWave marched(const WaveModes& from, const SchemeOptions& scheme, double step) {
+MarchedWave marched(const WaveModes& from, const SchemeOptions& scheme, double step, int sector_count) {
   const Eigen::Index modes = padded(from.omega.size(), kernels::mode_block);
   MarchedWave wave;
   wave.nodal_diameter = from.nodal_diameter;
   wave.kind = from.kind;
-  wave.weight = from.weight();
+  wave.weight = wave_count(from.nodal_diameter, sector_count);
   wave.omega = padded(from.omega, modes);
   wave.moving = padded(from.moving, kernels::mode_block);
   const StepCoefficients unpadded = step_coefficients(scheme, from.omega, from.damping_ratio, step, from.moving);
@@ -61,7 +61,7 @@ Eigen::VectorXcd ModalCoordinates::head(Eigen::Index count) const {
 ModalWaves::ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, double time_step, const Nodes& nodes)
     : nodes_(nodes) {
   for (const WaveModes& wave : rotor.waves) {
-    waves_.push_back(marched(wave, scheme, time_step));
+    waves_.push_back(marched(wave, scheme, time_step, nodes_.sector_count));
     memory_.push_back(lay_out(wave, waves_.back()));
   }
   for (int j = 0; j < nodes_.sectors; ++j)

@@ -16,7 +16,7 @@ namespace tiprub {
 struct MarchedWave {
   int nodal_diameter = 0;
   WaveKind kind = WaveKind::travelling;
-  double weight = 0;        ///< w_n
+  double weight = 0;        ///< w_n: 1 for a standing wave, 2 for a travelling one
   Eigen::Index moving = 0;  ///< number of modes with mass, which come first, padded to whole vectors
   Eigen::ArrayXd omega;     ///< [rad/s]
   StepCoefficients coefficients;

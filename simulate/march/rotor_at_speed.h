@@ -6,6 +6,7 @@
 
 #include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model.h"
+#include "simulate/motion/motion.h"
 #include "simulate/scene/damping.h"
 
 namespace tiprub {
@@ -36,8 +37,6 @@ struct WaveModes {
   /// [m/N] Y omega^-2 Y^H, the compliance of the modes that have no mass or are dropped; n_c x n_c, empty if all
   /// modes have mass.
   Eigen::MatrixXcd residual_compliance;
-
-  double weight() const { return kind == WaveKind::standing ? 1.0 : 2.0; }
 };
 
 /// The model at one speed, diagonalised block by block of eq. 12. The matrix F of eq. 11 is never formed.
@@ -73,5 +72,15 @@ RotorAtSpeed rotor_at_speed(const ReducedModel& model, double speed, const std::
 /// closed nodes it is lower (interlacing). Central differences are thus stable for h omega_max < 2, whichever nodes
 /// are closed. Solves one Hermitian eigenproblem for each nodal diameter.
 double penalised_omega_max(const RotorAtSpeed& rotor, double stiffness);
+
+/// Number of speeds in the table. The squares of the frequencies are nearly polynomials in Omega^2 (eq. 11); cubics
+/// between 33 speeds are exact to 1e-5 of the frequency on the wheel of the demo.
+constexpr int frequency_speeds = 33;
+
+/// The natural frequencies of the model as it is marched (modes_at_speed), at `frequency_speeds` evenly spaced speeds
+/// from 0 to speed_max [rad/s]. Frequencies are negative where the rotor is statically unstable. Each speed and nodal
+/// diameter costs a condensation and the eigenvalues of a dense Hermitian pencil. The result does not depend on the
+/// number of threads.
+FrequencyTable frequency_table(const ReducedModel& model, const Damping& damping, double speed_max, int threads);
 
 }  // namespace tiprub

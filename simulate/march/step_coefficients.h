@@ -21,8 +21,7 @@ struct StepCoefficients {
 /// The options of a scheme beside the modes and the step.
 struct SchemeOptions {
   Scheme scheme = Scheme::trigonometric;
-  double theta = 0.5;              ///< [1] of Moreau-Jean, 1/2 .. 1: 1/2 conserves energy, more damps
-  double penalty_stiffness = 100;  ///< [1] of penalty, in tip stiffnesses
+  double theta = 0.5;  ///< [1] of Moreau-Jean, 1/2 .. 1: 1/2 conserves energy, more damps
 };
 
 /// The arrays over modes are omega [rad/s] >= 0 and damping_ratio [1] >= 0; `step` is h [s]. The first `moving` modes

@@ -27,7 +27,7 @@ TimeMarch::TimeMarch(MarchedScene scene)
       node_count_(scene_.tips.size()),
       width_(padded(node_count_)),
       time_step_(two_pi / rotor().speed / steps_per_revolution()),
-      waves_(rotor(), {scene_.setup.scheme, scene_.setup.theta, scene_.setup.penalty_stiffness}, time_step_,
+      waves_(rotor(), {scene_.setup.scheme, scene_.setup.theta}, time_step_,
              {sector_count_, sectors_, symmetry(), node_count_, width_}) {
   const auto size = static_cast<Eigen::Index>(sectors_ * width_);
   gap_ = gap_before_ = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());

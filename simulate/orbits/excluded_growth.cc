@@ -26,9 +26,7 @@ constexpr int fewest_states = 6;          // before a residual counts
 class WholeWheel {
  public:
   explicit WholeWheel(const TimeMarch& settled)
-      : march_(whole(settled.scene())),
-        first_(settled.wave_count()),
-        excluded_(march_, first_, EnergyState::StandingWaves::complex) {
+      : march_(whole(settled.scene())), first_(settled.wave_count()), excluded_(march_, first_) {
     for (std::size_t i = 0; i < first_; ++i) {
       const Eigen::Index modes = settled.wave(i).modes();
       const Eigen::VectorXcd now = settled.coordinates(i).head(modes);
@@ -46,12 +44,11 @@ class WholeWheel {
     Eigen::Index place = 0;
     for (std::size_t i = first_; i < march_.wave_count(); ++i) {
       const Eigen::Index modes = march_.wave(i).moving;
-      for (Eigen::Index k = 0; k < 4 * modes; ++k, ++place) {
+      for (Eigen::Index k = 0; k < 4 * modes; ++k) {
         const double mode = 1 + static_cast<double>(k % modes);
-        const bool exists = march_.wave(i).omega[k % modes] > 0 &&
-                            (march_.wave(i).kind == WaveKind::travelling || k / modes % 2 == 0);
         const double random = 2.0 * source() / std::mt19937::max() - 1.0;
-        state[place] = exists ? random / (mode * mode) : 0.0;
+        if (march_.wave(i).kind == WaveKind::standing && k / modes % 2 == 1) continue;  // no imaginary parts
+        state[place++] = march_.wave(i).omega[k % modes] > 0 ? random / (mode * mode) : 0.0;
       }
     }
     return state.normalized();

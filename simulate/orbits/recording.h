@@ -8,7 +8,6 @@
 
 #include "simulate/march/time_march.h"
 #include "simulate/motion/motion.h"
-#include "simulate/motion/rotor_state.h"
 #include "simulate/orbits/energy_audit.h"
 #include "simulate/orbits/motion_class.h"
 

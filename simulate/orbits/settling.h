@@ -2,15 +2,58 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "simulate/march/time_march.h"
 #include "simulate/orbits/motion_class.h"
-#include "simulate/orbits/steady_state.h"
 #include "simulate/scene/scene.h"
 
 namespace tiprub {
+
+/// Whether a motion has settled, and how fast it still changes.
+struct SettlingState {
+  enum class Settled { yes, no };
+
+  Settled settled = Settled::no;
+  int period_revolutions = 0;  ///< period of the settled motion; 0 if it has not settled
+  double change = 0;           ///< [1] relative change over the period (over one revolution if not settled)
+  double rate = 0;             ///< [1] factor of that change per revolution
+};
+
+/// Judges from revolution to revolution whether a motion has settled, and with which period. The change over L
+/// revolutions,
+///   delta_L = |x(r) - x(r - L)| / |x(r)|,  L = 1 .. 6,
+/// must be small and must decay. With its factor rho per revolution, fitted to the last changes, the remaining
+/// distance from the settled motion is delta_L rho^L / (1 - rho^L). A threshold on the change itself would not do:
+/// near critical speeds the change falls and grows again. The period is the smallest L that meets the tolerance.
+/// Periods beyond 1 are accepted only while delta_1 does not decay, because a motion that approaches a periodic one
+/// with alternating signs meets the tolerance with L = 2 first.
+class SteadyState {
+ public:
+  static constexpr int longest_period = 6;
+
+  /// `tolerance` [1]: the allowed distance from the settled motion. Motions of a norm below `quiet_norm` count as
+  /// rest.
+  SteadyState(double tolerance, double quiet_norm) : tolerance_(tolerance), quiet_norm_(quiet_norm) {}
+
+  /// Adds the samples of one whole revolution.
+  void add(Eigen::VectorXd revolution);
+  SettlingState judge() const;
+  /// Whether the change from revolution to revolution clearly falls: the slope of a line through the logarithms of
+  /// the last changes is negative by more than twice its uncertainty.
+  bool decays() const;
+
+ private:
+  double decay_rate(const std::vector<double>& changes) const;
+
+  double tolerance_;
+  double quiet_norm_;
+  std::deque<Eigen::VectorXd> last_;  ///< newest first
+  std::array<std::vector<double>, longest_period> changes_;
+};
 
 /// Judges whether the march of one speed has settled, by the band of resolved frequencies only, and stops a motion
 /// that grows without bound.

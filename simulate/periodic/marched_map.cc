@@ -2,9 +2,102 @@
 #include "simulate/periodic/marched_map.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
+
+#include "reduce/model/nodal_diameter.h"
+#include "simulate/motion/attempt.h"
+#include "simulate/scene/scene.h"
 
 namespace tiprub {
+
+namespace {
+
+constexpr double diagonal_shift = 1e-12;  // of W's diagonal, as in ContactImpulses
+
+/// The scene of the disturbances of an orbit, with a casing that all tips touch.
+MarchedScene disturbed(MarchedScene orbit, Disturbance disturbance) {
+  const auto rotor = std::make_shared<RotorAtSpeed>(*orbit.rotor);
+  if (disturbance == Disturbance::excluded) {
+    rotor->waves = rotor->others;
+    orbit.setup.symmetry = 1;
+  }
+  rotor->others.clear();
+  orbit.rotor = rotor;
+  orbit.obstacle = orbit.obstacle.touching();
+  return orbit;
+}
+
+}  // namespace
+
+SymmetricMap::SymmetricMap(TimeMarch& march, int power) : march_(march), energy_state_(march) {
+  const int sectors = march.sector_count(), lobes = march.scene().obstacle.lobes();
+  steps_ = power * (march.steps_per_revolution() / std::lcm(sectors, lobes));
+  const std::int64_t shift = std::int64_t{power} * sector_shift(sectors, lobes) % sectors;
+  for (std::size_t i = 0; i < march.wave_count(); ++i)
+    phases_.push_back(std::conj(sector_phase(march.wave(i).nodal_diameter, static_cast<int>(shift), sectors)));
+}
+
+TangentMarch::TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int power)
+    : march_(disturbed(orbit.scene(), disturbance)),
+      map_(march_, power),
+      copies_(march_.sectors() / orbit.sectors()),
+      nodes_a_copy_(orbit.sectors() * orbit.width()),
+      compliance_(march_.compliance()),
+      forces_(Eigen::VectorXd::Zero(march_.gap().size())) {
+  if (disturbance == Disturbance::symmetric) return;
+  // The excluded nodal diameters can't move all copies alike, so that W is singular. A compliance for equal motion of
+  // all copies makes it regular; it does not couple to these disturbances.
+  const double unit = compliance_.diagonal().maxCoeff() / copies_;
+  for (int from = 0; from < copies_; ++from)
+    for (int to = 0; to < copies_; ++to)
+      compliance_.block(from * nodes_a_copy_, to * nodes_a_copy_, nodes_a_copy_, nodes_a_copy_).diagonal().array() +=
+          unit;
+}
+
+std::vector<int> TangentMarch::on_all_sectors(const std::vector<int>& nodes) const {
+  std::vector<int> all;
+  for (int copy = 0; copy < copies_; ++copy)
+    for (const int node : nodes) all.push_back(copy * nodes_a_copy_ + node);
+  return all;
+}
+
+void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
+  if (pattern == pattern_) return;
+  closed_.clear();
+  factors_.clear();
+  for (const std::vector<int>& set : pattern->sets()) {
+    closed_.push_back(on_all_sectors(set));
+    Eigen::MatrixXd block = compliance_(closed_.back(), closed_.back());
+    block.diagonal() *= 1 + diagonal_shift;
+    factors_.emplace_back(block);
+    if (factors_.back().info() != Eigen::Success)
+      throw NoMotion("the contact compliance of " + std::to_string(set.size()) +
+                     " closed nodes is not positive definite: no orbit can be followed with them");
+  }
+  pattern_ = pattern;
+}
+
+Eigen::VectorXd TangentMarch::operator()(const std::shared_ptr<const ContactPattern>& pattern,
+                                         const Eigen::VectorXd& change) {
+  hold(pattern);
+  const std::int64_t start = march_.step_count();
+  map_.put(change);
+  for (const int set : pattern_->steps()) {
+    march_.predict();
+    if (set == ContactPattern::open) continue;
+    const std::vector<int>& closed = closed_[static_cast<std::size_t>(set)];
+    of_set_ = -march_.gap()(closed);
+    factors_[static_cast<std::size_t>(set)].solveInPlace(of_set_);
+    forces_.setZero();
+    forces_(closed) = of_set_;
+    march_.correct(forces_, closed);
+  }
+  Eigen::VectorXd changed = map_.image();
+  march_.set_step(start);
+  return changed;
+}
 
 MarchedMap::MarchedMap(TimeMarch& march, int power)
     : march_(march), map_(march, power), tangent_(march, Disturbance::symmetric, power) {

@@ -1,13 +1,79 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Dense>
+#include <complex>
 #include <memory>
+#include <vector>
 
+#include "simulate/march/march_state.h"
+#include "simulate/march/time_march.h"
 #include "simulate/periodic/periodic_map.h"
-#include "simulate/periodic/symmetric_map.h"
-#include "simulate/periodic/tangent_march.h"
 
 namespace tiprub {
+
+/// The march over 1/lcm(N, lobes) of a revolution, followed by a shift of sectors. Its fixed points are the orbits
+/// that travel with the casing,
+///   u_j(t + T/lcm(N, lobes)) = u_{j+s}(t).
+/// Orbits that do so after k such intervals are fixed points of its k-th power. The map costs lcm(N, lobes) times
+/// less than a revolution. For nodal diameter n the shift is the phase e^{-i n s alpha}. The number of steps in a
+/// revolution must be a multiple of lcm(N, lobes), and the casing must be fully grown. Only for contact laws without
+/// memory, for which the modes at two instants are the whole state.
+class SymmetricMap {
+ public:
+  explicit SymmetricMap(TimeMarch& march, int power = 1);
+
+  /// The modes as in EnergyState; of a standing wave only the real parts.
+  Eigen::VectorXd state() const { return energy_state_.of(march_); }
+  void put(const Eigen::VectorXd& state) { energy_state_.put(state, march_); }
+  /// The state after the shift of sectors: the image of the map once the march has done its steps.
+  Eigen::VectorXd image() const { return energy_state_.of(march_, phases_); }
+
+  const StateLayout& layout() const { return energy_state_.layout(); }
+  /// Steps of the march in one map.
+  int steps() const { return steps_; }
+  double maps_per_revolution() const { return static_cast<double>(march_.steps_per_revolution()) / steps_; }
+
+ private:
+  TimeMarch& march_;
+  int steps_;
+  EnergyState energy_state_;
+  std::vector<std::complex<double>> phases_;  ///< of the shift of sectors, by wave
+};
+
+/// Which disturbances of a wheel are followed along an orbit.
+enum class Disturbance {
+  symmetric,  ///< those of the nodal diameters of the orbit
+  excluded,   ///< those of the nodal diameters left out; the two kinds do not couple in first order
+};
+
+/// The march linearised along the contact pattern of an orbit: nodes that the orbit closes stay in place, and no
+/// force acts on the others. Costs as much as the march, without the search for the pattern.
+class TangentMarch {
+ public:
+  /// `orbit` is the march of the orbit. Excluded disturbances are those of RotorAtSpeed::others, on all N sectors.
+  /// `power` is that of the symmetric map whose pattern is followed.
+  TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int power);
+
+  Eigen::Index size() const { return map_.state().size(); }
+  double maps_per_revolution() const { return map_.maps_per_revolution(); }
+  /// DF times a change of a state of SymmetricMap. Raises NoMotion if the compliance of nodes that the pattern closes
+  /// together is singular.
+  Eigen::VectorXd operator()(const std::shared_ptr<const ContactPattern>& pattern, const Eigen::VectorXd& change);
+
+ private:
+  void hold(const std::shared_ptr<const ContactPattern>& pattern);
+  std::vector<int> on_all_sectors(const std::vector<int>& nodes) const;
+
+  TimeMarch march_;
+  SymmetricMap map_;
+  int copies_, nodes_a_copy_;   ///< how often this march repeats the sectors of the orbit; values in each
+  Eigen::MatrixXd compliance_;  ///< [m/N] W, of full rank
+  std::shared_ptr<const ContactPattern> pattern_;
+  std::vector<std::vector<int>> closed_;  ///< the sets of the pattern, on all sectors
+  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;
+  Eigen::VectorXd forces_, of_set_;
+};
 
 /// The symmetric map of a march, or a power of it, and its derivative.
 class MarchedMap final : public PeriodicMap {

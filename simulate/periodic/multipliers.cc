@@ -10,14 +10,136 @@
 #include <AnasaziBasicOutputManager.hpp>
 #include <AnasaziBasicSort.hpp>
 #include <AnasaziBlockKrylovSchur.hpp>
+#include <AnasaziMultiVecTraits.hpp>
+#include <AnasaziOperatorTraits.hpp>
 #include <AnasaziStatusTestMaxIters.hpp>
+#include <Eigen/Dense>
 #include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+#include <Teuchos_SerialDenseMatrix.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <random>
+#include <utility>
+#include <vector>
 
 #include "reduce/model/dense_eigen.h"
-#include "simulate/periodic/krylov_vectors.h"
+
+namespace tiprub {
+
+/// The vectors of Anasazi as columns of one matrix, so that products of many vectors are matrix products. Copies and
+/// views share the matrix.
+struct KrylovVectors {
+  std::shared_ptr<Eigen::MatrixXd> all;
+  Eigen::Index first = 0, count = 0;
+
+  KrylovVectors(Eigen::Index length, Eigen::Index columns)
+      : all(std::make_shared<Eigen::MatrixXd>(Eigen::MatrixXd::Zero(length, columns))), count(columns) {}
+  /// A view of neighbouring columns of another object.
+  KrylovVectors(const KrylovVectors& other, Eigen::Index from, Eigen::Index columns)
+      : all(other.all), first(other.first + from), count(columns) {}
+
+  auto columns() { return all->middleCols(first, count); }
+  auto columns() const { return std::as_const(*all).middleCols(first, count); }
+};
+
+}  // namespace tiprub
+
+namespace Anasazi {
+
+/// Index lists hold neighbouring columns: Anasazi asks for no others with blocks of one vector.
+template <>
+class MultiVecTraits<double, tiprub::KrylovVectors> {
+  using MV = tiprub::KrylovVectors;
+  using Small = Teuchos::SerialDenseMatrix<int, double>;
+  static auto view(const Small& small) {
+    return Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>(
+        small.values(), small.numRows(), small.numCols(), Eigen::OuterStride<>(small.stride()));
+  }
+
+ public:
+  static Teuchos::RCP<MV> Clone(const MV& mv, int count) { return Teuchos::rcp(new MV(mv.all->rows(), count)); }
+  static Teuchos::RCP<MV> CloneCopy(const MV& mv) {
+    Teuchos::RCP<MV> copy = Clone(mv, static_cast<int>(mv.count));
+    copy->columns() = mv.columns();
+    return copy;
+  }
+  static Teuchos::RCP<MV> CloneCopy(const MV& mv, const std::vector<int>& index) {
+    return CloneCopy(*CloneView(mv, index));
+  }
+  static Teuchos::RCP<MV> CloneCopy(const MV& mv, const Teuchos::Range1D& index) {
+    return CloneCopy(*CloneView(mv, index));
+  }
+  static Teuchos::RCP<MV> CloneViewNonConst(MV& mv, const std::vector<int>& index) {
+    return Teuchos::rcp(new MV(mv, index.front(), static_cast<Eigen::Index>(index.size())));
+  }
+  static Teuchos::RCP<MV> CloneViewNonConst(MV& mv, const Teuchos::Range1D& index) {
+    return Teuchos::rcp(new MV(mv, index.lbound(), index.size()));
+  }
+  static Teuchos::RCP<const MV> CloneView(const MV& mv, const std::vector<int>& index) {
+    return Teuchos::rcp(new MV(mv, index.front(), static_cast<Eigen::Index>(index.size())));
+  }
+  static Teuchos::RCP<const MV> CloneView(const MV& mv, const Teuchos::Range1D& index) {
+    return Teuchos::rcp(new MV(mv, index.lbound(), index.size()));
+  }
+  static ptrdiff_t GetGlobalLength(const MV& mv) { return mv.all->rows(); }
+  static int GetNumberVecs(const MV& mv) { return static_cast<int>(mv.count); }
+  static void MvTimesMatAddMv(double alpha, const MV& A, const Small& B, double beta, MV& mv) {
+    const Eigen::MatrixXd product = alpha * (A.columns() * view(B));
+    if (beta == 0)
+      mv.columns() = product;
+    else
+      mv.columns() = beta * mv.columns() + product;
+  }
+  static void MvAddMv(double alpha, const MV& A, double beta, const MV& B, MV& mv) {
+    mv.columns() = (alpha * A.columns() + beta * B.columns()).eval();
+  }
+  static void MvTransMv(double alpha, const MV& A, const MV& mv, Small& B) {
+    Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> into(B.values(), B.numRows(), B.numCols(),
+                                                              Eigen::OuterStride<>(B.stride()));
+    into.noalias() = alpha * (A.columns().transpose() * mv.columns());
+  }
+  static void MvDot(const MV& mv, const MV& A, std::vector<double>& dots) {
+    for (Eigen::Index i = 0; i < mv.count; ++i)
+      dots[static_cast<std::size_t>(i)] = mv.columns().col(i).dot(A.columns().col(i));
+  }
+  static void MvNorm(const MV& mv, std::vector<double>& norms) {
+    for (Eigen::Index i = 0; i < mv.count; ++i) norms[static_cast<std::size_t>(i)] = mv.columns().col(i).norm();
+  }
+  static void SetBlock(const MV& A, const std::vector<int>& index, MV& mv) {
+    mv.all->middleCols(mv.first + index.front(), static_cast<Eigen::Index>(index.size())) =
+        A.columns().leftCols(static_cast<Eigen::Index>(index.size())).eval();
+  }
+  static void SetBlock(const MV& A, const Teuchos::Range1D& index, MV& mv) {
+    mv.all->middleCols(mv.first + index.lbound(), index.size()) = A.columns().leftCols(index.size()).eval();
+  }
+  static void Assign(const MV& A, MV& mv) { mv.columns() = A.columns().eval(); }
+  static void MvScale(MV& mv, double alpha) { mv.columns() *= alpha; }
+  static void MvScale(MV& mv, const std::vector<double>& alpha) {
+    for (Eigen::Index i = 0; i < mv.count; ++i) mv.columns().col(i) *= alpha[static_cast<std::size_t>(i)];
+  }
+  /// Always the same numbers, so that equal runs give equal bits.
+  static void MvRandom(MV& mv) {
+    std::mt19937 source(1);
+    for (Eigen::Index column = 0; column < mv.count; ++column)
+      for (Eigen::Index row = 0; row < mv.all->rows(); ++row)
+        mv.columns()(row, column) = 2.0 * source() / std::mt19937::max() - 1.0;
+  }
+  static void MvInit(MV& mv, double value = 0) { mv.columns().setConstant(value); }
+  static void MvPrint(const MV& mv, std::ostream& stream) { stream << mv.columns() << '\n'; }
+};
+
+template <>
+class OperatorTraits<double, tiprub::KrylovVectors, tiprub::LinearMap> {
+ public:
+  static void Apply(const tiprub::LinearMap& map, const tiprub::KrylovVectors& from, tiprub::KrylovVectors& to) {
+    for (Eigen::Index i = 0; i < from.count; ++i) to.columns().col(i) = map(from.columns().col(i));
+  }
+};
+
+}  // namespace Anasazi
 
 namespace tiprub {
 

@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "simulate/orbits/excluded_growth.h"
-#include "simulate/periodic/linear_map.h"
+#include "simulate/periodic/periodic_map.h"
 
 namespace tiprub {
 

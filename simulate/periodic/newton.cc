@@ -21,27 +21,12 @@ constexpr int most_halvings = 4;           // of a Newton step
 constexpr double rounding = 1e-13;         // of |x|: a smaller residual is rounding
 
 /// Converged if the last Newton step, before any halving, was small against the state, or the residual is rounding.
-class SmallNewtonStep final : public NOX::StatusTest::Generic {
- public:
-  explicit SmallNewtonStep(double tolerance) : tolerance_(tolerance) {}
-
-  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& problem,
-                                          NOX::StatusTest::CheckType /*type*/) override {
-    const NOX::Abstract::Group& now = problem.getSolutionGroup();
-    const double size = now.getX().norm();
-    const bool exact = now.getNormF() <= rounding * size;
-    const bool small =
-        problem.getNumIterations() > 0 && problem.getPreviousSolutionGroup().getNewton().norm() <= tolerance_ * size;
-    status_ = exact || small ? NOX::StatusTest::Converged : NOX::StatusTest::Unconverged;
-    return status_;
-  }
-  NOX::StatusTest::StatusType getStatus() const override { return status_; }
-  std::ostream& print(std::ostream& stream, int /*indent*/) const override { return stream; }
-
- private:
-  double tolerance_;
-  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
-};
+bool is_converged(const NOX::Solver::Generic& solver, double tolerance) {
+  const NOX::Abstract::Group& now = solver.getSolutionGroup();
+  const double size = now.getX().norm();
+  if (now.getNormF() <= rounding * size) return true;
+  return solver.getNumIterations() > 0 && solver.getPreviousSolutionGroup().getNewton().norm() <= tolerance * size;
+}
 
 Teuchos::RCP<Teuchos::ParameterList> settings() {
   auto list = Teuchos::parameterList();
@@ -58,7 +43,8 @@ Teuchos::RCP<Teuchos::ParameterList> settings() {
 
 Teuchos::RCP<NOX::StatusTest::Generic> test(const NewtonLimits& limits) {
   auto any = Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR));
-  any->addStatusTest(Teuchos::rcp(new SmallNewtonStep(limits.tolerance)));
+  any->addStatusTest(Teuchos::rcp(
+      new StopsWhen([=](const NOX::Solver::Generic& solver) { return is_converged(solver, limits.tolerance); })));
   any->addStatusTest(Teuchos::rcp(new NOX::StatusTest::FiniteValue));
   any->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(limits.iterations)));
   return any;

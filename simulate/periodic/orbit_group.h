@@ -5,6 +5,8 @@
 #include <LOCA_GlobalData.H>
 #include <LOCA_Parameter_Vector.H>
 #include <NOX_LAPACK_Vector.H>
+#include <NOX_Solver_Generic.H>
+#include <NOX_StatusTest_Generic.H>
 #include <Eigen/Dense>
 #include <functional>
 #include <memory>
@@ -25,6 +27,24 @@ Eigen::Map<Eigen::VectorXd> numbers(NOX::Abstract::Vector& vector);
 
 /// Silences NOX by its list "Printing": it would report failures on standard output at any level of verbosity.
 void be_quiet(Teuchos::ParameterList& printing);
+
+/// Ends an iteration of NOX or LOCA once a condition on its solver holds.
+class StopsWhen final : public NOX::StatusTest::Generic {
+ public:
+  using Condition = std::function<bool(const NOX::Solver::Generic&)>;
+  explicit StopsWhen(Condition holds) : holds_(std::move(holds)) {}
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
+                                          NOX::StatusTest::CheckType /*type*/) override {
+    return status_ = holds_(solver) ? NOX::StatusTest::Converged : NOX::StatusTest::Unconverged;
+  }
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int /*indent*/) const override { return stream; }
+
+ private:
+  Condition holds_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+};
 
 /// F(x; p) - x = 0 for NOX and LOCA: a state, its residual, and solves with the Jacobian DF - 1. Copies share the
 /// family and the solver. Exceptions of the map pass through.

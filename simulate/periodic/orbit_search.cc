@@ -42,7 +42,7 @@ bool OrbitSearch::approach(TimeMarch& coarse) {
 }
 
 bool OrbitSearch::look_along(TimeMarch& coarse) {
-  const auto grown = static_cast<std::int64_t>(std::ceil(scene_.casing.ramp_revolutions));
+  const std::int64_t grown = scene_.casing.grown_after();
   for (const int revolutions : tries) {
     while (coarse.step_count() < (grown + revolutions) * coarse.steps_per_revolution()) coarse.step();
     if (jump(coarse)) return true;

@@ -2,11 +2,43 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cstddef>
+#include <functional>
+#include <map>
 #include <memory>
-
-#include "simulate/periodic/contact_pattern.h"
+#include <vector>
 
 namespace tiprub {
+
+/// The product A x of an operator A that is not available as a matrix.
+using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
+/// The sets of closed nodes in consecutive steps of a march. With these sets held fixed, the march is an affine map.
+class ContactPattern {
+ public:
+  static constexpr int open = -1;
+
+  /// Adds a step. `closed`: the indices of the closed nodes, ascending.
+  void add(const std::vector<int>& closed) {
+    if (closed.empty()) {
+      steps_.push_back(open);
+      return;
+    }
+    const auto [place, is_new] = places_.try_emplace(closed, static_cast<int>(sets_.size()));
+    if (is_new) sets_.push_back(closed);
+    steps_.push_back(place->second);
+  }
+
+  /// For each step the index of its set in sets(), or `open`.
+  const std::vector<int>& steps() const { return steps_; }
+  /// The distinct sets in the order of their first steps; no set is empty.
+  const std::vector<std::vector<int>>& sets() const { return sets_; }
+
+ private:
+  std::vector<int> steps_;
+  std::vector<std::vector<int>> sets_;
+  std::map<std::vector<int>, int> places_;
+};
 
 /// The image of a state, and the contact pattern of the way there.
 struct MapImage {

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "simulate/periodic/linear_map.h"
+#include "simulate/periodic/periodic_map.h"
 
 namespace tiprub {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/response/named_axes.h"
 
+#include <numeric>
+
 namespace tiprub {
 
 void NamedAxes::set(const std::string& axis, std::size_t length, const std::string& because) {
@@ -32,6 +34,21 @@ void NamedAxes::require(const std::string& dataset, const std::vector<std::strin
                     ", must have " + describe(axes));
   }
   for (std::size_t i = 0; i < axes.size(); ++i) lengths_.try_emplace(axes[i], Length{shape[i], "as " + dataset});
+}
+
+void write_axis(Hdf5File& file, const std::string& name, const Eigen::VectorXd& values, const std::string& unit,
+                const std::string& long_name) {
+  file.write(name, values, unit);
+  file.make_axis(name);
+  file.describe(name, long_name);
+}
+
+void write_counting_axis(Hdf5File& file, const std::string& name, Eigen::Index count, const std::string& long_name) {
+  Array<std::int32_t> numbers{{static_cast<std::size_t>(count)}, std::vector<std::int32_t>(count)};
+  std::iota(numbers.values.begin(), numbers.values.end(), 0);
+  file.write(name, numbers, "1");
+  file.make_axis(name);
+  file.describe(name, long_name);
 }
 
 }  // namespace tiprub

@@ -37,4 +37,11 @@ class NamedAxes {
   std::map<std::string, Length> lengths_;
 };
 
+/// Writes a dataset and makes it a netCDF coordinate axis.
+void write_axis(Hdf5File& file, const std::string& name, const Eigen::VectorXd& values, const std::string& unit,
+                const std::string& long_name);
+
+/// The same for an axis that counts 0, 1, ...
+void write_counting_axis(Hdf5File& file, const std::string& name, Eigen::Index count, const std::string& long_name);
+
 }  // namespace tiprub

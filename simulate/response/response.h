@@ -11,7 +11,6 @@
 
 #include "reduce/model/modelled_effects.h"
 #include "simulate/motion/motion.h"
-#include "simulate/motion/rotor_state.h"
 #include "simulate/motion/scene_choices.h"
 
 namespace tiprub {

@@ -4,17 +4,21 @@
 #include <charconv>
 #include <complex>
 #include <iomanip>
+#include <limits>
+#include <optional>
 #include <sstream>
+#include <string>
+#include <type_traits>
 #include <utility>
 
+#include "cases/program/errors.h"
 #include "cases/program/machine.h"
 #include "reduce/model/hdf5_file.h"
-#include "simulate/response/branch_group.h"
 #include "simulate/response/named_axes.h"
 #include "simulate/response/scene_group.h"
 #include "simulate/response/sealed_file.h"
-#include "simulate/response/speed_axis.h"
 #include "simulate/response/speed_group.h"
+#include "simulate/response/speed_numbers.h"
 
 namespace tiprub {
 
@@ -72,7 +76,147 @@ Hdf5File open_response(const std::filesystem::path& path) {
   return file;
 }
 
+std::string branch_group(std::size_t place) {
+  return "/branch/" + std::to_string(place);
+}
+
+/// Name, unit, meaning and member of each array over the orbits.
+struct BranchArray {
+  const char* name;
+  const char* unit;
+  const char* long_name;
+  Eigen::VectorXd OrbitBranch::*values;
+};
+constexpr BranchArray arrays[] = {
+    {"speed", "rad/s", "speed of the rotor", &OrbitBranch::speed},
+    {"amplitude", "m", "half of the peak-to-peak normal displacement, the largest", &OrbitBranch::amplitude},
+    {"multiplier", "1", "magnitude in a revolution of the largest Floquet multiplier", &OrbitBranch::multiplier},
+    {"multiplier_uncertainty", "1", "uncertainty of that magnitude", &OrbitBranch::multiplier_uncertainty},
+    {"multiplier_angle", "rad", "angle of that multiplier, a map", &OrbitBranch::multiplier_angle}};
+
+void require_sound(const Hdf5File& file, const std::string& dataset, const Eigen::VectorXd& values) {
+  if (values.allFinite() && values.minCoeff() >= 0) return;
+  throw RunError(file.path() + ": " + dataset + " must be finite and not below 0");
+}
+
+OrbitBranch read_branch(const Hdf5File& file, std::size_t place, NamedAxes& axes) {
+  const std::string group = branch_group(place), orbits = "orbits of branch " + std::to_string(place);
+  OrbitBranch branch;
+  for (const BranchArray& array : arrays) {
+    const std::string dataset = group + "/" + array.name;
+    axes.require(dataset, {orbits});
+    branch.*array.values = file.read_vector(dataset);
+    require_sound(file, dataset, branch.*array.values);
+  }
+  if (file.exists(group + "/fold")) {
+    axes.require(group + "/fold", {"folds of branch " + std::to_string(place)});
+    branch.folds = file.read_vector(group + "/fold");
+    require_sound(file, group + "/fold", branch.folds);
+  }
+  if (!(branch.speed.minCoeff() > 0)) throw RunError(file.path() + ": " + group + "/speed must be above 0");
+  branch.start = file.number_attribute(group, "start");
+  branch.steps_per_revolution = file.integer_attribute(group, "steps_per_revolution");
+  branch.ends[0] = file.text_attribute(group, "first_end");
+  branch.ends[1] = file.text_attribute(group, "last_end");
+  return branch;
+}
+
+void write_branch(Hdf5File& file, std::size_t place, const OrbitBranch& branch) {
+  const std::string group = branch_group(place);
+  write_counting_axis(file, group + "/orbit", branch.speed.size(), "orbit in the order of arc length, from 0");
+  for (const BranchArray& array : arrays) {
+    const std::string dataset = group + "/" + array.name;
+    file.write(dataset, branch.*array.values, array.unit);
+    file.describe(dataset, array.long_name, {group + "/orbit"});
+  }
+  if (branch.folds.size() > 0) write_axis(file, group + "/fold", branch.folds, "rad/s", "speed of a fold");
+  file.set_attribute(group, "start", branch.start);
+  file.set_attribute(group, "steps_per_revolution", branch.steps_per_revolution);
+  file.set_attribute(group, "first_end", branch.ends[0]);
+  file.set_attribute(group, "last_end", branch.ends[1]);
+}
+
+std::vector<OrbitBranch> read_branches(const Hdf5File& file, NamedAxes& axes) {
+  std::vector<OrbitBranch> branches;
+  while (file.exists(branch_group(branches.size()))) branches.push_back(read_branch(file, branches.size(), axes));
+  return branches;
+}
+
+const std::string axis = "/rotor_speed";
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+Array<double> along_one_axis(const std::vector<double>& values) {
+  return {{values.size()}, values};
+}
+
 }  // namespace
+
+/// The numbers of all speeds once more, along one axis of speed in the root of response.h5, for netCDF tools. Our
+/// reader uses the groups of the speeds.
+class SpeedAxis {
+ public:
+  void add(const SpeedResponse& speed);
+  /// `rotor_speed` and one dataset along it for each number and each text. Raises RunError.
+  void write(Hdf5File& file) const;
+
+ private:
+  struct Numbers {
+    const char* name;
+    const char* units;
+    const char* long_name;
+    std::vector<double> values;  ///< NaN where a speed has none
+  };
+  struct Texts {
+    const char* name;
+    const char* long_name;
+    std::vector<std::string> values;
+  };
+
+  std::vector<double> speeds_;  ///< [rad/s]
+  std::vector<Numbers> numbers_;
+  std::vector<Texts> texts_;
+};
+
+void SpeedAxis::add(const SpeedResponse& speed) {
+  speeds_.push_back(speed.speed);
+  std::size_t place = 0;
+  const auto note = [&](bool held, const NumberMeaning& meaning, const auto& value) {
+    if (place == numbers_.size()) numbers_.push_back({meaning.name, meaning.units, meaning.long_name, {}});
+    double number = none;
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
+      number = value.value_or(none);
+    else
+      number = static_cast<double>(value);
+    numbers_[place++].values.push_back(held ? number : none);
+  };
+  visit_numbers(
+      speed, [&](const NumberMeaning& meaning, const auto& value) { note(speed.failure.empty(), meaning, value); });
+  const OrbitReport& orbit = speed.audit.orbit;
+  visit_orbit_numbers(orbit, [&](const NumberMeaning& meaning, const auto& value) {
+    note(orbit.outcome != OrbitReport::Outcome::none, meaning, value);
+  });
+  place = 0;
+  for (SpeedText& text : texts_of(speed)) {
+    if (place == texts_.size()) texts_.push_back({text.name, text.long_name, {}});
+    texts_[place++].values.push_back(std::move(text.value));
+  }
+}
+
+void SpeedAxis::write(Hdf5File& file) const {
+  file.write(axis, along_one_axis(speeds_), "rad/s");
+  file.make_axis(axis);
+  file.describe(axis, "speed of the rotor");
+  for (const Numbers& column : numbers_) {
+    const std::string name = std::string("/") + column.name;
+    file.write(name, along_one_axis(column.values), column.units);
+    file.describe(name, column.long_name, {axis});
+  }
+  for (const Texts& column : texts_) {
+    const std::string name = std::string("/") + column.name;
+    file.write(name, column.values);
+    file.describe(name, column.long_name, {axis});
+  }
+}
 
 struct ResponseWriter::State {
   Hdf5File file;

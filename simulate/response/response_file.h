@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "simulate/motion/rotor_state.h"
+#include "simulate/motion/motion.h"
 #include "simulate/response/response.h"
 
 namespace tiprub {

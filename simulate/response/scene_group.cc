@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "cases/program/errors.h"
-#include "simulate/response/written_axes.h"
+#include "simulate/response/named_axes.h"
 
 namespace tiprub {
 

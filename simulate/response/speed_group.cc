@@ -8,13 +8,99 @@
 #include <sstream>
 #include <type_traits>
 
-#include "simulate/response/kept_states.h"
-#include "simulate/response/speed_numbers.h"
-#include "simulate/response/written_axes.h"
+#include "simulate/response/named_axes.h"
 
 namespace tiprub {
 
 namespace {
+
+constexpr const char* unit = "m";
+constexpr const char* state_meaning = "wave of the model's dofs; m in contact dofs";
+
+/// The axis of the model's dofs of a nodal diameter, which all states of all speeds share.
+std::string dofs_axis(int nodal_diameter) {
+  return "dofs of nodal diameter " + std::to_string(nodal_diameter);
+}
+
+std::string at(const std::string& states, int nodal_diameter) {
+  return states + "/" + std::to_string(nodal_diameter);
+}
+
+/// The axes of states lie in the group of the speed, because the groups of states hold states only.
+std::string dofs_of(const std::string& group, int nodal_diameter) {
+  return group + "/dof_" + std::to_string(nodal_diameter);
+}
+
+void write_dofs(Hdf5File& file, const std::string& group, int nodal_diameter, Eigen::Index count) {
+  if (const std::string dofs = dofs_of(group, nodal_diameter); !file.exists(dofs))
+    write_counting_axis(file, dofs, count, "dof of the model, from 0");
+}
+
+void write_snapshot(Hdf5File& file, const std::string& group, const RotorSnapshot& snapshot,
+                    const SpeedResponse& speed, const SimulatedScene& scene) {
+  const std::string place = group + "/snapshot", instant = group + "/snapshot_angle";
+  const double angle = 2 * std::numbers::pi * snapshot.sample / speed.samples_per_revolution;
+  write_axis(file, instant, Eigen::VectorXd::Constant(1, angle), "rad", "angle of the rotor at the snapshot");
+  for (std::size_t i = 0; i < snapshot.displacement.size(); ++i) {
+    const int n = scene.nodal_diameters[i];
+    write_dofs(file, group, n, snapshot.displacement[i].size());
+    file.write(at(place, n), Eigen::MatrixXcd(snapshot.displacement[i]), unit);
+    file.describe(at(place, n), state_meaning, {dofs_of(group, n), instant});
+  }
+  file.set_attribute(place, "sample", snapshot.sample);
+  file.set_attribute(place, "angle", angle);
+  file.set_attribute(place, "contact_force", snapshot.force);
+}
+
+RotorSnapshot read_snapshot(const Hdf5File& file, const std::string& place, const SimulatedScene& scene,
+                            NamedAxes& axes, Eigen::Index samples) {
+  RotorSnapshot snapshot;
+  snapshot.sample = file.integer_attribute(place, "sample");
+  snapshot.force = file.number_attribute(place, "contact_force");
+  if (snapshot.sample < 0 || snapshot.sample >= samples)
+    throw RunError(file.path() + ": " + place + ": sample " + std::to_string(snapshot.sample) +
+                   " is not one of the " + std::to_string(samples) + " recorded ones");
+  axes.set("instant", 1, "a snapshot is one");
+  for (const int n : scene.nodal_diameters) {
+    axes.require(at(place, n), {dofs_axis(n), "instant"});
+    snapshot.displacement.emplace_back(file.read_complex_matrix(at(place, n)).col(0));
+  }
+  return snapshot;
+}
+
+void write_cycle(Hdf5File& file, const std::string& group, const RotorCycle& cycle, const SpeedResponse& speed,
+                 const SimulatedScene& scene) {
+  const std::string place = group + "/cycle", angles = group + "/cycle_angle";
+  const double spacing = 2 * std::numbers::pi / speed.samples_per_revolution;
+  const Eigen::Index samples = cycle.displacement.front().cols();
+  write_axis(file, angles,
+             spacing * Eigen::VectorXd::LinSpaced(samples, cycle.first_sample,
+                                                  static_cast<double>(cycle.first_sample + samples - 1)),
+             "rad", "angle of the rotor at the samples of the cycle");
+  for (std::size_t i = 0; i < cycle.displacement.size(); ++i) {
+    const int n = scene.nodal_diameters[i];
+    write_dofs(file, group, n, cycle.displacement[i].rows());
+    file.write(at(place, n), cycle.displacement[i], unit);
+    file.describe(at(place, n), state_meaning, {dofs_of(group, n), angles});
+  }
+  file.set_attribute(place, "first_sample", cycle.first_sample);
+}
+
+RotorCycle read_cycle(const Hdf5File& file, const std::string& place, const SimulatedScene& scene, NamedAxes& axes,
+                      Eigen::Index samples) {
+  RotorCycle cycle;
+  cycle.first_sample = file.integer_attribute(place, "first_sample");
+  if (cycle.first_sample < 0 || cycle.first_sample >= samples)
+    throw RunError(file.path() + ": " + place + ": first_sample " + std::to_string(cycle.first_sample) +
+                   " is not one of the " + std::to_string(samples) + " recorded ones");
+  axes.set("samples of the cycle", static_cast<std::size_t>(samples - cycle.first_sample),
+           "from first_sample to the last recorded one");
+  for (const int n : scene.nodal_diameters) {
+    axes.require(at(place, n), {dofs_axis(n), "samples of the cycle"});
+    cycle.displacement.push_back(file.read_complex_matrix(at(place, n)));
+  }
+  return cycle;
+}
 
 /// A matrix as an array whose first axis is the rows, and whose further axes are the columns.
 Array<double> unfold(const Eigen::MatrixXd& matrix, const std::vector<std::size_t>& column_axes) {
@@ -78,7 +164,7 @@ void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse&
 /// Written only where a search was asked for; older files have none.
 void write_orbit(Hdf5File& file, const std::string& group, const OrbitReport& orbit) {
   if (orbit.outcome == OrbitReport::Outcome::none) return;
-  file.set_attribute(group, "orbit", std::string(name_of(orbit.outcome)));
+  file.set_attribute(group, "orbit", std::string(name_in(outcome_names, orbit.outcome)));
   visit_orbit_numbers(orbit, [&](const NumberMeaning& meaning, const auto& value) {
     file.set_attribute(group, meaning.name, value);
   });
@@ -87,7 +173,8 @@ void write_orbit(Hdf5File& file, const std::string& group, const OrbitReport& or
 OrbitReport read_orbit(const Hdf5File& file, const std::string& group) {
   OrbitReport orbit;
   if (!file.has_attribute(group, "orbit")) return orbit;
-  orbit.outcome = outcome_named(file.text_attribute(group, "orbit"), file.path() + ": " + group + ": orbit");
+  orbit.outcome =
+      value_named(outcome_names, file.text_attribute(group, "orbit"), file.path() + ": " + group + ": orbit");
   visit_orbit_numbers(orbit, [&](const NumberMeaning& meaning, auto& value) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, int>) {
       if (file.has_attribute(group, meaning.name)) value = file.integer_attribute(group, meaning.name);
@@ -113,9 +200,10 @@ void write_other_start(Hdf5File& file, const std::string& group, const OtherStar
 
 OtherStart read_other_start(const Hdf5File& file, const std::string& group) {
   OtherStart start;
-  start.start = start_named(file.text_attribute(group, "start"), file.path() + ": " + group + ": start");
+  start.start = value_named(start_names, file.text_attribute(group, "start"), file.path() + ": " + group + ": start");
   start.failure = file.text_attribute(group, "failure");
-  start.motion = motion_named(file.text_attribute(group, "motion"), file.path() + ": " + group + ": motion");
+  start.motion =
+      value_named(motion_names, file.text_attribute(group, "motion"), file.path() + ": " + group + ": motion");
   start.amplitude = file.number_attribute(group, "amplitude");
   start.period_beats = file.integer_attribute(group, "period_beats");
   start.difference = file.number_attribute(group, "difference");
@@ -180,6 +268,19 @@ void read_arrays(const Hdf5File& file, const std::string& group, NamedAxes& axes
     throw FileError(file.path() + ": " + count + ": must be within 0 .. the recorded steps");
 }
 
+void write_kept_states(Hdf5File& file, const std::string& group, const SpeedResponse& speed,
+                       const SimulatedScene& scene) {
+  if (speed.snapshot) write_snapshot(file, group, *speed.snapshot, speed, scene);
+  if (speed.cycle) write_cycle(file, group, *speed.cycle, speed, scene);
+}
+
+void read_kept_states(const Hdf5File& file, const std::string& group, const SimulatedScene& scene, NamedAxes& axes,
+                      Eigen::Index samples, SpeedResponse& speed) {
+  if (file.exists(group + "/snapshot"))
+    speed.snapshot = read_snapshot(file, group + "/snapshot", scene, axes, samples);
+  if (file.exists(group + "/cycle")) speed.cycle = read_cycle(file, group + "/cycle", scene, axes, samples);
+}
+
 }  // namespace
 
 bool is_finite(const SpeedResponse& speed) {
@@ -220,13 +321,13 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   speed.speed = bounded(file, group, "speed", {std::numeric_limits<double>::min(), any.high});
   speed.failure = file.text_attribute(group, "failure");
   const std::string where = file.path() + ": " + group;
-  speed.motion = motion_named(file.text_attribute(group, "motion"), where + ": motion");
-  speed.audit.symmetry = symmetry_named(file.text_attribute(group, "symmetry"), where + ": symmetry");
-  speed.depth = depth_named(file.text_attribute(group, "depth"), where + ": depth");
+  speed.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
+  speed.audit.symmetry = value_named(symmetry_names, file.text_attribute(group, "symmetry"), where + ": symmetry");
+  speed.depth = value_named(depth_names, file.text_attribute(group, "depth"), where + ": depth");
   read_numbers(file, group, speed);
   const std::string measure = file.text_attribute(group, "halving_measure");
   if (speed.audit.halving_difference && !measure.empty())
-    speed.audit.halving_measure = measure_named(measure, where + ": halving_measure");
+    speed.audit.halving_measure = value_named(measure_names, measure, where + ": halving_measure");
   if (file.has_attribute(group, "halving_failure"))  // older files have it in the measure's place
     speed.audit.halving_failure = file.text_attribute(group, "halving_failure");
   while (file.exists(start_at(group, speed.other_starts.size())))
@@ -241,6 +342,29 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
                    ", must be one of the " + std::to_string(speed.clearance.size()) + " contact nodes, from 0");
   read_kept_states(file, group, scene, axes, samples, speed);
   return speed;
+}
+
+std::vector<SpeedText> texts_of(const SpeedResponse& speed) {
+  return {{"failure", "why there is no response; empty: there is one", speed.failure},
+          {"motion", "class of the motion", name_of(speed.motion)},
+          {"symmetry", "whether nodal diameters left out stay small", name_in(symmetry_names, speed.audit.symmetry)},
+          {"halving_measure", "what the last halving of the step was measured by",
+           speed.audit.halving_measure ? name_of(*speed.audit.halving_measure) : ""},
+          {"halving_failure", "why half the step gave no motion; empty: it did, or was not taken",
+           speed.audit.halving_failure},
+          {"depth", "how closely the speed was looked at", name_in(depth_names, speed.depth)}};
+}
+
+const char* name_of(MotionClass motion) {
+  return name_in(motion_names, motion);
+}
+
+const char* name_of(MotionMeasure measure) {
+  return name_in(measure_names, measure);
+}
+
+const char* name_of(Start start) {
+  return name_in(start_names, start);
 }
 
 }  // namespace tiprub

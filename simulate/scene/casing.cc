@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "cases/program/units.h"
-#include "simulate/scene/linear_between.h"
+#include "simulate/scene/damping.h"
 #include "simulate/scene/simulate_parameters.h"
 
 namespace tiprub {

@@ -3,13 +3,14 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "cases/program/case_file.h"
 #include "reduce/model/reduced_model.h"
 #include "simulate/motion/scene_choices.h"
 #include "simulate/scene/casing_profile.h"
-#include "simulate/scene/periodic_table.h"
 
 namespace tiprub {
 
@@ -46,6 +47,8 @@ struct Casing {
   double distortion(double angle, double fraction) const;
   /// Factor of the distortion after so many revolutions: 0 .. 1, twice continuously differentiable.
   double ramp(double revolutions) const;
+  /// Whole revolutions after which the distortion is fully grown.
+  std::int64_t grown_after() const { return static_cast<std::int64_t>(std::ceil(ramp_revolutions)); }
   /// [m] clearance of the blade of a sector beyond that of the tightest blade.
   double extra_clearance(int sector) const { return blade_clearance.empty() ? 0.0 : blade_clearance[sector]; }
   /// [m] clearance as the case gives it, at the contact nodes of the tightest blade.

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "simulate/scene/linear_between.h"
-
 namespace tiprub {
 
 namespace {

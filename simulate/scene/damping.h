@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <limits>
 #include <utility>
@@ -11,6 +13,17 @@
 #include "simulate/motion/scene_choices.h"
 
 namespace tiprub {
+
+/// Interpolates points [x, y] with ascending x: linear between them, constant outside.
+inline double linear_between(const std::vector<std::array<double, 2>>& points, double x) {
+  if (x <= points.front()[0]) return points.front()[1];
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto& [x0, y0] = points[i - 1];
+    const auto& [x1, y1] = points[i];
+    if (x <= x1) return y0 + (y1 - y0) * (x - x0) / (x1 - x0);
+  }
+  return points.back()[1];
+}
 
 /// [Hz] The frequency up to which the modes of a model are trusted: twice the highest frequency at which the model
 /// was verified against the unreduced sector (the lowest of the last verified frequencies of all nodal diameters and

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <utility>
 
 #include "reduce/model/reduced_model.h"
 #include "simulate/scene/casing.h"
@@ -14,9 +15,19 @@ namespace tiprub {
 class Obstacle {
  public:
   /// `clearance` [m] is that of the tightest blade at this speed, tip by tip.
-  Obstacle(const Casing& casing, const ContactLine& tips, Eigen::VectorXd clearance);
+  Obstacle(const Casing& casing, const ContactLine& tips, Eigen::VectorXd clearance)
+      : casing_(casing),
+        angle_(tips.position.col(1)),
+        fraction_(arc_fractions(tips)),
+        clearance_(std::move(clearance)) {}
   /// The same without lobes and clearance: gaps are then negative displacements.
-  Obstacle touching() const;
+  Obstacle touching() const {
+    Obstacle level = *this;
+    level.casing_.shape = CasingShape::cosine;
+    level.casing_.amplitude = 0;
+    level.clearance_.setZero();
+    return level;
+  }
 
   /// N_l; the obstacle repeats every 2 pi / N_l.
   int lobes() const { return casing_.lobes; }

@@ -130,8 +130,7 @@ SettledMotion march_and_record(const Scene& scene, const MarchPlan& plan, std::u
 void start_march(const Scene& scene, const RotorState& start, TimeMarch& march) {
   if (!start.at_rest()) {
     put_state(start, scene.model, march);
-    march.set_step(march.steps_per_revolution() *
-                   static_cast<std::int64_t>(std::ceil(scene.casing.ramp_revolutions)));
+    march.set_step(march.steps_per_revolution() * scene.casing.grown_after());
   } else if (scene.parameters.nodal_diameters == DiameterChoice::all) {
     seed_excluded_diameters(scene, march);
   }

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "simulate/march/time_march.h"
-#include "simulate/motion/rotor_state.h"
+#include "simulate/motion/motion.h"
 #include "simulate/orbits/recording.h"
 #include "simulate/orbits/settling.h"
 #include "simulate/orbits/speed_audit.h"

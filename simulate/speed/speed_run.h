@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulate/motion/rotor_state.h"
+#include "simulate/motion/motion.h"
 #include "simulate/response/response.h"
 #include "simulate/scene/scene.h"
 

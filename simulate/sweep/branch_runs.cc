@@ -26,8 +26,7 @@ std::optional<Eigen::VectorXd> orbit_near(const Scene& scene, const SharedRotor&
   TimeMarch march(marched_scene(scene, rotor, steps));
   const auto solver = std::make_shared<RecycledGmres>();
   for (int revolutions = first_try; revolutions <= last_try; revolutions *= 2) {
-    const std::int64_t until =
-        (static_cast<std::int64_t>(std::ceil(scene.casing.ramp_revolutions)) + revolutions) * steps;
+    const std::int64_t until = (scene.casing.grown_after() + revolutions) * steps;
     while (march.step_count() < until) march.step();
     const MarchState before(march);
     MarchedMap map(march);

@@ -2,11 +2,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "cases/program/case_file.h"
+#include "reduce/model/modelled_effects.h"
+#include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 #include "simulate/scene/scene.h"
+#include "simulate/scene/simulate_parameters.h"
 
 namespace tiprub {
+
+/// Which effects on a rubbing wheel a scene models, which it simplifies, and which it leaves out.
+std::vector<ModelledEffect> effects_of(const Scene& scene);
 
 /// The origin of a scene, as text.
 struct SceneOrigin {
@@ -16,5 +24,24 @@ struct SceneOrigin {
 
 /// The description of a scene in response.h5.
 SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin);
+
+/// The two tables of a case that a sweep reads, with defaults.
+struct SweepSettings {
+  CaseSettings casing, simulate;
+};
+
+/// A key of [casing] or [simulate] on which the result of a speed does not depend.
+struct ExemptKey {
+  const char* key;
+  const char* reason;
+};
+const std::vector<ExemptKey>& exempt_keys();
+
+/// A digest (16 hexadecimal digits) of everything that decides the result of a speed: the numbers of the model, every
+/// setting that is not exempt, and the version of the program; for a sweep that starts each speed from the one
+/// before, also the speeds. New keys of the tables count without being listed, because a forgotten key would silently
+/// give back former results.
+std::string run_key(const ReducedModel& model, const SweepSettings& settings, const SimulateParameters& parameters,
+                    const std::string& generator);
 
 }  // namespace tiprub

@@ -17,7 +17,7 @@
 #include "cases/program/machine.h"
 #include "cases/program/output_file.h"
 #include "cases/program/progress.h"
-#include "simulate/march/frequency_table.h"
+#include "simulate/march/rotor_at_speed.h"
 #include "simulate/response/response_file.h"
 #include "simulate/speed/speed_run.h"
 #include "simulate/sweep/adaptive_speeds.h"

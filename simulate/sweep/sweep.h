@@ -7,7 +7,6 @@
 #include "cases/program/command_line.h"
 #include "simulate/scene/scene.h"
 #include "simulate/sweep/process_group.h"
-#include "simulate/sweep/run_key.h"
 #include "simulate/sweep/simulated_scene.h"
 #include "simulate/sweep/sweep_tally.h"
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "simulate/scene/scene_scope.h"
+#include "simulate/scene/scene.h"
 #include "tests/benchmark/benchmarks.h"
 #include "tests/simulate/compared_responses.h"
 

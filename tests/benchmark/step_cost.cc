@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "simulate/march/time_march.h"
-#include "simulate/scene/scene_scope.h"
+#include "simulate/scene/scene.h"
 #include "tests/benchmark/benchmarks.h"
 #include "tests/benchmark/step_bound.h"
 #include "tests/benchmark/whole_rotor.h"

@@ -8,7 +8,7 @@
 
 #include "simulate/march/time_march.h"
 #include "simulate/motion/attempt.h"
-#include "simulate/scene/scene_scope.h"
+#include "simulate/scene/scene.h"
 #include "tests/simulate/compared_responses.h"
 #include "tests/simulate/synthetic_wheel.h"
 

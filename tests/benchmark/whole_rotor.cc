@@ -20,7 +20,7 @@ Eigen::MatrixXd real_shapes(const WaveModes& wave, int sectors) {
   Eigen::MatrixXd shapes(sectors * nodes, parts * modes);
   for (int j = 0; j < sectors; ++j) {
     const Eigen::MatrixXcd own =
-        Y * std::polar(std::sqrt(wave.weight() / sectors), two_pi * wave.nodal_diameter * j / sectors);
+        Y * std::polar(std::sqrt(static_cast<double>(parts) / sectors), two_pi * wave.nodal_diameter * j / sectors);
     shapes.block(j * nodes, 0, nodes, modes) = own.real();
     if (parts == 2) shapes.block(j * nodes, modes, nodes, modes) = -own.imag();
   }

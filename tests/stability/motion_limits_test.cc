@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "simulate/orbits/excluded_growth.h"
-#include "simulate/orbits/steady_state.h"
+#include "simulate/orbits/settling.h"
 #include "tests/stability/bench_scene.h"
 
 namespace tiprub {

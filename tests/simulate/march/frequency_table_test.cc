@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/march/frequency_table.h"
+#include "simulate/march/rotor_at_speed.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "simulate/march/rotor_at_speed.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {

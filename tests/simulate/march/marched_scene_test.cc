@@ -86,15 +86,12 @@ TEST(EnergyState, ComesBackAsItWasPut) {
   testing::Bench bench = testing::make_bench(wheel, testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.01,
                                              {Scheme::trigonometric, ContactRule::complementarity, 1200, 1});
   for (int i = 0; i < 2400; ++i) bench.march.step();
-  for (const auto standing : {EnergyState::StandingWaves::real, EnergyState::StandingWaves::complex}) {
-    const EnergyState energy(bench.march, 1, standing);
-    const Eigen::VectorXd state = energy.of(bench.march);
-    EXPECT_EQ(state.size(), energy.layout().size());
-    EXPECT_GT(state.norm(), 0);
-    energy.put(2 * state, bench.march);
-    EXPECT_LT((energy.of(bench.march) - 2 * state).norm(), 1e-10 * state.norm());
-    energy.put(state, bench.march);
-  }
+  const EnergyState energy(bench.march, 1);
+  const Eigen::VectorXd state = energy.of(bench.march);
+  EXPECT_EQ(state.size(), energy.layout().size());
+  EXPECT_GT(state.norm(), 0);
+  energy.put(2 * state, bench.march);
+  EXPECT_LT((energy.of(bench.march) - 2 * state).norm(), 1e-10 * state.norm());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/orbits/steady_state.h"
+#include "simulate/orbits/settling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene says that it models.
-#include "simulate/scene/scene_effects.h"
+#include "simulate/sweep/simulated_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/scene/scene_scope.h"
+#include "simulate/scene/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/sweep/run_key.h"
+#include "simulate/sweep/simulated_scene.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

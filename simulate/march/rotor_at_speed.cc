@@ -31,7 +31,8 @@ Eigen::ArrayXd frequencies(const Eigen::VectorXd& squares, int nodal_diameter, d
   if (squares.minCoeff() < -zero_eigenvalue * scale) {
     std::ostringstream text;
     text << "nodal diameter " << nodal_diameter << " has omega^2 = " << squares.minCoeff() << " (rad/s)^2 at "
-         << speed << " rad/s: the rotor is statically unstable there, spin softening beats its stiffness; stay below "
+         << speed
+         << " rad/s: the rotor is statically unstable there, spin softening exceeds its stiffness; stay below "
          << "this speed";
     throw NoMotion(text.str());
   }

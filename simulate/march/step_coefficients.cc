@@ -73,7 +73,7 @@ StepCoefficients residual_flexibility(const Eigen::ArrayXd& omega, const Eigen::
   const Eigen::Index massless = omega.size() - moving;
   if (massless <= 0) return all;
   if (!(omega.tail(massless).minCoeff() > 0))
-    throw NoMotion("a mode without stiffness can't be quasi-static; raise [simulate] modes");
+    throw NoMotion("a mode without stiffness must have mass; raise [simulate] modes");
   all.a.tail(massless).setZero();
   all.b.tail(massless).setZero();
   all.c.tail(massless) = omega.tail(massless).square().inverse();

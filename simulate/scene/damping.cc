@@ -53,7 +53,7 @@ double Damping::smallest() const {
 Damping read_damping(CaseTable& table) {
   const bool by_frequency = table.has("damping_table"), by_family = table.has("damping_ratio_by_family");
   if (by_frequency && by_family)
-    table.reject("damping_table", "and damping_ratio_by_family say the same thing twice; drop one");
+    table.reject("damping_table", "and damping_ratio_by_family exclude each other; drop one");
   if (by_frequency) return Damping(table.points("damping_table", std::nullopt, damping_range, "Hz, of critical"));
   if (by_family)
     return Damping(

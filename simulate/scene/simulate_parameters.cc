@@ -120,10 +120,10 @@ void read_scheme(CaseTable& table, SimulateParameters& parameters) {
       table.choice<ContactRule>("contact", ContactRule::complementarity,
                                 {{"complementarity", ContactRule::complementarity}, {"paper", ContactRule::paper}});
   if (parameters.contact == ContactRule::paper && parameters.scheme != Scheme::central_differences)
-    table.reject(
-        "contact",
-        "= \"paper\" holds only with scheme = \"central_differences\": with the larger steps of the "
-        "trigonometric scheme its pulling forces blow up; set that scheme, or contact = \"complementarity\"");
+    table.reject("contact",
+                 "= \"paper\" holds only with scheme = \"central_differences\": with the larger steps of the "
+                 "trigonometric scheme its pulling forces grow without bound; set that scheme, or contact = "
+                 "\"complementarity\"");
   if (parameters.scheme == Scheme::moreau_jean)
     parameters.theta = table.number("moreau_jean_theta", 0.5, Range::between(0.5, 1), "1/2 conserves, more damps");
   if (parameters.scheme == Scheme::penalty)

@@ -58,8 +58,8 @@ OtherStart compared(Start start, const Attempt<SettledMotion>& other, const Sett
 }
 
 constexpr const char* not_finite =
-    "the motion has numbers that are not finite: forces or displacements beyond what can be counted; look at the "
-    "model's units, the damping and the casing's amplitude";
+    "the motion has numbers that are not finite; check the units of the model, the damping and the casing's "
+    "amplitude";
 
 /// Whether the nodal diameters that symmetry leaves out stay small.
 struct SymmetryCheck {

@@ -38,7 +38,7 @@ std::string audit_text(const SpeedAudit& audit) {
 /// How to change the case to march the whole wheel at these speeds.
 std::string breaking_text(const std::vector<double>& speeds, BrokenSymmetry broken) {
   std::ostringstream out;
-  out << "\nsymmetry-breaking at " << speeds.size() << " speeds: a nodal diameter left out grows";
+  out << "\nsymmetry-breaking at " << speeds.size() << " speeds: a nodal diameter that was left out grows";
   if (broken == BrokenSymmetry::full_run) {
     out << "; these are run again with the whole wheel";
     return out.str();
@@ -114,11 +114,12 @@ std::string SweepTally::warnings(BrokenSymmetry broken) const {
   if (pulling > 0)
     out << "\nat " << pulling << " speeds contact forces are tensile in some steps, with a share of up to "
         << tension_share;
-  if (tension_share > tolerated_tension) out << ": more than " << tolerated_tension << ", don't trust these";
+  if (tension_share > tolerated_tension)
+    out << ": more than " << tolerated_tension << ", these results are not reliable";
   if (penetrating > 0) out << "\nat " << penetrating << " speeds steps leave a node in the casing";
   if (!breaking.empty()) out << breaking_text(breaking, broken);
   if (failed > 0) out << "\nfirst failure: " << first_failure;
-  if (apart_from_rest > 0) out << "\nat " << apart_from_rest << " speeds the motion differs from that from rest";
+  if (apart_from_rest > 0) out << "\nat " << apart_from_rest << " speeds the motion differs from the one from rest";
   return out.str();
 }
 

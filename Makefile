@@ -69,7 +69,7 @@ tests-sanitized: packages
 
 test-sanitized: tests-sanitized
 	$(SANITIZERS) ctest --test-dir $(BUILD)-sanitized --output-on-failure -j $(JOBS) -R '^(cases|mesh|reduce|simulate|postprocess|fuzz|structure)\.' \
-	    -LE slow -E 'interrupted|too_little_memory|no_room|in_browser|anasazi|Branch.*(ConvergeTo|ReferencesThat)'
+	    -LE slow -E 'GmshsOrder|interrupted|too_little_memory|no_room|in_browser|anasazi|Branch.*(ConvergeTo|ReferencesThat)'
 
 fuzz: programs
 	ninja -C $(BUILD) -j $(JOBS) tiprub_fuzz convert_sector

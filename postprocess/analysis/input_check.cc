@@ -44,7 +44,7 @@ void check_states(const SpeedResponse& speed, const std::vector<int>& moving, co
 void check_frequencies(const ReducedModel& model, const FrequencyTable& table, const std::string& name) {
   if (table.speed.size() < FrequencyCurves::stencil)
     throw FileError(name + ": /frequencies/speed must hold at least " + std::to_string(FrequencyCurves::stencil) +
-                   " speeds; run tiprub-simulate");
+                    " speeds; run tiprub-simulate");
   for (std::size_t n = 0; n < table.by_nodal_diameter.size(); ++n)
     if (const Eigen::Index modes = table.by_nodal_diameter[n].cols(), dofs = model.nodal_diameters[n].M.rows();
         modes > dofs)

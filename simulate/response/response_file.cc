@@ -96,7 +96,7 @@ constexpr BranchArray arrays[] = {
 
 void require_sound(const Hdf5File& file, const std::string& dataset, const Eigen::VectorXd& values) {
   if (values.allFinite() && values.minCoeff() >= 0) return;
-  throw RunError(file.path() + ": " + dataset + " must be finite and not below 0");
+  throw FileError(file.path() + ": " + dataset + " must be finite and not below 0");
 }
 
 OrbitBranch read_branch(const Hdf5File& file, std::size_t place, NamedAxes& axes) {
@@ -113,7 +113,7 @@ OrbitBranch read_branch(const Hdf5File& file, std::size_t place, NamedAxes& axes
     branch.folds = file.read_vector(group + "/fold");
     require_sound(file, group + "/fold", branch.folds);
   }
-  if (!(branch.speed.minCoeff() > 0)) throw RunError(file.path() + ": " + group + "/speed must be above 0");
+  if (!(branch.speed.minCoeff() > 0)) throw FileError(file.path() + ": " + group + "/speed must be above 0");
   branch.start = file.number_attribute(group, "start");
   branch.steps_per_revolution = file.integer_attribute(group, "steps_per_revolution");
   branch.ends[0] = file.text_attribute(group, "first_end");

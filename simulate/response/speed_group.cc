@@ -58,8 +58,8 @@ RotorSnapshot read_snapshot(const Hdf5File& file, const std::string& place, cons
   snapshot.sample = file.integer_attribute(place, "sample");
   snapshot.force = file.number_attribute(place, "contact_force");
   if (snapshot.sample < 0 || snapshot.sample >= samples)
-    throw RunError(file.path() + ": " + place + ": sample " + std::to_string(snapshot.sample) +
-                   " is not one of the " + std::to_string(samples) + " recorded ones");
+    throw FileError(file.path() + ": " + place + ": sample " + std::to_string(snapshot.sample) +
+                    " is not one of the " + std::to_string(samples) + " recorded ones");
   axes.set("instant", 1, "a snapshot is one");
   for (const int n : scene.nodal_diameters) {
     axes.require(at(place, n), {dofs_axis(n), "instant"});
@@ -91,8 +91,8 @@ RotorCycle read_cycle(const Hdf5File& file, const std::string& place, const Simu
   RotorCycle cycle;
   cycle.first_sample = file.integer_attribute(place, "first_sample");
   if (cycle.first_sample < 0 || cycle.first_sample >= samples)
-    throw RunError(file.path() + ": " + place + ": first_sample " + std::to_string(cycle.first_sample) +
-                   " is not one of the " + std::to_string(samples) + " recorded ones");
+    throw FileError(file.path() + ": " + place + ": first_sample " + std::to_string(cycle.first_sample) +
+                    " is not one of the " + std::to_string(samples) + " recorded ones");
   axes.set("samples of the cycle", static_cast<std::size_t>(samples - cycle.first_sample),
            "from first_sample to the last recorded one");
   for (const int n : scene.nodal_diameters) {
@@ -339,7 +339,7 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
   read_arrays(file, group, axes, speed);
   if (speed.chatter_node >= speed.clearance.size())
     throw FileError(where + ": attribute chatter_node is " + std::to_string(speed.chatter_node) +
-                   ", must be one of the " + std::to_string(speed.clearance.size()) + " contact nodes, from 0");
+                    ", must be one of the " + std::to_string(speed.clearance.size()) + " contact nodes, from 0");
   read_kept_states(file, group, scene, axes, samples, speed);
   return speed;
 }

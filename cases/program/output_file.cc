@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <set>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include "cases/program/errors.h"
 
@@ -145,6 +147,17 @@ std::string this_process() {
   return "process " + std::to_string(::getpid()) + " on " + host.data();
 }
 
+/// Locks an open file. Asks for a second: the child of a process that was just killed may hold the lock until it
+/// ends.
+bool locked(int file) {
+  constexpr int tries = 20;
+  for (int i = 0; i < tries; ++i) {
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return false;
+}
+
 std::string holder(const fs::path& path) {
   std::string line;
   std::ifstream file(path);
@@ -210,7 +223,7 @@ OutputLock::OutputLock(const fs::path& output) : path_(lock_of(output)) {
     file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, readable_by_all);
     if (file_ < 0 && errno == ELOOP) throw RunError(path_.string() + ": is a link in place of a lock; remove it");
     if (file_ < 0) throw RunError(output.string() + ": can't be written: " + std::generic_category().message(errno));
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    if (!locked(file_)) {
       ::close(file_);
       throw RunError(output.string() + ": " + holder(path_) + " is writing it; wait for that, or give another -o");
     }

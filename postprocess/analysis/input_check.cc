@@ -88,7 +88,7 @@ void check_together(const ReducedModel& model, const Response& response, const s
                      std::to_string(model.contact.size()) + another_model);
   if (scene.model_digest != digest(model))
     throw InputError(name + ": was made with another model of the same size; give that one, or run tiprub-simulate");
-  if (response.speeds.empty()) throw RunError(name + ": holds no speed; run tiprub-simulate");
+  if (response.speeds.empty()) throw FileError(name + ": holds no speed; run tiprub-simulate");
   for (const SpeedResponse& speed : response.speeds) check_states(speed, scene.nodal_diameters, model, name);
   const bool all_failed = std::none_of(response.speeds.begin(), response.speeds.end(),
                                        [](const SpeedResponse& speed) { return speed.failure.empty(); });

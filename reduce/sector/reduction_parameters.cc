@@ -26,18 +26,23 @@ std::optional<ContactKind> read_contact(CaseTable& table) {
       {{"automatic", Contact()}, {"points", ContactKind::points}, {"segments", ContactKind::segments}});
 }
 
+/// Matrices of one's own hold the material, so that its keys may be left out.
+void read_material(CaseTable& table, SectorInput input, Material& material) {
+  const auto read = [&](const char* key, double& value, const Range& range, const char* unit) {
+    if (input == SectorInput::mesh || table.has(key)) value = table.number(key, std::nullopt, range, unit);
+  };
+  read("young_modulus", material.young, Range::between(1.0, 1e15), "Pa");
+  read("poisson_ratio", material.poisson, Range::between(0.0, 0.49), "1");
+  read("density", material.density, Range::between(1e-3, 1e6), "kg/m^3");
+}
+
 }  // namespace
 
 ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput input) {
   ReductionParameters p;
   const double accuracy =
       table.number("accuracy", usual_accuracy, Range::between(1e-5, 0.5), "of a critical speed's amplitude");
-  const auto read_material = [&](const char* key, double& value, const Range& range, const char* unit) {
-    if (input == SectorInput::mesh || table.has(key)) value = table.number(key, std::nullopt, range, unit);
-  };
-  read_material("young_modulus", p.material.young, Range::between(1.0, 1e15), "Pa");
-  read_material("poisson_ratio", p.material.poisson, Range::between(0.0, 0.49), "1");
-  read_material("density", p.material.density, Range::between(1e-3, 1e6), "kg/m^3");
+  read_material(table, input, p.material);
   p.speed_max = table.number("speed_max_rpm", std::nullopt, Range::between(1e-3, 1e8), "rpm") * rad_s_per_rpm;
   p.prestress = table.choice<Prestress>(
       "prestress", Prestress::linear,

@@ -4,27 +4,32 @@
 #include <cblas.h>
 
 #include <algorithm>
-#include <atomic>
 
 #include "cases/program/machine.h"
 
 namespace tiprub {
 
-namespace {
+OneBlasThread::OneBlasThread() : before_(openblas_get_num_threads()) {
+  openblas_set_num_threads(1);
+}
 
-/// The BLAS runs on one thread while this lives.
-class OneBlasThread {
- public:
-  OneBlasThread() { openblas_set_num_threads(1); }
-  OneBlasThread(const OneBlasThread&) = delete;
-  OneBlasThread& operator=(const OneBlasThread&) = delete;
-  ~OneBlasThread() { openblas_set_num_threads(before_); }
+OneBlasThread::~OneBlasThread() {
+  openblas_set_num_threads(before_);
+}
 
- private:
-  int before_ = openblas_get_num_threads();
-};
+void FirstException::guard(const std::function<void()>& task) {
+  if (raised_) return;
+  try {
+    task();
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    if (!raised_.exchange(true)) first_ = std::current_exception();
+  }
+}
 
-}  // namespace
+void FirstException::raise() const {
+  if (first_) std::rethrow_exception(first_);
+}
 
 void parallel_for(int count, int threads, const std::function<void(int)>& body) {
   const OneBlasThread one_each;

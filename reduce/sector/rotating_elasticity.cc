@@ -5,13 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "reduce/sector/parallel_for.h"
-
 namespace tiprub {
 
 namespace {
-
-constexpr int cells_per_chunk = 512;
 
 using Strain = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
@@ -42,6 +38,14 @@ void add_blocks(const Eigen::MatrixXd& scalar, const Eigen::Vector3d& diagonal, 
   for (Eigen::Index b = 0; b < scalar.cols(); ++b)
     for (Eigen::Index a = 0; a < scalar.rows(); ++a)
       for (int k = 0; k < 3; ++k) matrix(3 * a + k, 3 * b + k) += diagonal[k] * scalar(a, b);
+}
+
+/// A'A, by half of a product's work.
+Eigen::MatrixXd square_of(const Eigen::MatrixXd& A) {
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(A.cols(), A.cols());
+  square.selfadjointView<Eigen::Lower>().rankUpdate(A.transpose());
+  square.triangularView<Eigen::StrictlyUpper>() = square.transpose();
+  return square;
 }
 
 Eigen::MatrixXd consistent_mass(const CellPoints& points, double density) {
@@ -88,27 +92,20 @@ RotatingElasticity::RotatingElasticity(const SectorMesh& mesh, const SectorDofs&
     : mesh_(mesh),
       dofs_(dofs),
       material_(material),
-      threads_(threads),
-      quadrature_(mesh),
-      zero_(zero_matrix(mesh, dofs)) {}
+      elements_(mesh, threads),
+      zero_(zero_matrix(mesh, dofs)),
+      all_cells_(elements_.cell_count()) {
+  std::iota(all_cells_.begin(), all_cells_.end(), 0);
+}
 
-/// Cells in chunks: their matrices at once, their sums in order, so that rounding is the same on any number of
-/// threads.
-SymmetricMatrix RotatingElasticity::assemble(const std::vector<int>& cells, const CellMatrix& cell_matrix) const {
+SymmetricMatrix RotatingElasticity::assemble(const std::vector<int>& cells, const Integral& integral) const {
   SymmetricMatrix matrix = zero_;
-  std::vector<Eigen::MatrixXd> chunk(cells_per_chunk);
-  for (int first = 0; first < static_cast<int>(cells.size()); first += cells_per_chunk) {
-    const int count = std::min(cells_per_chunk, static_cast<int>(cells.size()) - first);
-    parallel_for(count, threads_, [&](int i) { chunk[i] = cell_matrix(quadrature_.at(cells[first + i])); });
-    for (int i = 0; i < count; ++i) scatter(chunk[i], quadrature_.at(cells[first + i]).nodes, matrix);
-  }
+  elements_.integrate(cells, integral, [&](const CellIntegral& cell) { scatter(cell.value, cell.nodes, matrix); });
   return matrix;
 }
 
-SymmetricMatrix RotatingElasticity::assemble(const CellMatrix& cell_matrix) const {
-  std::vector<int> all(quadrature_.cell_count());
-  std::iota(all.begin(), all.end(), 0);
-  return assemble(all, cell_matrix);
+SymmetricMatrix RotatingElasticity::assemble(const Integral& integral) const {
+  return assemble(all_cells_, integral);
 }
 
 void RotatingElasticity::scatter(const Eigen::MatrixXd& cell_matrix, const std::vector<int>& nodes,
@@ -142,40 +139,38 @@ SymmetricMatrix RotatingElasticity::mass() const {
 
 SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3Xd& displacement, Prestress prestress,
                                               SpinSoftening softening) const {
-  const Eigen::Matrix<double, 6, 6> C = material_.elasticity();
+  const Eigen::Matrix<double, 6, 6> root = material_.elasticity().llt().matrixU();  // C = root' root
   const double square = softening == SpinSoftening::on ? speed * speed : 0.0;
   const Eigen::Vector3d softened(-square, -square, 0.0);
   return assemble([&](const CellPoints& points) {
     const Eigen::Index count = points.shape.rows(), gauss = points.weight.size();
     const Eigen::Matrix3Xd moved = displacement(Eigen::all, points.nodes);
-    Eigen::MatrixXd B(6 * gauss, 3 * count), CB(6 * gauss, 3 * count);
-    Eigen::MatrixXd stress_stiffness = Eigen::MatrixXd::Zero(count, count);
+    Eigen::MatrixXd roots(6 * gauss, 3 * count), stress_stiffness = Eigen::MatrixXd::Zero(count, count);
+    Strain B(6, 3 * count);
     for (Eigen::Index q = 0; q < gauss; ++q) {
       const Eigen::Matrix3d H = moved * points.gradient[q];  // du_i/dX_j
       Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
       if (prestress != Prestress::stress_only) F += H;
-      strain_operator(points.gradient[q], F, B.middleRows<6>(6 * q));
-      CB.middleRows<6>(6 * q) = points.weight[q] * C * B.middleRows<6>(6 * q);
+      strain_operator(points.gradient[q], F, B);
+      roots.middleRows<6>(6 * q) = std::sqrt(points.weight[q]) * root * B;
       stress_stiffness +=
           points.weight[q] * points.gradient[q] * stress(H, material_, prestress) * points.gradient[q].transpose();
     }
-    Eigen::MatrixXd matrix = B.transpose() * CB;                               // material stiffness
+    Eigen::MatrixXd matrix = square_of(roots);                                 // material stiffness, int B' C B
     add_blocks(stress_stiffness, Eigen::Vector3d::Ones(), matrix);             // K_sigma
     add_blocks(consistent_mass(points, material_.density), softened, matrix);  // spin softening, -Omega^2 M_perp
     return matrix;
   });
 }
 
-Eigen::VectorXd RotatingElasticity::assemble_forces(const CellForces& cell_forces) const {
+Eigen::VectorXd RotatingElasticity::assemble_forces(const Integral& nodal_forces) const {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(dofs_.sector());
-  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
-    const CellPoints& points = quadrature_.at(cell);
-    const Eigen::Matrix3Xd nodal = cell_forces(points);
-    for (std::size_t a = 0; a < points.nodes.size(); ++a)
-      if (const int first = dofs_.first[points.nodes[a]]; first >= 0)
-        forces.segment<3>(first) +=
-            cylindrical_frame(mesh_.nodes.col(points.nodes[a])).transpose() * nodal.col(static_cast<Eigen::Index>(a));
-  }
+  elements_.integrate(all_cells_, nodal_forces, [&](const CellIntegral& cell) {
+    for (std::size_t a = 0; a < cell.nodes.size(); ++a)
+      if (const int first = dofs_.first[cell.nodes[a]]; first >= 0)
+        forces.segment<3>(first) += cylindrical_frame(mesh_.nodes.col(cell.nodes[a])).transpose() *
+                                    cell.value.col(static_cast<Eigen::Index>(a));
+  });
   return forces;
 }
 
@@ -184,7 +179,7 @@ Eigen::VectorXd RotatingElasticity::centrifugal_load() const {
 }
 
 Eigen::VectorXd RotatingElasticity::centrifugal_load(const Eigen::Matrix3Xd& displacement) const {
-  return assemble_forces([&](const CellPoints& points) -> Eigen::Matrix3Xd {
+  return assemble_forces([&](const CellPoints& points) -> Eigen::MatrixXd {
     Eigen::Matrix3Xd radius = points.position + displacement(Eigen::all, points.nodes) * points.shape;
     radius.row(2).setZero();
     return material_.density * radius * points.weight.asDiagonal() * points.shape.transpose();
@@ -194,7 +189,7 @@ Eigen::VectorXd RotatingElasticity::centrifugal_load(const Eigen::Matrix3Xd& dis
 Eigen::VectorXd RotatingElasticity::internal_force(const Eigen::Matrix3Xd& displacement) const {
   return assemble_forces([&](const CellPoints& points) {
     const Eigen::Matrix3Xd moved = displacement(Eigen::all, points.nodes);
-    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, moved.cols());
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(3, moved.cols());
     for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
       const Eigen::Matrix3d H = moved * points.gradient[q];
       // F S dN/dX: the first Piola-Kirchhoff stress on the shape functions' gradients.
@@ -219,24 +214,23 @@ SymmetricMatrix RotatingElasticity::stiffness_of(const std::vector<int>& cells) 
 }
 
 Eigen::VectorXd RotatingElasticity::von_mises(const Eigen::Matrix3Xd& displacement, Prestress prestress) const {
-  Eigen::VectorXd largest = Eigen::VectorXd::Zero(quadrature_.cell_count());
-  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) {
-    const CellPoints& points = quadrature_.at(cell);
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(elements_.cell_count());
+  elements_.visit([&](const CellPoints& points) {
     for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
       const Eigen::Matrix3d H = displacement(Eigen::all, points.nodes) * points.gradient[q];
       const Eigen::Matrix3d F = Eigen::Matrix3d::Identity() + H;
       Eigen::Matrix3d cauchy = stress(H, material_, prestress);
       if (prestress == Prestress::nonlinear) cauchy = F * cauchy * F.transpose() / F.determinant();
       const Eigen::Matrix3d deviator = cauchy - cauchy.trace() / 3 * Eigen::Matrix3d::Identity();
-      largest[cell] = std::max(largest[cell], std::sqrt(1.5) * deviator.norm());  // sqrt(3/2 s : s)
+      largest[points.cell] = std::max(largest[points.cell], std::sqrt(1.5) * deviator.norm());  // sqrt(3/2 s : s)
     }
-  }
+  });
   return largest;
 }
 
 double RotatingElasticity::volume() const {
   double sum = 0;
-  for (int cell = 0; cell < quadrature_.cell_count(); ++cell) sum += quadrature_.at(cell).weight.sum();
+  elements_.visit([&](const CellPoints& points) { sum += points.weight.sum(); });
   return sum;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reduce/model/reduced_model.h"
-#include "reduce/sector/cell_quadrature.h"
+#include "reduce/sector/finite_elements.h"
 #include "reduce/sector/sector_dofs.h"
 #include "reduce/sector/sector_mesh.h"
 
@@ -30,8 +30,8 @@ using SymmetricMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 SymmetricMatrix zero_matrix(const SectorMesh& mesh, const SectorDofs& dofs);
 
 /// K, M and the load of one sector in the rotating frame, on its own dofs (both cut faces free; Y_s of eq. 5, of
-/// which the blocks of eq. 3 are made, see CyclicTransformation), in cylindrical components. Assembly is by the
-/// quadrature of each kind of cell.
+/// which the blocks of eq. 3 are made, see CyclicTransformation), in cylindrical components. The cells are
+/// integrated by deal.II (see FiniteElements).
 class RotatingElasticity {
  public:
   /// Assembly runs on up to `threads` threads; the result doesn't depend on their number.
@@ -59,19 +59,20 @@ class RotatingElasticity {
   double volume() const;
 
  private:
-  using CellMatrix = std::function<Eigen::MatrixXd(const CellPoints&)>;
-  SymmetricMatrix assemble(const CellMatrix& cell_matrix) const;
-  SymmetricMatrix assemble(const std::vector<int>& cells, const CellMatrix& cell_matrix) const;
-  using CellForces = std::function<Eigen::Matrix3Xd(const CellPoints&)>;  // x, y, z at the nodes of a cell
-  Eigen::VectorXd assemble_forces(const CellForces& cell_forces) const;
+  using Integral = std::function<Eigen::MatrixXd(const CellPoints&)>;
+  /// Of matrices in x, y, z at the nodes of a cell.
+  SymmetricMatrix assemble(const Integral& integral) const;
+  SymmetricMatrix assemble(const std::vector<int>& cells, const Integral& integral) const;
+  /// Of forces, x, y, z at the nodes of a cell; 3 x nodes.
+  Eigen::VectorXd assemble_forces(const Integral& nodal_forces) const;
   void scatter(const Eigen::MatrixXd& cell_matrix, const std::vector<int>& nodes, SymmetricMatrix& into) const;
 
   const SectorMesh& mesh_;
   const SectorDofs& dofs_;
   Material material_;
-  int threads_;
-  CellQuadrature quadrature_;
+  FiniteElements elements_;
   SymmetricMatrix zero_;  ///< the pattern
+  std::vector<int> all_cells_;
 };
 
 }  // namespace tiprub

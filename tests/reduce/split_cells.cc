@@ -38,7 +38,7 @@ class Splitting {
     std::vector<std::vector<int>> cells;
     std::vector<std::vector<int>> children(bricks_.cells.cols());
     for (int brick = 0; brick < bricks_.cell_count(); ++brick) {
-      const Split now = into != Split::mixed ? into : brick % 2 == 0 ? Split::hex20 : Split::pyramid13;
+      const Split now = of_brick(brick, into);
       for (const std::vector<int>& corners : corners_of(now)) {
         children[brick].push_back(static_cast<int>(cells.size()));
         cells.push_back(cell(brick, corners));
@@ -48,6 +48,11 @@ class Splitting {
   }
 
  private:
+  static Split of_brick(int brick, Split into) {
+    if (into != Split::mixed && into != Split::bricks_and_wedges) return into;
+    return brick % 2 == 0 ? Split::hex20 : into == Split::mixed ? Split::pyramid13 : Split::wedge15;
+  }
+
   std::vector<int> cell(int brick, const std::vector<int>& corners) {
     const CellKind &whole = cell_kind(27), &kind = kind_with(corners.size());
     std::vector<Eigen::Vector3d> places;

@@ -7,8 +7,8 @@ namespace tiprub::test {
 
 /// A mesh of 27-node bricks as one of another kind: six tetrahedra along a diagonal, two wedges, six pyramids about
 /// the centre, or the brick itself without its centres. Nodes stand where the brick's own map takes them. `mixed`:
-/// bricks and, of every other brick, pyramids.
-enum class Split { tet10, wedge15, pyramid13, hex20, mixed };
+/// bricks and, of every other brick, pyramids; `bricks_and_wedges`: of every other brick, wedges.
+enum class Split { tet10, wedge15, pyramid13, hex20, mixed, bricks_and_wedges };
 SectorMesh split(const SectorMesh& bricks, Split into);
 
 }  // namespace tiprub::test

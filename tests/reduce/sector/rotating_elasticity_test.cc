@@ -41,12 +41,10 @@ class FreeSector : public ::testing::TestWithParam<int> {
   }
   /// Integral of rho x_i x_j.
   Eigen::Matrix3d second_moment() {
-    CellQuadrature quadrature(rotor_.mesh());
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (int cell = 0; cell < quadrature.cell_count(); ++cell) {
-      const CellPoints& points = quadrature.at(cell);
+    FiniteElements(rotor_.mesh()).visit([&](const CellPoints& points) {
       sum += test::steel().density * points.position * points.weight.asDiagonal() * points.position.transpose();
-    }
+    });
     return sum;
   }
 
@@ -142,12 +140,10 @@ TEST_P(FreeSector, SoftensUnderSpinByItsMassWithoutTheAxis) {
 
 TEST_P(FreeSector, IsLoadedByItsMassTimesRadius) {
   // f / Omega^2 = int rho N (x, y, 0): its sums are the first moments, its work on v = G x the second ones.
-  CellQuadrature quadrature(rotor_.mesh());
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  for (int cell = 0; cell < quadrature.cell_count(); ++cell) {
-    const CellPoints& points = quadrature.at(cell);
+  FiniteElements(rotor_.mesh()).visit([&](const CellPoints& points) {
     moment += test::steel().density * points.position * points.weight;
-  }
+  });
   moment.z() = 0;
   const Eigen::VectorXd load = rotor_.elasticity().centrifugal_load();
   for (int d = 0; d < 3; ++d) EXPECT_NEAR(load.dot(shift(d)), moment[d], 1e-12 * moment.norm());

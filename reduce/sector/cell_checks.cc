@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/sector/cell_quadrature.h"
+#include "reduce/sector/cell_checks.h"
 
 #include <algorithm>
 #include <map>
@@ -14,23 +14,17 @@ namespace {
 
 using Key = std::vector<int>;
 
-/// A kind's shape functions at its integration points and where it must be upright.
-struct ReferenceValues {
-  explicit ReferenceValues(const CellKind& of) : kind(of), shape(of.nodes(), of.integration.size()) {
-    for (const ReferencePoint& point : kind.integration) {
-      shape.col(static_cast<Eigen::Index>(gradient.size())) = kind.shape(point.at);
-      gradient.push_back(kind.gradient(point.at));
-    }
+/// A kind's shape functions where its cells must be upright.
+struct UprightValues {
+  explicit UprightValues(const CellKind& kind) {
     for (const Eigen::Vector3d& at : kind.upright_at) {
-      upright_shape.push_back(kind.shape(at));
-      upright_gradient.push_back(kind.gradient(at));
+      shape.push_back(kind.shape(at));
+      gradient.push_back(kind.gradient(at));
     }
   }
 
-  const CellKind& kind;
-  Eigen::MatrixXd shape;
-  std::vector<Eigen::MatrixX3d> gradient, upright_gradient;
-  std::vector<Eigen::VectorXd> upright_shape;
+  std::vector<Eigen::VectorXd> shape;
+  std::vector<Eigen::MatrixX3d> gradient;
 };
 
 Key sorted(Key key) {
@@ -88,50 +82,34 @@ class Neighbours {
   std::map<Key, int> faces_;   // how many cells have them
 };
 
-[[noreturn]] void refuse(const SectorMesh& mesh, int cell, const Eigen::Vector3d& at) {
-  throw InputError(mesh.file + ": " + mesh.name_of_cell(cell) + " is inverted or flat near " + place_text(at) +
-                   "; re-mesh");
-}
-
 /// At its nodes (and where a 20-node brick has none, in the middles of its faces): a cell may be upright at all Gauss
 /// points and turned inside out at a corner. The determinant counts over the lengths of the three edges there.
-void require_upright(const SectorMesh& mesh, int cell, const Eigen::Matrix3Xd& places,
-                     const ReferenceValues& values) {
+void require_upright(const SectorMesh& mesh, int cell, const UprightValues& values) {
   constexpr double least = 1e-6;
-  for (std::size_t q = 0; q < values.upright_gradient.size(); ++q) {
-    const Eigen::Matrix3d jacobian = places * values.upright_gradient[q];
-    if (!(jacobian.determinant() > least * jacobian.colwise().norm().prod()))
-      refuse(mesh, cell, places * values.upright_shape[q]);
-  }
-}
-
-CellPoints points_of(const SectorMesh& mesh, int cell, const std::vector<int>& nodes, const ReferenceValues& values) {
-  const Eigen::Matrix3Xd places = mesh.nodes(Eigen::all, nodes);
-  require_upright(mesh, cell, places, values);
-  CellPoints points{nodes, values.shape, {}, Eigen::VectorXd(values.shape.cols()), places * values.shape};
+  const Eigen::Matrix3Xd places = mesh.nodes(Eigen::all, nodes_of(mesh.cells, cell));
   for (std::size_t q = 0; q < values.gradient.size(); ++q) {
-    const auto point = static_cast<Eigen::Index>(q);
-    const Eigen::Matrix3d jacobian = places * values.gradient[q];  // dx/dxi
-    points.weight[point] = values.kind.integration[q].weight * jacobian.determinant();
-    if (!(points.weight[point] > 0)) refuse(mesh, cell, points.position.col(point));
-    points.gradient.emplace_back(values.gradient[q] * jacobian.inverse());
+    const Eigen::Matrix3d jacobian = places * values.gradient[q];
+    if (!(jacobian.determinant() > least * jacobian.colwise().norm().prod()))
+      refuse_inverted(mesh, cell, places * values.shape[q]);
   }
-  return points;
 }
 
 }  // namespace
 
-CellQuadrature::CellQuadrature(const SectorMesh& mesh) {
-  std::map<int, ReferenceValues> values;
+void refuse_inverted(const SectorMesh& mesh, int cell, const Eigen::Vector3d& at) {
+  throw InputError(mesh.file + ": " + mesh.name_of_cell(cell) + " is inverted or flat near " + place_text(at) +
+                   "; re-mesh");
+}
+
+void require_sound_cells(const SectorMesh& mesh) {
+  std::map<int, UprightValues> values;
   for (const CellKind& kind : all_cell_kinds()) values.try_emplace(kind.nodes(), kind);
   Neighbours neighbours(mesh);
-  cells_.reserve(mesh.cell_count());
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
     const auto listed = nodes_of(mesh.cells, cell);
-    const ReferenceValues& reference = values.at(static_cast<int>(listed.size()));
-    const std::vector<int> nodes(listed.begin(), listed.end());
-    neighbours.add(nodes, reference.kind);
-    cells_.push_back(points_of(mesh, cell, nodes, reference));
+    const int count = static_cast<int>(listed.size());
+    neighbours.add({listed.begin(), listed.end()}, cell_kind(count));
+    require_upright(mesh, cell, values.at(count));
   }
   neighbours.require_closed();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/sector/cell_quadrature.h"
+#include "reduce/sector/finite_elements.h"
 
 #include <gtest/gtest.h>
 
@@ -56,14 +56,12 @@ class EveryKind : public ::testing::TestWithParam<test::Split> {
 };
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind,
                          ::testing::Values(test::Split::tet10, test::Split::wedge15, test::Split::pyramid13,
-                                           test::Split::hex20, test::Split::mixed));
+                                           test::Split::hex20, test::Split::mixed, test::Split::bricks_and_wedges));
 
 /// Largest errors over all points of a field known in space: sum N_a f(x_a) = f(x), sum grad N_a f(x_a) = grad f(x).
 template <class Field, class Gradient>
 void expect_reproduced(const SectorMesh& mesh, const Field& f, const Gradient& grad_f) {
-  CellQuadrature quadrature(mesh);
-  for (int cell = 0; cell < quadrature.cell_count(); ++cell) {
-    const CellPoints& points = quadrature.at(cell);
+  FiniteElements(mesh).visit([&](const CellPoints& points) {
     Eigen::VectorXd nodal(points.nodes.size());
     for (std::size_t a = 0; a < points.nodes.size(); ++a)
       nodal[a] = f(Eigen::Vector3d(mesh.nodes.col(points.nodes[a])));
@@ -72,7 +70,13 @@ void expect_reproduced(const SectorMesh& mesh, const Field& f, const Gradient& g
       EXPECT_NEAR(points.shape.col(q).dot(nodal), f(at), 1e-13);
       EXPECT_LT((points.gradient[q].transpose() * nodal - grad_f(at)).norm(), 1e-11);
     }
-  }
+  });
+}
+
+double volume_of(const SectorMesh& mesh) {
+  double volume = 0;
+  FiniteElements(mesh).visit([&](const CellPoints& points) { volume += points.weight.sum(); });
+  return volume;
 }
 
 TEST_P(BothBricks, AreAPartitionOfUnity) {
@@ -97,10 +101,7 @@ TEST_P(BothBricks, ReproduceQuadraticFieldsOnStraightCells) {
 }
 
 TEST_P(BothBricks, FillAParallelepiped) {
-  CellQuadrature quadrature(straight_bricks());
-  double volume = 0;
-  for (int cell = 0; cell < quadrature.cell_count(); ++cell) volume += quadrature.at(cell).weight.sum();
-  EXPECT_NEAR(volume, parallelepiped().determinant(), 1e-15);
+  EXPECT_NEAR(volume_of(straight_bricks()), parallelepiped().determinant(), 1e-15);
 }
 
 TEST_P(EveryKind, AreAPartitionOfUnity) {
@@ -125,10 +126,7 @@ TEST_P(EveryKind, ReproduceQuadraticFieldsOnStraightCells) {
 }
 
 TEST_P(EveryKind, FillAParallelepiped) {
-  CellQuadrature quadrature(straight_cells());
-  double volume = 0;
-  for (int cell = 0; cell < quadrature.cell_count(); ++cell) volume += quadrature.at(cell).weight.sum();
-  EXPECT_NEAR(volume, parallelepiped().determinant(), 1e-15);
+  EXPECT_NEAR(volume_of(straight_cells()), parallelepiped().determinant(), 1e-15);
 }
 
 TEST_P(BothBricks, FillAnAnnulusWithTheFourthOrder) {
@@ -140,10 +138,7 @@ TEST_P(BothBricks, FillAnAnnulusWithTheFourthOrder) {
   double errors[2];
   for (int refined : {0, 1}) {
     annulus.bricks[1] = refined == 0 ? 2 : 4;
-    CellQuadrature quadrature(annulus.sector());
-    double volume = 0;
-    for (int cell = 0; cell < quadrature.cell_count(); ++cell) volume += quadrature.at(cell).weight.sum();
-    errors[refined] = std::abs(volume / exact - 1);
+    errors[refined] = std::abs(volume_of(annulus.sector()) / exact - 1);
   }
   EXPECT_LT(errors[1], 3e-5);
   EXPECT_NEAR(std::log2(errors[0] / errors[1]), 4.0, 0.1);
@@ -152,10 +147,7 @@ TEST_P(BothBricks, FillAnAnnulusWithTheFourthOrder) {
 TEST_P(BothBricks, RefuseAnInvertedCellWithItsNumberAndPlace) {
   SectorMesh mesh = skewed_sector();
   mesh.nodes.col(mesh.cells(0, 3)) = mesh.nodes.col(mesh.cells(6, 3));  // a corner pushed through its brick
-  const std::string message = test::complaint<InputError>([&] {
-    CellQuadrature quadrature(mesh);
-    for (int cell = 0; cell < quadrature.cell_count(); ++cell) quadrature.at(cell);
-  });
+  const std::string message = test::complaint<InputError>([&] { FiniteElements elements(mesh); });
   EXPECT_EQ(message.rfind("the sector: cell ", 0), 0u) << message;
   EXPECT_NE(message.find("is inverted or flat near x y z = "), std::string::npos) << message;
 }
@@ -168,17 +160,17 @@ TEST_P(BothBricks, RefuseACellThatIsInvertedAtACornerOnly) {
   mesh.cell_tags = {11, 12, 13, 14};
   const Eigen::Vector3d corner = mesh.nodes.col(mesh.cells(1, 1)), other = mesh.nodes.col(mesh.cells(0, 1));
   mesh.nodes.col(mesh.cells(8, 1)) = 0.8 * corner + 0.2 * other;
-  EXPECT_EQ(test::complaint<InputError>([&] { CellQuadrature quadrature(mesh); }),
+  EXPECT_EQ(test::complaint<InputError>([&] { FiniteElements elements(mesh); }),
             "the sector: cell 12 (main_blade) is inverted or flat near " + place_text(corner) + "; re-mesh");
 }
 
 TEST_P(BothBricks, RefuseAMirroredMesh) {
   SectorMesh mesh = skewed_sector();
   mesh.nodes.row(2) *= -1;
-  EXPECT_NE(test::complaint<InputError>([&] { CellQuadrature(mesh).at(0); }), "");
+  EXPECT_NE(test::complaint<InputError>([&] { FiniteElements elements(mesh); }), "");
 }
 
-TEST(CellQuadrature, RefusesNeighboursThatDisagreeAboutAMidSide) {
+TEST(FiniteElements, RefusesNeighboursThatDisagreeAboutAMidSide) {
   // A mesh with a double node in the middle of a shared edge was reduced without a word: the last brick read won, and
   // the other brick followed a node that none of its own names. It must be refused.
   SectorMesh mesh = Annulus().sector();
@@ -186,11 +178,10 @@ TEST(CellQuadrature, RefusesNeighboursThatDisagreeAboutAMidSide) {
   mesh.nodes.conservativeResize(Eigen::NoChange, mesh.node_count() + 1);
   mesh.nodes.rightCols(1) = mesh.nodes.col(shared);
   mesh.cells(9, 0) = mesh.node_count() - 1;
-  EXPECT_NE(test::complaint<InputError>([&] { CellQuadrature quadrature(mesh); }).find("mid-side"),
-            std::string::npos);
+  EXPECT_NE(test::complaint<InputError>([&] { FiniteElements elements(mesh); }).find("mid-side"), std::string::npos);
 }
 
-TEST(CellQuadrature, RefusesQuadranglesThatMeetTriangles) {
+TEST(FiniteElements, RefusesQuadranglesThatMeetTriangles) {
   // Bricks and tetrahedra side by side without pyramids share corners, and come apart between them.
   const SectorMesh bricks = test::BrickGrid({2, 1, 1}, 27, test::Around::open).place([](const Eigen::Vector3d& at) {
     return Eigen::Vector3d(1 + at[0], at[1], at[2]);
@@ -204,7 +195,7 @@ TEST(CellQuadrature, RefusesQuadranglesThatMeetTriangles) {
       if ((mesh.nodes.col(node) - whole.nodes.col(whole.cells(k, 1))).norm() < 1e-9) cells(k, 6) = node;
   mesh.cells = cells;
   EXPECT_EQ(test::complaint<InputError>([&] {
-              CellQuadrature quadrature(mesh);
+              FiniteElements elements(mesh);
             }).rfind("the sector: the cells don't make a mesh: a quadrangle meets triangles at x y z = ", 0),
             0u);
 }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "reduce/sector/sector_mesh.h"
+
+namespace tiprub {
+
+/// The shape functions of one cell at its integration points.
+struct CellPoints {
+  int cell = 0;
+  std::vector<int> nodes;                                          ///< mesh nodes that the cell moves with
+  Eigen::MatrixXd shape;                                           ///< [1] nodes x points
+  std::vector<Eigen::Matrix<double, Eigen::Dynamic, 3>> gradient;  ///< [1/m] d/dx, d/dy, d/dz; nodes x 3, one a point
+  Eigen::VectorXd weight;                                          ///< [m^3] quadrature weight times Jacobian
+  Eigen::Matrix3Xd position;                                       ///< [m] of the points
+};
+
+/// An integral over one cell.
+struct CellIntegral {
+  int cell = 0;
+  std::vector<int> nodes;
+  Eigen::MatrixXd value;
+};
+
+/// A sector's cells as finite elements of deal.II (Arndt et al. 2021): a triangulation, a DoFHandler that numbers it,
+/// and an isoparametric mapping for which the nodes of the file, mid-side nodes included, are the geometry. Bricks
+/// are FE_Q(2), wedges FE_WedgeP(2), tetrahedra FE_SimplexP(2), with the integration points of CalculiX's C3D20 (27),
+/// C3D15 (9) and C3D10 (4). deal.II 9.4 has no quadratic pyramid: for these the table of cell_kind.h serves.
+///
+/// Bricks of 20 nodes and wedges of 15 are subspaces: displacement and geometry in the middle of a face or cell
+/// follow from corners and edges by fixed weights (face: -1/4 a corner, 1/2 an edge; cell: -1/4, 1/4). These are
+/// constraints, and they are resolved in the shape functions before anything is integrated: a matrix of 60 dofs costs
+/// half of one of 81.
+///
+/// Shape functions are computed again for each integral, so that no memory grows with the number of cells.
+class FiniteElements {
+ public:
+  /// Raises InputError if the cells make no sound mesh (see cell_checks.h), or if one is inverted at an integration
+  /// point. The mesh must outlive this object.
+  explicit FiniteElements(const SectorMesh& mesh, int threads = 1);
+  FiniteElements(const FiniteElements&) = delete;
+  FiniteElements& operator=(const FiniteElements&) = delete;
+  ~FiniteElements();
+
+  int cell_count() const;
+  /// Calls the visitor for one cell after the other.
+  void visit(const std::function<void(const CellPoints&)>& visitor) const;
+  /// Integrates over cells on all threads, and hands the integrals over one by one in the order of `cells`, so that
+  /// rounding is the same on any number of threads. The first exception is raised again here.
+  void integrate(const std::vector<int>& cells, const std::function<Eigen::MatrixXd(const CellPoints&)>& integral,
+                 const std::function<void(const CellIntegral&)>& take) const;
+
+ private:
+  class Space;
+  std::unique_ptr<const Space> space_;
+  int threads_;
+};
+
+}  // namespace tiprub

@@ -21,6 +21,7 @@
 #include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model_file.h"
 #include "reduce/reduction.h"
+#include "reduce/sector/refinement.h"
 #include "reduce/sector/sector_reader.h"
 
 namespace tiprub {
@@ -73,19 +74,24 @@ MatrixFiles matrix_files(const ReduceOptions& options) {
 }
 
 /// The sector, as a mesh or by its matrices.
-SectorMesh read_sector(const StageArguments& arguments, const ReduceOptions& options, double cyclic_tolerance) {
+SectorMesh read_sector(const StageArguments& arguments, const ReduceOptions& options,
+                       const ReductionParameters& parameters) {
   const std::filesystem::path& mesh = arguments.inputs[1];
   if (options.matrices.empty()) {
     if (mesh.empty()) throw InputError("sector.msh is required; see tiprub-reduce --help");
     if (!options.matrix_dofs.empty() || !options.matrices_at.empty())
       throw InputError("--matrix-dofs and --matrix-at go with --matrices");
-    return read_sector_mesh(mesh, cyclic_tolerance);
+    SectorMesh sector = read_sector_mesh(mesh, parameters.cyclic_tolerance);
+    for (int k = 0; k < parameters.refine; ++k) sector = refined(sector);
+    return sector;
   }
   if (!mesh.empty())
     throw InputError(mesh.string() + ": a sector is given by its mesh or by --matrices, not by both");
   if (!options.calculix_folder.empty() || !options.modes_file.empty() || !options.fields_file.empty())
     throw InputError("--export-ccx, --modes and --fields need the sector's cells, which --matrices doesn't give");
-  return read_matrix_sector(matrix_files(options), cyclic_tolerance);
+  if (parameters.refine > 0)
+    throw InputError("[reduce] refine splits the sector's cells, which --matrices doesn't give; leave it at 0");
+  return read_matrix_sector(matrix_files(options), parameters.cyclic_tolerance);
 }
 
 Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
@@ -95,7 +101,7 @@ Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
   if (options.threads > 0) parameters.threads = options.threads;
   if (arguments.verbosity == Verbosity::verbose) say(arguments, "[reduce]\n" + table.resolved());
   say_blas(arguments);
-  SectorMesh mesh = read_sector(arguments, options, parameters.cyclic_tolerance);
+  SectorMesh mesh = read_sector(arguments, options, parameters);
   if (mesh.matrices != nullptr) parameters.prestress = Prestress::linear;  // K holds its effect already
   require_metres(mesh, parameters.speed_max);
   return {std::move(parameters), std::move(mesh), case_file.source()};

@@ -36,6 +36,14 @@ void read_material(CaseTable& table, SectorInput input, Material& material) {
   read("density", material.density, Range::between(1e-3, 1e6), "kg/m^3");
 }
 
+void read_polynomial(CaseTable& table, ReductionParameters& p) {
+  p.polynomial_speeds = table.integer("polynomial_speeds", 0, Range::between(0, 9),
+                                      "of the shape under nonlinear spin, rest among them; 0: as many as it takes");
+  p.polynomial_tolerance = table.number("polynomial_tolerance", 1e-4, {0.0, 1.0, Range::LowEnd::excluded},
+                                        "of the load, out of balance between these speeds");
+  if (p.polynomial_speeds == 1) table.reject("polynomial_speeds", "must be 0 (as many as it takes) or at least 2");
+}
+
 }  // namespace
 
 ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput input) {
@@ -59,16 +67,13 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
   p.frequency_tolerance =
       table.number("frequency_tolerance", accuracy / 40, {0.0, 1.0, Range::LowEnd::excluded},
                    "of a frequency, at quarters of the top speed; what the basis misses joins it");
-  p.polynomial_speeds = table.integer("polynomial_speeds", 0, Range::between(0, 9),
-                                      "of the shape under nonlinear spin, rest among them; 0: as many as it takes");
-  p.polynomial_tolerance = table.number("polynomial_tolerance", 1e-4, {0.0, 1.0, Range::LowEnd::excluded},
-                                        "of the load, out of balance between these speeds");
+  read_polynomial(table, p);
   p.verification_modes = table.integer("verification_modes", 6, Range::between(1, 100), "a nodal diameter");
-  if (p.polynomial_speeds == 1) table.reject("polynomial_speeds", "must be 0 (as many as it takes) or at least 2");
   if (!std::is_sorted(p.verification_speeds.begin(), p.verification_speeds.end()))
     table.reject("verification_speeds", "must increase");
   p.verification_tolerance =
       table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded}, "of omega^2, estimated");
+  p.refine = table.integer("refine", 0, Range::between(0, 3), "times; each splits every cell into eight");
   p.cyclic_tolerance =
       table.number("cyclic_tolerance", 1e-6, {0.0, 0.01, Range::LowEnd::excluded}, "of the largest radius");
   p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");

@@ -27,6 +27,7 @@ struct ReductionParameters {
   double frequency_tolerance = 0;           ///< [1] of the lowest frequencies between the speeds of the basis
   int polynomial_speeds = 0;                ///< of SpinShape, rest among them; 0: as many as it takes
   double polynomial_tolerance = 0;          ///< [1] of the load, that SpinShape may leave out of balance
+  int refine = 0;                           ///< times that each cell is split into eight, see refinement.h
   double cyclic_tolerance = 0;              ///< [1] over the largest radius
   int threads = 1;                          ///< for nodal diameters and the BLAS
 };

@@ -13,6 +13,9 @@ expect_message(works ERRORS "6 sectors of" WRITES model.h5)
 expect_message(help ARGUMENTS --help OUTPUTS "sector.msh")
 expect_message(version ARGUMENTS --version OUTPUTS "tiprub-reduce ${PROJECT_VERSION}")
 expect_message(check ARGUMENTS case.toml sector.msh --check ERRORS "the case and the sector are sound: 6 sectors")
+expect_message(refined ARGUMENTS case.toml sector.msh --set reduce.refine=1 ERRORS "6 sectors of" WRITES model.h5)
+expect_message(refined_too_often ARGUMENTS case.toml sector.msh --check --set reduce.refine=4 EXIT_CODE 2
+               ERRORS "[reduce] refine = 4 must be")
 expect_message(verbose ARGUMENTS case.toml sector.msh --check -v ERRORS "BLAS: OpenBLAS" ", kernels ")
 expect_message(generic_kernels PROGRAM ${CMAKE_COMMAND} -E env OPENBLAS_CORETYPE=Prescott $<TARGET_FILE:tiprub-reduce>
                ARGUMENTS case.toml sector.msh --check

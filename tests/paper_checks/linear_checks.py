@@ -310,7 +310,7 @@ def _(c):
     if not os.path.exists(path):
         raise CannotBeMade(f"{path} is not built")
     libraries = subprocess.run(["ldd", path], stdout=subprocess.PIPE, text=True, check=True).stdout
-    found = [name for name in ("deal_II", "trilinos", "gmsh", "cholmod") if name.lower() in libraries.lower()]
+    found = [name for name in ("deal.ii", "trilinos", "gmsh", "cholmod") if name.lower() in libraries.lower()]
     return not found, "tiprub-simulate links no finite elements, mesher or sparse solver" if not found else f"links {found}"
 
 

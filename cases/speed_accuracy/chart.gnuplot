@@ -8,8 +8,8 @@ set logscale xy
 set format "10^{%T}"
 set grid back lc rgb "#dddddd"
 set key outside right font ",11"
-files = "accuracy_quick.tsv accuracy_made.tsv"
-titles = '"Quick impeller" "Made-up wheel, 900 dofs"'
+files = "accuracy_fast.tsv accuracy_made.tsv"
+titles = '"Fast impeller" "Made-up wheel, 900 dofs"'
 schemes = "trigonometric central_differences paper moreau_jean penalty_1 penalty_10 residual_flexibility"
 colours = "#0060ad #dd181f #ff9900 #109618 #cc66cc #990099 #00aaaa"
 rows(file, group, name) = sprintf("< awk -F'\t' '$1 == \"%s\" && $2 == \"%s\"' %s", group, name, file)

@@ -6,7 +6,7 @@
 
 namespace tiprub {
 
-/// The way of a contact node around the casing. The node begins step 0 .. steps - 1 at the absolute angle
+/// The path of a contact node around the casing. The node begins step 0 .. steps - 1 at the absolute angle
 /// node_angle + 2 pi (sector / N + step / steps).
 struct CasingSteps {
   double node_angle = 0;  ///< [rad] of the contact node in sector 0

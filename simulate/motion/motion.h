@@ -6,7 +6,7 @@
 
 namespace tiprub {
 
-/// The class of the motion in the band of resolved frequencies when the march of a speed ends. A beat is 1/lobes of a
+/// The class of a motion, up to the resolved frequency, at the end of the march. A beat is 1/lobes of a
 /// revolution: the time after which a blade meets the same shape of the casing again.
 enum class MotionClass {
   periodic,     ///< the same every beat
@@ -40,7 +40,7 @@ struct OrbitReport {
   enum class Outcome {
     none,     ///< no search was asked for, or none is possible
     found,    ///< by Newton's method: stable, and confirmed by marching
-    marched,  ///< Newton's method found no stable orbit, and the march went on from its state before
+    marched,  ///< Newton's method found no stable orbit; the march continued from the state before it
   };
 
   Outcome outcome = Outcome::none;
@@ -57,7 +57,7 @@ enum class SymmetryVerdict {
   all_held,   ///< no nodal diameter was left out
   unchecked,  ///< their growth was not computed
   holds,      ///< a small disturbance of them dies out
-  breaking,   ///< it grows: the motion found would not be observed
+  breaking,   ///< it grows: the computed motion would not be observed
   undecided,  ///< it neither clearly grows nor clearly dies out
 };
 

@@ -21,7 +21,7 @@ enum class Scheme {
 
 enum class ContactRule {
   complementarity,  ///< 0 <= lambda perpendicular to g >= 0, in every step
-  paper,            ///< eq. 14, eq. 15: every node that the free step pushes through is closed once, as an equality
+  paper,            ///< eq. 14, eq. 15: every node that penetrates in the step without forces is closed once
 };
 
 /// Properties of a scheme, so that other code need not ask for a scheme by name.
@@ -29,7 +29,7 @@ struct SchemeTraits {
   bool has_memory;    ///< its contact law remembers more than the modes at two instants, which rules out orbits
   bool limits_step;   ///< stable for h < 2/omega_max only
   bool springs;       ///< a closed node stands on a spring, which raises omega_max
-  bool quasi_static;  ///< keeps the modes without mass, which follow their forces without delay
+  bool quasi_static;  ///< also keeps modes without mass, which follow their forces without delay
 };
 
 constexpr SchemeTraits traits_of(Scheme scheme) {

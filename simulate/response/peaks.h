@@ -28,24 +28,25 @@ ParabolaTop parabola_top(const std::array<double, 3>& places, const std::array<d
 /// `share` of their height; ascending in index. The two ends are never peaks, because the curve may rise beyond them.
 std::vector<Peak> find_peaks(const Eigen::VectorXd& curve, double share);
 
-// Distances of speeds, of the half-width of a resonance over speed: its damping ratio times the speed.
+// Distances of speeds in half-widths of a resonance over speed. A half-width is the damping ratio times the speed.
 inline constexpr double finding_spacing = 2;      ///< the sample next to a top still has 0.7 of its height
-inline constexpr double resolving_spacing = 0.5;  ///< a top stands 3 % above the samples beside it at most
+inline constexpr double resolving_spacing = 0.5;  ///< a top is at most 3 % higher than the samples beside it
 
-/// Which maxima of a response are peaks to be named.
+/// Decides which maxima of a response are named as peaks.
 struct PeakMeasure {
   double prominence = 0.1;  ///< [1] of a peak's height
-  double severe = 0.8;      ///< [1] of the curve's largest value: a maximum that reaches it needs no prominence
-  double apart = 0.02;  ///< [1] of a peak's height: with less prominence than this it is the ragged top of another
+  double severe = 0.8;      ///< [1] of the curve's largest value: a maximum that reaches it needs only `apart`
+  double apart = 0.02;      ///< [1] of a peak's height: a maximum of less prominence is part of another, ragged peak
 };
 
-/// As find_peaks(), with the maxima that are nearly as severe as the worst, however shallow the valley beside them.
+/// As find_peaks(), and also the maxima that are nearly as high as the largest one, even if the valley beside them
+/// is shallow.
 std::vector<Peak> named_peaks(const Eigen::VectorXd& curve, const PeakMeasure& measure);
 
-/// How far above sample `place` of a curve, one of its peaks, the curve may rise before the next sample in direction
-/// `step`, if its flanks bend inwards as those of a top do: below the line through the two samples before, and below
-/// the one through the two that follow. Where the latter passes below the peak, because they follow a jump, the curve
-/// rises at most by as much as it falls to the next sample.
+/// How far a curve may rise above its peak at sample `place` before the next sample in direction `step`. The
+/// flanks of a top bend inwards, so that the curve stays below the line through the two samples before and below
+/// the line through the two samples that follow. After a jump the second line passes below the peak; then the
+/// curve is assumed to rise by at most as much as it falls to the next sample.
 double rise_beside(const Eigen::VectorXd& places, const Eigen::VectorXd& curve, Eigen::Index place, int step);
 
 /// The ends of a curve towards which it rises by at least `share` of its height there: a peak may lie beyond them.

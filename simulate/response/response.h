@@ -75,7 +75,7 @@ struct SpeedResponse {
   std::string failure;  ///< empty, or why this speed has no response; then the arrays are empty
   int steps_per_revolution = 0;
   int samples_per_revolution = 0;
-  int recorded_revolutions = 0;  ///< as asked for, or one period of a settled motion if that is less
+  int recorded_revolutions = 0;  ///< as the case says, or one period of a settled motion if that is less
   int revolutions = 0;           ///< marched in all, the recorded ones included
   Depth depth = Depth::full;
   double amplitude = 0;  ///< [m] half of the peak-to-peak normal displacement, largest of all nodes and sectors
@@ -110,7 +110,7 @@ struct SpeedResponse {
   double smallest_multiplier = 0;     ///< [N] below zero where the casing pulled
   std::int64_t contact_steps = 0;     ///< recorded steps with at least one closed node
   std::int64_t tension_steps = 0;     ///< recorded steps with a negative multiplier (with the paper's rule only)
-  std::int64_t solver_fallbacks = 0;  ///< steps in which the active set needed its finite fallback
+  std::int64_t solver_fallbacks = 0;  ///< steps in which the active-set method cycled and Murty's method took over
   SpeedAudit audit;
   std::vector<OtherStart> other_starts;  ///< of an examined speed
 };
@@ -140,7 +140,7 @@ struct SimulatedScene {
   ClearanceState clearance_state = ClearanceState::running;
   std::vector<ModelledEffect> effects;  ///< what was modelled and left out; empty if the file has none
   std::string model_digest;             ///< digest() of the model that was marched
-  std::string scope;                    ///< what was modelled and left out, and why; one reason in a line
+  std::string scope;                    ///< what was modelled and left out, and why; one reason per line
   std::string casing;                   ///< the table [casing] of the case, as TOML
   std::string provenance;               ///< the case and the provenance of the model, as text
 };

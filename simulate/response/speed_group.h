@@ -14,11 +14,11 @@ namespace tiprub {
 void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResponse& response,
                        const SimulatedScene& scene);
 
-/// Whether every number is finite, which the reader demands.
+/// Whether every number is finite, as the reader requires.
 bool is_finite(const SpeedResponse& speed);
 
-/// Raises RunError if an attribute is missing, unknown or out of bounds, or if the arrays do not fit together, the
-/// scene, or the speeds read before with the same axes.
+/// Raises RunError if an attribute is missing, unknown or out of bounds, or if the arrays disagree with each
+/// other, with the scene, or with the axes of the speeds that were read before.
 SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene,
                                NamedAxes& axes);
 

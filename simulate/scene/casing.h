@@ -26,8 +26,8 @@ enum class CasingShape {
 /// A rigid casing that stands still around the wheel. Its distortion is positive inward, is the same along the chord
 /// unless it is a profile, and repeats every 2 pi / lobes: in the frame of the rotor its fundamental frequency is N_l
 /// Omega (eq. 16). The gap of node k of sector j, positive when open, is
-///   g = clearance_k - ramp(t) distortion(theta_k + j alpha + Omega t, s_k) - n_k . u_jk,
-/// where s_k is the fraction of the arc length at the node. The casing pushes along -n_k.
+///   g = clearance_k - ramp(t) distortion(theta_k + j alpha + Omega t, s_k) - nu_k . u_jk,
+/// where s_k is the fraction of the arc length at the node and nu_k the normal. The casing pushes along -nu_k.
 struct Casing {
   CasingShape shape = CasingShape::cosine;
   int lobes = 1;                  ///< N_l: the casing repeats every 2 pi / N_l
@@ -53,8 +53,9 @@ struct Casing {
   double extra_clearance(int sector) const { return blade_clearance.empty() ? 0.0 : blade_clearance[sector]; }
   /// [m] clearance as the case gives it, at the contact nodes of the tightest blade.
   Eigen::VectorXd given_clearance(const ContactLine& contact) const;
-  /// [m] clearance that is left at a speed in rad/s. A running clearance holds at every speed; from the others the
-  /// growth of normal . static shift since the speed at which it was given (standstill if cold) is subtracted.
+  /// [m] clearance that is left at a speed in rad/s. A running clearance is the same at every speed. The others
+  /// are given at one speed (standstill if cold) and are reduced by the growth of normal . static shift from there
+  /// to this speed.
   Eigen::VectorXd running_clearance(const ContactLine& contact, double speed) const;
 };
 
@@ -65,12 +66,13 @@ Eigen::VectorXd arc_fractions(const ContactLine& contact);
 /// Reads [casing]. Raises InputError.
 Casing read_casing(CaseTable& table);
 
-/// Blades that differ break the symmetry: each blade of the wheel needs its clearance, all nodal diameters must be
-/// marched, and no orbit travels with the casing. Raises InputError at the key if the case says otherwise.
+/// Blades that differ break the symmetry. The case must then give a clearance for each blade, march all nodal
+/// diameters, and ask neither for orbits nor for branches, which require equal blades. Raises InputError at the
+/// key otherwise.
 void require_blades_of_wheel(const CaseTable& table, const Casing& casing, const SimulateParameters& parameters,
                              int sector_count);
 
-/// Refuses an amplitude or a clearance above a tenth of the tip radius, which hints at millimetres given as metres.
+/// Refuses an amplitude or a clearance above a tenth of the tip radius, which is probably a length in millimetres.
 /// Raises InputError at the key.
 void require_lengths_in_metres(const CaseTable& table, const Casing& casing, const ContactLine& contact);
 

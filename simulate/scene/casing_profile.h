@@ -15,7 +15,7 @@ namespace tiprub {
 class PeriodicTable {
  public:
   PeriodicTable() = default;
-  /// [1] of the period: the smallest distance of two points, which rounding could otherwise merge a period later.
+  /// [1] of the period: the smallest distance of two points. Rounding could merge closer points one period later.
   static constexpr double closest = 1e-9;
   /// Points [x, y] with x increasing by more than `closest` inside [x_0, x_0 + period).
   PeriodicTable(const std::vector<std::array<double, 2>>& points, double period);

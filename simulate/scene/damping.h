@@ -31,9 +31,9 @@ inline double linear_between(const std::vector<std::array<double, 2>>& points, d
 /// grows with the fourth power of that, and is four times as large. Infinite if the model came without verification.
 double resolved_frequency(const ReducedModel& model);
 
-/// Modal damping as ratios of critical: by family or by frequency up to the resolved frequency, and one ratio beyond
-/// it. The modes beyond represent the compliance of the tips, but their frequencies are artefacts of the mesh. With
-/// the small damping of a wheel they would ring on after each impact and keep the motion from settling.
+/// Modal damping as ratios of critical: by family or by frequency up to the resolved frequency, and one ratio
+/// beyond it. The modes beyond represent the compliance of the tips, but their frequencies are artefacts of the
+/// mesh. With the small damping of a wheel they would ring after each impact, and the motion would not settle.
 class Damping {
  public:
   using Table = decltype(DampingRatios::by_frequency);
@@ -60,8 +60,8 @@ class Damping {
   double resolved_ = std::numeric_limits<double>::infinity();
 };
 
-/// [1] of critical. Modes must oscillate; the bound keeps clear of critical damping, where the coefficients of the
-/// step are singular.
+/// [1] of critical. The range ends below critical damping, where modes no longer oscillate and the coefficients of
+/// the step are singular.
 extern const Range damping_range;
 
 /// Reads the keys of [simulate] that give the damping of resolved modes. Raises InputError.

@@ -11,10 +11,9 @@
 namespace tiprub {
 
 /// The nodal diameters, sectors and samples that a scene needs. Turning it by 2 pi / g, with g = gcd(N, N_l), maps
-/// the scene onto itself at every instant. From rest, therefore, only nodal diameters that are multiples of g move: N
-/// alpha
-/// +- n = k N_l has solutions for these only (the paper's eq. 17), and N/g sectors are independent. This is exact,
-/// also for the transient.
+/// the scene onto itself at every instant. From rest, therefore, only nodal diameters n that are multiples of g
+/// move, because N p +- n = k N_l has solutions in whole p and k for these only (the paper's eq. 17), and N/g
+/// sectors are independent. This is exact, also for the transient.
 struct SceneScope {
   int symmetry = 1;                  ///< g; 1 if all nodal diameters are asked for
   int independent_sectors = 1;       ///< N / g

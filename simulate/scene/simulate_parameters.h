@@ -52,7 +52,7 @@ enum class BranchChoice {
 /// What is done about speeds whose symmetric motion is unstable.
 enum class BrokenSymmetry {
   mark,      ///< they are reported
-  full_run,  ///< they are run again with all nodal diameters, into a response of their own
+  full_run,  ///< they are also computed with all nodal diameters, and written to a second response
 };
 
 /// The parameters of [simulate].
@@ -60,9 +60,9 @@ struct SimulateParameters {
   std::vector<double>
       speeds;  ///< [rad/s] ascending, all different: all speeds, or the first ones of an adaptive sweep
   SpeedChoice speed_choice = SpeedChoice::given;
-  int scan_per_interval = 0;     ///< of an adaptive sweep, between two of its first speeds, at least
+  int scan_per_interval = 0;     ///< of an adaptive sweep: least number between two given speeds
   int speed_count_max = 0;       ///< of an adaptive sweep
-  double peak_prominence = 0.1;  ///< [1] of a peak's height: lower ones are neither located nor examined
+  double peak_prominence = 0.1;  ///< [1] of a peak's height; peaks with less are neither located nor examined
   Examination examination = Examination::none;
   Scheme scheme = Scheme::trigonometric;
   ContactRule contact = ContactRule::complementarity;
@@ -77,9 +77,9 @@ struct SimulateParameters {
   double damping_ratio_beyond = 0;  ///< [1] of critical, of modes above the resolved frequency
   double accuracy = 0.02;           ///< [1] of the amplitude of a critical speed; sets the defaults of the tolerances
   double step_tolerance = 5e-3;     ///< [1] of the settled motion: the step is halved until the change is smaller
-  double steps_per_period = 200;    ///< at least, in a period of the lowest natural frequency, for the first march
-  int steps_per_revolution = 0;     ///< at least, and never halved; 0: from steps_per_period
-  int samples_per_revolution = 0;   ///< at least
+  double steps_per_period = 200;    ///< least number per period of the lowest natural frequency, in the first march
+  int steps_per_revolution = 0;     ///< least number, never halved; 0: steps_per_period applies
+  int samples_per_revolution = 0;   ///< least number
   int recorded_revolutions = 0;
   int min_revolutions = 0;
   int max_revolutions = 0;
@@ -90,7 +90,7 @@ struct SimulateParameters {
   BrokenSymmetry when_symmetry_breaks = BrokenSymmetry::mark;
   BranchChoice branches = BranchChoice::none;
   double branch_range = 0;  ///< [1] of a speed, to either side of it
-  int branch_steps = 0;     ///< orbits to either side, at most
+  int branch_steps = 0;     ///< largest number of orbits to either side
   int threads = 0;          ///< 0: as many as the machine has
 };
 

@@ -22,7 +22,7 @@ using SampledCurve = std::vector<SampledSpeed>;
 struct LocationGoal {
   PeakMeasure peaks;         ///< other maxima are ignored
   double speed = 1e-3;       ///< [1] half width of the interval around a peak
-  double amplitude = 1e-2;   ///< [1] largest rise above a peak that the samples beside it leave room for
+  double amplitude = 1e-2;   ///< [1] how far the curve may rise above a peak between its samples
   double narrowest = 1e-4;   ///< [1] of the speed: no gap beside a peak becomes narrower
   double fall = 0.02;        ///< [1] of the height of a peak: the response must be seen to fall by this much ...
   double flank = 5e-3;       ///< [1] ... within this share of the speed, so that no higher peak hides beside it
@@ -42,16 +42,16 @@ std::vector<double> speeds_to_scan(const std::vector<double>& given, int per_int
                                    std::size_t most);
 
 /// The speeds that a curve needs next to locate every peak and every jump: ascending and new; empty when all are
-/// located. Near a peak this is the vertex of the parabola through its three samples or, where the vertex is the peak
-/// itself, a speed on each side that is still too wide, and then the middle of a gap that leaves room for a rise. The
-/// interval of a jump is halved. When nothing else is left, a speed is added where the side of a peak falls between
-/// two speeds far apart.
+/// located. Near a peak this is the vertex of the parabola through its three samples. If the vertex is the peak
+/// itself, a speed is added on each side whose gap is still too wide, and then in the middle of a gap in which the
+/// curve may still rise. The interval of a jump is halved. When all this is done, a speed is added where the side
+/// of a peak falls between two distant speeds.
 std::vector<double> speeds_to_refine(const SampledCurve& curve, const LocationGoal& goal);
 
-/// The speeds that must be computed in full to confirm the located peaks and jumps of a scan. For each peak these are
-/// the vertex of the parabola, a speed on each side within the goal, and the valleys, unless a speed in `full` shows
-/// that the response falls to half before them. For each jump they are both of its sides and a speed beyond each. No
-/// speed that `full` has, and none beyond the ends of the scan.
+/// The speeds that must be computed in full to confirm the located peaks and jumps of a scan. For each peak these
+/// are the vertex of the parabola, a speed on each side within the goal, and the valleys, unless a speed in `full`
+/// shows that the response falls to half before them. For each jump they are both of its sides and a speed beyond
+/// each. Speeds in `full`, and speeds beyond the ends of the scan, are left out.
 std::vector<double> speeds_to_confirm(const SampledCurve& scan, const SampledCurve& full, const LocationGoal& goal);
 
 /// The indices of the peaks of a curve, ascending.

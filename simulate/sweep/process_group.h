@@ -27,7 +27,7 @@ class ProcessGroup {
   /// Returns 0, 1, 2, ...: each number goes to one caller only, in any thread of any process. It is one atomic
   /// addition in the memory of the leader; no process waits for another.
   std::size_t next();
-  /// Lets next() begin anew. All processes must call it after the last number of a list has been taken.
+  /// Lets next() start again at 0. All processes must call it after the last number of a list has been taken.
   void restart();
   /// From now on next() gives numbers beyond any list.
   void stop();

@@ -37,10 +37,10 @@ struct ExemptKey {
 };
 const std::vector<ExemptKey>& exempt_keys();
 
-/// A digest (16 hexadecimal digits) of everything that decides the result of a speed: the numbers of the model, every
-/// setting that is not exempt, and the version of the program; for a sweep that starts each speed from the one
-/// before, also the speeds. New keys of the tables count without being listed, because a forgotten key would silently
-/// give back former results.
+/// A digest (16 hexadecimal digits) of everything that decides the result of a speed: the numbers of the model,
+/// every setting that is not exempt, and the version of the program; for a sweep that starts each speed from the
+/// one before, also the speeds. A new key counts unless it is listed as exempt: if keys that count were listed
+/// instead, a forgotten one would make the program reuse results that no longer hold.
 std::string run_key(const ReducedModel& model, const SweepSettings& settings, const SimulateParameters& parameters,
                     const std::string& generator);
 

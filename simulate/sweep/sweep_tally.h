@@ -21,16 +21,16 @@ struct SweepTally {
   std::size_t pulling = 0;          ///< speeds with tensile contact forces
   std::size_t penetrating = 0;      ///< speeds with steps that leave a node in the casing
   std::vector<double> breaking;     ///< [rad/s] speeds at which a nodal diameter that was left out grows
-  std::size_t apart_from_rest = 0;  ///< speeds whose motion differs from the one from rest
-  int marched = 0;                  ///< speeds at which no stable orbit was found, though sought
+  std::size_t apart_from_rest = 0;  ///< speeds whose motion differs from that of a start from rest
+  int marched = 0;                  ///< speeds at which a stable orbit was sought but not found
   std::size_t halved = 0;           ///< speeds also computed with half the step
-  double largest_halving = 0;       ///< [1] the largest difference by that
+  double largest_halving = 0;       ///< [1] the largest change by halving the step
   double tension_share = 0;         ///< [1] the largest share of tensile contact force
   std::string first_failure;
 
   void add(const SpeedResponse& response);
   std::string text() const;
-  /// A line for each point that the user should look at, each after a line break.
+  /// One line for each finding that the user should look at, each preceded by a line break.
   std::string warnings(BrokenSymmetry broken = BrokenSymmetry::mark) const;
 };
 

@@ -18,7 +18,7 @@ struct ModesOverSpeed {
   Eigen::MatrixXi
       branch;           ///< mode k at speed s continues the branch of this number; at the first speed, k; n_s x n_f
   Eigen::MatrixXd mac;  ///< [1] MAC with the same branch at the speed before, 1 where a branch begins; n_s x n_f
-  std::vector<Eigen::MatrixXd> energy_share;  ///< [1] one a part: its share of the mode's strain energy; n_s x n_f
+  std::vector<Eigen::MatrixXd> energy_share;  ///< [1] for each part, its share of the strain energy; n_s x n_f
 };
 
 /// The modes and the static state of the unreduced sector under spin, without contact.
@@ -31,16 +31,16 @@ struct LinearResults {
   Eigen::MatrixXd displacement;                 ///< [m] largest under spin; n_s x parts
   Eigen::MatrixXd von_mises;                    ///< [Pa] largest under spin, of the Gauss points; n_s x parts
   Eigen::VectorXd tip_arc_length;  ///< [m] of the tip line's nodes from the leading edge, in the meridional plane
-  Eigen::MatrixXd clearance_loss;  ///< [m] by which the tip comes nearer to the casing, along its normal; n_s x nodes
+  Eigen::MatrixXd clearance_loss;  ///< [m] motion of the tip towards the casing, along its normal; n_s x nodes
 
   int speed_count() const { return static_cast<int>(speeds.size()); }
 };
 
-/// Finds the modes at each verification speed anew, with one factor and block Lanczos, and follows them across speed
-/// by the modal assurance criterion MAC_ij = |phi_i^H M phi_j|^2 of M-orthonormal shapes. The pair with the largest
-/// MAC is joined first, then the largest of the remaining pairs; a mode whose MAC is below 0.5 begins a branch. A
-/// mode's strain energy is that of the material at rest, u^H K(0) u / 2, summed over the cells of each part. Raises
-/// RunError for an unstable rotor, with the speed, and for too little memory.
+/// Finds the modes at each verification speed independently, with one factor and block Lanczos, and tracks them
+/// over speed by the modal assurance criterion MAC_ij = |phi_i^H M phi_j|^2 of M-orthonormal shapes. The pair with
+/// the largest MAC is joined first, then the largest of the remaining pairs; a mode whose MAC is below 0.5 begins
+/// a branch. A mode's strain energy is that of the material at rest, u^H K(0) u / 2, summed over the cells of each
+/// part. Raises RunError for an unstable rotor, with the speed, and for too little memory.
 LinearResults linear_results(const SectorMesh& mesh, const ReductionParameters& parameters);
 
 /// Three tables, blank-separated, one header line each: modes, static state of the parts, tip.

@@ -27,19 +27,19 @@ struct ReductionReport {
   int sector_dofs = 0;
   int clamped_face_nodes = 0;
   double memory_needed = 0;           ///< [bytes] estimated
-  std::vector<int> generalized_dofs;  ///< a nodal diameter
-  std::vector<int> dropped;           ///< a nodal diameter
-  std::vector<int> corrections;       ///< shapes that modes between the speeds gave; a nodal diameter
+  std::vector<int> generalized_dofs;  ///< by nodal diameter
+  std::vector<int> dropped;           ///< by nodal diameter
+  std::vector<int> corrections;       ///< number of shapes added for modes between the speeds, by nodal diameter
   int shape_terms = 0;                ///< of the shape under spin; see SpinShape
   double imbalance = 0;               ///< [1] of the load, between the speeds of the shape under spin
   std::vector<PartOfWork> parts;
 };
 
-/// Section 3.4 of the paper: K and M of a sector (eq. 3, eq. 5), nodal diameter by nodal diameter (eq. 4, eq. 6) on
-/// one Craig-Bampton basis (eq. 8, eq. 9, eq. 10), eq. 7 through K at three speeds or more, and the unreduced
+/// Section 3.4 of the paper: K and M of a sector (eq. 3, eq. 5), nodal diameter by nodal diameter (eq. 4, eq. 6)
+/// on one Craig-Bampton basis (eq. 8, eq. 9, eq. 10), eq. 7 through K at three speeds or more, and the unreduced
 /// frequencies that verify it. Costs two factorizations, at rest and at Omega_max, for all nodal diameters and all
-/// speeds. Raises RunError for an unstable rotor, with the speed. `fields`, if given, gets the basis on all nodes as
-/// soon as it is known.
+/// speeds. Raises RunError for an unstable rotor, with the speed. If `fields` is given, the basis on all nodes is
+/// written to it as soon as it is known.
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown progress,
                     ReductionReport& report, FieldsWriter* fields = nullptr);
 

@@ -21,14 +21,14 @@ inline void append_products(Eigen::MatrixXcd& products, const Eigen::MatrixXcd& 
 }
 
 /// eq. 9: one basis of one nodal diameter for all speeds. It holds the constraint modes at rest, unchanged so that
-/// contact dofs stay physical, and an M-orthonormal set made from all other shapes: fixed-interface modes of several
-/// speeds, changes of the constraint modes with speed (without them a thin blade that has turned under load is far
-/// off), and corrections for modes at other speeds. Directions are dropped by their stiffness norm, never by mass:
-/// light directions are the stiff ones.
+/// contact dofs stay physical, and an M-orthonormal set made from all other shapes: fixed-interface modes of
+/// several speeds, changes of the constraint modes with speed (without which a thin blade that has rotated under
+/// load would have large errors), and corrections for modes at other speeds. A direction is dropped if its norm in
+/// the stiffness is small, never because its mass is small: light directions are the stiff ones.
 ///
 /// The sector's matrices are applied to each shape when it is appended; all other work is on small matrices. A new
-/// shape is first made orthonormal to the others in the stiffness at rest, because small matrices of nearly dependent
-/// shapes would lose the lowest modes to rounding.
+/// shape is first made orthonormal to the others in the stiffness at rest, because rounding would destroy the
+/// lowest modes in small matrices of nearly dependent shapes.
 class CraigBamptonBasis {
  public:
   /// `stiffness` are the sector's at the speeds that the model samples, the first one at rest; all matrices must

@@ -18,14 +18,15 @@ struct CyclicModes {
 };
 
 /// Block Lanczos with full M-reorthogonalisation on K^-1 M (Grimes, Lewis, Simon 1994), in complex arithmetic. It
-/// needs half of the vectors of the doubled real problem, and finds each value once. With ContactNodes::fixed these
-/// are the fixed-interface modes, Psi_co of eq. 8. The vectors of a block share the cost of a pass through the
-/// factor. `tolerance` bounds the residual of each mode. Raises RunError if it doesn't converge.
+/// needs half the vectors of the doubled real problem, and finds each eigenvalue once. With ContactNodes::fixed
+/// these are the fixed-interface modes, Psi_co of eq. 8. The vectors of a block share the cost of a pass through
+/// the factor. `tolerance` bounds the residual of each mode. Raises RunError if it doesn't converge.
 ///
-/// Trilinos' Anasazi isn't used because its Epetra adapter is real: it works on the doubled problem, with vectors of
-/// twice the length, and has to find each value twice. `anasazi_test --gtest_also_run_disabled_tests
-/// --gtest_filter=*Side*` times both on the same factor and mass, for the same modes to the same residual: 3.1 s of
-/// processor time against 6.5 s for 40 modes of a travelling wave with 18,480 dofs a sector.
+/// Trilinos' Anasazi isn't used because its Epetra adapter is real: it works on the doubled problem, with vectors
+/// of twice the length, and has to find each eigenvalue twice.
+/// `anasazi_test --gtest_also_run_disabled_tests --gtest_filter=*Side*` times both on the same factor and mass,
+/// for the same modes to the same residual: 3.1 s of processor time against 6.5 s for 40 modes of a travelling
+/// wave with 18,480 dofs a sector.
 CyclicModes lowest_modes(const CyclicSolver& stiffness, const SymmetricMatrix& mass, ContactNodes contact, int count,
                          double tolerance);
 

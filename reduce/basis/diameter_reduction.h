@@ -21,11 +21,11 @@ class DiameterReduction {
                     const SectorFactor& factor_at_top, const CyclicTransformation& transform,
                     const ReductionParameters& parameters);
 
-  /// Modes and static shapes of both speeds (eq. 8), made one basis (eq. 9). At Omega_max it needs only the span of
-  /// the fixed-interface modes, which one inverse iteration of the modes at rest gives.
+  /// Combines the modes and static shapes of both speeds (eq. 8) in one basis (eq. 9). At Omega_max only the span
+  /// of the fixed-interface modes is required, and one inverse iteration of the modes at rest gives it.
   CraigBamptonBasis start_basis() const;
-  /// Estimates the errors of the modes at speeds between those of the basis. Where one is larger than [reduce]
-  /// frequency_tolerance, the basis gets the shapes that it lacks. Returns the number of these.
+  /// Estimates the errors of the modes at speeds between those of the basis. If an error exceeds [reduce]
+  /// frequency_tolerance, the missing shapes are added to the basis. Returns their number.
   int correct(CraigBamptonBasis& basis) const;
   /// [Hz] The unreduced sector's lowest frequencies at the verification speeds, followed from the modes of the basis;
   /// n_s x n_f.

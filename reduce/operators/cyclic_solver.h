@@ -13,7 +13,7 @@ enum class ContactNodes { free, fixed };
 
 /// Solves T^H K T x = b of one nodal diameter (eq. 6) from the one factor of the sector's K. Only the Schur
 /// complement on cut faces and contact nodes depends on the phase. A nodal diameter costs a dense Cholesky
-/// factorization of it, and each block of right sides two passes through the sector's factor.
+/// factorization of it, and each block of right-hand sides costs two passes through the sector's factor.
 ///
 /// Contact nodes are rows of the Schur complement; segments, B' u = q, are not. Psi = K^-1 B (B' K^-1 B)^-1 holds the
 /// shapes in which one segment moves and the others don't, so x - Psi B' x is the solution with all segments held.
@@ -23,11 +23,11 @@ class CyclicSolver {
   /// Raises RunError if K of this nodal diameter is not positive definite.
   CyclicSolver(const SectorFactor& factor, const CyclicTransformation& transform);
 
-  /// x with K x = b; independent x columns; b must be real for a standing transform. With fixed contact nodes their
-  /// rows of b are ignored, of x zero; with fixed segments B' x is zero.
+  /// x with K x = b; independent x columns; b must be real for a standing transform. With fixed contact nodes,
+  /// their rows of b are ignored and their rows of x are zero; with fixed segments, B' x is zero.
   Eigen::MatrixXcd solve(const Eigen::MatrixXcd& load, ContactNodes contact) const;
-  /// The constraint modes, Psi_s of eq. 8 with its unit rows: static shapes of a unit displacement of each contact
-  /// dof, the others held, all else free of load; independent x contact dofs.
+  /// The constraint modes, Psi_s of eq. 8 with its unit rows: the static shapes for a unit displacement of each
+  /// contact dof while the other contact dofs are held and no load acts elsewhere; independent x contact dofs.
   Eigen::MatrixXcd constraint_modes() const;
   const CyclicTransformation& transform() const { return transform_; }
 

@@ -6,7 +6,7 @@
 
 namespace tiprub {
 
-/// What a reduction holds at once.
+/// The numbers of large objects that a reduction holds at the same time.
 struct Holdings {
   int factors = 0;      ///< of the sector's K
   int stiffnesses = 0;  ///< sparse K of the sector
@@ -17,7 +17,7 @@ struct Holdings {
 /// What a reduction will hold at its peak [bytes], before it starts.
 struct MemoryNeed {
   double factor = 0;    ///< L of each speed, its interface part, and a nodal diameter's dense factors
-  double bases = 0;     ///< vectors of the nodal diameters at work, and those on their way through a factor
+  double bases = 0;     ///< vectors of the nodal diameters at work, and those in a solve with a factor
   double matrices = 0;  ///< sparse K and M, the shape functions at the Gauss points, and the program itself
   double threads = 0;   ///< address space of their stacks and of the BLAS's buffers, most of which is never touched
 
@@ -29,12 +29,12 @@ struct MemoryNeed {
 /// factorization.
 MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Holdings& held);
 
-/// Raises RunError with both numbers if the need is more than what is available, or with its threads more than what
-/// may be mapped.
+/// Raises RunError with both numbers if the need exceeds the available memory, or if the need with its threads
+/// exceeds the memory that may be mapped.
 void require_memory(const MemoryNeed& need, double available, double mappable);
 
-/// Requires the memory that the work will take, and starts the BLAS's threads. Nothing may call the BLAS before this:
-/// OpenBLAS tries for ever to map a buffer for which a limit leaves no room.
+/// Requires the memory that the work will take, and starts the BLAS's threads. Nothing may call the BLAS before
+/// this: if a limit leaves no room for a buffer, OpenBLAS tries to map it forever.
 void start_threads(const MemoryNeed& need, int threads);
 
 }  // namespace tiprub

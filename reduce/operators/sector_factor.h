@@ -16,8 +16,9 @@ namespace tiprub {
 /// what depends on it is a small dense matrix made from S (see cyclic_solver.h). A factorization for each of six
 /// nodal diameters would cost five times as much and give the same digits.
 ///
-/// A sector with free cut faces need not be positive definite at speed: a multiple of the identity is added to K_FF
-/// before, and taken from S afterwards. K_II indefinite means that the rotor is unstable.
+/// The K of a sector with free cut faces may be indefinite at speed: a multiple of the identity is therefore added
+/// to K_FF before the factorization, and subtracted from S afterwards. If K_II is indefinite, the rotor is
+/// unstable.
 class SectorFactor {
  public:
   /// Raises RunError if the interior is not positive definite or the memory doesn't suffice.
@@ -35,8 +36,8 @@ class SectorFactor {
     Eigen::MatrixXd interface_load;  ///< interface x columns
   };
   Eliminated eliminate(const Eigen::MatrixXd& interior_load) const;
-  /// Second half: the displacement of the interior when the interface moves by `interface` (interface x columns), in
-  /// place of the first rows; sector x columns.
+  /// Second half: the displacement of the sector when its interface moves by `interface` (interface x columns);
+  /// sector x columns, in the order of SectorDofs.
   Eigen::MatrixXd back_substitute(Eliminated&& eliminated, const Eigen::MatrixXd& interface) const;
 
  private:

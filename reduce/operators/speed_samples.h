@@ -38,18 +38,18 @@ class PolynomialFit {
   /// Speeds [rad/s], ascending from zero.
   explicit PolynomialFit(const std::vector<double>& speeds);
 
-  /// From Y, matrices or vectors, at the speeds. With many terms the inverse of their matrix loses digits, so the
-  /// misfit at the speeds is fitted again (iterative refinement).
+  /// The polynomial through Y, matrices or vectors, at the speeds. With many terms the inverse of the Vandermonde
+  /// matrix loses digits, so that the misfit at the speeds is fitted again (iterative refinement).
   template <class Matrix>
   SpeedPolynomial<Matrix, 0> through(const std::vector<Matrix>& samples) const;
-  /// The weights by which Y(Omega) is a sum of Y at the speeds.
+  /// The weights w with which Y(Omega) is the sum of w_s Y(Omega_s) over the speeds Omega_s.
   Eigen::VectorXd weights(double speed) const;
 
  private:
   template <class Matrix>
   std::vector<Matrix> solve(const std::vector<Matrix>& samples) const;
 
-  static constexpr double tolerance = 1e-13;  // of what a refinement may leave
+  static constexpr double tolerance = 1e-13;  // of the misfit that ends the refinement
   static constexpr int refinements = 2;       // of 17 terms; three need none
   std::vector<double> speeds_;
   Eigen::MatrixXd vandermonde_;  // in (Omega/Omega_max)^2; speeds x terms
@@ -86,20 +86,20 @@ SpeedPolynomial<Matrix, 0> PolynomialFit::through(const std::vector<Matrix>& sam
   return Y;
 }
 
-/// The speeds over Omega_max at which the basis is corrected: between those that made it, and at full speed, of which
-/// it knows the modes by one inverse iteration only.
+/// The speeds, as fractions of Omega_max, at which the basis is corrected: between rest and Omega_max, and at
+/// Omega_max itself, where the modes come from one inverse iteration only.
 inline constexpr std::array corrected_speeds = {0.25, 0.5, 0.75, 1.0};
 
-/// [rad/s] of fractions of Omega_max.
+/// Speeds [rad/s] from fractions of Omega_max.
 std::vector<double> speeds_at(std::vector<double> fractions, double speed_max);
 
-/// Fractions 0 .. 1 of Omega_max whose squares are Chebyshev's points, `steps` + 1 of them, ascending. Twice as many
-/// steps keep all of them.
+/// The `steps` + 1 fractions 0 .. 1 of Omega_max whose squares are Chebyshev points, ascending. The points for
+/// twice as many steps include all of them.
 std::vector<double> chebyshev_fractions(int steps);
 
-/// The speeds, as fractions of Omega_max, at which a sector's K is assembled. The first are those that eq. 7 goes
-/// through. It is exact for K of the shapes of a SpinShape, so any speeds serve. With nonlinear prestress the speeds
-/// follow at which K of the equilibrium itself is needed.
+/// The speeds, as fractions of Omega_max, at which a sector's K is assembled. The polynomial of eq. 7 goes through
+/// the first of them. It is exact for the K of a SpinShape, so that any speeds may be chosen. With nonlinear
+/// prestress, the speeds at which K of the equilibrium itself is required come after them.
 class SpeedSamples {
  public:
   /// `shape_terms` of the SpinShape.
@@ -109,8 +109,8 @@ class SpeedSamples {
   /// The number of speeds that eq. 7 goes through: the first ones, from zero to one.
   int polynomial_terms() const { return terms_; }
   std::vector<double> polynomial_fractions() const { return {fractions_.begin(), fractions_.begin() + terms_}; }
-  /// The weights by which K at any fraction is a sum of K at the samples. At a sample only that one has a weight; if
-  /// K of an equilibrium is known there, it is taken.
+  /// The weights with which K at any fraction is a sum of K at the samples. At a sample only that sample has a
+  /// weight; K of the equilibrium is preferred if it is known there.
   Eigen::VectorXd weights(double fraction) const;
   /// This sum for a model's small matrices.
   Eigen::MatrixXcd combine(const std::vector<Eigen::MatrixXcd>& samples, double fraction) const;

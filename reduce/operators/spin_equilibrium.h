@@ -19,12 +19,12 @@ struct SpinEquilibrium {
 /// Solves int B(F)' S(E) = Omega^2 int rho N (X + u)_perp for u (total Lagrangian, St Venant-Kirchhoff, load at the
 /// displaced radius), the same in every sector, by Newton's method
 ///     K_T du = r,  K_T = material stiffness at F + K_S of the second Piola-Kirchhoff stress - Omega^2 M_perp,
-/// from `guess` (sector dofs) [m] at `speed` [rad/s]. `nearby` is the stiffness of nodal diameter 0 at another speed,
-/// usually rest: it preconditions conjugate gradients for K_T, so that no speed needs a factor of its own, and it
-/// gives the norm in which a residual is small against the load: sqrt(r' K^-1 r) / sqrt(f' K^-1 f) <= 1e-10, an
-/// energy norm. That is, the shape is within about 1e-10 of its own size. Steps that would raise the residual are
-/// halved. Costs an assembly and some ten solves a step, four to six steps. Raises RunError if K_T is not positive
-/// definite on the way (the rotor is unstable) or if it doesn't converge.
+/// from `guess` (sector dofs) [m] at `speed` [rad/s]. `nearby` is the stiffness K of nodal diameter 0 at another
+/// speed, usually rest. It preconditions the conjugate gradients for K_T, so that a speed requires no factor of
+/// its own, and defines the energy norm of the residual: iteration ends when sqrt(r' K^-1 r) / sqrt(f' K^-1
+/// f) <= 1e-10 with the load f, which means a relative error of the shape of about 1e-10. Steps that would
+/// increase the residual are halved. Costs four to six steps, each with an assembly and some ten solves. Raises
+/// RunError if K_T is not positive definite on the way (the rotor is unstable) or if it doesn't converge.
 SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const SectorMesh& mesh,
                                  const CyclicSolver& nearby, double speed, const Eigen::VectorXd& guess);
 
@@ -33,15 +33,14 @@ SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const Sec
 double spin_imbalance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
                       double speed, const Eigen::VectorXd& shape);
 
-/// A shape that is known, to start from.
+/// A known shape from which the search for another one starts.
 struct KnownShape {
   double speed = 0;             ///< [rad/s]
   Eigen::VectorXd over_square;  ///< [m s^2] displacement over Omega^2; sector dofs
 };
 
-/// Runs spin_equilibrium() from the shape at a lower speed, scaled with Omega^2. Where Newton's method doesn't
-/// converge from there, it goes over one or more speeds in between. Raises RunError, with the first speed that it
-/// doesn't reach.
+/// Runs spin_equilibrium() from the shape at a lower speed, scaled with Omega^2. If Newton's method doesn't
+/// converge, one or more speeds are inserted in between. Raises RunError with the first speed that isn't reached.
 SpinEquilibrium climb(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
                       const KnownShape& from, double speed, int halvings = 3);
 

@@ -10,10 +10,10 @@ namespace tiprub {
 
 /// Where around the casing one contact node of sector 0 rubs, at each speed (paper, sec. 5.2.2).
 struct ContactMap {
-  /// [1] Of the steps that the node begins over an area, the share in contact: 0 never, 1 always; areas x speeds. The
-  /// counts of the file are divided by the node's own number of steps over that area (steps_over_areas()). Dividing
-  /// by the mean number, steps / areas, would give shares above 1 and stripes where the areas do not divide the
-  /// steps.
+  /// [1] The share in contact of the steps that the node begins over an area: 0 never, 1 always; areas x speeds.
+  /// The counts of the file are divided by the node's own number of steps over that area (steps_over_areas()). If
+  /// the number of areas does not divide the number of steps, dividing by the mean, steps / areas, would give
+  /// shares above 1 and stripes.
   Eigen::MatrixXd share;
   Eigen::VectorXd contrast;  ///< [1] by speed, see contact_contrast()
   Eigen::VectorXi clusters;  ///< by speed, see contact_clusters()
@@ -27,11 +27,11 @@ double contact_contrast(const Eigen::VectorXd& column);
 /// value; two runs with a single area between them count as one.
 int contact_clusters(const Eigen::VectorXd& column);
 
-/// The map of a contact node. Needs a response at every speed, and areas at all of them alike.
+/// The map of a contact node. Requires a response at every speed, and the same areas at all speeds.
 ContactMap contact_map(const Response& response, const ContactLine& contact, int node);
 
-/// How the place that an edge rubs moves around the casing with speed (paper, sec. 6.1.3). The middle of the contact
-/// of a column c of the map, folded onto one lobe, is theta = arg(sum c e^{i N_l theta}) / N_l. It is followed from
+/// How the contact of an edge moves around the casing with speed (paper, sec. 6.1.3). The middle of the contact of
+/// a column c of the map, folded onto one lobe, is theta = arg(sum c e^{i N_l theta}) / N_l. It is followed from
 /// speed to speed, and the line theta = intercept + slope Omega is fitted to it by least squares (Boost). Contact
 /// that travels along a tip of length l at the wave speed v arrives l/v later: then slope = l/v.
 struct ContactDrift {
@@ -46,14 +46,14 @@ struct ContactDrift {
 ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds, int lobes,
                            const ContactLine& contact);
 
-/// How much later the contact force of the leading edge comes than that of the trailing edge at the same place of the
-/// casing. Resonances that turn the contact of both edges around the casing do not change this lag. It is where the
-/// circular cross-correlation of the two forces is largest, taken over the recorded revolutions and summed over the
-/// sectors. The search covers half a beat of the casing (1/N_l of a revolution) around the lag that follows from the
-/// nodes' angles, which is subtracted. A parabola gives the maximum between samples.
+/// The time by which the contact force at the leading edge lags behind that at the trailing edge, at the same
+/// place of the casing. A resonance that shifts the contact of both edges around the casing does not change this
+/// lag. It is the shift at which the circular cross-correlation of the two forces, over the recorded revolutions
+/// and summed over the sectors, is largest. The search covers half a beat (1/N_l of a revolution) around the lag
+/// due to the nodes' angles, which is subtracted. A parabola gives the maximum between samples.
 struct EdgeLag {
   Eigen::VectorXd time;      ///< [s] by speed, positive if the leading edge is late; NaN unless both edges touch
-  Eigen::VectorXd likeness;  ///< [1] by speed: that correlation over the forces' norms; 1 for equal forces
+  Eigen::VectorXd likeness;  ///< [1] by speed: this correlation over the norms of the forces; 1 for equal forces
   double median = 0, lower_quartile = 0, upper_quartile = 0;  ///< [s] over the speeds
   /// Of the line Omega time = intercept + slope Omega, fitted by least squares. Contact that travels along a tip of
   /// length l at the wave speed v gives slope l/v and R^2 near 1.

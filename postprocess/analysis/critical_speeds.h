@@ -32,25 +32,25 @@ struct TipAmplitudes {
 
 TipAmplitudes tip_amplitudes(const Response& response, const ContactLine& contact, Component component);
 
-/// A peak of the largest tip amplitude over speed (see named_peaks()), and why it is there.
+/// A peak of the largest tip amplitude over speed (see named_peaks()), and its cause.
 struct CriticalSpeed {
   Eigen::Index index = 0;  ///< in the response's speeds
   double speed = 0;        ///< [rad/s]
   double amplitude = 0;    ///< [m]
   double prominence = 0;   ///< [m]
-  /// [rad/s] The nearest simulated speeds at which the response has fallen by 2 % and by what the last halving of the
-  /// step changed. The top lies somewhere between the two.
+  /// [rad/s] The nearest simulated speeds at which the response has fallen by 2 % plus the change by the last
+  /// halving of the step. The top lies between the two.
   double speed_low = 0, speed_high = 0;
-  /// [m] The amplitude minus and plus what the last halving of the step changed, here and at speeds that are nearly
-  /// as high. To the upper one is added what may stand between the speeds (see rise_beside()).
+  /// [m] The amplitude minus and plus the change by the last halving of the step, here and at speeds with nearly
+  /// the same amplitude. The upper one also contains the possible rise between the speeds (see rise_beside()).
   double amplitude_low = 0, amplitude_high = 0;
   double spacing = 0;  ///< [rad/s] to the farther one of its two neighbours
   /// Whether the response falls on both sides before it rises higher or the range ends, within most of the range.
   bool located = false;
   int node = 0;  ///< contact node that moves most
-  /// The wave that makes the peak: among all spectral lines above frequency zero, at that node and of the component
-  /// of the amplitude, the one that rises most above the higher of its values at the two valleys. This need not be
-  /// the largest line, because the casing drives every wheel at N_l Omega at every speed.
+  /// The wave that makes the peak: among all spectral lines above frequency zero, at that node and of the
+  /// component of the amplitude, the one that rises most above the higher of its values at the two valleys. This
+  /// need not be the largest line, because the casing excites N_l Omega at every speed.
   WaveLabel rising;
   WaveLabel largest;  ///< the largest wave there; often the same
   /// At most four other waves there, the largest first, each with at least a fifth of the largest one's amplitude.
@@ -60,13 +60,13 @@ struct CriticalSpeed {
   bool by_equation_2 = false;  ///< predicted by the linear rule
   bool by_aliasing = false;    ///< predicted by the rule with aliasing
 
-  /// [1] The rising wave's amplitude over the peak's. The shares of several waves add up to more than 1 where their
-  /// crests do not meet.
+  /// [1] The rising wave's amplitude over the peak's. The shares of several waves add up to more than 1 if their
+  /// crests do not coincide.
   double wave_share() const { return amplitude > 0 ? rising.amplitude / amplitude : 0.0; }
   /// Whether another wave is larger than the one that makes the peak.
   bool has_larger_wave() const { return largest.amplitude > rising.amplitude; }
   /// [1] the spacing over the half-width of the narrowest resonance among the peak's large waves; nothing if the
-  /// response does not tell the damping.
+  /// response does not state the damping.
   std::optional<double> spacing_over_half_width() const;
 };
 
@@ -88,7 +88,7 @@ struct SpeedMargin {
   double margin = 0;  ///< [1] of the speed at that end of the range
 };
 
-/// Where the critical speeds lie relative to the speeds at which a wheel is to run.
+/// Where the critical speeds lie relative to the operating range of a wheel.
 struct OperatingMargin {
   std::vector<double> inside;               ///< [rad/s] critical speeds in the range, its ends included
   std::optional<SpeedMargin> below, above;  ///< the nearest outside; nothing if there is none

@@ -22,9 +22,9 @@ struct Crossing {
 };
 
 /// Speeds [rad/s] in the range with f(Omega) = |-f_c + k Omega/(2 pi)| (paper, eq. 2 with n_d = k; all in Hz),
-/// ascending. Eq. 2 is eq. 1, f = +-f_c +- n_d Omega, without the waves that contact can't drive. Roots are found as
-/// sign changes on `root_intervals` equal intervals and refined by bisection. Two roots inside one interval are
-/// missed; for f_c = 0 a curve would have to cross an engine order twice within 1/400 of the range.
+/// ascending. Eq. 2 is eq. 1, f = +-f_c +- n_d Omega, without the waves that contact cannot excite. Roots are
+/// found as sign changes on `root_intervals` equal intervals and refined by bisection. Two roots inside one
+/// interval are missed; for f_c = 0 a curve would have to cross an engine order twice within 1/400 of the range.
 std::vector<double> criterion_speeds(const std::function<double(double)>& frequency, int engine_order,
                                      double casing_frequency, const SpeedRange& range);
 
@@ -33,22 +33,23 @@ std::vector<double> criterion_speeds(const std::function<double(double)>& freque
 std::vector<Crossing> equation_2_crossings(const FrequencyCurves& curves, int sector_count,
                                            const std::vector<int>& families, const SpeedRange& range);
 
-/// All crossings of these families with those of the engine orders that a casing with N_l lobes drives: N_l (paper,
-/// eq. 16) and its multiples, each on the nodal diameter of eq. 17. Ascending in speed; none for lobes = 0.
+/// All crossings of these families with those of the engine orders that a casing with N_l lobes excites: N_l
+/// (paper, eq. 16) and its multiples, each on the nodal diameter of eq. 17. Ascending in speed; none for
+/// lobes = 0.
 std::vector<Crossing> aliased_crossings(const FrequencyCurves& curves, int sector_count,
                                         const std::vector<int>& families, int lobes,
                                         const std::vector<int>& engine_orders, const SpeedRange& range);
 
-/// Families and engine orders that move, ascending: those of the waves, on whole engine orders, that reach a tenth of
-/// the largest amplitude of all speeds at some speed, and those of the waves that make the critical speeds. The
-/// linear rules are asked for these. Asked for fewer they would miss peaks that they could have predicted; asked for
-/// more they would raise hundreds of false alarms for waves that do not move.
+/// Families and engine orders that move, ascending: those of the waves, on whole engine orders, that reach a tenth
+/// of the largest amplitude of all speeds at some speed, and those of the waves that make the critical speeds. The
+/// linear rules are applied to these. With fewer, they would miss peaks that they can predict; with more, they
+/// would give hundreds of false alarms for waves that do not move.
 struct MovingWaves {
   std::vector<int> families;
   std::vector<int> engine_orders;
 };
 
-/// How well a linear rule predicted the critical speeds: counted, and weighted by amplitude, since a rule that
+/// How well a linear rule predicted the critical speeds: counted, and weighted by amplitude, because a rule that
 /// predicts the large ones is more useful than one that predicts many small ones.
 struct RuleScore {
   int hits = 0;                  ///< critical speeds that it predicted
@@ -71,13 +72,13 @@ RuleScore score(const std::vector<Crossing>& crossings, const std::vector<int>& 
 
 /// What the linear rules list for the waves that move, and how well that predicted the critical speeds.
 struct LinearRules {
-  MovingWaves moving{};  ///< what they are asked for
+  MovingWaves moving{};  ///< what they are applied to
   std::vector<Crossing>
       equation_2{};                 ///< f_i^n(Omega) = n Omega: the paper's eq. 2 at f_c = 0, the engine order is n
   std::vector<Crossing> aliased{};  ///< f_i^n(Omega) = k N_l Omega for every k that eq. 17 allows on n
   RuleScore equation_2_score{}, aliasing_score{};
 };
-/// Covers all that moves, drawn or not, so that a score does not depend on how much is drawn.
+/// Covers all waves that move, drawn or not, so that a score does not depend on the figures.
 LinearRules linear_rules(const Response& response, const ContactLine& contact, const FrequencyCurves& curves,
                          const TipAmplitudes& amplitudes, const std::vector<CriticalSpeed>& critical,
                          const PostprocessParameters& parameters);

@@ -25,7 +25,7 @@ struct SweptSpeed {
   /// their norms, at whole engine orders and at the maps' contact node. Spectra are compared because irregular
   /// motions never repeat sample by sample.
   double difference = 0;
-  bool differs = false;  ///< far above the settling tolerance, and for irregular motions above chance
+  bool differs = false;  ///< clearly above the settling tolerance, and for irregular motions above chance
 };
 
 /// A speed of the response and what the sweeps up and down reached there; nothing where a sweep has no such speed.
@@ -66,7 +66,8 @@ struct StabilityChange {
 /// Ascending in speed.
 std::vector<StabilityChange> stability_changes(const std::vector<OrbitBranch>& branches);
 
-/// Ranges with two orbits or more, ascending; two that touch differ in the number of orbits or of attracting ones.
+/// Ranges with two orbits or more, ascending; adjacent ranges differ in the number of orbits or of attracting
+/// orbits.
 std::vector<OrbitRange> ranges_of_many_orbits(const std::vector<OrbitBranch>& branches);
 
 }  // namespace tiprub

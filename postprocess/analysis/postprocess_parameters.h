@@ -18,16 +18,16 @@ struct PostprocessParameters {
   TipEdge edge = TipEdge::leading;          ///< whose map comes first, and whose spectra and trackings are drawn
   int families = 2;                         ///< modal families drawn
   int engine_order_max = 12;                ///< highest engine order drawn and listed
-  double prominence = 0.25;                 ///< [1] height above its valleys that a peak needs, of its amplitude
-  double prediction_tolerance = 0.1;        ///< [1] relative distance at which a rule's speed still counts as a hit
-  double amplitude_decades = 2.5;           ///< colour range of the maps, below the largest amplitude
+  double prominence = 0.25;           ///< [1] share of its amplitude by which a peak must stand above its valleys
+  double prediction_tolerance = 0.1;  ///< [1] relative distance at which a rule's speed still counts as a hit
+  double amplitude_decades = 2.5;     ///< colour range of the maps, below the largest amplitude
   double shown_speed_rpm = 0;  ///< [rpm] motion, force and bars are drawn at the nearest one; 0: see Study::shown
   std::string response_up, response_down;  ///< this case swept up and down, relative to the case; empty: not compared
   double amplitude_max_mm = 0;             ///< [mm] upper colour limit of the maps; 0: the largest amplitude
   /// [rpm] the speeds at which the wheel is to run, for the margin; 0: not given
   double operating_min_rpm = 0, operating_max_rpm = 0;
   double operating_amplitude_mm = 0;  ///< [mm] critical speeds with less are left out of the margin
-  double tip_patch_mm = 0;            ///< [mm] nearer to the tip line no stress is read; 0: see stress_zones()
+  double tip_patch_mm = 0;            ///< [mm] width of the zones with separate stress; 0: see stress_zones()
   double wear_coefficient = 1e-15;    ///< [m^2/N] Archard's k/H of casing against tip; 0: wear isn't estimated
 };
 

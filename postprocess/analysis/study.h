@@ -11,8 +11,8 @@
 
 namespace tiprub {
 
-/// All numbers of a report; figures and tables take the parts that they need. Results of the full fields are apart
-/// (fields/field_study.h).
+/// All numbers of a report; figures and tables take the parts that they need. Results of the full fields are kept
+/// separately (fields/field_study.h).
 struct Study {
   PostprocessParameters parameters;
   ReducedModel model;

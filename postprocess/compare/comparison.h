@@ -7,8 +7,9 @@
 namespace tiprub {
 
 /// Critical speeds of both reports side by side, ascending in speed, with the shifts from the other report to this
-/// one; a shift within rounding is 0. Two belong together if the same wave makes them (engine order, signed nodal
-/// diameter and family), the nearest ones if there are several. The others have a row of their own.
+/// one; a shift within rounding is 0. Two critical speeds are paired if the same wave makes them (engine order,
+/// signed nodal diameter and family); of several candidates, the nearest are paired. Each unpaired one has its own
+/// row.
 Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& other);
 
 /// The interaction maps of both reports side by side, for the edge asked for.

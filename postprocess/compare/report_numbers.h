@@ -21,12 +21,12 @@ struct ComparedPeak {
   std::optional<double> stress;  ///< [MPa] von Mises, spin and vibration; where the report has it
 };
 
-/// The numbers that two reports are compared by; their wheels may differ.
+/// The numbers with which two reports are compared; their wheels may differ.
 struct ReportNumbers {
   std::string name;                  ///< path of the other report, as the user gave it
   Eigen::VectorXd speed, amplitude;  ///< [rpm]; [mm] the largest on the tip line
   std::vector<ComparedPeak> peaks;   ///< ascending in speed
-  /// Parts and totals up to engine_order_max; their spectra have only a number of lines and revolutions.
+  /// Parts and totals up to engine_order_max. Of the spectra only the numbers of lines and revolutions are set.
   InteractionMap leading_map, trailing_map;
 };
 

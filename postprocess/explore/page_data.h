@@ -10,17 +10,18 @@
 
 namespace tiprub {
 
-/// What the page's linked views draw, packed by PackedArrays. For every speed, for the contact nodes of both edges
-/// and for the sectors that the response holds: motion (the component asked for, and the normal and tangential ones
-/// for the orbit) [mm], contact force [N], two-way spectrum up to the highest engine order that is drawn [mm], and
-/// the column of the contact map [1]. Besides, the natural frequencies [Hz] of the drawn families and, with another
-/// report, its response and maps. The page adds the two directions of a nodal diameter and computes nothing else.
+/// The data of the page's linked views, packed by PackedArrays. For every speed, for the contact nodes of both
+/// edges and for the sectors that the response holds: motion (the component asked for, and the normal and
+/// tangential ones for the orbit) [mm], contact force [N], two-way spectrum up to the highest engine order that is
+/// drawn [mm], and the column of the contact map [1]. Further, the natural frequencies [Hz] of the drawn families
+/// and, with another report, its response and maps. The page adds the two directions of a nodal diameter and
+/// computes nothing else.
 std::string speed_data(const Study& study, const std::optional<ReportNumbers>& other);
 
-/// What the page's wheel is drawn from, packed by PackedArrays: the surface of a sector, the natural modes, the
-/// contact line and the casing's shape and, for every critical speed with a cycle, its waves, the largest stress over
-/// the cycle at each node [MPa], and the contact forces [N]. If the surface has too many nodes for a page, the nodes
-/// between the corners of its faces are left out.
+/// The data from which the page draws the wheel, packed by PackedArrays: the surface of a sector, the natural
+/// modes, the contact line and the casing's shape and, for every critical speed with a cycle, its waves, the
+/// largest stress over the cycle at each node [MPa], and the contact forces [N]. If the surface has too many nodes
+/// for a page, the nodes between the corners of its faces are left out.
 std::string wheel_data(const Response& response, const ContactLine& contact, const FieldStudy& fields);
 
 }  // namespace tiprub

@@ -24,15 +24,15 @@ const std::vector<int>& tip_line(const SectorFields& sector);
 
 /// Describes in words where a node of a sector is: "main blade at mid-span, at 40 % of its length".
 ///
-/// Span and length are measured in the meridional plane (r, z). Straight lines join points of the root of the blade
-/// with the tip line (where it meets the `disc`) with the points of the tip line at the same share of its length. A
-/// splitter is measured by the same lines, between its own leading and trailing edges. Without the parts `disc` and a
-/// blade, only the part's name is given, if there is one.
+/// Span and length are measured in the meridional plane (r, z). Straight lines begin at points of the root, where
+/// the blade with the tip line meets the `disc`, and end at the points of the tip line at the same share of its
+/// length. A splitter is measured by the same lines, between its own leading and trailing edges. Without the parts
+/// `disc` and a blade, only the part's name is given, if there is one.
 class BladePlaces {
  public:
   explicit BladePlaces(const SectorFields& sector);
 
-  /// The part that most of a node's bricks belong to; empty without parts.
+  /// The part to which most cells at a node belong; empty without parts.
   std::string part(int node) const;
   std::string words(int node) const;
 

@@ -13,7 +13,7 @@
 
 namespace tiprub {
 
-/// Tells where a sector's stress can be read, and where it is unbounded in the exact solution, so that it grows as
+/// Where a sector's stress can be read, and where the exact stress is unbounded, so that the computed one grows as
 /// the mesh is refined.
 enum class StressZone {
   body,       ///< neither of the others

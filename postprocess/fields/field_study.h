@@ -46,7 +46,7 @@ void check_fields(const std::filesystem::path& fields_file, const ReducedModel& 
 
 /// What tables and page show of the full fields.
 struct FieldResults {
-  std::string scope;  ///< a line on what was recovered, or why nothing was
+  std::string scope;  ///< one line: what was recovered, or why nothing was
   /// One per critical speed; nothing without full fields, or where the response holds no state of the rotor.
   std::vector<std::optional<FieldPeak>> peaks;
   double tip_patch = 0, clamp_rim = 0;  ///< [m] see StressZones
@@ -56,7 +56,7 @@ struct FieldResults {
   bool has_cycles() const;
 };
 
-/// Without `fields`, every peak is nothing.
+/// Without `fields`, all peaks are empty.
 FieldResults field_results(const std::optional<FieldStudy>& fields, const std::vector<CriticalSpeed>& critical);
 
 }  // namespace tiprub

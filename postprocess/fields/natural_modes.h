@@ -17,14 +17,14 @@ struct ModeField {
   WaveField wave;
 };
 
-/// How much each part of the wheel takes part in a natural mode.
+/// The share of each part of the wheel in a natural mode.
 struct ModeShares {
   int nodal_diameter = 0, family = 0;   ///< family from 0
   double frequency = 0;                 ///< [Hz]
   std::map<std::string, double> share;  ///< [1] by part: see part_shares()
 };
 
-/// Natural modes of the wheel at one speed, for the nodal diameters that the casing's lowest harmonics drive.
+/// Natural modes of the wheel at one speed, for the nodal diameters that the casing's lowest harmonics excite.
 struct NaturalModes {
   /// The lowest families, by nodal diameter and then family, followed by the modes of the disc (disc_modes()).
   std::vector<ModeField> drawn;
@@ -41,9 +41,9 @@ NaturalModes natural_modes(const FieldsReader& reader, const ReducedModel& model
 std::map<std::string, double> part_shares(const SectorFields& sector, const Eigen::VectorXd& volumes,
                                           const Eigen::Matrix3Xcd& displacement);
 
-/// Chooses, among the families from `first` on, the one in which the disc takes part most, judged by its two modes
-/// with the largest shares of the disc. Gives these two by their places in `shares`, ascending; empty if all shares
-/// are 0.
+/// Chooses, among the families from `first` on, the one in which the disc has the largest share, judged by the two
+/// modes with the largest shares. Returns the places of these two in `shares`, ascending; empty if all shares are
+/// 0.
 std::vector<std::size_t> disc_modes(const std::vector<ModeShares>& shares, int first);
 
 }  // namespace tiprub

@@ -9,22 +9,22 @@
 
 namespace tiprub {
 
-/// The wheel's states over a cycle, without repetitions. A motion that travels with the casing repeats itself, turned
-/// by some sectors, many times a revolution. So a few samples of all independent sectors hold all the stress of the
-/// cycle.
+/// The wheel's states over a cycle, without repetitions. A motion that follows the casing repeats itself many
+/// times per revolution, turned by some sectors. A few samples of all independent sectors therefore contain the
+/// stress of the whole cycle.
 struct WheelCycle {
-  /// By nodal diameter, as SimulatedScene lists them; model dofs x samples. After the last of them the first one
+  /// By nodal diameter, as SimulatedScene lists them; model dofs x samples. After the last sample the first one
   /// follows again, turned by `turn` sectors, or the cycle ends.
   std::vector<Eigen::MatrixXcd> states;
   int first_sample = 0;  ///< of the recorded ones
   int turn = 0;          ///< [sectors] after the last sample sector j repeats what sector j + turn did
   int sectors = 0;       ///< independent ones
-  bool whole = false;    ///< whether this is a cycle, or only one instant, which has no mean
+  bool whole = false;    ///< whether this is a whole cycle; if not, it is one instant, without a mean
   /// How many samples the whole cycle has.
   int recorded_samples = 0;
 
   int samples() const { return static_cast<int>(states.front().cols()); }
-  /// How many blades have different histories: blades j and j + histories() pass through the same states, at
+  /// The number of blades with different histories: blades j and j + histories() pass through the same states at
   /// different times.
   int histories() const;
 };

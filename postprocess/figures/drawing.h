@@ -11,7 +11,7 @@
 
 namespace tiprub {
 
-/// Ends of an axis or of a colour scale. In a script those of "speed" are speed_low and speed_high.
+/// The ends of an axis or of a colour scale. In a script the ends of "speed" are speed_low and speed_high.
 struct DrawnRange {
   double low = 0;
   double high = 0;
@@ -45,12 +45,12 @@ struct Drawing {
   std::vector<ScriptTable> tables{};  ///< a script finds the number of rows in <name>_rows
 };
 
-/// What gnuplot runs for a drawing: its values and tables as assignments, then scripts/draw.gp.
+/// The commands that gnuplot executes for a drawing: its values and tables as assignments, then scripts/draw.gp.
 std::string prologue(const Drawing& drawing);
 
-/// A text as gnuplot shows it unchanged, whatever names a case gives. It stands between single quotes, where gnuplot
-/// runs and replaces nothing; single quotes become an escape between double ones, letters that enhanced mode would
-/// read as markup are escaped, and line ends become blanks.
+/// Quotes a text, which may come from a case, so that gnuplot shows it unchanged. Between single quotes gnuplot
+/// neither executes nor replaces anything. Single quotes in the text become an escape between double quotes,
+/// characters that enhanced mode would read as markup are escaped, and line ends become blanks.
 std::string gnuplot_text(const std::string& text);
 
 /// Raises RunError if gnuplot can't be started.

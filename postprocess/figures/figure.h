@@ -13,8 +13,8 @@
 
 namespace tiprub {
 
-/// Colours on a regular grid, which a drawing reads from `file`; rows go up, columns to the right. They are resampled
-/// for the eye and deleted after drawing: the numbers are in the figure's table.
+/// Colours on a regular grid, which a drawing reads from `file`; rows go up, columns to the right. They are
+/// resampled for display and deleted after drawing, because the figure's table holds the numbers.
 struct Pixels {
   std::string file;
   Eigen::MatrixXf values;

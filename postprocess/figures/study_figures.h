@@ -12,8 +12,8 @@
 
 namespace tiprub {
 
-/// The closed outer lines of what some faces cover in the meridional plane; r, z [m], 2 x points. Edges of faces bend
-/// at their middle nodes. Pieces with less than a ten-thousandth of the largest one's area are left out.
+/// The closed outlines of the area that some faces cover in the meridional plane; r, z [m], 2 x points. Edges of
+/// faces are bent at their middle nodes. Pieces with less than a ten-thousandth of the largest area are left out.
 std::vector<Eigen::Matrix2Xd> meridional_outline(const Eigen::Matrix3Xd& nodes,
                                                  const std::vector<SurfaceFace>& faces);
 

@@ -14,7 +14,7 @@ namespace tiprub {
 enum class CheckVerdict {
   passed,
   failed,
-  undecided,      ///< too near the limit to tell, or checked beside the peaks only
+  undecided,      ///< too near the limit, or checked only beside the peaks
   not_looked_at,  ///< no speed was checked
 };
 
@@ -35,10 +35,10 @@ struct Check {
 std::vector<Check> speeds_checks(const Study& study);
 
 /// Whether one of these failed. Then peaks may be higher, lie elsewhere or be missing, and no other check of the
-/// response passes: what was looked at need not be where the wheel moves most.
+/// response passes, because the largest motion may lie between the speeds that were checked.
 bool speeds_too_far_apart(const Study& study);
 
-/// Beside a number that hangs on the peaks: empty, or " (not trustworthy: speeds too far apart)".
+/// A remark for numbers that depend on the peaks: empty, or " (not trustworthy: speeds too far apart)".
 std::string speeds_caveat(const Study& study);
 
 /// The speeds, the model's frequencies, the time step, settling, the energy balance, contact, symmetry.

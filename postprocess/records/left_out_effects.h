@@ -12,7 +12,7 @@
 
 namespace tiprub {
 
-/// How deep a rub would wear the casing, as an order of magnitude.
+/// The depth to which contact would wear the casing, as an order of magnitude.
 struct CasingWear {
   int node = 0;      ///< contact node whose track is worn most
   double force = 0;  ///< [N] of that node, mean over time and blades
@@ -30,14 +30,14 @@ struct CasingWear {
 CasingWear casing_wear(const SpeedResponse& response, const SimulatedScene& scene, const ContactLine& contact,
                        double coefficient, double time);
 
-/// [m] Terms with the square of the vibration u that a gap which is linear in the displacement, c - d - n . u, leaves
+/// [m] The terms of second order in the vibration u that the linear gap, clearance - distortion - nu . u, leaves
 /// out. Each is the largest over contact nodes, sectors and samples of one speed.
 struct SecondOrderGap {
-  /// n_r u_theta^2/(2 r): a tip that moves along the tangent leaves its circle outwards, so that a round casing is
-  /// nearer.
+  /// nu_r u_theta^2/(2 r): a tip that moves along the tangent leaves its circle outwards, and comes nearer to a
+  /// round casing.
   double curvature = 0;
-  /// |d'| |u_theta|/r, with d' the steepest slope of the distortion over the angle [m/rad]: the casing's shape is
-  /// read at the angle of the tip without vibration.
+  /// |d'| |u_theta|/r, with d' the steepest slope of the distortion over the angle [m/rad]: the program reads the
+  /// casing's shape at the angle of the tip without vibration.
   double distortion = 0;
   /// (6/5) w^2/(2 L): the shortening of a beam of length L that a force at its tip bends by w (half the integral of
   /// the squared slope of w (3 x^2 L - x^3)/(2 L^3)). w is the part of u across the normal, L the span at the node.
@@ -59,7 +59,8 @@ class CoriolisTerms {
  public:
   CoriolisTerms(const FieldsReader& reader, const ReducedModel& model);
 
-  /// [1] The relative change, the larger one of the wave's two directions; `family` from 0, at a speed [rad/s].
+  /// [1] The relative change, the larger one for the two directions of the wave; `family` from 0, at a speed
+  /// [rad/s].
   double change(int nodal_diameter, int family, double speed) const;
 
  private:
@@ -68,19 +69,20 @@ class CoriolisTerms {
   Eigen::VectorXd masses_;  // of the sector's nodes
 };
 
-/// [rad/s] Frequencies with the Coriolis terms, ascending; those below zero belong to waves that run the other way.
-/// `modes` are the frequencies [rad/s] without them, above zero; `coupling` is the skew-Hermitian integral G of
-/// rho conj(u_i) . (e_z x u_j) for modes of unit modal mass. The equation (-omega^2 + 2 i Omega omega G +
-/// diag(modes^2)) q = 0 becomes, with H = i G and W = diag(modes), the Hermitian eigenproblem of [0 W; W 2 Omega H].
+/// [rad/s] Frequencies with the Coriolis terms, ascending; negative ones belong to waves in the opposite
+/// direction. `modes` are the frequencies [rad/s] without them, above zero; `coupling` is the skew-Hermitian
+/// integral G of rho conj(u_i) . (e_z x u_j) for modes of unit modal mass. The equation (-omega^2 + 2 i Omega
+/// omega G + diag(modes^2)) q = 0 becomes, with H = i G and W = diag(modes), the Hermitian eigenproblem of [0 W; W
+/// 2 Omega H].
 Eigen::VectorXd gyroscopic_frequencies(const Eigen::VectorXd& modes, const Eigen::MatrixXcd& coupling, double speed);
 
 /// [m^3] The weight of each sector node in integrals over the volume, exact for quadratic integrands in
 /// parallelepipeds. Corners of 20-node bricks and of 10-node tetrahedra have negative weights.
 Eigen::VectorXd node_volumes(const SectorFields& sector);
 
-/// The coupling of shapes of unit modal mass (3 nodes x shapes; r, theta, z of node 0, then of node 1, ...) with the
-/// nodes' masses [kg]. The shapes are not scaled to unit mass here, because the negative masses would make the mass
-/// of a shape that waves within a cell vanish.
+/// The coupling of shapes of unit modal mass (3 nodes x shapes; r, theta, z of node 0, then of node 1, ...) with
+/// the nodes' masses [kg]. The shapes are not scaled to unit mass here: because some masses are negative, the mass
+/// of a shape that varies within a cell could vanish.
 Eigen::MatrixXcd coriolis_coupling(const Eigen::MatrixXcd& shapes, const Eigen::VectorXd& masses);
 
 /// How much the Coriolis terms change the frequency of the mode that makes a critical speed.
@@ -91,7 +93,7 @@ struct CoriolisShift {
   int family = 0;  ///< from 0
 };
 
-/// What full fields tell about the effects that are left out.
+/// What the full fields show about the effects that are left out.
 struct FieldEffects {
   Eigen::VectorXd tip_span{};               ///< [m] see tip_spans(); may be empty
   std::optional<CoriolisShift> coriolis{};  ///< the largest of all critical speeds; nothing if there are none

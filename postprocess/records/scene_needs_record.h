@@ -28,7 +28,8 @@ struct SceneNeed {
 };
 
 /// Every effect that the model or the response names, or that is estimated here, in the order of Effect. Estimates
-/// that depend on the motion are those at the judged speed; what simulate measured is the largest over all speeds.
+/// that depend on the motion are those at the judged speed; sizes that tiprub-simulate measured are the largest
+/// over all speeds.
 std::vector<SceneNeed> scene_needs(const Study& study, const FieldEffects& fields);
 
 /// "negligible", "matters", "undecided" or "not estimated"; empty for what is modelled.

@@ -18,7 +18,7 @@ class RunRecord {
   /// `stages`: files that the stages before wrote with --times. Raises InputError or RunError if one can't be read.
   RunRecord(std::vector<std::filesystem::path> inputs, const std::vector<std::filesystem::path>& stages);
 
-  /// Notes that a part of the work is done; it took the time since the last call.
+  /// Records the end of a part of the work, which took the time since the last call.
   void done(const std::string& part);
   /// Version and commit, dates of the inputs, times of the stages before and of the parts.
   std::vector<Answer> in_words() const;

@@ -32,8 +32,8 @@ std::vector<Answer> scene_in_brief(const Study& study);
 /// "running clearances 0.120 .. 0.130 mm, given cold": the range over the tip line and the speeds.
 std::string running_clearances(const Response& response);
 
-/// The findings that the verdict leaves out: stress, what the linear rules missed, how far the numbers can be
-/// trusted, and what is unusual. Each element is a paragraph.
+/// Findings beyond the verdict: stress, what the linear rules missed, how reliable the numbers are, and what is
+/// unusual. Each element is a paragraph.
 std::vector<std::string> summary(const Study& study, const FieldResults& fields);
 
 /// "1 speed", "3 speeds".

@@ -17,7 +17,7 @@ namespace tiprub {
 /// Stands where a table has no number: empty in text, NaN in files.
 struct NoNumber {};
 
-/// A value of a table. A number must be finite: one that is not shows that something went wrong before.
+/// A value of a table. A number must be finite: one that is not is the sign of an earlier error.
 using Cell = std::variant<double, int, std::string, NoNumber>;
 
 /// The number, or NoNumber for NaN.

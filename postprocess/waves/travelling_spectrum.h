@@ -33,11 +33,12 @@ double vibration_amplitude(const Eigen::MatrixXd& motion);
 ///   X(m, n) = 1/(N S R) sum_s sum_j u_j(t_s) e^{-i 2 pi (m s/(S R) + n j/N)}
 ///   u_j(t_s) = sum_m sum_n Re(a_m X(m, n) e^{i (2 pi m s/(S R) + n j alpha)}),  a_0 = 1, a = 1 at S R/2, else 2
 ///
-/// The second line is the expansion of eq. 19, with both directions; one line m of it is eq. 20. So amplitude(m, n) =
-/// a_m |X(m, n)| is the amplitude of one travelling wave: engine order m/R, signed nodal diameter n in (-N/2, N/2], n
-/// > 0 backward, n < 0 forward (see aliasing.h). Over whole revolutions a periodic motion does not leak, and a
-/// subharmonic one lies on fractions of an engine order. A transform over time only would merge lines that are close
-/// in frequency and differ in nodal diameter (frequency clustering); this one keeps them apart.
+/// The second line is the expansion of eq. 19, with both directions; one line m of it is eq. 20. So amplitude(m,
+/// n) = a_m |X(m, n)| is the amplitude of one travelling wave: engine order m/R, signed nodal diameter n in (-N/2,
+/// N/2], n > 0 backward, n < 0 forward (see aliasing.h). Over whole revolutions the spectrum of a periodic motion
+/// has no leakage, and that of a subharmonic motion has its lines at fractions of an engine order. A transform
+/// over time only would merge lines that are close in frequency and differ in nodal diameter (frequency
+/// clustering); this one keeps them apart.
 struct TravellingSpectrum {
   int sector_count = 0;       ///< N
   int revolutions = 0;        ///< R
@@ -51,8 +52,8 @@ struct TravellingSpectrum {
   Eigen::MatrixXd by_nodal_diameter() const;
 };
 
-/// @param motion samples x sectors, any unit; rows on whole revolutions.
-/// Costs O(N S R log(N S R)). With FFTW_ESTIMATE the plan, and so the rounding, is the same in every run.
+/// @param motion samples x sectors, any unit; rows on whole revolutions. Costs O(N S R log(N S R)). With
+/// FFTW_ESTIMATE the plan is the same in every run, and so is the rounding.
 TravellingSpectrum travelling_spectrum(const Eigen::MatrixXd& motion, int revolutions);
 
 /// The classical spectrum of one signal over time: the amplitude of each line; floor(samples/2) + 1 lines.

@@ -14,8 +14,9 @@ namespace tiprub {
 /// Natural frequencies of the model at any speed, by nodal diameter and family (0 is the lowest), interpolated in the
 /// response's table.
 ///
-/// The squares of the frequencies are nearly polynomials of Omega^2 (eq. 11). So they are interpolated by the cubic
-/// in Omega^2 through the four nearest speeds, which is exact if K2 = 0 and the shapes do not change with speed.
+/// The squares of the frequencies are nearly polynomials of Omega^2 (eq. 11). They are therefore interpolated by
+/// the cubic in Omega^2 through the four nearest speeds, which is exact if K2 = 0 and the shapes do not change
+/// with speed.
 class FrequencyCurves {
  public:
   static constexpr int stencil = 4;  ///< the least number of speeds in the table, which ascend
@@ -28,7 +29,7 @@ class FrequencyCurves {
   double frequency(int nodal_diameter, int family, double speed) const;
   /// The family whose frequency at this speed is nearest to one [Hz].
   int nearest_family(int nodal_diameter, double frequency, double speed) const;
-  /// [1] of critical, at the nearest speed of the table; nothing if the response does not tell it.
+  /// [1] of critical, at the nearest speed of the table; nothing if the response does not state it.
   std::optional<double> damping_ratio(int nodal_diameter, int family, double speed) const;
   /// [1] The smallest of all modes.
   std::optional<double> smallest_damping_ratio() const;
@@ -49,7 +50,7 @@ struct WaveLabel {
   double natural_frequency = 0;  ///< [Hz] of that family
   double detuning = 0;           ///< [1] (engine order Omega/(2 pi) - natural frequency) / natural frequency
   /// [rad/s] Half-width of the mode's resonance over speed: its damping ratio times its frequency over the engine
-  /// order. Nothing if the response does not tell the damping.
+  /// order. Nothing if the response does not state the damping.
   std::optional<double> half_width{};
 };
 

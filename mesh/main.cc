@@ -7,13 +7,14 @@ int main(int argc, char** argv) {
   std::string import;
   const tiprub::Stage stage{
       .name = "tiprub-mesh",
-      .summary = "Meshes one sector of a wheel with quadratic hexahedra, or takes a mesh of another code.",
+      .summary = "Meshes one sector of a wheel with quadratic elements, or imports a mesh of another code.",
       .inputs = {{"case.toml", "the scene; only its table [mesh] is read"}},
       .output = "sector.msh",
       .tables = tiprub::mesh_tables,
       .add_options = [&](CLI::App& app) {
-        app.add_option("--import", import,
-                       "take this mesh (.inp, .bdf, .cdb or .unv) as [mesh] mesh_file; [mesh] names its groups");
+        app.add_option(
+            "--import", import,
+            "import this mesh (.inp, .bdf, .cdb or .unv), as [mesh] mesh_file does; [mesh] selects its groups");
       }};
   return tiprub::run_stage(argc, argv, stage,
                            [&](const tiprub::StageArguments& arguments) { tiprub::run_mesh(arguments, import); });

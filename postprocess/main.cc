@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   tiprub::PostprocessOptions options;
   tiprub::Stage stage;
   stage.name = "tiprub-postprocess";
-  stage.summary = "Draws what a rub simulation found: interaction maps, contact maps, critical speeds, a report.";
+  stage.summary = "Writes a report of a response: critical speeds, interaction maps, contact maps and stresses.";
   stage.inputs = {{"case.toml", "the scene; [postprocess] is read"},
                   {"model.h5", "the reduced rotor, from tiprub-reduce"},
                   {"response.h5", "the response, from tiprub-simulate"}};
@@ -20,9 +20,10 @@ int main(int argc, char** argv) {
         "full fields, from tiprub-reduce --fields: adds displacement and stress on the whole wheel, and the "
         "stress at every critical speed");
     app.add_option("--compare", options.compared,
-                   "another report's folder, or another response of this model: lays its response, maps and critical "
-                   "speeds beside these");
-    app.add_option("--runs", options.runs, "what a stage before noted with --times, for the page; may be repeated")
+                   "another report's folder, or another response of this model, whose response, maps and critical "
+                   "speeds are shown beside these");
+    app.add_option("--runs", options.runs,
+                   "file that another program wrote with --times, for the page; may be repeated")
         ->allow_extra_args(false);
   };
   return tiprub::run_stage(argc, argv, stage, [&](const tiprub::StageArguments& arguments) {

@@ -10,13 +10,14 @@ int main(int argc, char** argv) {
   int threads = 0;
   tiprub::Stage stage;
   stage.name = "tiprub-simulate";
-  stage.summary = "A reduced rotor against a rigid casing: the settled motion at each speed.";
+  stage.summary = "Computes the settled motion of a reduced rotor in contact with a rigid casing, speed by speed.";
   stage.inputs = {{"case.toml", "the scene; its tables [casing] and [simulate] are read"},
                   {"model.h5", "the reduced rotor"}};
   stage.output = "response.h5";
   stage.tables = tiprub::simulate_tables;
   stage.add_options = [&](CLI::App& app) {
-    app.add_option("--threads", threads, "threads over speeds; 0: as [simulate] says")->check(CLI::Range(0, 1024));
+    app.add_option("--threads", threads, "number of threads that share the speeds; 0: as [simulate] says")
+        ->check(CLI::Range(0, 1024));
   };
   return tiprub::run_stage(
       argc, argv, stage, [&](const tiprub::StageArguments& arguments) { tiprub::run_simulate(arguments, threads); });

@@ -94,13 +94,13 @@ struct CommandLine {
     arguments.output = stage.output;
     for (std::size_t i = 0; i < stage.inputs.size(); ++i)
       app.add_option(stage.inputs[i].name, arguments.inputs[i], stage.inputs[i].help);
-    app.add_option("-o,--output", arguments.output, "what to write")->capture_default_str();
+    app.add_option("-o,--output", arguments.output, "the output")->capture_default_str();
     app.add_option("--set", arguments.settings,
-                   "TABLE.KEY=VALUE takes the place of the case file's key, TABLE.KEY= removes it; may be repeated")
+                   "TABLE.KEY=VALUE replaces a key of the case file, TABLE.KEY= removes it; may be repeated")
         ->allow_extra_args(false);
-    app.add_option("--times", times, "a file for the time that the run took; tiprub-postprocess --runs shows it");
+    app.add_option("--times", times, "write the time of the run to this file, for tiprub-postprocess --runs");
     app.add_flag("--check", check, "validate the inputs and stop");
-    app.add_flag("--tables", tables, "print what is read of the case, and stop; needs no other input");
+    app.add_flag("--tables", tables, "print all keys that are read from the case, and stop; requires no other input");
     CLI::Option* quiet_flag = app.add_flag("-q,--quiet", quiet, "print nothing but errors");
     app.add_flag("-v,--verbose", verbose, "print every parameter and choice")->excludes(quiet_flag);
     if (stage.add_options) stage.add_options(app);

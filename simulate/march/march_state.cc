@@ -27,10 +27,10 @@ RotorState state_of(const TimeMarch& march, const ReducedModel& model) {
   for (std::size_t i = 0; i < march.wave_count(); ++i) {
     const Eigen::MatrixXcd& shapes = march.rotor().waves[i].shapes;
     const Eigen::VectorXcd now = march.coordinates(i).head(shapes.cols());
-    const Eigen::VectorXcd before = march.coordinates(i, Instant::before).head(shapes.cols());
+    const Eigen::VectorXcd increment = march.increments(i).head(shapes.cols());
     const auto n = static_cast<std::size_t>(march.wave(i).nodal_diameter);
     state.displacement[n] = shapes * now;
-    state.velocity[n] = shapes * (now - before) / angle_of_step(march);
+    state.velocity[n] = shapes * increment / angle_of_step(march);
   }
   return state;
 }
@@ -42,19 +42,19 @@ void put_state(const RotorState& state, const ReducedModel& model, TimeMarch& ma
     if (n >= state.displacement.size() || state.displacement[n].size() == 0) continue;
     const Eigen::MatrixXcd onto_modes = wave.shapes.adjoint() * model.nodal_diameters[n].M;
     const Eigen::VectorXcd now = onto_modes * state.displacement[n];
-    march.set_state(i, now, now - onto_modes * state.velocity[n] * angle_of_step(march));
+    march.set_state(i, now, onto_modes * state.velocity[n] * angle_of_step(march));
   }
 }
 
 MarchState::MarchState(const TimeMarch& march) : step_(march.step_count()) {
   for (std::size_t i = 0; i < march.wave_count(); ++i) {
     const Eigen::Index modes = march.wave(i).modes();
-    waves_.emplace_back(march.coordinates(i).head(modes), march.coordinates(i, Instant::before).head(modes));
+    waves_.push_back({march.coordinates(i).head(modes), march.increments(i).head(modes)});
   }
 }
 
 void MarchState::restore(TimeMarch& march) const {
-  for (std::size_t i = 0; i < waves_.size(); ++i) march.set_state(i, waves_[i].first, waves_[i].second);
+  march.set_states(waves_);
   march.set_step(step_);
 }
 
@@ -100,24 +100,26 @@ Eigen::VectorXd EnergyState::of(const TimeMarch& march, const std::vector<std::c
   for (std::size_t i = 0; i < scale_.size(); ++i) {
     const Eigen::Index count = scale_[i].size();
     Eigen::VectorXcd now = march.coordinates(first_wave_ + i).head(count);
-    Eigen::VectorXcd before = march.coordinates(first_wave_ + i, Instant::before).head(count);
+    Eigen::VectorXcd increment = march.increments(first_wave_ + i).head(count);
     if (!phases.empty()) {
       now *= phases[i];
-      before *= phases[i];
+      increment *= phases[i];
     }
-    layout_.write({(now.array() * scale_[i]).matrix(), (now - before) / march.time_step()}, i, state);
+    layout_.write({(now.array() * scale_[i]).matrix(), increment / march.time_step()}, i, state);
   }
   return state;
 }
 
 void EnergyState::put(const Eigen::VectorXd& state, TimeMarch& march) const {
+  std::vector<ModalState> waves;
   for (std::size_t i = 0; i < scale_.size(); ++i) {
     const StateLayout::Modes modes = layout_.read(state, i);
     Eigen::VectorXcd now = modes.position;
     now.real().array() /= scale_[i];
     now.imag().array() /= scale_[i];
-    march.set_state(first_wave_ + i, now, now - modes.velocity * march.time_step());
+    waves.push_back({now, modes.velocity * march.time_step()});
   }
+  march.set_states(waves, first_wave_);
 }
 
 }  // namespace tiprub

@@ -5,7 +5,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "reduce/model/reduced_model.h"
@@ -14,7 +13,7 @@
 
 namespace tiprub {
 
-/// The present state of a march. Velocities are backward differences over the last step: accurate enough to start
+/// The present state of a march. Velocities are increments over the last step: accurate enough to start
 /// another march, but not an exact restart.
 RotorState state_of(const TimeMarch& march, const ReducedModel& model);
 
@@ -29,7 +28,7 @@ class MarchState {
   void restore(TimeMarch& march) const;
 
  private:
-  std::vector<std::pair<Eigen::VectorXcd, Eigen::VectorXcd>> waves_;
+  std::vector<ModalState> waves_;
   std::int64_t step_;
 };
 

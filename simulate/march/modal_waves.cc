@@ -15,8 +15,8 @@ Eigen::Index padded(Eigen::Index count, std::size_t block) {
   return (count + unit - 1) / unit * unit;
 }
 
-Eigen::ArrayXd padded(const Eigen::ArrayXd& values, Eigen::Index size) {
-  Eigen::ArrayXd longer = Eigen::ArrayXd::Zero(size);
+Eigen::ArrayXd padded(const Eigen::ArrayXd& values, Eigen::Index size, double padding) {
+  Eigen::ArrayXd longer = Eigen::ArrayXd::Constant(size, padding);
   longer.head(values.size()) = values;
   return longer;
 }
@@ -42,10 +42,10 @@ MarchedWave marched(const WaveModes& from, const SchemeOptions& scheme, double s
   wave.nodal_diameter = from.nodal_diameter;
   wave.kind = from.kind;
   wave.weight = wave_count(from.nodal_diameter, sector_count);
-  wave.omega = padded(from.omega, modes);
+  wave.omega = padded(from.omega, modes, 0);
   wave.moving = padded(from.moving, kernels::mode_block);
   const StepCoefficients unpadded = step_coefficients(scheme, from.omega, from.damping_ratio, step, from.moving);
-  wave.coefficients = {padded(unpadded.a, modes), padded(unpadded.b, modes), padded(unpadded.c, modes)};
+  wave.coefficients = {padded(unpadded.r, modes, 1), padded(unpadded.k, modes, 1), padded(unpadded.c, modes, 0)};
   return wave;
 }
 
@@ -72,7 +72,7 @@ ModalWaves::ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, d
 
 ModalWaves::Memory ModalWaves::lay_out(const WaveModes& from, const MarchedWave& wave) const {
   Memory memory;
-  memory.q = memory.before = memory.two_before = Eigen::VectorXd::Zero(2 * wave.modes());
+  memory.q = memory.increment = memory.increment_before = Eigen::VectorXd::Zero(2 * wave.modes());
   memory.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes_.width));
   memory.cosine.resize(nodes_.sectors);
   memory.sine.resize(nodes_.sectors);
@@ -85,14 +85,23 @@ ModalWaves::Memory ModalWaves::lay_out(const WaveModes& from, const MarchedWave&
   return memory;
 }
 
-ModalCoordinates ModalWaves::coordinates(std::size_t wave, Instant instant) const {
+ModalCoordinates ModalWaves::view(std::size_t wave, Eigen::VectorXd Memory::*parts) const {
   settle_forces();
-  const Memory& memory = memory_[wave];
-  const Eigen::VectorXd& parts = instant == Instant::now      ? memory.q
-                                 : instant == Instant::before ? memory.before
-                                                              : memory.two_before;
+  const double* values = (memory_[wave].*parts).data();
   const Eigen::Index modes = waves_[wave].modes();
-  return {{parts.data(), modes}, {parts.data() + modes, modes}};
+  return {{values, modes}, {values + modes, modes}};
+}
+
+ModalCoordinates ModalWaves::coordinates(std::size_t wave) const {
+  return view(wave, &Memory::q);
+}
+
+ModalCoordinates ModalWaves::increments(std::size_t wave) const {
+  return view(wave, &Memory::increment);
+}
+
+ModalCoordinates ModalWaves::increments_before(std::size_t wave) const {
+  return view(wave, &Memory::increment_before);
 }
 
 Eigen::VectorXcd ModalWaves::forces(std::size_t wave) const {
@@ -121,33 +130,35 @@ Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor) const {
   return 0.5 * (compliance + transposed);
 }
 
-void ModalWaves::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before) {
+void ModalWaves::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& increment) {
   settle_forces();
   Memory& memory = memory_[wave];
   const Eigen::Index modes = waves_[wave].modes();
   memory.q.head(q.size()) = q.real();
   memory.q.segment(modes, q.size()) = q.imag();
-  memory.before.head(q.size()) = before.real();
-  memory.before.segment(modes, q.size()) = before.imag();
+  memory.increment.head(q.size()) = increment.real();
+  memory.increment.segment(modes, q.size()) = increment.imag();
 }
 
-void ModalWaves::map_to_sectors(Eigen::VectorXd& displacement) {
+void ModalWaves::map_to_sectors(Eigen::VectorXd& displacement, Eigen::VectorXd& before) {
   settle_forces();
-  for (std::size_t i = 0; i < waves_.size(); ++i) map_to_nodes(i);
+  for (std::size_t i = 0; i < waves_.size(); ++i) map_to_nodes(i, memory_[i].q - memory_[i].increment);
+  add_sectors(before);
+  for (std::size_t i = 0; i < waves_.size(); ++i) map_to_nodes(i, memory_[i].q);
   add_sectors(displacement);
 }
 
-void ModalWaves::map_to_nodes(std::size_t index) {
+void ModalWaves::map_to_nodes(std::size_t index, const Eigen::VectorXd& q) {
   const MarchedWave& wave = waves_[index];
   const Memory& memory = memory_[index];
   const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
   const auto nodes = static_cast<std::size_t>(nodes_.nodes);
   double* p = p_.data() + 2 * index * nodes_.width;
   if (wave.kind == WaveKind::travelling)
-    kernels::to_nodes_travelling(memory.shapes.data(), memory.q.data(), memory.q.data() + modes, moving, nodes, p,
+    kernels::to_nodes_travelling(memory.shapes.data(), q.data(), q.data() + modes, moving, nodes, p,
                                  p + nodes_.width);
   else
-    kernels::to_nodes_standing(memory.shapes.data(), memory.q.data(), moving, nodes, p);
+    kernels::to_nodes_standing(memory.shapes.data(), q.data(), moving, nodes, p);
 }
 
 void ModalWaves::add_sectors(Eigen::VectorXd& displacement) const {
@@ -160,24 +171,24 @@ void ModalWaves::advance_modes(std::size_t index) {
   const MarchedWave& wave = waves_[index];
   Memory& memory = memory_[index];
   const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
-  const double* a = wave.coefficients.a.data();
-  const double* b = wave.coefficients.b.data();
-  memory.two_before.swap(memory.before);
-  memory.before.swap(memory.q);  // memory.q now holds the oldest instant, which is overwritten
-  kernels::advance(a, b, memory.before.data(), memory.two_before.data(), memory.q.data(), moving);  // eq. 13
-  if (wave.kind == WaveKind::travelling)
-    kernels::advance(a, b, memory.before.data() + modes, memory.two_before.data() + modes, memory.q.data() + modes,
-                     moving);
+  memory.increment_before.swap(memory.increment);
+  for (std::size_t part = 0; part < (wave.kind == WaveKind::travelling ? 2 : 1); ++part)  // eq. 13
+    kernels::advance(wave.coefficients.r.data(), wave.coefficients.k.data(),
+                     memory.increment_before.data() + part * modes, memory.q.data() + part * modes,
+                     memory.increment.data() + part * modes, moving);
   if (moving == modes) return;
-  memory.q.segment(wave.moving, wave.modes() - wave.moving).setZero();
-  memory.q.tail(wave.modes() - wave.moving).setZero();
+  for (const Eigen::Index first : {wave.moving, wave.modes() + wave.moving}) {
+    auto massless = memory.q.segment(first, wave.modes() - wave.moving);
+    memory.increment.segment(first, massless.size()) = -massless;
+    massless.setZero();
+  }
 }
 
 void ModalWaves::advance(Eigen::VectorXd& displacement) {
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     if (forces_wait_) add_waiting_forces(i);
     advance_modes(i);
-    map_to_nodes(i);
+    map_to_nodes(i, memory_[i].q);
   }
   forces_wait_ = false;
   add_sectors(displacement);
@@ -190,13 +201,14 @@ void ModalWaves::add_waiting_forces(std::size_t index) const {
   const auto modes = static_cast<std::size_t>(wave.modes());
   const kernels::ForcedNodes forced{forced_nodes_.data(), forced_nodes_.size(),
                                     static_cast<std::size_t>(nodes_.nodes)};
+  const kernels::Modes real{memory.q.data(), memory.increment.data()};
   if (wave.kind == WaveKind::travelling)
     kernels::add_force_travelling(memory.shapes.data(), wave.coefficients.c.data(), memory.forces.data(),
-                                  memory.forces.data() + nodes_.width, forced, modes, memory.q.data(),
-                                  memory.q.data() + modes);
+                                  memory.forces.data() + nodes_.width, forced, modes, real,
+                                  {real.q + modes, real.increment + modes});
   else
     kernels::add_force_standing(memory.shapes.data(), wave.coefficients.c.data(), memory.forces.data(), forced, modes,
-                                memory.q.data());
+                                real);
 }
 
 void ModalWaves::settle_forces() const {

@@ -12,7 +12,7 @@
 namespace tiprub {
 
 /// The data with which one nodal diameter is marched. The arrays hold the modes of the rotor first, then padding
-/// modes that never move (a = b = c = 0), so that loops run over whole vectors.
+/// modes that never move (r = k = 1, c = 0), so that loops run over whole vectors.
 struct MarchedWave {
   int nodal_diameter = 0;
   WaveKind kind = WaveKind::travelling;
@@ -24,10 +24,7 @@ struct MarchedWave {
   Eigen::Index modes() const { return omega.size(); }
 };
 
-/// The instants that a march holds: t_q, t_{q-1}, t_{q-2}.
-enum class Instant { now, before, two_before };
-
-/// [m sqrt(kg)] q of one nodal diameter at an instant; MarchedWave::modes() values. Valid until the next step.
+/// [m sqrt(kg)] of one nodal diameter; MarchedWave::modes() values. Valid until the next step.
 struct ModalCoordinates {
   Eigen::Map<const Eigen::ArrayXd> real, imaginary;
 
@@ -49,32 +46,36 @@ class ModalWaves {
 
   std::size_t size() const { return waves_.size(); }
   const MarchedWave& operator[](std::size_t wave) const { return waves_[wave]; }
-  ModalCoordinates coordinates(std::size_t wave, Instant instant) const;
+  /// q at t_q, its increment q - q- since t_{q-1}, and that of the step before.
+  ModalCoordinates coordinates(std::size_t wave) const;
+  ModalCoordinates increments(std::size_t wave) const;
+  ModalCoordinates increments_before(std::size_t wave) const;
   /// [N] Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha} of the forces added last; n_c.
   Eigen::VectorXcd forces(std::size_t wave) const;
   /// [m/N] W = sum over n of Re(Y c Y^H e^{i n (j - j') alpha}) w_n g / N; padded rows zero.
   Eigen::MatrixXd compliance(const RotorAtSpeed& rotor) const;
 
-  void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before);
-  /// The free step, q+ = a q - b q-, and the normal displacements [m] after it.
+  void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& increment);
+  /// The free step and the normal displacements [m] after it.
   void advance(Eigen::VectorXd& displacement);
-  /// The normal displacements [m] of the modes as they are.
-  void map_to_sectors(Eigen::VectorXd& displacement);
+  /// The normal displacements [m] of the modes as they are, and as they were a step ago.
+  void map_to_sectors(Eigen::VectorXd& displacement, Eigen::VectorXd& before);
   /// q+ -= c Y^H Lambda_n of the forces [N] along -normal on the nodes listed, ascending.
   void add_forces(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
 
  private:
   /// The working arrays of one nodal diameter.
   struct Memory {
-    Eigen::VectorXd q, before, two_before;  ///< real parts, then imaginary parts, at t_q, t_{q-1}, t_{q-2}
-    kernels::Lines shapes;                  ///< Y in the order of wave_kernels.h
-    Eigen::VectorXd forces;                 ///< Lambda_n, real parts, then imaginary parts
-    Eigen::VectorXd cosine, sine;           ///< of n j alpha, by sector
+    Eigen::VectorXd q, increment, increment_before;  ///< real parts, then imaginary parts
+    kernels::Lines shapes;                           ///< Y in the order of wave_kernels.h
+    Eigen::VectorXd forces;                          ///< Lambda_n, real parts, then imaginary parts
+    Eigen::VectorXd cosine, sine;                    ///< of n j alpha, by sector
   };
   Memory lay_out(const WaveModes& from, const MarchedWave& wave) const;
   void advance_modes(std::size_t wave);
-  /// Computes the share of p_ of one wave.
-  void map_to_nodes(std::size_t wave);
+  /// Computes the share of p_ of one wave from its modes.
+  void map_to_nodes(std::size_t wave, const Eigen::VectorXd& modes);
+  ModalCoordinates view(std::size_t wave, Eigen::VectorXd Memory::*parts) const;
   void add_sectors(Eigen::VectorXd& displacement) const;
   void settle_forces() const;
   void add_waiting_forces(std::size_t wave) const;

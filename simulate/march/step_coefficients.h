@@ -7,14 +7,17 @@
 
 namespace tiprub {
 
-/// One step of a modal coordinate, q+ = a q - b q- + c f, f the modal force at the middle instant. Arrays over modes.
-/// For any member of this family a step is, with the modified mass mu = h^2 (1 + b) / (2 c) and the damping
-/// d = h (1 - b) / c,
-///   mu (q+ - 2 q + q-)/h^2 + d (q+ - q-)/(2 h) + omega^2 q = f,   omega^2 = (1 - a + b)/c,
+/// One step of a modal coordinate q and of its increment d = q - q-, f the modal force at the middle instant:
+///   d+ = d - r d - k q + c f,   q+ = q + d+.   Arrays over modes.
+/// This is q+ = a q - b q- + c f with a = 2 - r - k and b = 1 - r. That form would lose the digits of the velocity,
+/// of which q+ - q holds a share omega h only, and those of k and r, which are of the order (omega h)^2 and omega h.
+/// For any member of this family a step is, with the modified mass mu = h^2 (2 - r) / (2 c) and the damping
+/// eta = h r / c,
+///   mu (q+ - 2 q + q-)/h^2 + eta (q+ - q-)/(2 h) + omega^2 q = f,   omega^2 = k/c,
 /// from which EnergyAudit derives its balance.
 struct StepCoefficients {
-  Eigen::ArrayXd a;  ///< [1]
-  Eigen::ArrayXd b;  ///< [1]
+  Eigen::ArrayXd r;  ///< [1] lost of the increment
+  Eigen::ArrayXd k;  ///< [1] omega^2 c
   Eigen::ArrayXd c;  ///< [s^2], never negative
 };
 

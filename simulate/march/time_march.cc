@@ -51,9 +51,9 @@ void TimeMarch::tabulate_obstacle() {
           obstacle.distortion(k, two_pi * static_cast<double>(phase) / steps_per_revolution());
 }
 
-void TimeMarch::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before) {
-  waves_.set_state(wave, q, before);
-  waves_.map_to_sectors(displacement_[0]);
+void TimeMarch::set_states(const std::vector<ModalState>& waves, std::size_t first_wave) {
+  for (std::size_t i = 0; i < waves.size(); ++i) waves_.set_state(first_wave + i, waves[i].q, waves[i].increment);
+  waves_.map_to_sectors(displacement_[0], displacement_[1]);
   measure_gaps();
 }
 

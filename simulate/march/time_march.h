@@ -12,8 +12,14 @@
 
 namespace tiprub {
 
+/// Where the modes of a nodal diameter are at t_q, and how far they have moved since t_{q-1}; both [m sqrt(kg)].
+struct ModalState {
+  Eigen::VectorXcd q, increment;
+};
+
 /// The time loop of all schemes: a rotor in modal coordinates against a rigid casing, step by step,
-///   q+ = a q - b q- - c Y^H Lambda_n,   Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha}, j < N/g,
+///   q+ = q + d+,   d+ = d - r d - k q - c Y^H Lambda_n,   Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha}, j
+///   < N/g,
 /// with lambda from the contact law of the scheme, usually 0 <= lambda perpendicular to g+ >= 0. The nodal diameters
 /// are coupled by the normal displacements of the contact nodes only. The lambda found in the step from t_q to
 /// t_{q+1} is the force at t_q. The march starts from rest. With the coefficients of central differences, predict()
@@ -60,13 +66,17 @@ class TimeMarch {
   /// By place in RotorAtSpeed::waves.
   const MarchedWave& wave(std::size_t wave) const { return waves_[wave]; }
   /// The modal coordinates, the effect of the last step's forces included.
-  ModalCoordinates coordinates(std::size_t wave, Instant instant = Instant::now) const {
-    return waves_.coordinates(wave, instant);
-  }
+  ModalCoordinates coordinates(std::size_t wave) const { return waves_.coordinates(wave); }
+  /// d = q - q- of the last step, and of the step before.
+  ModalCoordinates increments(std::size_t wave) const { return waves_.increments(wave); }
+  ModalCoordinates increments_before(std::size_t wave) const { return waves_.increments_before(wave); }
   /// [N] Lambda_n of the last step that had contact; n_c.
   Eigen::VectorXcd modal_forces(std::size_t wave) const { return waves_.forces(wave); }
-  /// Sets the modal coordinates of a nodal diameter [m sqrt(kg)] at t_q and t_{q-1}.
-  void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& before);
+  /// Sets the state of nodal diameters from `first_wave` on, or of one of them.
+  void set_states(const std::vector<ModalState>& waves, std::size_t first_wave = 0);
+  void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& increment) {
+    set_states({{q, increment}}, wave);
+  }
   /// Sets the clock: steps since the start (the casing's distortion grows over the first revolutions).
   void set_step(std::int64_t step);
 

@@ -50,6 +50,11 @@ TIPRUB_INLINE void travelling_group(const double* shapes, const double* q_re, co
   lanes4(p_im) = __builtin_shufflevector(all, all, 4, 5, 6, 7);
 }
 
+TIPRUB_INLINE void take(const Lanes8& change, const Modes& modes, std::size_t offset) {
+  lanes8(modes.q + offset) -= change;
+  lanes8(modes.increment + offset) -= change;
+}
+
 /// The two halves of a block are summed separately, which halves the chain of additions.
 template <std::size_t count>
 TIPRUB_INLINE void standing_group(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
@@ -67,10 +72,13 @@ TIPRUB_INLINE void standing_group(const double* shapes, const double* q, std::si
 }  // namespace
 
 TIPRUB_CLONES
-void advance(const double* a, const double* b, const double* q, const double* previous, double* next,
-             std::size_t count) {
-  for (std::size_t m = 0; m < count; m += eight)
-    lanes8(next + m) = lanes8(a + m) * lanes8(q + m) - lanes8(b + m) * lanes8(previous + m);
+void advance(const double* r, const double* k, const double* increment, double* q, double* next, std::size_t count) {
+  for (std::size_t m = 0; m < count; m += eight) {
+    const Lanes8 now = lanes8(q + m), last = lanes8(increment + m);
+    const Lanes8 change = last - lanes8(r + m) * last - lanes8(k + m) * now;
+    lanes8(next + m) = change;
+    lanes8(q + m) = now + change;
+  }
 }
 
 TIPRUB_CLONES
@@ -117,7 +125,7 @@ void to_nodes_standing(const double* shapes, const double* q, std::size_t modes,
 /// Eight sums at once: the four products of real and imaginary parts, for two vectors of modes.
 TIPRUB_CLONES
 void add_force_travelling(const double* shapes, const double* c, const double* f_re, const double* f_im,
-                          const ForcedNodes& forced, std::size_t modes, double* q_re, double* q_im) {
+                          const ForcedNodes& forced, std::size_t modes, const Modes& re, const Modes& im) {
   for (std::size_t m = 0; m < modes; m += mode_block, shapes += 2 * mode_block * forced.nodes) {
     Lanes8 rr[2] = {}, ii[2] = {}, ri[2] = {}, ir[2] = {};
     for (std::size_t i = 0; i < forced.count; ++i) {
@@ -136,15 +144,15 @@ void add_force_travelling(const double* shapes, const double* c, const double* f
     }
     for (std::size_t half = 0; half < 2; ++half) {
       const std::size_t offset = m + eight * half;
-      lanes8(q_re + offset) -= lanes8(c + offset) * (rr[half] + ii[half]);
-      lanes8(q_im + offset) -= lanes8(c + offset) * (ri[half] - ir[half]);
+      take(lanes8(c + offset) * (rr[half] + ii[half]), re, offset);
+      take(lanes8(c + offset) * (ri[half] - ir[half]), im, offset);
     }
   }
 }
 
 TIPRUB_CLONES
 void add_force_standing(const double* shapes, const double* c, const double* f, const ForcedNodes& forced,
-                        std::size_t modes, double* q) {
+                        std::size_t modes, const Modes& re) {
   for (std::size_t m = 0; m < modes; m += mode_block, shapes += mode_block * forced.nodes) {
     Lanes8 sum[2] = {};
     for (std::size_t i = 0; i < forced.count; ++i)
@@ -152,7 +160,7 @@ void add_force_standing(const double* shapes, const double* c, const double* f, 
         sum[half] += lanes8(shapes + mode_block * forced.index[i] + eight * half) * f[forced.index[i]];
     for (std::size_t half = 0; half < 2; ++half) {
       const std::size_t offset = m + eight * half;
-      lanes8(q + offset) -= lanes8(c + offset) * sum[half];
+      take(lanes8(c + offset) * sum[half], re, offset);
     }
   }
 }

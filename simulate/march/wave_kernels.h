@@ -15,9 +15,8 @@ constexpr std::size_t mode_block = 16;
 /// parts of Y over the block, then (for travelling waves) the imaginary parts. The share of one nodal diameter stays
 /// in the innermost cache between add_force and the to_nodes of the next step, if the two follow each other.
 
-/// next = a q - b previous, over `count` modes.
-void advance(const double* a, const double* b, const double* q, const double* previous, double* next,
-             std::size_t count);
+/// The free step of StepCoefficients over `count` modes: next = increment - r increment - k q, q += next.
+void advance(const double* r, const double* k, const double* increment, double* q, double* next, std::size_t count);
 
 /// p = Y q over `nodes` nodes, written in whole vectors.
 void to_nodes_travelling(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
@@ -30,11 +29,15 @@ struct ForcedNodes {
   std::size_t count;
   std::size_t nodes;
 };
-/// q -= c Y^H f over the nodes listed.
+/// The coordinates q of some modes and their increments over the last step.
+struct Modes {
+  double *q, *increment;
+};
+/// Takes c Y^H f over the nodes listed from q and from the increment.
 void add_force_travelling(const double* shapes, const double* c, const double* f_re, const double* f_im,
-                          const ForcedNodes& forced, std::size_t modes, double* q_re, double* q_im);
+                          const ForcedNodes& forced, std::size_t modes, const Modes& re, const Modes& im);
 void add_force_standing(const double* shapes, const double* c, const double* f, const ForcedNodes& forced,
-                        std::size_t modes, double* q);
+                        std::size_t modes, const Modes& re);
 
 /// gap = clearance - ramp * distortion - displacement over `width` nodes. Returns whether any gap is negative.
 bool gap_of_sector(const double* clearance, const double* distortion, double ramp, const double* displacement,

@@ -9,11 +9,11 @@ namespace tiprub {
 EnergyAudit::EnergyAudit(const TimeMarch& march) {
   for (std::size_t i = 0; i < march.wave_count(); ++i) {
     const MarchedWave& wave = march.wave(i);
-    const auto& [a, b, c] = wave.coefficients;
+    const auto& [r, k, c] = wave.coefficients;
     const auto moves = c > 0;
     const Eigen::ArrayXd divisor = moves.select(c, 1.0);
-    terms_.push_back({march.sector_count() / wave.weight, moves.select((1 + b) / (4 * divisor), 0.0),
-                      0.5 * wave.omega.square(), moves.select((1 - b) / (4 * divisor), 0.0),
+    terms_.push_back({march.sector_count() / wave.weight, moves.select((2 - r) / (4 * divisor), 0.0),
+                      0.5 * wave.omega.square(), moves.select(r / (4 * divisor), 0.0),
                       march.rotor().waves[i].residual_compliance});
   }
   start_ = energy(march);
@@ -23,12 +23,12 @@ double EnergyAudit::energy(const TimeMarch& march) const {
   double sum = 0;
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     const Terms& terms = terms_[i];
-    const auto of_part = [&](const auto& q, const auto& before) {
-      return terms.ring * (terms.inertia * (q - before).square() + terms.stiffness * q * before).sum();
+    const auto of_part = [&](const auto& q, const auto& increment) {
+      return terms.ring * (terms.inertia * increment.square() + terms.stiffness * q * (q - increment)).sum();
     };
-    const ModalCoordinates now = march.coordinates(i), before = march.coordinates(i, Instant::before);
-    sum += of_part(now.real, before.real);
-    sum += of_part(now.imaginary, before.imaginary);
+    const ModalCoordinates now = march.coordinates(i), last = march.increments(i);
+    sum += of_part(now.real, last.real);
+    sum += of_part(now.imaginary, last.imaginary);
   }
   return sum;
 }
@@ -36,12 +36,12 @@ double EnergyAudit::energy(const TimeMarch& march) const {
 void EnergyAudit::observe(const TimeMarch& march) {
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     const Terms& terms = terms_[i];
-    const auto of_part = [&](const auto& q, const auto& two_before) {
-      return terms.ring * (terms.damping * (q - two_before).square()).sum();
+    const auto of_part = [&](const auto& increment, const auto& one_before) {
+      return terms.ring * (terms.damping * (increment + one_before).square()).sum();
     };
-    const ModalCoordinates now = march.coordinates(i), two_before = march.coordinates(i, Instant::two_before);
-    dissipated_ += of_part(now.real, two_before.real);
-    dissipated_ += of_part(now.imaginary, two_before.imaginary);
+    const ModalCoordinates last = march.increments(i), one_before = march.increments_before(i);
+    dissipated_ += of_part(last.real, one_before.real);
+    dissipated_ += of_part(last.imaginary, one_before.imaginary);
   }
   double work = 0;
   for (int index : march.contact().closed())

@@ -11,7 +11,7 @@ namespace tiprub {
 
 /// The energy of the whole wheel in the discrete sense of the scheme (see StepCoefficients): multiplied with
 /// (q+ - q-)/2, a step is the exact balance
-///   E(q+, q) - E(q, q-) = sum_j,k -lambda (p+ - p-)/2 - d |q+ - q-|^2/(4 h),
+///   E(q+, q) - E(q, q-) = sum_j,k -lambda (p+ - p-)/2 - eta |q+ - q-|^2/(4 h),
 ///   E(q+, q) = 1/2 mu |q+ - q|^2/h^2 + 1/2 omega^2 Re(q+ conj q),
 /// with the normal displacement p. The work is summed at the contact nodes and the other terms in modes. The closing
 /// error is therefore rounding, and also tests the maps between nodes and modes. On a wall at rest with
@@ -34,7 +34,7 @@ class EnergyAudit {
     double ring;                ///< N / w_n: modal energy to that of the wheel
     Eigen::ArrayXd inertia;     ///< mu / (2 h^2) [1/s^2]; zero for padding
     Eigen::ArrayXd stiffness;   ///< omega^2 / 2 [1/s^2]
-    Eigen::ArrayXd damping;     ///< d / (4 h) [1/s^2]
+    Eigen::ArrayXd damping;     ///< eta / (4 h) [1/s^2]
     Eigen::MatrixXcd residual;  ///< [m/N] compliance of the modes without mass or dropped; may be empty
   };
   void observe_left_out(const TimeMarch& march);

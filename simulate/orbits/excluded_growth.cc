@@ -30,7 +30,7 @@ class WholeWheel {
     for (std::size_t i = 0; i < first_; ++i) {
       const Eigen::Index modes = settled.wave(i).modes();
       const Eigen::VectorXcd now = settled.coordinates(i).head(modes);
-      march_.set_state(i, now, settled.coordinates(i, Instant::before).head(modes));
+      march_.set_state(i, now, settled.increments(i).head(modes));
       size_ += (settled.wave(i).omega.cwiseMax(settled.rotor().speed) * now.array().abs()).square().sum();
     }
     size_ = seed_share * std::sqrt(size_);

@@ -69,7 +69,7 @@ void seed_excluded_diameters(const Scene& scene, TimeMarch& march) {
     if (!(unit > 0)) continue;
     Eigen::VectorXcd q = Eigen::VectorXcd::Zero(wave.omega.size());
     q[0] = seed_motion * scene.casing.amplitude / unit;
-    march.set_state(i, q, q);
+    march.set_state(i, q, Eigen::VectorXcd::Zero(q.size()));
   }
 }
 

@@ -110,8 +110,10 @@ double measured_rate(const ReducedModel& model, const RotorAtSpeed& like, const 
                {setup.scheme, ContactRule::complementarity, steps_per_revolution, 1, setup.theta, kappa});
   const std::vector<Eigen::VectorXcd> at = rest(rotor, pressed ? kappa : 0);
   const double size = predicted > 0 ? smallest : largest;
-  for (std::size_t i = 0; i < at.size(); ++i)
-    march.set_state(i, at[i] + Eigen::VectorXcd::Constant(at[i].size(), size), at[i]);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Eigen::VectorXcd disturbance = Eigen::VectorXcd::Constant(at[i].size(), size);
+    march.set_state(i, at[i] + disturbance, disturbance);
+  }
   const double steps = std::log(largest / smallest) / std::abs(predicted);
   return slope(march, at, static_cast<int>(std::min<double>(most_steps, steps)));
 }

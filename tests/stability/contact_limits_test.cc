@@ -121,7 +121,7 @@ double sensitivity(double wall_share) {
     const Eigen::VectorXd q = Y.transpose() / Y.squaredNorm() * amplitude;
     const double start = -1.0, h = bench.march.time_step();  // rad before the crest
     bench.march.set_state(0, (q * std::cos(start)).cast<std::complex<double>>(),
-                          (q * std::cos(start - omega * h)).cast<std::complex<double>>());
+                          (q * (std::cos(start) - std::cos(start - omega * h))).cast<std::complex<double>>());
     for (int i = 0; i < 2.0 / omega / h; ++i) bench.march.step();
     const double now = bench.march.displacement()[0], before = bench.march.displacement_before()[0];
     return Eigen::Vector2d(now / amplitude, (now - before) / h / omega / amplitude);

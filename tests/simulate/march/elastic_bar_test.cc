@@ -53,7 +53,7 @@ Impact fly(Scheme scheme, int elements) {
   Eigen::VectorXcd flight = Eigen::VectorXcd::Constant(shapes.rows(), impact_speed);
   flight[1] = flight[2] = 0;
   const Eigen::VectorXcd velocity = shapes.adjoint() * (model.nodal_diameters[0].M * flight);
-  march.set_state(0, Eigen::VectorXcd::Zero(velocity.size()), -velocity * march.time_step());
+  march.set_state(0, Eigen::VectorXcd::Zero(velocity.size()), velocity * march.time_step());
   march.step();
   const EnergyAudit audit(march);
   const double before = audit.energy(march);

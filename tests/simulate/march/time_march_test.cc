@@ -26,12 +26,11 @@ TEST(TimeMarch, DecaysFreelyAsTheClosedFormsSay) {
                              {scheme, ContactRule::complementarity, 1600, 1});
     const double h = bench.march.time_step();
     const MarchedWave& wave = bench.march.wave(0);
-    const double a = wave.coefficients.a[0], b = wave.coefficients.b[0];
+    const double b = 1 - wave.coefficients.r[0], a = 1 + b - wave.coefficients.k[0];
     const std::complex<double> root =
         (a + std::sqrt(std::complex<double>(a * a - 4 * b))) / 2.0;  // r^2 - a r + b = 0
     const Eigen::VectorXcd now = Eigen::VectorXcd::Constant(3, 1e-3);
-    const Eigen::VectorXcd before = now * (1.0 / root).real();
-    bench.march.set_state(0, now, before);
+    bench.march.set_state(0, now, now * (1 - (1.0 / root).real()));
     const double scale = bench.rotor.waves[0].normal_rows.real().sum() * 1e-3;
     for (int i = 1; i <= 5000; ++i) {
       bench.march.step();
@@ -73,9 +72,9 @@ TEST(TimeMarch, ReproducesTheAliasingTableOfThePaper) {
     }
     const MarchedWave& wave = march.wave(0);
     const double phi = order * speed * march.time_step();
+    const double b = 1 - wave.coefficients.r[0], a = 1 + b - wave.coefficients.k[0];
     const std::complex<double> discrete =
-        force / mass * wave.coefficients.c[0] /
-        (std::polar(1.0, phi) - wave.coefficients.a[0] + wave.coefficients.b[0] * std::polar(1.0, -phi));
+        force / mass * wave.coefficients.c[0] / (std::polar(1.0, phi) - a + b * std::polar(1.0, -phi));
     const double exact = force / std::abs(stiffness - order * order * mass * speed * speed);
     for (int n = 0; n <= sectors / 2; ++n)
       EXPECT_NEAR(std::abs(seen[n] - (n == diameter ? discrete : 0.0)), 0, 1e-9 * std::abs(discrete))
@@ -125,7 +124,7 @@ TEST(TimeMarch, StopsAtAWallAtRestAndSwingsOnFromThere) {
       const Eigen::MatrixXd Y = bench.rotor.waves[0].normal_rows.real();
       const Eigen::VectorXd q = Y.transpose() / Y.squaredNorm() * -amplitude;
       bench.march.set_state(0, q.cast<std::complex<double>>(),
-                            (q * std::cos(omega * h)).cast<std::complex<double>>());
+                            (q * (1 - std::cos(omega * h))).cast<std::complex<double>>());
       double farthest = 0;
       bool touched = false;
       for (int i = 0; i < 3 * pi / omega / h; ++i) {

@@ -28,7 +28,7 @@ Growth free_growth(const ReducedModel& model, const RotorAtSpeed& rotor, int per
                                       {Scheme::trigonometric, ContactRule::complementarity, steps, 2});
   for (std::size_t i = 0; i < march.wave_count(); ++i) {  // something to measure the seed by
     const Eigen::VectorXcd q = Eigen::VectorXcd::Constant(march.wave(i).moving, 1e-6);
-    march.set_state(i, q, q);
+    march.set_state(i, q, Eigen::VectorXcd::Zero(q.size()));
   }
   return excluded_growth(march, period, 24);
 }

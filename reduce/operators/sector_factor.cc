@@ -4,8 +4,9 @@
 #include <cholmod.h>
 
 #include <algorithm>
-#include <numeric>
+#include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "cases/program/errors.h"
@@ -16,6 +17,8 @@ namespace tiprub {
 namespace {
 
 using Supernode = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+using Rows = Eigen::Matrix<std::int64_t, Eigen::Dynamic, 1>;
+static_assert(std::is_same_v<SuiteSparse_long, std::int64_t>);
 constexpr Eigen::Index schur_block = 256;  // columns a rank update, for the cache
 
 /// L L' of a lower triangular matrix; a third of the work of the full product.
@@ -41,7 +44,7 @@ struct SectorFactor::Cholmod {
   std::vector<int> position;  ///< place in the factor of each sector dof
 
   Cholmod() {
-    cholmod_start(&common);
+    cholmod_l_start(&common);
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.final_ll = 1;
     common.nmethods = 1;
@@ -51,8 +54,8 @@ struct SectorFactor::Cholmod {
   Cholmod(const Cholmod&) = delete;
   Cholmod& operator=(const Cholmod&) = delete;
   ~Cholmod() {
-    cholmod_free_factor(&factor, &common);
-    cholmod_finish(&common);
+    cholmod_l_free_factor(&factor, &common);
+    cholmod_l_finish(&common);
   }
 
   void factorize(const SymmetricMatrix& stiffness, double shift);
@@ -68,7 +71,7 @@ struct SectorFactor::Cholmod {
 };
 
 void SectorFactor::Cholmod::factorize(const SymmetricMatrix& stiffness, double shift) {
-  SymmetricMatrix shifted = stiffness;
+  Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t> shifted = stiffness;
   for (int dof = interior; dof < interior + interface; ++dof)
     shifted.valuePtr()[shifted.outerIndexPtr()[dof]] += shift;  // the diagonal is a column's first entry
   cholmod_sparse view{};
@@ -78,42 +81,47 @@ void SectorFactor::Cholmod::factorize(const SymmetricMatrix& stiffness, double s
   view.i = shifted.innerIndexPtr();
   view.x = shifted.valuePtr();
   view.stype = -1;  // lower triangle
-  view.itype = CHOLMOD_INT;
+  view.itype = CHOLMOD_LONG;
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
   view.sorted = view.packed = 1;
-  factor = cholmod_analyze(&view, &common);
-  if (factor != nullptr) cholmod_factorize(&view, factor, &common);
-  if (factor == nullptr || common.status == CHOLMOD_OUT_OF_MEMORY)
+  factor = cholmod_l_analyze(&view, &common);
+  if (factor != nullptr) cholmod_l_factorize(&view, factor, &common);
+  if (factor == nullptr || common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
     throw RunError("not enough memory to factorize a sector of " + std::to_string(stiffness.rows()) + " dofs");
   if (common.status == CHOLMOD_NOT_POSDEF || factor->minor < factor->n)
     throw RunError("the stiffness is not positive definite: the rotor is unstable, or a part of it is not held");
   position.resize(factor->n);
   for (std::size_t k = 0; k < factor->n; ++k)
-    position[static_cast<const int*>(factor->Perm)[k]] = static_cast<int>(k);
+    position[static_cast<const std::int64_t*>(factor->Perm)[k]] = static_cast<int>(k);
   // The elimination tree's postorder may move dofs, but the interface is one clique at its root and stays last.
   if (std::any_of(position.begin() + interior, position.end(), [&](int at) { return at < interior; }))
     throw RunError("the sector falls into parts that the cut faces don't join; mesh it as one piece");
 }
 
 Supernodes SectorFactor::Cholmod::supernodes() const {
-  return {static_cast<int>(factor->nsuper),    static_cast<const int*>(factor->super),
-          static_cast<const int*>(factor->pi), static_cast<const int*>(factor->px),
-          static_cast<const int*>(factor->s),  static_cast<const double*>(factor->x)};
+  const auto indices = [](const void* of) { return static_cast<const std::int64_t*>(of); };
+  return {static_cast<std::int64_t>(factor->nsuper),
+          indices(factor->super),
+          indices(factor->pi),
+          indices(factor->px),
+          indices(factor->s),
+          static_cast<const double*>(factor->x)};
 }
 
 template <class Body>
 void SectorFactor::Cholmod::for_each_interface_block(const Body& body) const {
   const Supernodes of = supernodes();
-  for (int block = 0; block < of.count; ++block) {
-    const int first = std::max(of.first[block], interior), width = of.first[block + 1] - first;
+  for (std::int64_t block = 0; block < of.count; ++block) {
+    const std::int64_t first = std::max<std::int64_t>(of.first[block], interior);
+    const std::int64_t width = of.first[block + 1] - first;
     if (width <= 0) continue;
-    const int count = of.row_start[block + 1] - of.row_start[block], offset = first - of.first[block];
-    const int below = count - offset - width;
-    const double* corner = of.values + of.value_start[block] + offset + static_cast<std::ptrdiff_t>(offset) * count;
+    const std::int64_t count = of.row_start[block + 1] - of.row_start[block], offset = first - of.first[block];
+    const std::int64_t below = count - offset - width;
+    const double* corner = of.values + of.value_start[block] + offset + offset * count;
     const Eigen::OuterStride<> stride(count);
-    const Eigen::VectorXi below_rows =
-        Eigen::Map<const Eigen::VectorXi>(of.rows + of.row_start[block] + offset + width, below).array() - interior;
+    const Rows below_rows =
+        Eigen::Map<const Rows>(of.rows + of.row_start[block] + offset + width, below).array() - interior;
     body(first - interior, below_rows, Supernode(corner, width, width, stride),
          Supernode(corner + width, below, width, stride));
   }
@@ -122,7 +130,7 @@ void SectorFactor::Cholmod::for_each_interface_block(const Body& body) const {
 Eigen::MatrixXd SectorFactor::Cholmod::interface_factor() const {
   Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(interface, interface);
   for_each_interface_block(
-      [&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+      [&](Eigen::Index first, const Rows& rows, const Supernode& diagonal, const Supernode& below) {
         lower.block(first, first, diagonal.rows(), diagonal.cols()).triangularView<Eigen::Lower>() = diagonal;
         lower(rows, Eigen::seqN(first, below.cols())) = below;
       });
@@ -132,7 +140,7 @@ Eigen::MatrixXd SectorFactor::Cholmod::interface_factor() const {
 Eigen::MatrixXd SectorFactor::Cholmod::multiply_interface(const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface, x.cols());
   for_each_interface_block(
-      [&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+      [&](Eigen::Index first, const Rows& rows, const Supernode& diagonal, const Supernode& below) {
         const auto part = x.middleRows(first, diagonal.cols());
         product.middleRows(first, diagonal.cols()) += diagonal.triangularView<Eigen::Lower>() * part;
         const Eigen::MatrixXd moved = below * part;
@@ -144,7 +152,7 @@ Eigen::MatrixXd SectorFactor::Cholmod::multiply_interface(const Eigen::MatrixXd&
 Eigen::MatrixXd SectorFactor::Cholmod::multiply_interface_transposed(const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface, x.cols());
   for_each_interface_block(
-      [&](int first, const Eigen::VectorXi& rows, const Supernode& diagonal, const Supernode& below) {
+      [&](Eigen::Index first, const Rows& rows, const Supernode& diagonal, const Supernode& below) {
         auto part = product.middleRows(first, diagonal.cols());
         part = diagonal.triangularView<Eigen::Lower>().transpose() * x.middleRows(first, diagonal.cols());
         const Eigen::MatrixXd gathered = x(rows, Eigen::all);

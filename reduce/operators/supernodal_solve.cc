@@ -15,10 +15,10 @@ using Lanes = double __attribute__((vector_size(lanes * sizeof(double)), aligned
 struct Panel {
   const double* values;  ///< of the first column, at the diagonal
   std::ptrdiff_t stride;
-  const int* rows;  ///< from the diagonal on
-  int count;        ///< of them
+  const std::int64_t* rows;  ///< from the diagonal on
+  int count;                 ///< of them
 
-  Panel(const Supernodes& factor, int supernode, int column)
+  Panel(const Supernodes& factor, std::int64_t supernode, int column)
       : values(factor.values + factor.value_start[supernode]),
         stride(factor.row_start[supernode + 1] - factor.row_start[supernode]),
         rows(factor.rows + factor.row_start[supernode] + column),
@@ -30,8 +30,8 @@ struct Panel {
 
 /// A strip holds `parts` times `lanes` right sides, row by row.
 template <int parts>
-Lanes* row_of(double* strip, int row) {
-  return reinterpret_cast<Lanes*>(strip + static_cast<std::ptrdiff_t>(row) * parts * lanes);
+Lanes* row_of(double* strip, std::int64_t row) {
+  return reinterpret_cast<Lanes*>(strip + row * parts * lanes);
 }
 
 template <int width, int parts>
@@ -79,8 +79,8 @@ __attribute__((always_inline)) inline void substitute(const Panel& L, double* st
 /// Supernodes from the first to the last, in panels of as many columns as the registers hold.
 template <int parts>
 __attribute__((always_inline)) inline void forward(const Supernodes& factor, double* strip) {
-  for (int b = 0; b < factor.count; ++b) {
-    const int columns = factor.first[b + 1] - factor.first[b];
+  for (std::int64_t b = 0; b < factor.count; ++b) {
+    const int columns = static_cast<int>(factor.first[b + 1] - factor.first[b]);
     int at = 0;
     for (; at + 8 <= columns; at += 8) eliminate<8, parts>({factor, b, at}, strip);
     for (; at + 3 <= columns; at += 3) eliminate<3, parts>({factor, b, at}, strip);
@@ -90,8 +90,8 @@ __attribute__((always_inline)) inline void forward(const Supernodes& factor, dou
 
 template <int parts>
 __attribute__((always_inline)) inline void backward(const Supernodes& factor, double* strip) {
-  for (int b = factor.count - 1; b >= 0; --b) {
-    int at = factor.first[b + 1] - factor.first[b];
+  for (std::int64_t b = factor.count - 1; b >= 0; --b) {
+    int at = static_cast<int>(factor.first[b + 1] - factor.first[b]);
     for (; at >= 8; at -= 8) substitute<8, parts>({factor, b, at - 8}, strip);
     for (; at >= 3; at -= 3) substitute<3, parts>({factor, b, at - 3}, strip);
     for (; at >= 1; at -= 1) substitute<1, parts>({factor, b, at - 1}, strip);

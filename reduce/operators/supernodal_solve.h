@@ -2,18 +2,20 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cstdint>
 
 namespace tiprub {
 
 /// A supernodal Cholesky factor as CHOLMOD holds it (Chen, Davis, Hager, Rajamanickam 2008). Supernode b has the
 /// columns first[b] .. first[b + 1] - 1, and the rows rows[row_start[b]] .. rows[row_start[b + 1] - 1], its own
 /// first; values + value_start[b] is a dense matrix of these, column by column, whose upper triangle is not used.
+/// Indices have 64 bits: a factor passes 2^31 entries at about a million dofs.
 struct Supernodes {
-  int count;
-  const int* first;
-  const int* row_start;
-  const int* value_start;
-  const int* rows;
+  std::int64_t count;
+  const std::int64_t* first;
+  const std::int64_t* row_start;
+  const std::int64_t* value_start;
+  const std::int64_t* rows;
   const double* values;
 };
 

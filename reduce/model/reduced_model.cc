@@ -28,6 +28,10 @@ constexpr double hermitian_tolerance = 1e-9;  // of the largest entry
 constexpr double unit_tolerance = 1e-6;
 constexpr double arc_tolerance = 1e-3;                // of a step along the contact line
 constexpr double half_circle = std::numbers::pi / 2;  // arc over chord: no tip bends more between two nodes
+constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double most_twist = std::numbers::pi / 2;  // [rad] of a tip, from one contact node to the next
+constexpr double most_inward = -0.5;                 // radial component of a normal: no casing looks at the axis so
+constexpr double least_distance = 1e-9;              // of the radius, between two contact nodes
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw FileError(message);
@@ -83,6 +87,35 @@ void check_step(const ContactLine& contact, Eigen::Index k, const std::string& n
   require(across <= along * (1 + tolerance) && along <= half_circle * across, text.str());
 }
 
+/// From blade to casing a normal points away from the axis, or along it where the casing turns to the side. Angles in
+/// degrees are told by their size, or by a tip that seems to turn by more than a quarter from node to node.
+void check_place(const ContactLine& contact, Eigen::Index k, const std::string& name) {
+  const double radius = contact.position(k, 0), theta = contact.position(k, 1), outward = contact.normal(k, 0);
+  const std::string row = ": row " + std::to_string(k);
+  std::ostringstream normal, place;
+  normal << name << ": /contact/normal" << row << " has the radial component " << outward << ", must be above "
+         << most_inward << ": normals point from the blade to the casing; reverse them";
+  require(outward > most_inward, normal.str());
+  place
+      << name << ": /contact/position" << row << " has r = " << radius << " m and theta = " << theta
+      << " rad; r must be above 0, and theta within a turn, and within a quarter of one from node to node: is it in "
+         "degrees?";
+  const bool follows = k > 0 && k != contact.trailing_edge() + 1;
+  const double step = follows ? std::remainder(theta - contact.position(k - 1, 1), full_turn) : 0;
+  require(radius > 0 && std::abs(theta) <= full_turn && std::abs(step) <= most_twist, place.str());
+}
+
+/// A splitter has the main blade's arc lengths, so that these do not tell its nodes from the main blade's.
+void check_apart(const ContactLine& contact, Eigen::Index k, const std::string& name) {
+  for (Eigen::Index other = 0; other < k; ++other) {
+    const Eigen::RowVector3d step = contact.position.row(k) - contact.position.row(other);
+    const double around = contact.position(k, 0) * std::remainder(step[1], full_turn);
+    require(std::hypot(step[0], around, step[2]) > least_distance * contact.position(k, 0),
+            name + ": /contact/position: rows " + std::to_string(other) + " and " + std::to_string(k) +
+                " are the same place; each contact node is listed once");
+  }
+}
+
 void check(const ContactLine& contact, const std::string& name) {
   const Eigen::Index count = contact.arc_length.size();
   require(count > 0, name + ": /contact holds no node");
@@ -96,12 +129,25 @@ void check(const ContactLine& contact, const std::string& name) {
   for (Eigen::Index k = 0; k < count; ++k) {
     require(std::abs(contact.normal.row(k).norm() - 1) < unit_tolerance,
             name + ": /contact/normal: row " + std::to_string(k) + " is not of unit length");
+    check_place(contact, k, name);
     if (k > 0 && k != contact.trailing_edge() + 1) check_step(contact, k, name);
+    check_apart(contact, k, name);
   }
+}
+
+/// Frequencies of a rotor that is stable at the verified speeds; what is at most 0 has no relative error.
+void check_frequencies(const Eigen::MatrixXd& frequencies, const std::string& where) {
+  std::ostringstream text;
+  text << where << " holds " << frequencies.minCoeff()
+       << " Hz, must be above 0: the rotor must be held, and stable at the verified speeds";
+  require(frequencies.minCoeff() > 0, text.str());
 }
 
 void check(const Verification& table, std::size_t nodal_diameters, const std::string& name) {
   const Eigen::MatrixXd& misfit = table.polynomial_misfit;
+  require(
+      table.speeds.size() == 0 || (table.speeds[0] >= 0 && std::is_sorted(table.speeds.begin(), table.speeds.end())),
+      name + ": /verification/speed must begin at 0 or above, and ascend");
   require(misfit.size() == 0 ||
               (misfit.rows() == table.speeds.size() && misfit.cols() == static_cast<Eigen::Index>(nodal_diameters)),
           name + ": /verification/polynomial_misfit is " + shape(misfit) + ", must be " +
@@ -112,10 +158,11 @@ void check(const Verification& table, std::size_t nodal_diameters, const std::st
     require(tables->size() == nodal_diameters, name + ": /verification must have every nodal diameter");
     for (std::size_t n = 0; n < nodal_diameters; ++n) {
       const Eigen::MatrixXd &found = (*tables)[n], &other = table.unreduced[n];
+      const std::string where = name + ": /verification/nodal_diameter/" + std::to_string(n) + "/" + kind;
       require(found.rows() == table.speeds.size() && found.cols() == other.cols() && found.cols() > 0,
-              name + ": /verification/nodal_diameter/" + std::to_string(n) + "/" + kind + " is " + shape(found) +
-                  ", must be " + std::to_string(table.speeds.size()) + " x " +
+              where + " is " + shape(found) + ", must be " + std::to_string(table.speeds.size()) + " x " +
                   (other.cols() > 0 ? std::to_string(other.cols()) : "at least 1"));
+      check_frequencies(found, where);
     }
   }
 }

@@ -106,8 +106,9 @@ struct ReducedModel {
 /// The effects on a wheel that the matrices of a model hold, and those that they leave out.
 std::vector<ModelledEffect> effects_of(const ReducedModel& model);
 
-/// Raises RunError (prefixed by `name`) if a shape is wrong, a matrix is not Hermitian, a mass is not positive
-/// definite, a contact dof has no mass, or a normal is not of unit length.
+/// Raises FileError (prefixed by `name`) if a shape is wrong, a matrix is not Hermitian, a mass is not positive
+/// definite, a contact dof has no mass, a normal is not of unit length or points to the axis, an angle looks like
+/// degrees, two contact nodes are one, or a verified frequency or the order of the verified speeds is wrong.
 void check(const ReducedModel& model, const std::string& name);
 
 /// A name for all numbers that a march reads of a model: the contact line, the matrices, the frequencies that verify

@@ -50,6 +50,8 @@ def of_contact():
     yield MODEL.entry("arc.empty", replaced(arc, lambda values: values[:0]), "/contact holds no node")
     yield MODEL.entry("arc.longer", replaced(arc, lambda values: numpy.append(values, 1.0)), "/contact: every table must have 3 rows")
     yield MODEL.entry("normal.of_length_2", replaced("contact/normal", scaled(2)), "/contact/normal: row 0 is not of unit length")
+    yield MODEL.entry("normal.inward", replaced("contact/normal", scaled(-1)), "normals point from the blade to the casing; reverse them")
+    yield MODEL.entry("theta.in_degrees", replaced("contact/position", lambda values: values * [1, 57.29577951308232, 1]), "is it in degrees?")
     for name in ("position", "normal", "static_shift_1", "static_shift_2"):
         path = f"contact/{name}"
         yield MODEL.entry(f"{name}.two_columns", replaced(path, lambda values: values[:, :2]), f"/{path} must have three columns: r, theta, z")
@@ -70,6 +72,9 @@ def of_verification():
     for kind in ("unreduced", "reduced"):
         path = f"verification/nodal_diameter/0/{kind}"
         yield MODEL.entry(f"{kind}.shape", replaced(path, one_row_less), f"/{path} is 1 x ")
+        yield MODEL.entry(f"{kind}.negative", replaced(path, scaled(-1)), f"/{path} holds -")
+    yield MODEL.entry("speed.descending", replaced("verification/speed", lambda values: values[::-1]), "/verification/speed must begin at 0 or above, and ascend")
+    yield MODEL.entry("M.times_1000", replaced(PAIRS, scaled(1000)), " but K and M of this nodal diameter give ")
 
 
 def of_attributes():

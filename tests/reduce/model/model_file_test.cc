@@ -110,6 +110,7 @@ TEST_F(ModelFile, SaysWhichNodesStandOnTheSplitter) {
   for (Eigen::MatrixX3d* table :
        {&contact.position, &contact.normal, &contact.static_shift[1], &contact.static_shift[2]})
     *table = table->replicate(2, 1).eval();
+  contact.position(1, 1) += 0.1;
   contact.arc_length = Eigen::VectorXd::Zero(2);
   const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(6, 6);
   for (NodalDiameterModel& matrices : model.nodal_diameters) matrices = {{{1e6 * one, one, one}}, one};
@@ -283,6 +284,23 @@ TEST_F(ModelFile, RefusesWhatItWouldLeaveOut) {
               }),
               path().string() + ": /nodal_diameter/0/" + name +
                   " is not known; a nodal diameter holds M, K0, K1, K2, and K3, K4, ... without a gap");
+}
+
+/// Symptom: a mass a thousand times too large passed, though /verification of the same file said otherwise.
+TEST_F(ModelFile, ComparesAModelOfOnesOwnWithItsVerification) {
+  const auto complaint = [&](double hertz) {
+    return complaint_about_file([&](Hdf5File& file) {
+      write_one_mass(file);
+      file.write("/verification/speed", Eigen::VectorXd(Eigen::VectorXd::Zero(1)), "rad/s");
+      for (const std::string kind : {"unreduced", "reduced"})
+        file.write("/verification/nodal_diameter/0/" + kind, Eigen::MatrixXd::Constant(1, 3, hertz).eval(), "Hz");
+    });
+  };
+  EXPECT_EQ(complaint(1 / std::numbers::pi), "");
+  EXPECT_EQ(complaint(10),
+            path().string() +
+                ": /verification/nodal_diameter/0/reduced has 10 Hz for mode 0 at 0 rad/s, but K and M of this nodal "
+                "diameter give 0.31831 Hz; correct what is wrong, or leave out /verification");
 }
 
 TEST_F(ModelFile, RefusesOtherUnits) {

@@ -23,6 +23,13 @@ void PrintTo(const Wrong& wrong, std::ostream* out) {
   *out << wrong.name;
 }
 
+/// Another contact node at the same place, with the arc length of a splitter.
+void add_node(ReducedModel& m) {
+  for (auto* table : {&m.contact.position, &m.contact.normal, &m.contact.static_shift[1], &m.contact.static_shift[2]})
+    *table = table->replicate(2, 1).eval();
+  m.contact.arc_length = Eigen::Vector2d::Zero();
+}
+
 class WrongModel : public ::testing::TestWithParam<Wrong> {};
 
 TEST_P(WrongModel, IsRefused) {
@@ -58,6 +65,29 @@ INSTANTIATE_TEST_SUITE_P(
               "/nodal_diameter/2/K2 is 4 x 5, must be 5 x 5"},
         Wrong{"long_normal", [](ReducedModel& m) { m.contact.normal *= 2; },
               "/contact/normal: row 0 is not of unit length"},
+        // Symptom: a casing inside the wheel, angles in degrees, and verified frequencies below 0 passed without a
+        // word.
+        Wrong{"normal_inward", [](ReducedModel& m) { m.contact.normal *= -1; },
+              "/contact/normal: row 0 has the radial component -0.6, must be above -0.5: normals point from the "
+              "blade to"},
+        Wrong{"radius_zero", [](ReducedModel& m) { m.contact.position(0, 0) = 0; }, "row 0 has r = 0 m"},
+        Wrong{"degrees", [](ReducedModel& m) { m.contact.position(0, 1) = 20; }, "theta = 20 rad; r must be above 0"},
+        Wrong{"degrees_between_nodes",
+              [](ReducedModel& m) {
+                add_node(m);
+                m.contact.position(1, 1) = 1.5;
+              },
+              "row 1 has r = 0.1 m and theta = 1.5 rad"},
+        Wrong{"one_place_twice",
+              [](ReducedModel& m) {
+                add_node(m);
+                m.contact.splitter_nodes = 1;
+              },
+              "/contact/position: rows 0 and 1 are the same place"},
+        Wrong{"verified_speeds_descend", [](ReducedModel& m) { m.verification.speeds.reverseInPlace(); },
+              "/verification/speed must begin at 0 or above, and ascend"},
+        Wrong{"verified_below_zero", [](ReducedModel& m) { m.verification.unreduced[2](1, 0) = -3; },
+              "/verification/nodal_diameter/2/unreduced holds -3 Hz, must be above 0"},
         Wrong{"no_contact", [](ReducedModel& m) { m.contact.arc_length.resize(0); }, "/contact holds no node"},
         Wrong{"table_too_long", [](ReducedModel& m) { m.contact.position = Eigen::MatrixX3d::Ones(2, 3); },
               "every table must have 1 rows"},
@@ -85,6 +115,15 @@ INSTANTIATE_TEST_SUITE_P(
               },
               "/verification/nodal_diameter/1/unreduced is 2 x 0, must be 2 x at least 1"}),
     [](const auto& wrong) { return wrong.param.name; });
+
+/// A frame may be turned, and atan2 jumps from pi to -pi.
+TEST(ReducedModel, MayStandAtAnyAngleOfATurn) {
+  ReducedModel model = test::some_model();
+  for (const double angle : {3.0, -3.0, 6.2}) {
+    model.contact.position(0, 1) = angle;
+    EXPECT_NO_THROW(check(model, "model.h5"));
+  }
+}
 
 TEST(NodalDiameterModel, ItsStiffnessIsAPolynomialOfTheSpeedSquared) {
   // eq. 11, one block, and a term more than the paper has.

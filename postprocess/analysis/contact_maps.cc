@@ -36,8 +36,8 @@ int contact_clusters(const Eigen::VectorXd& column) {
 
 namespace {
 
-/// One speed's column of a contact node's map, for sector 0. An area may be so narrow that no step begins over it.
-/// The step before passes it then, so that it gets the share of the area in which that step began.
+/// One speed's column of a contact node's map, for sector 0. If an area is so narrow that no step begins over it,
+/// it gets the share of the area in which the step that crosses it began.
 Eigen::VectorXd contact_shares(const SpeedResponse& speed, int sector_count, const ContactLine& contact, int node) {
   const auto areas = static_cast<int>(speed.contact_count.cols());
   const CasingSteps way{contact.position(node, 1), 0, sector_count, speed.steps_per_revolution};

@@ -91,8 +91,8 @@ Eigen::Index foot(const Samples& samples, Eigen::Index place, int step, double l
   return i;
 }
 
-/// [m] the highest that may stand between a peak's sample and its neighbours: what the flanks leave room for, or a
-/// resonance of the mode's damping that has its top in the middle between two samples.
+/// [m] The largest amplitude that is possible between a peak's sample and its neighbours: after the rise that the
+/// flanks allow, or of a resonance with the mode's damping whose top is midway between two samples.
 double highest_between(const Samples& samples, const CriticalSpeed& critical) {
   const auto rise = [&](int step) { return rise_beside(samples.speed, samples.amplitude, critical.index, step); };
   const double half_gap = critical.spacing_over_half_width().value_or(0) / 2;

@@ -59,8 +59,8 @@ class TurnedDifference {
   double norm_ = 0;
 };
 
-/// Drops the samples that repeat earlier ones, turned by some sectors. Only after whole beats, when each lobe is
-/// where another one was, can a motion repeat; at least half of the samples must show that it does.
+/// Drops the samples that repeat earlier ones, turned by some sectors. A motion can repeat only after whole beats,
+/// when each lobe has taken the place of another one; at least half of the samples must confirm that it does.
 void drop_repeats(WheelCycle& cycle, int beat, const TurnedDifference& difference) {
   for (int shift = beat; 2 * shift <= cycle.samples(); shift += beat)
     for (int turn = 0; turn < cycle.sectors; ++turn)

@@ -81,8 +81,7 @@ std::vector<Check> model_checks(const ReducedModel& model, double limit) {
   return checks;
 }
 
-/// [1] How uncertain step, settling and the distance of the speeds leave a peak's amplitude, relative to that
-/// amplitude.
+/// [1] The relative uncertainty of a peak's amplitude due to step, settling and the distance of the speeds.
 double left_open(const CriticalSpeed& critical, const SpeedResponse& response) {
   const double range =
       std::max(critical.amplitude_high - critical.amplitude, critical.amplitude - critical.amplitude_low);

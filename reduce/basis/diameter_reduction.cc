@@ -10,8 +10,8 @@ namespace tiprub {
 
 namespace {
 
-// The residual of 1/omega^2. The error of a frequency goes with its square, and the basis needs only the span of the
-// modes.
+// The residual of 1/omega^2. The error of a frequency is proportional to its square, and the basis requires only
+// the span of the modes.
 constexpr double mode_tolerance = 1e-2;
 // The fraction of Omega_max below which K, which changes with Omega^2, is nearer to K at rest than to K at full
 // speed.

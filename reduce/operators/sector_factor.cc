@@ -59,8 +59,9 @@ struct SectorFactor::Cholmod {
   }
 
   void factorize(const SymmetricMatrix& stiffness, double shift);
-  /// Calls body(first column, rows below the diagonal block, diagonal block, block below) for each supernode of L_FF,
-  /// all counted from the first interface dof in the factor's order. Above its diagonal the diagonal block is noise.
+  /// Calls body(first column, rows below the diagonal block, diagonal block, block below) for each supernode of
+  /// L_FF, all counted from the first interface dof in the factor's order. The entries above the diagonal of the
+  /// diagonal block are not used.
   template <class Body>
   void for_each_interface_block(const Body& body) const;
   Eigen::MatrixXd interface_factor() const;

@@ -77,7 +77,7 @@ SceneScope find_scope(int sector_count, int lobes, const SimulateParameters& par
   SceneScope scope;
   if (parameters.nodal_diameters == DiameterChoice::symmetric) scope.symmetry = std::gcd(sector_count, lobes);
   scope.independent_sectors = sector_count / scope.symmetry;
-  // eq. 17: alpha N +- n = k N_l for some alpha, k
+  // eq. 17: p N +- n = k N_l for some whole p, k
   for (int n = 0; n <= sector_count / 2; n += scope.symmetry) scope.nodal_diameters.push_back(n);
   const int grid = std::lcm(sector_count, lobes);
   scope.samples_per_revolution = static_cast<int>(rounded_up(parameters.samples_per_revolution, grid));

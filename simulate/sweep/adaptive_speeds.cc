@@ -33,7 +33,7 @@ Eigen::VectorXd speeds_of(const SampledCurve& curve) {
   return values;
 }
 
-/// What may turn out to be a peak when it is looked at more closely.
+/// Candidates that may prove to be peaks when more speeds are computed.
 std::vector<Peak> candidates(const SampledCurve& curve, const LocationGoal& goal) {
   PeakMeasure measure = goal.peaks;
   measure.prominence *= candidate;

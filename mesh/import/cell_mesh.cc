@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/cell_mesh.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <set>
 #include <sstream>
 
 #include "cases/program/errors.h"
-#include "mesh/cells/cell_kind.h"
 
 namespace tiprub {
 
@@ -23,15 +21,21 @@ class Translation {
     if (from_.cells.empty())
       throw InputError(from_.file + ": holds no quadratic solid elements; is it the file of the mesh?");
     for (const ForeignCell& cell : from_.cells) add(cell);
+    if (const auto [first, second] = equal_cells(made_.cells); first >= 0)
+      throw InputError(from_.file + ": elements " + std::to_string(number_of(first)) + " and " +
+                       std::to_string(number_of(second)) +
+                       " have the same nodes; is the mesh there twice? Write it once");
     made_.nodes.resize(3, static_cast<Eigen::Index>(places_.size()));
     for (std::size_t k = 0; k < places_.size(); ++k) made_.nodes.col(static_cast<Eigen::Index>(k)) = places_[k];
-    add_free_faces();
+    made_.faces = free_faces(made_.nodes, made_.cells);
     for (const auto& [name, numbers] : from_.node_sets) made_.node_sets[name] = known(numbers);
     for (const auto& [name, numbers] : from_.cell_sets) add_cell_set(name, numbers);
     return std::move(made_);
   }
 
  private:
+  long number_of(int cell) const { return from_.cells[static_cast<std::size_t>(cell)].number; }
+
   void add(const ForeignCell& cell) {
     if (!cell_of_.emplace(cell.number, static_cast<int>(made_.cells.size())).second)
       throw InputError(from_.file + ": element " + std::to_string(cell.number) + " is there twice");
@@ -58,32 +62,6 @@ class Translation {
                        std::to_string(static_cast<int>(farthest)) + " m from the origin; is length_unit right?");
     places_.emplace_back(length_ * turned);
     return node_of_[number] = static_cast<int>(places_.size()) - 1;
-  }
-
-  void add_free_faces() {
-    std::map<std::vector<int>, std::pair<FreeFace, int>> faces;  // by their corners
-    for (const std::vector<int>& cell : made_.cells) {
-      const CellKind& kind = cell_kind(static_cast<int>(cell.size()));
-      for (const std::vector<int>& around : kind.faces) {
-        FreeFace face;
-        for (const int corner : around) face.nodes.push_back(cell[corner]);
-        std::vector<int> key = face.nodes;
-        std::sort(key.begin(), key.end());
-        for (std::size_t k = 0; k < around.size(); ++k)
-          face.nodes.push_back(cell[kind.middle_of(around[k], around[(k + 1) % around.size()])]);
-        ++faces.try_emplace(key, face, 0).first->second.second;
-      }
-    }
-    for (auto& [key, found] : faces) {
-      if (found.second > 1) continue;
-      FreeFace& face = found.first;
-      const auto at = [&](std::size_t k) -> Eigen::Vector3d { return made_.nodes.col(face.nodes[k]); };
-      const std::size_t last = face.corners() - 1;
-      face.normal = (at(1) - at(0)).cross(at(last) - at(0)) + (at(last) - at(last - 1)).cross(at(1) - at(last - 1));
-      if (last == 2) face.normal = (at(1) - at(0)).cross(at(2) - at(0));
-      face.normal.normalize();
-      made_.faces.push_back(face);
-    }
   }
 
   std::vector<int> known(const std::vector<long>& numbers) const {

@@ -6,17 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "mesh/cells/free_faces.h"
 #include "mesh/import/foreign_mesh.h"
 
 namespace tiprub {
-
-/// A face that belongs to only one cell.
-struct FreeFace {
-  std::vector<int> nodes;  ///< corners around, seen from outside, then the mid-sides between them
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, outward, of its corners
-
-  std::size_t corners() const { return nodes.size() / 2; }
-};
 
 /// An imported mesh in metres, with the axis z, and with nodes and cells counted from 0.
 struct CellMesh {
@@ -36,7 +29,7 @@ struct CellMesh {
 enum class Axis { x, y, z };
 
 /// `length` [m] is the file's unit. Raises InputError if there are no solids, if they name nodes that don't exist, or
-/// if two have the same number.
+/// if two have the same number or the same nodes.
 CellMesh in_our_terms(const ForeignMesh& mesh, double length, Axis axis);
 
 }  // namespace tiprub

@@ -10,6 +10,8 @@
 #include <optional>
 #include <set>
 
+#include "cases/program/errors.h"
+
 namespace tiprub {
 
 namespace {
@@ -100,6 +102,20 @@ PeriodicCuts find_cuts(const CellMesh& mesh, int sector_count) {
   if (sector_count == 1) return {};
   const Search search(mesh);
   return sector_count > 1 ? search.of(sector_count) : search.best();
+}
+
+void require_whole(const CellMesh& mesh, const PeriodicCuts& cuts) {
+  std::set<int> paired(cuts.low.begin(), cuts.low.end());
+  paired.insert(cuts.high.begin(), cuts.high.end());
+  for (const std::vector<int>* cut : {&cuts.low, &cuts.high}) {
+    const std::vector<int> patch = surface_patch(mesh.faces, *cut);
+    const auto alone = std::count_if(patch.begin(), patch.end(), [&](int face) { return !paired.contains(face); });
+    if (alone > 0)
+      throw InputError(mesh.file + ": " + std::to_string(cut->size()) + " of the " +
+                       std::to_string(cut->size() + static_cast<std::size_t>(alone)) +
+                       " faces of a cut, turned by 360/" + std::to_string(cuts.sector_count) +
+                       " degrees, are faces of the other; mesh both cuts alike (gmsh: Periodic Surface)");
+  }
 }
 
 }  // namespace tiprub

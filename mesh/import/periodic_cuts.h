@@ -20,4 +20,8 @@ struct PeriodicCuts {
 /// at least two pairs of faces have the same r and z. Places agree to 1e-5 of the largest radius.
 PeriodicCuts find_cuts(const CellMesh& mesh, int sector_count);
 
+/// Raises InputError where only a part of a cut pairs. A cut is a whole patch of the surface: free faces that
+/// continue it without an edge belong to it.
+void require_whole(const CellMesh& mesh, const PeriodicCuts& cuts);
+
 }  // namespace tiprub

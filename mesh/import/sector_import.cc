@@ -128,6 +128,7 @@ PeriodicCuts cuts_of(const CellMesh& mesh, const ImportParameters& parameters) {
                             ? "is axis right, is the mesh on both cuts the same, and sector_count the wheel's?"
                             : other));
     }
+    require_whole(mesh, cuts);
     return cuts;
   }
   PeriodicCuts cuts = {0, select_faces(mesh, "cyclic_low", parameters.cyclic_low),

@@ -98,12 +98,33 @@ std::string said_by(const MatrixFiles& files) {
   return files.nodes.string() + (files.dofs.empty() ? "" : " and " + files.dofs.string());
 }
 
-void require_mass(const Matrix& mass, const MatrixFiles& files, const Eigen::MatrixXd& motions) {
+/// [kg] of three translations; `columns` are these.
+Eigen::Matrix3d masses_of(const Matrix& mass, const Eigen::MatrixXd& columns) {
+  return columns.transpose() * (mass * columns);
+}
+
+/// Whether a body has the same mass in all directions, and none between two.
+bool is_even(const Eigen::Matrix3d& masses) {
   constexpr double tolerance = 1e-6;
-  const Eigen::Matrix3d masses = motions.leftCols(3).transpose() * (mass * motions.leftCols(3));
   const double total = masses.trace() / 3;
-  const bool even = (masses - total * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= tolerance * total;
-  if (total > 0 && even && mass.diagonal().minCoeff() >= 0) return;
+  return total > 0 && (masses - total * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= tolerance * total;
+}
+
+/// Whether the rows are x of all nodes, then y of all, then z.
+bool is_by_direction(const Matrix& mass) {
+  const Eigen::Index nodes = mass.rows() / directions;
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(mass.rows(), directions);
+  for (int d = 0; d < directions; ++d) columns.col(d).segment(d * nodes, nodes).setOnes();
+  return nodes > 1 && is_even(masses_of(mass, columns));
+}
+
+void require_mass(const Matrix& mass, const MatrixFiles& files, const Eigen::MatrixXd& motions) {
+  const Eigen::Matrix3d masses = masses_of(mass, motions.leftCols(3));
+  if (is_even(masses) && mass.diagonal().minCoeff() >= 0) return;
+  if (files.dofs.empty() && mass.diagonal().minCoeff() >= 0 && is_by_direction(mass))
+    throw InputError(files.mass.string() +
+                     ": its rows are x of all nodes, then y, then z; expected are x, y, z of the first node, then of "
+                     "the second, ...: sort them, or list them by --matrix-dofs");
   std::ostringstream message;
   message << files.mass.string() << ": gives " << masses(0, 0) << ", " << masses(1, 1) << ", " << masses(2, 2)
           << " kg along x, y, z, which must be the same mass; does K stand before M, and are the rows those that "
@@ -131,6 +152,28 @@ void require_places(const Matrix& stiffness, const MatrixFiles& files, const Eig
                      " of a diagonal entry: is it K at rest, and are its rows those that " + said_by(files) +
                      " tell?");
   }
+}
+
+/// Refuses a K that holds nodes which should be free. It is told only where every node has all its rows, since dofs
+/// that are left out hold their neighbours.
+void require_free(const Matrix& stiffness, const Eigen::MatrixXd& motions, const SectorMesh& mesh,
+                  const MatrixFiles& files) {
+  constexpr double tolerance = 1e-3;
+  std::vector<char> free(static_cast<std::size_t>(mesh.node_count()), 1);
+  for (const int node : mesh.clamped) free[static_cast<std::size_t>(node)] = 0;
+  const Eigen::VectorXd force = (stiffness * motions.leftCols(3)).rowwise().norm();
+  int held = 0, first = -1;
+  for (int node = 0; node < mesh.node_count(); ++node) {
+    const double diagonal = stiffness.diagonal().segment<3>(directions * node).cwiseAbs().maxCoeff();
+    const bool holds = force.segment<3>(directions * node).maxCoeff() > tolerance * diagonal;
+    if (!holds || free[static_cast<std::size_t>(node)] == 0) continue;
+    if (held++ == 0) first = node;
+  }
+  if (held > 0)
+    throw InputError(files.stiffness.string() + ": holds " + std::to_string(held) + " of the " +
+                     std::to_string(mesh.node_count()) + " nodes against translations, the first at " +
+                     mesh.place_of(first) + "; K must be that of the free sector: " + files.nodes.string() +
+                     " names the nodes that are clamped");
 }
 
 /// Sorts the nodes by their places. A node that has none of its dofs in the matrices is clamped.
@@ -173,6 +216,7 @@ SectorMesh read_matrix_sector(const MatrixFiles& files, double cyclic_tolerance)
   mesh.nodes = table.position;
   mesh.sector_count = 1;
   place_nodes(table, rows, mesh);
+  if (rows.minCoeff() >= 0) require_free(matrices->stiffness.front(), motions, mesh, files);
   mesh.matrices = std::move(matrices);
   if (!mesh.cyclic_low.empty()) pair_cut_faces(mesh, cyclic_tolerance);
   require_one_way(mesh);

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/model/fields_file.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 
+#include "cases/program/digest.h"
 #include "mesh/cells/cell_kind.h"
+#include "mesh/cells/free_faces.h"
+#include "reduce/model/sector_parts.h"
 
 namespace tiprub {
 
@@ -12,6 +17,7 @@ namespace {
 constexpr const char* fields_schema = "tiprub-fields";
 constexpr int fields_schema_version = 2;
 constexpr Eigen::Index slices_at_once = 16;  // columns of a product
+constexpr double widest_mismatch = 0.01;     // of the radius, between partners: the most that reduce allows
 constexpr const char* required_sets[] = {"clamped", "contact", "cyclic_low", "cyclic_high"};
 
 std::string basis_of(int nodal_diameter) {
@@ -80,6 +86,36 @@ void read_static_displacement(const Hdf5File& file, SectorFields& sector) {
     refuse(file, "/static", "must hold displacement_1, _2, and _3, _4, ... without a gap, and nothing else");
 }
 
+/// Stresses at the cuts are means over both sides, so that wrong partners would spoil them.
+void check_cuts(const Hdf5File& file, const SectorFields& sector) {
+  const std::vector<int>&low = sector.node_set("cyclic_low"), &high = sector.node_set("cyclic_high");
+  if (low.size() != high.size()) refuse(file, "/node_set/cyclic_high", "must pair with cyclic_low");
+  if (low.empty() || sector.sector_count < 2) return;
+  const double reach = widest_mismatch * sector.nodes.topRows<2>().colwise().norm().maxCoeff();
+  const Eigen::AngleAxisd turn(2 * std::numbers::pi / sector.sector_count, Eigen::Vector3d::UnitZ());
+  for (std::size_t k = 0; k < low.size(); ++k)
+    if ((turn * sector.nodes.col(low[k]) - sector.nodes.col(high[k])).norm() > reach)
+      refuse(file, "/node_set/cyclic_high",
+             "lists node " + std::to_string(high[k]) + " at place " + std::to_string(k) +
+                 ", which is not where node " + std::to_string(low[k]) + " of cyclic_low comes after a turn by 360/" +
+                 std::to_string(sector.sector_count) + " degrees; both list partners in the same order");
+}
+
+/// Each node or cell is listed once; only `contact` may repeat nodes, those nearest to the centres of segments.
+void check_groups(const Hdf5File& file, const SectorFields& sector) {
+  for (const auto& [name, nodes] : sector.node_sets)
+    if (const int node = listed_twice(nodes); name != "contact" && node >= 0)
+      refuse(file, "/node_set/" + name, "lists node " + std::to_string(node) + " twice");
+  if (const auto [first, second] = equal_cells(listed_cells(sector.cells)); first >= 0)
+    refuse(file, "/cells", "lists cell " + std::to_string(first) + " (from 0) again as " + std::to_string(second));
+  check_cuts(file, sector);
+  NamedLists tips;
+  if (const auto line = sector.node_sets.find("contact_line"); line != sector.node_sets.end())
+    tips["main_blade"] = line->second;
+  if (const std::string wrong = wrong_parts(sector.cells, sector.parts, tips); !wrong.empty())
+    refuse(file, "/part:", wrong);
+}
+
 SectorFields read_sector(const Hdf5File& file) {
   SectorFields sector;
   sector.sector_count = file.integer_attribute("/", "sector_count");
@@ -96,13 +132,40 @@ SectorFields read_sector(const Hdf5File& file) {
     if (!file.exists(std::string("/node_set/") + name)) refuse(file, std::string("/node_set/") + name, "is missing");
   for (const std::string& name : file.members("/node_set"))
     sector.node_sets[name] = read_list(file, "/node_set/" + name, sector.nodes.cols());
-  if (sector.node_set("cyclic_low").size() != sector.node_set("cyclic_high").size())
-    refuse(file, "/node_set/cyclic_high", "must pair with cyclic_low");
   if (file.exists("/part"))
     for (const std::string& name : file.members("/part"))
       sector.parts[name] = read_list(file, "/part/" + name, sector.cells.cols());
   read_static_displacement(file, sector);
   return sector;
+}
+
+template <class Values>
+void add(Digest& digest, const Values& values) {
+  digest.add(values.data(), static_cast<std::size_t>(values.size()));
+}
+
+/// A name for all of a sector's numbers, which tells a file that was damaged or changed.
+std::string digest(const SectorFields& sector) {
+  Digest digest;
+  digest.add(sector.sector_count);
+  for (const double number : {sector.young, sector.poisson, sector.density}) digest.add(number);
+  add(digest, sector.nodes);
+  add(digest, sector.cells);
+  for (const NamedLists* lists : {&sector.node_sets, &sector.parts})
+    for (const auto& [name, list] : *lists) {
+      digest.add(name);
+      add(digest, list);
+    }
+  for (int k = 1; k <= sector.static_displacement.highest(); ++k)
+    add(digest, sector.static_displacement.coefficient(k));
+  return digest.digits();
+}
+
+void require_digest(const Hdf5File& file, const SectorFields& sector) {
+  if (file.has_attribute("/", "digest") && file.text_attribute("/", "digest") != digest(sector))
+    throw FileError(file.path() +
+                    ": its sector is not the one that was written (attribute `digest`): it was damaged or changed; "
+                    "reduce again, or delete that attribute if the change was meant");
 }
 
 }  // namespace
@@ -124,6 +187,7 @@ void FieldsWriter::write_sector(const SectorFields& sector) {
   file_.set_attribute("/", "young_modulus", sector.young);
   file_.set_attribute("/", "poisson_ratio", sector.poisson);
   file_.set_attribute("/", "density", sector.density);
+  file_.set_attribute("/", "digest", digest(sector));
   file_.write("/nodes", Eigen::MatrixXd(sector.nodes.transpose()), "m");
   file_.write("/cells", table(sector.cells), "1");
   for (const auto& [name, nodes] : sector.node_sets) file_.write("/node_set/" + name, list(nodes), "1");
@@ -150,6 +214,8 @@ FieldsReader::FieldsReader(const std::filesystem::path& path) : file_(Hdf5File::
   sector_ = read_sector(file_);
   model_digest_ = file_.text_attribute("/", "model_digest");
   for (int n = 0; n <= sector_.sector_count / 2; ++n) dofs(n);
+  check_groups(file_, sector_);
+  require_digest(file_, sector_);
 }
 
 Eigen::Index FieldsReader::dofs(int nodal_diameter) const {

@@ -49,7 +49,8 @@ class FieldsWriter {
   std::size_t nodes_ = 0;
 };
 
-/// Reads it. Raises RunError with the file and the dataset if something is missing or doesn't fit.
+/// Reads it. Raises FileError with the file and the dataset if something is missing or doesn't fit: partners on the
+/// cuts that do not turn into each other, nodes or cells that are listed twice, parts that overlap.
 class FieldsReader {
  public:
   explicit FieldsReader(const std::filesystem::path& path);

@@ -11,6 +11,9 @@ namespace {
 
 constexpr SandboxLimits limits = {1024.0 * 1024 * 1024, 50};
 constexpr double most_read = 1 << 25;  // values of one dataset; more is not tried
+constexpr const char* beyond_end = "is damaged: its numbers lie beyond its end";
+constexpr const char* elsewhere =
+    "has its numbers in other datasets or files (virtual or external storage); write them into the dataset itself";
 
 /// Whether the bit fields of a number, or of a compound's numbers, lie within its bytes. HDF5 would also convert bits
 /// that lie beyond.
@@ -58,27 +61,34 @@ bool is_whole(hid_t set, hid_t type, hid_t space) {
   return stored == bytes;
 }
 
-/// Reads a dataset. Returns false if it is damaged in a way that HDF5 wouldn't notice.
-bool touch_dataset(hid_t set) {
+/// A virtual dataset of itself takes all memory, and what stands in other files is none of ours.
+bool is_elsewhere(hid_t set) {
+  const Hdf5Id creation(H5Dget_create_plist(set), H5Pclose);
+  return H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) > 0;
+}
+
+/// Reads a dataset. Returns what is wrong with it that HDF5 wouldn't notice, if anything.
+const char* touch_dataset(hid_t set) {
+  if (is_elsewhere(set)) return elsewhere;
   const Hdf5Id type(H5Dget_type(set), H5Tclose), space(H5Dget_space(set), H5Sclose);
-  if (!is_sound(type) || !is_whole(set, type, space)) return false;
+  if (!is_sound(type) || !is_whole(set, type, space)) return beyond_end;
   const double count = hdf5_filled_count(set);
-  if (count > most_read) return true;
+  if (count > most_read) return nullptr;
   const Hdf5Id read_type = type_in_memory(type);
   std::vector<char> values(static_cast<std::size_t>(count) * H5Tget_size(read_type));
   if (!values.empty()) H5Dread(set, read_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-  return true;
+  return nullptr;
 }
 
-bool touch_attribute(hid_t object, const char* name) {
+const char* touch_attribute(hid_t object, const char* name) {
   const Hdf5Id attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
   const Hdf5Id type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
-  if (!is_sound(type)) return false;
-  if (H5Tget_class(type) == H5T_VLEN) return true;  // an axis's references, which no reader follows
+  if (!is_sound(type)) return beyond_end;
+  if (H5Tget_class(type) == H5T_VLEN) return nullptr;  // an axis's references, which no reader follows
   const Hdf5Id read_type = type_in_memory(type);
   std::vector<char> value(std::max(H5Tget_size(type), H5Tget_size(read_type)));
   if (H5Sget_simple_extent_npoints(space) == 1) H5Aread(attribute, read_type, value.data());
-  return true;
+  return nullptr;
 }
 
 herr_t note_link(hid_t, const char* name, const H5L_info_t*, void* names) {
@@ -108,13 +118,13 @@ class Walk {
   } catch (const std::exception&) {  // the reader will say so, if it is something that it needs
   }
 
-  /// The last object that can't be read without harm; empty if all can.
+  /// The last object that can't be read without harm, and why; empty if all can.
   const std::string& harmful() const { return harmful_; }
 
  private:
   template <class Touch>
   void attempt(const std::string& name, const Touch& touch_it) try {
-    if (!touch_it()) harmful_ = name;
+    if (const char* wrong = touch_it(); wrong != nullptr) harmful_ = name + ": " + wrong;
   } catch (const std::exception&) {  // as above
   }
 
@@ -139,7 +149,7 @@ void hdf5_require_harmless(const std::string& path) {
     throw FileError(path + ": is not an HDF5 file, or is damaged (HDF5 dies of it: " + end.what() + ")");
   } catch (const RunError&) {  // HDF5 can't open it: so it says again
   }
-  if (!harmful.empty()) throw FileError(path + ": " + harmful + ": is damaged: its numbers lie beyond its end");
+  if (!harmful.empty()) throw FileError(path + ": " + harmful);
 }
 
 }  // namespace tiprub

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/sector/cut_faces.h"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
 
 #include "cases/program/errors.h"
+#include "mesh/cells/free_faces.h"
+#include "reduce/model/sector_parts.h"
 
 namespace tiprub {
 
@@ -53,19 +58,17 @@ struct Pairing {
 
   std::ptrdiff_t alone() const { return std::count(partners.begin(), partners.end(), -1); }
   bool holds(const SectorMesh& mesh) const {
-    return sector_count > 0 && alone() == 0 && mesh.cyclic_low.size() == mesh.cyclic_high.size();
+    return alone() == 0 && mesh.cyclic_low.size() == mesh.cyclic_high.size() && listed_twice(partners) < 0;
   }
 };
 
-/// Partners are found by z first, then by distance.
-Pairing pair(const SectorMesh& mesh, double tolerance) {
+/// With cyclic_low turned by an angle [rad]. Partners are found by z first, then by distance.
+Pairing pair(const SectorMesh& mesh, double tolerance, double angle) {
   Pairing found;
-  found.sector_count = sectors_of(angle_between_faces(mesh));
-  if (found.sector_count == 0) return found;
   const double reach = tolerance * mesh.nodes.topRows<2>().colwise().norm().maxCoeff();
   std::multimap<double, int> by_height;
   for (const int node : mesh.cyclic_high) by_height.emplace(mesh.nodes(2, node), node);
-  const Eigen::AngleAxisd turn(2 * std::numbers::pi / found.sector_count, Eigen::Vector3d::UnitZ());
+  const Eigen::AngleAxisd turn(angle, Eigen::Vector3d::UnitZ());
   for (const int low : mesh.cyclic_low) {
     const Eigen::Vector3d target = turn * mesh.nodes.col(low);
     double nearest = reach;
@@ -79,6 +82,15 @@ Pairing pair(const SectorMesh& mesh, double tolerance) {
     found.mismatch = std::max(found.mismatch, partner < 0 ? 0.0 : nearest);
     found.partners.push_back(partner);
   }
+  return found;
+}
+
+/// With the angle between the faces, if that is a whole fraction of a turn; else nothing pairs.
+Pairing pair(const SectorMesh& mesh, double tolerance) {
+  const int sector_count = sectors_of(angle_between_faces(mesh));
+  Pairing found = {0, std::vector<int>(mesh.cyclic_low.size(), -1), 0};
+  if (sector_count > 0) found = pair(mesh, tolerance, 2 * std::numbers::pi / sector_count);
+  found.sector_count = sector_count;
   return found;
 }
 
@@ -104,18 +116,38 @@ double largest_mismatch(const SectorMesh& mesh, int sector_count) {
   return largest;
 }
 
-/// Says that one face is shifted against the other, if it is; else empty.
+/// Says that one face is shifted against the other, if it is; else empty. A shift across z is a turn about an axis
+/// beside z: c with c - R c equal to it.
 std::string shift(const SectorMesh& mesh, int sector_count, double tolerance) {
-  const Eigen::AngleAxisd turn(2 * std::numbers::pi / sector_count, Eigen::Vector3d::UnitZ());
+  const double angle = 2 * std::numbers::pi / sector_count;
+  const Eigen::AngleAxisd turn(angle, Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d by = centre(mesh, mesh.cyclic_high) - turn * centre(mesh, mesh.cyclic_low);
   SectorMesh other = mesh;
   for (const int node : mesh.cyclic_high) other.nodes.col(node) -= by;
-  if (!pair(other, tolerance).holds(other)) return "";
+  if (!pair(other, tolerance, angle).holds(other)) return "";
+  const Eigen::Vector2d axis =
+      (Eigen::Matrix2d::Identity() - Eigen::Rotation2Dd(angle).toRotationMatrix()).partialPivLu().solve(by.head<2>());
   std::ostringstream text;
   text << "cyclic_high is cyclic_low turned by 360/" << sector_count << " degrees about z and then shifted by x "
        << by.x() << ", y " << by.y() << ", z " << by.z()
-       << " m; the axis of rotation must be z through the origin: shift the mesh, or re-mesh the faces";
+       << " m; the axis of rotation must be z through the origin, and "
+       << "these faces turn about x " << axis.x() << ", y " << axis.y() << " m: shift the mesh, or re-mesh the faces";
   return text.str();
+}
+
+/// About an axis beside z the measured angle is no whole fraction of a turn, but close to one.
+std::string shift(const SectorMesh& mesh, double tolerance) {
+  const int near = static_cast<int>(std::floor(2 * std::numbers::pi / angle_between_faces(mesh)));
+  for (const int sector_count : {near, near + 1, near - 1, near + 2})
+    if (sector_count > 1)
+      if (const std::string found = shift(mesh, sector_count, tolerance); !found.empty()) return found;
+  return "";
+}
+
+/// "cyclic_high lies 60.6 degrees after cyclic_low, ..."
+std::string other_angle(const SectorMesh& mesh) {
+  return "cyclic_high lies " + std::to_string(angle_between_faces(mesh) * 180 / std::numbers::pi) +
+         " degrees after cyclic_low, which is no whole fraction of a turn; re-mesh";
 }
 
 /// Says why the faces don't pair, if they would in another frame or under other names; else empty.
@@ -125,6 +157,9 @@ std::string cause(const SectorMesh& mesh, double tolerance) {
   if (const Pairing exchanged = pair(other, tolerance); exchanged.holds(other))
     return "cyclic_low and cyclic_high are exchanged: cyclic_high must be cyclic_low turned by +360/" +
            std::to_string(exchanged.sector_count) + " degrees about z; exchange their names";
+  const double angle = angle_between_faces(mesh);
+  if (sectors_of(angle) == 0 && pair(mesh, tolerance, angle).holds(mesh)) return other_angle(mesh);
+  if (const std::string beside = shift(mesh, tolerance); !beside.empty()) return beside;
   constexpr std::array<const char*, 2> axes = {"x", "y"};
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
     const std::array<int, 3> order = axis == 0 ? std::array{1, 2, 0} : std::array{2, 0, 1};  // the axis comes last
@@ -133,8 +168,34 @@ std::string cause(const SectorMesh& mesh, double tolerance) {
       if (pair(other, tolerance).holds(other))
         return std::string("the wheel turns about ") + axes[axis] + "; the axis of rotation must be z: turn the mesh";
   }
-  const int sector_count = pair(mesh, tolerance).sector_count;
-  return sector_count == 0 ? "" : shift(mesh, sector_count, tolerance);
+  return "";
+}
+
+/// A miss of the order of rounding may be allowed; nodes without a partner are those of another mesh.
+std::string advice(double mismatch, double radius) {
+  constexpr double rounding = 1e-5;  // of the radius: coordinates in a file of few digits
+  return mismatch <= rounding * radius ? "raise [reduce] cyclic_tolerance, or write the mesh with more digits"
+                                       : "mesh both cuts alike (gmsh: Periodic Surface)";
+}
+
+std::string alone(const SectorMesh& mesh, const Pairing& found) {
+  const double farthest = largest_mismatch(mesh, found.sector_count);
+  return std::to_string(found.alone()) + " of " + std::to_string(mesh.cyclic_low.size()) +
+         " nodes on cyclic_low have no partner among the " + std::to_string(mesh.cyclic_high.size()) +
+         " on cyclic_high, turned by 360/" + std::to_string(found.sector_count) +
+         " degrees, within tolerance; the farthest is " + in_metres(farthest) + " m from the nearest; " +
+         advice(farthest, mesh.nodes.topRows<2>().colwise().norm().maxCoeff());
+}
+
+/// The free faces whose corners are all among these nodes.
+std::vector<int> faces_among(const std::vector<FreeFace>& faces, const std::vector<int>& nodes) {
+  const std::set<int> known(nodes.begin(), nodes.end());
+  std::vector<int> found;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (std::all_of(faces[f].nodes.begin(), faces[f].nodes.begin() + static_cast<std::ptrdiff_t>(faces[f].corners()),
+                    [&](int node) { return known.contains(node); }))
+      found.push_back(static_cast<int>(f));
+  return found;
 }
 
 }  // namespace
@@ -143,20 +204,28 @@ void pair_cut_faces(SectorMesh& mesh, double tolerance) {
   Pairing found = pair(mesh, tolerance);
   if (!found.holds(mesh)) {
     if (const std::string why = cause(mesh, tolerance); !why.empty()) throw InputError(mesh.file + ": " + why);
-    if (found.sector_count == 0)
-      throw InputError(mesh.file + ": cyclic_high lies " +
-                       std::to_string(angle_between_faces(mesh) * 180 / std::numbers::pi) +
-                       " degrees after cyclic_low, which is no whole fraction of a turn; re-mesh");
-    throw InputError(mesh.file + ": " + std::to_string(found.alone()) + " of " +
-                     std::to_string(mesh.cyclic_low.size()) + " nodes on cyclic_low have no partner among the " +
-                     std::to_string(mesh.cyclic_high.size()) + " on cyclic_high, turned by 360/" +
-                     std::to_string(found.sector_count) + " degrees, within tolerance; the farthest is " +
-                     in_metres(largest_mismatch(mesh, found.sector_count)) +
-                     " m from the nearest; re-mesh, or raise [reduce] cyclic_tolerance");
+    throw InputError(mesh.file + ": " + (found.sector_count == 0 ? other_angle(mesh) : alone(mesh, found)));
   }
   mesh.sector_count = found.sector_count;
   mesh.cyclic_high = std::move(found.partners);
   mesh.pairing_mismatch = found.mismatch;
+}
+
+void require_whole_cuts(const SectorMesh& mesh) {
+  const std::vector<FreeFace> faces = free_faces(mesh.nodes, listed_cells(mesh.cells));
+  const std::vector<int> low = faces_among(faces, mesh.cyclic_low), high = faces_among(faces, mesh.cyclic_high);
+  std::set<int> named(low.begin(), low.end());
+  named.insert(high.begin(), high.end());
+  for (const auto& [name, cut] : {std::pair("cyclic_low", &low), std::pair("cyclic_high", &high)}) {
+    const std::vector<int> patch = surface_patch(faces, *cut);
+    const auto alone = std::count_if(patch.begin(), patch.end(), [&](int face) { return !named.contains(face); });
+    if (alone > 0)
+      throw InputError(
+          mesh.file + ": " + name + " holds " + std::to_string(cut->size()) + " of the " +
+          std::to_string(cut->size() + static_cast<std::size_t>(alone)) +
+          " faces of its surface; a cut is all of it: mesh both cuts alike (gmsh: Periodic Surface), and "
+          "name all of their faces");
+  }
 }
 
 }  // namespace tiprub

@@ -7,7 +7,11 @@ namespace tiprub {
 
 /// Finds N from the angle between the cut faces, and orders cyclic_high like cyclic_low. Partners may differ by
 /// `tolerance` over the largest radius. Raises InputError where they don't pair, and says whether they would with
-/// their names exchanged, about another axis, or shifted; else by how much they miss.
+/// their names exchanged, by another angle, about another axis, or shifted; else by how much they miss.
 void pair_cut_faces(SectorMesh& mesh, double tolerance);
+
+/// Raises InputError where free faces continue a cut face without an edge and do not belong to it: a wheel whose
+/// sectors are joined by a part of their cuts has frequencies that are wrong by percents.
+void require_whole_cuts(const SectorMesh& mesh);
 
 }  // namespace tiprub

@@ -11,6 +11,8 @@
 
 #include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
+#include "mesh/cells/free_faces.h"
+#include "reduce/model/sector_parts.h"
 #include "reduce/sector/contact_line.h"
 #include "reduce/sector/cut_faces.h"
 #include "reduce/sector/gmsh_file.h"
@@ -82,7 +84,7 @@ CellTags read_cells(const GmshFile& file, SectorMesh& mesh) {
   return cells;
 }
 
-/// The cells of each part of the sector that has a name.
+/// The cells of each part of the sector that has a name. A part whose cells are none of the sector's stays empty.
 std::map<std::string, std::vector<int>> read_parts(const GmshFile& file, const CellTags& cells) {
   const auto sorted = [](std::vector<std::size_t> nodes) {
     std::sort(nodes.begin(), nodes.end());
@@ -94,9 +96,10 @@ std::map<std::string, std::vector<int>> read_parts(const GmshFile& file, const C
   for (const char* name : {"disc", "main_blade", "splitter"})
     for (const GmshElements& elements : file.group(3, name)) {
       const auto width = static_cast<std::ptrdiff_t>(elements.nodes_per_element());
+      std::vector<int>& part = parts[name];
       for (auto first = elements.nodes.begin(); first != elements.nodes.end(); first += width)
         if (const auto at = cell_of.find(sorted({first, first + width})); at != cell_of.end())
-          parts[name].push_back(at->second);
+          part.push_back(at->second);
     }
   return parts;
 }
@@ -133,6 +136,7 @@ void read_cut_faces(const GmshFile& file, const NodeNumbers& numbers, double tol
   mesh.cyclic_low = read_surface(file, "cyclic_low", numbers, mesh.file);
   mesh.cyclic_high = read_surface(file, "cyclic_high", numbers, mesh.file);
   pair_cut_faces(mesh, tolerance);
+  require_whole_cuts(mesh);
 }
 
 /// The faces of a blade's tip. Not all reductions need them: they are none if the mesh doesn't name them, or not by
@@ -224,6 +228,9 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
       mesh.cells(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(cell)) =
           numbers.find(cells[cell][static_cast<std::size_t>(place[k])]);
   }
+  if (const auto [first, second] = equal_cells(listed_cells(mesh.cells)); first >= 0)
+    throw InputError(mesh.file + ": " + mesh.name_of_cell(first) + " and " + mesh.name_of_cell(second) +
+                     " have the same nodes; is the mesh there twice? Write it once");
   mesh.parts = read_parts(file, cells);
   read_cut_faces(file, numbers, tolerance, mesh);
   mesh.clamped = read_surface(file, "clamped", numbers, mesh.file);
@@ -237,6 +244,10 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
   mesh.splitter_line = read_splitter_line(file, numbers, mesh);
   if (!mesh.splitter_line.empty()) mesh.splitter_faces = read_tip(file, "splitter_tip", numbers);
   require_one_way(mesh);
+  if (const std::string wrong =
+          wrong_parts(mesh.cells, mesh.parts, {{"main_blade", mesh.contact_line}, {"splitter", mesh.splitter_line}});
+      !wrong.empty())
+    throw InputError(mesh.file + ": " + wrong + "; name the groups of cells again in the mesher");
   return mesh;
 }
 

@@ -3,7 +3,7 @@
 """Small scenes as the programs make them, to be damaged by tiprub_fuzz.   bases.py PROGRAMS_FOLDER CASE WORK_FOLDER
 
 plain/: the case as it is. rich/: with what else the files may hold. splitters/: the quick impeller in few elements, with contact on both
-blades. open/: plain/ without the digest of the model's numbers and the seal of the response, which would refuse most damage at once; its
+blades. open/: plain/ without the digests of the model's and the fields' numbers and the seal of the response, which would refuse most damage at once; its
 mesh in other formats of gmsh.
 """
 import os
@@ -51,8 +51,9 @@ def make_bases(programs, case, work):
     sector = os.path.join(opened, "sector.msh")
     for name, form in MESH_FORMATS.items():
         subprocess.run([os.path.join(programs, "convert_sector"), sector, *form, os.path.join(opened, name)], check=True)
-    with h5py.File(os.path.join(opened, "model.h5"), "r+") as model:
-        del model.attrs["digest"]
+    for name in ("model.h5", "fields.h5"):
+        with h5py.File(os.path.join(opened, name), "r+") as file:
+            del file.attrs["digest"]
     with h5py.File(os.path.join(opened, "response.h5"), "r+"):
         pass  # closing it cuts off what follows HDF5's end
 

@@ -1,11 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """fields.h5."""
+import h5py
 import numpy
 
-from corpus_hdf5 import Stage, attribute, replaced, with_value, without, without_attribute
+from corpus_hdf5 import Stage, attribute, edit, replaced, with_value, without, without_attribute
 
 FIELDS = Stage("postprocess", "fields.h5", ("--fields", "fields.h5"))
 SETS = ("clamped", "contact", "cyclic_low", "cyclic_high")
+
+
+def exchanged(one, other):
+    def change(file):
+        file.move(one, "held")
+        file.move(other, one)
+        file.move("held", other)
+    return edit(change)
+
+
+def of_itself(file):
+    """A virtual dataset that maps to itself."""
+    name = "node_set/cyclic_high"
+    count = file[name].shape
+    del file[name]
+    layout = h5py.VirtualLayout(count, "i4")
+    layout[:] = h5py.VirtualSource(".", name, count)
+    file.create_virtual_dataset(name, layout)
 
 
 def of_tables():
@@ -28,6 +47,16 @@ def of_sets():
         yield FIELDS.entry(f"{name}.node_beyond", replaced(f"node_set/{name}", with_value(235)), f"/node_set/{name} names 235, of 0 .. 234")
         yield FIELDS.entry(f"{name}.table", replaced(f"node_set/{name}", lambda values: values[None]), f"/node_set/{name} must have one axis")
     yield FIELDS.entry("cyclic_low.one_less", replaced("node_set/cyclic_low", lambda values: values[1:]), "/node_set/cyclic_high must pair with cyclic_low")
+    for name in ("clamped", "contact_line", "cyclic_low", "cyclic_high"):
+        yield FIELDS.entry(f"{name}.one_node", replaced(f"node_set/{name}", lambda values: 0 * values), f"/node_set/{name} lists node 0 twice")
+    yield FIELDS.entry("cyclic_high.reversed", replaced("node_set/cyclic_high", lambda values: values[::-1]), "both list partners in the same order")
+    yield FIELDS.entry("cyclic_high.exchanged", exchanged("node_set/cyclic_low", "node_set/cyclic_high"), "both list partners in the same order")
+    yield FIELDS.entry("cyclic_high.of_itself", edit(of_itself), "has its numbers in other datasets or files")
+    yield FIELDS.entry("disc.one_cell", replaced("part/disc", lambda values: 0 * values), '/part: part "disc" lists cell 0 (from 0) twice')
+    yield FIELDS.entry("disc.empty", replaced("part/disc", lambda values: values[:0]), '/part: part "disc" has no cell of the sector')
+    yield FIELDS.entry("disc.exchanged", exchanged("part/disc", "part/main_blade"), '/part: part "main_blade" does not hold ')
+    yield FIELDS.entry("main_blade.is_disc", edit(lambda file: file["part/main_blade"].write_direct(file["part/disc"][()])),
+                       '/part: 8 of the 8 cells of part "main_blade" are also in part "disc"')
     yield FIELDS.entry("disc.cell_beyond", replaced("part/disc", with_value(16)), "/part/disc names 16, of 0 .. 15")
 
 
@@ -43,6 +72,7 @@ def of_basis():
 def of_attributes():
     for name in ("sector_count", "young_modulus", "poisson_ratio", "density"):
         yield from FIELDS.of_attribute(name)
+    yield FIELDS.entry("twice_as_stiff", lambda path: h5py.File(path, "r+").attrs.modify("young_modulus", 2e11), "its sector is not the one that was written")
     yield FIELDS.entry("no_digest", without_attribute("model_digest"), "has no text attribute model_digest")
     yield FIELDS.entry("of_another_model", attribute("model_digest", b"0123456789abcdef"), "was written with another model of the same size", 2)
     yield FIELDS.entry("poisson_half", attribute("poisson_ratio", 0.5), "poisson_ratio")

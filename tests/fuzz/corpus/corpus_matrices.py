@@ -34,6 +34,18 @@ def of_matrices():
     yield entry("M.negative", M, "\n0.25", "\n-0.25", f"{M}: gives 0.5, 1, 1 kg along x, y, z")
 
 
+def by_direction(_):
+    """M of four nodes, x of all nodes first, with a mass between the first two."""
+    entries = [f"{row} {row} 0.25" for row in range(1, 13)] + [f"{row + 1} {row} 0.1" for row in (1, 5, 9)]
+    return "\n".join(["%%MatrixMarket matrix coordinate real symmetric", f"12 12 {len(entries)}", *entries]) + "\n"
+
+
+def of_wrong_matrices():
+    yield entry("K.holds_a_node", K, "\n7 7 ", "\n7 7 1e4\n7 7 ", f"{K}: holds 1 of the 4 nodes against translations, the first at x y z = 0.1 0.02 0 m")
+    yield Entry("M.by_direction", "reduce", M, edit(by_direction), 2, f"{M}: its rows are x of all nodes, then y, then z; expected are x, y, z of the first node",
+                ("--matrices", K, M, NODES))
+
+
 def of_nodes():
     yield entry("nodes.no_head", NODES, "node,x,y,z,set\n", "", f"{NODES}:1: must name the columns: x, y, z")
     yield entry("nodes.text", NODES, "11,0.1", "11,here", f"{NODES}:2: must be a finite x")
@@ -51,4 +63,4 @@ def of_rows():
     yield entry("rows.fourth", ROWS, "11.2", "11.4", f"{ROWS}:2: must be a node and a direction, as 12.3")
 
 
-ENTRIES = [*of_matrices(), *of_nodes(), *of_rows()]
+ENTRIES = [*of_matrices(), *of_wrong_matrices(), *of_nodes(), *of_rows()]

@@ -61,6 +61,14 @@ def of_groups():
         yield entry(f"{name}.blank", lambda text, name=name: text.replace(f'"{name}"', f'"{name} "'), phrase)
 
 
+def of_parts():
+    """Symptom: a disc that held the blade's cells passed three stages, and killed the fourth."""
+    def exchanged(text):
+        return text.replace('"disc"', '"held"').replace('"main_blade"', '"disc"').replace('"held"', '"main_blade"')
+    yield entry("parts.exchanged", exchanged, 'part "main_blade" does not hold 5 of the 5 nodes of its tip line: are two parts exchanged?')
+    yield entry("parts.overlap", lambda text: re.sub(r"(?m) 2 1 3 0 *$", " 3 1 2 3 0 ", text), '8 of the 8 cells of part "main_blade" are also in part "disc"')
+
+
 def of_nodes():
     yield entry("node.nan", node(3, lambda x, y, z: f"{x} nan {z}"), "node 4 stands at no finite place; write the mesh again")
     yield entry("node.infinite", node(3, lambda x, y, z: f"{x} inf {z}"), "node 4 stands at no finite place; write the mesh again")
@@ -68,4 +76,4 @@ def of_nodes():
     yield entry("node.word", node(3, lambda x, y, z: f"{x} here {z}"), "gmsh can't read it: Could not read nodes")
 
 
-ENTRIES = [*of_format(), *of_sections(), *of_groups(), *of_nodes()]
+ENTRIES = [*of_format(), *of_sections(), *of_groups(), *of_parts(), *of_nodes()]

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 #include "tests/reduce/complaint.h"
 #include "tests/reduce/test_rotor.h"
@@ -49,8 +51,45 @@ TEST(CutFaces, SayHowManyNodesStandAlone) {
   SectorMesh mesh = test::skewed_annulus(7).sector();
   mesh.nodes.col(mesh.cyclic_high.front()).z() += 1e-3;
   EXPECT_EQ(complaint(mesh).rfind("the sector: 1 of ", 0), 0u) << complaint(mesh);
-  EXPECT_NE(complaint(mesh).find("within tolerance; the farthest is 0.001 m from the nearest;"), std::string::npos)
+  EXPECT_NE(complaint(mesh).find("within tolerance; the farthest is 0.001 m from the nearest; mesh both cuts alike"),
+            std::string::npos)
       << complaint(mesh);
+  mesh = test::skewed_annulus(7).sector();
+  mesh.nodes.col(mesh.cyclic_high.front()).z() += 2e-6 * mesh.nodes.topRows<2>().colwise().norm().maxCoeff();
+  EXPECT_NE(complaint(mesh).find("from the nearest; raise [reduce] cyclic_tolerance"), std::string::npos)
+      << complaint(mesh);
+}
+
+/// Symptom: "the wheel turns about x" where the sector was 1 % too wide, or the axis 5 mm off: turned by half a turn
+/// about x, one cut that lies symmetric to z = 0 is the other.
+TEST(CutFaces, TellTheAngleAndTheAxisRatherThanAHalfTurnAboutX) {
+  const SectorMesh sector = test::skewed_annulus(6).sector();
+  SectorMesh wide = sector;
+  for (auto node : wide.nodes.colwise()) {
+    const double angle = 1.01 * std::atan2(node.y(), node.x()), radius = std::hypot(node.x(), node.y());
+    node.head<2>() << radius * std::cos(angle), radius * std::sin(angle);
+  }
+  EXPECT_EQ(complaint(wide),
+            "the sector: cyclic_high lies 60.600000 degrees after cyclic_low, which is no whole fraction of a turn; "
+            "re-mesh");
+  SectorMesh off = sector;
+  off.nodes.row(0).array() += 0.005;
+  EXPECT_NE(complaint(off).find("these faces turn about x 0.005, y "), std::string::npos) << complaint(off);
+}
+
+/// Symptom: a part of two cuts that were meshed apart paired, and the frequencies were off by 8 %.
+TEST(CutFaces, AreWholeSurfaces) {
+  SectorMesh mesh = test::skewed_annulus(7).sector();
+  EXPECT_NO_THROW(require_whole_cuts(mesh));
+  const double half = mesh.nodes(2, mesh.cyclic_low).mean();
+  const auto above = [&](int node) { return mesh.nodes(2, node) > half + 1e-9; };
+  std::erase_if(mesh.cyclic_low, above);
+  std::erase_if(mesh.cyclic_high, above);
+  const std::string said = test::complaint<InputError>([&] { require_whole_cuts(mesh); });
+  EXPECT_EQ(said.find("the sector: cyclic_low holds "), 0u) << said;
+  EXPECT_NE(said.find(" faces of its surface; a cut is all of it: mesh both cuts alike (gmsh: Periodic Surface)"),
+            std::string::npos)
+      << said;
 }
 
 TEST(CutFaces, SayThatOneIsShifted) {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cells/free_faces.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "mesh/cells/cell_kind.h"
+
+namespace tiprub {
+
+namespace {
+
+constexpr double smooth_cosine = 0.94;  // of 20 degrees
+
+Eigen::Vector3d normal_of(const Eigen::Matrix3Xd& nodes, const FreeFace& face) {
+  const auto at = [&](std::size_t k) -> Eigen::Vector3d { return nodes.col(face.nodes[k]); };
+  const std::size_t last = face.corners() - 1;
+  Eigen::Vector3d normal = (at(1) - at(0)).cross(at(last) - at(0));
+  if (last > 2) normal += (at(last) - at(last - 1)).cross(at(1) - at(last - 1));
+  return normal.normalized();
+}
+
+/// The faces at each edge, by its corners.
+std::map<std::array<int, 2>, std::vector<int>> faces_at_edges(const std::vector<FreeFace>& faces) {
+  std::map<std::array<int, 2>, std::vector<int>> found;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < faces[f].corners(); ++k) {
+      const int a = faces[f].nodes[k], b = faces[f].nodes[(k + 1) % faces[f].corners()];
+      found[{std::min(a, b), std::max(a, b)}].push_back(static_cast<int>(f));
+    }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> listed_cells(const Eigen::MatrixXi& columns) {
+  std::vector<std::vector<int>> cells;
+  for (Eigen::Index cell = 0; cell < columns.cols(); ++cell) {
+    const auto nodes = nodes_of(columns, cell);
+    cells.emplace_back(nodes.begin(), nodes.end());
+  }
+  return cells;
+}
+
+std::vector<FreeFace> free_faces(const Eigen::Matrix3Xd& nodes, const std::vector<std::vector<int>>& cells) {
+  std::map<std::vector<int>, std::pair<FreeFace, int>> faces;  // by their corners
+  for (const std::vector<int>& cell : cells) {
+    const CellKind& kind = cell_kind(static_cast<int>(cell.size()));
+    for (const std::vector<int>& around : kind.faces) {
+      FreeFace face;
+      for (const int corner : around) face.nodes.push_back(cell[corner]);
+      std::vector<int> key = face.nodes;
+      std::sort(key.begin(), key.end());
+      for (std::size_t k = 0; k < around.size(); ++k)
+        face.nodes.push_back(cell[kind.middle_of(around[k], around[(k + 1) % around.size()])]);
+      ++faces.try_emplace(key, face, 0).first->second.second;
+    }
+  }
+  std::vector<FreeFace> free;
+  for (auto& [key, found] : faces) {
+    if (found.second > 1) continue;
+    found.first.normal = normal_of(nodes, found.first);
+    free.push_back(std::move(found.first));
+  }
+  return free;
+}
+
+std::vector<int> surface_patch(const std::vector<FreeFace>& faces, const std::vector<int>& from) {
+  const auto neighbours = faces_at_edges(faces);
+  std::set<int> patch(from.begin(), from.end());
+  std::vector<int> front(from);
+  while (!front.empty()) {
+    const FreeFace& face = faces[static_cast<std::size_t>(front.back())];
+    front.pop_back();
+    for (std::size_t k = 0; k < face.corners(); ++k) {
+      const int a = face.nodes[k], b = face.nodes[(k + 1) % face.corners()];
+      for (const int next : neighbours.at({std::min(a, b), std::max(a, b)}))
+        if (faces[static_cast<std::size_t>(next)].normal.dot(face.normal) > smooth_cosine &&
+            patch.insert(next).second)
+          front.push_back(next);
+    }
+  }
+  return {patch.begin(), patch.end()};
+}
+
+std::array<int, 2> equal_cells(const std::vector<std::vector<int>>& cells) {
+  std::map<std::vector<int>, int> seen;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    std::vector<int> nodes = cells[cell];
+    std::sort(nodes.begin(), nodes.end());
+    const auto [at, is_new] = seen.emplace(std::move(nodes), static_cast<int>(cell));
+    if (!is_new) return {at->second, static_cast<int>(cell)};
+  }
+  return {-1, -1};
+}
+
+}  // namespace tiprub

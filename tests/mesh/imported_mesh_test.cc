@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "mesh/import/periodic_cuts.h"
+#include "mesh/import/selection.h"
+
+namespace tiprub {
+namespace {
+
+using Place = std::function<Eigen::Vector3d(double i, double j, double k)>;
+using Counts = std::array<int, 3>;
+
+/// Ends and middles of the edges of a brick in halves of its sides, in VTK's order.
+constexpr int brick[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2},
+                              {0, 2, 2}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2},
+                              {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
+
+ForeignMesh bricks(const Counts& counts, const Place& place) {
+  ForeignMesh mesh;
+  mesh.file = "bricks";
+  const auto number = [&](int i, int j, int k) { return 1 + i + 100L * (j + 100L * k); };
+  for (int k = 0; k < counts[2]; ++k)
+    for (int j = 0; j < counts[1]; ++j)
+      for (int i = 0; i < counts[0]; ++i) {
+        ForeignCell cell{static_cast<long>(mesh.cells.size()) + 1, {}};
+        for (const auto& at : brick) {
+          const int x = 2 * i + at[0], y = 2 * j + at[1], z = 2 * k + at[2];
+          cell.nodes.push_back(number(x, y, z));
+          mesh.nodes[cell.nodes.back()] = place(0.5 * x, 0.5 * y, 0.5 * z);
+        }
+        mesh.cells.push_back(cell);
+      }
+  return mesh;
+}
+
+CellMesh in_metres(const ForeignMesh& mesh) {
+  return in_our_terms(mesh, 1.0, Axis::z);
+}
+
+template <class Body>
+std::string complaint(const Body& body) {
+  try {
+    body();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Symptom: a mesh whose cells are written twice has no free face, and the message asked for the unit of length.
+TEST(ImportedMesh, SaysThatCellsAreThereTwice) {
+  ForeignMesh mesh = bricks({2, 1, 1}, [](double i, double j, double k) { return Eigen::Vector3d(1 + i, j, k); });
+  EXPECT_NO_THROW(in_metres(mesh));
+  mesh.cells.push_back({77, mesh.cells[1].nodes});
+  EXPECT_EQ(complaint([&] { in_metres(mesh); }),
+            "bricks: elements 2 and 77 have the same nodes; is the mesh there twice? Write it once");
+}
+
+/// Symptom: along a blunt end that is slanted, the line ran across the end too: 21 nodes where the flank has 17.
+TEST(ImportedMesh, FindsALineAlongOneFlankOfABluntSlantedTip) {
+  const Eigen::Vector3d along(0, 0.003, 0.004), across(0, -0.004, 0.001);
+  const CellMesh mesh = in_metres(bricks({8, 2, 1}, [&](double i, double j, double k) {
+    return Eigen::Vector3d(Eigen::Vector3d(0.09 + 0.01 * k, 0, 0) + i * along + j * across);
+  }));
+  const std::vector<int> line =
+      line_along_tip(mesh, select_faces(mesh, "blade_tip", "plane x 0.1"), "blade_tip", LeadingEdge::low_z);
+  ASSERT_EQ(line.size(), 17u);
+  const Eigen::Vector3d chord = mesh.nodes.col(line.back()) - mesh.nodes.col(line.front());
+  EXPECT_LT((chord - 8 * along).norm(), 1e-12);
+}
+
+/// Symptom: of two cuts that were meshed apart the faces that coincided were paired, 62 of 240, and the rest was
+/// free.
+TEST(ImportedMesh, RefusesAPartOfACut) {
+  constexpr int sectors = 6, around = 4;
+  const auto ring = [&](double stretch) {
+    return in_metres(bricks({2, around, 3}, [&](double i, double j, double k) {
+      const double angle = 2 * std::numbers::pi / sectors * j / around, radius = 1 + 0.1 * i;
+      const double z = 0.1 * k + (j == around && k > 1 ? stretch * k * (3 - k) : 0.0);
+      return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), z);
+    }));
+  };
+  const CellMesh whole = ring(0), part = ring(0.01);
+  EXPECT_EQ(find_cuts(whole, 0).low.size(), 6u);
+  EXPECT_EQ(complaint([&] { require_whole(whole, find_cuts(whole, 0)); }), "");
+  EXPECT_EQ(
+      complaint([&] { require_whole(part, find_cuts(part, sectors)); }),
+      "bricks: 2 of the 6 faces of a cut, turned by 360/6 degrees, are faces of the other; mesh both cuts alike "
+      "(gmsh: Periodic Surface)");
+}
+
+}  // namespace
+}  // namespace tiprub

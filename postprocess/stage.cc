@@ -15,6 +15,7 @@
 #include "postprocess/records/study_records.h"
 #include "postprocess/report/report.h"
 #include "postprocess/report/verdict.h"
+#include "reduce/model/model_doubts.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
 
@@ -112,7 +113,7 @@ void report(const StageArguments& arguments, const ReportContents& contents) {
       say(arguments, answer.question + ": " + answer.text);
     for (const std::string& line : summary(study, contents.field_results)) say(arguments, line);
   }
-  say(arguments, (arguments.output / "report.html").lexically_normal().string() + ": " +
+  say(arguments, (arguments.output / "report.html").lexically_normal().string() + ": " + doubts(study.model) +
                      std::to_string(study.critical.size()) + " critical speeds, " +
                      std::to_string(study.response.speeds.size()) + " speeds, " +
                      std::to_string(contents.figures.size()) + " figures");

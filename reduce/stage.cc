@@ -18,6 +18,7 @@
 #include "reduce/exports.h"
 #include "reduce/linear_results.h"
 #include "reduce/matrices/matrix_sector.h"
+#include "reduce/model/model_doubts.h"
 #include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model_file.h"
 #include "reduce/reduction.h"
@@ -29,7 +30,6 @@ namespace tiprub {
 namespace {
 
 constexpr const char* program = "tiprub-reduce";
-constexpr double tolerable_misfit = 0.001;  // error of a frequency caused by eq. 7
 constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
 
 struct Inputs {
@@ -44,14 +44,17 @@ void tell(const StageArguments& arguments, const std::string& line) {
 
 /// A mesh in millimetres is recognised by the speed of its tip. No material bears the speeds that are refused here
 /// (the best flywheels reach a third of them), and a wheel that is a thousand times too large always exceeds them.
-void require_metres(const SectorMesh& mesh, double speed_max) {
-  constexpr double most = 5000;  // [m/s]
-  const double radius = mesh.nodes.topRows<2>().colwise().norm().maxCoeff(), tip_speed = radius * speed_max;
-  if (tip_speed <= most) return;
+void require_metres(const SectorMesh& mesh, const ReductionParameters& parameters) {
+  constexpr double least = 1, most = 5000;  // [m/s]
+  const double radius = mesh.nodes.topRows<2>().colwise().norm().maxCoeff();
+  const double tip_speed = radius * parameters.speed_max;
+  if (parameters.unusual || (tip_speed >= least && tip_speed <= most)) return;
   std::ostringstream message;
   message << mesh.file << ": a wheel of radius " << radius << " m has a tip speed of " << tip_speed
-          << " m/s at [reduce] speed_max_rpm; none can have more than " << most
-          << ": is the mesh in millimetres? It must be in metres";
+          << " m/s at [reduce] speed_max_rpm; expected are " << least << " to " << most
+          << (tip_speed > most ? ": is the mesh in millimetres? It must be in metres"
+                               : ": is the speed in rpm, and the mesh in metres?")
+          << "; if it is meant, add unusual = true to [reduce]";
   throw InputError(message.str());
 }
 
@@ -103,7 +106,7 @@ Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
   say_blas(arguments);
   SectorMesh mesh = read_sector(arguments, options, parameters);
   if (mesh.matrices != nullptr) parameters.prestress = Prestress::linear;  // K holds its effect already
-  require_metres(mesh, parameters.speed_max);
+  require_metres(mesh, parameters);
   return {std::move(parameters), std::move(mesh), case_file.source()};
 }
 
@@ -232,12 +235,7 @@ void tell_details(const StageArguments& arguments, const ReductionReport& report
 void report(const StageArguments& arguments, const ReducedModel& model, const ReductionReport& report,
             const std::string& matrix_market_folder) {
   if (arguments.verbosity == Verbosity::verbose) tell_details(arguments, report);
-  tell(arguments, arguments.output.string() + ": " + summary(model, report));
-  const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
-  if (misfit.size() > 0 && misfit.maxCoeff() > tolerable_misfit)
-    tell(arguments,
-         "warning: the shape changes too much for eq. 7 between its speeds; lower speed_max_rpm, leave "
-         "polynomial_speeds at 0, or take prestress = \"linear\", for which eq. 7 is exact");
+  tell(arguments, arguments.output.string() + ": " + doubts(model) + summary(model, report));
   if (!matrix_market_folder.empty())
     tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
                         " nodal diameters in Matrix Market");

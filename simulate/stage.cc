@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cases/program/units.h"
+#include "reduce/model/model_doubts.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/sweep/sweep.h"
 
@@ -63,14 +64,15 @@ void report_scope(const StageArguments& arguments, const Inputs& inputs, const S
     for (const std::string& reason : scope.reasons) say(arguments, reason);
 }
 
-void report_outcome(const StageArguments& arguments, const SimulateParameters& parameters,
-                    const SweepOutcome& outcome, std::chrono::duration<double> spent) {
+void report_outcome(const StageArguments& arguments, const Inputs& inputs, const SweepOutcome& outcome,
+                    std::chrono::duration<double> spent) {
   std::ostringstream line;
-  line << arguments.output.string() << ": " << outcome.speeds << " speeds: " << outcome.tally.text() << "; ";
+  line << arguments.output.string() << ": " << doubts(inputs.model) << outcome.speeds
+       << " speeds: " << outcome.tally.text() << "; ";
   if (outcome.scanned > 0) line << outcome.scanned << " more scanned; ";
   if (outcome.branches > 0) line << outcome.branches << " branches of orbits; ";
   line << outcome.computed << " computed now; " << std::fixed << std::setprecision(1) << spent.count() << " s"
-       << outcome.tally.warnings(parameters.when_symmetry_breaks);
+       << outcome.tally.warnings(inputs.parameters.when_symmetry_breaks);
   say(arguments, line.str());
 }
 
@@ -81,7 +83,7 @@ std::vector<double> run(const StageArguments& arguments, const Inputs& inputs, c
   if (group.leads()) report_scope(arguments, inputs, scope);
   const SweepOutcome outcome = run_sweep(arguments, {inputs.model, inputs.casing, inputs.parameters, scope},
                                          inputs.settings, inputs.origin, threads, group);
-  if (group.leads()) report_outcome(arguments, inputs.parameters, outcome, std::chrono::steady_clock::now() - start);
+  if (group.leads()) report_outcome(arguments, inputs, outcome, std::chrono::steady_clock::now() - start);
   return outcome.breaking;
 }
 

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "cases/program/usual_range.h"
+
 namespace tiprub {
 
 PostprocessParameters read_postprocess_parameters(CaseTable& table) {
@@ -56,12 +58,25 @@ TipEdge other_than(TipEdge edge) {
   return edge == TipEdge::leading ? TipEdge::trailing : TipEdge::leading;
 }
 
+namespace {
+
+/// A strength in MPa would make every margin nonsense.
+void check_usual(const CaseTable& table, const MaterialStrength& strength) {
+  const Range usual = Range::between(1e6, 1e11);
+  require_usual(table, "ultimate_strength", strength.ultimate, usual, "Pa");
+  require_usual(table, "endurance_limit", strength.endurance, usual, "Pa");
+  if (strength.yield) require_usual(table, "yield_strength", *strength.yield, usual, "Pa");
+}
+
+}  // namespace
+
 MaterialStrength read_strength(CaseTable& table) {
   MaterialStrength strength;
   strength.ultimate = table.number("ultimate_strength", std::nullopt, Range::positive(), "Pa");
   strength.endurance = table.number("endurance_limit", std::nullopt, Range::positive(), "Pa, fully reversed");
   const double yield = table.number("yield_strength", 0.0, Range::at_least(0), "Pa, 0: not given");
   if (yield > 0) strength.yield = yield;
+  if (!table.flag("unusual", false)) check_usual(table, strength);
   table.close();
   return strength;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cases/program/units.h"
+#include "cases/program/usual_range.h"
 
 namespace tiprub {
 
@@ -34,6 +35,11 @@ void read_material(CaseTable& table, SectorInput input, Material& material) {
   read("young_modulus", material.young, Range::between(1.0, 1e15), "Pa");
   read("poisson_ratio", material.poisson, Range::between(0.0, 0.49), "1");
   read("density", material.density, Range::between(1e-3, 1e6), "kg/m^3");
+}
+
+void check_material(const CaseTable& table, const Material& material) {
+  require_usual(table, "young_modulus", material.young, Range::between(1e8, 2e12), "Pa");
+  require_usual(table, "density", material.density, Range::between(100, 25000), "kg/m^3");
 }
 
 void read_polynomial(CaseTable& table, ReductionParameters& p) {
@@ -76,6 +82,8 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
   p.refine = table.integer("refine", 0, Range::between(0, 3), "times; each splits every cell into eight");
   p.cyclic_tolerance =
       table.number("cyclic_tolerance", 1e-6, {0.0, 0.01, Range::LowEnd::excluded}, "of the largest radius");
+  p.unusual = table.flag("unusual", false);
+  if (!p.unusual && input == SectorInput::mesh) check_material(table, p.material);
   p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");
   table.close();
   return p;

@@ -194,6 +194,16 @@ ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const Re
   return model;
 }
 
+/// Where the polynomial shape of nonlinear prestress does not hold what was asked of it.
+std::string shape_doubts(const ReductionReport& report, const ReductionParameters& parameters) {
+  if (parameters.prestress != Prestress::nonlinear || report.imbalance <= parameters.polynomial_tolerance) return "";
+  std::ostringstream text;
+  text << "warning: the shape under spin leaves " << 100 * report.imbalance
+       << " % of the load out of balance between its speeds, more than polynomial_tolerance ("
+       << 100 * parameters.polynomial_tolerance << " %); ";
+  return text.str();
+}
+
 std::string summary(const ReducedModel& model, const ReductionReport& report) {
   const int contact = model.contact_dofs();
   int dofs = 0, dofs_at_speed = 0;
@@ -232,10 +242,11 @@ void tell_details(const StageArguments& arguments, const ReductionReport& report
                        " shapes dropped");
 }
 
-void report(const StageArguments& arguments, const ReducedModel& model, const ReductionReport& report,
-            const std::string& matrix_market_folder) {
+void report(const StageArguments& arguments, const ReductionParameters& parameters, const ReducedModel& model,
+            const ReductionReport& report, const std::string& matrix_market_folder) {
   if (arguments.verbosity == Verbosity::verbose) tell_details(arguments, report);
-  tell(arguments, arguments.output.string() + ": " + doubts(model) + summary(model, report));
+  tell(arguments,
+       arguments.output.string() + ": " + doubts(model) + shape_doubts(report, parameters) + summary(model, report));
   if (!matrix_market_folder.empty())
     tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
                         " nodal diameters in Matrix Market");
@@ -255,7 +266,7 @@ void run_reduce(const StageArguments& arguments, const ReduceOptions& options) {
   if (!options.modes_file.empty()) return find_modes(arguments, inputs, options.modes_file);
   ReductionReport made;
   const ReducedModel model = run(arguments, inputs, options, made);
-  report(arguments, model, made, options.matrix_market_folder);
+  report(arguments, inputs.parameters, model, made, options.matrix_market_folder);
 }
 
 }  // namespace tiprub

@@ -79,16 +79,19 @@ TEST(CutFaces, TellTheAngleAndTheAxisRatherThanAHalfTurnAboutX) {
 
 /// Symptom: a part of two cuts that were meshed apart paired, and the frequencies were off by 8 %.
 TEST(CutFaces, AreWholeSurfaces) {
-  SectorMesh mesh = test::skewed_annulus(7).sector();
+  test::Annulus annulus;
+  annulus.bricks = {2, 2, 2};
+  SectorMesh mesh = annulus.sector();
   EXPECT_NO_THROW(require_whole_cuts(mesh));
   const double half = mesh.nodes(2, mesh.cyclic_low).mean();
   const auto above = [&](int node) { return mesh.nodes(2, node) > half + 1e-9; };
   std::erase_if(mesh.cyclic_low, above);
   std::erase_if(mesh.cyclic_high, above);
   const std::string said = test::complaint<InputError>([&] { require_whole_cuts(mesh); });
-  EXPECT_EQ(said.find("the sector: cyclic_low holds "), 0u) << said;
-  EXPECT_NE(said.find(" faces of its surface; a cut is all of it: mesh both cuts alike (gmsh: Periodic Surface)"),
-            std::string::npos)
+  EXPECT_EQ(
+      said.find(
+          "the sector: cyclic_low holds 2 of the 4 faces of its surface; a cut is all of it: mesh both cuts alike "),
+      0u)
       << said;
 }
 

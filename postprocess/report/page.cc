@@ -135,8 +135,8 @@ std::string paragraphs(const std::vector<std::string>& lines) {
 /// Explains the stresses of the critical speeds, or why there are none.
 std::string stress_note(const FieldResults& fields) {
   if (!fields.has_stress())
-    return "Stress at the peaks is left out: it takes full fields (--fields) and a response that holds the rotor's "
-           "state.";
+    return "Stress at the peaks is left out, because it requires full fields (--fields) and a response that holds "
+           "the states of the rotor.";
   const bool cycles = fields.has_cycles();
   return filled(without_first_line(embedded::page_files::stress_html),
                 {{"when", cycles ? "over all recorded samples of the cycle"
@@ -165,7 +165,7 @@ std::string scene_items(const Study& study, const FieldResults& fields, const st
     if (!line.empty()) text += item(line);
   text += item(counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
                counted(static_cast<std::size_t>(study.model.contact.size()), name_of(study.model.contact.kind)) +
-               (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter, " : " a blade, ") +
+               (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter, " : " on each blade, ") +
                counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + running_clearances(study.response) +
                "; stiffness under spin: " + study.model.stiffness_under_spin() + ".");
   for (const Treatment treatment : {Treatment::modelled, Treatment::simplified, Treatment::left_out})

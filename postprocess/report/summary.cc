@@ -22,13 +22,13 @@ std::string rule_sentence(const LinearRules& rules, double tolerance) {
            fixed(percent * score.predicted_share, 0) + " % of their summed amplitude) and raises " +
            counted(static_cast<std::size_t>(score.false_alarms), "false alarm") +
            (score.false_alarms > 0
-                ? ", where its wave makes " + fixed(score.alarm_amplitude * mm_per_m, 3) + " mm at most"
+                ? ", at which its wave reaches at most " + fixed(score.alarm_amplitude * mm_per_m, 3) + " mm"
                 : std::string());
   };
   return "The linear rule (eq. 2) " + part(rules.equation_2_score) + "; with aliasing it " +
          part(rules.aliasing_score) + " (the same wave and family within " + fixed(percent * tolerance, 1) +
-         " % of the speed; asked for the families, " + std::to_string(rules.moving.families.size()) +
-         ", and engine orders, " + std::to_string(rules.moving.engine_orders.size()) + ", that move).";
+         " % of the speed; applied to the " + std::to_string(rules.moving.families.size()) + " families and " +
+         std::to_string(rules.moving.engine_orders.size()) + " engine orders that move).";
 }
 
 /// "85 periodic, 6 subharmonic, 2 modulated"
@@ -52,11 +52,12 @@ std::string steadiness_sentence(const std::vector<SpeedResponse>& speeds, std::s
     halving = std::max(halving, speed.audit.halving_difference.value_or(0));
   }
   return counted(speeds.size(), "speed") + " computed: " + motion_counts(speeds) + ", " + std::to_string(failed) +
-         " failed. At " + counted(settled, "speed") + " the motion has settled to " + scientific(change, 1) +
-         " a period; the energy balance closes to " + scientific(closing, 1) +
-         (halved > 0 ? "; the last halving of the time step changed the motion by " + scientific(halving, 1) +
-                           " at most, at " + counted(halved, "speed")
-                     : "; half the time step was not tried") +
+         " failed. At " + counted(settled, "speed") + " the motion has settled, with a change of at most " +
+         scientific(change, 1) + " per period; the energy balance closes to " + scientific(closing, 1) +
+         (halved > 0
+              ? "; at " + counted(halved, "speed") +
+                    " the last halving of the time step changed the motion by at most " + scientific(halving, 1)
+              : "; half the time step was not tried") +
          ".";
 }
 
@@ -106,7 +107,7 @@ std::string sweep_sentence(const Study& study) {
     ++apart;
     if (largest == nullptr || change(compared) > change(*largest)) largest = &compared;
   }
-  if (largest == nullptr) return "Sweeps up and down come to the same motions as from rest.";
+  if (largest == nullptr) return "Sweeps up and down reach the same motions as marches from rest.";
   return "At " + counted(apart, "speed") +
          " more than one motion exists: sweeps differ from the response from rest, most at " +
          rpm_text(study.response.speeds[static_cast<std::size_t>(largest->index)].speed) + ", by " +
@@ -147,7 +148,7 @@ std::string fatigue_sentence(const Study& study, const FieldResults& fields) {
     if (peak && peak->cycle && (worst == nullptr || severity(*peak) > severity(*worst))) worst = &*peak;
   if (worst == nullptr) return "";
   const StressCycle& cycle = *worst->cycle;
-  return " For fatigue the worst is " + rpm_text(worst->speed) + ": " + mpa_text(cycle.alternating) +
+  return " The worst speed for fatigue is " + rpm_text(worst->speed) + ": " + mpa_text(cycle.alternating) +
          " alternating about a mean of " + mpa_text(cycle.mean) + (cycle.where.empty() ? "" : ", " + cycle.where) +
          (cycle.goodman ? ", " + fixed(*cycle.goodman, 2) + " of what Goodman's rule allows" : "") +
          speeds_caveat(study) + ".";
@@ -162,7 +163,7 @@ std::string stress_sentence(const Study& study, const FieldResults& fields) {
          mpa_text(worst->body.vibration) + (worst->where.empty() ? "" : ", " + worst->where) + "; with spin " +
          mpa_text(worst->body.both) + " (spin alone " + mpa_text(worst->body.spin) + ")" +
          (worst->cycle ? ", the largest of the cycle" : ", at one instant") + ". Inside the tip patch it is " +
-         mpa_text(worst->tip_patch.vibration) + ", at point forces: that grows as the mesh is refined." +
+         mpa_text(worst->tip_patch.vibration) + ", which grows as the mesh is refined." +
          fatigue_sentence(study, fields);
 }
 
@@ -180,12 +181,13 @@ std::string accuracy_sentence(const Study& study) {
       std::find_if(checks.begin(), checks.end(), [](const Check& c) { return c.subject == "accuracy"; });
   if (check == checks.end() || !check->worst) return "";
   return "Accuracy: " + significant(percent * check->limit, 2) +
-         " % of the critical speeds' amplitudes was asked for; step, settling and the distance of the speeds leave " +
-         significant(percent * *check->worst, 2) + " % open at most, at " + rpm_text(check->speed) +
+         " % of the critical speeds' amplitudes was asked for. The uncertainty due to step, settling and the "
+         "distance of the speeds is at most " +
+         significant(percent * *check->worst, 2) + " %, at " + rpm_text(check->speed) +
          (check->beyond > 0
-              ? "; " + std::to_string(check->beyond) + " of " + std::to_string(check->looked_at) + " are beyond"
+              ? "; " + std::to_string(check->beyond) + " of " + std::to_string(check->looked_at) + " exceed the limit"
               : "") +
-         ". What the mesh and the kind of contact leave open comes on top.";
+         ". The errors of the mesh and of the kind of contact are not included.";
 }
 
 }  // namespace

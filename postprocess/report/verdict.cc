@@ -27,11 +27,10 @@ std::string amplitude_text(const Study& study, Eigen::Index speed) {
 
 std::string stress_text(const Study& study, const std::optional<FieldPeak>& peak) {
   if (!peak) return "";
-  std::string text = " Its vibration stresses the wheel with " + mpa_text(peak->body.vibration) + ", with spin " +
-                     mpa_text(peak->body.both);
+  std::string text = " The vibration stress is " + mpa_text(peak->body.vibration) + ", and " +
+                     mpa_text(peak->body.both) + " with spin";
   if (peak->cycle && peak->cycle->goodman)
-    text += "; by Goodman's rule that is " + fixed(*peak->cycle->goodman, 2) + " of what the material bears" +
-            speeds_caveat(study);
+    text += "; Goodman's utilisation is " + fixed(*peak->cycle->goodman, 2) + speeds_caveat(study);
   return text + ".";
 }
 
@@ -182,7 +181,7 @@ std::string what_matters(const std::vector<SceneNeed>& needs) {
   for (const SceneNeed& need : needs)
     if (need.verdict == NeedVerdict::matters && need.effect.treatment == Treatment::left_out)
       text += (text.empty() ? "" : "; ") + std::string(meaning_of(need.effect.effect).words);
-  return text.empty() ? "" : "What is left out and matters on this scene: " + text + ".";
+  return text.empty() ? "" : "What is left out and matters in this scene: " + text + ".";
 }
 
 std::vector<Answer> without_empty(std::vector<Answer> answers) {
@@ -237,7 +236,7 @@ std::vector<Answer> scene_in_brief(const Study& study) {
       {{"Wheel",
         counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
             counted(static_cast<std::size_t>(study.model.contact.size()), name_of(study.model.contact.kind)) +
-            (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter" : " a tip")},
+            (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter" : " on each tip")},
        {"Casing", counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + mm(crest) + " inward at the crest"},
        {"Clearance", running_clearances(study.response)},
        {"Interference", interference_text(study)},

@@ -44,22 +44,23 @@ ModelledEffect nodal_diameters(const Scene& scene) {
     return {Effect::nodal_diameters, Treatment::modelled, "all are marched"};
   return {Effect::nodal_diameters, Treatment::left_out,
           "of 0 .. " + std::to_string(scene.model.nodal_diameter_max()) + " the multiples of " +
-              std::to_string(scene.scope.symmetry) + " are marched: from rest no other one moves"};
+              std::to_string(scene.scope.symmetry) + " are marched, because no others move from rest"};
 }
 
 ModelledEffect massless_modes(const SimulateParameters& parameters) {
   if (parameters.modes == 0) return {Effect::massless_modes, Treatment::modelled, "all modes of the model have mass"};
   const std::string kept = "a nodal diameter keeps the mass of its lowest " + std::to_string(parameters.modes);
   if (parameters.scheme == Scheme::residual_flexibility)
-    return {Effect::massless_modes, Treatment::simplified, kept + ", the others follow their forces at once"};
+    return {Effect::massless_modes, Treatment::simplified, kept + ", the others follow their forces without inertia"};
   return {Effect::massless_modes, Treatment::left_out, kept + ", the others are dropped"};
 }
 
 ModelledEffect time_step(const SimulateParameters& parameters) {
-  return {Effect::time_step, Treatment::simplified,
-          parameters.steps_per_revolution > 0
-              ? "at least " + std::to_string(parameters.steps_per_revolution) + " steps a revolution, as asked for"
-              : "halved until that changes the motion by less than " + text_of(parameters.step_tolerance)};
+  return {
+      Effect::time_step, Treatment::simplified,
+      parameters.steps_per_revolution > 0
+          ? "at least " + std::to_string(parameters.steps_per_revolution) + " steps per revolution, as the case says"
+          : "halved until this changes the motion by less than " + text_of(parameters.step_tolerance)};
 }
 
 constexpr int casing_points = 721;  // of the casing's shape in the response: every half degree
@@ -85,7 +86,7 @@ std::vector<ModelledEffect> effects_of(const Scene& scene) {
   const SimulateParameters& parameters = scene.parameters;
   const char* const linear = "the gap is linear in the displacement";
   return {normal_contact(parameters),
-          {Effect::friction, Treatment::left_out, "the contact force acts along the normal alone"},
+          {Effect::friction, Treatment::left_out, "the contact force acts only along the normal"},
           {Effect::round_casing, Treatment::left_out, linear},
           {Effect::casing_slope, Treatment::left_out, linear},
           {Effect::blade_foreshortening, Treatment::left_out, linear},
@@ -97,10 +98,10 @@ std::vector<ModelledEffect> effects_of(const Scene& scene) {
           massless_modes(parameters),
           time_step(parameters),
           {Effect::settling, Treatment::simplified,
-           "a motion is left within " + text_of(parameters.settle_tolerance) + " of where it settles"},
+           "marching ends within " + text_of(parameters.settle_tolerance) + " of the settled motion"},
           {Effect::unsettled_motions, Treatment::simplified,
-           "a speed is left after " + std::to_string(parameters.max_revolutions) + " revolutions"},
-          {Effect::chatter, Treatment::simplified, "motion above the resolved frequency is the mesh's"},
+           "marching ends after " + std::to_string(parameters.max_revolutions) + " revolutions"},
+          {Effect::chatter, Treatment::simplified, "motion above the resolved frequency is an artefact of the mesh"},
           {Effect::heat, Treatment::left_out, "temperatures are not computed"},
           {Effect::gas, Treatment::left_out, "the gas exerts no forces"}};
 }

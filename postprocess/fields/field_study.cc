@@ -15,6 +15,7 @@ namespace tiprub {
 namespace {
 
 constexpr double same_place = 1e-6;                            // of the largest radius
+constexpr double near_segment = 0.2;                           // of it; its nodes surround a segment's centre
 constexpr std::size_t recovery_memory = std::size_t{1} << 30;  // [bytes]
 constexpr double left_out_waves = 0.002;                       // [1] of the mean square of a motion
 constexpr std::size_t most_waves = 6;                          // of a motion, that are recovered
@@ -37,11 +38,11 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
   const double radius = outer_radius(sector);
   if (!(radius < largest_radius))
     throw InputError(name + ": /nodes: the sector reaches beyond " + significant(largest_radius, 1) + " m");
-  const bool at_nodes = model.contact.kind == ContactKind::points;  // a segment's centre is none
-  for (std::size_t k = 0; at_nodes && k < contact.size(); ++k) {
+  const double reach = (model.contact.kind == ContactKind::points ? same_place : near_segment) * radius;
+  for (std::size_t k = 0; k < contact.size(); ++k) {
     const Eigen::RowVector3d place = model.contact.position.row(static_cast<Eigen::Index>(k));
     const Eigen::Vector3d there(place[0] * std::cos(place[1]), place[0] * std::sin(place[1]), place[2]);
-    if ((sector.nodes.col(contact[k]) - there).norm() > same_place * radius)
+    if ((sector.nodes.col(contact[k]) - there).norm() > reach)
       refuse("contact node " + std::to_string(k) + " is elsewhere than the model's");
   }
   for (int n = 0; n <= model.nodal_diameter_max(); ++n)

@@ -49,6 +49,7 @@ def of_sets():
     yield FIELDS.entry("cyclic_low.one_less", replaced("node_set/cyclic_low", lambda values: values[1:]), "/node_set/cyclic_high must pair with cyclic_low")
     for name in ("clamped", "contact_line", "cyclic_low", "cyclic_high"):
         yield FIELDS.entry(f"{name}.one_node", replaced(f"node_set/{name}", lambda values: 0 * values), f"/node_set/{name} lists node 0 twice")
+    yield FIELDS.entry("contact.one_node", replaced("node_set/contact", lambda values: 0 * values), "contact node 0 is elsewhere than the model's")
     yield FIELDS.entry("cyclic_high.reversed", replaced("node_set/cyclic_high", lambda values: values[::-1]), "both list partners in the same order")
     yield FIELDS.entry("cyclic_high.exchanged", exchanged("node_set/cyclic_low", "node_set/cyclic_high"), "both list partners in the same order")
     yield FIELDS.entry("cyclic_high.of_itself", edit(of_itself), "has its numbers in other datasets or files")

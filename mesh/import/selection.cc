@@ -82,8 +82,7 @@ IsIn by_geometry(const CellMesh& mesh, const std::string& key, const std::string
   return {};
 }
 
-constexpr double least_step = 1e-4;    // of the line's length
-constexpr double corner_degrees = 60;  // between two steps along the edge of a tip
+constexpr double least_step = 1e-4;  // of the line's length
 
 Eigen::Vector2d meridional(const CellMesh& mesh, int node) {
   return {mesh.nodes.col(node).head<2>().norm(), mesh.nodes(2, node)};
@@ -139,25 +138,6 @@ std::vector<int> loop_round(const CellMesh& mesh, const std::vector<int>& faces,
   return loop;
 }
 
-/// Of a way along the edge of a tip, the longest stretch without a corner: the flank of a blade whose ends are blunt.
-std::vector<int> longest_stretch(const CellMesh& mesh, const std::vector<int>& way) {
-  const double least_cosine = std::cos(corner_degrees * std::numbers::pi / 180);
-  const auto step = [&](std::size_t k) -> Eigen::Vector3d {
-    return mesh.nodes.col(way[k + 1]) - mesh.nodes.col(way[k]);
-  };
-  std::size_t begin = 0, best_begin = 0, best_end = 0;
-  double length = 0, longest = -1;
-  for (std::size_t k = 0; k + 1 < way.size(); ++k) {
-    length += step(k).norm();
-    const bool corner = k + 2 < way.size() && step(k).normalized().dot(step(k + 1).normalized()) < least_cosine;
-    if (!corner && k + 2 < way.size()) continue;
-    if (length > longest) longest = length, best_begin = begin, best_end = k + 1;
-    begin = k + 1, length = 0;
-  }
-  return {way.begin() + static_cast<std::ptrdiff_t>(best_begin),
-          way.begin() + static_cast<std::ptrdiff_t>(best_end) + 1};
-}
-
 }  // namespace
 
 const std::vector<int>& select_nodes(const CellMesh& mesh, const std::string& key, const std::string& name) {
@@ -205,8 +185,8 @@ std::vector<int> line_along_tip(const CellMesh& mesh, const std::vector<int>& fa
   std::vector<int> one(loop.begin(), last + 1), other(last, loop.end());
   other.push_back(loop.front());
   std::reverse(other.begin(), other.end());
-  one = advancing(mesh, longest_stretch(mesh, one));
-  other = advancing(mesh, longest_stretch(mesh, other));
+  one = advancing(mesh, one);
+  other = advancing(mesh, other);
   return one.size() >= other.size() ? one : other;
 }
 

@@ -28,9 +28,8 @@ enum class LeadingEdge { low_z, high_z };
 std::vector<int> ordered_line(const CellMesh& mesh, std::vector<int> nodes, LeadingEdge leading);
 
 /// A line along a tip of which only the faces are known. Two paths lead along their outer edge from leading to
-/// trailing edge; of each the longest stretch without a corner of 60 degrees is kept, because a path that begins or
-/// ends at the far corner of a blunt end goes across it; the one with more nodes is taken. Raises InputError, which
-/// names `key`, if the faces have no single outer edge.
+/// trailing edge; the one with more nodes is taken. Raises InputError, which names `key`, if the faces have no single
+/// outer edge.
 std::vector<int> line_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key,
                                 LeadingEdge leading);
 

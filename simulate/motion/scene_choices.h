@@ -30,20 +30,21 @@ struct SchemeTraits {
   bool limits_step;   ///< stable for h < 2/omega_max only
   bool springs;       ///< a closed node stands on a spring, which raises omega_max
   bool quasi_static;  ///< also keeps modes without mass, which follow their forces without delay
+  bool jitters;       ///< a pressed node moves about by a percent or two of the motion, never twice the same
 };
 
 constexpr SchemeTraits traits_of(Scheme scheme) {
   switch (scheme) {
     case Scheme::trigonometric:
-      return {false, false, false, false};
+      return {false, false, false, false, false};
     case Scheme::central_differences:
-      return {false, true, false, false};
+      return {false, true, false, false, false};
     case Scheme::residual_flexibility:
-      return {false, false, false, true};
+      return {false, false, false, true, false};
     case Scheme::moreau_jean:
-      return {true, false, false, false};
+      return {true, false, false, false, true};
     case Scheme::penalty:
-      return {true, true, true, false};
+      return {true, true, true, false, false};
   }
   return {};
 }

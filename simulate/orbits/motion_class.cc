@@ -101,7 +101,7 @@ Eigen::MatrixXd EngineOrderBand::coefficients(const Eigen::VectorXd& revolution)
 }
 
 MotionReading read_motion(const std::deque<Eigen::VectorXd>& revolutions, Eigen::Index channels, double orders,
-                          int lobes, Change change) {
+                          int lobes, Change change, double off_lines) {
   constexpr double rounding = 0.25;   // of a line
   constexpr double hann_width = 1.5;  // lines to each side that a line of Hann's window takes
   const bool settled = change == Change::settled;
@@ -111,7 +111,7 @@ MotionReading read_motion(const std::deque<Eigen::VectorXd>& revolutions, Eigen:
   MotionReading reading;
   reading.off_beat_energy = share_beside(lines, beat, width);
   for (int k = 1; k <= ClassLimits::longest_period; ++k) {
-    if (beat / k <= 2 * width || share_beside(lines, beat / k, width) > ClassLimits::off_lines) continue;
+    if (beat / k <= 2 * width || share_beside(lines, beat / k, width) > off_lines) continue;
     reading.period_beats = k;
     reading.motion = k == 1 ? MotionClass::periodic : MotionClass::subharmonic;
     return reading;

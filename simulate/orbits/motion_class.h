@@ -38,6 +38,7 @@ struct MotionReading {
 /// The limits between classes, as shares of the mean square in the band without the mean.
 struct ClassLimits {
   static constexpr double off_lines = 1e-4;   ///< largest share beside the lines of a period
+  static constexpr double off_jitter = 1e-3;  ///< the same of a scheme that jitters
   static constexpr double few_lines = 0.1;    ///< a motion is modulated if this share of all lines holds ...
   static constexpr double most_energy = 0.9;  ///< ... this share of what is off the beat
   static constexpr int longest_period = 12;   ///< beats
@@ -45,13 +46,13 @@ struct ClassLimits {
 
 /// Classifies a motion by the spectrum of its last R whole revolutions, whose lines are 1/R of an engine order apart;
 /// Hann's window is applied if the motion has not settled. The period is the smallest number k of beats for which
-/// less than `off_lines` of the mean square lies beside the lines of k beats. A motion without period is modulated if
-/// a tenth of the lines holds nine tenths of what is off the beat, and otherwise broadband. If it has no period and
-/// its change still decays, it is not settled, because its lines are those of a transient. `revolutions` are in
-/// order, each as EngineOrderBand takes them, with `channels` values for a sample; `orders` is the highest engine
-/// order of the band.
+/// less than a share `off_lines` of the mean square lies beside the lines of k beats. A motion without period is
+/// modulated if a tenth of the lines holds nine tenths of what is off the beat, and otherwise broadband. If it has no
+/// period and its change still decays, it is not settled, because its lines are those of a transient. `revolutions`
+/// are in order, each as EngineOrderBand takes them, with `channels` values for a sample; `orders` is the highest
+/// engine order of the band.
 enum class Change { settled, decays, stands };
 MotionReading read_motion(const std::deque<Eigen::VectorXd>& revolutions, Eigen::Index channels, double orders,
-                          int lobes, Change change);
+                          int lobes, Change change, double off_lines = ClassLimits::off_lines);
 
 }  // namespace tiprub

@@ -147,7 +147,9 @@ MotionReading Settling::reading() const {
     change = Change::settled;
     while (static_cast<int>(revolutions.size()) > state.period_revolutions) revolutions.pop_front();
   }
-  return read_motion(revolutions, march_.displacement().size(), band_.orders(), scene_.casing.lobes, change);
+  const bool jitters = traits_of(scene_.parameters.scheme).jitters;
+  return read_motion(revolutions, march_.displacement().size(), band_.orders(), scene_.casing.lobes, change,
+                     jitters ? ClassLimits::off_jitter : ClassLimits::off_lines);
 }
 
 bool Settling::settled() const {

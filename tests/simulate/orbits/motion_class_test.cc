@@ -73,6 +73,16 @@ TEST(MotionClass, LeavesWhatIsAboveTheBandOut) {
   EXPECT_EQ(read_motion(revolutions(1, motion), 2, 60, lobes, Change::settled).motion, MotionClass::subharmonic);
 }
 
+/// Symptom once: Moreau-Jean, whose pressed tips jitter by a percent or two, called subharmonic what is periodic.
+TEST(MotionClass, ForgivesAJitter) {
+  const auto motion = [](double angle) { return driven(angle) + 0.02 * std::cos(3.5 * angle); };
+  const auto with = [&](double off_lines) {
+    return read_motion(revolutions(2, motion), 2, 60, lobes, Change::settled, off_lines).motion;
+  };
+  EXPECT_EQ(with(ClassLimits::off_lines), MotionClass::subharmonic);
+  EXPECT_EQ(with(ClassLimits::off_jitter), MotionClass::periodic);
+}
+
 TEST(EngineOrderBand, KeepsTheSumOfSquaresOfItsOrders) {
   const EngineOrderBand band(samples, 10);
   const auto mean_over_a_sample = [](double order) {

@@ -56,9 +56,9 @@ struct OrbitReport {
 enum class SymmetryVerdict {
   all_held,   ///< no nodal diameter was left out
   unchecked,  ///< their growth was not computed
-  holds,      ///< a small disturbance of them dies out
+  holds,      ///< a small disturbance of a periodic motion by them dies out; a larger one need not
   breaking,   ///< it grows: the computed motion would not be observed
-  undecided,  ///< it neither clearly grows nor clearly dies out
+  undecided,  ///< it neither clearly grows nor clearly dies out, or the motion has no period
 };
 
 /// The natural frequencies of the model that was marched, condensed at each speed (reduce/model/condensation.h).

@@ -75,7 +75,10 @@ SymmetryCheck check_symmetry(const Scene& scene, const RefinedMotion& found) {
   if (revolutions == 0 || motion.recorded.displacement.isZero(0)) return {SymmetryVerdict::unchecked, {}};
   const auto growth =
       attempt([&] { return excluded_growth(*motion.march, motion.state.period_revolutions, revolutions); });
-  return {growth.result ? judge(*growth.result) : SymmetryVerdict::unchecked, growth.result};
+  if (!growth.result) return {SymmetryVerdict::unchecked, {}};
+  const SymmetryVerdict verdict = judge(*growth.result);
+  const bool of_no_period = motion.state.period_revolutions == 0;  // a mean over some revolutions proves no decay
+  return {of_no_period && verdict == SymmetryVerdict::holds ? SymmetryVerdict::undecided : verdict, growth.result};
 }
 
 /// The difference of a motion from the one from rest; empty if there is none from rest.

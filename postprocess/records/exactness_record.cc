@@ -111,8 +111,11 @@ Check accuracy_check(const Study& study) {
 std::vector<Check> march_checks(const Study& study) {
   const AskedAccuracy& asked = study.response.scene.asked;
   return {
-      check_speeds(study, "time step", "relative change by the last halving [1]", asked.step,
-                   [](const SpeedResponse& speed) { return speed.audit.halving_difference; }),
+      check_speeds(study, "time step", "estimated relative error, or change by the last halving [1]", asked.step,
+                   [&](const SpeedResponse& speed) -> std::optional<double> {
+                     if (speed.audit.step_reached) return *speed.audit.step_reached * asked.step;
+                     return speed.audit.halving_difference;
+                   }),
       check_speeds(study, "settling", "relative change over the last period, of settled motions [1]", asked.settling,
                    [](const SpeedResponse& speed) -> std::optional<double> {
                      if (!speed.settled()) return {};
@@ -138,7 +141,8 @@ std::vector<Check> contact_checks(const Study& study) {
 
 /// The verdicts are those of simulate, which knows how certain its growth is.
 Check symmetry_check(const Study& study) {
-  Check check = check_speeds(study, "symmetry", "growth per revolution of the nodal diameters left out [1]",
+  Check check = check_speeds(study, "symmetry",
+                             "growth per revolution of a small disturbance by the nodal diameters left out [1]",
                              stable_growth, [](const SpeedResponse& speed) { return speed.audit.excluded_growth; });
   if (check.looked_at == 0) return check;
   const auto count = [&](SymmetryVerdict verdict) {

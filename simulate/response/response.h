@@ -24,6 +24,9 @@ const char* name_of(MotionMeasure measure);
 struct SpeedAudit {
   /// [1] relative difference to the same speed with half the step; absent where no step was halved
   std::optional<double> halving_difference;
+  /// [1] the error of the step, estimated from all halvings, over step_tolerance: above 1 the tolerance was not
+  /// reached; absent where the case gives the step
+  std::optional<double> step_reached;
   std::optional<MotionMeasure> halving_measure;  ///< how that difference was measured
   std::string halving_failure;                   ///< empty, or why half the step gave no motion
   /// [1] factor per revolution of a small disturbance of the nodal diameters left out for symmetry

@@ -111,6 +111,8 @@ void visit_audit(Speed& speed, Visit visit) {
   auto& audit = speed.audit;
   visit({"halving_difference", "1", "what the last halving of the step changed", not_negative},
         audit.halving_difference);
+  visit({"step_reached", "1", "estimated error of the step over step_tolerance; above 1: not reached", not_negative},
+        audit.step_reached);
   visit({"excluded_growth", "1", "growth in a revolution of nodal diameters left out", not_negative},
         audit.excluded_growth);
   visit({"excluded_growth_uncertainty", "1", "uncertainty of that growth", not_negative},

@@ -146,12 +146,12 @@ SettledMotion halved(const Scene& scene, const SettledMotion& coarse, const Marc
   return finer;
 }
 
-/// With impacts the error is of first order and its differences scatter. A small difference therefore counts only if
-/// half of the one before, a quarter of the one before that, and so on, are small as well.
-bool is_small(const std::vector<double>& differences, double tolerance) {
+/// [1] With impacts the differences scatter. A small difference therefore counts only if half of the one before, a
+/// quarter of the one before that, and so on, are small as well.
+double estimated_error(const std::vector<double>& differences) {
   double error = 0;
   for (const double difference : differences) error = std::max(difference, error / 2);
-  return scatter * error <= tolerance;
+  return scatter * error;
 }
 
 /// Whether half the step is possible and not lost in rounding: velocities are differences of positions, which have
@@ -190,9 +190,10 @@ RefinedMotion refined(const Scene& scene, const MarchPlan& plan, SettledMotion m
     SettledMotion finer = halved(scene, motion, plan);
     refined.halving = difference(finer.sampled(), motion.sampled(), scene.casing.lobes);
     differences.push_back(refined.halving->value);
+    refined.step_reached = estimated_error(differences) / tolerance;
     motion = std::move(finer);
     const bool settled = motion.state.settled == SettlingState::Settled::yes;
-    if (!settled || is_small(differences, tolerance) || is_useless(differences)) break;
+    if (!settled || *refined.step_reached <= 1 || is_useless(differences)) break;
   }
   refined.motion = std::move(motion);
   return refined;
@@ -224,7 +225,7 @@ RefinedMotion settle_within_tolerance(const Scene& scene, const SharedRotor& rot
   const auto run = [&](const RotorState& from) {
     SettledMotion motion = settle(scene, rotor, from, plan);
     const bool halves = parameters.steps_per_revolution == 0;
-    return halves ? refined(scene, plan, std::move(motion)) : RefinedMotion{std::move(motion), {}, {}, {}};
+    return halves ? refined(scene, plan, std::move(motion)) : RefinedMotion{std::move(motion), {}, {}, {}, {}};
   };
   RefinedMotion found = run(orbit.at_rest() ? start : orbit);
   if (!orbit.at_rest() && !search->stands(*found.motion.march)) found = run(start);

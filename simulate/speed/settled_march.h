@@ -51,6 +51,7 @@ SettledMotion settle(const Scene& scene, const SharedRotor& rotor, const RotorSt
 struct RefinedMotion {
   SettledMotion motion;
   std::optional<MotionDifference> halving;  ///< change of the motion by the last halving of the step
+  std::optional<double> step_reached;       ///< [1] estimated error of the step over step_tolerance
   OrbitReport orbit;
   std::optional<Growth> excluded;  ///< growth of what symmetry leaves out, if an orbit was found
 };

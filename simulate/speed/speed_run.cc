@@ -192,6 +192,7 @@ SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState&
   result.response.audit.rest_difference = from_rest;
   report(symmetry, result.response.audit);
   report(halving, result.response.audit);
+  result.response.audit.step_reached = found.step_reached;
   return result;
 }
 

@@ -27,6 +27,8 @@ std::string audit_text(const SpeedAudit& audit) {
          << name_of(audit.halving_measure.value_or(MotionMeasure::motion)) << " by " << *audit.halving_difference;
   else if (!audit.halving_failure.empty())
     text << ", half the step failed: " << audit.halving_failure;
+  if (audit.step_reached.value_or(0) > 1)
+    text << ", step_tolerance NOT REACHED: the estimated error is " << *audit.step_reached << " times that";
   if (audit.excluded_growth) text << ", excluded nodal diameters x " << *audit.excluded_growth << " a revolution";
   if (audit.symmetry == SymmetryVerdict::breaking) text << ": symmetry-breaking";
   if (audit.symmetry == SymmetryVerdict::undecided) text << ": undecided";
@@ -94,6 +96,8 @@ void SweepTally::add(const SpeedResponse& response) {
   if (response.audit.symmetry == SymmetryVerdict::breaking) breaking.push_back(response.speed);
   if (response.audit.orbit.outcome == OrbitReport::Outcome::marched) ++marched;
   if (response.audit.rest_difference.value_or(0) > same_motion) ++apart_from_rest;
+  if (response.audit.step_reached.value_or(0) > 1) ++unreached;
+  farthest = std::max(farthest, response.audit.step_reached.value_or(0));
   if (response.audit.halving_difference) ++halved;
   largest_halving = std::max(largest_halving, response.audit.halving_difference.value_or(0));
   tension_share = std::max(tension_share, response.audit.tension_share);
@@ -101,6 +105,7 @@ void SweepTally::add(const SpeedResponse& response) {
 
 std::string SweepTally::text() const {
   std::ostringstream out;
+  if (unreached > 0) out << "step_tolerance not reached at " << unreached << " (by up to " << farthest << " times); ";
   for (const auto& [motion, count] : motions) out << count << " " << name_of(motion) << ", ";
   out << failed << " failed";
   if (marched > 0) out << "; marched, for want of a stable orbit, at " << marched;

@@ -23,6 +23,8 @@ struct SweepTally {
   std::vector<double> breaking;     ///< [rad/s] speeds at which a nodal diameter that was left out grows
   std::size_t apart_from_rest = 0;  ///< speeds whose motion differs from that of a start from rest
   int marched = 0;                  ///< speeds at which a stable orbit was sought but not found
+  std::size_t unreached = 0;        ///< speeds whose step does not meet step_tolerance
+  double farthest = 0;              ///< [1] the largest estimated error of a step over step_tolerance
   std::size_t halved = 0;           ///< speeds also computed with half the step
   double largest_halving = 0;       ///< [1] the largest change by halving the step
   double tension_share = 0;         ///< [1] the largest share of tensile contact force

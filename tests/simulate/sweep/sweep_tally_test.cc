@@ -46,5 +46,20 @@ TEST(SweepTally, CountsSpeedsWithoutAStableOrbit) {
             std::string::npos);
 }
 
+/// Symptom once: a tolerance of 5e-4 gave a motion 2.3e-2 off where one of 5e-3 gave the right one, and one clause of
+/// the summary said so.
+TEST(SweepTally, SaysFirstThatTheStepsToleranceWasNotReached) {
+  SpeedResponse at = held(9000);
+  at.audit.step_reached = 0.9;
+  SweepTally tally;
+  tally.add(at);
+  EXPECT_EQ(tally.text().find("step_tolerance"), std::string::npos) << tally.text();
+  at.audit.step_reached = 46;
+  tally.add(at);
+  EXPECT_EQ(tally.text().find("step_tolerance not reached at 1 (by up to 46 times)"), 0) << tally.text();
+  EXPECT_NE(speed_line(at).find("step_tolerance NOT REACHED: the estimated error is 46 times that"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace tiprub

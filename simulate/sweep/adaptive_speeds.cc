@@ -192,6 +192,13 @@ std::vector<double> speeds_to_confirm(const SampledCurve& scan, const SampledCur
   return without(std::move(next), full);
 }
 
+std::vector<std::size_t> located_jumps(const SampledCurve& curve, const LocationGoal& goal) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+    if (jumps(curve[i], curve[i + 1], goal)) places.push_back(i);
+  return places;
+}
+
 std::vector<std::size_t> located_peaks(const SampledCurve& curve, const LocationGoal& goal) {
   std::vector<std::size_t> places;
   for (const Peak& peak : named_peaks(amplitudes(curve), goal.peaks))

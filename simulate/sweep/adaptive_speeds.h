@@ -54,6 +54,9 @@ std::vector<double> speeds_to_refine(const SampledCurve& curve, const LocationGo
 /// each. Speeds in `full`, and speeds beyond the ends of the scan, are left out.
 std::vector<double> speeds_to_confirm(const SampledCurve& scan, const SampledCurve& full, const LocationGoal& goal);
 
+/// The indices of the lower sides of the jumps of a curve, ascending.
+std::vector<std::size_t> located_jumps(const SampledCurve& curve, const LocationGoal& goal);
+
 /// The indices of the peaks of a curve, ascending.
 std::vector<std::size_t> located_peaks(const SampledCurve& curve, const LocationGoal& goal);
 

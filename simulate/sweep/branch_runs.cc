@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <set>
 
 #include "simulate/branches/branch.h"
 #include "simulate/motion/attempt.h"
 #include "simulate/periodic/marched_map.h"
 #include "simulate/periodic/newton.h"
 #include "simulate/periodic/orbit_search.h"
+#include "simulate/sweep/adaptive_speeds.h"
 
 namespace tiprub {
 
@@ -63,6 +65,19 @@ std::optional<OrbitBranch> branch_from(const Scene& scene, double speed) {
   return followed.result.value_or(std::nullopt);
 }
 
+/// The examined speeds, and both sides of each jump.
+std::set<double> starts_of(const std::vector<double>& speeds, const FinishedSpeeds& finished) {
+  std::set<double> starts;
+  SampledCurve curve;
+  for (const double speed : speeds) {
+    if (finished.has(speed, Depth::examined)) starts.insert(speed);
+    const SpeedResponse response = finished.read(speed, Depth::full);
+    if (response.failure.empty()) curve.push_back({speed, response.amplitude});
+  }
+  for (const std::size_t low : located_jumps(curve, {})) starts.insert({curve[low].speed, curve[low + 1].speed});
+  return starts;
+}
+
 }  // namespace
 
 std::vector<OrbitBranch> follow_branches(const Scene& scene, const std::vector<double>& speeds,
@@ -71,9 +86,7 @@ std::vector<OrbitBranch> follow_branches(const Scene& scene, const std::vector<d
   const bool asked =
       scene.parameters.branches != BranchChoice::none && scene.parameters.sweep == SweepDirection::rest;
   if (!asked || !has_symmetric_map(scene)) return branches;
-  std::vector<double> starts;
-  std::copy_if(speeds.begin(), speeds.end(), std::back_inserter(starts),
-               [&](double speed) { return finished.has(speed, Depth::examined); });
+  const std::set<double> starts = starts_of(speeds, finished);
   Progress progress("branches", starts.size(), shown);
   for (const double speed : starts) {
     const double amplitude = finished.read(speed, Depth::full).amplitude;

@@ -33,7 +33,10 @@ class BranchRuns : public test::TemporaryFolder {
     FinishedSpeeds finished(path("r.h5"), simulated_scene(scene, {"", ""}), "key", "test");
     for (const double speed : speeds_) {
       SpeedResponse response = simulate_speed(scene, speed).response;
-      if (speed < speeds_.back()) response.depth = Depth::examined;
+      if (speed < speeds_.back())
+        response.depth = deepest_;
+      else
+        response.amplitude *= raised_;
       finished.keep(response);
     }
     return follow_branches(scene, speeds_, finished, Progress::Shown::never);
@@ -41,7 +44,9 @@ class BranchRuns : public test::TemporaryFolder {
 
   const ReducedModel model_ = testing::synthetic_wheel({5, 2, 4});
   const Casing casing_ = testing::lobed_casing(3, 2e-4, 1e-4);
-  const std::vector<double> speeds_{1990, 2000, 2100};
+  std::vector<double> speeds_{1990, 2000, 2100};
+  Depth deepest_ = Depth::examined;  ///< of all speeds but the last
+  double raised_ = 1;                ///< the last amplitude, as if a jump came before it
 };
 
 /// The second examined speed lies on the branch of the first; the last speed was not examined.
@@ -51,6 +56,18 @@ TEST_F(BranchRuns, FollowEachBranchOnce) {
   EXPECT_EQ(branches[0].start, 1990);
   EXPECT_NEAR(branches[0].speed.minCoeff(), 0.99 * 1990, 1e-6);
   EXPECT_NEAR(branches[0].speed.maxCoeff(), 1.01 * 1990, 1e-6);
+}
+
+/// Symptom once: a jump without a peak, at which no speed was examined, started no branch.
+TEST_F(BranchRuns, BeginAtBothSidesOfAJump) {
+  speeds_ = {2000, 2004};
+  deepest_ = Depth::full;
+  EXPECT_TRUE(follow(BranchChoice::critical_speeds, SweepDirection::rest).empty()) << "no jump";
+  raised_ = 2;
+  const std::vector<OrbitBranch> branches = follow(BranchChoice::critical_speeds, SweepDirection::rest);
+  ASSERT_EQ(branches.size(), 2u);
+  EXPECT_EQ(branches[0].start, 2000);
+  EXPECT_EQ(branches[1].start, 2004);
 }
 
 TEST_F(BranchRuns, FollowNoneUnlessAsked) {

@@ -46,7 +46,8 @@ void put_state(const RotorState& state, const ReducedModel& model, TimeMarch& ma
   }
 }
 
-MarchState::MarchState(const TimeMarch& march) : step_(march.step_count()) {
+MarchState::MarchState(const TimeMarch& march)
+    : step_(march.step_count()), gap_before_(march.gaps().now), gap_(march.gap()) {
   for (std::size_t i = 0; i < march.wave_count(); ++i) {
     const Eigen::Index modes = march.wave(i).modes();
     waves_.push_back({march.coordinates(i).head(modes), march.increments(i).head(modes)});
@@ -56,6 +57,7 @@ MarchState::MarchState(const TimeMarch& march) : step_(march.step_count()) {
 void MarchState::restore(TimeMarch& march) const {
   march.set_states(waves_);
   march.set_step(step_);
+  march.set_gaps(gap_before_, gap_);
 }
 
 StateLayout::StateLayout(std::vector<Wave> waves) : waves_(std::move(waves)) {

@@ -30,6 +30,7 @@ class MarchState {
  private:
   std::vector<ModalState> waves_;
   std::int64_t step_;
+  Eigen::VectorXd gap_before_, gap_;
 };
 
 /// The order of the modes of some waves in a vector of real numbers: wave after wave, positions before velocities,

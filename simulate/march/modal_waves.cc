@@ -72,7 +72,7 @@ ModalWaves::ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, d
 
 ModalWaves::Memory ModalWaves::lay_out(const WaveModes& from, const MarchedWave& wave) const {
   Memory memory;
-  memory.q = memory.increment = memory.increment_before = Eigen::VectorXd::Zero(2 * wave.modes());
+  memory.q = memory.increment = memory.increment_before = memory.jump = Eigen::VectorXd::Zero(2 * wave.modes());
   memory.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes_.width));
   memory.cosine.resize(nodes_.sectors);
   memory.sine.resize(nodes_.sectors);
@@ -98,6 +98,10 @@ ModalCoordinates ModalWaves::coordinates(std::size_t wave) const {
 
 ModalCoordinates ModalWaves::increments(std::size_t wave) const {
   return view(wave, &Memory::increment);
+}
+
+ModalCoordinates ModalWaves::jumps(std::size_t wave) const {
+  return view(wave, &Memory::jump);
 }
 
 ModalCoordinates ModalWaves::increments_before(std::size_t wave) const {
@@ -128,6 +132,22 @@ Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor) const {
   }
   const Eigen::MatrixXd transposed = compliance.transpose();
   return 0.5 * (compliance + transposed);
+}
+
+std::vector<Recoil> ModalWaves::recoils(const RotorAtSpeed& rotor, int symmetry) const {
+  Eigen::ArrayX3d sums = Eigen::ArrayX3d::Zero(static_cast<Eigen::Index>(nodes_.width), 3);  // of c, r c, k c
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    if (waves_[i].nodal_diameter % symmetry != 0) continue;
+    const Eigen::MatrixXd square = rotor.waves[i].normal_rows.cwiseAbs2() * waves_[i].weight;
+    const auto& [r, k, c] = waves_[i].coefficients;
+    Eigen::MatrixX3d of_modes(c.size(), 3);
+    of_modes << c.matrix(), (r * c).matrix(), (k * c).matrix();
+    sums.topRows(nodes_.nodes) += (square * of_modes.topRows(square.cols())).array();
+  }
+  std::vector<Recoil> recoils;
+  for (const auto& sum : sums.rowwise())
+    recoils.push_back(sum[0] > 0 ? Recoil(sum[1] / sum[0], sum[2] / sum[0]) : Recoil(0, 0));
+  return recoils;
 }
 
 void ModalWaves::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& increment) {
@@ -184,6 +204,20 @@ void ModalWaves::advance_modes(std::size_t index) {
   }
 }
 
+void ModalWaves::look_ahead(Eigen::VectorXd& displacement) {
+  settle_forces();
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    const auto& [r, k, c] = waves_[i].coefficients;
+    Memory& memory = memory_[i];
+    ahead_ = memory.q;
+    for (Eigen::Index part = 0; part < 2; ++part)
+      kernels::advance(r.data(), k.data(), memory.increment.data() + part * r.size(), ahead_.data() + part * r.size(),
+                       memory.jump.data() + part * r.size(), static_cast<std::size_t>(r.size()));
+    map_to_nodes(i, ahead_);
+  }
+  add_sectors(displacement);
+}
+
 void ModalWaves::advance(Eigen::VectorXd& displacement) {
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     if (forces_wait_) add_waiting_forces(i);
@@ -195,13 +229,13 @@ void ModalWaves::advance(Eigen::VectorXd& displacement) {
 }
 
 /// eq. 15 in modes: the effect of lambda on the displacements, u+ = u+,p + [M_r/h^2 + D_r/(2h)]^-1 C_N lambda.
-void ModalWaves::add_waiting_forces(std::size_t index) const {
+void ModalWaves::take_forces(std::size_t index, Eigen::VectorXd& other) const {
   const MarchedWave& wave = waves_[index];
   Memory& memory = memory_[index];
   const auto modes = static_cast<std::size_t>(wave.modes());
   const kernels::ForcedNodes forced{forced_nodes_.data(), forced_nodes_.size(),
                                     static_cast<std::size_t>(nodes_.nodes)};
-  const kernels::Modes real{memory.q.data(), memory.increment.data()};
+  const kernels::Modes real{other.data(), memory.increment.data()};
   if (wave.kind == WaveKind::travelling)
     kernels::add_force_travelling(memory.shapes.data(), wave.coefficients.c.data(), memory.forces.data(),
                                   memory.forces.data() + nodes_.width, forced, modes, real,
@@ -219,6 +253,20 @@ void ModalWaves::settle_forces() const {
 
 void ModalWaves::add_forces(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
   settle_forces();
+  gather(forces, nodes);
+  forces_wait_ = true;
+}
+
+void ModalWaves::add_impulses(const Eigen::VectorXd& impulses, const std::vector<int>& nodes) {
+  settle_forces();
+  gather(impulses, nodes);
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    memory_[i].jump.setZero();
+    take_forces(i, memory_[i].jump);
+  }
+}
+
+void ModalWaves::gather(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
   const auto width = static_cast<int>(nodes_.width);
   forced_sectors_.clear();
   forced_nodes_.clear();
@@ -237,7 +285,6 @@ void ModalWaves::add_forces(const Eigen::VectorXd& forces, const std::vector<int
                             memory.forces.data() + nodes_.width);
     memory.forces *= waves_[i].weight * nodes_.symmetry / nodes_.sector_count;
   }
-  forces_wait_ = true;
 }
 
 }  // namespace tiprub

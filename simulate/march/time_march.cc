@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "simulate/march/wave_kernels.h"
@@ -30,12 +31,17 @@ TimeMarch::TimeMarch(MarchedScene scene)
       waves_(rotor(), {scene_.setup.scheme, scene_.setup.theta}, time_step_,
              {sector_count_, sectors_, symmetry(), node_count_, width_}) {
   const auto size = static_cast<Eigen::Index>(sectors_ * width_);
-  gap_ = gap_before_ = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
+  gap_ = gap_before_ = gap_two_before_ = gap_ahead_ =
+      Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
   for (Eigen::VectorXd& displacement : displacement_) displacement = Eigen::VectorXd::Zero(size);
   tabulate_obstacle();
   compliance_ = waves_.compliance(rotor());
   contact_ = contact_law(scene_.setup, compliance_);
-  measure_gaps();
+  const bool complementary = scene_.setup.contact == ContactRule::complementarity;
+  if (complementary && traits_of(scene_.setup.scheme).inner_impacts)
+    inner_.emplace(compliance_, waves_.recoils(rotor(), std::gcd(sector_count_, scene_.obstacle.lobes())));
+  impulses_ = displacement_ahead_ = Eigen::VectorXd::Zero(size);
+  measure_both();
 }
 
 void TimeMarch::tabulate_obstacle() {
@@ -54,22 +60,27 @@ void TimeMarch::tabulate_obstacle() {
 void TimeMarch::set_states(const std::vector<ModalState>& waves, std::size_t first_wave) {
   for (std::size_t i = 0; i < waves.size(); ++i) waves_.set_state(first_wave + i, waves[i].q, waves[i].increment);
   waves_.map_to_sectors(displacement_[0], displacement_[1]);
-  measure_gaps();
+  measure_both();
 }
 
 void TimeMarch::set_step(std::int64_t step) {
   step_ = step;
-  measure_gaps();
+  measure_both();
 }
 
-bool TimeMarch::measure_gaps() {
-  const double ramp = scene_.obstacle.grown(static_cast<double>(step_) / steps_per_revolution());
+void TimeMarch::measure_both() {
+  measure_gaps(step_ - 1, displacement_[1], gap_before_);
+  measure_gaps(step_, displacement_[0], gap_);
+}
+
+bool TimeMarch::measure_gaps(std::int64_t step, const Eigen::VectorXd& displacement, Eigen::VectorXd& gap) const {
+  const double ramp = scene_.obstacle.grown(static_cast<double>(step) / steps_per_revolution());
   bool penetrates = false;
   for (int j = 0; j < sectors_; ++j) {
     const std::int64_t phase =
-        (step_ + static_cast<std::int64_t>(j) * (steps_per_revolution() / sector_count_)) % phases_;
+        (step + phases_ + static_cast<std::int64_t>(j) * (steps_per_revolution() / sector_count_)) % phases_;
     penetrates |= kernels::gap_of_sector(clearance_.data() + j * width_, distortion_.data() + phase * width_, ramp,
-                                         displacement_[0].data() + j * width_, width_, gap_.data() + j * width_);
+                                         displacement.data() + j * width_, width_, gap.data() + j * width_);
   }
   return penetrates;
 }
@@ -77,10 +88,11 @@ bool TimeMarch::measure_gaps() {
 bool TimeMarch::predict() {
   displacement_[2].swap(displacement_[1]);
   displacement_[1].swap(displacement_[0]);
+  gap_two_before_.swap(gap_before_);
   gap_before_.swap(gap_);
   waves_.advance(displacement_[0]);  // eq. 13: the predicted displacements
   ++step_;
-  return measure_gaps();  // eq. 14: g^p
+  return measure_gaps(step_, displacement_[0], gap_);  // eq. 14: g^p
 }
 
 void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
@@ -91,11 +103,52 @@ void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& n
   waves_.add_forces(forces, nodes);
 }
 
+void TimeMarch::jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes) {
+  for (int index : nodes) {
+    displacement_[1].noalias() += impulses[index] * compliance_.col(index);
+    gap_before_.noalias() -= impulses[index] * compliance_.col(index);
+  }
+  waves_.add_impulses(impulses, nodes);
+}
+
+const std::vector<InnerImpact>& TimeMarch::impacts() const {
+  static const std::vector<InnerImpact> none;
+  return inner_ ? inner_->all() : none;
+}
+
+const Eigen::VectorXd& TimeMarch::look_ahead() {
+  waves_.look_ahead(displacement_ahead_);
+  measure_gaps(step_ + 1, displacement_ahead_, gap_ahead_);
+  return gap_ahead_;
+}
+
+void TimeMarch::aim(double direction) {
+  for (const InnerImpact& impact : impacts()) gap_[impact.node()] += direction * impact.target();
+}
+
 void TimeMarch::step() {
   const bool penetrates = predict();
-  if (!contact_->step(gap_before_, gap_, penetrates)) return;  // eq. 14, eq. 15: lambda that closes the gaps
-  displacement_[0] -= contact_->correction();                  // eq. 15: the corrected displacements
+  if (inner_) inner_->clear();
+  if (inner_ && penetrates && inner_->foresee(gaps())) inner_->find(gaps(), look_ahead());
+  aim(-1);
+  const bool has_force =
+      contact_->step(gap_before_, gap_, penetrates);  // eq. 14, eq. 15: lambda that closes the gaps
+  aim(1);
+  if (!has_force) return;
+  displacement_[0] -= contact_->correction();  // eq. 15: the corrected displacements
   waves_.add_forces(contact_->multipliers(), contact_->closed());
+  if (!impacts().empty()) strike();
+}
+
+void TimeMarch::strike() {
+  inner_->push(contact_->multipliers());
+  struck_.clear();
+  for (const InnerImpact& impact : impacts()) {
+    struck_.push_back(impact.node());
+    impulses_[impact.node()] = impact.impulse;
+  }
+  jump(impulses_, struck_);
+  for (int index : struck_) impulses_[index] = 0;
 }
 
 }  // namespace tiprub

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "simulate/march/contact_law.h"
@@ -39,6 +40,9 @@ class TimeMarch {
   bool predict();
   /// Adds forces [N] along -normal at t_q to the step just predicted. `nodes`: the indices of the nodes with a force.
   void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
+  /// Adds impulses [N] over a step along -normal at t_{q+1}, which change the increments and, backwards from the
+  /// present place, the displacements and gaps before (InnerImpact).
+  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes);
 
   const MarchedScene& scene() const { return scene_; }
   const RotorAtSpeed& rotor() const { return *scene_.rotor; }
@@ -53,12 +57,18 @@ class TimeMarch {
 
   /// [m] after the last step; infinite for padding.
   const Eigen::VectorXd& gap() const { return gap_; }
+  /// [m] at t_{q-2}, t_{q-1} and t_q, the last step's.
+  GapHistory gaps() const { return {gap_two_before_, gap_before_, gap_}; }
   /// [m] along the normals, at the last three instants: t_q, t_{q-1}, t_{q-2}.
   const Eigen::VectorXd& displacement() const { return displacement_[0]; }
   const Eigen::VectorXd& displacement_before() const { return displacement_[1]; }
   const Eigen::VectorXd& displacement_two_before() const { return displacement_[2]; }
   /// The contact forces of the last step: [N], zero for open nodes.
   const ContactLaw& contact() const { return *contact_; }
+  /// The impacts within the last step, whose impulses act at its end, beside the forces of contact() at its start.
+  const std::vector<InnerImpact>& impacts() const;
+  /// [m] the gaps after a further step without forces, which is not done. Valid until the next step.
+  const Eigen::VectorXd& look_ahead();
   /// [m/N] W of the whole problem, padded rows zero.
   const Eigen::MatrixXd& compliance() const { return compliance_; }
 
@@ -70,6 +80,8 @@ class TimeMarch {
   /// d = q - q- of the last step, and of the step before.
   ModalCoordinates increments(std::size_t wave) const { return waves_.increments(wave); }
   ModalCoordinates increments_before(std::size_t wave) const { return waves_.increments_before(wave); }
+  /// The part of the increment that impulses of the last step have added; valid if impacts() has any.
+  ModalCoordinates jumps(std::size_t wave) const { return waves_.jumps(wave); }
   /// [N] Lambda_n of the last step that had contact; n_c.
   Eigen::VectorXcd modal_forces(std::size_t wave) const { return waves_.forces(wave); }
   /// Sets the state of nodal diameters from `first_wave` on, or of one of them.
@@ -79,11 +91,21 @@ class TimeMarch {
   }
   /// Sets the clock: steps since the start (the casing's distortion grows over the first revolutions).
   void set_step(std::int64_t step);
+  /// Sets the gaps [m] at t_{q-1} and t_q to the last bit. The others compute them from the modes.
+  void set_gaps(const Eigen::VectorXd& before, const Eigen::VectorXd& now) {
+    gap_before_ = before;
+    gap_ = now;
+  }
 
  private:
-  /// Computes gap_ from displacement_[0]. Returns whether a gap is negative.
-  bool measure_gaps();
+  /// Computes the gaps of a step from displacements. Returns whether a gap is negative.
+  bool measure_gaps(std::int64_t step, const Eigen::VectorXd& displacement, Eigen::VectorXd& gap) const;
+  /// Computes the gaps at the last two instants.
+  void measure_both();
   void tabulate_obstacle();
+  /// Moves the gaps by the targets of the inner impacts, and back.
+  void aim(double direction);
+  void strike();
 
   MarchedScene scene_;
   int sector_count_, sectors_, node_count_;
@@ -94,10 +116,13 @@ class TimeMarch {
   Eigen::VectorXd clearance_;       ///< [m] sector by sector, padded with infinity
   std::vector<double> distortion_;  ///< [m] by phase (one lobe of steps), then node
   std::int64_t phases_ = 1;
-  Eigen::VectorXd gap_, gap_before_;
+  Eigen::VectorXd gap_, gap_before_, gap_two_before_, gap_ahead_, displacement_ahead_;
   Eigen::VectorXd displacement_[3];
   Eigen::MatrixXd compliance_;
   std::unique_ptr<ContactLaw> contact_;
+  std::optional<InnerImpacts> inner_;  ///< if the scheme has them
+  std::vector<int> struck_;            ///< the nodes of the inner impacts of a step
+  Eigen::VectorXd impulses_;           ///< [N] of them; zero elsewhere
 };
 
 }  // namespace tiprub

@@ -26,25 +26,26 @@ enum class ContactRule {
 
 /// Properties of a scheme, so that other code need not ask for a scheme by name.
 struct SchemeTraits {
-  bool has_memory;    ///< its contact law remembers more than the modes at two instants, which rules out orbits
-  bool limits_step;   ///< stable for h < 2/omega_max only
-  bool springs;       ///< a closed node stands on a spring, which raises omega_max
-  bool quasi_static;  ///< also keeps modes without mass, which follow their forces without delay
-  bool jitters;       ///< a pressed node moves about by a percent or two of the motion, never twice the same
+  bool has_memory;     ///< its contact law remembers more than the modes at two instants, which rules out orbits
+  bool limits_step;    ///< stable for h < 2/omega_max only
+  bool springs;        ///< a closed node stands on a spring, which raises omega_max
+  bool quasi_static;   ///< also keeps modes without mass, which follow their forces without delay
+  bool inner_impacts;  ///< finds the instants of impacts within steps, with complementarity
+  bool jitters;        ///< a pressed node moves about by a percent or two of the motion, never twice the same
 };
 
 constexpr SchemeTraits traits_of(Scheme scheme) {
   switch (scheme) {
     case Scheme::trigonometric:
-      return {false, false, false, false, false};
+      return {false, false, false, false, true, false};
     case Scheme::central_differences:
-      return {false, true, false, false, false};
+      return {false, true, false, false, false, false};
     case Scheme::residual_flexibility:
-      return {false, false, false, true, false};
+      return {false, false, false, true, false, false};
     case Scheme::moreau_jean:
-      return {true, false, false, false, true};
+      return {true, false, false, false, false, true};
     case Scheme::penalty:
-      return {true, true, true, false, false};
+      return {true, true, true, false, false, false};
   }
   return {};
 }

@@ -33,6 +33,11 @@ double EnergyAudit::energy(const TimeMarch& march) const {
   return sum;
 }
 
+/// The change of the energy by impulses at t_{q+1}, which have changed the increment by `jump`.
+double EnergyAudit::jump_work(const Terms& terms, const Modes& q, const Modes& increment, const Modes& jump) {
+  return terms.ring * (jump * (terms.inertia * (2 * increment - jump) - terms.stiffness * q)).sum();
+}
+
 void EnergyAudit::observe(const TimeMarch& march) {
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     const Terms& terms = terms_[i];
@@ -40,6 +45,14 @@ void EnergyAudit::observe(const TimeMarch& march) {
       return terms.ring * (terms.damping * (increment + one_before).square()).sum();
     };
     const ModalCoordinates last = march.increments(i), one_before = march.increments_before(i);
+    if (!march.impacts().empty()) {
+      const ModalCoordinates now = march.coordinates(i), jump = march.jumps(i);
+      work_ += jump_work(terms, now.real, last.real, jump.real) +
+               jump_work(terms, now.imaginary, last.imaginary, jump.imaginary);
+      dissipated_ += of_part(last.real - jump.real, one_before.real);
+      dissipated_ += of_part(last.imaginary - jump.imaginary, one_before.imaginary);
+      continue;
+    }
     dissipated_ += of_part(last.real, one_before.real);
     dissipated_ += of_part(last.imaginary, one_before.imaginary);
   }

@@ -16,6 +16,7 @@ namespace tiprub {
 /// with the normal displacement p. The work is summed at the contact nodes and the other terms in modes. The closing
 /// error is therefore rounding, and also tests the maps between nodes and modes. On a wall at rest with
 /// complementarity the work is -lambda g-/2 <= 0: contact never adds energy.
+/// The impulse of an impact within a step (InnerImpact) changes the increment at t_{q+1}; the change of E is work.
 class EnergyAudit {
  public:
   /// Starts the ledger at the present state of the march.
@@ -37,6 +38,8 @@ class EnergyAudit {
     Eigen::ArrayXd damping;     ///< eta / (4 h) [1/s^2]
     Eigen::MatrixXcd residual;  ///< [m/N] compliance of the modes without mass or dropped; may be empty
   };
+  using Modes = Eigen::Map<const Eigen::ArrayXd>;
+  static double jump_work(const Terms& terms, const Modes& q, const Modes& increment, const Modes& jump);
   void observe_left_out(const TimeMarch& march);
 
   std::vector<Terms> terms_;

@@ -83,7 +83,7 @@ void Recording::take_states(const TimeMarch& march, int sample) {
     states_[i].col(sample) = march.coordinates(i).head(states_[i].rows());
 }
 
-/// The forces of a step from t_q to t_{q+1} act at t_q and are recorded there.
+/// The forces of a step from t_q to t_{q+1} act at t_q and are recorded there, with the impulses of its impacts.
 void Recording::observe(const TimeMarch& march, int sample) {
   audit_.observe(march);
   const double penetration = -march.gap().minCoeff();
@@ -101,6 +101,10 @@ void Recording::observe(const TimeMarch& march, int sample) {
     ++kept_.contact_count(sector * nodes_ + node, casing_area(way, march.step_count() - 1, grid_.casing_areas));
     smallest = std::min(smallest, force);
     (force < 0 ? pulling_ : pushing_) += std::abs(force);
+  }
+  for (const InnerImpact& impact : march.impacts()) {
+    kept_.contact_force(sample, impact.node() / width_ * nodes_ + impact.node() % width_) += share * impact.impulse;
+    pushing_ += impact.impulse;
   }
   ++kept_.contact_steps;
   if (smallest < 0) ++kept_.tension_steps;

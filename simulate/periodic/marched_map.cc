@@ -45,7 +45,8 @@ TangentMarch::TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int 
       copies_(march_.sectors() / orbit.sectors()),
       nodes_a_copy_(orbit.sectors() * orbit.width()),
       compliance_(march_.compliance()),
-      forces_(Eigen::VectorXd::Zero(march_.gap().size())) {
+      forces_(Eigen::VectorXd::Zero(march_.gap().size())),
+      target_(forces_) {
   if (disturbance == Disturbance::symmetric) return;
   // The excluded nodal diameters can't move all copies alike, so that W is singular. A compliance for equal motion of
   // all copies makes it regular; it does not couple to these disturbances.
@@ -79,20 +80,66 @@ void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
   pattern_ = pattern;
 }
 
+std::vector<InnerImpact::Change> TangentMarch::changes(const std::vector<InnerImpact>& impacts) {
+  std::vector<InnerImpact::Change> changes;
+  if (impacts.empty()) return changes;
+  const auto [before, now, next] = march_.gaps();
+  const Eigen::VectorXd& ahead = march_.look_ahead();
+  for (int copy = 0; copy < copies_; ++copy)
+    for (const InnerImpact& impact : impacts) {
+      const int i = copy * nodes_a_copy_ + impact.node();
+      changes.push_back(impact.change({before[i], now[i], next[i], ahead[i]}));
+    }
+  return changes;
+}
+
+void TangentMarch::close(std::size_t set, const std::vector<InnerImpact>& impacts) {
+  const std::vector<int>& closed = closed_[set];
+  const std::vector<InnerImpact::Change> changed = changes(impacts);
+  target_.setZero();
+  for (std::size_t i = 0; i < changed.size(); ++i)
+    target_[static_cast<int>(i / impacts.size()) * nodes_a_copy_ + impacts[i % impacts.size()].node()] =
+        changed[i].target;
+  of_set_ = (target_ - march_.gap())(closed);
+  factors_[set].solveInPlace(of_set_);
+  forces_.setZero();
+  forces_(closed) = of_set_;
+  march_.correct(forces_, closed);
+  if (!impacts.empty()) strike(impacts, changed);
+}
+
+/// Nodes without an impulse have been pushed off by their neighbours' and keep none.
+void TangentMarch::strike(const std::vector<InnerImpact>& impacts, const std::vector<InnerImpact::Change>& changes) {
+  std::vector<int> nodes;
+  std::vector<double> jumps;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const InnerImpact& impact = impacts[i % impacts.size()];
+    if (!(impact.impulse > 0)) continue;
+    nodes.push_back(static_cast<int>(i / impacts.size()) * nodes_a_copy_ + impact.node());
+    jumps.push_back(changes[i].jump);
+  }
+  const Eigen::Map<const Eigen::VectorXd> jump(jumps.data(), static_cast<Eigen::Index>(jumps.size()));
+  Eigen::MatrixXd block = compliance_(nodes, nodes);
+  block.diagonal() *= 1 + diagonal_shift;
+  const Eigen::VectorXd impulses = block.llt().solve(jump);
+  forces_.setZero();
+  forces_(nodes) = impulses;
+  march_.jump(forces_, nodes);
+}
+
 Eigen::VectorXd TangentMarch::operator()(const std::shared_ptr<const ContactPattern>& pattern,
                                          const Eigen::VectorXd& change) {
   hold(pattern);
   const std::int64_t start = march_.step_count();
   map_.put(change);
-  for (const int set : pattern_->steps()) {
+  static const std::vector<InnerImpact> none;
+  auto next = pattern_->impacts().begin();
+  for (std::size_t i = 0; i < pattern_->steps().size(); ++i) {
     march_.predict();
+    const int set = pattern_->steps()[i];
     if (set == ContactPattern::open) continue;
-    const std::vector<int>& closed = closed_[static_cast<std::size_t>(set)];
-    of_set_ = -march_.gap()(closed);
-    factors_[static_cast<std::size_t>(set)].solveInPlace(of_set_);
-    forces_.setZero();
-    forces_(closed) = of_set_;
-    march_.correct(forces_, closed);
+    const bool struck = next != pattern_->impacts().end() && next->first == i;
+    close(static_cast<std::size_t>(set), struck ? (next++)->second : none);
   }
   Eigen::VectorXd changed = map_.image();
   march_.set_step(start);
@@ -117,7 +164,7 @@ MapImage MarchedMap::image(const Eigen::VectorXd& state) {
   map_.put(state);
   for (int i = 0; i < map_.steps(); ++i) {
     march_.step();
-    pattern->add(march_.contact().closed());
+    pattern->add(march_.contact().closed(), march_.impacts());
   }
   MapImage image{map_.image(), std::move(pattern)};
   march_.set_step(start);

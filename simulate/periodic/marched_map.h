@@ -47,8 +47,9 @@ enum class Disturbance {
   excluded,   ///< those of the nodal diameters left out; the two kinds do not couple in first order
 };
 
-/// The march linearised along the contact pattern of an orbit: nodes that the orbit closes stay in place, and no
-/// force acts on the others. Costs as much as the march, without the search for the pattern.
+/// The march linearised along the contact pattern of an orbit: nodes that the orbit closes stay in place, no force
+/// acts on the others, and the instants of impacts within steps move with the disturbance. Costs as much as the
+/// march, without the search for the pattern.
 class TangentMarch {
  public:
   /// `orbit` is the march of the orbit. Excluded disturbances are those of RotorAtSpeed::others, on all N sectors.
@@ -64,6 +65,10 @@ class TangentMarch {
  private:
   void hold(const std::shared_ptr<const ContactPattern>& pattern);
   std::vector<int> on_all_sectors(const std::vector<int>& nodes) const;
+  void close(std::size_t set, const std::vector<InnerImpact>& impacts);
+  /// The changes of the impacts by the gaps of the free step, one for each copy of the sectors.
+  std::vector<InnerImpact::Change> changes(const std::vector<InnerImpact>& impacts);
+  void strike(const std::vector<InnerImpact>& impacts, const std::vector<InnerImpact::Change>& changes);
 
   TimeMarch march_;
   SymmetricMap map_;
@@ -72,7 +77,7 @@ class TangentMarch {
   std::shared_ptr<const ContactPattern> pattern_;
   std::vector<std::vector<int>> closed_;  ///< the sets of the pattern, on all sectors
   std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;
-  Eigen::VectorXd forces_, of_set_;
+  Eigen::VectorXd forces_, target_, of_set_;
 };
 
 /// The symmetric map of a march, or a power of it, and its derivative.

@@ -14,6 +14,7 @@
 #include "simulate/speed/speed_run.h"
 #include "tests/simulate/branches/exact_orbit.h"
 #include "tests/simulate/branches/one_sided_spring.h"
+#include "tests/simulate/periodic/rebounding_mass.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {
@@ -44,6 +45,21 @@ struct Bed {
     const Scene at = scene();
     TimeMarch march(marched_scene(at, rotor_of(at, speed, OtherDiameters::unknown), steps));
     for (int i = 0; i < revolutions * steps; ++i) march.step();
+    return near(march);
+  }
+  /// Of one mass, from a state at a crest of the casing [m, m/s].
+  Eigen::VectorXd orbit_from(double speed, int steps, double displacement, double velocity) {
+    const Scene at = scene();
+    TimeMarch march(marched_scene(at, rotor_of(at, speed, OtherDiameters::unknown), steps));
+    march.set_step(casing.grown_after() * steps);
+    const Eigen::MatrixXcd& Y = march.rotor().waves[0].normal_rows;
+    const Eigen::VectorXcd unit = Y.adjoint() / Y.squaredNorm();
+    march.set_state(0, unit * displacement, unit * (velocity * march.time_step()));
+    return near(march);
+  }
+
+ private:
+  static Eigen::VectorXd near(TimeMarch& march) {
     MarchedMap map(march);
     const NewtonResult found =
         find_fixed_point(map, map.symmetric().state(), {1e-9}, std::make_shared<RecycledGmres>());
@@ -155,6 +171,35 @@ TEST(Branch, HasFoldsThatConvergeToTheExactOnes) {
   }
   expect_first_order(lower, "lower fold");
   expect_first_order(upper, "upper fold");
+}
+
+/// Symptom once: behind the fold of a rigid impact the branch turned back along the orbit it came from, or ended at
+/// the fold. Here it follows the repelling half of the closed form.
+TEST(Branch, FollowsTheRepellingHalfBehindARigidFold) {
+  const testing::ReboundingMass mass{1000, 0.02, 1e-3, 1.2e-3};
+  constexpr double start = 1450, first = 1400;
+  Bed bed(testing::one_mass_along_the_stop(mass.frequency), testing::lobed_casing(1, mass.amplitude, mass.clearance),
+          mass.damping);
+  for (const int steps : {240, 480}) {
+    const testing::ReboundingOrbit exact = rebounding_orbit(mass, start, testing::Half::attracting);
+    const Eigen::VectorXd orbit = bed.orbit_from(start, steps, exact.displacement(0), exact.velocity(0));
+    const Scene scene = bed.scene();
+    const OrbitBranch branch = follow_branch(scene, start, steps, orbit, {first, 1700, 1e-3, 200});
+    ASSERT_EQ(branch.folds.size(), 1) << steps;
+    const double fold = rebounding_fold(mass, start, 1700);
+    EXPECT_NEAR(branch.folds[0] / fold, 1, 1e-4) << steps;
+    EXPECT_EQ(branch.ends[1], "end of the range");
+    const Eigen::Index last = branch.speed.size() - 1;
+    EXPECT_NEAR(branch.speed[last], first, 1e-6);
+    for (Eigen::Index i = 0; i <= last; ++i) {
+      if (std::abs(branch.speed[i] / fold - 1) < 1e-3) continue;  // the two halves meet
+      const testing::ReboundingOrbit at = rebounding_orbit(
+          mass, branch.speed[i], branch.multiplier[i] < 1 ? testing::Half::attracting : testing::Half::repelling);
+      EXPECT_NEAR(branch.multiplier[i] / at.multiplier, 1, 0.02) << branch.speed[i];
+      EXPECT_NEAR(branch.amplitude[i] / at.swing(240), 1, 1e-3) << branch.speed[i];
+    }
+    EXPECT_GT(branch.multiplier[last], 3);
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -96,7 +97,11 @@ TEST(TimeMarch, KeepsComplementarityInEveryStep) {
       const std::vector<int>& closed = march.contact().closed();
       ASSERT_GE(march.gap().minCoeff(), -1e-11 * 2e-4);
       ASSERT_GE(march.contact().multipliers().minCoeff(), 0.0);
-      for (int index : closed) ASSERT_LE(std::abs(march.gap()[index]), 1e-11 * 2e-4);
+      const auto leaves = [&](int index) {
+        return std::any_of(march.impacts().begin(), march.impacts().end(),
+                           [&](const InnerImpact& impact) { return impact.node() == index; });
+      };
+      for (int index : closed) ASSERT_TRUE(std::abs(march.gap()[index]) <= 1e-11 * 2e-4 || leaves(index));
       in_contact += closed.empty() ? 0 : 1;
       several += closed.size() > 1 ? 1 : 0;
     }

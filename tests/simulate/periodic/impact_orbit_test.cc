@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "simulate/speed/speed_run.h"
-#include "tests/simulate/one_sector.h"
+#include "tests/simulate/periodic/rebounding_mass.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub {
@@ -15,20 +16,23 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// One mass on a spring against an oscillating stop w(t) = c - a cos(Omega t), without rebound, in closed form. On
-/// the stop it moves as that does, and leaves where m w'' + c w' + k w changes sign; then it swings freely until it
-/// meets the stop again. Where it is pressed from there until the next place of leaving, that is its orbit, whatever
-/// came before: its multipliers are 0.
-struct BouncingMass {
+struct Plan {
   double speed;             ///< [rad/s] Omega
   double frequency = 1000;  ///< [rad/s] of the mass
   double damping = 0.02;    ///< [1]
   double amplitude = 1e-3;  ///< [m] a
   double clearance = 2e-4;  ///< [m] c
+};
+
+/// One mass on a spring against an oscillating stop w(t) = c - a cos(Omega t), without rebound, in closed form. On
+/// the stop it moves as that does, and leaves where m w'' + c w' + k w changes sign; then it swings freely until it
+/// meets the stop again. Where it is pressed from there until the next place of leaving, that is its orbit, whatever
+/// came before: its multipliers are 0.
+struct BouncingMass : Plan {
   double period = two_pi / speed;
   double leaves = 0, meets = 0;  ///< [s]
 
-  explicit BouncingMass(double at) : speed(at) {
+  explicit BouncingMass(double at) : Plan{at} {
     constexpr int looks = 20000;
     for (int i = 0; i < looks && leaves == 0; ++i) {
       const double from = period * (double(i) / looks - 0.5), to = from + period / looks;
@@ -83,21 +87,10 @@ struct BouncingMass {
   }
 };
 
-ReducedModel one_mass(double frequency) {
-  constexpr double mass = 0.02, stiff = 1e6;  // along the stop: nothing moves there, and what does dies out
-  ReducedModel model = testing::one_sector();
-  NodalDiameterModel only;
-  only.M = mass * Eigen::MatrixXcd::Identity(3, 3);
-  only.K.terms = {frequency * frequency * only.M};
-  only.K[0](1, 1) = only.K[0](2, 2) = stiff * only.K[0](0, 0);
-  model.nodal_diameters = {only};
-  return model;
-}
-
 constexpr int samples = 240;
 
-SpeedResponse found(const BouncingMass& mass, int steps) {
-  const ReducedModel model = one_mass(mass.frequency);
+SpeedResponse found(const Plan& mass, int steps) {
+  const ReducedModel model = testing::one_mass_along_the_stop(mass.frequency);
   const Casing casing = testing::lobed_casing(1, mass.amplitude, mass.clearance);
   SimulateParameters parameters;
   parameters.damping = {mass.damping};
@@ -125,7 +118,7 @@ TEST(ImpactOrbit, IsThatOfTheClosedForm) {
       ASSERT_EQ(orbit.audit.orbit.outcome, OrbitReport::Outcome::found) << speed;
       EXPECT_EQ(orbit.period_beats, mass.revolutions());
       EXPECT_EQ(orbit.audit.orbit.maps, mass.revolutions());
-      EXPECT_LT(orbit.audit.orbit.multiplier, 1e-6) << "all is forgotten on the stop";
+      EXPECT_LT(orbit.audit.orbit.multiplier, 1e-6) << "the closed form's 0: all is forgotten on the stop";
       errors.push_back(std::abs(orbit.amplitude / mass.swing(samples) - 1));
     }
     EXPECT_LT(errors[0], 1e-6);
@@ -138,9 +131,9 @@ TEST(ImpactOrbit, IsThatOfTheClosedForm) {
 TEST(ImpactOrbit, KeepsItsDigitsAtTinySteps) {
   constexpr int steps = 4'000'000, stride = 1000;
   const BouncingMass mass(one_revolution);
-  testing::Bench bench =
-      testing::make_bench(one_mass(mass.frequency), testing::lobed_casing(1, mass.amplitude, mass.clearance),
-                          mass.speed, mass.damping, {Scheme::trigonometric, ContactRule::complementarity, steps, 1});
+  testing::Bench bench = testing::make_bench(
+      testing::one_mass_along_the_stop(mass.frequency), testing::lobed_casing(1, mass.amplitude, mass.clearance),
+      mass.speed, mass.damping, {Scheme::trigonometric, ContactRule::complementarity, steps, 1});
   bench.march.set_step(8LL * steps);  // the casing is grown
   for (int i = 0; i < steps; ++i) bench.march.step();
   double error = 0;
@@ -148,6 +141,28 @@ TEST(ImpactOrbit, KeepsItsDigitsAtTinySteps) {
     if (i % stride == 0)
       error = std::max(error, std::abs(bench.march.displacement()[0] - mass.displacement(mass.period * i / steps)));
   EXPECT_LT(error, 1e-9 * mass.amplitude);
+}
+
+/// Symptom once: impacts were locked to the instants of the grid. Their multipliers were 0 at every step, and orbits
+/// were of first order.
+TEST(ImpactOrbit, LeavesAtOnceAsTheReturnMapSays) {
+  for (const auto& [clearance, speed] :
+       {std::pair(2e-4, 1040.0), std::pair(9e-4, 1340.0), std::pair(2e-4, 2400.0), std::pair(2e-4, 2560.0)}) {
+    const testing::ReboundingMass mass{1000, 0.02, 1e-3, clearance};
+    const testing::ReboundingOrbit exact = rebounding_orbit(mass, speed, testing::Half::attracting);
+    ASSERT_LT(exact.force, 0) << "it leaves at once";
+    std::vector<double> errors;
+    for (const int steps : {240, 960}) {
+      const SpeedResponse orbit = found(Plan{speed, 1000, 0.02, 1e-3, clearance}, steps);
+      ASSERT_EQ(orbit.audit.orbit.outcome, OrbitReport::Outcome::found) << speed;
+      EXPECT_EQ(orbit.audit.orbit.maps, 1);
+      EXPECT_NEAR(orbit.audit.orbit.multiplier / std::abs(exact.multiplier), 1, 2e-3) << speed << ", " << steps;
+      EXPECT_LT(std::abs(orbit.energy.closing_error), 1e-10);
+      errors.push_back(std::abs(orbit.amplitude / exact.swing(samples) - 1));
+    }
+    EXPECT_LT(errors[0], 1e-5) << speed;
+    EXPECT_LT(errors[1], errors[0] / 4 + 1e-8) << speed;
+  }
 }
 
 /// [rad/s] where the flight of two revolutions just touches the stop half-way.

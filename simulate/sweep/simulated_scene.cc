@@ -65,7 +65,7 @@ ModelledEffect time_step(const SimulateParameters& parameters) {
 
 constexpr int casing_points = 721;  // of the casing's shape in the response: every half degree
 
-constexpr int content = 4;  // version of a speed's result: to be raised when its content or meaning changes
+constexpr int content = 5;  // version of a speed's result: to be raised when its content or meaning changes
 
 bool is_exempt(const std::string& key) {
   return std::any_of(exempt_keys().begin(), exempt_keys().end(),

@@ -10,12 +10,12 @@ int main(int argc, char** argv) {
       .summary = "Meshes one sector of a wheel with quadratic elements, or imports a mesh of another code.",
       .inputs = {{"case.toml", "the scene; only its table [mesh] is read"}},
       .output = "sector.msh",
-      .tables = tiprub::mesh_tables,
+      .tables = tiprub::mesh::mesh_tables,
       .add_options = [&](CLI::App& app) {
         app.add_option(
             "--import", import,
             "import this mesh (.inp, .bdf, .cdb or .unv), as [mesh] mesh_file does; [mesh] selects its groups");
       }};
-  return tiprub::run_stage(argc, argv, stage,
-                           [&](const tiprub::StageArguments& arguments) { tiprub::run_mesh(arguments, import); });
+  return tiprub::run_stage(
+      argc, argv, stage, [&](const tiprub::StageArguments& arguments) { tiprub::mesh::run_mesh(arguments, import); });
 }

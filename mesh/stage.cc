@@ -10,7 +10,7 @@
 #include "mesh/sector/sector_file.h"
 #include "mesh/sector/sector_mesher.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -64,4 +64,4 @@ void run_mesh(const StageArguments& arguments, const std::string& import) {
   say(arguments, "wrote " + arguments.output.string());
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

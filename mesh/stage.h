@@ -6,7 +6,7 @@
 #include "cases/program/case_file.h"
 #include "cases/program/command_line.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// The table that this stage reads from the case, [mesh], with all its values.
 std::string mesh_tables(const CaseFile& file);
@@ -14,4 +14,4 @@ std::string mesh_tables(const CaseFile& file);
 /// tiprub-mesh case.toml -o sector.msh. `import`: a mesh of another code in place of [mesh] mesh_file, or empty.
 void run_mesh(const StageArguments& arguments, const std::string& import);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

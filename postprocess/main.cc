@@ -5,7 +5,7 @@
 #include "postprocess/stage.h"
 
 int main(int argc, char** argv) {
-  tiprub::PostprocessOptions options;
+  tiprub::postprocess::PostprocessOptions options;
   tiprub::Stage stage;
   stage.name = "tiprub-postprocess";
   stage.summary = "Writes a report of a response: critical speeds, interaction maps, contact maps and stresses.";
@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
                   {"model.h5", "the reduced rotor, from tiprub-reduce"},
                   {"response.h5", "the response, from tiprub-simulate"}};
   stage.output = "report";
-  stage.tables = tiprub::postprocess_tables;
+  stage.tables = tiprub::postprocess::postprocess_tables;
   stage.add_options = [&](CLI::App& app) {
     app.add_option(
         "--fields", options.fields_file,
@@ -27,6 +27,6 @@ int main(int argc, char** argv) {
         ->allow_extra_args(false);
   };
   return tiprub::run_stage(argc, argv, stage, [&](const tiprub::StageArguments& arguments) {
-    tiprub::run_postprocess(arguments, options);
+    tiprub::postprocess::run_postprocess(arguments, options);
   });
 }

@@ -21,7 +21,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -146,4 +146,4 @@ void run_postprocess(const StageArguments& arguments, const PostprocessOptions& 
   std::_Exit(exit_by_signal + interruption());
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

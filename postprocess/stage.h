@@ -8,7 +8,7 @@
 #include "cases/program/case_file.h"
 #include "cases/program/command_line.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The tables of the case that are read, with all keys: the title, [postprocess], [material].
 std::string postprocess_tables(const CaseFile& file);
@@ -24,4 +24,4 @@ struct PostprocessOptions {
 /// interrupts it, it cleans up and ends the process with 128 + the signal's number. Raises InputError and RunError.
 void run_postprocess(const StageArguments& arguments, const PostprocessOptions& options);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

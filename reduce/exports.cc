@@ -15,7 +15,7 @@
 #include "mesh/cells/cell_kind.h"
 #include "reduce/model/nodal_diameter.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -154,4 +154,4 @@ void write_matrix_market(const ReducedModel& model, const std::filesystem::path&
   }
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

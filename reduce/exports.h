@@ -7,7 +7,7 @@
 #include "reduce/sector/reduction_parameters.h"
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Writes the sector as complete CalculiX decks: `mesh.inp` (nodes, C3D10, C3D15 and C3D20 elements, sets, cyclic
 /// symmetry) and one `speed_<rpm>.inp` for each verification speed (except at rest, a static step under spin, with
@@ -23,4 +23,4 @@ void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& par
 /// made if it doesn't exist. Raises RunError if a file can't be written.
 void write_matrix_market(const ReducedModel& model, const std::filesystem::path& folder);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

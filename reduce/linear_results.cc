@@ -19,7 +19,7 @@
 #include "reduce/sector/contact_line.h"
 #include "reduce/sector/parallel_for.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -282,4 +282,4 @@ void write_linear_results(const LinearResults& results, const std::filesystem::p
   file.close();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -10,7 +10,7 @@
 #include "reduce/sector/reduction_parameters.h"
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Modes of one nodal diameter of the unreduced sector over the speeds, sorted by frequency at each speed.
 struct ModesOverSpeed {
@@ -50,4 +50,4 @@ void print(std::ostream& out, const LinearResults& results);
 void write_linear_results(const LinearResults& results, const std::filesystem::path& path,
                           const std::string& generator, const std::string& provenance);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

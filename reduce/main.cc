@@ -7,14 +7,14 @@
 
 int main(int argc, char** argv) {
   tiprub::prepare_blas(argv);
-  tiprub::ReduceOptions options;
+  tiprub::reduce::ReduceOptions options;
   tiprub::Stage stage;
   stage.name = "tiprub-reduce";
   stage.summary = "Reduces a sector of a wheel to a small model of the wheel that is valid over a range of speeds.";
   stage.inputs = {{"case.toml", "the scene; its table [reduce] is read"},
                   {"sector.msh", "one sector of the wheel", true}};
   stage.output = "model.h5";
-  stage.tables = [&](const tiprub::CaseFile& file) { return tiprub::reduce_tables(file, options.input()); };
+  stage.tables = [&](const tiprub::CaseFile& file) { return tiprub::reduce::reduce_tables(file, options.input()); };
   stage.add_options = [&](CLI::App& app) {
     app.add_option("--export-ccx", options.calculix_folder,
                    "write the sector as CalculiX decks, one for each verification speed, into this folder, and stop");
@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
                    "a further speed in rpm, and the file of K at this speed; may be repeated")
         ->expected(2, 4);
   };
-  return tiprub::run_stage(argc, argv, stage,
-                           [&](const tiprub::StageArguments& arguments) { tiprub::run_reduce(arguments, options); });
+  return tiprub::run_stage(argc, argv, stage, [&](const tiprub::StageArguments& arguments) {
+    tiprub::reduce::run_reduce(arguments, options);
+  });
 }

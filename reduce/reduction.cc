@@ -16,7 +16,7 @@
 #include "reduce/sector/contact_unknowns.h"
 #include "reduce/sector/parallel_for.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -316,4 +316,4 @@ void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters)
   RotatingElasticity(mesh, dofs, parameters.material).volume();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

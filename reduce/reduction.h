@@ -11,7 +11,7 @@
 #include "reduce/sector/reduction_parameters.h"
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The time that a part of the work took.
 struct PartOfWork {
@@ -46,4 +46,4 @@ ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameter
 /// Whether a sector can be reduced: contact nodes can be chosen and are free, no cell is inverted. Raises InputError.
 void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

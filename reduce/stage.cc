@@ -25,7 +25,7 @@
 #include "reduce/sector/refinement.h"
 #include "reduce/sector/sector_reader.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -269,4 +269,4 @@ void run_reduce(const StageArguments& arguments, const ReduceOptions& options) {
   report(arguments, inputs.parameters, model, made, options.matrix_market_folder);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

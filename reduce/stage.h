@@ -8,7 +8,7 @@
 #include "cases/program/command_line.h"
 #include "reduce/sector/reduction_parameters.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The options of this stage: what it writes besides model.h5, or instead of it, and what it reads. Empty ones were
 /// not given.
@@ -31,4 +31,4 @@ std::string reduce_tables(const CaseFile& file, SectorInput input);
 /// tiprub-reduce case.toml sector.msh -o model.h5.
 void run_reduce(const StageArguments& arguments, const ReduceOptions& options);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -14,11 +14,12 @@ int main(int argc, char** argv) {
   stage.inputs = {{"case.toml", "the scene; its tables [casing] and [simulate] are read"},
                   {"model.h5", "the reduced rotor"}};
   stage.output = "response.h5";
-  stage.tables = tiprub::simulate_tables;
+  stage.tables = tiprub::simulate::simulate_tables;
   stage.add_options = [&](CLI::App& app) {
     app.add_option("--threads", threads, "number of threads that share the speeds; 0: as [simulate] says")
         ->check(CLI::Range(0, 1024));
   };
-  return tiprub::run_stage(
-      argc, argv, stage, [&](const tiprub::StageArguments& arguments) { tiprub::run_simulate(arguments, threads); });
+  return tiprub::run_stage(argc, argv, stage, [&](const tiprub::StageArguments& arguments) {
+    tiprub::simulate::run_simulate(arguments, threads);
+  });
 }

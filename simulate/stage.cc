@@ -10,7 +10,7 @@
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/sweep/sweep.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -125,4 +125,4 @@ void run_simulate(const StageArguments& arguments, int threads) {
   run_whole_wheel(arguments, breaking, threads, group);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

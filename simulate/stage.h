@@ -6,7 +6,7 @@
 #include "cases/program/case_file.h"
 #include "cases/program/command_line.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The tables of the case that are read, [casing] and [simulate], with defaults.
 std::string simulate_tables(const CaseFile& file);
@@ -14,4 +14,4 @@ std::string simulate_tables(const CaseFile& file);
 /// tiprub-simulate case.toml model.h5 -o response.h5. `threads` 0: as [simulate] says.
 void run_simulate(const StageArguments& arguments, int threads);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,7 +7,7 @@
 
 #include "mesh/curves/wheel_keys.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -105,4 +105,4 @@ void require_blade(const NamedText& file, const std::vector<BladeSection>& secti
   }
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

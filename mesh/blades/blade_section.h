@@ -7,7 +7,7 @@
 #include "cases/program/text_file.h"
 #include "mesh/curves/meridional_curve.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// A point of a blade's mean line.
 struct BladePoint {
@@ -62,4 +62,4 @@ BladeSection upright_section(const NamedText& file, int line, BladeSection secti
 /// each other from hub to tip.
 void require_blade(const NamedText& file, const std::vector<BladeSection>& sections);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -10,7 +10,7 @@
 
 #include "mesh/blades/section_surface.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -231,4 +231,4 @@ FileBlade read_profile_curve(const NamedText& file, double length, const Meridio
   return blade;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -5,7 +5,7 @@
 
 #include "mesh/blades/blade_section.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// A hub or a shroud: points in the meridional plane from inlet to outlet, with straight lines between.
 using MeridionalPath = std::vector<MeridionalPoint>;
@@ -36,4 +36,4 @@ MeridionalPath read_path_curve(const NamedText& file, double length);
 /// edge. Raises InputError with the line.
 FileBlade read_profile_curve(const NamedText& file, double length, const MeridionalPath& hub);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

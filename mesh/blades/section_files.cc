@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -206,4 +206,4 @@ FileBlade read_meanline(const NamedText& file, double length) {
   return blade;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -3,7 +3,7 @@
 
 #include "mesh/blades/blade_section.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// Reads a plain table, the form in which NASA printed Rotor 37. A line with the word "section" begins a section.
 /// Each line after it holds a point, from leading to trailing edge: z, r, theta of one side, theta of the other. Text
@@ -17,4 +17,4 @@ FileBlade read_section_table(const NamedText& file, const FileUnits& units);
 /// without thickness lie outside the blade and are left out. Raises InputError with the line.
 FileBlade read_meanline(const NamedText& file, double length);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -112,4 +112,4 @@ double SplitterSurface::main_chord(double station, double span) const {
   return station <= start_ ? station * own / start_ : own + (station - start_) * (1.0 - own) / (1.0 - start_);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -9,7 +9,7 @@
 #include "mesh/blades/blade_section.h"
 #include "mesh/curves/smooth_table.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// A quantity of a section's points over the fraction of the meridional length.
 template <class Value>
@@ -63,4 +63,4 @@ class SplitterSurface {
   double start_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

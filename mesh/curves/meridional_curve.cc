@@ -6,7 +6,7 @@
 
 #include "mesh/cells/gauss_points.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -92,4 +92,4 @@ MeridionalPoint MeridionalCurve::unit_tangent(double fraction) const {
   return (1.0 / length_of(direction)) * direction;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

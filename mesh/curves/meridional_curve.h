@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// F(x), the integral of a smooth f from 0 to x in [0, 1], by five-point Gauss quadrature on 64 equal panels: exact
 /// to round-off for the curves of a blade. Whole panels are summed once, so that a call costs one panel.
@@ -54,4 +54,4 @@ class MeridionalCurve {
   RunningIntegral arc_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

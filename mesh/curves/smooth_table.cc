@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -45,4 +45,4 @@ double SmoothTable::at(double x) const {
          width * t * t * (1.0 - t) * slopes_[i + 1];
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// A smooth curve y(x) through given points that never overshoots them: the piecewise cubic of Fritsch and Carlson
 /// (1980), slopes by Fritsch and Butland (1984), once continuously differentiable. One point is a constant. Outside
@@ -24,4 +24,4 @@ class SmoothTable {
   std::vector<double> slopes_;  ///< dy/dx at each point
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

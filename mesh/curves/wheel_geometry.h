@@ -5,7 +5,7 @@
 
 #include "mesh/curves/meridional_curve.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 enum class BladeKind { main, splitter };
 
@@ -34,4 +34,4 @@ class WheelGeometry {
   virtual std::string keys_that_shape(Region region) const = 0;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 SmoothTable read_chord_table(CaseTable& table, std::string_view key,
                              std::optional<std::vector<std::array<double, 2>>> fallback, const Range& range,
@@ -20,4 +20,4 @@ double read_length_unit(CaseTable& table) {
   return table.choice<double>("length_unit", std::nullopt, {{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"in", 0.0254}});
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

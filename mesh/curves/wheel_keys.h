@@ -8,7 +8,7 @@
 #include "cases/program/case_file.h"
 #include "mesh/curves/smooth_table.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// [m] The lengths of a wheel. A length beyond ten metres was meant in millimetres.
 inline const Range wheel_length{0.0, 10.0, Range::LowEnd::excluded};
@@ -22,4 +22,4 @@ SmoothTable read_chord_table(CaseTable& table, std::string_view key,
 /// [m] of one unit of the key `length_unit`: m, cm, mm or in.
 double read_length_unit(CaseTable& table);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -7,7 +7,7 @@
 #include "mesh/cells/cell_kind.h"
 #include "mesh/import/text_lines.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -158,4 +158,4 @@ ForeignMesh read_bdf(const NamedText& file) {
   return BdfReader(file).read();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

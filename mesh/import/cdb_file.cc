@@ -6,7 +6,7 @@
 #include "mesh/cells/cell_kind.h"
 #include "mesh/import/text_lines.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -159,4 +159,4 @@ ForeignMesh read_cdb(const NamedText& file) {
   return CdbReader(file).read();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -7,7 +7,7 @@
 
 #include "cases/program/errors.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -107,4 +107,4 @@ CellMesh in_our_terms(const ForeignMesh& mesh, double length, Axis axis) {
   return Translation(mesh, length, axis).run();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -9,7 +9,7 @@
 #include "mesh/cells/free_faces.h"
 #include "mesh/import/foreign_mesh.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// An imported mesh in metres, with the axis z, and with nodes and cells counted from 0.
 struct CellMesh {
@@ -32,4 +32,4 @@ enum class Axis { x, y, z };
 /// if two have the same number or the same nodes.
 CellMesh in_our_terms(const ForeignMesh& mesh, double length, Axis axis);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

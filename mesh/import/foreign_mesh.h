@@ -8,7 +8,7 @@
 
 #include "cases/program/case_file.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// A solid of another code: its number there, and its nodes' numbers in VTK's order (see cell_kind.h).
 struct ForeignCell {
@@ -32,4 +32,4 @@ ForeignMesh read_bdf(const NamedText& file);  ///< Nastran: GRID, CTETRA, CPYRAM
 ForeignMesh read_cdb(const NamedText& file);  ///< Ansys: NBLOCK, EBLOCK, CMBLOCK
 ForeignMesh read_unv(const NamedText& file);  ///< I-deas universal file: 2411, 2412, groups
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -7,7 +7,7 @@
 #include "mesh/cells/cell_kind.h"
 #include "mesh/import/text_lines.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -200,4 +200,4 @@ ForeignMesh read_inp(const NamedText& file) {
   return InpReader(file).read();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -12,7 +12,7 @@
 
 #include "cases/program/errors.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -118,4 +118,4 @@ void require_whole(const CellMesh& mesh, const PeriodicCuts& cuts) {
   }
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

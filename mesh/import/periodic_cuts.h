@@ -5,7 +5,7 @@
 
 #include "mesh/import/cell_mesh.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 inline constexpr int most_sectors = 1000;
 
@@ -24,4 +24,4 @@ PeriodicCuts find_cuts(const CellMesh& mesh, int sector_count);
 /// continue it without an edge belong to it.
 void require_whole(const CellMesh& mesh, const PeriodicCuts& cuts);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

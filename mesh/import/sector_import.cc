@@ -17,7 +17,7 @@
 #include "mesh/import/periodic_cuts.h"
 #include "mesh/import/selection.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -245,4 +245,4 @@ ImportedSector import_sector(const ImportParameters& parameters) {
   return sector;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

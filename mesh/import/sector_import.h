@@ -8,7 +8,7 @@
 #include "mesh/import/selection.h"
 #include "mesh/sector/sector_file.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 enum class MeshFormat { inp, bdf, cdb, unv };
 
@@ -40,4 +40,4 @@ struct ImportedSector {
 /// Reads the file and names the groups of sector.msh. Raises InputError.
 ImportedSector import_sector(const ImportParameters& parameters);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

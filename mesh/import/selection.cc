@@ -11,7 +11,7 @@
 
 #include "cases/program/errors.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -190,4 +190,4 @@ std::vector<int> line_along_tip(const CellMesh& mesh, const std::vector<int>& fa
   return one.size() >= other.size() ? one : other;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

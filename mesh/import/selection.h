@@ -6,7 +6,7 @@
 
 #include "mesh/import/cell_mesh.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// Free faces that a key of [mesh] selects, by number in CellMesh::faces: those all of whose corners are in the set
 /// of that name, lie on "cylinder RADIUS" or "plane x|y|z PLACE" [m] to 1e-4 of the largest radius, or whose normal
@@ -33,4 +33,4 @@ std::vector<int> ordered_line(const CellMesh& mesh, std::vector<int> nodes, Lead
 std::vector<int> line_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key,
                                 LeadingEdge leading);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -9,7 +9,7 @@
 
 #include "cases/program/errors.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::vector<std::string_view> column_fields(std::string_view line, std::size_t w
   return fields;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

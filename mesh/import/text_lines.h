@@ -9,7 +9,7 @@
 #include "cases/program/case_file.h"
 #include "mesh/import/foreign_mesh.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// A text line by line, for formats in which the meaning of a line depends on its place.
 class TextLines {
@@ -69,4 +69,4 @@ std::vector<std::string_view> blank_fields(std::string_view line);
 /// The fields in columns of this width, trimmed; empty ones at the end are left out.
 std::vector<std::string_view> column_fields(std::string_view line, std::size_t width);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

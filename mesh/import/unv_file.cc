@@ -6,7 +6,7 @@
 
 #include "mesh/import/text_lines.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -117,4 +117,4 @@ ForeignMesh read_unv(const NamedText& file) {
   return UnvReader(file).read();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 SectorLattice::SectorLattice(const SectorPlan& plan)
     : disc_layers_(plan.elements.disc), splitter_first_station_(plan.elements.upstream) {
@@ -81,4 +81,4 @@ std::vector<double> SectorLattice::angles(const SectorPlan& plan, double half_wi
   return angles;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -8,7 +8,7 @@
 #include "mesh/curves/wheel_geometry.h"
 #include "mesh/lattice/sector_plan.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// Which cells of the box (column, station, layer) exist, and where the blocks begin. A column counts round the
 /// sector from cyclic_low, a station from leading to trailing edge, a layer from bore or back face to hub and on to
@@ -42,4 +42,4 @@ class SectorLattice {
   int splitter_first_station_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -118,4 +118,4 @@ void read_common_of_blade(CaseTable& table, SectorPlan& plan) {
   read_blade(table, plan);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

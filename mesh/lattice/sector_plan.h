@@ -4,7 +4,7 @@
 #include "cases/program/case_file.h"
 #include "mesh/cells/cell_kind.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// The place of a half element index, 0 .. 2 count, along a direction whose elements grow by a constant factor from
 /// both ends to the middle, counted in half elements of equal size. `ratio` is the largest element over the smallest;
@@ -78,4 +78,4 @@ void read_common(CaseTable& table, SectorPlan& plan, int fewest_along_chord);
 /// Reads the same keys for a main blade without a disc.
 void read_common_of_blade(CaseTable& table, SectorPlan& plan);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -15,7 +15,7 @@
 #include "cases/program/errors.h"
 #include "mesh/cells/gauss_points.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -270,4 +270,4 @@ std::string describe(const SectorReport& report, const MeshedSector& mesh, const
   return text.str();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -6,7 +6,7 @@
 
 #include "mesh/sector/sector_mesher.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// Measurements of a meshed sector, for people and for tests.
 struct SectorReport {
@@ -37,4 +37,4 @@ std::string describe(const SectorReport& report, const MeshedSector& mesh, const
 /// over the meridional section. Gauss quadrature between the stations; exact to about 1e-8.
 double geometry_volume(const Wheel& wheel);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

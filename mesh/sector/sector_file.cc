@@ -12,7 +12,7 @@
 
 #include "cases/program/errors.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -131,4 +131,4 @@ void write_sector(const MeshedSector& mesh, const std::filesystem::path& path) {
   write_mesh(named, path);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

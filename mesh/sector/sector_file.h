@@ -9,7 +9,7 @@
 
 #include "mesh/sector/sector_mesher.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// The contents of a mesh file: nodes, and elements in named groups.
 struct NamedMesh {
@@ -32,4 +32,4 @@ void write_mesh(const NamedMesh& mesh, const std::filesystem::path& path);
 /// Writes the sector as gmsh 4.1 in text, with the named groups that mesh/format.md lists.
 void write_sector(const MeshedSector& mesh, const std::filesystem::path& path);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

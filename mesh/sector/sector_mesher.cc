@@ -8,7 +8,7 @@
 
 #include "mesh/lattice/sector_lattice.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -217,4 +217,4 @@ MeshedSector mesh_sector(const Wheel& wheel) {
   return Mesher(wheel).run();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

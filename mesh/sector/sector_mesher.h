@@ -9,7 +9,7 @@
 
 #include "mesh/wheels/wheel.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// A hexahedron and where it sits in the lattice, all counted from 0.
 struct SectorCell {
@@ -47,4 +47,4 @@ struct MeshedSector {
 /// lattice conforms for any numbers of elements and pairs node for node, which a mesh of a CAD volume would not.
 MeshedSector mesh_sector(const Wheel& wheel);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

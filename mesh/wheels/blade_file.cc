@@ -13,7 +13,7 @@
 #include "mesh/wheels/families.h"
 #include "mesh/wheels/impeller.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -212,4 +212,4 @@ std::unique_ptr<WheelGeometry> read_wheel_of_blade_file(CaseTable& table, Sector
   return wheel;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -7,7 +7,7 @@
 #include "mesh/curves/wheel_keys.h"
 #include "mesh/wheels/families.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -99,4 +99,4 @@ std::unique_ptr<WheelGeometry> read_bladed_disc(CaseTable& table, SectorPlan& pl
   return std::make_unique<BladedDisc>(p);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -7,7 +7,7 @@
 #include "mesh/curves/wheel_geometry.h"
 #include "mesh/lattice/sector_plan.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 // Each family of wheels reads and checks its own keys, and completes the plan by what they say. Raises InputError,
 // and RunError if a file can't be read.
@@ -21,4 +21,4 @@ std::unique_ptr<WheelGeometry> read_bladed_disc(CaseTable& table, SectorPlan& pl
 /// A wheel whose blades come from a file, with or without a disc that the keys describe.
 std::unique_ptr<WheelGeometry> read_wheel_of_blade_file(CaseTable& table, SectorPlan& plan);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -9,7 +9,7 @@
 #include "mesh/curves/wheel_keys.h"
 #include "mesh/wheels/families.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -179,4 +179,4 @@ std::unique_ptr<WheelGeometry> read_impeller(CaseTable& table, SectorPlan& plan)
   return std::make_unique<Impeller>(parameters, plan);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

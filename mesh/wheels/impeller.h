@@ -8,7 +8,7 @@
 #include "mesh/curves/smooth_table.h"
 #include "mesh/lattice/sector_plan.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// The inner border of a radial wheel's disc: the bore from the front face to the back face, then the back face out
 /// to the exit.
@@ -57,4 +57,4 @@ class BladeSurface {
   RunningIntegral wrap_tip_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -10,7 +10,7 @@
 #include "mesh/curves/wheel_keys.h"
 #include "mesh/wheels/families.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 namespace {
 
@@ -181,4 +181,4 @@ Wheel read_wheel(CaseTable& table) {
   return wheel;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -8,7 +8,7 @@
 #include "mesh/curves/wheel_geometry.h"
 #include "mesh/lattice/sector_plan.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 
 /// What [mesh] describes: the shape, and how to cut it into elements.
 struct Wheel {
@@ -19,4 +19,4 @@ struct Wheel {
 /// Reads the whole table, whatever its family, and checks that no blade is wider than its place. Raises InputError.
 Wheel read_wheel(CaseTable& table);
 
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -15,7 +15,7 @@
 #include "postprocess/waves/travelling_spectrum.h"
 #include "simulate/motion/casing_areas.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 double contact_contrast(const Eigen::VectorXd& column) {
   const double sum = column.sum();
@@ -214,4 +214,4 @@ ContactMaps contact_maps(const Response& response, const ContactLine& contact) {
   return maps;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

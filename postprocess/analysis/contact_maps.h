@@ -6,7 +6,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Where around the casing one contact node of sector 0 rubs, at each speed (paper, sec. 5.2.2).
 struct ContactMap {
@@ -73,4 +73,4 @@ struct ContactMaps {
 };
 ContactMaps contact_maps(const Response& response, const ContactLine& contact);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -7,7 +7,7 @@
 
 #include "postprocess/waves/travelling_spectrum.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -206,4 +206,4 @@ OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, con
   return margin;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

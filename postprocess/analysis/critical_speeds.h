@@ -11,7 +11,7 @@
 #include "simulate/response/peaks.h"
 #include "simulate/response/response.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// A range of speeds [rad/s], its ends included.
 struct SpeedRange {
@@ -98,4 +98,4 @@ struct OperatingMargin {
 OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, const SpeedRange& operating,
                                  double smallest_amplitude);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 #include "postprocess/waves/wave_label.h"
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -99,4 +99,4 @@ void check_together(const ReducedModel& model, const Response& response, const s
   check_measures(response, name);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -6,7 +6,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Raises InputError if the response, its states or its frequencies do not belong to the model, and RunError if the
 /// response holds no speed that can be used. `name` is the response's, for messages.
@@ -19,4 +19,4 @@ void check_casing(const std::string& casing, const SimulatedScene& scene, const 
 /// Raises RunError if a number of the response is absurdly large (above 1e30 in SI units), as in damaged files.
 void check_measures(const Response& response, const std::string& name);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -6,7 +6,7 @@
 
 #include "simulate/response/peaks.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 InteractionMap interaction_map(const Response& response, const ContactLine& contact, int node, Component component) {
   InteractionMap map;
@@ -123,4 +123,4 @@ WaveMaps wave_maps(const Response& response, const ContactLine& contact, const F
   return maps;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

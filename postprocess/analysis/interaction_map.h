@@ -7,7 +7,7 @@
 #include "postprocess/waves/travelling_spectrum.h"
 #include "postprocess/waves/wave_label.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// One speed of an interaction map. Frequencies are (line / revolutions) Omega / (2 pi).
 struct MapColumn {
@@ -73,4 +73,4 @@ struct WaveMaps {
 WaveMaps wave_maps(const Response& response, const ContactLine& contact, const FrequencyCurves& curves,
                    const PostprocessParameters& parameters);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -8,7 +8,7 @@
 
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -214,4 +214,4 @@ std::vector<CriticalSpeed> with_predictions(std::vector<CriticalSpeed> critical,
   return critical;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

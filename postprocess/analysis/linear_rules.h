@@ -9,7 +9,7 @@
 #include "postprocess/waves/travelling_spectrum.h"
 #include "postprocess/waves/wave_label.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// A speed at which a rule predicts an interaction.
 struct Crossing {
@@ -87,4 +87,4 @@ LinearRules linear_rules(const Response& response, const ContactLine& contact, c
 std::vector<CriticalSpeed> with_predictions(std::vector<CriticalSpeed> critical, const LinearRules& rules,
                                             double tolerance);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

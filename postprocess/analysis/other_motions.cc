@@ -14,7 +14,7 @@
 #include "postprocess/waves/travelling_spectrum.h"
 #include "simulate/response/response_file.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::vector<OrbitRange> ranges_of_many_orbits(const std::vector<OrbitBranch>& br
   return ranges;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Responses of the same case swept up and down; an empty path means that there is none.
 struct SweepFiles {
@@ -70,4 +70,4 @@ std::vector<StabilityChange> stability_changes(const std::vector<OrbitBranch>& b
 /// orbits.
 std::vector<OrbitRange> ranges_of_many_orbits(const std::vector<OrbitBranch>& branches);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -5,7 +5,7 @@
 
 #include "cases/program/usual_range.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 PostprocessParameters read_postprocess_parameters(CaseTable& table) {
   PostprocessParameters p;
@@ -91,4 +91,4 @@ double goodman_utilisation(const MaterialStrength& strength, double alternating,
   return alternating / strength.endurance + mean / strength.ultimate;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

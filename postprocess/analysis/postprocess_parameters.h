@@ -7,7 +7,7 @@
 #include "cases/program/case_file.h"
 #include "postprocess/waves/travelling_spectrum.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// An end of the tip line.
 enum class TipEdge { leading, trailing };
@@ -56,4 +56,4 @@ std::optional<MaterialStrength> read_material_strength(const CaseFile& file);
 /// [1] Goodman: alternating / endurance + mean / ultimate; 1 is the limit.
 double goodman_utilisation(const MaterialStrength& strength, double alternating, double mean);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

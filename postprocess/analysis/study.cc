@@ -7,7 +7,7 @@
 
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -83,4 +83,4 @@ Study make_study(const PostprocessParameters& parameters, ReducedModel model, Re
           shown};
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 #include "postprocess/analysis/linear_rules.h"
 #include "postprocess/analysis/other_motions.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// All numbers of a report; figures and tables take the parts that they need. Results of the full fields are kept
 /// separately (fields/field_study.h).
@@ -44,4 +44,4 @@ struct Study {
 Study make_study(const PostprocessParameters& parameters, ReducedModel model, Response response,
                  const SweepFiles& sweeps);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

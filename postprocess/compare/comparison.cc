@@ -7,7 +7,7 @@
 #include "postprocess/figures/maps.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -146,4 +146,4 @@ Figure comparison_figure(const ReportNumbers& this_one, const ReportNumbers& oth
   return figure;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -4,7 +4,7 @@
 #include "postprocess/compare/report_numbers.h"
 #include "postprocess/figures/figure.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Critical speeds of both reports side by side, ascending in speed, with the shifts from the other report to this
 /// one; a shift within rounding is 0. Two critical speeds are paired if the same wave makes them (engine order,
@@ -18,4 +18,4 @@ Figure comparison_map_figure(const Study& study, const ReportNumbers& this_one, 
 /// Both responses over speed.
 Figure comparison_figure(const ReportNumbers& this_one, const ReportNumbers& other);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

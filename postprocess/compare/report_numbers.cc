@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -161,4 +161,4 @@ ReportNumbers read_other_report(const fs::path& path, const Study& study) {
   return numbers;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 #include "postprocess/analysis/study.h"
 #include "postprocess/fields/field_study.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// A critical speed.
 struct ComparedPeak {
@@ -40,4 +40,4 @@ std::string to_json(const ReportNumbers& numbers);
 /// if `path` is neither.
 ReportNumbers read_other_report(const std::filesystem::path& path, const Study& study);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -8,7 +8,7 @@
 #include "postprocess/compare/report_numbers.h"
 #include "postprocess/fields/field_study.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The data of the page's linked views, packed by PackedArrays. For every speed, for the contact nodes of both
 /// edges and for the sectors that the response holds: motion (the component asked for, and the normal and
@@ -24,4 +24,4 @@ std::string speed_data(const Study& study, const std::optional<ReportNumbers>& o
 /// for a page, the nodes between the corners of its faces are left out.
 std::string wheel_data(const Response& response, const ContactLine& contact, const FieldStudy& fields);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

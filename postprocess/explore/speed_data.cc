@@ -9,7 +9,7 @@
 #include "postprocess/tables/packing.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -173,4 +173,4 @@ std::string speed_data(const Study& study, const std::optional<ReportNumbers>& o
                         {"axes", axes_of(study, frame)}});
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

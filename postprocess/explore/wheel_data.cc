@@ -13,7 +13,7 @@
 #include "postprocess/tables/packing.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -179,4 +179,4 @@ std::string wheel_data(const Response& response, const ContactLine& contact, con
                         {"motions", std::move(motions)}});
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

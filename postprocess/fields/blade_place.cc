@@ -7,7 +7,7 @@
 
 #include "mesh/cells/cell_kind.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -135,4 +135,4 @@ std::string BladePlaces::words(int node) const {
   return spoken(part(node));
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

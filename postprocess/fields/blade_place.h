@@ -8,7 +8,7 @@
 
 #include "reduce/model/fields_file.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// [m] r and z of a place in x, y, z.
 Eigen::Vector2d meridional(const Eigen::Vector3d& place);
@@ -51,4 +51,4 @@ class BladePlaces {
       length_ends_;  ///< [1] a blade's first and last length among the lines
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

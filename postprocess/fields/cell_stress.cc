@@ -7,7 +7,7 @@
 
 #include "mesh/cells/cell_kind.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -131,4 +131,4 @@ Tensors turned(const Tensors& tensors, double angle) {
   return turning(angle) * tensors;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

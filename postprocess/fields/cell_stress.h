@@ -7,7 +7,7 @@
 
 #include "reduce/model/fields_file.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Symmetric tensors at nodes, a column each: xx, yy, zz, xy, yz, zx.
 using Tensors = Eigen::Matrix<double, 6, Eigen::Dynamic>;
@@ -53,4 +53,4 @@ Eigen::VectorXd von_mises(const Tensors& stress);
 ComplexTensors turned(const ComplexTensors& tensors, double angle);
 Tensors turned(const Tensors& tensors, double angle);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

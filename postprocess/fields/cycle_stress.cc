@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -101,4 +101,4 @@ CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int secto
   return std::move(maxima.found);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 #include "postprocess/fields/field_recovery.h"
 #include "postprocess/fields/wheel_cycle.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The largest von Mises stress at every node of a sector over all samples and all sectors of a cycle.
 struct CycleStress {
@@ -31,4 +31,4 @@ using WaveRecovery = std::function<std::vector<WaveField>(std::size_t diameter, 
 CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int sector_count, const WaveRecovery& recover,
                          int block, Progress& progress);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -10,7 +10,7 @@
 #include "postprocess/fields/blade_place.h"
 #include "postprocess/fields/wheel_surface.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -129,4 +129,4 @@ FieldPeak field_peak(const SectorFields& sector, const CycleStress& stress, cons
   return peak;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

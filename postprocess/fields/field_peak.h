@@ -11,7 +11,7 @@
 #include "postprocess/fields/cycle_stress.h"
 #include "reduce/model/fields_file.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Where a sector's stress can be read, and where the exact stress is unbounded, so that the computed one grows as
 /// the mesh is refined.
@@ -70,4 +70,4 @@ struct FieldPeak {
 FieldPeak field_peak(const SectorFields& sector, const CycleStress& stress, const StressZones& zones,
                      const BladePlaces& places, const std::optional<MaterialStrength>& strength);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

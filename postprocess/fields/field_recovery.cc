@@ -8,7 +8,7 @@
 
 #include "reduce/model/nodal_diameter.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -95,4 +95,4 @@ double outer_radius(const SectorFields& sector) {
   return sector.nodes.topRows<2>().colwise().norm().maxCoeff();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

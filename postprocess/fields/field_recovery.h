@@ -7,7 +7,7 @@
 #include "postprocess/fields/cell_stress.h"
 #include "reduce/model/fields_file.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// A travelling wave on the sector's nodes, in the x, y, z of sector 0: sector j moves by
 /// R_j Re(u e^{i n j alpha}), R_j its turning by j alpha about z.
@@ -55,4 +55,4 @@ Eigen::Matrix3Xd nodes_of_sector(const SectorFields& sector, int j);
 /// [m] from the axis to the outermost node.
 double outer_radius(const SectorFields& sector);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -10,7 +10,7 @@
 #include "postprocess/tables/table.h"
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -233,4 +233,4 @@ FieldResults field_results(const std::optional<FieldStudy>& fields, const std::v
   return results;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

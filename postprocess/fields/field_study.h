@@ -13,7 +13,7 @@
 #include "postprocess/fields/natural_modes.h"
 #include "postprocess/fields/wheel_cycle.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The wheel's motion at a critical speed, on the sector's nodes.
 struct MovingWheel {
@@ -59,4 +59,4 @@ struct FieldResults {
 /// Without `fields`, all peaks are empty.
 FieldResults field_results(const std::optional<FieldStudy>& fields, const std::vector<CriticalSpeed>& critical);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

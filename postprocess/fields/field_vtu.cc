@@ -15,7 +15,7 @@
 #include "postprocess/fields/field_study.h"
 #include "postprocess/tables/packing.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -237,4 +237,4 @@ void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& fold
   if (const MovingWheel* const moving = moving_at_instant(fields)) write_motion(fields, *moving, worst, folder);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

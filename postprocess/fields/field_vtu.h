@@ -8,7 +8,7 @@
 
 #include "postprocess/fields/field_study.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// A mesh of quadratic cells.
 struct VtuMesh {
@@ -49,4 +49,4 @@ const MovingWheel* moving_at_instant(const FieldStudy& fields);
 /// motion_sector.pvd with its frames in motion_sector/.
 void write_vtu_files(const FieldStudy& fields, const std::filesystem::path& folder);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -12,7 +12,7 @@
 #include "postprocess/waves/aliasing.h"
 #include "reduce/model/dense_eigen.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -117,4 +117,4 @@ NaturalModes natural_modes(const FieldsReader& reader, const ReducedModel& model
   return modes;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

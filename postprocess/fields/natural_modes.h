@@ -8,7 +8,7 @@
 #include "postprocess/fields/field_recovery.h"
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// A natural mode on the sector's nodes, its largest component 1.
 struct ModeField {
@@ -46,4 +46,4 @@ std::map<std::string, double> part_shares(const SectorFields& sector, const Eige
 /// 0.
 std::vector<std::size_t> disc_modes(const std::vector<ModeShares>& shares, int first);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -13,7 +13,7 @@
 #include "cases/program/errors.h"
 #include "reduce/model/nodal_diameter.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -159,4 +159,4 @@ WheelMotion wheel_motion(const SpeedResponse& response, const SimulatedScene& sc
   return motion;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

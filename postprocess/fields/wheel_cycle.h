@@ -7,7 +7,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The wheel's states over a cycle, without repetitions. A motion that follows the casing repeats itself many
 /// times per revolution, turned by some sectors. A few samples of all independent sectors therefore contain the
@@ -55,4 +55,4 @@ struct WheelMotion {
 WheelMotion wheel_motion(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model,
                          double left_out, std::size_t most);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

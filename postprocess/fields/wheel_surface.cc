@@ -7,7 +7,7 @@
 
 #include "mesh/cells/cell_kind.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::vector<SurfaceFace> surface_of_cells(const SectorFields& sector, const std:
   return surface;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

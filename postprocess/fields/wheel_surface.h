@@ -6,7 +6,7 @@
 
 #include "reduce/model/fields_file.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// A face that belongs to only one cell, and so lies on the surface.
 struct SurfaceFace {
@@ -23,4 +23,4 @@ std::vector<SurfaceFace> sector_surface(const SectorFields& sector);
 /// The surface of some of its cells.
 std::vector<SurfaceFace> surface_of_cells(const SectorFields& sector, const std::vector<int>& cells);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

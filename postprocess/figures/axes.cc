@@ -7,7 +7,7 @@
 
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -107,4 +107,4 @@ void set_modes(Drawing& drawing, const SpeedFrame& frame, const DrawnRange& axis
   drawing.tables.push_back({"modes", {rows}});
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -8,7 +8,7 @@
 #include "postprocess/analysis/study.h"
 #include "postprocess/figures/drawing.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// What drawings over speed have in common.
 struct SpeedFrame {
@@ -53,4 +53,4 @@ void set_critical_speeds(Drawing& drawing, const SpeedFrame& frame, double frequ
 /// nodal diameter 0 [Hz], those of 1, and so on; NaN where a nodal diameter has fewer families.
 void set_modes(Drawing& drawing, const SpeedFrame& frame, const DrawnRange& axis);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -7,7 +7,7 @@
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -110,4 +110,4 @@ Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, co
   return figure;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

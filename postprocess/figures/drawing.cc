@@ -22,7 +22,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -241,4 +241,4 @@ void draw(const std::vector<Drawing>& drawings, const fs::path& folder, int jobs
   while (queue.running() > 0) finish();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The ends of an axis or of a colour scale. In a script the ends of "speed" are speed_low and speed_high.
 struct DrawnRange {
@@ -62,4 +62,4 @@ void require_gnuplot();
 void draw(const std::vector<Drawing>& drawings, const std::filesystem::path& folder, int jobs,
           const std::function<void()>& drawn);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

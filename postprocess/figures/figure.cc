@@ -11,7 +11,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -63,4 +63,4 @@ void draw_figures(const std::vector<Figure>& figures, const fs::path& folder, co
     for (const Pixels& pixels : figure.pixels) fs::remove(folder / pixels.file);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -11,7 +11,7 @@
 #include "postprocess/figures/drawing.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Colours on a regular grid, which a drawing reads from `file`; rows go up, columns to the right. They are
 /// resampled for display and deleted after drawing, because the figure's table holds the numbers.
@@ -40,4 +40,4 @@ void set_pixels(Figure& figure, Eigen::MatrixXf values);
 void draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                   const std::function<void()>& drawn);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

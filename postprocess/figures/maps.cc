@@ -7,7 +7,7 @@
 
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -262,4 +262,4 @@ Figure waterfall_figure(const SpeedFrame& frame, const InteractionMap& map) {
   return figure;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 #include "postprocess/figures/axes.h"
 #include "postprocess/figures/figure.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Axes and colours of a map.
 struct MapFrame {
@@ -51,4 +51,4 @@ Figure interaction_map_parts_figure(const SpeedFrame& frame, const MapFrame& axe
 /// Paper, fig. 18a.
 Figure waterfall_figure(const SpeedFrame& frame, const InteractionMap& map);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

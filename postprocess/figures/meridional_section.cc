@@ -11,7 +11,7 @@
 #include "postprocess/figures/axes.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -170,4 +170,4 @@ Figure meridional_section_figure(const SectorFields& sector, const ContactLine& 
   return figure;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -8,7 +8,7 @@
 #include "postprocess/waves/aliasing.h"
 #include "reduce/model/nodal_diameter.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -170,4 +170,4 @@ Figure harmonic_bars_figure(const MapColumn& shown, int lobes, int last) {
   return figure;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -6,7 +6,7 @@
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -140,4 +140,4 @@ Figure interference_figure(const SpeedFrame& frame, double shown, int asked_fami
   return figure;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 #include "postprocess/records/study_records.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -224,4 +224,4 @@ Figure engine_order_tracking_figure(const SpeedFrame& frame, const InteractionMa
   return tracking_figure(frame, "engine_order_tracking", panels, numbered("EO", 1, averaged));
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

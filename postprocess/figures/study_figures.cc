@@ -7,7 +7,7 @@
 #include "postprocess/records/study_records.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::vector<Figure> study_figures(const Study& study) {
   return figures;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -10,7 +10,7 @@
 #include "postprocess/figures/figure.h"
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The closed outlines of the area that some faces cover in the meridional plane; r, z [m], 2 x points. Edges of
 /// faces are bent at their middle nodes. Pieces with less than a ten-thousandth of the largest area are left out.
@@ -68,4 +68,4 @@ Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, co
 /// All figures in the order of the page; those of sweeps and branches only if there are any.
 std::vector<Figure> study_figures(const Study& study);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -8,7 +8,7 @@
 
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -233,4 +233,4 @@ Table critical_speed_stresses(const Study& study, const FieldResults& fields) {
                   peaks_of(study, fields));
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -12,7 +12,7 @@
 #include "postprocess/tables/table.h"
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -242,4 +242,4 @@ Table exactness_record(const Study& study) {
   return table;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

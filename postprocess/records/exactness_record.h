@@ -8,7 +8,7 @@
 #include "postprocess/analysis/study.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The outcome of a check.
 enum class CheckVerdict {
@@ -50,4 +50,4 @@ std::string name_of(CheckVerdict verdict);
 /// A row for each check: exactness.csv.
 Table exactness_record(const Study& study);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

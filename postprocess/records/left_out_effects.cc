@@ -12,7 +12,7 @@
 #include "postprocess/fields/cell_stress.h"
 #include "reduce/model/dense_eigen.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -177,4 +177,4 @@ FieldEffects field_effects(const std::filesystem::path& fields_file, const Reduc
   return effects;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -10,7 +10,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The depth to which contact would wear the casing, as an order of magnitude.
 struct CasingWear {
@@ -103,4 +103,4 @@ struct FieldEffects {
 FieldEffects field_effects(const std::filesystem::path& fields_file, const ReducedModel& model,
                            const std::vector<CriticalSpeed>& critical);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -11,7 +11,7 @@
 #include "postprocess/records/left_out_effects.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -237,4 +237,4 @@ Table scene_needs_record(const std::vector<SceneNeed>& needs) {
       needs);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 #include "postprocess/tables/table.h"
 #include "reduce/model/modelled_effects.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// How much an effect matters for a scene.
 enum class NeedVerdict {
@@ -47,4 +47,4 @@ std::string name_with_unit(Effect effect);
 /// A row for each effect: scene_needs.csv.
 Table scene_needs_record(const std::vector<SceneNeed>& needs);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

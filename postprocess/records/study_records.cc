@@ -9,7 +9,7 @@
 #include "postprocess/analysis/other_motions.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -254,4 +254,4 @@ Table mode_record(const FieldStudy& fields) {
   return table;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

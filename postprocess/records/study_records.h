@@ -5,7 +5,7 @@
 #include "postprocess/fields/field_study.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The critical speeds with every digit and unit, for critical_speeds.csv. Stresses are empty without full fields.
 Table critical_speed_record(const Study& study, const FieldResults& fields);
@@ -43,4 +43,4 @@ Table stress_peak_record(const FieldStudy& fields);
 /// The frequency of every natural mode that was examined, and each part's share in it; modes.csv.
 Table mode_record(const FieldStudy& fields);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

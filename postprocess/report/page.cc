@@ -21,7 +21,7 @@
 #include "postprocess/tables/packing.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -307,4 +307,4 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"run", answers(run.in_words())}});
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -14,7 +14,7 @@
 #include "postprocess/records/scene_needs_record.h"
 #include "postprocess/report/run_record.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Where a report comes from.
 struct ReportSource {
@@ -43,4 +43,4 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
 /// `contents` how long that took, for the page. Raises RunError if a file can't be written.
 void write_report_folder(ReportContents& contents, const std::filesystem::path& folder, Progress::Shown shown);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

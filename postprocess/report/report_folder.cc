@@ -10,7 +10,7 @@
 #include "postprocess/records/study_records.h"
 #include "postprocess/report/verdict.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -98,4 +98,4 @@ void write_report_folder(ReportContents& contents, const std::filesystem::path& 
   write_text(report_page(contents, folder), folder / "report.html");
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::vector<Answer> RunRecord::in_words() const {
   return answers;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

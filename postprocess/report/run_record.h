@@ -9,7 +9,7 @@
 
 #include "postprocess/report/verdict.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// When, from what and in how much time a report was made. This is the only part of a report that differs between
 /// runs with the same inputs.
@@ -30,4 +30,4 @@ class RunRecord {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -11,7 +11,7 @@
 #include "postprocess/tables/table.h"
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -207,4 +207,4 @@ std::vector<std::string> summary(const Study& study, const FieldResults& fields)
   return lines;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

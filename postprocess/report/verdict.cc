@@ -7,7 +7,7 @@
 #include "postprocess/records/study_records.h"
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -246,4 +246,4 @@ std::vector<Answer> scene_in_brief(const Study& study) {
                       fixed(study.range.low * rpm_per_rad_s, 0) + " to " + rpm_text(study.range.high)}});
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

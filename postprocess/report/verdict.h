@@ -8,7 +8,7 @@
 #include "postprocess/fields/field_study.h"
 #include "postprocess/records/scene_needs_record.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// A question that a designer asks first, and its answer in a sentence or two.
 struct Answer {
@@ -39,4 +39,4 @@ std::vector<std::string> summary(const Study& study, const FieldResults& fields)
 /// "1 speed", "3 speeds".
 std::string counted(std::size_t count, const std::string& what);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

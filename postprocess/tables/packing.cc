@@ -9,7 +9,7 @@
 
 #include "cases/program/errors.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 std::string base64(const std::string& bytes) {
   constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -85,4 +85,4 @@ std::string PackedArrays::packed(nlohmann::json about) const {
   return base64(deflated(bytes + text + bytes_));
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

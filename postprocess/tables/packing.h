@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Base 64 (RFC 4648, padded, without line breaks), for bytes inside text files.
 std::string base64(const std::string& bytes);
@@ -38,4 +38,4 @@ class PackedArrays {
   std::string bytes_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

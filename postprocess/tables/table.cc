@@ -12,7 +12,7 @@
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -169,4 +169,4 @@ void sort_by_speed(Table& table) {
   });
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

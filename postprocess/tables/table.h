@@ -12,7 +12,7 @@
 
 #include "cases/program/units.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Stands where a table has no number: empty in text, NaN in files.
 struct NoNumber {};
@@ -96,4 +96,4 @@ Cell optional_cell(const std::optional<double>& value);
 /// Sorts the rows by their first column, a number; equal ones keep their order.
 void sort_by_speed(Table& table);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -7,7 +7,7 @@
 
 #include "reduce/model/nodal_diameter.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 int signed_nodal_diameter(int engine_order, int sector_count) {
   assert(sector_count >= 1);
@@ -30,4 +30,4 @@ std::string name_of(WaveDirection direction) {
   return names[static_cast<std::size_t>(direction)];
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

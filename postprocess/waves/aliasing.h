@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// The direction in which a wave runs over the sectors, seen from the rotor.
 enum class WaveDirection {
@@ -37,4 +37,4 @@ WaveDirection wave_direction(int signed_nodal_diameter, int sector_count);
 /// "backward", "forward", "standing".
 std::string name_of(WaveDirection direction);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

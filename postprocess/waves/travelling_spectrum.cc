@@ -11,7 +11,7 @@
 
 #include "postprocess/waves/aliasing.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 namespace {
 
@@ -98,4 +98,4 @@ Eigen::MatrixXd TravellingSpectrum::by_nodal_diameter() const {
   return sum;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

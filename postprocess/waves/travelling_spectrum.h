@@ -6,7 +6,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// A component of a contact node's displacement.
 enum class Component {
@@ -59,4 +59,4 @@ TravellingSpectrum travelling_spectrum(const Eigen::MatrixXd& motion, int revolu
 /// The classical spectrum of one signal over time: the amplitude of each line; floor(samples/2) + 1 lines.
 Eigen::VectorXd line_spectrum(const Eigen::VectorXd& signal);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -7,7 +7,7 @@
 
 #include "postprocess/tables/table.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 FrequencyCurves::FrequencyCurves(const FrequencyTable& table) : speeds_(table.speed), damping_(table.damping_ratio) {
   for (const Eigen::MatrixXd& frequencies : table.by_nodal_diameter)
@@ -92,4 +92,4 @@ std::string wave_name(const WaveLabel& wave) {
   return wave_name(wave.engine_order, wave.signed_nodal_diameter);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

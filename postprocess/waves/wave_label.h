@@ -9,7 +9,7 @@
 #include "postprocess/waves/aliasing.h"
 #include "simulate/response/response.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 /// Natural frequencies of the model at any speed, by nodal diameter and family (0 is the lowest), interpolated in the
 /// response's table.
@@ -66,4 +66,4 @@ std::string engine_order_name(double engine_order);
 std::string wave_name(double engine_order, int signed_nodal_diameter);
 std::string wave_name(const WaveLabel& wave);
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

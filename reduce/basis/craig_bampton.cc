@@ -7,7 +7,7 @@
 
 #include "reduce/model/dense_eigen.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -102,4 +102,4 @@ Eigen::MatrixXcd CraigBamptonBasis::reduced(const Eigen::MatrixXcd& products) co
   return matrix;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -8,7 +8,7 @@
 #include "reduce/model/dense_eigen.h"
 #include "reduce/operators/cyclic_transformation.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Extends the matrix T^H Y T when new shapes t join the shapes T. `columns` are T^H Y t; their last rows are the new
 /// diagonal block.
@@ -77,4 +77,4 @@ class CraigBamptonBasis {
 Eigen::MatrixXcd project(const CyclicTransformation& transform, const SymmetricMatrix& matrix,
                          const Eigen::MatrixXcd& basis);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

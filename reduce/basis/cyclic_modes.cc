@@ -10,7 +10,7 @@
 #include "cases/program/errors.h"
 #include "reduce/model/dense_eigen.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -145,4 +145,4 @@ CyclicModes lowest_modes(const CyclicSolver& stiffness, const SymmetricMatrix& m
   }
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

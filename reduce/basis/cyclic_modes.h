@@ -5,7 +5,7 @@
 
 #include "reduce/operators/cyclic_solver.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Lowest modes of one nodal diameter, M-orthonormal, ascending.
 struct CyclicModes {
@@ -30,4 +30,4 @@ struct CyclicModes {
 CyclicModes lowest_modes(const CyclicSolver& stiffness, const SymmetricMatrix& mass, ContactNodes contact, int count,
                          double tolerance);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -6,7 +6,7 @@
 #include "reduce/basis/cyclic_modes.h"
 #include "reduce/operators/speed_samples.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -84,4 +84,4 @@ ModeFollowing DiameterReduction::modes_between(const CraigBamptonBasis& basis,
   return {basis, sector_.mass(), std::move(speeds), parameters_.verification_modes};
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

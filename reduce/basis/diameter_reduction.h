@@ -8,7 +8,7 @@
 #include "reduce/operators/cyclic_solver.h"
 #include "reduce/operators/spinning_sector.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The reduction of one nodal diameter: a Craig-Bampton basis from two speeds, rest and Omega_max, its corrections at
 /// the speeds between, and the unreduced frequencies that verify it. It holds a dense factor for each of the two
@@ -42,4 +42,4 @@ class DiameterReduction {
   CyclicSolver at_top_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

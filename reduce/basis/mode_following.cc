@@ -10,7 +10,7 @@
 #include "reduce/basis/craig_bampton.h"
 #include "reduce/model/dense_eigen.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -136,4 +136,4 @@ void ModeFollowing::converge(double tolerance) {
   throw RunError(speeds_.front().where + ": the modes of a nodal diameter could not be followed");
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -9,7 +9,7 @@
 #include "reduce/basis/craig_bampton.h"
 #include "reduce/operators/cyclic_solver.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// A speed at which modes are wanted.
 struct SpeedToFollow {
@@ -79,4 +79,4 @@ class ModeFollowing {
   std::vector<FollowedModes> modes_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

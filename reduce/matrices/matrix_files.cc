@@ -11,7 +11,7 @@
 
 #include "cases/program/errors.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -227,4 +227,4 @@ std::vector<std::pair<long, int>> read_dof_list(const std::filesystem::path& pat
   return dofs;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

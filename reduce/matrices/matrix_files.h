@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Reads a real symmetric matrix: Matrix Market (coordinate or array, symmetric or general), or lines "row column
 /// value" of one triangle, as CalculiX writes them (.sti, .mas). Both triangles are in the result. Raises RunError if
@@ -33,4 +33,4 @@ NodeTable read_node_table(const std::filesystem::path& path);
 /// "12.3" (.dof). Raises RunError if the file can't be read, and InputError with the line.
 std::vector<std::pair<long, int>> read_dof_list(const std::filesystem::path& path);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

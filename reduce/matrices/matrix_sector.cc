@@ -12,7 +12,7 @@
 #include "reduce/sector/contact_line.h"
 #include "reduce/sector/cut_faces.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -256,4 +256,4 @@ Matrix stiffness_at(const SectorMatrices& matrices, double speed) {
   return sum;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -9,7 +9,7 @@
 #include "reduce/sector/rotating_elasticity.h"
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The files that give a sector by its matrices.
 struct MatrixFiles {
@@ -34,4 +34,4 @@ SymmetricMatrix on_sector_dofs(const Eigen::SparseMatrix<double>& matrix, const 
 /// K at any speed [rad/s], by eq. 7 through the speeds that are given.
 Eigen::SparseMatrix<double> stiffness_at(const SectorMatrices& matrices, double speed);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

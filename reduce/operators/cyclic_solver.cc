@@ -11,7 +11,7 @@
 /// LAPACK's Cholesky factorization, part of OpenBLAS: Eigen's own takes three times as long for complex numbers.
 extern "C" void zpotrf_(const char* uplo, const int* size, std::complex<double>* matrix, const int* rows, int* info);
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -128,4 +128,4 @@ Eigen::MatrixXcd CyclicSolver::constraint_modes() const {
   return result;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

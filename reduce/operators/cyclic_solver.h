@@ -6,7 +6,7 @@
 #include "reduce/operators/cyclic_transformation.h"
 #include "reduce/operators/sector_factor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Whether the contact nodes, or the displacements of the contact segments, are held.
 enum class ContactNodes { free, fixed };
@@ -43,4 +43,4 @@ class CyclicSolver {
   Eigen::MatrixXcd segment_modes_;  ///< Psi; independent x contact dofs, empty with contact nodes
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

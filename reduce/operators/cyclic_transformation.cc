@@ -9,7 +9,7 @@
 
 #include "reduce/model/nodal_diameter.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -155,4 +155,4 @@ Eigen::MatrixXcd CyclicTransformation::apply(const SymmetricMatrix& matrix,
   return result;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

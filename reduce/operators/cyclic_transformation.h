@@ -6,7 +6,7 @@
 
 #include "reduce/sector/rotating_elasticity.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The cyclic transformation T of one nodal diameter n of a wheel of N sectors, u_j = Re(u e^{i n j alpha}) with
 /// alpha = 2 pi/N.
@@ -46,4 +46,4 @@ class CyclicTransformation {
   std::complex<double> phase_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -14,7 +14,7 @@
 #include "cases/program/errors.h"
 #include "cases/program/machine.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -124,4 +124,4 @@ void start_threads(const MemoryNeed& need, int threads) {
   openblas_set_num_threads(threads);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

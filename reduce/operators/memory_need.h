@@ -4,7 +4,7 @@
 #include "reduce/sector/sector_dofs.h"
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The numbers of large objects that a reduction holds at the same time.
 struct Holdings {
@@ -37,4 +37,4 @@ void require_memory(const MemoryNeed& need, double available, double mappable);
 /// this: if a limit leaves no room for a buffer, OpenBLAS tries to map it forever.
 void start_threads(const MemoryNeed& need, int threads);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -12,7 +12,7 @@
 #include "cases/program/errors.h"
 #include "reduce/operators/supernodal_solve.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -208,4 +208,4 @@ Eigen::MatrixXd SectorFactor::back_substitute(Eliminated&& eliminated, const Eig
   return result;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

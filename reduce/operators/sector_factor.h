@@ -6,7 +6,7 @@
 
 #include "reduce/sector/rotating_elasticity.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// One real factorization of the sector's stiffness that serves all nodal diameters.
 ///
@@ -46,4 +46,4 @@ class SectorFactor {
   Eigen::MatrixXd schur_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

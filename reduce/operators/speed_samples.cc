@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 PolynomialFit::PolynomialFit(const std::vector<double>& speeds) : speeds_(speeds) {
   const auto terms = static_cast<Eigen::Index>(speeds.size());
@@ -70,4 +70,4 @@ Eigen::MatrixXcd SpeedSamples::combine(const std::vector<Eigen::MatrixXcd>& samp
   return sum;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -13,7 +13,7 @@
 #include "reduce/model/speed_polynomial.h"
 #include "reduce/sector/reduction_parameters.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// "at 9000 rpm", of a speed in rad/s.
 inline std::string name_of_speed(double speed) {
@@ -120,4 +120,4 @@ class SpeedSamples {
   int terms_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -8,7 +8,7 @@
 #include "cases/program/errors.h"
 #include "reduce/operators/speed_samples.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -158,4 +158,4 @@ SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorM
   return shapes;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

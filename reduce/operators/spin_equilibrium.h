@@ -7,7 +7,7 @@
 
 #include "reduce/operators/cyclic_solver.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The shape that a sector takes under spin, large displacements included.
 struct SpinEquilibrium {
@@ -60,4 +60,4 @@ struct SpinShapes {
 SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorMesh& mesh,
                              const CyclicSolver& at_rest, std::vector<double> speeds, Prestress prestress);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -8,7 +8,7 @@
 #include "reduce/matrices/matrix_sector.h"
 #include "reduce/operators/speed_samples.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -140,4 +140,4 @@ SectorFactor SpinningSector::factorize(double fraction) const {
   return at_speed(speed(fraction), [&] { return SectorFactor(stiffness(fraction), dofs_); });
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

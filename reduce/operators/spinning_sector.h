@@ -10,7 +10,7 @@
 #include "reduce/operators/spin_equilibrium.h"
 #include "reduce/sector/reduction_parameters.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The shape that a sector takes under spin, at every speed:
 ///     u(Omega) = Omega^2 s_1 + Omega^4 s_2 + ... + Omega^2m s_m.
@@ -74,4 +74,4 @@ class SpinningSector {
   std::vector<SymmetricMatrix> stiffness_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

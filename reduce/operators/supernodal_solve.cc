@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -150,4 +150,4 @@ void solve_lower_transposed(const Supernodes& factor, Eigen::MatrixXd& right) {
       [&](double* strip) { backward_narrow(factor, strip); });
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

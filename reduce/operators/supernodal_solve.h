@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <cstdint>
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// A supernodal Cholesky factor as CHOLMOD holds it (Chen, Davis, Hager, Rajamanickam 2008). Supernode b has the
 /// columns first[b] .. first[b + 1] - 1, and the rows rows[row_start[b]] .. rows[row_start[b + 1] - 1], its own
@@ -26,4 +26,4 @@ void solve_lower(const Supernodes& factor, Eigen::MatrixXd& right);
 /// Solves L' x = b in place.
 void solve_lower_transposed(const Supernodes& factor, Eigen::MatrixXd& right);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -8,7 +8,7 @@
 #include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -114,4 +114,4 @@ void require_sound_cells(const SectorMesh& mesh) {
   neighbours.require_closed();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -9,7 +9,7 @@
 #include "cases/program/errors.h"
 #include "reduce/sector/sector_dofs.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -185,4 +185,4 @@ ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& con
   return line;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

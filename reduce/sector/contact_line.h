@@ -6,7 +6,7 @@
 #include "reduce/model/reduced_model.h"
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Raises InputError where a contact line, of the main blade or of the splitter, stands still or turns back in the
 /// meridional plane, and names the place: its points are then out of order, or its curves have opposite directions,
@@ -30,4 +30,4 @@ Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int
 /// along a splitter.
 ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& contact);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -13,7 +13,7 @@
 #include "mesh/cells/gauss_points.h"
 #include "reduce/sector/contact_line.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -248,4 +248,4 @@ ContactUnknowns choose_contact(const SectorMesh& mesh, std::optional<ContactKind
                   count));
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -8,7 +8,7 @@
 #include "reduce/model/reduced_model.h"
 #include "reduce/sector/sector_dofs.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// What carries contact in a sector: nodes of the tip line, or segments of the tip.
 struct ContactUnknowns {
@@ -37,4 +37,4 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact);
 /// the mesh can tell apart.
 ContactUnknowns choose_contact(const SectorMesh& mesh, std::optional<ContactKind> kind, int count);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -17,7 +17,7 @@
 #include "mesh/cells/free_faces.h"
 #include "reduce/model/sector_parts.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -228,4 +228,4 @@ void require_whole_cuts(const SectorMesh& mesh) {
   }
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

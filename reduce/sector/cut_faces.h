@@ -3,7 +3,7 @@
 
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Finds N from the angle between the cut faces, and orders cyclic_high like cyclic_low. Partners may differ by
 /// `tolerance` over the largest radius. Raises InputError where they don't pair, and says whether they would with
@@ -14,4 +14,4 @@ void pair_cut_faces(SectorMesh& mesh, double tolerance);
 /// sectors are joined by a part of their cuts has frequencies that are wrong by percents.
 void require_whole_cuts(const SectorMesh& mesh);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -21,7 +21,7 @@
 #include "reduce/sector/cell_checks.h"
 #include "reduce/sector/parallel_for.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -391,4 +391,4 @@ void FiniteElements::integrate(const std::vector<int>& cells,
   failure.raise();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

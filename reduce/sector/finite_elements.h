@@ -8,7 +8,7 @@
 
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The shape functions of one cell at its integration points.
 struct CellPoints {
@@ -61,4 +61,4 @@ class FiniteElements {
   int threads_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -17,7 +17,7 @@
 #include "cases/program/errors.h"
 #include "cases/program/sandbox.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -204,4 +204,4 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Elements of one type in one named group, in the order of the file.
 struct GmshElements {
@@ -37,4 +37,4 @@ struct GmshFile {
 /// with gmsh's reason if it is no such mesh.
 GmshFile read_gmsh_file(const std::filesystem::path& path);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -7,7 +7,7 @@
 
 #include "cases/program/machine.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 OneBlasThread::OneBlasThread() : before_(openblas_get_num_threads()) {
   openblas_set_num_threads(1);
@@ -44,4 +44,4 @@ void parallel_for(int count, int threads, const std::function<void(int)>& body) 
   });
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -6,7 +6,7 @@
 #include <functional>
 #include <mutex>
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The BLAS runs on one thread while this lives.
 class OneBlasThread {
@@ -37,4 +37,4 @@ class FirstException {
 /// meanwhile. Results must not depend on the order. The first exception is raised again here, after all have stopped.
 void parallel_for(int count, int threads, const std::function<void(int)>& body);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -7,7 +7,7 @@
 #include "cases/program/units.h"
 #include "cases/program/usual_range.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -89,4 +89,4 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
   return p;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

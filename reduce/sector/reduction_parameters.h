@@ -9,7 +9,7 @@
 #include "reduce/model/reduced_model.h"
 #include "reduce/sector/rotating_elasticity.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The table [reduce] of a case file.
 struct ReductionParameters {
@@ -39,4 +39,4 @@ enum class SectorInput { mesh, matrices };
 /// Reads and closes the table. Raises InputError.
 ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput input);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -9,7 +9,7 @@
 #include "mesh/cells/cell_kind.h"
 #include "reduce/sector/cell_checks.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -215,4 +215,4 @@ SectorMesh refined(const SectorMesh& mesh) {
   return Refinement(mesh).run();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -3,7 +3,7 @@
 
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The same sector with each cell split into eight of its kind. New nodes stand where the shape functions of the
 /// cell take them, so that the geometry is the same to the last digit, and each displacement of the given mesh is one
@@ -13,4 +13,4 @@ namespace tiprub {
 /// differently.
 SectorMesh refined(const SectorMesh& mesh);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -234,4 +234,4 @@ double RotatingElasticity::volume() const {
   return sum;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

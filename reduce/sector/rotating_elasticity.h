@@ -11,7 +11,7 @@
 #include "reduce/sector/sector_dofs.h"
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Isotropic, linear elastic.
 struct Material {
@@ -75,4 +75,4 @@ class RotatingElasticity {
   std::vector<int> all_cells_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -12,7 +12,7 @@
 #include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -137,4 +137,4 @@ Eigen::Matrix3Xd cartesian_displacement(const SectorMesh& mesh, const SectorDofs
   return displacement;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

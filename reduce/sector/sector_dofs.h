@@ -7,7 +7,7 @@
 
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// The dofs of a sector: r, theta, z at each node that moves. eq. 5: interior i, contact (boundary) b and cut faces c
 /// are apart in every vector and matrix. They are numbered
@@ -47,4 +47,4 @@ Eigen::Matrix3d cylindrical_frame(const Eigen::Vector3d& position);
 Eigen::Matrix3Xd cartesian_displacement(const SectorMesh& mesh, const SectorDofs& dofs,
                                         const Eigen::VectorXd& sector_vector);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -7,7 +7,7 @@
 #include "cases/program/digest.h"
 #include "mesh/cells/cell_kind.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 std::string place_text(const Eigen::Vector3d& position) {
   std::ostringstream text;
@@ -62,4 +62,4 @@ std::string SectorMesh::name_of_cell(int cell) const {
   return name;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

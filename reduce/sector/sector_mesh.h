@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// K and M of a sector as another code made them: x, y, z of each node, both triangles.
 struct SectorMatrices {
@@ -52,4 +52,4 @@ std::string digest(const SectorMesh& mesh);
 /// "x y z = 0.1 0 0.02 m", for messages.
 std::string place_text(const Eigen::Vector3d& position);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -17,7 +17,7 @@
 #include "reduce/sector/cut_faces.h"
 #include "reduce/sector/gmsh_file.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 namespace {
 
@@ -251,4 +251,4 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
   return mesh;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

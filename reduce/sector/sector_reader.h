@@ -5,7 +5,7 @@
 
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 
 /// Reads a gmsh file with the groups `sector` (volume), `cyclic_low`, `cyclic_high`, `clamped` (surfaces) and
 /// `contact` (a curve directed from leading to trailing edge, or points in that order), and the volume groups `disc`,
@@ -15,4 +15,4 @@ namespace tiprub {
 /// don't pair, or the contact line doesn't run one way.
 SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance);
 
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -19,7 +19,7 @@
 #include "simulate/periodic/multipliers.h"
 #include "simulate/periodic/orbit_group.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -198,4 +198,4 @@ OrbitBranch follow_branch(const Scene& scene, double speed, int steps_per_revolu
   return branch;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

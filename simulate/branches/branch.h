@@ -6,7 +6,7 @@
 #include "simulate/response/response.h"
 #include "simulate/scene/scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 struct BranchLimits {
   double speed_min, speed_max;  ///< [rad/s]
@@ -21,4 +21,4 @@ struct BranchLimits {
 OrbitBranch follow_branch(const Scene& scene, double speed, int steps_per_revolution, const Eigen::VectorXd& start,
                           const BranchLimits& limits);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

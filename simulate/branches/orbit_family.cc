@@ -10,7 +10,7 @@
 #include "simulate/orbits/recording.h"
 #include "simulate/periodic/marched_map.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -150,4 +150,4 @@ Eigen::VectorXd OrbitFamily::of_march(double speed, const Eigen::VectorXd& state
   return map(speed)->of_march(state);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -11,7 +11,7 @@
 #include "simulate/periodic/periodic_map.h"
 #include "simulate/scene/scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The symmetric map of a scene at any speed, with the same number of steps in a revolution, on states that have the
 /// same meaning at all speeds. Modes change with the speed, cross, and have an arbitrary phase; the modes of each
@@ -45,4 +45,4 @@ class OrbitFamily {
   std::deque<std::pair<double, std::shared_ptr<MapAtSpeed>>> kept_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

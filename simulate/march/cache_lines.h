@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tiprub::kernels {
+namespace tiprub::simulate::kernels {
 
 /// An array of doubles, initially zero, that begins on a cache line: a vector of eight that straddles two lines would
 /// cost two loads.
@@ -28,4 +28,4 @@ class Lines {
   std::vector<Line> lines_;
 };
 
-}  // namespace tiprub::kernels
+}  // namespace tiprub::simulate::kernels

@@ -8,7 +8,7 @@
 #include "simulate/march/contact_kernels.h"
 #include "simulate/motion/attempt.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -251,4 +251,4 @@ void ContactImpulses::solve(Eigen::Ref<Eigen::VectorXd> gap) {
   gap += correction_;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -10,7 +10,7 @@
 #include "simulate/march/contact_kernels.h"
 #include "simulate/motion/scene_choices.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The inverse V of the block of W that belongs to the closed nodes, kept from step to step. A node that closes or
 /// opens changes it by a matrix of rank one, and the forces of a set are one product. Rounding errors accumulate, and
@@ -100,4 +100,4 @@ class ContactImpulses {
   std::int64_t fallbacks_ = 0;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -3,7 +3,7 @@
 
 #include "simulate/march/vector_lanes.h"
 
-namespace tiprub::kernels {
+namespace tiprub::simulate::kernels {
 
 namespace {
 
@@ -90,4 +90,4 @@ void solve(const Factor& factor, std::size_t size, double* x) {
   }
 }
 
-}  // namespace tiprub::kernels
+}  // namespace tiprub::simulate::kernels

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace tiprub::kernels {
+namespace tiprub::simulate::kernels {
 
 /// The inner loops of the contact problem. Matrices are column-major with `stride` rows, and vectors that are written
 /// have the same length. The stride is a multiple of eight and the padding is zero, so that loops run over whole
@@ -37,4 +37,4 @@ bool factorize(const Factor& factor, std::size_t size);
 /// Overwrites the right side x with the solution of the factorized system.
 void solve(const Factor& factor, std::size_t size, double* x);
 
-}  // namespace tiprub::kernels
+}  // namespace tiprub::simulate::kernels

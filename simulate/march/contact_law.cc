@@ -5,7 +5,7 @@
 
 #include "simulate/march/contact_impulses.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup, const Eigen::Ma
   return std::make_unique<PositionContact>(compliance, setup.contact);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

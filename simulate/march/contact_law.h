@@ -8,7 +8,7 @@
 
 #include "simulate/march/marched_scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// A law that gives the contact forces of a step. It is expressed by gaps only, so that no velocity of the casing is
 /// needed.
@@ -34,4 +34,4 @@ class ContactLaw {
 /// `compliance` is W [m/N].
 std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup, const Eigen::MatrixXd& compliance);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

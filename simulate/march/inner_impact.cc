@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -103,4 +103,4 @@ void InnerImpacts::push(const Eigen::VectorXd& forces) {
   jumps_.setConstant(far_away);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -6,7 +6,7 @@
 
 #include "simulate/march/contact_impulses.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The gaps [m] of contact nodes at t_{q-1}, at t_q and after the step to t_{q+1} without its contact forces.
 struct GapHistory {
@@ -89,4 +89,4 @@ class InnerImpacts {
   std::vector<InnerImpact> all_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -124,4 +124,4 @@ void EnergyState::put(const Eigen::VectorXd& state, TimeMarch& march) const {
   march.set_states(waves, first_wave_);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -11,7 +11,7 @@
 #include "simulate/march/time_march.h"
 #include "simulate/motion/motion.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The present state of a march. Velocities are increments over the last step: accurate enough to start
 /// another march, but not an exact restart.
@@ -75,4 +75,4 @@ class EnergyState {
   StateLayout layout_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

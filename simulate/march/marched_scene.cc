@@ -5,7 +5,7 @@
 
 #include "simulate/motion/attempt.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -46,4 +46,4 @@ MarchedScene marched_scene(const Scene& scene, const SharedRotor& rotor, int ste
            parameters.penalty_stiffness * rotor->tip_stiffness}};
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

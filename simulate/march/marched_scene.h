@@ -9,7 +9,7 @@
 #include "simulate/scene/obstacle.h"
 #include "simulate/scene/scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// How a march is to be done.
 struct MarchSetup {
@@ -41,4 +41,4 @@ SharedRotor rotor_of(const Scene& scene, double speed, OtherDiameters others = O
 /// Collects what a scene's march at the speed of the rotor needs. Raises NoMotion if spin closes the clearance there.
 MarchedScene marched_scene(const Scene& scene, const SharedRotor& rotor, int steps_per_revolution);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -6,7 +6,7 @@
 
 #include "simulate/march/wave_kernels.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -287,4 +287,4 @@ void ModalWaves::gather(const Eigen::VectorXd& forces, const std::vector<int>& n
   }
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -10,7 +10,7 @@
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/step_coefficients.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The data with which one nodal diameter is marched. The arrays hold the modes of the rotor first, then padding
 /// modes that never move (r = k = 1, c = 0), so that loops run over whole vectors.
@@ -109,4 +109,4 @@ class ModalWaves {
   std::vector<char> node_has_force_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -15,7 +15,7 @@
 #include "reduce/model/dense_eigen.h"
 #include "simulate/motion/attempt.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -169,4 +169,4 @@ FrequencyTable frequency_table(const ReducedModel& model, const Damping& damping
   return table;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -9,7 +9,7 @@
 #include "simulate/motion/motion.h"
 #include "simulate/scene/damping.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// How many modes of each nodal diameter a march keeps, and how it treats the others.
 struct ModeChoice {
@@ -83,4 +83,4 @@ constexpr int frequency_speeds = 33;
 /// number of threads.
 FrequencyTable frequency_table(const ReducedModel& model, const Damping& damping, double speed_max, int threads);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,7 +7,7 @@
 
 #include "simulate/motion/attempt.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -113,4 +113,4 @@ StepCoefficients step_coefficients(const SchemeOptions& options, const Eigen::Ar
   return {};
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// One step of a modal coordinate q and of its increment d = q - q-, f the modal force at the middle instant:
 ///   d+ = d - r d - k q + c f,   q+ = q + d+.   Arrays over modes.
@@ -33,4 +33,4 @@ struct SchemeOptions {
 StepCoefficients step_coefficients(const SchemeOptions& options, const Eigen::ArrayXd& omega,
                                    const Eigen::ArrayXd& damping_ratio, double step, Eigen::Index moving);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -9,7 +9,7 @@
 
 #include "simulate/march/wave_kernels.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -151,4 +151,4 @@ void TimeMarch::strike() {
   for (int index : struck_) impulses_[index] = 0;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

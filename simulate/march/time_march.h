@@ -11,7 +11,7 @@
 #include "simulate/march/marched_scene.h"
 #include "simulate/march/modal_waves.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// Where the modes of a nodal diameter are at t_q, and how far they have moved since t_{q-1}; both [m sqrt(kg)].
 struct ModalState {
@@ -125,4 +125,4 @@ class TimeMarch {
   Eigen::VectorXd impulses_;           ///< [N] of them; zero elsewhere
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

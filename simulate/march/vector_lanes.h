@@ -12,7 +12,7 @@
 #endif
 #define TIPRUB_INLINE inline __attribute__((always_inline))
 
-namespace tiprub::kernels {
+namespace tiprub::simulate::kernels {
 
 /// Four or eight doubles that are processed together; they may begin at any address.
 using Lanes4 [[gnu::vector_size(4 * sizeof(double)), gnu::aligned(8), gnu::may_alias]] = double;
@@ -36,4 +36,4 @@ TIPRUB_INLINE void read_once(const double* from, Lanes8& into) {
   into = *reinterpret_cast<const volatile Lanes8*>(from);
 }
 
-}  // namespace tiprub::kernels
+}  // namespace tiprub::simulate::kernels

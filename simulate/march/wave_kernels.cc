@@ -3,7 +3,7 @@
 
 #include "simulate/march/vector_lanes.h"
 
-namespace tiprub::kernels {
+namespace tiprub::simulate::kernels {
 
 namespace {
 
@@ -203,4 +203,4 @@ void gather_sectors(const double* values, const double* cosine, const double* si
   }
 }
 
-}  // namespace tiprub::kernels
+}  // namespace tiprub::simulate::kernels

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace tiprub::kernels {
+namespace tiprub::simulate::kernels {
 
 /// Contact nodes are padded to whole vectors of this many doubles, modes to blocks of two vectors of eight.
 constexpr std::size_t lane_count = 4;
@@ -51,4 +51,4 @@ void add_waves(const double* p, const double* phases, std::size_t waves, std::si
 void gather_sectors(const double* values, const double* cosine, const double* sine, const int* sectors,
                     std::size_t count, std::size_t width, double* f_re, double* f_im);
 
-}  // namespace tiprub::kernels
+}  // namespace tiprub::simulate::kernels

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 EnergyAudit::EnergyAudit(const TimeMarch& march) {
   for (std::size_t i = 0; i < march.wave_count(); ++i) {
@@ -95,4 +95,4 @@ EnergyLedger EnergyAudit::ledger(const TimeMarch& march) const {
   return ledger;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,7 +7,7 @@
 #include "simulate/march/time_march.h"
 #include "simulate/motion/motion.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The energy of the whole wheel in the discrete sense of the scheme (see StepCoefficients): multiplied with
 /// (q+ - q-)/2, a step is the exact balance
@@ -50,4 +50,4 @@ class EnergyAudit {
   double elastic_ = 0;   ///< [J] of the modes with mass, summed over steps
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -12,7 +12,7 @@
 #include "reduce/model/dense_eigen.h"
 #include "simulate/march/march_state.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -139,4 +139,4 @@ SymmetryVerdict judge(const Growth& growth) {
   return growth.factor < 1 - margin ? SymmetryVerdict::holds : SymmetryVerdict::undecided;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

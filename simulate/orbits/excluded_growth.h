@@ -4,7 +4,7 @@
 #include "simulate/march/time_march.h"
 #include "simulate/motion/motion.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The growth of a small disturbance.
 struct Growth {
@@ -31,4 +31,4 @@ Growth excluded_growth(const TimeMarch& settled, int period, int revolutions);
 /// otherwise `undecided`.
 SymmetryVerdict judge(const Growth& growth);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

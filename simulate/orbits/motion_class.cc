@@ -9,7 +9,7 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -122,4 +122,4 @@ MotionReading read_motion(const std::deque<Eigen::VectorXd>& revolutions, Eigen:
   return reading;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

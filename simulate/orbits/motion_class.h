@@ -6,7 +6,7 @@
 
 #include "simulate/motion/motion.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The engine orders 0 .. `orders` of the samples of one revolution, which are the resolved part of a motion. Chatter
 /// of a tip above the highest resolved frequency does not affect them.
@@ -55,4 +55,4 @@ enum class Change { settled, decays, stands };
 MotionReading read_motion(const std::deque<Eigen::VectorXd>& revolutions, Eigen::Index channels, double orders,
                           int lobes, Change change, double off_lines = ClassLimits::off_lines);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

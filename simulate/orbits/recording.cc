@@ -9,7 +9,7 @@
 #include "reduce/model/nodal_diameter.h"
 #include "simulate/motion/casing_areas.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 ChatterAudit::ChatterAudit(const TimeMarch& march, const EngineOrderBand& band)
     : band_(band),
@@ -191,4 +191,4 @@ Recorded Recording::finish(const TimeMarch& march) {
   return std::move(kept_);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

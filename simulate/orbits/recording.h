@@ -11,7 +11,7 @@
 #include "simulate/orbits/energy_audit.h"
 #include "simulate/orbits/motion_class.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// Measures how much of the normal motion of the tips lies above the band of resolved frequencies. That is chatter of
 /// modes that the mesh does not resolve.
@@ -106,4 +106,4 @@ class Recording {
 /// motion faster than the samples is not aliased. Sample after sample, as TimeMarch::displacement().
 Eigen::VectorXd march_revolution(TimeMarch& march, int samples_per_revolution);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -10,7 +10,7 @@
 #include "simulate/motion/attempt.h"
 #include "simulate/orbits/recording.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -175,4 +175,4 @@ void Settling::leave_orbit() {
   last_.clear();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -11,7 +11,7 @@
 #include "simulate/orbits/motion_class.h"
 #include "simulate/scene/scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// Whether a motion has settled, and how fast it still changes.
 struct SettlingState {
@@ -96,4 +96,4 @@ class Settling {
   int revolutions_ = 0;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

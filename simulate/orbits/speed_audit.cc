@@ -9,7 +9,7 @@
 
 #include "reduce/model/dense_eigen.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -72,4 +72,4 @@ MotionDifference difference(const SampledMotion& here, const SampledMotion& ther
   return {relative(smallest, last_period(here, 0).norm(), motion.norm()), MotionMeasure::motion};
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -6,7 +6,7 @@
 #include "simulate/march/time_march.h"
 #include "simulate/motion/motion.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// [1] The condition number of W over the contact nodes. Solves one eigenproblem of that size.
 double compliance_condition(const TimeMarch& march);
@@ -29,4 +29,4 @@ struct MotionDifference {
 };
 MotionDifference difference(const SampledMotion& here, const SampledMotion& there, int lobes);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

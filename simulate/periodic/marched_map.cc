@@ -10,7 +10,7 @@
 #include "simulate/motion/attempt.h"
 #include "simulate/scene/scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -176,4 +176,4 @@ Eigen::VectorXd MarchedMap::tangent(const std::shared_ptr<const ContactPattern>&
   return tangent_(pattern, change);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -10,7 +10,7 @@
 #include "simulate/march/time_march.h"
 #include "simulate/periodic/periodic_map.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The march over 1/lcm(N, lobes) of a revolution, followed by a shift of sectors. Its fixed points are the orbits
 /// that travel with the casing,
@@ -102,4 +102,4 @@ class MarchedMap final : public PeriodicMap {
   bool all_have_mass_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

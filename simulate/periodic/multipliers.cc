@@ -27,7 +27,7 @@
 
 #include "reduce/model/dense_eigen.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The vectors of Anasazi as columns of one matrix, so that products of many vectors are matrix products. Copies and
 /// views share the matrix.
@@ -45,14 +45,14 @@ struct KrylovVectors {
   auto columns() const { return std::as_const(*all).middleCols(first, count); }
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate
 
 namespace Anasazi {
 
 /// Index lists hold neighbouring columns: Anasazi asks for no others with blocks of one vector.
 template <>
-class MultiVecTraits<double, tiprub::KrylovVectors> {
-  using MV = tiprub::KrylovVectors;
+class MultiVecTraits<double, tiprub::simulate::KrylovVectors> {
+  using MV = tiprub::simulate::KrylovVectors;
   using Small = Teuchos::SerialDenseMatrix<int, double>;
   static auto view(const Small& small) {
     return Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>(
@@ -132,16 +132,17 @@ class MultiVecTraits<double, tiprub::KrylovVectors> {
 };
 
 template <>
-class OperatorTraits<double, tiprub::KrylovVectors, tiprub::LinearMap> {
+class OperatorTraits<double, tiprub::simulate::KrylovVectors, tiprub::simulate::LinearMap> {
  public:
-  static void Apply(const tiprub::LinearMap& map, const tiprub::KrylovVectors& from, tiprub::KrylovVectors& to) {
+  static void Apply(const tiprub::simulate::LinearMap& map, const tiprub::simulate::KrylovVectors& from,
+                    tiprub::simulate::KrylovVectors& to) {
     for (Eigen::Index i = 0; i < from.count; ++i) to.columns().col(i) = map(from.columns().col(i));
   }
 };
 
 }  // namespace Anasazi
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -222,4 +223,4 @@ Growth per_revolution(const Multiplier& multiplier, double maps) {
   return {factor, magnitude > 0 ? maps * factor * multiplier.uncertainty / magnitude : multiplier.uncertainty};
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

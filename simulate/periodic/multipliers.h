@@ -7,7 +7,7 @@
 #include "simulate/orbits/excluded_growth.h"
 #include "simulate/periodic/periodic_map.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// A Floquet multiplier: the factor of a small disturbance in one map.
 struct Multiplier {
@@ -24,4 +24,4 @@ Multiplier largest_multiplier(const LinearMap& map, Eigen::Index size, double to
 /// The same as growth per revolution, which has `maps` maps.
 Growth per_revolution(const Multiplier& multiplier, double maps);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -12,7 +12,7 @@
 
 #include "simulate/periodic/orbit_group.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -72,4 +72,4 @@ NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, co
   return result;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,7 +7,7 @@
 #include "simulate/periodic/periodic_map.h"
 #include "simulate/periodic/recycled_gmres.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 struct NewtonLimits {
   double tolerance;     ///< [1] of |x|: bound of the last whole Newton step
@@ -31,4 +31,4 @@ struct NewtonResult {
 NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, const NewtonLimits& limits,
                               const std::shared_ptr<RecycledGmres>& solver);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -6,7 +6,7 @@
 #include <Teuchos_oblackholestream.hpp>
 #include <utility>
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 Eigen::Map<const Eigen::VectorXd> numbers(const NOX::Abstract::Vector& vector) {
   const auto& values = dynamic_cast<const NOX::LAPACK::Vector&>(vector);
@@ -162,4 +162,4 @@ double OrbitGroup::computeScaledDotProduct(const NOX::Abstract::Vector& one,
   return one.innerProduct(other) / (size_ * size_);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

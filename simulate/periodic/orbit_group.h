@@ -16,7 +16,7 @@
 #include "simulate/periodic/periodic_map.h"
 #include "simulate/periodic/recycled_gmres.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The map at a parameter (a speed in rad/s).
 using MapFamily = std::function<std::shared_ptr<PeriodicMap>(double)>;
@@ -115,4 +115,4 @@ class OrbitGroup final : public LOCA::Abstract::Group {
   bool is_f_ = false, is_jacobian_ = false, is_newton_ = false;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

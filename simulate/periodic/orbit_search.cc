@@ -11,7 +11,7 @@
 #include "simulate/orbits/motion_class.h"
 #include "simulate/periodic/multipliers.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -148,4 +148,4 @@ void OrbitSearch::give_up() {
   report_.outcome = OrbitReport::Outcome::marched;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

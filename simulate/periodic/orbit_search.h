@@ -12,7 +12,7 @@
 #include "simulate/periodic/newton.h"
 #include "simulate/scene/scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// Whether the steady motion of a scene can be sought as a fixed point of the symmetric map: the contact law has no
 /// memory, and only the nodal diameters that symmetry needs are marched.
@@ -66,4 +66,4 @@ class OrbitSearch {
   std::optional<Growth> excluded_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -11,7 +11,7 @@
 
 #include "simulate/march/inner_impact.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The product A x of an operator A that is not available as a matrix.
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
@@ -69,4 +69,4 @@ class PeriodicMap {
                                   const Eigen::VectorXd& change) = 0;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -94,4 +94,4 @@ Eigen::VectorXd RecycledGmres::solve(const LinearMap& A, const Eigen::VectorXd& 
   return solution;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

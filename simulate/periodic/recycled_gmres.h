@@ -5,7 +5,7 @@
 
 #include "simulate/periodic/periodic_map.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// Solves (1 - A) x = f for a sequence of operators A that differ little, by GMRES (Saad, Schultz 1986) with a
 /// preconditioner from all former solves. With an orthonormal basis S of their directions and T = (1 - A) S,
@@ -34,4 +34,4 @@ class RecycledGmres {
   int steps_ = 0;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -10,7 +10,7 @@
 #include "simulate/scene/damping.h"
 #include "simulate/scene/simulate_parameters.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -176,4 +176,4 @@ void require_lengths_in_metres(const CaseTable& table, const Casing& casing, con
     require("blade_clearance", casing.blade_clearance[i], i);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -12,7 +12,7 @@
 #include "simulate/motion/scene_choices.h"
 #include "simulate/scene/casing_profile.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 struct SimulateParameters;
 
@@ -76,4 +76,4 @@ void require_blades_of_wheel(const CaseTable& table, const Casing& casing, const
 /// Raises InputError at the key.
 void require_lengths_in_metres(const CaseTable& table, const Casing& casing, const ContactLine& contact);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -16,7 +16,7 @@
 #include "cases/program/text_file.h"
 #include "cases/program/units.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -106,4 +106,4 @@ CasingProfile read_casing_profile(const NamedText& file, double period) {
   return {stations, angles, inward, period};
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,7 +7,7 @@
 
 #include "cases/program/text_file.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// A smooth periodic function through given points. It consists of monotone cubics (Fritsch and Butland 1984, Boost's
 /// pchip), never leaves the range of neighbouring points, and has a continuous first derivative. One point gives a
@@ -54,4 +54,4 @@ class CasingProfile {
 /// with the line.
 CasingProfile read_casing_profile(const NamedText& file, double period);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

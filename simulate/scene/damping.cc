@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -61,4 +61,4 @@ Damping read_damping(CaseTable& table) {
   return {table.number("damping_ratio", 0.005, damping_range, "of critical, every resolved mode")};
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

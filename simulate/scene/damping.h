@@ -12,7 +12,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/motion/scene_choices.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// Interpolates points [x, y] with ascending x: linear between them, constant outside.
 inline double linear_between(const std::vector<std::array<double, 2>>& points, double x) {
@@ -67,4 +67,4 @@ extern const Range damping_range;
 /// Reads the keys of [simulate] that give the damping of resolved modes. Raises InputError.
 Damping read_damping(CaseTable& table);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,7 +7,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/scene/casing.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// What the tips meet at one speed: the casing in the frame of the tips. It is rigid and stands still around the
 /// wheel, so that its gap depends only on the place of a tip and on time. A flexible obstacle would add its
@@ -46,4 +46,4 @@ class Obstacle {
   Eigen::VectorXd clearance_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -10,7 +10,7 @@
 
 #include "simulate/motion/attempt.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -100,4 +100,4 @@ int steps_per_revolution(const SceneScope& scope, const SimulateParameters& para
   return static_cast<int>(steps);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

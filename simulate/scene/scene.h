@@ -8,7 +8,7 @@
 #include "simulate/scene/casing.h"
 #include "simulate/scene/simulate_parameters.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The nodal diameters, sectors and samples that a scene needs. Turning it by 2 pi / g, with g = gcd(N, N_l), maps
 /// the scene onto itself at every instant. From rest, therefore, only nodal diameters n that are multiples of g
@@ -47,4 +47,4 @@ inline double length_scale(const Scene& scene) {
   return scene.casing.amplitude + scene.casing.given_clearance(scene.model.contact).maxCoeff();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

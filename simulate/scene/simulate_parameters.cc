@@ -7,7 +7,7 @@
 
 #include "cases/program/units.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -176,4 +176,4 @@ void fit_to_model(SimulateParameters& parameters, const ReducedModel& model) {
   parameters.damping.set_beyond(parameters.resolved_frequency, parameters.damping_ratio_beyond);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -9,7 +9,7 @@
 #include "simulate/motion/scene_choices.h"
 #include "simulate/scene/damping.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 enum class DiameterChoice {
   symmetric,  ///< only those that the orders of the casing excite from rest
@@ -100,4 +100,4 @@ SimulateParameters read_simulate_parameters(CaseTable& table);
 /// Sets the resolved frequency from the model, unless the case gives it, and the damping beyond it.
 void fit_to_model(SimulateParameters& parameters, const ReducedModel& model);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -15,7 +15,7 @@
 #include "simulate/march/march_state.h"
 #include "simulate/motion/attempt.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -247,4 +247,4 @@ SettledMotion settle_roughly(const Scene& scene, const SharedRotor& rotor) {
   return settle(coarse, rotor, orbit, plan);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

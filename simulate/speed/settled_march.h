@@ -12,7 +12,7 @@
 #include "simulate/periodic/orbit_search.h"
 #include "simulate/scene/scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// Whether the states of the whole rotor are kept at every sample of the period, or of two revolutions of a motion
 /// that does not settle.
@@ -67,4 +67,4 @@ RefinedMotion settle_within_tolerance(const Scene& scene, const SharedRotor& rot
 /// less: for scans, and for states to start from.
 SettledMotion settle_roughly(const Scene& scene, const SharedRotor& rotor);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

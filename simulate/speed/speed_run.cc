@@ -11,7 +11,7 @@
 #include "simulate/response/speed_group.h"
 #include "simulate/speed/settled_march.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -208,4 +208,4 @@ SpeedResult simulate_speed(const Scene& scene, double speed, Depth depth, const 
   return result;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

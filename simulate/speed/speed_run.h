@@ -5,7 +5,7 @@
 #include "simulate/response/response.h"
 #include "simulate/scene/scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 struct SpeedResult {
   SpeedResponse response;
@@ -18,4 +18,4 @@ struct SpeedResult {
 /// gives the reason; nothing is raised.
 SpeedResult simulate_speed(const Scene& scene, double speed, Depth depth = Depth::full, const RotorState& start = {});
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -206,4 +206,4 @@ std::vector<std::size_t> located_peaks(const SampledCurve& curve, const Location
   return places;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -6,7 +6,7 @@
 
 #include "simulate/response/peaks.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// A speed of a sweep and the amplitude of its motion.
 struct SampledSpeed {
@@ -60,4 +60,4 @@ std::vector<std::size_t> located_jumps(const SampledCurve& curve, const Location
 /// The indices of the peaks of a curve, ascending.
 std::vector<std::size_t> located_peaks(const SampledCurve& curve, const LocationGoal& goal);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

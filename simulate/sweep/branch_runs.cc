@@ -14,7 +14,7 @@
 #include "simulate/periodic/orbit_search.h"
 #include "simulate/sweep/adaptive_speeds.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -99,4 +99,4 @@ std::vector<OrbitBranch> follow_branches(const Scene& scene, const std::vector<d
   return branches;
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -8,7 +8,7 @@
 #include "simulate/scene/scene.h"
 #include "simulate/sweep/finished_speeds.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The branches of orbits, attracting and repelling, through the orbits at the examined ones of `speeds` [rad/s]
 /// and at both sides of each jump between them. No
@@ -17,4 +17,4 @@ namespace tiprub {
 std::vector<OrbitBranch> follow_branches(const Scene& scene, const std::vector<double>& speeds,
                                          const FinishedSpeeds& finished, Progress::Shown shown);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

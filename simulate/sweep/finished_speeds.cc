@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -132,4 +132,4 @@ void FinishedSpeeds::remove() {
   fs::remove(folder_, ignored);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -10,7 +10,7 @@
 #include "cases/program/output_file.h"
 #include "simulate/response/response_file.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The finished speeds of a sweep, each in a small response file beside the output ("response.h5.speeds/"), so that a
 /// sweep may be interrupted at any moment and loses only the speeds in progress. Parts with another key, damaged
@@ -59,4 +59,4 @@ class FinishedSpeeds {
   std::optional<OutputLock> lock_;  ///< the keeper's, on the output
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

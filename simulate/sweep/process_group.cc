@@ -9,7 +9,7 @@
 
 #include "cases/program/errors.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -102,4 +102,4 @@ void ProcessGroup::share(std::vector<double>& values) {
   MPI_Bcast(values.data(), static_cast<int>(count), MPI_DOUBLE, 0, MPI_COMM_WORLD);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The processes that share a sweep: those that mpirun started together, or only this one. MPI is initialised only
 /// under mpirun, which is recognised by environment variables; the serial program starts without it. A program may
@@ -56,4 +56,4 @@ class ProcessGroup {
   std::unique_ptr<Shared> shared_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -9,7 +9,7 @@
 #include "cases/program/digest.h"
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::string run_key(const ReducedModel& model, const SweepSettings& settings, co
   return hash.digits();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -11,7 +11,7 @@
 #include "simulate/scene/scene.h"
 #include "simulate/scene/simulate_parameters.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// Which effects on a rubbing wheel a scene models, which it simplifies, and which it leaves out.
 std::vector<ModelledEffect> effects_of(const Scene& scene);
@@ -44,4 +44,4 @@ const std::vector<ExemptKey>& exempt_keys();
 std::string run_key(const ReducedModel& model, const SweepSettings& settings, const SimulateParameters& parameters,
                     const std::string& generator);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

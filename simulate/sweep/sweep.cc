@@ -24,7 +24,7 @@
 #include "simulate/sweep/branch_runs.h"
 #include "simulate/sweep/finished_speeds.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -327,4 +327,4 @@ SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, cons
   return Sweep(arguments, scene, thread_count(threads, scene.parameters, group), group).run(settings, origin);
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -10,7 +10,7 @@
 #include "simulate/sweep/simulated_scene.h"
 #include "simulate/sweep/sweep_tally.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The outcome of a sweep. The counts are those of the leading process.
 struct SweepOutcome {
@@ -31,4 +31,4 @@ struct SweepOutcome {
 SweepOutcome run_sweep(const StageArguments& arguments, const Scene& scene, const SweepSettings& settings,
                        const SceneOrigin& origin, int threads, ProcessGroup& group);
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

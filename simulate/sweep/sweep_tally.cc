@@ -7,7 +7,7 @@
 
 #include "cases/program/units.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 namespace {
 
@@ -128,4 +128,4 @@ std::string SweepTally::warnings(BrokenSymmetry broken) const {
   return out.str();
 }
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -9,7 +9,7 @@
 #include "simulate/response/response.h"
 #include "simulate/scene/simulate_parameters.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 
 /// The outcome of a speed in one line.
 std::string speed_line(const SpeedResponse& response);
@@ -36,4 +36,4 @@ struct SweepTally {
   std::string warnings(BrokenSymmetry broken = BrokenSymmetry::mark) const;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,7 +7,7 @@
 #include "tests/benchmark/benchmarks.h"
 #include "tests/simulate/compared_responses.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -104,4 +104,4 @@ void print_accuracy(const std::string& model) {
     }
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

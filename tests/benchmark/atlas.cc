@@ -11,7 +11,7 @@
 #include "tests/benchmark/benchmarks.h"
 #include "tests/benchmark/trial.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -219,4 +219,4 @@ void print_stability(const std::string& model) {
   }
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

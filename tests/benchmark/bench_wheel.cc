@@ -9,7 +9,7 @@
 #include "simulate/speed/speed_run.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -72,4 +72,4 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

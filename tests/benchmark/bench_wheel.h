@@ -8,7 +8,7 @@
 #include "simulate/scene/casing.h"
 #include "simulate/scene/simulate_parameters.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// A model and a casing that it rubs hard, at a speed.
 struct BenchWheel {
@@ -42,4 +42,4 @@ std::vector<int> nodal_diameters(const BenchWheel& wheel, int symmetry);
 /// [s] of this thread's processor; the machine's other users don't count.
 double cpu_seconds();
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -19,13 +19,13 @@ int main(int argc, char** argv) {
   app.add_option("--model", model, "a model.h5; without it, a made-up wheel of 900 dofs");
   CLI11_PARSE(app, argc, argv);
   try {
-    if (what == "steps") tiprub::testing::print_step_costs(model);
-    if (what == "sweep") tiprub::testing::print_sweep_cost(model, speeds);
-    if (what == "accuracy") tiprub::testing::print_accuracy(model);
-    if (what == "schemes" && !tiprub::testing::print_scheme_agreement(model, speeds)) return 1;
-    if (what == "orbits") tiprub::testing::print_orbit_cost(model, lobes, speeds);
-    if (what == "growth") tiprub::testing::print_growth();
-    if (what == "stability") tiprub::testing::print_stability(model);
+    if (what == "steps") tiprub::simulate::testing::print_step_costs(model);
+    if (what == "sweep") tiprub::simulate::testing::print_sweep_cost(model, speeds);
+    if (what == "accuracy") tiprub::simulate::testing::print_accuracy(model);
+    if (what == "schemes" && !tiprub::simulate::testing::print_scheme_agreement(model, speeds)) return 1;
+    if (what == "orbits") tiprub::simulate::testing::print_orbit_cost(model, lobes, speeds);
+    if (what == "growth") tiprub::simulate::testing::print_growth();
+    if (what == "stability") tiprub::simulate::testing::print_stability(model);
   } catch (const tiprub::RunError& error) {
     std::fprintf(stderr, "tiprub-benchmark: error: %s\n", error.what());
     return 1;

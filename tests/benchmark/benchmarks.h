@@ -5,7 +5,7 @@
 
 #include "tests/benchmark/bench_wheel.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// What a step of the default costs in contact and in the air, with the bound by its bytes and flops (step_bound.h),
 /// and beside the dense form (the paper's eq. 13, eq. 14, eq. 15 as printed) and a plain modal transform of the whole
@@ -33,4 +33,4 @@ void print_orbit_cost(const std::string& model, int lobes, int speeds);
 /// stdout.
 void print_stability(const std::string& model);
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -12,7 +12,7 @@
 #include "simulate/march/rotor_at_speed.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -166,4 +166,4 @@ void print_growth() {
   }
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

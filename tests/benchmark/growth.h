@@ -7,7 +7,7 @@
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/motion/scene_choices.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// A scheme at a step: what its equations say of a small motion, and what the march makes of it, which refuses
 /// nothing (tiprub-simulate does, before it marches). Rates are natural logarithms of the factor a step; negative: it
@@ -37,4 +37,4 @@ std::vector<GrowthPoint> growth_of(const std::string& name, const GrowthSetup& s
 /// Every scheme; a table to stdout.
 void print_growth();
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

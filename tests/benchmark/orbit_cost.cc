@@ -6,7 +6,7 @@
 
 #include "tests/benchmark/benchmarks.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -68,4 +68,4 @@ void print_orbit_cost(const std::string& model, int lobes, int speeds) {
   for (const double damping : dampings) print_damping(wheel, damping, speeds);
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -10,7 +10,7 @@
 #include "simulate/march/rotor_at_speed.h"
 #include "tests/benchmark/benchmarks.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -105,4 +105,4 @@ bool print_scheme_agreement(const std::string& model, int speeds) {
   return static_cast<double>(std::min(agreeing, alike)) >= agreeing_share * speeds;
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -6,7 +6,7 @@
 #include "simulate/response/response.h"
 #include "tests/benchmark/bench_wheel.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// What two schemes say of one speed: the default and central differences, each with the step that it needs.
 struct SchemePair {
@@ -25,4 +25,4 @@ std::vector<SchemePair> compare_schemes(const BenchWheel& wheel, double slowest,
 /// "periodic", "subharmonic 1/2", "broadband", ..., or "failed".
 std::string class_of(const SpeedResponse& at);
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

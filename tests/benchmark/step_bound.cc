@@ -8,7 +8,7 @@
 #include "simulate/march/vector_lanes.h"
 #include "tests/benchmark/bench_wheel.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -97,4 +97,4 @@ StepCount count_step(const RotorAtSpeed& rotor, int sectors, double closed) {
   return count;
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -3,7 +3,7 @@
 
 #include "simulate/march/rotor_at_speed.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// What this machine does at its best, measured now.
 struct MachineRates {
@@ -34,4 +34,4 @@ struct StepCount {
 /// `sectors` that are marched; `closed` nodes among all of them, on average.
 StepCount count_step(const RotorAtSpeed& rotor, int sectors, double closed);
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -12,7 +12,7 @@
 #include "tests/simulate/march/dense_ring.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -144,4 +144,4 @@ void print_step_costs(const std::string& model) {
   print("trigonometric, two lobes (symmetry)", march_cost(two, Scheme::trigonometric, 2, rates), over);
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

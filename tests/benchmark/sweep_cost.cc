@@ -3,7 +3,7 @@
 
 #include "tests/benchmark/benchmarks.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -35,4 +35,4 @@ void print_sweep_cost(const std::string& model, int speeds) {
               sum / speeds * whole_sweep);
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

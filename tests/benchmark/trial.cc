@@ -12,7 +12,7 @@
 #include "tests/simulate/compared_responses.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -128,4 +128,4 @@ Verdict try_out(const Trial& trial, Reference& reference) {
           error, note_of(at)};
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -6,7 +6,7 @@
 
 #include "tests/benchmark/bench_wheel.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// A speed as a case would ask for it, or as no case may.
 struct Trial {
@@ -39,4 +39,4 @@ using Reference = std::optional<SpeedResponse>;
 /// nothing: the switch is here, and no case can reach it.
 Verdict try_out(const Trial& trial, Reference& reference);
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -54,4 +54,4 @@ WholeRotor whole_rotor(const RotorAtSpeed& rotor, const ContactLine& contact) {
   return whole;
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

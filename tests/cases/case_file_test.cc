@@ -35,7 +35,7 @@ void PrintTo(const Wrong& wrong, std::ostream* out) {
   *out << wrong.name;
 }
 
-class WrongCase : public test::TemporaryFolder, public ::testing::WithParamInterface<Wrong> {};
+class WrongCase : public TemporaryFolder, public ::testing::WithParamInterface<Wrong> {};
 
 TEST_P(WrongCase, IsRefusedAtItsPlace) {
   write(path("case.toml"), GetParam().text);
@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"same_key_twice", "[mesh]\nlength = 1\nlength = 2\n", ":3:"}),
     [](const auto& wrong) { return wrong.param.name; });
 
-class GoodCase : public test::TemporaryFolder {
+class GoodCase : public TemporaryFolder {
  protected:
   CaseFile file(const std::string& text) const {
     write(path("case.toml"), text);
@@ -132,7 +132,7 @@ TEST_F(GoodCase, TakesListsFromFilesBesideIt) {
 }
 
 /// What a file that a list is taken from holds, and the message about it after its name.
-class WrongList : public test::TemporaryFolder, public ::testing::WithParamInterface<Wrong> {};
+class WrongList : public TemporaryFolder, public ::testing::WithParamInterface<Wrong> {};
 
 TEST_P(WrongList, IsRefusedAtItsLine) {
   write(path("case.toml"), "[mesh]\nlength = 1\ncurve = \"curve.csv\"\n");

@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::string_literals;
 
-class CaseTexts : public test::TemporaryFolder {
+class CaseTexts : public TemporaryFolder {
  protected:
   template <class Error>
   static std::string complaint(const std::function<void()>& work) {

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-namespace tiprub::test {
+namespace tiprub {
 
 /// While it lives, no file of this process grows beyond so many bytes: what writes further fails, as on a full disk.
 class FullDisk {
@@ -24,4 +24,4 @@ class FullDisk {
   rlimit before_{};
 };
 
-}  // namespace tiprub::test
+}  // namespace tiprub

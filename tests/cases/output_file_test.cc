@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class OutputFiles : public test::TemporaryFolder {
+class OutputFiles : public TemporaryFolder {
  protected:
   /// Runs `work` in a process of its own and returns how it ended.
   static int ending(const std::function<void()>& work) {
@@ -64,7 +64,7 @@ TEST_F(OutputFiles, SayThatTheDiskIsFull) {
   write_text();
   EXPECT_EQ(read(path("table.csv")), text);
   try {
-    const test::FullDisk disk(text.size() - 1);
+    const FullDisk disk(text.size() - 1);
     write_text();
     FAIL();
   } catch (const RunError& error) {

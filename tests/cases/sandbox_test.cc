@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 
 namespace tiprub {
 namespace {
@@ -22,8 +22,8 @@ TEST(Sandbox, GivesAllBytes) {
 TEST(Sandbox, RaisesWhatItsFunctionRaises) {
   const auto wrong = [&]() -> std::string { throw InputError("wrong"); };
   const auto failed = [&]() -> std::string { throw RunError("failed"); };
-  EXPECT_EQ(test::complaint<InputError>([&] { made_in_sandbox(wrong, ample); }), "wrong");
-  EXPECT_EQ(test::complaint<RunError>([&] { made_in_sandbox(failed, ample); }), "failed");
+  EXPECT_EQ(complaint<InputError>([&] { made_in_sandbox(wrong, ample); }), "wrong");
+  EXPECT_EQ(complaint<RunError>([&] { made_in_sandbox(failed, ample); }), "failed");
 }
 
 TEST(Sandbox, DiesAlone) {
@@ -31,7 +31,7 @@ TEST(Sandbox, DiesAlone) {
     raise(SIGKILL);
     return "";
   };
-  EXPECT_EQ(test::complaint<SandboxFailure>([&] { made_in_sandbox(crash, ample); }), "Killed");
+  EXPECT_EQ(complaint<SandboxFailure>([&] { made_in_sandbox(crash, ample); }), "Killed");
 }
 
 TEST(Sandbox, MayTakeNoMoreThanItsLimits) {
@@ -39,7 +39,7 @@ TEST(Sandbox, MayTakeNoMoreThanItsLimits) {
   GTEST_SKIP() << "the sanitizer maps more than any limit";
 #endif
   const auto greedy = [&] { return std::to_string(std::vector<char>(1 << 30, 'x').back()); };
-  EXPECT_EQ(test::complaint<SandboxFailure>([&] {
+  EXPECT_EQ(complaint<SandboxFailure>([&] {
               made_in_sandbox(greedy, {64 * mib, 60});
             }),
             "it takes more memory than it may");
@@ -48,10 +48,7 @@ TEST(Sandbox, MayTakeNoMoreThanItsLimits) {
     }
     return "";
   };
-  EXPECT_EQ(test::complaint<SandboxFailure>([&] {
-              made_in_sandbox(endless, {1024 * mib, 1});
-            }),
-            "CPU time limit exceeded");
+  EXPECT_EQ(complaint<SandboxFailure>([&] { made_in_sandbox(endless, {1024 * mib, 1}); }), "CPU time limit exceeded");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace tiprub::test {
+namespace tiprub {
 
 /// An empty folder for each test, gone afterwards.
 class TemporaryFolder : public ::testing::Test {
@@ -31,4 +31,4 @@ class TemporaryFolder : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-}  // namespace tiprub::test
+}  // namespace tiprub

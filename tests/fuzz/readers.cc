@@ -25,6 +25,10 @@
 namespace fs = std::filesystem;
 
 namespace tiprub::fuzz {
+using namespace mesh;
+using namespace reduce;
+using namespace simulate;
+using namespace postprocess;
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include "mesh/sector/sector_check.h"
 #include "tests/mesh/mesh_cases.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 namespace {
 
 using test::sector_from;
@@ -297,4 +297,4 @@ TEST(BladeFile, RefusesADiscThatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::mesh

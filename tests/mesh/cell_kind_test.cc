@@ -4,7 +4,7 @@
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
-namespace tiprub {
+namespace tiprub::mesh {
 namespace {
 
 /// Where gmsh has the nodes of its reference cell, in our cell of the same kind: its pyramid stands on z = 0.
@@ -42,4 +42,4 @@ TEST(CellKind, ReproducesItsReferenceCell) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -10,7 +10,7 @@
 #include "mesh/sector/sector_check.h"
 #include "tests/mesh/mesh_cases.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 namespace {
 
 std::vector<double> sizes(int count, double ratio) {
@@ -67,4 +67,4 @@ TEST(Grading, OfAWheelKeepsItsShapeAndTheSplittersEdgeBetweenTwoElements) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::mesh

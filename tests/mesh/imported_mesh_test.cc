@@ -8,7 +8,7 @@
 
 #include "mesh/import/periodic_cuts.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 namespace {
 
 using Place = std::function<Eigen::Vector3d(double i, double j, double k)>;
@@ -81,4 +81,4 @@ TEST(ImportedMesh, RefusesAPartOfACut) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -10,7 +10,7 @@
 
 #include "mesh/sector/sector_check.h"
 
-namespace tiprub::test {
+namespace tiprub::mesh::test {
 
 std::string case_text(const std::string& name) {
   std::ifstream file(std::string(TIPRUB_CASES) + "/" + name + "/case.toml");
@@ -72,4 +72,4 @@ std::string complaint(const std::string& case_text) {
   return "";
 }
 
-}  // namespace tiprub::test
+}  // namespace tiprub::mesh::test

@@ -6,7 +6,7 @@
 #include "mesh/sector/sector_mesher.h"
 #include "mesh/wheels/wheel.h"
 
-namespace tiprub::test {
+namespace tiprub::mesh::test {
 
 /// The text of cases/<name>/case.toml.
 std::string case_text(const std::string& name);
@@ -29,4 +29,4 @@ MeshedSector sector_from(const std::string& case_text);
 /// What wheel_from or what follows it complains about; empty if nothing.
 std::string complaint(const std::string& case_text);
 
-}  // namespace tiprub::test
+}  // namespace tiprub::mesh::test

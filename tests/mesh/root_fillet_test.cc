@@ -10,7 +10,7 @@
 #include "mesh/sector/sector_check.h"
 #include "tests/mesh/mesh_cases.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 namespace {
 
 using test::complaint;
@@ -125,4 +125,4 @@ TEST(RootFillet, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -5,7 +5,7 @@
 
 #include "tests/mesh/mesh_cases.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 namespace {
 
 using test::case_text;
@@ -91,4 +91,4 @@ TEST(SectorCheck, RefusesAnInvertedElementAndNamesWhatShapesIt) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::mesh

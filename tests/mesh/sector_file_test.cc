@@ -12,7 +12,7 @@
 #include "cases/program/errors.h"
 #include "tests/mesh/mesh_cases.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 namespace {
 
 using test::case_text;
@@ -135,4 +135,4 @@ TEST(SectorFile, AFileThatCannotBeWrittenIsAnError) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -11,7 +11,7 @@
 #include "mesh/sector/sector_check.h"
 #include "tests/mesh/mesh_cases.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 namespace {
 
 using test::annular_plate;
@@ -136,4 +136,4 @@ TEST(SectorMesher, AWheelWithoutSplitterHasNone) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::mesh

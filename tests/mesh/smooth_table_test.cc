@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tiprub {
+namespace tiprub::mesh {
 namespace {
 
 TEST(SmoothTable, GoesThroughItsPoints) {
@@ -36,4 +36,4 @@ TEST(SmoothTable, HasNoKinkAtItsPoints) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -7,7 +7,7 @@
 
 #include "tests/mesh/mesh_cases.h"
 
-namespace tiprub {
+namespace tiprub::mesh {
 namespace {
 
 using test::case_text;
@@ -69,4 +69,4 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"axial_length", "nan", "must be a finite number"}));
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::mesh

@@ -10,7 +10,7 @@
 
 #include "postprocess/waves/travelling_spectrum.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -84,4 +84,4 @@ TEST(Aliasing, TenOscillatorsAnswerOnTheAliasedNodalDiameter) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

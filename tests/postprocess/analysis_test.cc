@@ -12,7 +12,7 @@
 #include "simulate/motion/casing_areas.h"
 #include "synthetic_scene.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 const Study& made_study() {
@@ -183,4 +183,4 @@ TEST(Study, CountsFractionsOfAnEngineOrder) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -9,7 +9,7 @@
 #include "cases/program/errors.h"
 #include "synthetic_scene.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 Study made_study() {
@@ -97,4 +97,4 @@ TEST(Comparison, RefusesWhatIsNoReport) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

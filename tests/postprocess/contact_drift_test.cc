@@ -8,7 +8,7 @@
 
 #include "synthetic_scene.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -131,4 +131,4 @@ TEST(EdgeLag, IsUnknownUnlessBothEdgesTouch) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

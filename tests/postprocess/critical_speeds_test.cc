@@ -5,7 +5,7 @@
 
 #include "synthetic_scene.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -115,4 +115,4 @@ TEST(OperatingMargin, LeavesSmallOnesOut) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -10,7 +10,7 @@
 #include "postprocess/fields/field_peak.h"
 #include "synthetic_scene.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -185,4 +185,4 @@ TEST_F(Tension, InAnExcludedPatchIsNotTheHeadline) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

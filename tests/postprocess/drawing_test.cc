@@ -17,7 +17,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) {
@@ -109,7 +109,7 @@ TEST(Drawing, NoticesHalfAPicture) {
   draw({drawing}, folder, 1, [] {});
   const auto size = static_cast<rlim_t>(fs::file_size(folder / "hostile.png"));
   try {
-    const test::FullDisk disk(size - 1);
+    const FullDisk disk(size - 1);
     draw({drawing}, folder, 1, [] {});
     FAIL();
   } catch (const RunError& error) {
@@ -119,4 +119,4 @@ TEST(Drawing, NoticesHalfAPicture) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -14,7 +14,7 @@
 #include "postprocess/tables/table.h"
 #include "reduce/model/nodal_diameter.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 constexpr int sector_count = 6;
@@ -267,4 +267,4 @@ TEST(VtuFile, NamesItsArraysAndCells) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

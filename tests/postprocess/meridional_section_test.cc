@@ -7,7 +7,7 @@
 
 #include "mesh/cells/cell_kind.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 /// Bricks around the axis: r from `inner` to `inner` + 1, z from 0 to 1 [m], leaning in theta as blades do.
@@ -58,4 +58,4 @@ TEST(MeridionalOutline, JoinsWhatOverlapsAndPartsWhatDoesNot) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

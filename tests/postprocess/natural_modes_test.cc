@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 /// Two bricks that share a face: nodes 0 .. 3 and 8 .. 11 of the one are 4 .. 7 and others of the next.
@@ -49,4 +49,4 @@ TEST(NaturalModes, ChoosesTheFamilyByItsTwoLargestShares) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

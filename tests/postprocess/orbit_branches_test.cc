@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 /// Up to a fold at 110, back to one at 102, and up again; the middle repels.
@@ -52,4 +52,4 @@ TEST(OrbitBranches, AreSilentAboutASingleOne) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

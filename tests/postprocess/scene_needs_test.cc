@@ -16,7 +16,7 @@
 #include "synthetic_fields.h"
 #include "synthetic_scene.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 /// Along the tangent the made tips move by 0.8 of what they move along their normals, which have no tangential part.
@@ -246,4 +246,4 @@ TEST_F(SceneNeeds, WithoutACoefficientNoWear) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

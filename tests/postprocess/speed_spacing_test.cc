@@ -14,7 +14,7 @@
 #include "postprocess/tables/table.h"
 #include "synthetic_scene.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 constexpr double damping = 0.005;
@@ -210,4 +210,4 @@ TEST(SpeedSpacing, ScannedSpeedsCloseTheRange) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

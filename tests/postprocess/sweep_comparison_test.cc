@@ -14,7 +14,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -115,4 +115,4 @@ TEST_F(Sweeps, AreNoneUnlessAskedFor) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -11,7 +11,7 @@
 #include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub::synthetic {
+namespace tiprub::postprocess::synthetic {
 
 namespace {
 
@@ -175,4 +175,4 @@ void add_cycles(const ReducedModel& model, Response& response) {
   }
 }
 
-}  // namespace tiprub::synthetic
+}  // namespace tiprub::postprocess::synthetic

@@ -7,7 +7,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 
-namespace tiprub::synthetic {
+namespace tiprub::postprocess::synthetic {
 
 /// Full fields of the made rotor, and states whose stress is known in closed form.
 ///
@@ -37,4 +37,4 @@ double alternating_strain(double speed);
 /// Its largest values are not at the sample with the largest contact force.
 void add_cycles(const ReducedModel& model, Response& response);
 
-}  // namespace tiprub::synthetic
+}  // namespace tiprub::postprocess::synthetic

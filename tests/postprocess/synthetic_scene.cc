@@ -13,7 +13,7 @@
 #include "simulate/response/response_file.h"
 #include "synthetic_fields.h"
 
-namespace tiprub::synthetic {
+namespace tiprub::postprocess::synthetic {
 
 namespace {
 
@@ -245,4 +245,4 @@ void write_scene(const std::filesystem::path& folder) {
       << "title = \"A made wheel & an <oval> casing\"\n\n[postprocess]\nfamilies = 2\n";
 }
 
-}  // namespace tiprub::synthetic
+}  // namespace tiprub::postprocess::synthetic

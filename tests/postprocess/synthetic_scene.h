@@ -7,7 +7,7 @@
 #include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
 
-namespace tiprub::synthetic {
+namespace tiprub::postprocess::synthetic {
 
 /// A made rotor and a made response, whose every number is known in closed form.
 
@@ -55,4 +55,4 @@ Response resonant_sweep(const ReducedModel& model);
 /// Writes case.toml, model.h5, fields.h5 and response.h5.
 void write_scene(const std::filesystem::path& folder);
 
-}  // namespace tiprub::synthetic
+}  // namespace tiprub::postprocess::synthetic

@@ -12,7 +12,7 @@
 #include "cases/program/errors.h"
 #include "postprocess/report/run_record.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 class TableFile : public ::testing::Test {
@@ -68,4 +68,4 @@ TEST_F(TableFile, HoldsNoFormulas) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

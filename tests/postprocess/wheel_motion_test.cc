@@ -8,7 +8,7 @@
 
 #include "synthetic_scene.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 constexpr int samples_per_revolution = 48, revolutions = 2, samples = samples_per_revolution * revolutions,
@@ -79,4 +79,4 @@ TEST(WheelMotion, SaysWhatItLeavesOut) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

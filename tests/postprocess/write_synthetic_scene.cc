@@ -8,7 +8,7 @@
 #include "synthetic_fields.h"
 #include "synthetic_scene.h"
 
-namespace tiprub::synthetic {
+namespace tiprub::postprocess::synthetic {
 namespace {
 
 void write_fields_of_one_sector(const std::filesystem::path& path) {
@@ -95,11 +95,11 @@ void write_response_with_cycles(const std::filesystem::path& path) {
 }
 
 }  // namespace
-}  // namespace tiprub::synthetic
+}  // namespace tiprub::postprocess::synthetic
 
 int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 1 ? argv[1] : "synthetic";
-  tiprub::synthetic::write_scene(folder);
-  tiprub::synthetic::write_response_with_cycles(folder / "cycles_response.h5");
-  tiprub::synthetic::write_wrong_files(folder);
+  tiprub::postprocess::synthetic::write_scene(folder);
+  tiprub::postprocess::synthetic::write_response_with_cycles(folder / "cycles_response.h5");
+  tiprub::postprocess::synthetic::write_wrong_files(folder);
 }

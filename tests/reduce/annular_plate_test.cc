@@ -9,7 +9,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::TestRotor;
@@ -122,4 +122,4 @@ TEST(AnnularPlate, GrowsUnderSpinAsADiscDoes) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

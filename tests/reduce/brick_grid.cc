@@ -3,7 +3,7 @@
 
 #include "mesh/cells/cell_kind.h"
 
-namespace tiprub::test {
+namespace tiprub::reduce::test {
 
 namespace {
 
@@ -75,4 +75,4 @@ SectorMesh BrickGrid::place(const Placement& placement) const {
   return mesh;
 }
 
-}  // namespace tiprub::test
+}  // namespace tiprub::reduce::test

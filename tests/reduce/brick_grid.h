@@ -6,7 +6,7 @@
 
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub::test {
+namespace tiprub::reduce::test {
 
 /// Places a point of the unit cube (radial, around, axial) in space [m].
 using Placement = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
@@ -38,4 +38,4 @@ class BrickGrid {
   std::vector<int> number_;  ///< of each lattice point
 };
 
-}  // namespace tiprub::test
+}  // namespace tiprub::reduce::test

@@ -8,7 +8,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::dense;
@@ -121,4 +121,4 @@ TEST(RotatingDisc, IsStressedAsInPlaneStress) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace tiprub::test {
+namespace tiprub::reduce::test {
 
 Eigen::MatrixXd dense(const SymmetricMatrix& lower) {
   Eigen::MatrixXd both = lower;
@@ -46,4 +46,4 @@ Eigen::MatrixXcd arbitrary(Eigen::Index rows, Eigen::Index columns) {
   });
 }
 
-}  // namespace tiprub::test
+}  // namespace tiprub::reduce::test

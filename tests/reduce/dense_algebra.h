@@ -5,7 +5,7 @@
 
 #include "reduce/sector/rotating_elasticity.h"
 
-namespace tiprub::test {
+namespace tiprub::reduce::test {
 
 /// Both triangles.
 Eigen::MatrixXd dense(const SymmetricMatrix& lower);
@@ -25,4 +25,4 @@ double difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
 /// Reproducible entries in [-1, 1], complex.
 Eigen::MatrixXcd arbitrary(Eigen::Index rows, Eigen::Index columns);
 
-}  // namespace tiprub::test
+}  // namespace tiprub::reduce::test

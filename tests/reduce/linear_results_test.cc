@@ -10,7 +10,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::TestRotor;
@@ -148,4 +148,4 @@ TEST_F(Results, AreWritten) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

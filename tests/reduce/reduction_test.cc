@@ -7,11 +7,11 @@
 
 #include "reduce/model/reduced_model.h"
 #include "reduce/sector/contact_line.h"
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::cyclic;
@@ -191,7 +191,7 @@ TEST(Reduction, NamesTheSpeedOfAnUnstableRotor) {
   p.speed_max = 6000.0;
   p.prestress = Prestress::stress_only;
   ReductionReport report;
-  const std::string message = test::complaint<RunError>([&] { reduced(p, report); });
+  const std::string message = complaint<RunError>([&] { reduced(p, report); });
   EXPECT_EQ(message.rfind("at 57296 rpm: ", 0), 0u) << message;  // 6000 rad/s
   EXPECT_NE(message.find("not positive definite: the rotor is unstable"), std::string::npos) << message;
 }
@@ -202,7 +202,7 @@ TEST(Reduction, NamesTheSpeedWhoseShapeItDoesNotFind) {
   p.prestress = Prestress::nonlinear;
   ReductionReport report;
   const std::string message =
-      test::complaint<RunError>([&] { reduce(thin_cone().sector(), p, Progress::Shown::never, report); });
+      complaint<RunError>([&] { reduce(thin_cone().sector(), p, Progress::Shown::never, report); });
   EXPECT_EQ(message.rfind("at ", 0), 0u) << message;
   EXPECT_NE(message.find(" rpm: the shape under spin doesn't converge"), std::string::npos) << message;
 }
@@ -217,8 +217,7 @@ TEST(Reduction, BlamesAShapeThatItsTermsDoNotFollow) {
   p.polynomial_tolerance = 1e-4;
   p.verification_speeds = {0.1, 0.2, 0.3, 0.45, 0.55, 0.65, 0.8, 0.9};
   ReductionReport report;
-  const std::string message =
-      test::complaint<RunError>([&] { reduce(cone.sector(), p, Progress::Shown::never, report); });
+  const std::string message = complaint<RunError>([&] { reduce(cone.sector(), p, Progress::Shown::never, report); });
   EXPECT_NE(message.find("or its shape changes too much for eq. 7: "), std::string::npos) << message;
 }
 
@@ -228,7 +227,7 @@ TEST(Reduction, RefusesAModelSmallerThanItsVerification) {
   p.fixed_interface_modes = 2;
   p.verification_modes = 30;
   ReductionReport report;
-  const std::string message = test::complaint<InputError>([&] { reduced(p, report); });
+  const std::string message = complaint<InputError>([&] { reduced(p, report); });
   EXPECT_NE(message.find("verification_modes = 30"), std::string::npos) << message;
 }
 
@@ -236,7 +235,7 @@ TEST(Reduction, ChecksASectorWithoutReducingIt) {
   EXPECT_NO_THROW(check_sector(test::skewed_annulus(sectors).sector(), parameters()));
   SectorMesh mesh = test::skewed_annulus(sectors).sector();
   mesh.nodes.row(2) *= -1;
-  EXPECT_NE(test::complaint<InputError>([&] { check_sector(mesh, parameters()); }), "");
+  EXPECT_NE(complaint<InputError>([&] { check_sector(mesh, parameters()); }), "");
 }
 
 TEST(VerificationError, CountsTravellingWavesTwice) {
@@ -253,4 +252,4 @@ TEST(VerificationError, CountsTravellingWavesTwice) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

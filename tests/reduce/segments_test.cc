@@ -13,7 +13,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::cyclic;
@@ -179,4 +179,4 @@ TEST(Segments, StretchABarAsItsUniformPressureDoes) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -8,7 +8,7 @@
 
 #include "mesh/cells/cell_kind.h"
 
-namespace tiprub::test {
+namespace tiprub::reduce::test {
 
 namespace {
 
@@ -124,4 +124,4 @@ SectorMesh split(const SectorMesh& bricks, Split into) {
   return Splitting(bricks).run(into);
 }
 
-}  // namespace tiprub::test
+}  // namespace tiprub::reduce::test

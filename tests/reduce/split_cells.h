@@ -3,7 +3,7 @@
 
 #include "reduce/sector/sector_mesh.h"
 
-namespace tiprub::test {
+namespace tiprub::reduce::test {
 
 /// A mesh of 27-node bricks as one of another kind: six tetrahedra along a diagonal, two wedges, six pyramids about
 /// the centre, or the brick itself without its centres. Nodes stand where the brick's own map takes them. `mixed`:
@@ -11,4 +11,4 @@ namespace tiprub::test {
 enum class Split { tet10, wedge15, pyramid13, hex20, mixed, bricks_and_wedges };
 SectorMesh split(const SectorMesh& bricks, Split into);
 
-}  // namespace tiprub::test
+}  // namespace tiprub::reduce::test

@@ -18,6 +18,7 @@
 namespace {
 
 using namespace tiprub;
+using namespace tiprub::reduce;
 
 struct Element {
   int type, group;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tiprub::test {
+namespace tiprub::reduce::test {
 
 Placement Annulus::placement(double angle) const {
   return [*this, angle](const Eigen::Vector3d& at) -> Eigen::Vector3d {
@@ -78,4 +78,4 @@ TestRotor tip_rotor(const Annulus& annulus, const Material& material) {
   return TestRotor(std::move(mesh), contact, material);
 }
 
-}  // namespace tiprub::test
+}  // namespace tiprub::reduce::test

@@ -6,7 +6,7 @@
 #include "reduce/sector/rotating_elasticity.h"
 #include "tests/reduce/brick_grid.h"
 
-namespace tiprub::test {
+namespace tiprub::reduce::test {
 
 enum class Bore { clamped, free };
 
@@ -64,4 +64,4 @@ class TestRotor {
 /// A rotor of one sector whose contact nodes are the first and the last of the tip line.
 TestRotor tip_rotor(const Annulus& annulus, const Material& material = steel());
 
-}  // namespace tiprub::test
+}  // namespace tiprub::reduce::test

@@ -9,7 +9,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::cyclic;
@@ -134,4 +134,4 @@ TEST_P(Wheel, StaticShapeUnderSpinIsTheSectors) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -4,14 +4,14 @@
 #include "simulate/orbits/speed_audit.h"
 #include "simulate/response/response.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// How far the motions of two responses of one speed are apart.
 inline MotionDifference difference(const SpeedResponse& here, const SpeedResponse& there, int lobes) {
   const auto sampled = [](const SpeedResponse& at) {
     return SampledMotion{at.displacement, at.samples_per_revolution, at.recorded_revolutions, at.period_revolutions};
   };
-  return tiprub::difference(sampled(here), sampled(there), lobes);
+  return tiprub::simulate::difference(sampled(here), sampled(there), lobes);
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

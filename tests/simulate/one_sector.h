@@ -3,7 +3,7 @@
 
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// A wheel of one sector with one contact node, whose normal is radial: its matrices are the caller's.
 inline ReducedModel one_sector() {
@@ -18,4 +18,4 @@ inline ReducedModel one_sector() {
   return model;
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

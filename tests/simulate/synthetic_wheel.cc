@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -113,4 +113,4 @@ Bench make_bench(const ReducedModel& model, const Casing& casing, double speed, 
   return {std::move(rotor), std::move(march)};
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

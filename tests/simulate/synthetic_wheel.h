@@ -6,7 +6,7 @@
 #include "simulate/march/time_march.h"
 #include "simulate/scene/casing.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// A made-up wheel: every sector has `contact_nodes` masses of three dofs and `generalized` more, on random springs
 /// (always the same), and is tied to its two neighbours, unsymmetrically, so that travelling waves are complex.
@@ -42,4 +42,4 @@ struct Bench {
 Bench make_bench(const ReducedModel& model, const Casing& casing, double speed, double damping_ratio,
                  const MarchSetup& setup);
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

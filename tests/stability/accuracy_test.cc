@@ -4,7 +4,7 @@
 #include "tests/benchmark/bench_wheel.h"
 #include "tests/simulate/compared_responses.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 SpeedResponse settled(const testing::BenchWheel& wheel, double speed, int steps) {
@@ -35,4 +35,4 @@ TEST(AccuracyOfTheDefault, HoldsWhereTipModesTurnAboutOnceAStep) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -4,7 +4,7 @@
 #include "simulate/speed/speed_run.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// A scene that owns its parts, for the checks that a whole speed goes through.
 struct OwnedScene {
@@ -36,4 +36,4 @@ inline Casing round_wall(double distance) {
   return lobed_casing(1, 0.0, distance);
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

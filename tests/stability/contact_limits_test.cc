@@ -9,7 +9,7 @@
 #include "simulate/motion/attempt.h"
 #include "tests/stability/bench_scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -136,4 +136,4 @@ TEST(GrazingLimit, IsSeenByMovingTheWallByAMillionth) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

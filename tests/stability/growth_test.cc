@@ -9,7 +9,7 @@
 #include "tests/benchmark/whole_rotor.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 namespace {
 
 constexpr double asked = 0.05;
@@ -69,4 +69,4 @@ TEST(WholeRotor, MovesAsItsNodalDiametersDo) {
 }
 
 }  // namespace
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

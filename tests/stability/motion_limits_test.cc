@@ -8,7 +8,7 @@
 #include "simulate/orbits/settling.h"
 #include "tests/stability/bench_scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 /// A change far below the tolerance, which decays just fast enough, or grows.
@@ -104,4 +104,4 @@ TEST(SymmetryLimit, IsTheGrowthOfWhatWasLeftOut) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

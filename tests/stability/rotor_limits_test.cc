@@ -9,7 +9,7 @@
 #include "simulate/orbits/energy_audit.h"
 #include "tests/stability/bench_scene.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 /// K = k - Omega^2 m/4: it vanishes at Omega = 2 sqrt(k/m).
@@ -59,4 +59,4 @@ TEST(LongRunLimit, KeepsTheEnergyOfTheMarch) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

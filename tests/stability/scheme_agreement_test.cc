@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 namespace {
 
 /// The default and central differences share the modes, the loop and the law of contact, but no coefficient: 40
@@ -31,4 +31,4 @@ TEST(Schemes, AgreeOnAmplitudeAndContactPattern) {
 }
 
 }  // namespace
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 void write(const fs::path& path, const std::string& text) {
@@ -131,4 +131,4 @@ TEST_F(ProgramFaults, SaysWhoIsWritingTheReport) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -13,7 +13,7 @@
 
 #include "synthetic_scene.h"
 
-namespace tiprub {
+namespace tiprub::postprocess {
 
 inline std::string text_of(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -49,4 +49,4 @@ class Program : public testing::Test {
   static inline std::filesystem::path folder_;
 };
 
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

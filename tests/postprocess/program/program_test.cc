@@ -19,7 +19,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 constexpr const char* figures[] = {"response",
@@ -142,4 +142,4 @@ TEST_F(Program, LeavesNothingWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

@@ -20,7 +20,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub {
+namespace tiprub::postprocess {
 namespace {
 
 /// One report without full fields and one with them, in the folders of these names.
@@ -342,4 +342,4 @@ TEST_F(Page, LeavesTheStressOutWithoutFields) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::postprocess

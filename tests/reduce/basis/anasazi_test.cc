@@ -23,7 +23,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::TestRotor;
@@ -169,4 +169,4 @@ TEST(Anasazi, DISABLED_SideBySideOnTheSameFactor) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

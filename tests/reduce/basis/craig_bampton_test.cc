@@ -7,7 +7,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::cyclic;
@@ -178,4 +178,4 @@ TEST_P(CraigBampton, ASpeedThatChangesNothingAddsNothing) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -5,11 +5,11 @@
 
 #include <numbers>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::cyclic;
@@ -106,7 +106,7 @@ TEST_P(Modes, AllOfThemCanBeAskedFor) {
 
 TEST_P(Modes, RefuseToInventMore) {
   const int all = static_cast<int>(free_dofs());
-  EXPECT_EQ(test::complaint<RunError>([&] { lowest(0, all + 1); }),
+  EXPECT_EQ(complaint<RunError>([&] { lowest(0, all + 1); }),
             "a nodal diameter has only " + std::to_string(all) + " modes, " + std::to_string(all + 1) +
                 " are asked for; ask for fewer, or refine the mesh");
 }
@@ -128,4 +128,4 @@ TEST(LowestModes, FindBothOfADoubleEigenvalue) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

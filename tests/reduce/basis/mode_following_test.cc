@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "reduce/basis/cyclic_modes.h"
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::cyclic;
@@ -115,7 +115,7 @@ TEST_P(ModeFollowingTest, WhatIsMissingMendsTheBasis) {
 TEST_P(ModeFollowingTest, CallsNoRotorUnstableBecauseTheToleranceIsTight) {
   // Near rounding, either the modes are right or the message says that they could not be followed.
   ModeFollowing modes = following();
-  const std::string message = test::complaint<RunError>([&] { modes.converge(1e-15); });
+  const std::string message = complaint<RunError>([&] { modes.converge(1e-15); });
   const Eigen::VectorXd truth = exact(1);
   for (int k = 0; k < count && message.empty(); ++k)
     EXPECT_NEAR(modes.modes()[1].eigenvalue[k] / truth[k], 1.0, 1e-8) << k;
@@ -123,11 +123,11 @@ TEST_P(ModeFollowingTest, CallsNoRotorUnstableBecauseTheToleranceIsTight) {
 }
 
 TEST_P(ModeFollowingTest, RefusesAStiffnessThatIsNotPositive) {
-  const std::string message = test::complaint<RunError>([&] { following(-1.0); });
+  const std::string message = complaint<RunError>([&] { following(-1.0); });
   EXPECT_NE(message.find("slowly: the stiffness of a nodal diameter is not positive definite: the rotor is unstable"),
             std::string::npos)
       << message;
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 /// A reader of its own: what a file says of itself and the full matrix.
@@ -63,4 +63,4 @@ TEST(MatrixMarket, ReadsBackBitByBit) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -9,11 +9,11 @@
 #include <numbers>
 
 #include "reduce/model/hdf5_file.h"
+#include "tests/cases/complaint.h"
 #include "tests/cases/full_disk.h"
-#include "tests/reduce/complaint.h"
 #include "tests/reduce/model/some_model.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +34,7 @@ class ModelFile : public ::testing::Test {
   /// What reading says about a file after this model has been written to it.
   std::string complaint_about(const ReducedModel& model) const {
     write_model(model, path(), "test");
-    return test::complaint<RunError>([&] { read_model(path()); });
+    return complaint<RunError>([&] { read_model(path()); });
   }
   /// What reading says about a file of the right schema that holds whatever `fill` writes.
   template <class Fill>
@@ -43,7 +43,7 @@ class ModelFile : public ::testing::Test {
       Hdf5File file = Hdf5File::create(path());
       fill(file);
     }
-    return test::complaint<RunError>([&] { read_model(path()); });
+    return complaint<RunError>([&] { read_model(path()); });
   }
 
   fs::path folder_;
@@ -208,8 +208,8 @@ TEST_F(ModelFile, SaysThatTheDiskIsFull) {
   constexpr int cuts = 40;
   for (int cut = 0; cut < cuts; ++cut) {
     fs::remove(path());
-    const test::FullDisk disk(cut * size / cuts);
-    const std::string message = test::complaint<RunError>([&] { write_model(some_model(), path(), "test"); });
+    const FullDisk disk(cut * size / cuts);
+    const std::string message = complaint<RunError>([&] { write_model(some_model(), path(), "test"); });
     EXPECT_EQ(message.find(path().string() + ": "), 0u) << cut << message;
     EXPECT_NE(message.find("can't be written"), std::string::npos) << cut << message;
   }
@@ -254,10 +254,9 @@ TEST_F(ModelFile, KnowsWhatAModelByHandLeavesOut) {
 }
 
 TEST_F(ModelFile, RefusesWhatIsNoHdf5FileAndWhatIsNotThere) {
-  EXPECT_EQ(test::complaint<RunError>([&] { read_model(path("none.h5")); }),
-            path("none.h5").string() + ": no such file");
+  EXPECT_EQ(complaint<RunError>([&] { read_model(path("none.h5")); }), path("none.h5").string() + ": no such file");
   std::ofstream(path()) << "not HDF5";
-  EXPECT_EQ(test::complaint<RunError>([&] { read_model(path()); }),
+  EXPECT_EQ(complaint<RunError>([&] { read_model(path()); }),
             path().string() + ": is not an HDF5 file, or is damaged");
 }
 
@@ -270,7 +269,7 @@ TEST_F(ModelFile, RefusesADamagedNumber) {
   ASSERT_NE(at, std::string::npos);
   all[at] = static_cast<char>(all[at] ^ 1);
   std::ofstream(path(), std::ios::binary) << all;
-  EXPECT_EQ(test::complaint<RunError>([&] { read_model(path()); }),
+  EXPECT_EQ(complaint<RunError>([&] { read_model(path()); }),
             path().string() +
                 ": its numbers are not those that were written (attribute `digest`): it was damaged or changed; "
                 "reduce again, or delete that attribute if the change was meant");
@@ -312,7 +311,7 @@ TEST_F(ModelFile, RefusesOtherUnits) {
 TEST_F(ModelFile, RefusesHalfAFile) {
   write_model(some_model(), path(), "test");
   fs::resize_file(path(), fs::file_size(path()) / 2);
-  EXPECT_EQ(test::complaint<RunError>([&] { read_model(path()); }),
+  EXPECT_EQ(complaint<RunError>([&] { read_model(path()); }),
             path().string() + ": is not an HDF5 file, or is damaged");
 }
 
@@ -324,7 +323,7 @@ TEST_F(ModelFile, SurvivesWhatHdf5DiesOf) {
   for (std::size_t at = all.find("HEAP"); at != std::string::npos; at = all.find("HEAP", at + 1))
     all.replace(at + address_of_names, sizeof(void*), sizeof(void*), '\xff');
   std::ofstream(path(), std::ios::binary) << all;
-  EXPECT_EQ(test::complaint<RunError>([&] {
+  EXPECT_EQ(complaint<RunError>([&] {
               read_model(path());
             }).rfind(path().string() + ": is not an HDF5 file, or is damaged", 0),
             0u);
@@ -344,7 +343,7 @@ TEST_F(ModelFile, SurvivesChunksThatAreTooSmall) {
   ASSERT_NE(at, std::string::npos);
   all[at + size_of_first_chunk + 1] = 0;
   std::ofstream(path(), std::ios::binary) << all;
-  EXPECT_EQ(test::complaint<RunError>([&] { Hdf5File::open(path()); }),
+  EXPECT_EQ(complaint<RunError>([&] { Hdf5File::open(path()); }),
             path().string() + ": basis: is damaged: its numbers lie beyond its end");
 }
 
@@ -396,4 +395,4 @@ TEST_F(ModelFile, RefusesValuesThatAreNotFinite) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

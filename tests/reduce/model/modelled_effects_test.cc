@@ -10,9 +10,9 @@
 
 #include "cases/program/errors.h"
 #include "reduce/model/hdf5_file.h"
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 class ModelledEffects : public ::testing::Test {
@@ -44,7 +44,7 @@ TEST_F(ModelledEffects, ComeBackInTheirOrder) {
 TEST_F(ModelledEffects, AreRefusedWhereTheyAreWrong) {
   const std::string coriolis = "/effects/coriolis";
   const auto complaint = [&](const std::string& group, const std::string& name, const auto& value) {
-    return test::complaint<RunError>([&] {
+    return complaint<RunError>([&] {
       read_after([&](Hdf5File& file) {
         if (group != coriolis || name != "treatment")
           file.set_attribute(coriolis, "treatment", std::string("left out"));
@@ -65,4 +65,4 @@ TEST_F(ModelledEffects, AreRefusedWhereTheyAreWrong) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <ostream>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/model/some_model.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 /// A change of the model and the phrase that must come out.
@@ -36,7 +36,7 @@ TEST_P(WrongModel, IsRefused) {
   ReducedModel model = test::some_model();
   EXPECT_NO_THROW(check(model, "model.h5"));
   GetParam().change(model);
-  const std::string message = test::complaint<RunError>([&] { check(model, "model.h5"); });
+  const std::string message = complaint<RunError>([&] { check(model, "model.h5"); });
   EXPECT_EQ(message.rfind("model.h5: ", 0), 0u) << message;
   EXPECT_NE(message.find(GetParam().phrase), std::string::npos) << message;
 }
@@ -148,4 +148,4 @@ TEST(NodalDiameterModel, AnUnstableRotorHasANegativeFrequency) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

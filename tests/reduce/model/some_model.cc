@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/reduce/model/some_model.h"
 
-namespace tiprub::test {
+namespace tiprub::reduce::test {
 
 ReducedModel some_model() {
   ReducedModel model;
@@ -34,4 +34,4 @@ ReducedModel some_model() {
   return model;
 }
 
-}  // namespace tiprub::test
+}  // namespace tiprub::reduce::test

@@ -3,9 +3,9 @@
 
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub::test {
+namespace tiprub::reduce::test {
 
 /// Any model that check() lets pass: four sectors, one contact node, 3 + 2 dofs.
 ReducedModel some_model();
 
-}  // namespace tiprub::test
+}  // namespace tiprub::reduce::test

@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::arbitrary;
@@ -107,7 +107,7 @@ TEST(CyclicSolver, RefusesARotorThatOnlyOneNodalDiameterMakesUnstable) {
   while (message.empty()) {
     speed *= 1.05;
     const SectorFactor factor(rotor.elasticity().stiffness(speed, still, Prestress::linear), rotor.dofs());
-    message = test::complaint<RunError>([&] {
+    message = complaint<RunError>([&] {
       for (int n = 0; n <= 2; ++n) CyclicSolver(factor, CyclicTransformation(rotor.dofs(), 5, n)).constraint_modes();
     });
     bool indefinite = false;
@@ -121,4 +121,4 @@ TEST(CyclicSolver, RefusesARotorThatOnlyOneNodalDiameterMakesUnstable) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

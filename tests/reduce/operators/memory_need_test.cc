@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 TEST(MemoryNeed, CountsAtLeastWhatIsThere) {
@@ -30,14 +30,14 @@ TEST(MemoryNeed, IsComparedWithWhatThereIs) {
   constexpr double gib = 1024.0 * 1024 * 1024;
   const MemoryNeed need{2 * gib, 1 * gib, 0.5 * gib, 1 * gib};
   EXPECT_NO_THROW(require_memory(need, 3.5 * gib, 4.5 * gib));
-  const std::string message = test::complaint<RunError>([&] { require_memory(need, 3.4 * gib, 9 * gib); });
+  const std::string message = complaint<RunError>([&] { require_memory(need, 3.4 * gib, 9 * gib); });
   EXPECT_EQ(message.rfind("not enough memory: about 3.50 GiB are needed (factor 2.00 GiB, bases 1.00 GiB, matrices "
                           "0.50 GiB), 3.40 GiB are available; ",
                           0),
             0u)
       << message;
   // The BLAS's buffers count where mapping is limited only.
-  const std::string limited = test::complaint<RunError>([&] { require_memory(need, 9 * gib, 4.4 * gib); });
+  const std::string limited = complaint<RunError>([&] { require_memory(need, 9 * gib, 4.4 * gib); });
   EXPECT_EQ(limited.rfind("not enough memory: about 4.50 GiB are needed (factor 2.00 GiB, bases 1.00 GiB, matrices "
                           "0.50 GiB, threads 1.00 GiB), 4.40 GiB are available under ulimit; ",
                           0),
@@ -46,4 +46,4 @@ TEST(MemoryNeed, IsComparedWithWhatThereIs) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

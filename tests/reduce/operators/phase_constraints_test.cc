@@ -15,7 +15,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using Complex = std::complex<double>;
@@ -122,4 +122,4 @@ TEST_F(PhaseConstraints, OfComplexDofsLeaveNoHermitianMatrix) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

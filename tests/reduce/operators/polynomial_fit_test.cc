@@ -8,7 +8,7 @@
 #include "reduce/operators/speed_samples.h"
 #include "tests/reduce/dense_algebra.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::arbitrary;
@@ -91,4 +91,4 @@ TEST(SpeedSamples, AreThePapersForOneTermAndKeepEquilibriaApart) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

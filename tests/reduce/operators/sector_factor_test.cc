@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::dense;
@@ -71,8 +71,7 @@ TEST(SectorFactor, RefusesAnInteriorThatIsNotStable) {
   TestRotor rotor = test::tip_rotor(test::skewed_annulus(5), soft);
   const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, rotor.mesh().node_count());
   const SymmetricMatrix stiffness = rotor.elasticity().stiffness(3000.0, still, Prestress::linear);
-  const std::string message =
-      test::complaint<RunError>([&] { SectorFactor(stiffness, rotor.dofs()).schur_complement(); });
+  const std::string message = complaint<RunError>([&] { SectorFactor(stiffness, rotor.dofs()).schur_complement(); });
   EXPECT_NE(message.find("not positive definite: the rotor is unstable, or a part of it is not held"),
             std::string::npos)
       << message;
@@ -89,10 +88,9 @@ TEST(SectorFactor, RefusesAPieceThatNothingHolds) {
   TestRotor rotor(mesh, {mesh.contact_line.front()});
   const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, 2 * nodes);
   const SymmetricMatrix stiffness = rotor.elasticity().stiffness(100.0, still, Prestress::linear);
-  const std::string message =
-      test::complaint<RunError>([&] { SectorFactor(stiffness, rotor.dofs()).schur_complement(); });
+  const std::string message = complaint<RunError>([&] { SectorFactor(stiffness, rotor.dofs()).schur_complement(); });
   EXPECT_NE(message.find("or a part of it is not held"), std::string::npos) << message;
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

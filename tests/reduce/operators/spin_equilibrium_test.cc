@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "reduce/reduction.h"
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::dense;
@@ -104,7 +104,7 @@ TEST_F(Spinning, FeelsNoStressFromATurn) {
 }
 
 TEST_F(Spinning, HasNoShapeBeyondItsStability) {
-  EXPECT_NE(test::complaint<RunError>([&] { at(30 * top); }), "");
+  EXPECT_NE(complaint<RunError>([&] { at(30 * top); }), "");
 }
 
 ReductionParameters nonlinear_parameters() {
@@ -176,4 +176,4 @@ TEST(SpinSoftening, LowersFrequenciesAndCanBeLeftOut) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

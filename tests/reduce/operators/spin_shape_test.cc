@@ -7,7 +7,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::dense;
@@ -88,4 +88,4 @@ TEST_F(SpinningShape, GoesWithTheSquareOfSpeedIfItIsLinear) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 /// A blade whose tip runs along a quarter circle from axial to radial, as an impeller's under its shroud: the circle
@@ -133,7 +133,7 @@ TEST(ContactLine, ASingleNodeIsTheLeadingEdge) {
 
 TEST(ContactLine, RefusesMoreNodesThanTheLineHas) {
   const SectorMesh mesh = quarter_circle_blade(4);
-  EXPECT_EQ(test::complaint<InputError>([&] { choose_contact_nodes(mesh, 10); }),
+  EXPECT_EQ(complaint<InputError>([&] { choose_contact_nodes(mesh, 10); }),
             "the sector: the line \"contact\" has 9 nodes, [reduce] contact_nodes = 10 asks for more; ask for fewer, "
             "or refine "
             "the mesh along the blade");
@@ -144,7 +144,7 @@ TEST(ContactLine, MayBendButNotTurnBackOrStandStill) {
   SectorMesh mesh = quarter_circle_blade(4);
   EXPECT_NO_THROW(require_one_way(mesh));
   std::swap(mesh.contact_line[3], mesh.contact_line[6]);
-  const std::string message = test::complaint<InputError>([&] { require_one_way(mesh); });
+  const std::string message = complaint<InputError>([&] { require_one_way(mesh); });
   EXPECT_EQ(message.rfind("the sector: the line \"contact\" turns back at its point 4 of 9, " +
                               mesh.place_of(mesh.contact_line[3]) + "; it must run once",
                           0),
@@ -152,9 +152,9 @@ TEST(ContactLine, MayBendButNotTurnBackOrStandStill) {
       << message;
   mesh = quarter_circle_blade(4);
   mesh.contact_line = {mesh.contact_line[4], mesh.contact_line[0], mesh.contact_line[8]};
-  EXPECT_NE(test::complaint<InputError>([&] { require_one_way(mesh); }), "");
+  EXPECT_NE(complaint<InputError>([&] { require_one_way(mesh); }), "");
   mesh.contact_line = {mesh.contact_line[0], mesh.contact_line[0]};
-  EXPECT_NE(test::complaint<InputError>([&] { require_one_way(mesh); }).find("the same radius and z at its point 2"),
+  EXPECT_NE(complaint<InputError>([&] { require_one_way(mesh); }).find("the same radius and z at its point 2"),
             std::string::npos);
 }
 
@@ -183,15 +183,14 @@ TEST(ContactLine, OfASplitterFollowsTheMainBladesBelowOneCasing) {
 TEST(ContactLine, OfASplitterThatRunsBackIsRefused) {
   SectorMesh mesh = with_splitter(8);
   std::reverse(mesh.splitter_line.begin(), mesh.splitter_line.end());
-  EXPECT_EQ(test::complaint<InputError>([&] { describe_contact(mesh, choose_contact_nodes(mesh, 3)); }),
+  EXPECT_EQ(complaint<InputError>([&] { describe_contact(mesh, choose_contact_nodes(mesh, 3)); }),
             "the sector: the line \"contact_splitter\" doesn't go on along the line \"contact\" at " +
                 mesh.place_of(choose_contact_nodes(mesh, 3)[4]) +
                 "; both must run from leading to trailing edge, below one casing");
-  EXPECT_NE(test::complaint<InputError>([&] {
-              choose_contact_nodes(mesh, 10);
-            }).find("the line \"contact_splitter\" has 9"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint<InputError>([&] { choose_contact_nodes(mesh, 10); }).find("the line \"contact_splitter\" has 9"),
+      std::string::npos);
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

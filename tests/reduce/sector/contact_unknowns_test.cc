@@ -7,13 +7,11 @@
 #include <numbers>
 #include <set>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
-
-using test::complaint;
 
 constexpr double rounding = 1e-12;
 
@@ -178,4 +176,4 @@ TEST(ContactSegments, RefuseALineOfOneNode) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -12,7 +12,7 @@
 // K, M and the forces of deal.II's assembly against a plain one, which shares nothing with it but the mesh: shape
 // functions and integration points are those of the tables of cell_kind.h, and stress works on tensors, without B.
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 /// A displacement at all nodes and one cell's part of it at an integration point.
@@ -166,4 +166,4 @@ TEST_P(EveryCell, HasTheForcesOfAPlainAssembly) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <optional>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/split_cells.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::Annulus;
@@ -122,7 +122,7 @@ TEST_P(BothBricks, FillAnAnnulusWithTheFourthOrder) {
 TEST_P(BothBricks, RefuseAnInvertedCellWithItsNumberAndPlace) {
   SectorMesh mesh = skewed_sector();
   mesh.nodes.col(mesh.cells(0, 3)) = mesh.nodes.col(mesh.cells(6, 3));  // a corner pushed through its brick
-  const std::string message = test::complaint<InputError>([&] { FiniteElements elements(mesh); });
+  const std::string message = complaint<InputError>([&] { FiniteElements elements(mesh); });
   EXPECT_EQ(message.rfind("the sector: cell ", 0), 0u) << message;
   EXPECT_NE(message.find("is inverted or flat near x y z = "), std::string::npos) << message;
 }
@@ -135,14 +135,14 @@ TEST_P(BothBricks, RefuseACellThatIsInvertedAtACornerOnly) {
   mesh.cell_tags = {11, 12, 13, 14};
   const Eigen::Vector3d corner = mesh.nodes.col(mesh.cells(1, 1)), other = mesh.nodes.col(mesh.cells(0, 1));
   mesh.nodes.col(mesh.cells(8, 1)) = 0.8 * corner + 0.2 * other;
-  EXPECT_EQ(test::complaint<InputError>([&] { FiniteElements elements(mesh); }),
+  EXPECT_EQ(complaint<InputError>([&] { FiniteElements elements(mesh); }),
             "the sector: cell 12 (main_blade) is inverted or flat near " + place_text(corner) + "; re-mesh");
 }
 
 TEST_P(BothBricks, RefuseAMirroredMesh) {
   SectorMesh mesh = skewed_sector();
   mesh.nodes.row(2) *= -1;
-  EXPECT_NE(test::complaint<InputError>([&] { FiniteElements elements(mesh); }), "");
+  EXPECT_NE(complaint<InputError>([&] { FiniteElements elements(mesh); }), "");
 }
 
 TEST(FiniteElements, RefusesNeighboursThatDisagreeAboutAMidSide) {
@@ -153,7 +153,7 @@ TEST(FiniteElements, RefusesNeighboursThatDisagreeAboutAMidSide) {
   mesh.nodes.conservativeResize(Eigen::NoChange, mesh.node_count() + 1);
   mesh.nodes.rightCols(1) = mesh.nodes.col(shared);
   mesh.cells(9, 0) = mesh.node_count() - 1;
-  EXPECT_NE(test::complaint<InputError>([&] { FiniteElements elements(mesh); }).find("mid-side"), std::string::npos);
+  EXPECT_NE(complaint<InputError>([&] { FiniteElements elements(mesh); }).find("mid-side"), std::string::npos);
 }
 
 TEST(FiniteElements, RefusesQuadranglesThatMeetTriangles) {
@@ -169,11 +169,11 @@ TEST(FiniteElements, RefusesQuadranglesThatMeetTriangles) {
     for (int node = 0; node < mesh.node_count(); ++node)
       if ((mesh.nodes.col(node) - whole.nodes.col(whole.cells(k, 1))).norm() < 1e-9) cells(k, 6) = node;
   mesh.cells = cells;
-  EXPECT_EQ(test::complaint<InputError>([&] {
+  EXPECT_EQ(complaint<InputError>([&] {
               FiniteElements elements(mesh);
             }).rfind("the sector: the cells don't make a mesh: a quadrangle meets triangles at x y z = ", 0),
             0u);
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

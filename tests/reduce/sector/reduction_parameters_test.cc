@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 ReductionParameters read(const std::string& keys) {
@@ -38,4 +38,4 @@ TEST(ReductionParameters, LeaveTheKindOfContactToTheMesh) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

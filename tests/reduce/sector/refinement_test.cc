@@ -5,12 +5,12 @@
 
 #include <numbers>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/split_cells.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::Annulus;
@@ -93,9 +93,9 @@ TEST(Refinement, SplitsTheTipsFaces) {
 
 TEST(Refinement, RefusesPyramids) {
   const SectorMesh mesh = test::split(sector_of(27), test::Split::pyramid13);
-  EXPECT_EQ(test::complaint<InputError>([&] { refined(mesh); }),
+  EXPECT_EQ(complaint<InputError>([&] { refined(mesh); }),
             "the sector: cell 0 is a pyramid, which [reduce] refine can't split; leave refine at 0");
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

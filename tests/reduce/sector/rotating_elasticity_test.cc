@@ -6,7 +6,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::dense;
@@ -193,4 +193,4 @@ TEST(RotatingElasticity, ChangesWithSpeedAsThePolynomialSays) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

@@ -7,14 +7,13 @@
 #include <numeric>
 #include <set>
 
-#include "tests/reduce/complaint.h"
+#include "tests/cases/complaint.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub {
+namespace tiprub::reduce {
 namespace {
 
 using test::Annulus;
-using test::complaint;
 
 TEST(SectorDofs, PartsSumToTheTotal) {
   // eq. 5: interior, cut faces, contact nodes.
@@ -122,4 +121,4 @@ TEST(SectorDofs, NeighboursShareACell) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::reduce

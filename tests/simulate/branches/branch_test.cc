@@ -17,7 +17,7 @@
 #include "tests/simulate/periodic/rebounding_mass.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 /// What a scene refers to, and an orbit to begin with.
@@ -203,4 +203,4 @@ TEST(Branch, FollowsTheRepellingHalfBehindARigidFold) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

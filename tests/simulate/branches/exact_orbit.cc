@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -205,4 +205,4 @@ std::vector<double> exact_folds(const OneSidedSpring& plan, double low, double h
   return folds;
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -6,7 +6,7 @@
 
 #include "tests/simulate/branches/one_sided_spring.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// An orbit of OneSidedSpring that repeats itself every revolution, to rounding: its motion is a sum of exponentials
 /// and sines between the instants at which the second spring is met and left, and these are found by bisection.
@@ -24,4 +24,4 @@ ExactOrbit exact_orbit(const OneSidedSpring& plan, double speed, const Eigen::Ve
 /// determinant of 1 less the monodromy matrix, to 1e-9.
 std::vector<double> exact_folds(const OneSidedSpring& plan, double low, double high);
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -8,7 +8,7 @@
 
 #include "tests/simulate/one_sector.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::vector<double> folds_by_harmonic_balance(const OneSidedSpring& plan, double
   return folds;
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -5,7 +5,7 @@
 
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// A mass on a spring, and before it a second spring that a casing of one lobe pushes, and never pulls:
 ///   m u'' + 2 zeta w m u' + k u = -k_1 max(0, u + a cos(Omega t) - c),   w^2 = k/m.
@@ -25,4 +25,4 @@ ReducedModel one_sided_spring(const OneSidedSpring& plan);
 /// force at many instants) followed along its arc length.
 std::vector<double> folds_by_harmonic_balance(const OneSidedSpring& plan, double low, double high);
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -10,7 +10,7 @@
 
 #include "simulate/motion/attempt.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 class Random {
@@ -165,4 +165,4 @@ TEST(PapersRule, LeavesANodeThatItPushedThrough) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -116,4 +116,4 @@ void DenseRing::step() {
   gap_ += W_ * lambda_;
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -8,7 +8,7 @@
 #include "simulate/march/contact_impulses.h"
 #include "simulate/scene/casing.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// The paper's eq. 13, eq. 14 and eq. 15 as they stand, on the matrices of its eq. 11 and eq. 12: physical
 /// coordinates of the whole wheel, dense matrices. Slow, and written without a line of the march; what it is measured
@@ -42,4 +42,4 @@ class DenseRing {
   Eigen::VectorXd clearance_, u_, before_, gap_, lambda_;
 };
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -12,7 +12,7 @@
 #include "tests/simulate/march/dense_ring.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 using testing::DenseRing;
@@ -142,4 +142,4 @@ TEST(DenseRing, EqualsTheModalMarchOnAGivenModel) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -6,7 +6,7 @@
 #include "simulate/orbits/energy_audit.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 /// A bar of length L flies lengthwise against a rigid wall (Doyen, Ern, Piperno 2011, sec. 4.1): it stays for 2L/c,
@@ -93,4 +93,4 @@ TEST(ElasticBar, LosesEnergyInProportionToTheElements) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

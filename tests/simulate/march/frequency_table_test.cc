@@ -8,7 +8,7 @@
 
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 /// A model that is condensed at each speed: the table must hold what the march moves by, not the whole model.
@@ -58,4 +58,4 @@ TEST(FrequencyTable, IsNegativeWhereTheRotorIsUnstable) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

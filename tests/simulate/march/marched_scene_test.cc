@@ -10,7 +10,7 @@
 #include "simulate/motion/attempt.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 const ReducedModel wheel = testing::synthetic_wheel({});
@@ -95,4 +95,4 @@ TEST(EnergyState, ComesBackAsItWasPut) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -9,7 +9,7 @@
 #include "simulate/motion/attempt.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 /// eq. 12: each nodal diameter is a block of its own.
@@ -49,4 +49,4 @@ TEST(RotorAtSpeed, RefusesAnUnstableOneAndSaysWhere) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 struct Mode {
@@ -119,4 +119,4 @@ TEST(CentralDifferences, HoldJustBelowTheirLimitAndNotAbove) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

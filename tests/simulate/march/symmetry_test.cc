@@ -5,7 +5,7 @@
 
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 using testing::Bench;
@@ -83,4 +83,4 @@ TEST(Symmetry, ScalesInLengthAndInMatrices) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

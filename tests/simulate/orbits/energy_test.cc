@@ -8,7 +8,7 @@
 #include "simulate/march/march_state.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 using testing::Bench;
@@ -102,4 +102,4 @@ TEST(EnergyAudit, ClosesAfterAJumpOfTheState) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -9,7 +9,7 @@
 
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 constexpr double speed = 900;
@@ -69,4 +69,4 @@ TEST(ExcludedGrowth, IsUndecidedNearOne) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 constexpr int samples = 240, lobes = 2;
@@ -97,4 +97,4 @@ TEST(EngineOrderBand, KeepsTheSumOfSquaresOfItsOrders) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

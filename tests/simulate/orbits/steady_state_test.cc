@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 constexpr double tolerance = 1e-3;
@@ -95,4 +95,4 @@ TEST(SteadyState, TakesAMotionBelowTheQuietNormForNone) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -11,7 +11,7 @@
 #include "tests/simulate/periodic/rebounding_mass.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -195,4 +195,4 @@ TEST(ImpactOrbit, GrazesWhereTheClosedFormDoes) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

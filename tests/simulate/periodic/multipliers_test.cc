@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 /// A diagonal block: values between two bounds; and a pair that turns.
@@ -35,4 +35,4 @@ TEST(Multipliers, StandsBesideManyOfNearlyItsSize) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

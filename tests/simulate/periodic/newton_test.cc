@@ -9,7 +9,7 @@
 #include "simulate/periodic/multipliers.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 constexpr int steps = 1200;
@@ -105,4 +105,4 @@ TEST_F(Newton, RejectsTheFixedPointOfAStaleContactPattern) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -10,7 +10,7 @@
 #include "tests/simulate/compared_responses.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 using Outcome = OrbitReport::Outcome;
@@ -147,4 +147,4 @@ TEST(OrbitSearch, SurvivesAStepBeyondTheLimitOfItsScheme) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,7 +7,7 @@
 
 #include "tests/simulate/one_sector.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 namespace {
 
@@ -108,4 +108,4 @@ ReducedModel one_mass_along_the_stop(double frequency) {
   return model;
 }
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

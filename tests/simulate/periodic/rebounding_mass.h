@@ -3,7 +3,7 @@
 
 #include "reduce/model/reduced_model.h"
 
-namespace tiprub::testing {
+namespace tiprub::simulate::testing {
 
 /// One mass on a spring before an oscillating stop w(t) = c - a cos(Omega t) that it meets once a revolution, without
 /// rebound, while the stop draws away: it takes the stop's velocity and leaves at once.
@@ -43,4 +43,4 @@ double rebounding_fold(const ReboundingMass& mass, double low, double high);
 /// A model of one mass that moves along the stop only: nothing moves across it, and what does dies out.
 ReducedModel one_mass_along_the_stop(double frequency);
 
-}  // namespace tiprub::testing
+}  // namespace tiprub::simulate::testing

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 /// Sixty slow modes that turn by different angles, and four hundred fast ones: what a march's map looks like.
@@ -43,4 +43,4 @@ TEST(RecycledGmres, SolvesExactlyWhatIsSmall) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

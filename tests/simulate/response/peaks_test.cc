@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 TEST(ParabolaTop, IsExactOnAParabola) {
@@ -46,4 +46,4 @@ TEST(NamedPeaks, HaveARaggedTopOnce) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -13,10 +13,10 @@
 
 #include "reduce/model/hdf5_file.h"
 #include "simulate/response/speed_group.h"
+#include "tests/cases/complaint.h"
 #include "tests/cases/full_disk.h"
-#include "tests/reduce/complaint.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 SpeedResponse settled_speed() {
@@ -117,7 +117,7 @@ TEST_F(ResponseFile, SaysThatTheDiskIsFull) {
   constexpr int cuts = 20;
   for (int cut = 0; cut < cuts; ++cut) {
     std::filesystem::remove(path_);
-    const test::FullDisk disk(cut * size / cuts);
+    const FullDisk disk(cut * size / cuts);
     EXPECT_THROW(write_response(two_speeds(), path_, "test"), RunError) << cut;
   }
 }
@@ -147,7 +147,7 @@ TEST_F(ResponseFile, RefusesAByteThatChanged) {
   file.seekp(middle);
   file.put(byte);
   file.close();
-  EXPECT_EQ(test::complaint<RunError>([&] { read_response(path_); }),
+  EXPECT_EQ(complaint<RunError>([&] { read_response(path_); }),
             path_.string() + ": was damaged after it was written (its seal is broken); run tiprub-simulate again");
 }
 
@@ -397,4 +397,4 @@ TEST_F(ResponseFile, AsksForMemoryBeforeItReads) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

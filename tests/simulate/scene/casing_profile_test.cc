@@ -9,7 +9,7 @@
 
 #include "cases/program/errors.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -109,4 +109,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& wrong) { return wrong.param.name; });
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -9,7 +9,7 @@
 
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -107,4 +107,4 @@ TEST(PeriodicTable, OfOnePointIsAConstant) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

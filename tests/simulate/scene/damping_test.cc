@@ -5,7 +5,7 @@
 
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 TEST(Damping, IsByFamilyAndTheLastOneHolds) {
@@ -42,4 +42,4 @@ TEST(ResolvedFrequency, IsTwiceTheLowestOfTheLastVerifiedOnes) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

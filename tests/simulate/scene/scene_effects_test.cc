@@ -6,7 +6,7 @@
 
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 class SceneEffects : public ::testing::Test {
@@ -53,4 +53,4 @@ TEST_F(SceneEffects, TellsOfNodalDiametersAndModes) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,7 +7,7 @@
 
 #include "simulate/motion/attempt.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 SimulateParameters asked() {
@@ -78,4 +78,4 @@ TEST(SceneScope, GivesAReasonForEachChoice) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

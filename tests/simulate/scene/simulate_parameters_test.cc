@@ -5,10 +5,10 @@
 
 #include "tests/cases/temporary_folder.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
-class SpeedsOfACase : public test::TemporaryFolder {
+class SpeedsOfACase : public TemporaryFolder {
  protected:
   SpeedChoice choice(const std::string& lines) const {
     write(path("case.toml"), "[simulate]\n" + lines);
@@ -32,4 +32,4 @@ TEST_F(SpeedsOfACase, HaveNothingBesideASingleOne) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

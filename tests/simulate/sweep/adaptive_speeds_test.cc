@@ -9,7 +9,7 @@
 #include <functional>
 #include <map>
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 using Curve = std::function<double(double)>;
@@ -149,4 +149,4 @@ TEST(AdaptiveSpeeds, AskForNothingOnASmoothCurve) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

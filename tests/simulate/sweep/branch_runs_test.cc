@@ -8,11 +8,11 @@
 #include "tests/cases/temporary_folder.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 /// Three speeds of a wheel, the first two examined.
-class BranchRuns : public test::TemporaryFolder {
+class BranchRuns : public TemporaryFolder {
  protected:
   std::vector<OrbitBranch> follow(BranchChoice choice, SweepDirection sweep) {
     SimulateParameters parameters;
@@ -76,4 +76,4 @@ TEST_F(BranchRuns, FollowNoneUnlessAsked) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -7,12 +7,12 @@
 
 #include "tests/cases/temporary_folder.h"
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Finished : public test::TemporaryFolder {
+class Finished : public TemporaryFolder {
  protected:
   FinishedSpeeds open() const { return {path("r.h5"), scene(), "key", "test"}; }
   static SimulatedScene scene() {
@@ -85,4 +85,4 @@ TEST_F(Finished, DontTakeOtherPeoplesFilesAway) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace tiprub {
+namespace tiprub::simulate {
 namespace {
 
 SpeedResponse held(double rpm) {
@@ -62,4 +62,4 @@ TEST(SweepTally, SaysFirstThatTheStepsToleranceWasNotReached) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::simulate

@@ -5,7 +5,7 @@
 
 #include "cases/program/errors.h"
 
-namespace tiprub::test {
+namespace tiprub {
 
 /// The message of the Error that a call raises; empty if it raises none.
 template <class Error, class Call>
@@ -18,4 +18,4 @@ std::string complaint(const Call& call) {
   return "";
 }
 
-}  // namespace tiprub::test
+}  // namespace tiprub

@@ -63,8 +63,9 @@ SANITIZERS := LSAN_OPTIONS=suppressions=$(CURDIR)/.ci/leaks.supp:print_suppressi
 SANITIZED := programs write-synthetic-scene gmsh_sector cases_test mesh_test model_file_test reduce_test reduce_linear_test \
   split_sector simulate_test postprocess-test postprocess-program-test planted_fault convert_sector tiprub_fuzz
 
-tests-sanitized: packages
-	cmake -G Ninja -S . -B $(BUILD)-sanitized -DCMAKE_BUILD_TYPE=Debug -DTIPRUB_SANITIZE=ON > $(BUILD)-sanitized.configure.log
+tests-sanitized:
+	@.ci/install-packages packages-gate.txt
+	cmake -G Ninja -S . -B $(BUILD)-sanitized -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DTIPRUB_SANITIZE=ON > $(BUILD)-sanitized.configure.log
 	ninja -C $(BUILD)-sanitized -j $(JOBS) $(SANITIZED)
 
 test-sanitized: tests-sanitized

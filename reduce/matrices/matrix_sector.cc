@@ -172,8 +172,8 @@ void require_free(const Matrix& stiffness, const Eigen::MatrixXd& motions, const
   if (held > 0)
     throw InputError(files.stiffness.string() + ": holds " + std::to_string(held) + " of the " +
                      std::to_string(mesh.node_count()) + " nodes against translations, the first at " +
-                     mesh.place_of(first) + "; K must be that of the free sector: " + files.nodes.string() +
-                     " names the nodes that are clamped");
+                     mesh.place_of(first) + "; K must be that of the free sector, in the rows that " +
+                     said_by(files) + (files.dofs.empty() ? " says" : " say"));
 }
 
 /// Sorts the nodes by their places. A node that has none of its dofs in the matrices is clamped.

@@ -30,7 +30,7 @@ constexpr double arc_tolerance = 1e-3;                // of a step along the con
 constexpr double half_circle = std::numbers::pi / 2;  // arc over chord: no tip bends more between two nodes
 constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double most_twist = std::numbers::pi / 2;  // [rad] of a tip, from one contact node to the next
-constexpr double most_inward = -0.5;                 // radial component of a normal: no casing looks at the axis so
+constexpr double most_inward = -0.1;                 // mean radial component of the normals
 constexpr double least_distance = 1e-9;              // of the radius, between two contact nodes
 
 void require(bool holds, const std::string& message) {
@@ -87,17 +87,24 @@ void check_step(const ContactLine& contact, Eigen::Index k, const std::string& n
   require(across <= along * (1 + tolerance) && along <= half_circle * across, text.str());
 }
 
-/// From blade to casing a normal points away from the axis, or along it where the casing turns to the side. Angles in
-/// degrees are told by their size, or by a tip that seems to turn by more than a quarter from node to node.
+/// From blade to casing normals point away from the axis, or along it where the casing turns to the side.
+void check_normals(const ContactLine& contact, const std::string& name) {
+  for (Eigen::Index k = 0; k < contact.normal.rows(); ++k)
+    require(std::abs(contact.normal.row(k).norm() - 1) < unit_tolerance,
+            name + ": /contact/normal: row " + std::to_string(k) + " is not of unit length");
+  const double outward = contact.normal.col(0).mean();
+  std::ostringstream text;
+  text << name << ": /contact/normal has the mean radial component " << outward << ", must be above " << most_inward
+       << ": normals point from the blade to the casing; reverse them";
+  require(outward > most_inward, text.str());
+}
+
+/// Angles in degrees are told by their size, or by a tip that seems to turn by more than a quarter from node to node.
 void check_place(const ContactLine& contact, Eigen::Index k, const std::string& name) {
-  const double radius = contact.position(k, 0), theta = contact.position(k, 1), outward = contact.normal(k, 0);
-  const std::string row = ": row " + std::to_string(k);
-  std::ostringstream normal, place;
-  normal << name << ": /contact/normal" << row << " has the radial component " << outward << ", must be above "
-         << most_inward << ": normals point from the blade to the casing; reverse them";
-  require(outward > most_inward, normal.str());
+  const double radius = contact.position(k, 0), theta = contact.position(k, 1);
+  std::ostringstream place;
   place
-      << name << ": /contact/position" << row << " has r = " << radius << " m and theta = " << theta
+      << name << ": /contact/position: row " << k << " has r = " << radius << " m and theta = " << theta
       << " rad; r must be above 0, and theta within a turn, and within a quarter of one from node to node: is it in "
          "degrees?";
   const bool follows = k > 0 && k != contact.trailing_edge() + 1;
@@ -126,9 +133,8 @@ void check(const ContactLine& contact, const std::string& name) {
   for (const Eigen::MatrixX3d& shift : contact.static_shift.terms) tables.push_back(&shift);
   for (const auto* table : tables)
     require(table->rows() == count, name + ": /contact: every table must have " + std::to_string(count) + " rows");
+  check_normals(contact, name);
   for (Eigen::Index k = 0; k < count; ++k) {
-    require(std::abs(contact.normal.row(k).norm() - 1) < unit_tolerance,
-            name + ": /contact/normal: row " + std::to_string(k) + " is not of unit length");
     check_place(contact, k, name);
     if (k > 0 && k != contact.trailing_edge() + 1) check_step(contact, k, name);
     check_apart(contact, k, name);

@@ -44,7 +44,7 @@ TEST_F(ModelledEffects, ComeBackInTheirOrder) {
 TEST_F(ModelledEffects, AreRefusedWhereTheyAreWrong) {
   const std::string coriolis = "/effects/coriolis";
   const auto complaint = [&](const std::string& group, const std::string& name, const auto& value) {
-    return complaint<RunError>([&] {
+    return tiprub::complaint<RunError>([&] {
       read_after([&](Hdf5File& file) {
         if (group != coriolis || name != "treatment")
           file.set_attribute(coriolis, "treatment", std::string("left out"));

@@ -17,7 +17,7 @@ namespace {
 constexpr double tolerance = 1e-6;
 
 std::string complaint(SectorMesh mesh) {
-  return complaint<InputError>([&] { pair_cut_faces(mesh, tolerance); });
+  return tiprub::complaint<InputError>([&] { pair_cut_faces(mesh, tolerance); });
 }
 
 TEST(CutFaces, PairInAnyOrderAndTellTheCount) {
@@ -87,7 +87,7 @@ TEST(CutFaces, AreWholeSurfaces) {
   const auto above = [&](int node) { return mesh.nodes(2, node) > half + 1e-9; };
   std::erase_if(mesh.cyclic_low, above);
   std::erase_if(mesh.cyclic_high, above);
-  const std::string said = complaint<InputError>([&] { require_whole_cuts(mesh); });
+  const std::string said = tiprub::complaint<InputError>([&] { require_whole_cuts(mesh); });
   EXPECT_EQ(
       said.find(
           "the sector: cyclic_low holds 2 of the 4 faces of its surface; a cut is all of it: mesh both cuts alike "),

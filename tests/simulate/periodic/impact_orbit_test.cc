@@ -17,6 +17,7 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 
 struct Plan {
+  explicit Plan(double at) : speed(at) {}
   double speed;             ///< [rad/s] Omega
   double frequency = 1000;  ///< [rad/s] of the mass
   double damping = 0.02;    ///< [1]
@@ -32,7 +33,7 @@ struct BouncingMass : Plan {
   double period = two_pi / speed;
   double leaves = 0, meets = 0;  ///< [s]
 
-  explicit BouncingMass(double at) : Plan{at} {
+  explicit BouncingMass(double at) : Plan(at) {
     constexpr int looks = 20000;
     for (int i = 0; i < looks && leaves == 0; ++i) {
       const double from = period * (double(i) / looks - 0.5), to = from + period / looks;
@@ -153,7 +154,9 @@ TEST(ImpactOrbit, LeavesAtOnceAsTheReturnMapSays) {
     ASSERT_LT(exact.force, 0) << "it leaves at once";
     std::vector<double> errors;
     for (const int steps : {240, 960}) {
-      const SpeedResponse orbit = found(Plan{speed, 1000, 0.02, 1e-3, clearance}, steps);
+      Plan plan(speed);
+      plan.clearance = clearance;
+      const SpeedResponse orbit = found(plan, steps);
       ASSERT_EQ(orbit.audit.orbit.outcome, OrbitReport::Outcome::found) << speed;
       EXPECT_EQ(orbit.audit.orbit.maps, 1);
       EXPECT_NEAR(orbit.audit.orbit.multiplier / std::abs(exact.multiplier), 1, 2e-3) << speed << ", " << steps;

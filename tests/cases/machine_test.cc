@@ -48,7 +48,7 @@ TEST_F(FakeMachine, IsNotLimitedByAGroupWithoutALimit) {
 
 // OpenBLAS asked for ever for a buffer that the limit refused.
 TEST(Machine, RefusesALimitThatLeavesNoRoomForLibraries) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TIPRUB_SANITIZED
   GTEST_SKIP() << "the sanitizer maps more than any limit";
 #endif
   EXPECT_NO_THROW(require_room_for_libraries());

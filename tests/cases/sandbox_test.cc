@@ -35,7 +35,7 @@ TEST(Sandbox, DiesAlone) {
 }
 
 TEST(Sandbox, MayTakeNoMoreThanItsLimits) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TIPRUB_SANITIZED
   GTEST_SKIP() << "the sanitizer maps more than any limit";
 #endif
   const auto greedy = [&] { return std::to_string(std::vector<char>(1 << 30, 'x').back()); };

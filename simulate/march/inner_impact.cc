@@ -10,8 +10,9 @@ namespace tiprub::simulate {
 
 namespace {
 
-constexpr double closed_gap = 1e-9;  // of the way in a step: a smaller gap is that of a closed node
-constexpr int newton_steps = 4;      // from the root of the parabola
+constexpr double closed_gap = 1e-9;    // of the way in a step: a smaller gap is that of a closed node
+constexpr int newton_steps = 4;        // from the root of the parabola
+constexpr double most_damping = 0.99;  // [1] <r> of a step; at 1 a mode forgets its velocity at once
 constexpr double far_away = std::numeric_limits<double>::infinity();  // [m] the gap of a node without an impact
 
 /// g(x) through the gaps at x = -1 .. 2.
@@ -33,7 +34,7 @@ struct Cubic {
 Recoil::Recoil(double r, double k)
     : damping(r),
       stiffness(k),
-      rho(-std::log1p(-std::min(r, 0.99))),
+      rho(-std::log1p(-std::min(r, most_damping))),
       phi(std::acos(std::clamp((2 - r - k) / 2 * std::exp(rho / 2), -1.0, 1.0))) {}
 
 double Recoil::at(double x) const {

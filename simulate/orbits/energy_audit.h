@@ -17,6 +17,7 @@ namespace tiprub::simulate {
 /// error is therefore rounding, and also tests the maps between nodes and modes. On a wall at rest with
 /// complementarity the work is -lambda g-/2 <= 0: contact never adds energy.
 /// The impulse of an impact within a step (InnerImpact) changes the increment at t_{q+1}; the change of E is work.
+/// Beside another node that rebounds, this step and the next may gain energy; less than 1e-6 of it has been seen.
 class EnergyAudit {
  public:
   /// Starts the ledger at the present state of the march.

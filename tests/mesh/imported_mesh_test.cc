@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mesh/import/periodic_cuts.h"
+#include "tests/cases/complaint.h"
 
 namespace tiprub::mesh {
 namespace {
@@ -41,22 +42,12 @@ CellMesh in_metres(const ForeignMesh& mesh) {
   return in_our_terms(mesh, 1.0, Axis::z);
 }
 
-template <class Body>
-std::string complaint(const Body& body) {
-  try {
-    body();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 /// Symptom: a mesh whose cells are written twice has no free face, and the message asked for the unit of length.
 TEST(ImportedMesh, SaysThatCellsAreThereTwice) {
   ForeignMesh mesh = bricks({2, 1, 1}, [](double i, double j, double k) { return Eigen::Vector3d(1 + i, j, k); });
   EXPECT_NO_THROW(in_metres(mesh));
   mesh.cells.push_back({77, mesh.cells[1].nodes});
-  EXPECT_EQ(complaint([&] { in_metres(mesh); }),
+  EXPECT_EQ(complaint<InputError>([&] { in_metres(mesh); }),
             "bricks: elements 2 and 77 have the same nodes; is the mesh there twice? Write it once");
 }
 
@@ -73,9 +64,9 @@ TEST(ImportedMesh, RefusesAPartOfACut) {
   };
   const CellMesh whole = ring(0), part = ring(0.01);
   EXPECT_EQ(find_cuts(whole, 0).low.size(), 6u);
-  EXPECT_EQ(complaint([&] { require_whole(whole, find_cuts(whole, 0)); }), "");
+  EXPECT_EQ(complaint<InputError>([&] { require_whole(whole, find_cuts(whole, 0)); }), "");
   EXPECT_EQ(
-      complaint([&] { require_whole(part, find_cuts(part, sectors)); }),
+      complaint<InputError>([&] { require_whole(part, find_cuts(part, sectors)); }),
       "bricks: 2 of the 6 faces of a cut, turned by 360/6 degrees, are faces of the other; mesh both cuts alike "
       "(gmsh: Periodic Surface)");
 }

@@ -42,7 +42,8 @@ TEST(EnergyAudit, HoldsWithoutContactAndDamping) {
   }
 }
 
-/// An impulse within a step changes where its neighbours would have come from: a step may then gain a millionth.
+/// An impulse within a step changes where its neighbours would have come from: it or the next step may gain a
+/// millionth.
 TEST(EnergyAudit, NeverGrowsOnAWallAtRest) {
   for (Scheme scheme : {Scheme::trigonometric, Scheme::central_differences}) {
     Bench bench = make_bench(testing::synthetic_wheel({}), testing::lobed_casing(2, 0.0, 2e-5), 900, 0.0,
@@ -52,11 +53,14 @@ TEST(EnergyAudit, NeverGrowsOnAWallAtRest) {
     const EnergyAudit audit(bench.march);
     const double start = audit.energy(bench.march);
     double last = start;
+    bool struck = false;  // in the step before
     int contacts = 0;
     for (int i = 0; i < 20000; ++i) {
       bench.march.step();
       const double energy = audit.energy(bench.march);
-      ASSERT_LE(energy, last + 1e-6 * start);
+      const bool strikes = !bench.march.impacts().empty();
+      ASSERT_LE(energy, last + (strikes || struck ? 1e-6 : 1e-13) * start) << i;
+      struck = strikes;
       last = energy;
       contacts += bench.march.contact().closed().empty() ? 0 : 1;
     }

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 #include "reduce/model/dense_eigen.h"
 #include "simulate/march/time_march.h"
@@ -139,7 +138,7 @@ double OrbitFamily::amplitude(double speed, const Eigen::VectorXd& state) {
 }
 
 double OrbitFamily::maps_per_revolution() const {
-  return std::lcm(scene_.model.sector_count, scene_.casing.lobes);
+  return simulate::maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes);
 }
 
 Eigen::VectorXd OrbitFamily::of_family(double speed, const Eigen::VectorXd& state) {

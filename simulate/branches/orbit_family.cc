@@ -138,7 +138,7 @@ double OrbitFamily::amplitude(double speed, const Eigen::VectorXd& state) {
 }
 
 double OrbitFamily::maps_per_revolution() const {
-  return simulate::maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes);
+  return symmetric_maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes);
 }
 
 Eigen::VectorXd OrbitFamily::of_family(double speed, const Eigen::VectorXd& state) {

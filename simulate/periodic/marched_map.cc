@@ -32,7 +32,7 @@ MarchedScene disturbed(MarchedScene orbit, Disturbance disturbance) {
 
 SymmetricMap::SymmetricMap(TimeMarch& march, int power) : march_(march), energy_state_(march) {
   const int sectors = march.sector_count(), lobes = march.scene().obstacle.lobes();
-  steps_ = power * (march.steps_per_revolution() / maps_per_revolution(sectors, lobes));
+  steps_ = power * (march.steps_per_revolution() / symmetric_maps_per_revolution(sectors, lobes));
   const std::int64_t shift = std::int64_t{power} * sector_shift(sectors, lobes) % sectors;
   for (std::size_t i = 0; i < march.wave_count(); ++i)
     phases_.push_back(std::conj(sector_phase(march.wave(i).nodal_diameter, static_cast<int>(shift), sectors)));

@@ -66,7 +66,7 @@ bool OrbitSearch::jump(TimeMarch& march) {
 
 /// The number of maps after which a march nearly returns, if its whole revolutions fit into a recording; else 1.
 int OrbitSearch::recurrence(TimeMarch& march) const {
-  const int lobes = scene_.casing.lobes, maps = maps_per_revolution(march.sector_count(), lobes);
+  const int lobes = scene_.casing.lobes, maps = symmetric_maps_per_revolution(march.sector_count(), lobes);
   const SymmetricMap one(march);
   const Eigen::VectorXd start = one.state();
   const MarchState before(march);
@@ -83,7 +83,7 @@ int OrbitSearch::recurrence(TimeMarch& march) const {
 }
 
 int OrbitSearch::period_revolutions() const {
-  return report_.maps / std::gcd(report_.maps, maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes));
+  return report_.maps / std::gcd(report_.maps, symmetric_maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes));
 }
 
 bool OrbitSearch::find(TimeMarch& march) {

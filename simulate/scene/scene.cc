@@ -66,7 +66,7 @@ void explain(SceneScope& scope, int sector_count, int lobes, int grid, const Sim
 
 }  // namespace
 
-int maps_per_revolution(int sector_count, int lobes) {
+int symmetric_maps_per_revolution(int sector_count, int lobes) {
   return std::lcm(sector_count, lobes);
 }
 
@@ -83,7 +83,7 @@ SceneScope find_scope(int sector_count, int lobes, const SimulateParameters& par
   scope.independent_sectors = sector_count / scope.symmetry;
   // eq. 17: p N +- n = k N_l for some whole p, k
   for (int n = 0; n <= sector_count / 2; n += scope.symmetry) scope.nodal_diameters.push_back(n);
-  const int grid = maps_per_revolution(sector_count, lobes);
+  const int grid = symmetric_maps_per_revolution(sector_count, lobes);
   scope.samples_per_revolution = static_cast<int>(rounded_up(parameters.samples_per_revolution, grid));
   explain(scope, sector_count, lobes, grid, parameters);
   return scope;

@@ -23,7 +23,7 @@ struct SceneScope {
 };
 
 /// lcm(N, lobes): after that part of a revolution, a wheel with its sectors relabelled meets the same casing again.
-int maps_per_revolution(int sector_count, int lobes);
+int symmetric_maps_per_revolution(int sector_count, int lobes);
 
 /// The number of sectors by which the wheel must be relabelled after 1/lcm(N, lobes) of a revolution to meet the same
 /// casing again: the s in 0 .. N/g - 1 with s (lobes/g) = 1 mod N/g, g = gcd(N, lobes).

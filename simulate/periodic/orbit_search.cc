@@ -83,7 +83,8 @@ int OrbitSearch::recurrence(TimeMarch& march) const {
 }
 
 int OrbitSearch::period_revolutions() const {
-  return report_.maps / std::gcd(report_.maps, symmetric_maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes));
+  return report_.maps /
+         std::gcd(report_.maps, symmetric_maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes));
 }
 
 bool OrbitSearch::find(TimeMarch& march) {

@@ -82,7 +82,9 @@ IsIn by_geometry(const CellMesh& mesh, const std::string& key, const std::string
   return {};
 }
 
-constexpr double least_step = 1e-4;  // of the line's length
+constexpr double least_step = 1e-4;      // of the line's length
+constexpr double corner_degrees = 60;    // between two steps along the edge of a tip
+constexpr double most_of_an_end = 0.25;  // of a way along the edge: a longer stretch is a flank
 
 Eigen::Vector2d meridional(const CellMesh& mesh, int node) {
   return {mesh.nodes.col(node).head<2>().norm(), mesh.nodes(2, node)};
@@ -138,6 +140,25 @@ std::vector<int> loop_round(const CellMesh& mesh, const std::vector<int>& faces,
   return loop;
 }
 
+/// A way along the edge of a tip without the blunt ends that it goes across: the stretches beyond its first and its
+/// last corner, where these are short.
+std::vector<int> along_flank(const CellMesh& mesh, const std::vector<int>& way) {
+  const double least_cosine = std::cos(corner_degrees * std::numbers::pi / 180);
+  const auto step = [&](std::size_t k) -> Eigen::Vector3d {
+    return mesh.nodes.col(way[k]) - mesh.nodes.col(way[k - 1]);
+  };
+  double whole = 0, length = 0;
+  for (std::size_t k = 1; k < way.size(); ++k) whole += step(k).norm();
+  std::size_t first = 0, last = way.size() - 1;
+  for (std::size_t k = 1; k < last; ++k) {
+    length += step(k).norm();
+    if (step(k).normalized().dot(step(k + 1).normalized()) >= least_cosine) continue;
+    if (length < most_of_an_end * whole) first = k;
+    if (length > (1 - most_of_an_end) * whole) last = k;
+  }
+  return {way.begin() + static_cast<std::ptrdiff_t>(first), way.begin() + static_cast<std::ptrdiff_t>(last) + 1};
+}
+
 }  // namespace
 
 const std::vector<int>& select_nodes(const CellMesh& mesh, const std::string& key, const std::string& name) {
@@ -185,8 +206,8 @@ std::vector<int> line_along_tip(const CellMesh& mesh, const std::vector<int>& fa
   std::vector<int> one(loop.begin(), last + 1), other(last, loop.end());
   other.push_back(loop.front());
   std::reverse(other.begin(), other.end());
-  one = advancing(mesh, one);
-  other = advancing(mesh, other);
+  one = advancing(mesh, along_flank(mesh, one));
+  other = advancing(mesh, along_flank(mesh, other));
   return one.size() >= other.size() ? one : other;
 }
 

@@ -28,8 +28,9 @@ enum class LeadingEdge { low_z, high_z };
 std::vector<int> ordered_line(const CellMesh& mesh, std::vector<int> nodes, LeadingEdge leading);
 
 /// A line along a tip of which only the faces are known. Two paths lead along their outer edge from leading to
-/// trailing edge; the one with more nodes is taken. Raises InputError, which names `key`, if the faces have no single
-/// outer edge.
+/// trailing edge. Where one begins or ends at the far corner of a blunt end, it goes across this end: that stretch,
+/// beyond a corner of 60 degrees, is left out. Of what remains, the path with more nodes is taken. Raises InputError,
+/// which names `key`, if the faces have no single outer edge.
 std::vector<int> line_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key,
                                 LeadingEdge leading);
 

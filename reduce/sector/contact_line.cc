@@ -146,15 +146,17 @@ std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count) {
 
 Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int>& line,
                                    const std::vector<int>& nodes) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::vector<double> lengths = arc_lengths(mesh, line);
   Eigen::VectorXd found = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const Eigen::Vector2d at = meridional(mesh.nodes.col(nodes[k]));
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = infinite;
     for (std::size_t i = 1; i < lengths.size(); ++i) {
       const Eigen::Vector2d start = meridional(mesh.nodes.col(line[i - 1]));
       const Eigen::Vector2d step = meridional(mesh.nodes.col(line[i])) - start;
-      const double along = std::clamp((at - start).dot(step) / step.squaredNorm(), 0.0, 1.0);
+      const double least = i == 1 ? -infinite : 0.0, most = i + 1 == lengths.size() ? infinite : 1.0;
+      const double along = std::clamp((at - start).dot(step) / step.squaredNorm(), least, most);
       const double distance = (at - start - along * step).norm();
       if (distance >= nearest) continue;
       nearest = distance;

@@ -17,8 +17,8 @@ void require_one_way(const SectorMesh& mesh);
 /// length between them; the defaults follow the paper's ten. Raises InputError if a line has fewer.
 std::vector<int> choose_contact_nodes(const SectorMesh& mesh, int count);
 
-/// [m] The arc lengths, from its leading edge, at which a contact line comes nearest to each of some nodes in the
-/// meridional plane.
+/// [m] The arc lengths, from its first node, at which a contact line comes nearest to each of some nodes in the
+/// meridional plane. The line goes on straight beyond its ends, because a tip may reach farther than its line.
 Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int>& line,
                                    const std::vector<int>& nodes);
 

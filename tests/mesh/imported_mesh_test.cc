@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mesh/import/periodic_cuts.h"
+#include "mesh/import/selection.h"
 #include "tests/cases/complaint.h"
 
 namespace tiprub::mesh {
@@ -49,6 +50,19 @@ TEST(ImportedMesh, SaysThatCellsAreThereTwice) {
   mesh.cells.push_back({77, mesh.cells[1].nodes});
   EXPECT_EQ(complaint<InputError>([&] { in_metres(mesh); }),
             "bricks: elements 2 and 77 have the same nodes; is the mesh there twice? Write it once");
+}
+
+/// Symptom: along a blunt end that is slanted, the line ran across the end too: 21 nodes where the flank has 17.
+TEST(ImportedMesh, FindsALineAlongOneFlankOfABluntSlantedTip) {
+  const Eigen::Vector3d along(0, 0.003, 0.004), across(0, -0.004, 0.001);
+  const CellMesh mesh = in_metres(bricks({8, 2, 1}, [&](double i, double j, double k) {
+    return Eigen::Vector3d(Eigen::Vector3d(0.09 + 0.01 * k, 0, 0) + i * along + j * across);
+  }));
+  const std::vector<int> line =
+      line_along_tip(mesh, select_faces(mesh, "blade_tip", "plane x 0.1"), "blade_tip", LeadingEdge::low_z);
+  ASSERT_EQ(line.size(), 17u);
+  const Eigen::Vector3d chord = mesh.nodes.col(line.back()) - mesh.nodes.col(line.front());
+  EXPECT_LT((chord - 8 * along).norm(), 1e-12);
 }
 
 /// Symptom: of two cuts that were meshed apart the faces that coincided were paired, 62 of 240, and the rest was

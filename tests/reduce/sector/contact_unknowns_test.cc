@@ -70,6 +70,17 @@ TEST(ContactSegments, StandAtTheCentresOfTheirHats) {
   EXPECT_LT((line.normal - Eigen::RowVector3d(1, 0, 0).replicate(5, 1)).norm(), 1e-9);
 }
 
+/// Symptom: the arc lengths stopped at the ends of a line that is shorter than the tip, and the centres did not, so
+/// that the model was refused.
+TEST(ContactSegments, HaveArcLengthsOnWhereTheTipReachesFartherThanItsLine) {
+  SectorMesh mesh = blade(8, 20);
+  mesh.contact_line.erase(mesh.contact_line.begin());
+  mesh.contact_line.resize(mesh.contact_line.size() - 2);
+  const ContactLine line = choose_contact(mesh, ContactKind::segments, 5).line;
+  const double first = mesh.nodes(2, mesh.contact_line.front());  // the tip runs straight along the axis
+  EXPECT_LT((line.arc_length.array() + first - line.position.col(2).array()).matrix().norm(), 1e-10 * length);
+}
+
 TEST(ContactSegments, KeepTheirCentresOverTheMesh) {
   // Knots inside faces: the kinks are integrated by parts of a face.
   const ContactLine coarse = choose_contact(blade(9, 20), ContactKind::segments, 5).line;

@@ -28,6 +28,7 @@ constexpr int longest_cycle = 2;              // revolutions of a motion that do
 constexpr double coarse_steps = 100;          // in a period of the lowest frequency
 constexpr double coarse_settling = 1e-3;
 constexpr double scatter = 1.6;            // true error over difference, measured on a closed-form impact orbit
+constexpr std::size_t scatter_memory = 3;  // halvings
 constexpr double useless_halving = 0.9;    // of the difference before: the error does not fall
 constexpr int min_revolutions_again = 10;  // when the start has settled with twice the step
 
@@ -146,11 +147,14 @@ SettledMotion halved(const Scene& scene, const SettledMotion& coarse, const Marc
   return finer;
 }
 
-/// [1] With impacts the differences scatter. A small difference therefore counts only if half of the one before, a
-/// quarter of the one before that, and so on, are small as well.
+/// [1] With impacts the differences scatter. A small difference therefore counts only if half of the one before and a
+/// quarter of the one before that are small as well. Older ones are forgotten: where a coarser step led to another
+/// motion, they tell how far apart these motions are.
 double estimated_error(const std::vector<double>& differences) {
   double error = 0;
-  for (const double difference : differences) error = std::max(difference, error / 2);
+  const std::size_t count = differences.size();
+  for (std::size_t i = count - std::min(count, scatter_memory); i < count; ++i)
+    error = std::max(differences[i], error / 2);
   return scatter * error;
 }
 

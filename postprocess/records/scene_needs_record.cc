@@ -153,8 +153,11 @@ std::vector<ModelledEffect> known_effects(const Study& study) {
   return effects;
 }
 
-/// How to estimate an effect that is left out and has no estimate.
-constexpr const char* no_estimate = "no program of this chain models it";
+/// How to estimate an effect that has no estimate.
+std::string way_to_estimate(const ModelledEffect& known) {
+  return known.treatment == Treatment::left_out ? "no program of this chain models it"
+                                                : "compare with settings that model it";
+}
 
 void add_known(std::vector<SceneNeed>& needs, const ModelledEffect& known) {
   const auto need =
@@ -165,7 +168,7 @@ void add_known(std::vector<SceneNeed>& needs, const ModelledEffect& known) {
   } else if (known.treatment == Treatment::modelled) {
     needs.push_back({known, NeedVerdict::none});
   } else {
-    needs.push_back({known, NeedVerdict::not_estimated, no_estimate});
+    needs.push_back({known, NeedVerdict::not_estimated, way_to_estimate(known)});
   }
 }
 

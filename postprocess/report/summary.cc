@@ -115,7 +115,8 @@ std::string sweep_sentence(const Study& study) {
 }
 
 /// "From 33800.0 to 34800 rpm 3 orbits exist, 1 of them attracts. Stability changes at 33900 rpm (flip)."
-std::string branch_sentence(const std::vector<OrbitBranch>& branches) {
+std::string branch_sentence(const Response& response) {
+  const std::vector<OrbitBranch>& branches = response.branches;
   std::string text;
   for (const OrbitRange& range : ranges_of_many_orbits(branches))
     text += (text.empty() ? "From " : " From ") + fixed(range.low * rpm_per_rad_s, 1) + " to " +
@@ -127,7 +128,11 @@ std::string branch_sentence(const std::vector<OrbitBranch>& branches) {
   for (const StabilityChange& change : stability_changes(branches))
     changes += (changes.empty() ? " Stability changes at " : ", ") + rpm_text(change.speed) + " (" +
                name_of(change.kind) + ")";
-  return text + (changes.empty() ? "" : changes + ".");
+  if (!changes.empty()) changes += ".";
+  const ModelledEffect* const impacts = find(response.scene.effects, Effect::impact_instants);
+  if (!branches.empty() && impacts != nullptr && impacts->treatment == Treatment::simplified)
+    changes += " About the stability of the branches: " + impacts->reason + ".";
+  return text + changes;
 }
 
 std::string share_sentence(const InteractionMap& map) {
@@ -202,7 +207,7 @@ std::vector<std::string> summary(const Study& study, const FieldResults& fields)
        {stress_sentence(study, fields), rule_sentence(study.rules, study.parameters.prediction_tolerance),
         model_sentence(study.model), accuracy_sentence(study),
         steadiness_sentence(study.response.speeds, study.failed.size()), unusual_sentence(study.response.speeds),
-        sweep_sentence(study), branch_sentence(study.response.branches), share_sentence(study.waves.first())})
+        sweep_sentence(study), branch_sentence(study.response), share_sentence(study.waves.first())})
     if (!line.empty()) lines.push_back(line);
   return lines;
 }

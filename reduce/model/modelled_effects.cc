@@ -35,6 +35,7 @@ constexpr EffectMeaning meanings[] = {
     {Effect::contact_resolution, "contact_resolution", "contact unknowns along the tip", "", ""},
     {Effect::mesh, "mesh", "mesh", "", ""},
     {Effect::time_step, "time_step", "time step", "change by its last halving", "1"},
+    {Effect::impact_instants, "impact_instants", "instants of impacts within a time step", "", ""},
     {Effect::settling, "settling", "settling", "change over the last period", "1"},
     {Effect::unsettled_motions, "unsettled_motions", "motions left before they have settled", "number of speeds",
      "1"},

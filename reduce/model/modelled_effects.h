@@ -29,6 +29,7 @@ enum class Effect {
   contact_resolution,
   mesh,
   time_step,
+  impact_instants,
   settling,
   unsettled_motions,
   chatter,

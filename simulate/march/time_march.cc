@@ -37,8 +37,7 @@ TimeMarch::TimeMarch(MarchedScene scene)
   tabulate_obstacle();
   compliance_ = waves_.compliance(rotor());
   contact_ = contact_law(scene_.setup, compliance_);
-  const bool complementary = scene_.setup.contact == ContactRule::complementarity;
-  if (complementary && traits_of(scene_.setup.scheme).inner_impacts)
+  if (finds_impacts(scene_.setup.scheme, scene_.setup.contact))
     inner_.emplace(compliance_, waves_.recoils(rotor(), std::gcd(sector_count_, scene_.obstacle.lobes())));
   impulses_ = displacement_ahead_ = Eigen::VectorXd::Zero(size);
   measure_both();

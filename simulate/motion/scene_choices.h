@@ -56,6 +56,12 @@ constexpr bool maps_states(Scheme scheme, ContactRule rule) {
   return rule == ContactRule::complementarity && !traits_of(scheme).has_memory;
 }
 
+/// Whether an impact acts at its instant within a step. Elsewhere it acts at the end of the step, whatever its
+/// instant, and Floquet multipliers lack how this instant moves with the motion.
+constexpr bool finds_impacts(Scheme scheme, ContactRule rule) {
+  return rule == ContactRule::complementarity && traits_of(scheme).inner_impacts;
+}
+
 /// The modal damping of the march, as ratios of critical [1].
 struct DampingRatios {
   /// The ratio of the first family, of the second, and so on; the last one holds for all further families.

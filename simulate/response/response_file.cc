@@ -142,6 +142,13 @@ std::vector<OrbitBranch> read_branches(const Hdf5File& file, NamedAxes& axes) {
   return branches;
 }
 
+/// Says beside multipliers what they lack, if anything.
+void comment_multipliers(Hdf5File& file, const std::string& group, const SimulatedScene& scene) {
+  const ModelledEffect* const impacts = find(scene.effects, Effect::impact_instants);
+  if (impacts != nullptr && impacts->treatment == Treatment::simplified)
+    file.set_attribute(group + "/multiplier", "comment", impacts->reason);
+}
+
 const std::string axis = "/rotor_speed";
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -249,7 +256,9 @@ void ResponseWriter::add(const FrequencyTable& frequencies) {
 }
 
 void ResponseWriter::add(const OrbitBranch& branch) {
-  write_branch(state_->file, state_->branches++, branch);
+  const std::size_t place = state_->branches++;
+  write_branch(state_->file, place, branch);
+  comment_multipliers(state_->file, branch_group(place), state_->scene);
 }
 
 void ResponseWriter::add_scanned(const Eigen::VectorXd& speeds) {
@@ -266,7 +275,10 @@ void ResponseWriter::add_end(const RotorState& state) {
 }
 
 void ResponseWriter::close() {
-  if (state_->use == ResponseUse::kept) state_->axis.write(state_->file);
+  if (state_->use == ResponseUse::kept) {
+    state_->axis.write(state_->file);
+    comment_multipliers(state_->file, "", state_->scene);
+  }
   state_->file.close();
   seal(state_->file.path());
 }

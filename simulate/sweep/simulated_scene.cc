@@ -63,6 +63,15 @@ ModelledEffect time_step(const SimulateParameters& parameters) {
           : "halved until this changes the motion by less than " + text_of(parameters.step_tolerance)};
 }
 
+ModelledEffect impact_instants(const SimulateParameters& parameters) {
+  if (finds_impacts(parameters.scheme, parameters.contact))
+    return {Effect::impact_instants, Treatment::modelled, "an impact acts at its instant within the step"};
+  return {Effect::impact_instants, Treatment::simplified,
+          maps_states(parameters.scheme, parameters.contact)
+              ? "impacts act at the ends of steps; Floquet multipliers do not hold where a node leaves at once"
+              : "impacts act at the ends of steps"};
+}
+
 constexpr int casing_points = 721;  // of the casing's shape in the response: every half degree
 
 constexpr int content = 5;  // version of a speed's result: to be raised when its content or meaning changes
@@ -97,6 +106,7 @@ std::vector<ModelledEffect> effects_of(const Scene& scene) {
           nodal_diameters(scene),
           massless_modes(parameters),
           time_step(parameters),
+          impact_instants(parameters),
           {Effect::settling, Treatment::simplified,
            "marching ends within " + text_of(parameters.settle_tolerance) + " of the settled motion"},
           {Effect::unsettled_motions, Treatment::simplified,

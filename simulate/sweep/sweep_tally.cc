@@ -95,6 +95,7 @@ void SweepTally::add(const SpeedResponse& response) {
   if (response.audit.leftover_steps > 0) ++penetrating;
   if (response.audit.symmetry == SymmetryVerdict::breaking) breaking.push_back(response.speed);
   if (response.audit.orbit.outcome == OrbitReport::Outcome::marched) ++marched;
+  if (response.audit.orbit.multiplier > 0 && response.contact_steps > 0) ++judged;
   if (response.audit.rest_difference.value_or(0) > same_motion) ++apart_from_rest;
   if (response.audit.step_reached.value_or(0) > 1) ++unreached;
   farthest = std::max(farthest, response.audit.step_reached.value_or(0));
@@ -114,7 +115,7 @@ std::string SweepTally::text() const {
   return out.str();
 }
 
-std::string SweepTally::warnings(BrokenSymmetry broken) const {
+std::string SweepTally::warnings(const SimulateParameters& parameters) const {
   std::ostringstream out;
   if (pulling > 0)
     out << "\nat " << pulling << " speeds contact forces are tensile in some steps, with a share of up to "
@@ -122,7 +123,11 @@ std::string SweepTally::warnings(BrokenSymmetry broken) const {
   if (tension_share > tolerated_tension)
     out << ": more than " << tolerated_tension << ", these results are not reliable";
   if (penetrating > 0) out << "\nat " << penetrating << " speeds steps leave a node in the casing";
-  if (!breaking.empty()) out << breaking_text(breaking, broken);
+  if (judged > 0 && !finds_impacts(parameters.scheme, parameters.contact))
+    out << "\nat " << judged << " speeds the Floquet multiplier lacks how the instants of impacts move: it does not "
+        << "hold where a node leaves at once; take scheme = \"" << name_in(scheme_names, Scheme::trigonometric)
+        << "\"";
+  if (!breaking.empty()) out << breaking_text(breaking, parameters.when_symmetry_breaks);
   if (failed > 0) out << "\nfirst failure: " << first_failure;
   if (apart_from_rest > 0) out << "\nat " << apart_from_rest << " speeds the motion differs from the one from rest";
   return out.str();

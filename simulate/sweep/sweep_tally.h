@@ -28,12 +28,13 @@ struct SweepTally {
   std::size_t halved = 0;           ///< speeds also computed with half the step
   double largest_halving = 0;       ///< [1] the largest change by halving the step
   double tension_share = 0;         ///< [1] the largest share of tensile contact force
+  std::size_t judged = 0;           ///< speeds with a Floquet multiplier of a motion in contact
   std::string first_failure;
 
   void add(const SpeedResponse& response);
   std::string text() const;
   /// One line for each finding that the user should look at, each preceded by a line break.
-  std::string warnings(BrokenSymmetry broken = BrokenSymmetry::mark) const;
+  std::string warnings(const SimulateParameters& parameters = {}) const;
 };
 
 }  // namespace tiprub::simulate

@@ -13,6 +13,7 @@
 #include "mesh/cells/cell_kind.h"
 #include "postprocess/fields/cell_stress.h"
 #include "postprocess/records/left_out_effects.h"
+#include "postprocess/report/verdict.h"
 #include "synthetic_fields.h"
 #include "synthetic_scene.h"
 
@@ -236,6 +237,28 @@ TEST_F(SceneNeeds, TellsWhatTheResponseModels) {
   });
   ASSERT_NE(row, table.rows.end());
   EXPECT_DOUBLE_EQ(std::get<double>((*row)[2]), 0.02);
+}
+
+/// Symptom: branches of a scheme that lacks the instants of impacts were called stable without a word about that.
+TEST_F(SceneNeeds, TellThatMultipliersLackTheInstantsOfImpacts) {
+  Study made = study();
+  OrbitBranch branch;
+  branch.speed = branch.amplitude = Eigen::Vector3d(1100, 1200, 1300);
+  branch.multiplier = Eigen::Vector3d::Constant(0.5);
+  branch.multiplier_angle = Eigen::Vector3d::Zero();
+  made.response.branches = {branch};
+  const auto said = [&] {
+    for (const std::string& line : summary(made, {}))
+      if (line.find("leaves at once") != std::string::npos) return line;
+    return std::string();
+  };
+  EXPECT_EQ(said(), "");
+  made.response.scene.effects.push_back(
+      {Effect::impact_instants, Treatment::simplified, "multipliers do not hold where a node leaves at once"});
+  EXPECT_EQ(said(), " About the stability of the branches: multipliers do not hold where a node leaves at once.");
+  const SceneNeed told = need(scene_needs(made, {}), Effect::impact_instants);
+  EXPECT_EQ(told.verdict, NeedVerdict::not_estimated);
+  EXPECT_EQ(told.how, "compare with settings that model it");
 }
 
 TEST_F(SceneNeeds, WithoutACoefficientNoWear) {

@@ -41,6 +41,15 @@ TEST_F(SceneEffects, TellsOfTheContact) {
   EXPECT_EQ(of(Effect::friction).treatment, Treatment::left_out);
 }
 
+TEST_F(SceneEffects, TellsWhetherMultipliersHaveTheInstantsOfImpacts) {
+  EXPECT_EQ(of(Effect::impact_instants).treatment, Treatment::modelled);
+  for (const Scheme scheme : {Scheme::central_differences, Scheme::residual_flexibility}) {
+    parameters_.scheme = scheme;
+    EXPECT_EQ(of(Effect::impact_instants).treatment, Treatment::simplified);
+    EXPECT_NE(of(Effect::impact_instants).reason.find("multipliers do not hold"), std::string::npos);
+  }
+}
+
 TEST_F(SceneEffects, TellsOfNodalDiametersAndModes) {
   EXPECT_EQ(of(Effect::nodal_diameters).treatment, Treatment::left_out);
   parameters_.nodal_diameters = DiameterChoice::all;

@@ -46,6 +46,24 @@ TEST(SweepTally, CountsSpeedsWithoutAStableOrbit) {
             std::string::npos);
 }
 
+/// Symptom: with central differences multipliers of 0 were printed for orbits whose return map has 0.44.
+TEST(SweepTally, SaysWhereMultipliersLackTheInstantsOfImpacts) {
+  SpeedResponse at = held(9000);
+  at.audit.orbit = {OrbitReport::Outcome::found, 1, 25, 1e-6, 0.2};
+  SweepTally tally;
+  tally.add(at);  // without contact there is no impact
+  at.contact_steps = 12;
+  tally.add(at);
+  EXPECT_EQ(tally.warnings(), "");
+  SimulateParameters parameters;
+  for (const Scheme scheme : {Scheme::central_differences, Scheme::residual_flexibility}) {
+    parameters.scheme = scheme;
+    EXPECT_EQ(tally.warnings(parameters),
+              "\nat 1 speeds the Floquet multiplier lacks how the instants of impacts move: it does not hold where a "
+              "node leaves at once; take scheme = \"trigonometric\"");
+  }
+}
+
 /// Symptom once: a tolerance of 5e-4 gave a motion 2.3e-2 off where one of 5e-3 gave the right one, and one clause of
 /// the summary said so.
 TEST(SweepTally, SaysFirstThatTheStepsToleranceWasNotReached) {

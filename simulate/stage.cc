@@ -8,6 +8,7 @@
 #include "cases/program/units.h"
 #include "reduce/model/model_doubts.h"
 #include "reduce/model/reduced_model_file.h"
+#include "simulate/scene/friction_limit.h"
 #include "simulate/sweep/sweep.h"
 
 namespace tiprub::simulate {
@@ -49,6 +50,7 @@ Inputs read_inputs(const StageArguments& arguments) {
                          parameters.speeds.back(), model, arguments.inputs[1]);
   require_speed_of_model(casing_table, "clearance_speed_rpm", casing.clearance_speed, model, arguments.inputs[1]);
   fit_to_model(parameters, model);
+  require_friction_that_slides(casing_table, casing, parameters, model);
   const std::string resolved = "[casing]\n" + casing_table.resolved() + "[simulate]\n" + simulate_table.resolved();
   const std::string provenance = "# case\n" + case_file.source() + "\n# model\n" + model.provenance;
   return {std::move(casing), std::move(parameters),
@@ -60,8 +62,9 @@ Inputs read_inputs(const StageArguments& arguments) {
 void report_scope(const StageArguments& arguments, const Inputs& inputs, const SceneScope& scope) {
   const bool verbose = arguments.verbosity == Verbosity::verbose;
   if (verbose) say(arguments, inputs.resolved);
-  if (verbose || arguments.action == Action::check)
-    for (const std::string& reason : scope.reasons) say(arguments, reason);
+  if (!verbose && arguments.action != Action::check) return;
+  for (const std::string& reason : scope.reasons) say(arguments, reason);
+  say(arguments, "friction: " + friction_limit(inputs.model).text());
 }
 
 void report_outcome(const StageArguments& arguments, const Inputs& inputs, const SweepOutcome& outcome,

@@ -101,24 +101,20 @@ const double* ClosedInverse::forces(const double* gap) {
   return product_.data();
 }
 
-ContactImpulses::ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule rule)
+ContactImpulses::ContactImpulses(std::shared_ptr<ContactCompliance> compliance, ContactRule rule)
     : rule_(rule),
-      multipliers_(Eigen::VectorXd::Zero(compliance.rows())),
+      multipliers_(Eigen::VectorXd::Zero(compliance->size())),
       correction_(multipliers_),
       free_gap_(multipliers_),
       gap_(multipliers_),
-      stride_(kernels::whole_vectors(static_cast<std::size_t>(compliance.rows()))),
-      compliance_(stride_ * stride_),
+      stride_(compliance->stride()),
+      compliance_(std::move(compliance)),
       lower_(stride_ * stride_),
       upper_(stride_ * stride_),
       inverse_pivots_(stride_),
       closed_forces_(stride_),
       padded_correction_(stride_),
-      inverse_(compliance_.data(), stride_, diagonal_shift) {
-  for (Eigen::Index column = 0; column < compliance.cols(); ++column)
-    for (Eigen::Index row = 0; row < compliance.rows(); ++row)
-      compliance_[static_cast<std::size_t>(column) * stride_ + row] = compliance(row, column);
-}
+      inverse_(compliance_->data(), stride_, diagonal_shift) {}
 
 void ContactImpulses::open() {
   for (int i : closed_) multipliers_[i] = 0.0;
@@ -127,19 +123,21 @@ void ContactImpulses::open() {
 }
 
 void ContactImpulses::factorize() {
-  if (closed_ == factorized_) return;
+  const bool symmetric = compliance_->is_symmetric();
+  if (symmetric && closed_ == factorized_) return;
   factorized_.clear();
   const std::size_t size = closed_.size();
   for (std::size_t column = 0; column < size; ++column) {
-    const double* from = compliance_.data() + stride_ * closed_[column];
+    const double* from = compliance_->data() + stride_ * closed_[column];
     double* to = lower_.data() + stride_ * column;
-    for (std::size_t row = column; row < size; ++row) to[row] = from[closed_[row]];
+    for (std::size_t row = symmetric ? column : 0; row < size; ++row) to[row] = from[closed_[row]];
     std::fill(to + size, to + kernels::whole_vectors(size), 0.0);
     to[column] *= 1 + diagonal_shift;
   }
-  if (!kernels::factorize(factor(), closed_.size()))
+  if (!(symmetric ? kernels::factorize(factor(), size) : kernels::factorize_unsymmetric(factor(), size)))
     throw NoMotion("the contact compliance of " + std::to_string(size) +
-                   " closed nodes is not positive definite: nodes lie too close together, or modes are too few");
+                   " closed nodes is not positive definite: nodes lie too close together, modes are too few, or "
+                   "there is too much friction");
   factorized_ = closed_;
   ++factorizations_;
 }
@@ -150,12 +148,11 @@ bool ContactImpulses::solve_by_inverse() {
   if (!inverse_.follow(closed_)) return false;
   const std::vector<int>& nodes = inverse_.nodes();
   const double* forces = inverse_.forces(free_gap_.data());
-  kernels::combine_columns({compliance_.data(), stride_, stride_}, nodes.data(), forces, nodes.size(),
-                           padded_correction_.data());
+  kernels::combine_columns(columns(), nodes.data(), forces, nodes.size(), padded_correction_.data());
   double deepest = 0, left = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const int node = nodes[i];
-    const double shift = diagonal_shift * compliance_[stride_ * node + node] * forces[i];
+    const double shift = diagonal_shift * compliance_->column(node)[node] * forces[i];
     multipliers_[node] = forces[i];
     left = std::max(left, std::abs(free_gap_[node] + padded_correction_[node] + shift));
     deepest = std::max(deepest, std::abs(free_gap_[node]));
@@ -172,15 +169,15 @@ void ContactImpulses::solve_by_factor() {
   std::fill(closed_forces_.data() + size, closed_forces_.data() + kernels::whole_vectors(size), 0.0);
   if (size > 0) kernels::solve(factor(), size, closed_forces_.data());
   for (std::size_t i = 0; i < size; ++i) multipliers_[closed_[i]] = closed_forces_[i];
-  kernels::combine_columns({compliance_.data(), stride_, stride_}, closed_.data(), closed_forces_.data(), size,
-                           padded_correction_.data());
+  kernels::combine_columns(columns(), closed_.data(), closed_forces_.data(), size, padded_correction_.data());
 }
 
 /// eq. 15: lambda on the closed set from W_cc lambda_c = -g_c, so that eq. 14 holds there, and its effect W lambda on
 /// all gaps.
 void ContactImpulses::solve_closed() {
   multipliers_.setZero();
-  if (!solve_by_inverse()) solve_by_factor();
+  compliance_->refresh(closed_);
+  if (!compliance_->is_symmetric() || !solve_by_inverse()) solve_by_factor();
   std::copy_n(padded_correction_.data(), correction_.size(), correction_.data());
 }
 

@@ -4,9 +4,11 @@
 #include <Eigen/Dense>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "simulate/march/cache_lines.h"
+#include "simulate/march/contact_compliance.h"
 #include "simulate/march/contact_kernels.h"
 #include "simulate/motion/scene_choices.h"
 
@@ -51,16 +53,22 @@ class ClosedInverse {
 /// or doubled nodes (a singular W) have a solution; the shift leaves a closed node off the wall by 1e-12 W_ii
 /// lambda_i.
 ///
+/// With friction W is unsymmetric and changes from step to step, so that each set is factorized anew. The forces are
+/// unique, and Murty's method is finite, as long as W is a P-matrix: all its principal minors are positive.
+///
 /// The paper's rule accepts a negative multiplier (the casing pulls) in some steps and leaves other nodes penetrating
 /// in many. It is kept for reproduction, and its violations are counted. The paper's eq. 15 has the opposite sign of
 /// its eq. 14: here g+ = g + W lambda.
 class ContactImpulses {
  public:
-  /// W [m/N]; n x n, symmetric positive semidefinite. A row of zeros belongs to a node that never closes.
-  ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule rule);
+  /// A row of zeros of W belongs to a node that never closes.
+  ContactImpulses(std::shared_ptr<ContactCompliance> compliance, ContactRule rule);
+  /// W [m/N] without friction; n x n, symmetric positive semidefinite.
+  ContactImpulses(const Eigen::MatrixXd& compliance, ContactRule rule)
+      : ContactImpulses(std::make_shared<ContactCompliance>(compliance), rule) {}
 
   /// Takes the gaps [m] of the free step to those of the step: g += W lambda. At least one gap must be negative.
-  /// Raises NoMotion if no solution is found (W has a negative eigenvalue).
+  /// Raises NoMotion if no solution is found (W has a negative principal minor).
   void solve(Eigen::Ref<Eigen::VectorXd> gap);
   /// Records a step without contact.
   void open();
@@ -72,7 +80,7 @@ class ContactImpulses {
   /// Indices of closed nodes, ascending.
   const std::vector<int>& closed() const { return closed_; }
 
-  /// How often the kept inverse was not accurate enough.
+  /// How often a set was factorized: with friction always, otherwise where the kept inverse was not accurate enough.
   std::int64_t factorizations() const { return factorizations_; }
   std::int64_t fallbacks() const { return fallbacks_; }
 
@@ -83,6 +91,7 @@ class ContactImpulses {
   void solve_by_factor();
   bool set_stands(double tolerance);
   void factorize();
+  kernels::Columns columns() const { return {compliance_->data(), stride_, stride_}; }
   kernels::Factor factor() { return {lower_.data(), upper_.data(), inverse_pivots_.data(), stride_}; }
   bool settle_active_set(double tolerance);
   void settle_least_index(double tolerance);
@@ -92,7 +101,8 @@ class ContactImpulses {
   Eigen::VectorXd multipliers_, correction_, free_gap_, gap_;
   // padded for contact_kernels.h
   std::size_t stride_;
-  kernels::Lines compliance_, lower_, upper_;  ///< W; the factor of the block of `factorized_`
+  std::shared_ptr<ContactCompliance> compliance_;
+  kernels::Lines lower_, upper_;  ///< the factor of the block of `factorized_`
   kernels::Lines inverse_pivots_, closed_forces_, padded_correction_;
   ClosedInverse inverse_;
   std::vector<int> closed_, next_, factorized_, warm_;

@@ -76,6 +76,26 @@ bool factorize(const Factor& factor, std::size_t size) {
 }
 
 TIPRUB_CLONES
+bool factorize_unsymmetric(const Factor& factor, std::size_t size) {
+  const std::size_t stride = factor.stride;
+  for (std::size_t j = 0; j < size; ++j) {
+    double* column = factor.lower + stride * j;
+    if (!(column[j] > 0)) return false;
+    const double inverse = 1 / column[j];
+    factor.inverse_pivot[j] = inverse;
+    for (std::size_t c = j + 1; c < size; ++c) {
+      double* later = factor.lower + stride * c;
+      const double share = later[j] * inverse;
+      factor.upper[stride * c + j] = share;
+      for (std::size_t i = vector_of(j + 1); i < size; i += eight) lanes8(later + i) -= lanes8(column + i) * share;
+    }
+    for (std::size_t i = vector_of(j); i < size; i += eight) lanes8(column + i) *= inverse;
+    for (std::size_t i = vector_of(j); i <= j; ++i) column[i] = 0;
+  }
+  return true;
+}
+
+TIPRUB_CLONES
 void solve(const Factor& factor, std::size_t size, double* x) {
   const std::size_t stride = factor.stride;
   for (std::size_t j = 0; j + 1 < size; ++j) {

@@ -34,6 +34,9 @@ struct Factor {
 };
 /// Returns whether the matrix is positive definite; stops at the first pivot that is not positive.
 bool factorize(const Factor& factor, std::size_t size);
+/// The same of an unsymmetric matrix, as L D U: `lower` holds all of it on entry, and U takes the place of L^T. If
+/// all principal minors are positive (a P-matrix), so are the pivots, in any order.
+bool factorize_unsymmetric(const Factor& factor, std::size_t size);
 /// Overwrites the right side x with the solution of the factorized system.
 void solve(const Factor& factor, std::size_t size, double* x);
 

@@ -14,7 +14,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// 0 <= lambda perpendicular to g+ >= 0, or the paper's rule. The force at t_q closes the gap at t_{q+1}.
 class PositionContact final : public ContactLaw {
  public:
-  PositionContact(const Eigen::MatrixXd& compliance, ContactRule rule) : impulses_(compliance, rule) {}
+  PositionContact(const std::shared_ptr<ContactCompliance>& compliance, ContactRule rule)
+      : impulses_(compliance, rule) {}
 
   bool step(const Eigen::VectorXd& /*gap_before*/, Eigen::VectorXd& gap, bool penetrates) override {
     if (penetrates)
@@ -39,11 +40,11 @@ class PositionContact final : public ContactLaw {
 /// approaching speed, and it stays there until the motion carries it off.
 class VelocityContact final : public ContactLaw {
  public:
-  VelocityContact(const Eigen::MatrixXd& compliance, double theta)
+  VelocityContact(const std::shared_ptr<ContactCompliance>& compliance, double theta)
       : compliance_(compliance),
         theta_(theta),
         impulses_(compliance, ContactRule::complementarity),
-        lambda_(Eigen::VectorXd::Zero(compliance.rows())),
+        lambda_(Eigen::VectorXd::Zero(compliance->size())),
         multipliers_(lambda_),
         correction_(lambda_) {}
 
@@ -79,8 +80,8 @@ class VelocityContact final : public ContactLaw {
     for (Eigen::Index i = 0; i < forces.size(); ++i) {
       if (forces[i] == 0 || share == 0) continue;
       multipliers_[i] += share * forces[i];
-      correction_.noalias() += share * forces[i] * compliance_.col(i);
-      gap.noalias() += share * forces[i] * compliance_.col(i);
+      correction_.noalias() += share * forces[i] * compliance_->fresh_column(static_cast<int>(i));
+      gap.noalias() += share * forces[i] * compliance_->fresh_column(static_cast<int>(i));
     }
   }
   /// Updates rate_free_ to G+. The rate of an open node is not constrained and counts as infinite.
@@ -101,7 +102,7 @@ class VelocityContact final : public ContactLaw {
     return true;
   }
 
-  const Eigen::MatrixXd compliance_;
+  std::shared_ptr<ContactCompliance> compliance_;
   double theta_;
   ContactImpulses impulses_;
   Eigen::VectorXd lambda_, multipliers_, correction_;
@@ -114,10 +115,10 @@ class VelocityContact final : public ContactLaw {
 /// lambda/kappa.
 class PenaltyContact final : public ContactLaw {
  public:
-  PenaltyContact(const Eigen::MatrixXd& compliance, double stiffness)
+  PenaltyContact(const std::shared_ptr<ContactCompliance>& compliance, double stiffness)
       : compliance_(compliance),
         stiffness_(stiffness),
-        multipliers_(Eigen::VectorXd::Zero(compliance.rows())),
+        multipliers_(Eigen::VectorXd::Zero(compliance->size())),
         correction_(multipliers_) {}
 
   bool step(const Eigen::VectorXd& gap_before, Eigen::VectorXd& gap, bool /*penetrates*/) override {
@@ -127,7 +128,7 @@ class PenaltyContact final : public ContactLaw {
     for (Eigen::Index i = 0; i < gap.size(); ++i) {
       if (!(gap_before[i] < 0)) continue;
       multipliers_[i] = -stiffness_ * gap_before[i];
-      correction_.noalias() += multipliers_[i] * compliance_.col(i);
+      correction_.noalias() += multipliers_[i] * compliance_->fresh_column(static_cast<int>(i));
       closed_.push_back(static_cast<int>(i));
     }
     gap += correction_;
@@ -138,7 +139,7 @@ class PenaltyContact final : public ContactLaw {
   const std::vector<int>& closed() const override { return closed_; }
 
  private:
-  const Eigen::MatrixXd compliance_;
+  std::shared_ptr<ContactCompliance> compliance_;
   double stiffness_;
   Eigen::VectorXd multipliers_, correction_;
   std::vector<int> closed_;
@@ -146,7 +147,8 @@ class PenaltyContact final : public ContactLaw {
 
 }  // namespace
 
-std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup, const Eigen::MatrixXd& compliance) {
+std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup,
+                                        const std::shared_ptr<ContactCompliance>& compliance) {
   if (setup.scheme == Scheme::moreau_jean) return std::make_unique<VelocityContact>(compliance, setup.theta);
   if (setup.scheme == Scheme::penalty) return std::make_unique<PenaltyContact>(compliance, setup.penalty_stiffness);
   return std::make_unique<PositionContact>(compliance, setup.contact);

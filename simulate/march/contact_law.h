@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "simulate/march/contact_compliance.h"
 #include "simulate/march/marched_scene.h"
 
 namespace tiprub::simulate {
@@ -31,7 +32,7 @@ class ContactLaw {
 };
 
 /// The law of a scheme: complementarity or the paper's rule in positions, impulses in velocities, or springs.
-/// `compliance` is W [m/N].
-std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup, const Eigen::MatrixXd& compliance);
+std::unique_ptr<ContactLaw> contact_law(const MarchSetup& setup,
+                                        const std::shared_ptr<ContactCompliance>& compliance);
 
 }  // namespace tiprub::simulate

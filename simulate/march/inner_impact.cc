@@ -64,10 +64,10 @@ InnerImpact::Change InnerImpact::change(const Gaps& gaps) const {
           -faster * recoil_.at(-instant_) + approach_ * recoil_.slope(-instant_) * later};
 }
 
-InnerImpacts::InnerImpacts(const Eigen::MatrixXd& compliance, std::vector<Recoil> recoils)
+InnerImpacts::InnerImpacts(const std::shared_ptr<ContactCompliance>& compliance, std::vector<Recoil> recoils)
     : recoils_(std::move(recoils)),
       impulses_(compliance, ContactRule::complementarity),
-      jumps_(Eigen::VectorXd::Constant(compliance.rows(), far_away)) {}
+      jumps_(Eigen::VectorXd::Constant(compliance->size(), far_away)) {}
 
 bool InnerImpacts::foresee(const GapHistory& gaps) {
   foreseen_.clear();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <memory>
 #include <vector>
 
 #include "simulate/march/contact_impulses.h"
@@ -68,8 +69,8 @@ class InnerImpact {
 /// step where one leaves at once.
 class InnerImpacts {
  public:
-  /// `compliance` is W [m/N], `recoils` is by node.
-  InnerImpacts(const Eigen::MatrixXd& compliance, std::vector<Recoil> recoils);
+  /// `recoils` is by node.
+  InnerImpacts(const std::shared_ptr<ContactCompliance>& compliance, std::vector<Recoil> recoils);
 
   /// Whether a node seems to leave at once, by the parabola through its gaps.
   bool foresee(const GapHistory& gaps);

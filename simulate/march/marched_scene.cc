@@ -29,9 +29,10 @@ double MarchedScene::omega_max() const {
 
 SharedRotor rotor_of(const Scene& scene, double speed, OtherDiameters others) {
   const SimulateParameters& parameters = scene.parameters;
-  const ModeChoice modes{parameters.modes, traits_of(parameters.scheme).quasi_static
-                                               ? ModeChoice::Others::quasi_static
-                                               : ModeChoice::Others::dropped};
+  const ModeChoice modes{
+      parameters.modes,
+      traits_of(parameters.scheme).quasi_static ? ModeChoice::Others::quasi_static : ModeChoice::Others::dropped,
+      parameters.resolved_frequency};
   return std::make_shared<RotorAtSpeed>(
       rotor_at_speed(scene.model, speed, scene.scope.nodal_diameters, parameters.damping, modes, others));
 }
@@ -43,7 +44,7 @@ MarchedScene marched_scene(const Scene& scene, const SharedRotor& rotor, int ste
           tips,
           {scene.casing, tips, open_clearance(scene, rotor->speed)},
           {parameters.scheme, parameters.contact, steps_per_revolution, scene.scope.symmetry, parameters.theta,
-           parameters.penalty_stiffness * rotor->tip_stiffness}};
+           parameters.penalty_stiffness * rotor->tip_stiffness, scene.casing.friction}};
 }
 
 }  // namespace tiprub::simulate

@@ -19,6 +19,7 @@ struct MarchSetup {
   int symmetry = 1;              ///< g: the wheel's nodal diameters are multiples of it
   double theta = 0.5;            ///< [1] of Moreau-Jean
   double penalty_stiffness = 0;  ///< [N/m] of penalty
+  double friction = 0;           ///< [1] mu
 };
 
 /// All marches of one speed share a rotor.

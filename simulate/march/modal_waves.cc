@@ -21,14 +21,14 @@ Eigen::ArrayXd padded(const Eigen::ArrayXd& values, Eigen::Index size, double pa
   return longer;
 }
 
-/// Arranges Y in the order of wave_kernels.h; a standing wave has no imaginary part.
-kernels::Lines lay_out_shapes(const Eigen::MatrixXcd& normal_rows, Eigen::Index modes, WaveKind kind) {
+/// Arranges Y or S in the order of wave_kernels.h; a standing wave has no imaginary part.
+kernels::Lines lay_out_shapes(const Eigen::MatrixXcd& rows, Eigen::Index modes, WaveKind kind) {
   const std::size_t parts = kind == WaveKind::travelling ? 2 : 1, block = kernels::mode_block;
-  const auto nodes = static_cast<std::size_t>(normal_rows.rows());
+  const auto nodes = static_cast<std::size_t>(rows.rows());
   kernels::Lines shapes(parts * nodes * modes);
-  for (std::size_t m = 0; m < static_cast<std::size_t>(normal_rows.cols()); ++m)
+  for (std::size_t m = 0; m < static_cast<std::size_t>(rows.cols()); ++m)
     for (std::size_t k = 0; k < nodes; ++k) {
-      const std::complex<double> value = normal_rows(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
+      const std::complex<double> value = rows(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
       const std::size_t offset = ((m / block * nodes + k) * parts) * block + m % block;
       shapes[offset] = value.real();
       if (parts == 2) shapes[offset + block] = value.imag();
@@ -58,22 +58,30 @@ Eigen::VectorXcd ModalCoordinates::head(Eigen::Index count) const {
   return values;
 }
 
-ModalWaves::ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, double time_step, const Nodes& nodes)
-    : nodes_(nodes) {
+ModalWaves::ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, double time_step, const Nodes& nodes,
+                       Friction friction)
+    : nodes_(nodes), friction_(friction) {
+  normal_.count = static_cast<std::size_t>(nodes_.nodes);
+  normal_.width = nodes_.width;
+  sliding_.count = 2 * normal_.count;
+  sliding_.width = 2 * normal_.width;
   for (const WaveModes& wave : rotor.waves) {
     waves_.push_back(marched(wave, scheme, time_step, nodes_.sector_count));
+    if (friction_ == Friction::slides) waves_.back().sliding = padded(wave.sliding_rows.cols(), kernels::mode_block);
     memory_.push_back(lay_out(wave, waves_.back()));
   }
   for (int j = 0; j < nodes_.sectors; ++j)
     for (const Memory& memory : memory_)
       phases_of_sectors_.insert(phases_of_sectors_.end(), {memory.cosine[j], memory.sine[j]});
-  p_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * waves_.size() * nodes_.width));
+  for (Directions* directions : {&normal_, &sliding_})
+    directions->p = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * waves_.size() * directions->width));
 }
 
 ModalWaves::Memory ModalWaves::lay_out(const WaveModes& from, const MarchedWave& wave) const {
   Memory memory;
   memory.q = memory.increment = memory.increment_before = memory.jump = Eigen::VectorXd::Zero(2 * wave.modes());
-  memory.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes_.width));
+  memory.normal.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(normal_.width));
+  memory.sliding.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(sliding_.width));
   memory.cosine.resize(nodes_.sectors);
   memory.sine.resize(nodes_.sectors);
   for (int j = 0; j < nodes_.sectors; ++j) {
@@ -81,7 +89,8 @@ ModalWaves::Memory ModalWaves::lay_out(const WaveModes& from, const MarchedWave&
     memory.cosine[j] = phase.real();
     memory.sine[j] = phase.imag();
   }
-  memory.shapes = lay_out_shapes(from.normal_rows, wave.modes(), wave.kind);
+  memory.normal.shapes = lay_out_shapes(from.normal_rows, wave.modes(), wave.kind);
+  if (wave.sliding > 0) memory.sliding.shapes = lay_out_shapes(from.sliding_rows, wave.sliding, wave.kind);
   return memory;
 }
 
@@ -110,28 +119,39 @@ ModalCoordinates ModalWaves::increments_before(std::size_t wave) const {
 
 Eigen::VectorXcd ModalWaves::forces(std::size_t wave) const {
   Eigen::VectorXcd forces(nodes_.nodes);
-  forces.real() = memory_[wave].forces.head(nodes_.nodes);
-  forces.imag() = memory_[wave].forces.segment(static_cast<Eigen::Index>(nodes_.width), nodes_.nodes);
+  const Eigen::VectorXd& parts = memory_[wave].normal.forces;
+  forces.real() = parts.head(nodes_.nodes);
+  forces.imag() = parts.segment(static_cast<Eigen::Index>(nodes_.width), nodes_.nodes);
   return forces;
 }
 
-Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor) const {
-  const auto width = static_cast<Eigen::Index>(nodes_.width);
-  Eigen::MatrixXd compliance = Eigen::MatrixXd::Zero(nodes_.sectors * width, nodes_.sectors * width);
+Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor, Eigen::MatrixXcd WaveModes::*rows,
+                                       std::size_t width) const {
+  const auto height = static_cast<Eigen::Index>(nodes_.width), breadth = static_cast<Eigen::Index>(width);
+  Eigen::MatrixXd compliance = Eigen::MatrixXd::Zero(nodes_.sectors * height, nodes_.sectors * breadth);
   for (std::size_t i = 0; i < waves_.size(); ++i) {
-    const Eigen::MatrixXcd& Y = rotor.waves[i].normal_rows;
+    const Eigen::MatrixXcd &forced = rotor.waves[i].*rows, Y = rotor.waves[i].normal_rows.leftCols(forced.cols());
     // eq. 15: C_N^T [M_r/h^2 + D_r/(2h)]^-1 C_N in modes, for the scheme's own c
-    const Eigen::MatrixXcd own = Y * waves_[i].coefficients.c.head(Y.cols()).matrix().asDiagonal() * Y.adjoint() *
-                                 (waves_[i].weight * nodes_.symmetry / nodes_.sector_count);
+    const Eigen::MatrixXcd own = Y * waves_[i].coefficients.c.head(Y.cols()).matrix().asDiagonal() *
+                                 forced.adjoint() * (waves_[i].weight * nodes_.symmetry / nodes_.sector_count);
     for (int row = 0; row < nodes_.sectors; ++row)
       for (int column = 0; column < nodes_.sectors; ++column) {
         const int apart = (row - column + nodes_.sector_count) % nodes_.sector_count;
-        compliance.block(row * width, column * width, nodes_.nodes, nodes_.nodes) +=
+        compliance.block(row * height, column * breadth, own.rows(), own.cols()) +=
             (own * sector_phase(waves_[i].nodal_diameter, apart, nodes_.sector_count)).real();
       }
   }
+  return compliance;
+}
+
+Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor) const {
+  const Eigen::MatrixXd compliance = this->compliance(rotor, &WaveModes::normal_rows, normal_.width);
   const Eigen::MatrixXd transposed = compliance.transpose();
   return 0.5 * (compliance + transposed);
+}
+
+Eigen::MatrixXd ModalWaves::sliding_compliance(const RotorAtSpeed& rotor) const {
+  return compliance(rotor, &WaveModes::sliding_rows, sliding_.width);
 }
 
 std::vector<Recoil> ModalWaves::recoils(const RotorAtSpeed& rotor, int symmetry) const {
@@ -163,28 +183,37 @@ void ModalWaves::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Ei
 void ModalWaves::map_to_sectors(Eigen::VectorXd& displacement, Eigen::VectorXd& before) {
   settle_forces();
   for (std::size_t i = 0; i < waves_.size(); ++i) map_to_nodes(i, memory_[i].q - memory_[i].increment);
-  add_sectors(before);
+  add_sectors(normal_, before);
   for (std::size_t i = 0; i < waves_.size(); ++i) map_to_nodes(i, memory_[i].q);
-  add_sectors(displacement);
+  add_sectors(normal_, displacement);
+}
+
+void ModalWaves::slide(Eigen::VectorXd& displacement) {
+  for (std::size_t i = 0; i < waves_.size(); ++i)
+    map_to_rows(i, memory_[i].sliding, memory_[i].increment_before, waves_[i].sliding, sliding_);
+  add_sectors(sliding_, displacement);
 }
 
 void ModalWaves::map_to_nodes(std::size_t index, const Eigen::VectorXd& q) {
-  const MarchedWave& wave = waves_[index];
-  const Memory& memory = memory_[index];
-  const auto modes = static_cast<std::size_t>(wave.modes()), moving = static_cast<std::size_t>(wave.moving);
-  const auto nodes = static_cast<std::size_t>(nodes_.nodes);
-  double* p = p_.data() + 2 * index * nodes_.width;
-  if (wave.kind == WaveKind::travelling)
-    kernels::to_nodes_travelling(memory.shapes.data(), q.data(), q.data() + modes, moving, nodes, p,
-                                 p + nodes_.width);
-  else
-    kernels::to_nodes_standing(memory.shapes.data(), q.data(), moving, nodes, p);
+  map_to_rows(index, memory_[index].normal, q, waves_[index].moving, normal_);
 }
 
-void ModalWaves::add_sectors(Eigen::VectorXd& displacement) const {
+void ModalWaves::map_to_rows(std::size_t index, const Rows& rows, const Eigen::VectorXd& q, Eigen::Index modes,
+                             Directions& directions) {
+  const MarchedWave& wave = waves_[index];
+  const auto mapped = static_cast<std::size_t>(modes);
+  double* p = directions.p.data() + 2 * index * directions.width;
+  if (wave.kind == WaveKind::travelling)
+    kernels::to_nodes_travelling(rows.shapes.data(), q.data(), q.data() + wave.modes(), mapped, directions.count, p,
+                                 p + directions.width);
+  else
+    kernels::to_nodes_standing(rows.shapes.data(), q.data(), mapped, directions.count, p);
+}
+
+void ModalWaves::add_sectors(const Directions& directions, Eigen::VectorXd& displacement) const {
   for (int j = 0; j < nodes_.sectors; ++j)
-    kernels::add_waves(p_.data(), phases_of_sectors_.data() + 2 * waves_.size() * j, waves_.size(), nodes_.width,
-                       displacement.data() + j * nodes_.width);
+    kernels::add_waves(directions.p.data(), phases_of_sectors_.data() + 2 * waves_.size() * j, waves_.size(),
+                       directions.width, displacement.data() + j * directions.width);
 }
 
 void ModalWaves::advance_modes(std::size_t index) {
@@ -215,7 +244,7 @@ void ModalWaves::look_ahead(Eigen::VectorXd& displacement) {
                        memory.jump.data() + part * r.size(), static_cast<std::size_t>(r.size()));
     map_to_nodes(i, ahead_);
   }
-  add_sectors(displacement);
+  add_sectors(normal_, displacement);
 }
 
 void ModalWaves::advance(Eigen::VectorXd& displacement) {
@@ -225,23 +254,28 @@ void ModalWaves::advance(Eigen::VectorXd& displacement) {
     map_to_nodes(i, memory_[i].q);
   }
   forces_wait_ = false;
-  add_sectors(displacement);
+  add_sectors(normal_, displacement);
 }
 
 /// eq. 15 in modes: the effect of lambda on the displacements, u+ = u+,p + [M_r/h^2 + D_r/(2h)]^-1 C_N lambda.
 void ModalWaves::take_forces(std::size_t index, Eigen::VectorXd& other) const {
   const MarchedWave& wave = waves_[index];
-  Memory& memory = memory_[index];
-  const auto modes = static_cast<std::size_t>(wave.modes());
-  const kernels::ForcedNodes forced{forced_nodes_.data(), forced_nodes_.size(),
-                                    static_cast<std::size_t>(nodes_.nodes)};
-  const kernels::Modes real{other.data(), memory.increment.data()};
+  take_forces(index, memory_[index].normal, normal_, wave.modes(), other);
+  if (wave.sliding > 0) take_forces(index, memory_[index].sliding, sliding_, wave.sliding, other);
+}
+
+void ModalWaves::take_forces(std::size_t index, const Rows& rows, const Directions& directions, Eigen::Index modes,
+                             Eigen::VectorXd& other) const {
+  const MarchedWave& wave = waves_[index];
+  const auto pushed = static_cast<std::size_t>(modes), all = static_cast<std::size_t>(wave.modes());
+  const kernels::ForcedNodes forced{directions.forced.data(), directions.forced.size(), directions.count};
+  const kernels::Modes real{other.data(), memory_[index].increment.data()};
   if (wave.kind == WaveKind::travelling)
-    kernels::add_force_travelling(memory.shapes.data(), wave.coefficients.c.data(), memory.forces.data(),
-                                  memory.forces.data() + nodes_.width, forced, modes, real,
-                                  {real.q + modes, real.increment + modes});
+    kernels::add_force_travelling(rows.shapes.data(), wave.coefficients.c.data(), rows.forces.data(),
+                                  rows.forces.data() + directions.width, forced, pushed, real,
+                                  {real.q + all, real.increment + all});
   else
-    kernels::add_force_standing(memory.shapes.data(), wave.coefficients.c.data(), memory.forces.data(), forced, modes,
+    kernels::add_force_standing(rows.shapes.data(), wave.coefficients.c.data(), rows.forces.data(), forced, pushed,
                                 real);
 }
 
@@ -251,39 +285,49 @@ void ModalWaves::settle_forces() const {
   forces_wait_ = false;
 }
 
-void ModalWaves::add_forces(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+void ModalWaves::add_forces(const Forces& forces) {
   settle_forces();
-  gather(forces, nodes);
+  gather(forces);
   forces_wait_ = true;
 }
 
-void ModalWaves::add_impulses(const Eigen::VectorXd& impulses, const std::vector<int>& nodes) {
+void ModalWaves::add_impulses(const Forces& impulses) {
   settle_forces();
-  gather(impulses, nodes);
+  gather(impulses);
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     memory_[i].jump.setZero();
     take_forces(i, memory_[i].jump);
   }
 }
 
-void ModalWaves::gather(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+void ModalWaves::gather(const Forces& forces) {
   const auto width = static_cast<int>(nodes_.width);
   forced_sectors_.clear();
-  forced_nodes_.clear();
+  normal_.forced.clear();
+  sliding_.forced.clear();
   node_has_force_.assign(nodes_.width, 0);
-  for (int index : nodes) {
+  for (int index : forces.nodes) {
     const int sector = index / width;
     if (forced_sectors_.empty() || forced_sectors_.back() != sector) forced_sectors_.push_back(sector);
     node_has_force_[index - sector * width] = 1;
   }
-  for (int k = 0; k < nodes_.nodes; ++k)
-    if (node_has_force_[k]) forced_nodes_.push_back(k);
+  for (int k = 0; k < nodes_.nodes; ++k) {
+    if (!node_has_force_[k]) continue;
+    normal_.forced.push_back(k);
+    sliding_.forced.insert(sliding_.forced.end(), {2 * k, 2 * k + 1});
+  }
+  gather(forces.normal, normal_, &Memory::normal);
+  if (friction_ == Friction::slides) gather(forces.drag, sliding_, &Memory::sliding);
+}
+
+void ModalWaves::gather(const Eigen::VectorXd& forces, const Directions& directions, Rows Memory::*rows) {
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     Memory& memory = memory_[i];
+    Eigen::VectorXd& gathered = (memory.*rows).forces;
     kernels::gather_sectors(forces.data(), memory.cosine.data(), memory.sine.data(), forced_sectors_.data(),
-                            forced_sectors_.size(), nodes_.width, memory.forces.data(),
-                            memory.forces.data() + nodes_.width);
-    memory.forces *= waves_[i].weight * nodes_.symmetry / nodes_.sector_count;
+                            forced_sectors_.size(), directions.width, gathered.data(),
+                            gathered.data() + directions.width);
+    gathered *= waves_[i].weight * nodes_.symmetry / nodes_.sector_count;
   }
 }
 

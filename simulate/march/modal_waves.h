@@ -17,9 +17,10 @@ namespace tiprub::simulate {
 struct MarchedWave {
   int nodal_diameter = 0;
   WaveKind kind = WaveKind::travelling;
-  double weight = 0;        ///< w_n: 1 for a standing wave, 2 for a travelling one
-  Eigen::Index moving = 0;  ///< number of modes with mass, which come first, padded to whole vectors
-  Eigen::ArrayXd omega;     ///< [rad/s]
+  double weight = 0;         ///< w_n: 1 for a standing wave, 2 for a travelling one
+  Eigen::Index moving = 0;   ///< number of modes with mass, which come first, padded to whole vectors
+  Eigen::Index sliding = 0;  ///< number of modes on which friction acts, likewise; 0 without friction
+  Eigen::ArrayXd omega;      ///< [rad/s]
   StepCoefficients coefficients;
 
   Eigen::Index modes() const { return omega.size(); }
@@ -43,7 +44,9 @@ class ModalWaves {
     int sector_count, sectors, symmetry, nodes;  ///< N, N/g, g, n_c
     std::size_t width;
   };
-  ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, double time_step, const Nodes& nodes);
+  enum class Friction { none, slides };
+  ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, double time_step, const Nodes& nodes,
+             Friction friction);
 
   std::size_t size() const { return waves_.size(); }
   const MarchedWave& operator[](std::size_t wave) const { return waves_[wave]; }
@@ -55,6 +58,8 @@ class ModalWaves {
   Eigen::VectorXcd forces(std::size_t wave) const;
   /// [m/N] W = sum over n of Re(Y c Y^H e^{i n (j - j') alpha}) w_n g / N; padded rows zero.
   Eigen::MatrixXd compliance(const RotorAtSpeed& rotor) const;
+  /// [m/N] The same with Y c S^H: what forces against sliding do to the normal displacements.
+  Eigen::MatrixXd sliding_compliance(const RotorAtSpeed& rotor) const;
 
   /// Of each contact node of a sector and its padding: <r> = (Y r c Y^H)/(Y c Y^H), <k> likewise, summed over n as W.
   /// Only nodal diameters that are multiples of `symmetry` count, so that a symmetric motion is the same with the
@@ -68,43 +73,69 @@ class ModalWaves {
   void look_ahead(Eigen::VectorXd& displacement);
   /// The normal displacements [m] of the modes as they are, and as they were a step ago.
   void map_to_sectors(Eigen::VectorXd& displacement, Eigen::VectorXd& before);
-  /// q+ -= c Y^H Lambda_n of the forces [N] along -normal on the nodes listed, ascending.
-  void add_forces(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
+  /// The displacements [m] S d along theta and along the tip line, in turn, over the step before the last advance().
+  void slide(Eigen::VectorXd& displacement);
+  /// Contact forces [N] on some nodes.
+  struct Forces {
+    const Eigen::VectorXd& normal;  ///< along -normal
+    const Eigen::VectorXd& drag;    ///< along -theta and against the tip line, in turn; zero on other nodes
+    const std::vector<int>& nodes;  ///< those with a force, ascending
+  };
+  /// q+ -= c Y^H Lambda_n, and c S^H Lambda_n of the drag.
+  void add_forces(const Forces& forces);
   /// Takes c Y^H Lambda_n of impulses [N] over a step from the increments only, as if the nodes had come to q+ with
   /// another velocity.
-  void add_impulses(const Eigen::VectorXd& impulses, const std::vector<int>& nodes);
+  void add_impulses(const Forces& impulses);
   /// What the last add_impulses() has added to the increments.
   ModalCoordinates jumps(std::size_t wave) const;
 
  private:
   /// The working arrays of one nodal diameter.
+  /// The displacements of the contact nodes in some directions, Y or S, in one nodal diameter.
+  struct Rows {
+    kernels::Lines shapes;   ///< in the order of wave_kernels.h
+    Eigen::VectorXd forces;  ///< Lambda_n, real parts, then imaginary parts
+  };
+  /// What the rows of all nodal diameters share.
+  struct Directions {
+    std::size_t count = 0, width = 0;  ///< rows in a sector, and padded
+    Eigen::VectorXd p;                 ///< Y q, for each wave real parts, then imaginary parts
+    std::vector<int> forced;           ///< rows with a force in any sector
+  };
   struct Memory {
     Eigen::VectorXd q, increment, increment_before, jump;  ///< real parts, then imaginary parts
-    kernels::Lines shapes;                                 ///< Y in the order of wave_kernels.h
-    Eigen::VectorXd forces;                                ///< Lambda_n, real parts, then imaginary parts
-    Eigen::VectorXd cosine, sine;                          ///< of n j alpha, by sector
+    Rows normal, sliding;
+    Eigen::VectorXd cosine, sine;  ///< of n j alpha, by sector
   };
   Memory lay_out(const WaveModes& from, const MarchedWave& wave) const;
   void advance_modes(std::size_t wave);
-  /// Computes the share of p_ of one wave from its modes.
+  /// Computes the share of one wave in normal_.p from its modes.
   void map_to_nodes(std::size_t wave, const Eigen::VectorXd& modes);
+  /// The same for the first `modes` modes and any directions.
+  void map_to_rows(std::size_t wave, const Rows& rows, const Eigen::VectorXd& q, Eigen::Index modes,
+                   Directions& directions);
   ModalCoordinates view(std::size_t wave, Eigen::VectorXd Memory::*parts) const;
-  void add_sectors(Eigen::VectorXd& displacement) const;
+  void add_sectors(const Directions& directions, Eigen::VectorXd& displacement) const;
+  /// w_n g / N times Re(Y c rows^H e^{i n (j - j') alpha}) summed over n, for rows of a width.
+  Eigen::MatrixXd compliance(const RotorAtSpeed& rotor, Eigen::MatrixXcd WaveModes::*rows, std::size_t width) const;
   void settle_forces() const;
   /// Finds Lambda_n of forces.
-  void gather(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
+  void gather(const Forces& forces);
+  void gather(const Eigen::VectorXd& forces, const Directions& directions, Rows Memory::*rows);
   void add_waiting_forces(std::size_t wave) const { take_forces(wave, memory_[wave].q); }
   /// Takes the effect of Lambda_n from the increments, and from `other`.
   void take_forces(std::size_t wave, Eigen::VectorXd& other) const;
+  void take_forces(std::size_t wave, const Rows& rows, const Directions& directions, Eigen::Index modes,
+                   Eigen::VectorXd& other) const;
 
   Nodes nodes_;
+  Friction friction_;
   std::vector<MarchedWave> waves_;
   mutable std::vector<Memory> memory_;
-  mutable bool forces_wait_ = false;       ///< the last forces are not in the modes yet
-  Eigen::VectorXd ahead_;                  ///< [m sqrt(kg)] of one nodal diameter, after a further step
-  Eigen::VectorXd p_;                      ///< Y q, for each wave real parts, then imaginary parts
+  mutable bool forces_wait_ = false;  ///< the last forces are not in the modes yet
+  Eigen::VectorXd ahead_;             ///< [m sqrt(kg)] of one nodal diameter, after a further step
+  Directions normal_, sliding_;
   std::vector<double> phases_of_sectors_;  ///< for each sector and wave, the cosine and the sine of n j alpha
-  std::vector<int> forced_nodes_;          ///< nodes with a force in any sector
   std::vector<int> forced_sectors_;        ///< sectors with a force at any node
   std::vector<char> node_has_force_;
 };

@@ -51,6 +51,21 @@ Eigen::MatrixXcd normal_rows(const ReducedModel& model, const Spectrum& spectrum
   return rows;
 }
 
+Eigen::MatrixXcd sliding_rows(const ContactLine& contact, const Eigen::MatrixXcd& contact_rows) {
+  Eigen::MatrixXcd rows(2 * contact.size(), contact_rows.cols());
+  for (int k = 0; k < contact.size(); ++k) {
+    const Eigen::Vector3d normal = contact.normal.row(k), theta = Eigen::Vector3d::UnitY();
+    rows.row(2 * k) = contact_rows.row(3 * k + 1);
+    rows.row(2 * k + 1) = normal.cross(theta).normalized().transpose() * contact_rows.middleRows<3>(3 * k);
+  }
+  return rows;
+}
+
+/// The number of modes on which friction acts.
+Eigen::Index sliding_modes(const Eigen::ArrayXd& omega, const ModeChoice& choice) {
+  return (omega <= 2 * std::numbers::pi * choice.sliding_below).count();
+}
+
 /// Y omega^-2 Y^H over the last `count` modes.
 Eigen::MatrixXcd static_compliance(const Eigen::MatrixXcd& rows, const Eigen::ArrayXd& omega, Eigen::Index count) {
   const Eigen::MatrixXcd last = rows.rightCols(count);
@@ -75,6 +90,8 @@ WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kin
   wave.contact_rows = wave.shapes.topRows(model.contact_dofs());
   const Eigen::MatrixXcd rows = normal_rows(model, spectrum);
   wave.normal_rows = rows.leftCols(held);
+  wave.sliding_rows =
+      sliding_rows(model.contact, wave.contact_rows.leftCols(sliding_modes(wave.omega.head(moving), choice)));
   if (moving < all) wave.residual_compliance = static_compliance(rows, spectrum.omega, all - moving);
   return wave;
 }

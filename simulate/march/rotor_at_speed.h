@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <limits>
 #include <vector>
 
 #include "reduce/model/nodal_diameter.h"
@@ -17,6 +18,7 @@ struct ModeChoice {
 
   int count = 0;  ///< the lowest ones; 0: all
   Others others = Others::dropped;
+  double sliding_below = std::numeric_limits<double>::infinity();  ///< [Hz] friction acts on modes up to here
 };
 
 /// Whether the modes of the nodal diameters that are not asked for are computed as well.
@@ -33,7 +35,10 @@ struct WaveModes {
   Eigen::ArrayXd damping_ratio;   ///< [1] of critical; m
   Eigen::MatrixXcd contact_rows;  ///< Phi at the contact dofs; 3 n_c x m
   Eigen::MatrixXcd normal_rows;   ///< Y: normal displacement of the contact nodes by mode; n_c x m
-  Eigen::MatrixXcd shapes;        ///< Phi, in the model's coordinates; n x m
+  /// S: displacement of the contact nodes along theta, then along e_m = nu x e_theta, node by node, in the modes on
+  /// which friction acts. These have mass and are resolved by the mesh; 2 n_c x m_s.
+  Eigen::MatrixXcd sliding_rows;
+  Eigen::MatrixXcd shapes;  ///< Phi, in the model's coordinates; n x m
   /// [m/N] Y omega^-2 Y^H, the compliance of the modes that have no mass or are dropped; n_c x n_c, empty if all
   /// modes have mass.
   Eigen::MatrixXcd residual_compliance;

@@ -5,9 +5,11 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <sstream>
 #include <utility>
 
 #include "simulate/march/wave_kernels.h"
+#include "simulate/motion/attempt.h"
 
 namespace tiprub::simulate {
 
@@ -29,16 +31,18 @@ TimeMarch::TimeMarch(MarchedScene scene)
       width_(padded(node_count_)),
       time_step_(two_pi / rotor().speed / steps_per_revolution()),
       waves_(rotor(), {scene_.setup.scheme, scene_.setup.theta}, time_step_,
-             {sector_count_, sectors_, symmetry(), node_count_, width_}) {
+             {sector_count_, sectors_, symmetry(), node_count_, width_},
+             has_friction() ? ModalWaves::Friction::slides : ModalWaves::Friction::none) {
   const auto size = static_cast<Eigen::Index>(sectors_ * width_);
   gap_ = gap_before_ = gap_two_before_ = gap_ahead_ =
       Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
   for (Eigen::VectorXd& displacement : displacement_) displacement = Eigen::VectorXd::Zero(size);
   tabulate_obstacle();
   compliance_ = waves_.compliance(rotor());
-  contact_ = contact_law(scene_.setup, compliance_);
+  prepare_friction();
+  contact_ = contact_law(scene_.setup, of_step_);
   if (finds_impacts(scene_.setup.scheme, scene_.setup.contact))
-    inner_.emplace(compliance_, waves_.recoils(rotor(), std::gcd(sector_count_, scene_.obstacle.lobes())));
+    inner_.emplace(of_step_, waves_.recoils(rotor(), std::gcd(sector_count_, scene_.obstacle.lobes())));
   impulses_ = displacement_ahead_ = Eigen::VectorXd::Zero(size);
   measure_both();
 }
@@ -54,6 +58,16 @@ void TimeMarch::tabulate_obstacle() {
     for (int k = 0; k < node_count_; ++k)
       distortion_[phase * width_ + k] =
           obstacle.distortion(k, two_pi * static_cast<double>(phase) / steps_per_revolution());
+}
+
+void TimeMarch::prepare_friction() {
+  of_step_ = std::make_shared<ContactCompliance>(compliance_);
+  if (!has_friction()) return;
+  carried_ = slide_ = drag_ratio_ = drag_ = Eigen::VectorXd::Zero(2 * gap_.size());
+  for (Eigen::Index i = 0; i < gap_.size(); ++i)
+    if (const Eigen::Index k = i % static_cast<Eigen::Index>(width_); k < node_count_)
+      carried_[2 * i] = scene_.tips.position(k, 0) * two_pi / steps_per_revolution();
+  of_step_ = std::make_shared<ContactCompliance>(compliance_, waves_.sliding_compliance(rotor()));
 }
 
 void TimeMarch::set_states(const std::vector<ModalState>& waves, std::size_t first_wave) {
@@ -96,18 +110,47 @@ bool TimeMarch::predict() {
 
 void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
   for (int index : nodes) {
-    displacement_[0].noalias() -= forces[index] * compliance_.col(index);
-    gap_.noalias() += forces[index] * compliance_.col(index);
+    displacement_[0].noalias() -= forces[index] * of_step_->fresh_column(index);
+    gap_.noalias() += forces[index] * of_step_->column(index);
   }
-  waves_.add_forces(forces, nodes);
+  waves_.add_forces({forces, drag_of(forces, nodes), nodes});
 }
 
 void TimeMarch::jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes) {
   for (int index : nodes) {
-    displacement_[1].noalias() += impulses[index] * compliance_.col(index);
-    gap_before_.noalias() -= impulses[index] * compliance_.col(index);
+    displacement_[1].noalias() += impulses[index] * of_step_->fresh_column(index);
+    gap_before_.noalias() -= impulses[index] * of_step_->column(index);
   }
-  waves_.add_impulses(impulses, nodes);
+  waves_.add_impulses({impulses, drag_of(impulses, nodes), nodes});
+}
+
+void TimeMarch::turn() {
+  waves_.slide(slide_);
+  slide_ += carried_;
+  for (Eigen::Index i = 0; i < gap_.size(); ++i)
+    drag_ratio_.segment<2>(2 * i) = scene_.setup.friction * slide_.segment<2>(2 * i).normalized();
+  of_step_->turn(drag_ratio_);
+}
+
+void TimeMarch::require_sliding() const {
+  if (!has_friction()) return;
+  for (const int i : contact_->closed()) {
+    if (slide_[2 * i] * carried_[2 * i] > 0) continue;
+    std::ostringstream text;
+    text << "contact node " << i % width() << " (from 0) of sector " << i / width()
+         << " no longer slides forward: its velocity over the casing along the circumference is "
+         << slide_[2 * i] / time_step_ << " m/s after " << static_cast<double>(step_) / steps_per_revolution()
+         << " revolutions, and friction is modelled for tips that slide; raise the speed, or set [casing] "
+         << "friction_coefficient = 0";
+    throw NoMotion(text.str());
+  }
+}
+
+const Eigen::VectorXd& TimeMarch::drag_of(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+  if (!has_friction()) return drag_;
+  drag_.setZero();
+  for (const int i : nodes) drag_.segment<2>(2 * i) = forces[i] * drag_ratio_.segment<2>(2 * i);
+  return drag_;
 }
 
 const std::vector<InnerImpact>& TimeMarch::impacts() const {
@@ -129,25 +172,28 @@ void TimeMarch::step() {
   const bool penetrates = predict();
   if (inner_) inner_->clear();
   if (inner_ && penetrates && inner_->foresee(gaps())) inner_->find(gaps(), look_ahead());
+  if (has_friction() && (penetrates || traits_of(scene_.setup.scheme).has_memory)) turn();
   aim(-1);
   const bool has_force =
       contact_->step(gap_before_, gap_, penetrates);  // eq. 14, eq. 15: lambda that closes the gaps
   aim(1);
   if (!has_force) return;
   displacement_[0] -= contact_->correction();  // eq. 15: the corrected displacements
-  waves_.add_forces(contact_->multipliers(), contact_->closed());
+  require_sliding();
+  waves_.add_forces(
+      {contact_->multipliers(), drag_of(contact_->multipliers(), contact_->closed()), contact_->closed()});
   if (!impacts().empty()) strike();
 }
 
 void TimeMarch::strike() {
   inner_->push(contact_->multipliers());
+  for (const int index : struck_) impulses_[index] = 0;
   struck_.clear();
   for (const InnerImpact& impact : impacts()) {
     struck_.push_back(impact.node());
     impulses_[impact.node()] = impact.impulse;
   }
   jump(impulses_, struck_);
-  for (int index : struck_) impulses_[index] = 0;
 }
 
 }  // namespace tiprub::simulate

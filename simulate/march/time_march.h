@@ -28,10 +28,16 @@ struct ModalState {
 /// (residual flexibility) take no part in the free step. A step costs 2 m n_c complex multiplications for each nodal
 /// diameter, and twice that in contact.
 ///
+/// With friction the force of a closed node is -lambda (nu + mu tau), with tau the direction in which the node slides
+/// over the casing: that of (r Omega + u'_theta) e_theta + u'_m e_m, from the displacements in the last step. The
+/// direction is thus known before the forces, and a march is still a map of the modes at two instants. Friction acts
+/// on the modes of WaveModes::sliding_rows only, and doubles to triples the cost of a step in contact.
+///
 /// Values of contact nodes are stored in one vector, sector after sector, each padded to width() nodes.
 class TimeMarch {
  public:
-  /// All members raise NoMotion if a contact problem has no solution.
+  /// All members raise NoMotion if a contact problem has no solution, or if a node with friction no longer slides
+  /// forward over the casing.
   explicit TimeMarch(MarchedScene scene);
 
   /// One step: predict(), the contact law of the scheme, and the effect of its forces.
@@ -65,8 +71,13 @@ class TimeMarch {
   const Eigen::VectorXd& displacement_two_before() const { return displacement_[2]; }
   /// The contact forces of the last step: [N], zero for open nodes.
   const ContactLaw& contact() const { return *contact_; }
+  bool has_friction() const { return scene_.setup.friction != 0; }
+  /// [1] mu tau of all nodes in the last step in contact, along theta and along the tip line in turn.
+  const Eigen::VectorXd& drag_ratio() const { return drag_ratio_; }
   /// The impacts within the last step, whose impulses act at its end, beside the forces of contact() at its start.
   const std::vector<InnerImpact>& impacts() const;
+  /// [N] their impulses over a step, by node.
+  const Eigen::VectorXd& impulses() const { return impulses_; }
   /// [m] the gaps after a further step without forces, which is not done. Valid until the next step.
   const Eigen::VectorXd& look_ahead();
   /// [m/N] W of the whole problem, padded rows zero.
@@ -103,6 +114,12 @@ class TimeMarch {
   /// Computes the gaps at the last two instants.
   void measure_both();
   void tabulate_obstacle();
+  void prepare_friction();
+  /// Finds the directions of sliding in a step.
+  void turn();
+  void require_sliding() const;
+  /// [N] The drag of contact forces, along theta and along the tip line in turn.
+  const Eigen::VectorXd& drag_of(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
   /// Moves the gaps by the targets of the inner impacts, and back.
   void aim(double direction);
   void strike();
@@ -119,6 +136,9 @@ class TimeMarch {
   Eigen::VectorXd gap_, gap_before_, gap_two_before_, gap_ahead_, displacement_ahead_;
   Eigen::VectorXd displacement_[3];
   Eigen::MatrixXd compliance_;
+  std::shared_ptr<ContactCompliance> of_step_;  ///< W with friction
+  Eigen::VectorXd carried_;  ///< [m] by rotation in a step, along theta and along the tip line in turn
+  Eigen::VectorXd slide_, drag_ratio_, drag_;  ///< [m] in a step, [1], [N], as carried_
   std::unique_ptr<ContactLaw> contact_;
   std::optional<InnerImpacts> inner_;  ///< if the scheme has them
   std::vector<int> struck_;            ///< the nodes of the inner impacts of a step

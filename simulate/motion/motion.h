@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 #include <vector>
 
 namespace tiprub {
@@ -30,9 +31,20 @@ enum class MotionMeasure {
 /// The energy balance of a speed over the recorded revolutions.
 struct EnergyLedger {
   double contact_work = 0;   ///< [J] done by the casing on the rotor
+  double drag_work = 0;      ///< [J] the part of it that friction does, on the vibration
   double dissipated = 0;     ///< [J] taken by damping
   double energy_change = 0;  ///< [J] of kinetic and elastic energy, end minus start
   double closing_error = 0;  ///< [1] (work - dissipated - change) over the largest of the three
+};
+
+/// What friction does over the recorded revolutions; all absent without friction. The largest values are means over
+/// the interval of a sample.
+struct FrictionLoad {
+  std::optional<double> drag_work;                                      ///< [J] EnergyLedger::drag_work
+  std::optional<double> blade_drag_mean, blade_drag_largest;            ///< [N] mu lambda, summed over a blade
+  std::optional<double> rub_torque_mean, rub_torque_largest;            ///< [N m] against the wheel, about its axis
+  std::optional<double> rub_power_mean, rub_power_largest;              ///< [W] that torque times Omega
+  std::optional<double> blade_rub_power_mean, blade_rub_power_largest;  ///< [W] of one blade
 };
 
 /// How the settled motion was found, if the case asked for a search for an orbit.

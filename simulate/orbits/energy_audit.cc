@@ -4,7 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reduce/model/nodal_diameter.h"
+
 namespace tiprub::simulate {
+
+namespace {
+
+/// The work of the drag of forces on some nodes of the whole wheel while the modes on which friction acts move.
+double drag_work(const TimeMarch& march, const std::vector<Eigen::VectorXcd>& moved, const Eigen::VectorXd& forces,
+                 const std::vector<int>& nodes) {
+  double work = 0;
+  for (std::size_t i = 0; i < march.wave_count(); ++i) {
+    const Eigen::VectorXcd slides = march.rotor().waves[i].sliding_rows * moved[i];
+    for (const int index : nodes) {
+      const int sector = index / march.width(), node = index % march.width();
+      const std::complex<double> phase = sector_phase(march.wave(i).nodal_diameter, sector, march.sector_count());
+      const Eigen::Vector2d slide = (phase * slides.segment<2>(2 * node)).real();
+      work -= forces[index] * march.drag_ratio().segment<2>(2 * index).dot(slide);
+    }
+  }
+  return march.symmetry() * work;
+}
+
+}  // namespace
 
 EnergyAudit::EnergyAudit(const TimeMarch& march) {
   for (std::size_t i = 0; i < march.wave_count(); ++i) {
@@ -61,7 +83,29 @@ void EnergyAudit::observe(const TimeMarch& march) {
     work -= march.contact().multipliers()[index] *
             (march.displacement()[index] - march.displacement_two_before()[index]) / 2;
   work_ += march.symmetry() * work;
+  if (march.has_friction() && !march.contact().closed().empty()) observe_drag(march);
   observe_left_out(march);
+}
+
+/// The work of impulses is that of their jump, jump_work(), which holds the drag's part.
+void EnergyAudit::observe_drag(const TimeMarch& march) {
+  std::vector<Eigen::VectorXcd> moved, moved_by_impulses;
+  const bool struck = !march.impacts().empty();
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    const Eigen::Index modes = march.rotor().waves[i].sliding_rows.cols();
+    const Eigen::VectorXcd last = march.increments(i).head(modes);
+    moved.emplace_back((last + march.increments_before(i).head(modes)) / 2);
+    if (!struck) continue;
+    const Eigen::VectorXcd jump = march.jumps(i).head(modes), now = march.coordinates(i).head(modes);
+    moved.back() -= jump / 2;
+    const auto head = [&](const Eigen::ArrayXd& values) { return values.head(modes).matrix().asDiagonal(); };
+    moved_by_impulses.emplace_back(head(march.wave(i).coefficients.c) *
+                                   (head(terms_[i].inertia) * (2 * last - jump) - head(terms_[i].stiffness) * now));
+  }
+  const double work = drag_work(march, moved, march.contact().multipliers(), march.contact().closed());
+  work_ += work;
+  drag_work_ += work;
+  if (struck) drag_work_ += drag_work(march, moved_by_impulses, march.impulses(), march.contact().closed());
 }
 
 /// Adds 1/2 Lambda^H (Y omega^-2 Y^H) Lambda, the energy of the left-out modes under the forces of the step.
@@ -88,6 +132,7 @@ double EnergyAudit::left_out_share() const {
 EnergyLedger EnergyAudit::ledger(const TimeMarch& march) const {
   EnergyLedger ledger;
   ledger.contact_work = work_;
+  ledger.drag_work = drag_work_;
   ledger.dissipated = dissipated_;
   ledger.energy_change = energy(march) - start_;
   const double scale = std::max({std::abs(work_), std::abs(dissipated_), std::abs(ledger.energy_change)});

@@ -70,6 +70,7 @@ Recording::Recording(const TimeMarch& march, const Grid& grid)
   kept_.displacement = Eigen::MatrixXd::Zero(samples, 3 * points);
   kept_.contact_force = Eigen::MatrixXd::Zero(samples, points);
   kept_.contact_count.setZero(points, grid.casing_areas);
+  if (march.has_friction()) drag_ = torque_ = Eigen::MatrixXd::Zero(samples, sectors_);
   grid_.cycle_revolutions = std::min(grid.cycle_revolutions, grid.revolutions);
   const Eigen::Index kept = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid_.cycle_revolutions;
   for (const WaveModes& wave : rotor_->waves) {
@@ -98,17 +99,42 @@ void Recording::observe(const TimeMarch& march, int sample) {
     const double force = march.contact().multipliers()[index];
     const CasingSteps way{tips_.position(node, 1), sector, march.sector_count(), march.steps_per_revolution()};
     kept_.contact_force(sample, sector * nodes_ + node) += share * force;
+    if (march.has_friction()) add_drag(march, sample, index, share * force);
     ++kept_.contact_count(sector * nodes_ + node, casing_area(way, march.step_count() - 1, grid_.casing_areas));
     smallest = std::min(smallest, force);
     (force < 0 ? pulling_ : pushing_) += std::abs(force);
   }
   for (const InnerImpact& impact : march.impacts()) {
     kept_.contact_force(sample, impact.node() / width_ * nodes_ + impact.node() % width_) += share * impact.impulse;
+    if (march.has_friction()) add_drag(march, sample, impact.node(), share * impact.impulse);
     pushing_ += impact.impulse;
   }
   ++kept_.contact_steps;
   if (smallest < 0) ++kept_.tension_steps;
   kept_.smallest_multiplier = std::min(kept_.smallest_multiplier, smallest);
+}
+
+void Recording::add_drag(const TimeMarch& march, int sample, int index, double force) {
+  const Eigen::Vector2d drag = force * march.drag_ratio().segment<2>(2 * index);
+  drag_(sample, index / width_) += drag.norm();
+  torque_(sample, index / width_) += tips_.position(index % width_, 0) * drag[0];
+}
+
+FrictionLoad Recording::friction_load(const TimeMarch& march) const {
+  FrictionLoad load;
+  if (!march.has_friction()) return load;
+  const Eigen::VectorXd of_wheel = march.symmetry() * torque_.rowwise().sum();
+  const double speed = march.rotor().speed;
+  load.drag_work = kept_.energy.drag_work;
+  load.blade_drag_mean = drag_.mean();
+  load.blade_drag_largest = drag_.maxCoeff();
+  load.rub_torque_mean = of_wheel.mean();
+  load.rub_torque_largest = of_wheel.maxCoeff();
+  load.rub_power_mean = speed * of_wheel.mean();
+  load.rub_power_largest = speed * of_wheel.maxCoeff();
+  load.blade_rub_power_mean = speed * torque_.mean();
+  load.blade_rub_power_largest = speed * torque_.maxCoeff();
+  return load;
 }
 
 /// u_j = sum over n of Re(Phi_c q e^{i n j alpha}), all samples of a revolution at once.
@@ -185,6 +211,7 @@ Recorded Recording::finish(const TimeMarch& march) {
   }
   kept_.amplitude = normal_amplitude();
   kept_.energy = audit_.ledger(march);
+  kept_.friction = friction_load(march);
   kept_.chatter = chatter_.share();
   kept_.left_out_energy = audit_.left_out_share();
   if (pulling_ > 0) kept_.tension_share = pulling_ / (pulling_ + pushing_);

@@ -56,6 +56,7 @@ struct Recorded {
   double tension_share = 0;         ///< [1] of the sum of the forces' magnitudes
   double left_out_energy = 0;       ///< [1] elastic energy of the modes without mass or dropped, of all of it
   EnergyLedger energy;
+  FrictionLoad friction;
   ChatterAudit::Share chatter;
 };
 
@@ -80,6 +81,9 @@ class Recording {
  private:
   void take_states(const TimeMarch& march, int sample);
   void observe(const TimeMarch& march, int sample);
+  /// Adds the drag of a contact force.
+  void add_drag(const TimeMarch& march, int sample, int index, double force);
+  FrictionLoad friction_load(const TimeMarch& march) const;
   void recover_displacements(int first_sample);
   double normal_amplitude() const;
   /// Keeps the state of a sample if its contact force is the largest so far.
@@ -99,6 +103,7 @@ class Recording {
   int hardest_sample_ = -1;
   std::vector<Eigen::MatrixXcd> cycle_;  ///< modal coordinates at all samples of the last revolutions; m x samples
   Recorded kept_;
+  Eigen::MatrixXd drag_, torque_;  ///< [N], [N m] means over the samples' intervals; samples x sectors; with friction
   double pushing_ = 0, pulling_ = 0;  ///< [N] sums of the forces' magnitudes
 };
 

@@ -108,6 +108,7 @@ struct SpeedResponse {
   std::optional<RotorCycle> cycle;  ///< at examined speeds
 
   EnergyLedger energy;
+  FrictionLoad friction;
   double step_ratio = 0;              ///< h omega_max / 2; central differences are stable below 1
   double largest_penetration = 0;     ///< [m] of any node, over the recorded revolutions; 0 if none
   double smallest_multiplier = 0;     ///< [N] below zero where the casing pulled

@@ -107,6 +107,23 @@ void visit_contact(Speed& speed, Visit visit) {
 }
 
 template <class Speed, class Visit>
+void visit_friction(Speed& speed, Visit visit) {
+  auto& load = speed.friction;
+  visit({"drag_work", "J", "part of contact_work that friction does on the vibration", any}, load.drag_work);
+  visit({"blade_drag_mean", "N", "friction on a blade, mean", not_negative}, load.blade_drag_mean);
+  visit({"blade_drag_largest", "N", "friction on a blade, largest of a sample", not_negative},
+        load.blade_drag_largest);
+  visit({"rub_torque_mean", "N m", "torque of friction against the wheel, mean", any}, load.rub_torque_mean);
+  visit({"rub_torque_largest", "N m", "torque of friction against the wheel, largest of a sample", any},
+        load.rub_torque_largest);
+  visit({"rub_power_mean", "W", "power of that torque, mean", any}, load.rub_power_mean);
+  visit({"rub_power_largest", "W", "power of that torque, largest of a sample", any}, load.rub_power_largest);
+  visit({"blade_rub_power_mean", "W", "power of the torque on one blade, mean", any}, load.blade_rub_power_mean);
+  visit({"blade_rub_power_largest", "W", "power of the torque on one blade, largest of a sample", any},
+        load.blade_rub_power_largest);
+}
+
+template <class Speed, class Visit>
 void visit_audit(Speed& speed, Visit visit) {
   auto& audit = speed.audit;
   visit({"halving_difference", "1", "what the last halving of the step changed", not_negative},
@@ -130,6 +147,7 @@ template <class Speed, class Visit>
 void visit_numbers(Speed& speed, Visit visit) {
   visit_motion(speed, visit);
   visit_contact(speed, visit);
+  visit_friction(speed, visit);
   visit_audit(speed, visit);
 }
 

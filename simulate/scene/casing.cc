@@ -141,6 +141,7 @@ Casing read_casing(CaseTable& table) {
     table.reject("clearance", "must have its fractions of the arc length in 0 .. 1",
                  too_low ? 0 : casing.clearance.size() - 1);
   read_blade_clearance(table, casing);
+  casing.friction = table.number("friction_coefficient", 0.0, Range::at_least(0), "of the contact force; 0: none");
   table.close();
   return casing;
 }

@@ -42,6 +42,7 @@ struct Casing {
   /// [fraction of the arc length, m] clearance of the tightest blade; linear between the points, constant outside.
   std::vector<std::array<double, 2>> clearance;
   std::vector<double> blade_clearance;  ///< [m] extra clearance of each blade, at least 0; empty: none
+  double friction = 0;                  ///< [1] mu of Coulomb's law at the tips
 
   /// [m] inward, fully grown, at an absolute angle in rad and a fraction of the contact line's arc length.
   double distortion(double angle, double fraction) const;

@@ -127,6 +127,7 @@ SpeedResponse response_of(SettledMotion motion) {
   response.snapshot = std::move(motion.recorded.snapshot);
   response.cycle = std::move(motion.recorded.cycle);
   response.energy = motion.recorded.energy;
+  response.friction = motion.recorded.friction;
   response.step_ratio = motion.step_ratio;
   response.largest_penetration = motion.recorded.largest_penetration;
   response.smallest_multiplier = motion.recorded.smallest_multiplier;

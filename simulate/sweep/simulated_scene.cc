@@ -8,6 +8,7 @@
 
 #include "cases/program/digest.h"
 #include "reduce/model/reduced_model.h"
+#include "simulate/scene/friction_limit.h"
 
 namespace tiprub::simulate {
 
@@ -29,6 +30,14 @@ ModelledEffect normal_contact(const SimulateParameters& parameters) {
     return {Effect::normal_contact, Treatment::simplified,
             "nodes that penetrate are closed once, and may be pulled (eq. 14, eq. 15), " + scheme};
   return {Effect::normal_contact, Treatment::modelled, "complementarity in every step, " + scheme};
+}
+
+ModelledEffect friction(const Scene& scene) {
+  const std::string limit = "; " + friction_limit(scene.model).text();
+  if (scene.casing.friction == 0)
+    return {Effect::friction, Treatment::left_out, "the contact force acts only along the normal" + limit};
+  return {Effect::friction, Treatment::modelled,
+          "coefficient " + text_of(scene.casing.friction) + ", against the sliding of the vibrating tip" + limit};
 }
 
 ModelledEffect blade_clearance(const Casing& casing) {
@@ -95,7 +104,7 @@ std::vector<ModelledEffect> effects_of(const Scene& scene) {
   const SimulateParameters& parameters = scene.parameters;
   const char* const linear = "the gap is linear in the displacement";
   return {normal_contact(parameters),
-          {Effect::friction, Treatment::left_out, "the contact force acts only along the normal"},
+          friction(scene),
           {Effect::round_casing, Treatment::left_out, linear},
           {Effect::casing_slope, Treatment::left_out, linear},
           {Effect::blade_foreshortening, Treatment::left_out, linear},

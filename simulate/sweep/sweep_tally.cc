@@ -81,6 +81,9 @@ std::string speed_line(const SpeedResponse& response) {
     text << ", " << response.audit.leftover_steps << " steps leave up to " << response.largest_penetration
          << " m of penetration";
   if (response.solver_fallbacks > 0) text << ", " << response.solver_fallbacks << " solver fallbacks";
+  if (response.friction.rub_power_mean)
+    text << ", friction takes " << *response.friction.rub_power_mean << " W, at most "
+         << *response.friction.rub_power_largest << " W";
   text << audit_text(response.audit) << ", cond W " << response.audit.compliance_condition;
   return text.str();
 }
@@ -102,6 +105,7 @@ void SweepTally::add(const SpeedResponse& response) {
   if (response.audit.halving_difference) ++halved;
   largest_halving = std::max(largest_halving, response.audit.halving_difference.value_or(0));
   tension_share = std::max(tension_share, response.audit.tension_share);
+  rub_power = std::max(rub_power, response.friction.rub_power_mean.value_or(0));
 }
 
 std::string SweepTally::text() const {
@@ -112,6 +116,7 @@ std::string SweepTally::text() const {
   if (marched > 0) out << "; marched, for want of a stable orbit, at " << marched;
   if (halved > 0)
     out << "; the last halving of the step, at " << halved << " of them, changed at most " << largest_halving;
+  if (rub_power > 0) out << "; friction takes up to " << rub_power << " W";
   return out.str();
 }
 

@@ -29,6 +29,7 @@ struct SweepTally {
   double largest_halving = 0;       ///< [1] the largest change by halving the step
   double tension_share = 0;         ///< [1] the largest share of tensile contact force
   std::size_t judged = 0;           ///< speeds with a Floquet multiplier of a motion in contact
+  double rub_power = 0;             ///< [W] the largest mean power of friction at a speed
   std::string first_failure;
 
   void add(const SpeedResponse& response);

@@ -22,6 +22,20 @@ expect_message(negative_clearance OLD "1.2e-4" NEW "-1.2e-4" EXIT_CODE 2
                ERRORS "case.toml:6:35: [casing] clearance = -0.00012 must be at least 0 [fraction of the chord, m]")
 expect_message(clearance_outside_the_chord OLD "[1.0, 1.2" NEW "[1.1, 1.2" EXIT_CODE 2
                ERRORS "must have its fractions of the arc length in 0 .. 1")
+expect_message(negative_friction OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = -0.1" EXIT_CODE 2
+               ERRORS "case.toml:5:24: [casing] friction_coefficient = -0.1 must be at least 0")
+expect_message(friction_that_is_no_number OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = nan" EXIT_CODE 2
+               ERRORS "case.toml:5:24: [casing] friction_coefficient")
+expect_message(friction_that_jams OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 1e9" EXIT_CODE 2
+               ERRORS "case.toml:5:24: [casing] friction_coefficient = 1e+09 is too large: from a friction coefficient of "
+                      "on, contact node " "friction pushes it into the casing; lower it")
+expect_message(friction_that_pulls OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 0.01" EXIT_CODE 2
+               ARGUMENTS case.toml model.h5 -o response.h5 --set "simulate.contact=\"paper\""
+                         --set "simulate.scheme=\"central_differences\""
+               ERRORS "needs forces that only push; set [simulate] contact = \"complementarity\"")
+expect_message(orbit_with_friction OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 0.01" EXIT_CODE 2
+               ARGUMENTS case.toml model.h5 -o response.h5 --set "simulate.steady_state=\"orbit\""
+               ERRORS "friction_coefficient changes the derivative of the march, which orbits and branches need")
 expect_message(amplitude_in_millimetres OLD "amplitude = 2.0e-4" NEW "amplitude = 0.2" EXIT_CODE 2
                ERRORS "case.toml:5:13: [casing] amplitude has 0.2 m, more than a tenth of the tip's radius of "
                       "it is in metres, not in millimetres")

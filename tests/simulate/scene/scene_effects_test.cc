@@ -50,6 +50,14 @@ TEST_F(SceneEffects, TellsWhetherMultipliersHaveTheInstantsOfImpacts) {
   }
 }
 
+TEST_F(SceneEffects, TellsOfFriction) {
+  EXPECT_EQ(of(Effect::friction).treatment, Treatment::left_out);
+  EXPECT_NE(of(Effect::friction).reason.find("jams"), std::string::npos);
+  casing_.friction = 0.1;
+  EXPECT_EQ(of(Effect::friction).treatment, Treatment::modelled);
+  EXPECT_NE(of(Effect::friction).reason.find("coefficient 0.1,"), std::string::npos);
+}
+
 TEST_F(SceneEffects, TellsOfNodalDiametersAndModes) {
   EXPECT_EQ(of(Effect::nodal_diameters).treatment, Treatment::left_out);
   parameters_.nodal_diameters = DiameterChoice::all;

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
+
+#include "simulate/motion/attempt.h"
+#include "simulate/orbits/energy_audit.h"
+#include "simulate/scene/friction_limit.h"
+#include "tests/simulate/one_sector.h"
+#include "tests/simulate/synthetic_wheel.h"
+
+namespace tiprub::simulate {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double radius = 0.1;  // m
+
+/// A mode of one blade with one contact node: how far it moves the tip along its normal, theta, and the tip line.
+struct Mode {
+  double omega, normal, theta, tip_line;  ///< [rad/s], [1/sqrt(kg)]
+};
+
+RotorAtSpeed rotor_of_modes(const std::vector<Mode>& modes, double speed, double damping_ratio = 0) {
+  RotorAtSpeed rotor;
+  rotor.speed = speed;
+  rotor.sector_count = 1;
+  const auto count = static_cast<Eigen::Index>(modes.size());
+  WaveModes wave;
+  wave.kind = WaveKind::standing;
+  wave.moving = count;
+  wave.omega.resize(count);
+  wave.damping_ratio = Eigen::ArrayXd::Constant(count, damping_ratio);
+  wave.normal_rows.resize(1, count);
+  wave.sliding_rows.resize(2, count);
+  for (Eigen::Index m = 0; m < count; ++m) {
+    const Mode& mode = modes[static_cast<std::size_t>(m)];
+    wave.omega[m] = mode.omega;
+    wave.normal_rows(0, m) = mode.normal;
+    wave.sliding_rows.col(m) << mode.theta, mode.tip_line;
+  }
+  wave.contact_rows = Eigen::MatrixXcd::Zero(3, count);
+  wave.shapes = Eigen::MatrixXcd::Identity(count, count);
+  rotor.waves.push_back(wave);
+  return rotor;
+}
+
+MarchSetup rubbing(Scheme scheme, int steps, double friction) {
+  MarchSetup setup{scheme, ContactRule::complementarity, steps};
+  setup.friction = friction;
+  return setup;
+}
+
+/// The blade against a casing with a clearance [m], negative if it presses at rest.
+TimeMarch blade(const RotorAtSpeed& rotor, const Casing& casing, double clearance, const MarchSetup& setup) {
+  return testing::march_of(rotor, casing, testing::one_sector().contact, Eigen::VectorXd::Constant(1, clearance),
+                           setup);
+}
+
+/// One mode moves along one line only, and the casing prescribes how: friction changes the force, not the motion.
+TEST(Friction, OfOneModeChangesTheForceAndNotTheMotion) {
+  const double n = 3, t = -4, mu = 0.2;
+  const RotorAtSpeed rotor = rotor_of_modes({{6000, n, t, 0}}, 1000, 0.01);
+  const Casing casing = testing::lobed_casing(1, 2e-4, 1e-4);
+  for (const Scheme scheme : {Scheme::trigonometric, Scheme::central_differences, Scheme::moreau_jean}) {
+    TimeMarch slides = blade(rotor, casing, 1e-4, rubbing(scheme, 1200, mu));
+    TimeMarch rests = blade(rotor, casing, 1e-4, rubbing(scheme, 1200, 0));
+    int contacts = 0;
+    for (int i = 0; i < 6 * 1200; ++i) {
+      slides.step();
+      rests.step();
+      ASSERT_NEAR(slides.displacement()[0], rests.displacement()[0], 1e-12 * 2e-4) << i;
+      const double force = rests.contact().multipliers()[0];
+      ASSERT_NEAR(slides.contact().multipliers()[0], force / (1 + mu * t / n), 1e-7 * force + 1e-7) << i;
+      contacts += force > 0 ? 1 : 0;
+    }
+    EXPECT_GT(contacts, 100);
+  }
+}
+
+/// A blade of two modes that is held in contact keeps one degree of freedom. With f = n + mu t, its frequency is
+/// omega^2 = (f1 n1 w2^2 + f2 n2 w1^2)/(f1 n1 + f2 n2); where this is negative, it diverges.
+TEST(Friction, MovesTheFrequencyOfABladeInContact) {
+  const double w1 = 3000, w2 = 5000, n1 = 1, n2 = 0.8, t1 = -6, t2 = 1;
+  const RotorAtSpeed rotor = rotor_of_modes({{w1, n1, t1, 0}, {w2, n2, t2, 0}}, 1000);
+  const Casing casing = testing::lobed_casing(1, 0, 0);
+  const double diverges = (n1 * n1 / w1 / w1 + n2 * n2 / w2 / w2) / -(n1 * t1 / w1 / w1 + n2 * t2 / w2 / w2);
+  for (const double mu : {0.0, 0.5 * diverges, 0.95 * diverges, 1.02 * diverges}) {
+    const double f1 = n1 + mu * t1, f2 = n2 + mu * t2;
+    const double square = (f1 * n1 * w2 * w2 + f2 * n2 * w1 * w1) / (f1 * n1 + f2 * n2);
+    const double pushed = 10, aside = 1e-7;  // N, m: where it would rest without friction, and a motion in contact
+    const Eigen::Vector2d start(-pushed * n1 / w1 / w1 + aside * n2, -pushed * n2 / w2 / w2 - aside * n1);
+    TimeMarch march =
+        blade(rotor, casing, n1 * start[0] + n2 * start[1], rubbing(Scheme::central_differences, 20000, mu));
+    march.set_state(0, start, Eigen::Vector2cd(0, 0));
+    const auto q1 = [&] { return march.coordinates(0).real[0]; };
+    std::vector<double> seen;
+    for (int i = 0; i < 3; ++i) {
+      for (int s = 0; s < 400; ++s) march.step();
+      ASSERT_FALSE(march.contact().closed().empty());
+      seen.push_back(q1());
+    }
+    for (int s = 0; s < 400; ++s) march.step();
+    seen.push_back(q1());
+    // x(t + T) + x(t - T) = 2 cos(omega T) x(t) about a mean, which differences remove
+    const double turned = (seen[3] - seen[2] + seen[1] - seen[0]) / (seen[2] - seen[1]) / 2;
+    const double T = 400 * march.time_step();
+    const double expected = square > 0 ? std::cos(std::sqrt(square) * T) : std::cosh(std::sqrt(-square) * T);
+    EXPECT_NEAR(turned, expected, 2e-4) << "mu " << mu;
+    EXPECT_EQ(square<0, mu> diverges);
+  }
+}
+
+/// Painleve's rod: with its tip on the floor at an angle of tangent t, the contact problem loses its unique solution
+/// at mu = (4 + t^2)/(3 t): 4/3 at 63.43 degrees, and 5/3 at 45 degrees.
+TEST(Friction, OfPainlevesRodHasASolutionUpToFourThirds) {
+  const double mass = 0.3, half_length = 0.05, inertia = mass * half_length * half_length / 3;
+  for (const double tangent : {1.0, 2.0}) {
+    const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = tangent * cosine;
+    const double lever = half_length / std::sqrt(inertia), unit = 1 / std::sqrt(mass);
+    const RotorAtSpeed rotor =
+        rotor_of_modes({{1, unit, 0, 0}, {1, 0, unit, 0}, {1, lever * cosine, -lever * sine, 0}}, 1000);
+    const double limit = (4 + tangent * tangent) / (3 * tangent);
+    const auto step = [&](double mu) {
+      blade(rotor, testing::lobed_casing(1, 0, 0), -1e-6, rubbing(Scheme::central_differences, 1200, mu)).step();
+    };
+    EXPECT_NO_THROW(step(limit * (1 - 1e-5)));
+    EXPECT_THROW(step(limit * (1 + 1e-5)), NoMotion);
+  }
+}
+
+/// A mass on a belt that swings across the belt's motion: the drag turns against its velocity and damps it by
+/// mu N/(2 m w V) = 0.01 of critical.
+TEST(Friction, DampsAMassAcrossTheMotionOfItsBelt) {
+  const double mu = 0.1, force = 0.2, belt = 1.0, normal_omega = 20;
+  const RotorAtSpeed rotor = rotor_of_modes({{normal_omega, 1, 0, 0}, {1, 0, 0, 1}}, belt / radius);
+  for (const Scheme scheme : {Scheme::trigonometric, Scheme::central_differences, Scheme::moreau_jean}) {
+    TimeMarch march = blade(rotor, testing::lobed_casing(1, 0, 0), -force / (normal_omega * normal_omega),
+                            rubbing(scheme, 400, mu));
+    march.set_state(0, Eigen::Vector2cd(-force / (normal_omega * normal_omega), 1e-3), Eigen::Vector2cd(0, 0));
+    double largest_before = 0, largest = 0;
+    const double period = 2 * pi / march.time_step();
+    const int periods = 10;
+    for (int i = 0; i < periods * period; ++i) {
+      march.step();
+      const double swing = std::abs(march.coordinates(0).real[1]);
+      if (i < 0.5 * period) largest_before = std::max(largest_before, i > 0.25 * period ? swing : 0);
+      if (i > (periods - 0.5) * period - 0.25 * period && i < (periods - 0.25) * period)
+        largest = std::max(largest, swing);
+    }
+    const double ratio = std::log(largest_before / largest) / (2 * pi * (periods - 1));
+    EXPECT_NEAR(ratio, mu * force / (2 * belt), 2e-4);
+  }
+}
+
+/// A wheel that is mirrored and turns the other way sees its drag reversed, and moves as its mirror image.
+TEST(Friction, IsMirroredWithTheWheel) {
+  const ReducedModel model = testing::synthetic_wheel({1, 3, 5});
+  const Casing casing = testing::lobed_casing(1, 2e-4, 1.5e-4);
+  const RotorAtSpeed rotor = rotor_at_speed(model, 900, {0}, {0.01});
+  RotorAtSpeed mirrored = rotor;
+  ContactLine tips = model.contact;
+  for (int k = 0; k < tips.size(); ++k) mirrored.waves[0].sliding_rows.row(2 * k) *= -1;
+  tips.position.col(0) *= -1;  // its tips go the other way
+  const Eigen::VectorXd clearance = casing.running_clearance(model.contact, 900);
+  TimeMarch one =
+      testing::march_of(rotor, casing, model.contact, clearance, rubbing(Scheme::trigonometric, 1200, 0.2));
+  TimeMarch other = testing::march_of(mirrored, casing, tips, clearance, rubbing(Scheme::trigonometric, 1200, 0.2));
+  TimeMarch without = testing::march_of(rotor, casing, tips, clearance, rubbing(Scheme::trigonometric, 1200, 0));
+  double difference = 0;
+  for (int i = 0; i < 20 * 1200; ++i) {
+    one.step();
+    other.step();
+    without.step();
+    ASSERT_EQ(one.displacement(), other.displacement()) << i;
+    difference = std::max(difference, (one.displacement() - without.displacement()).cwiseAbs().maxCoeff());
+  }
+  EXPECT_GT(difference, 1e-6);
+}
+
+/// Unsymmetric problems of the kind that friction makes, against all sets of closed nodes.
+TEST(Friction, GivesForcesThatComplementTheGaps) {
+  std::mt19937 source(5);
+  const auto random = [&] { return 2.0 * source() / std::mt19937::max() - 1.0; };
+  const Eigen::Index size = 6;
+  for (int problem = 0; problem < 300; ++problem) {
+    const Eigen::MatrixXd factor = Eigen::MatrixXd::NullaryExpr(size, size, random);
+    const Eigen::MatrixXd normal = factor * factor.transpose() + 0.5 * Eigen::MatrixXd::Identity(size, size);
+    const Eigen::MatrixXd sliding = Eigen::MatrixXd::NullaryExpr(size, 2 * size, random);
+    const Eigen::VectorXd ratio = 0.1 * Eigen::VectorXd::NullaryExpr(2 * size, random);
+    const auto compliance = std::make_shared<ContactCompliance>(normal, sliding);
+    Eigen::MatrixXd W = normal;
+    for (Eigen::Index i = 0; i < size; ++i) W.col(i) += sliding.middleCols<2>(2 * i) * ratio.segment<2>(2 * i);
+    const Eigen::VectorXd free_gap = Eigen::VectorXd::NullaryExpr(size, random).array() - 0.3;
+    if (free_gap.minCoeff() >= 0) continue;
+    ContactImpulses contact(compliance, ContactRule::complementarity);
+    Eigen::VectorXd gap = free_gap;
+    compliance->turn(ratio);
+    contact.solve(gap);
+    EXPECT_GE(contact.multipliers().minCoeff(), 0);
+    EXPECT_GE(gap.minCoeff(), -1e-11);
+    EXPECT_LT((gap - free_gap - W * contact.multipliers()).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT(gap.cwiseProduct(contact.multipliers()).cwiseAbs().maxCoeff(), 1e-10);
+  }
+}
+
+/// The work of the normal forces and of the drag, counted at the nodes, against damping and energy, counted in modes.
+TEST(Friction, KeepsTheEnergyLedgerClosed) {
+  for (const Scheme scheme : {Scheme::trigonometric, Scheme::central_differences, Scheme::moreau_jean}) {
+    MarchSetup setup = rubbing(scheme, 6000, 0.2);
+    setup.symmetry = 2;
+    testing::Bench bench =
+        testing::make_bench(testing::synthetic_wheel({}), testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.01, setup);
+    for (int i = 0; i < 12000; ++i) bench.march.step();
+    EnergyAudit audit(bench.march);
+    std::size_t impacts = 0;
+    for (int i = 0; i < 30000; ++i) {
+      bench.march.step();
+      audit.observe(bench.march);
+      impacts += bench.march.impacts().size();
+    }
+    const EnergyLedger ledger = audit.ledger(bench.march);
+    EXPECT_LT(std::abs(ledger.closing_error), 1e-11);
+    EXPECT_GT(std::abs(ledger.drag_work), 0.01 * std::abs(ledger.contact_work));
+    EXPECT_EQ(impacts > 0, scheme == Scheme::trigonometric);
+  }
+}
+
+/// On a belt that moves slower than the mass swings along it, sliding would reverse.
+TEST(Friction, IsRefusedWhereSlidingReverses) {
+  const RotorAtSpeed rotor = rotor_of_modes({{20, 1, 0, 0}, {1, 0, 1, 0}}, 1 / radius);
+  TimeMarch march = blade(rotor, testing::lobed_casing(1, 0, 0), -1e-3, rubbing(Scheme::trigonometric, 400, 0.1));
+  march.set_state(0, Eigen::Vector2cd(-1e-3, 1.1), Eigen::Vector2cd(0, 0));
+  const auto swing = [&] {
+    for (int i = 0; i < 2000; ++i) march.step();
+  };
+  EXPECT_THROW(swing(), NoMotion);
+}
+
+/// Where the compliance along the normal is C_NN and the drag's is C_NT < 0, a tip jams at mu = -C_NN/C_NT.
+TEST(FrictionLimit, IsTheRatioOfStaticCompliances) {
+  ReducedModel model = testing::one_sector();
+  Eigen::Matrix3d K;
+  K << 4e6, 1e6, 0, 1e6, 2e6, 0, 0, 0, 1e6;  // C_NN = 2/7, C_NT = -1/7 of 1e-6
+  model.nodal_diameters.resize(1);
+  model.nodal_diameters[0].K.terms = {K.cast<std::complex<double>>(), Eigen::MatrixXcd::Zero(3, 3)};
+  model.nodal_diameters[0].M = Eigen::MatrixXcd::Identity(3, 3);
+  EXPECT_NEAR(friction_limit(model, 100).coefficient, 2.0, 1e-12);
+  model.nodal_diameters[0].K[0](0, 1) = model.nodal_diameters[0].K[0](1, 0) = -1e6;
+  EXPECT_EQ(friction_limit(model, 100).coefficient, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace tiprub::simulate

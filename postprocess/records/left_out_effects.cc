@@ -40,6 +40,28 @@ double rubbed_share(const SpeedResponse& response, const SimulatedScene& scene, 
 
 }  // namespace
 
+std::optional<SlidingShare> sliding_share(const SpeedResponse& response, const SimulatedScene& scene,
+                                          const ContactLine& contact) {
+  const int nodes = contact.size();
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(nodes);
+  for (int sector = 0; sector < scene.independent_sectors; ++sector)
+    force += response.contact_force.middleCols(sector * nodes, nodes).colwise().mean();
+  SlidingShare share;
+  if (!(force.maxCoeff(&share.node) > 0)) return {};
+  double along = 0, squares = 0;
+  for (int sector = 0; sector < scene.independent_sectors; ++sector) {
+    const Eigen::MatrixX3d moves =
+        response.displacement.middleCols<3>(3 * (static_cast<Eigen::Index>(sector) * nodes + share.node));
+    const Eigen::VectorXd across = moves * contact.normal.row(share.node).transpose();
+    const Eigen::VectorXd swing = across.array() - across.mean();
+    along += swing.dot(moves.col(1));
+    squares += swing.squaredNorm();
+  }
+  if (!(squares > 0)) return {};
+  share.ratio = along / squares;
+  return share;
+}
+
 CasingWear casing_wear(const SpeedResponse& response, const SimulatedScene& scene, const ContactLine& contact,
                        double coefficient, double time) {
   CasingWear worst;

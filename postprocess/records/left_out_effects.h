@@ -30,6 +30,17 @@ struct CasingWear {
 CasingWear casing_wear(const SpeedResponse& response, const SimulatedScene& scene, const ContactLine& contact,
                        double coefficient, double time);
 
+/// How far the tip moves along the casing for each length along its normal.
+struct SlidingShare {
+  int node = 0;      ///< contact node with the largest mean force
+  double ratio = 0;  ///< [1] u_theta over nu . u, by least squares over all sectors and samples
+};
+
+/// A drag of mu times the contact force, against the rotation, does mu times this ratio of the force's work on the
+/// vibration. Nothing if there is no contact or no motion along the normal.
+std::optional<SlidingShare> sliding_share(const SpeedResponse& response, const SimulatedScene& scene,
+                                          const ContactLine& contact);
+
 /// [m] The terms of second order in the vibration u that the linear gap, clearance - distortion - nu . u, leaves
 /// out. Each is the largest over contact nodes, sectors and samples of one speed.
 struct SecondOrderGap {

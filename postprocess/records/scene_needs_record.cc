@@ -17,6 +17,8 @@ namespace {
 
 constexpr double clearance_share = 0.1;   // allowed error of the gap, of the smallest running clearance
 constexpr double frequency_limit = 1e-3;  // allowed error of a critical speed, relative
+constexpr double usual_friction = 0.1;    // of metal on metal or on a coating, as an example
+constexpr double drag_limit = 0.05;       // allowed work of friction, of the normal force's
 constexpr double chatter_limit = 0.01;    // of the mean square: a tenth of the amplitude
 constexpr double hour = 3600;             // [s]
 
@@ -66,6 +68,19 @@ std::vector<SceneNeed> gap_needs(const Study& study, const FieldEffects& fields)
                       : not_estimated(Effect::blade_foreshortening,
                                       "give --fields with the part disc: it takes the blade's span"));
   return needs;
+}
+
+SceneNeed friction_need(const Study& study) {
+  constexpr Effect effect = Effect::friction;
+  const ModelledEffect* const known = find(study.response.scene.effects, effect);
+  if (known != nullptr && known->treatment == Treatment::modelled) return {*known, NeedVerdict::none};
+  const SpeedResponse& response = study.judged_response();
+  const auto share = sliding_share(response, study.response.scene, study.model.contact);
+  if (!share) return not_estimated(effect, "no contact at " + rpm_text(response.speed));
+  return estimated(effect, usual_friction * std::abs(share->ratio), drag_limit,
+                   "the tip moves " + significant(share->ratio, 2) +
+                       " along theta for each 1 along its normal at contact node " + std::to_string(share->node) +
+                       ", at " + rpm_text(response.speed) + "; set casing.friction_coefficient");
 }
 
 SceneNeed prestress_need(const ReducedModel& model) {
@@ -186,6 +201,7 @@ std::vector<SceneNeed> scene_needs(const Study& study, const FieldEffects& field
   for (std::vector<SceneNeed> more : {model_needs(study, fields, checks), march_needs(study, checks)})
     std::move(more.begin(), more.end(), std::back_inserter(needs));
   needs.push_back(wear_need(study));
+  needs.push_back(friction_need(study));
   for (SceneNeed& need : needs) need.effect.treatment = Treatment::simplified;  // where no file tells
   needs.push_back({{Effect::damping, Treatment::modelled}, NeedVerdict::none, damping_text(study.response.scene)});
   for (const ModelledEffect& known : known_effects(study)) add_known(needs, known);

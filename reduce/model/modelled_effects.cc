@@ -13,7 +13,8 @@ namespace {
 
 constexpr EffectMeaning meanings[] = {
     {Effect::normal_contact, "normal_contact", "contact along the normal of the tip", "", ""},
-    {Effect::friction, "friction", "friction at the tips", "", ""},
+    {Effect::friction, "friction", "friction at the tips", "work of a coefficient of 0.1, of the normal force's",
+     "1"},
     {Effect::round_casing, "round_casing", "gap: a round casing is nearer to a tip that moves along the tangent",
      "change of the gap", "m"},
     {Effect::casing_slope, "casing_slope", "gap: the casing's shape is read where the tip is at rest",

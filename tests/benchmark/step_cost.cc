@@ -59,15 +59,17 @@ Cost timed(TimeMarch& march, double ramp_revolutions) {
   return cost;
 }
 
-Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, const MachineRates& rates) {
+Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, const MachineRates& rates,
+                double friction = 0) {
   const RotorAtSpeed rotor =
       rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, symmetry), {wheel.damping});
   const int steps = scheme == Scheme::central_differences ? central_steps(wheel, rotor) : default_steps(wheel, rotor);
+  MarchSetup setup{scheme, ContactRule::complementarity, steps, symmetry};
+  setup.friction = friction;
   TimeMarch march = march_of(rotor, wheel.casing, wheel.model.contact,
-                             wheel.casing.running_clearance(wheel.model.contact, wheel.speed),
-                             {scheme, ContactRule::complementarity, steps, symmetry});
+                             wheel.casing.running_clearance(wheel.model.contact, wheel.speed), setup);
   Cost cost = timed(march, wheel.casing.ramp_revolutions);
-  cost.least = count_step(rotor, march.sectors(), cost.closed).least(rates);
+  if (friction == 0) cost.least = count_step(rotor, march.sectors(), cost.closed).least(rates);
   return cost;
 }
 
@@ -142,6 +144,8 @@ void print_step_costs(const std::string& model) {
   free.casing.clearance = {{0.0, 1.0}, {1.0, 1.0}};
   print("the same, in the air", march_cost(free, Scheme::trigonometric, 1, rates), over);
   print("trigonometric, two lobes (symmetry)", march_cost(two, Scheme::trigonometric, 2, rates), over);
+  constexpr double friction = 0.1;
+  print("the same, with friction", march_cost(two, Scheme::trigonometric, 2, rates, friction), over);
 }
 
 }  // namespace tiprub::simulate::testing

@@ -192,6 +192,27 @@ TEST_F(SceneNeeds, AreJudgedOnTheScene) {
   EXPECT_NEAR(*need(needs, Effect::round_casing).effect.tolerance, 0.1 * clearance, 1e-15);
 }
 
+/// A tip that moves 3 along theta for each -1 along its normal: a coefficient of 0.1 does 0.3 of the normal force's
+/// work.
+TEST_F(SceneNeeds, SizesFrictionByTheMotionAlongTheCasing) {
+  Study made = study();
+  const Eigen::Index nodes = made.model.contact.size();
+  for (SpeedResponse& response : made.response.speeds) {
+    response.contact_force.setOnes();
+    for (Eigen::Index point = 0; point < response.contact_force.cols(); ++point) {
+      auto moves = response.displacement.middleCols<3>(3 * point);
+      const Eigen::VectorXd across = moves * made.model.contact.normal.row(point % nodes).transpose();
+      moves.col(1) = -3 * across;
+    }
+  }
+  const SceneNeed friction = need(scene_needs(made, {}), Effect::friction);
+  EXPECT_EQ(friction.verdict, NeedVerdict::matters);
+  EXPECT_NEAR(*friction.effect.size, 0.3, 1e-12);
+  for (ModelledEffect& effect : made.response.scene.effects)
+    if (effect.effect == Effect::friction) effect.treatment = Treatment::modelled;
+  EXPECT_EQ(need(scene_needs(made, {}), Effect::friction).verdict, NeedVerdict::none);
+}
+
 /// A speed that nobody looked at leaves the question open, even where all others hold.
 TEST_F(SceneNeeds, OneUncheckedSpeedLeavesSymmetryOpen) {
   Study made = study();

@@ -24,6 +24,8 @@ class ContactCompliance {
 
   bool is_symmetric() const { return sliding_.size() == 0; }
   Eigen::Index size() const { return normal_.rows(); }
+  /// The columns of W_theta and W_m in turn; empty without friction.
+  const Eigen::MatrixXd& sliding() const { return sliding_; }
   /// Begins a step with friction: mu tau_theta and mu tau_m of all nodes in turn; 2n.
   void turn(const Eigen::VectorXd& drag_ratio);
   /// Brings the columns of these nodes up to date.

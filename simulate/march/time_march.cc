@@ -108,24 +108,48 @@ bool TimeMarch::predict() {
   return measure_gaps(step_, displacement_[0], gap_);  // eq. 14: g^p
 }
 
-void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes,
+                        const Eigen::VectorXd& more_drag) {
   for (int index : nodes) {
     displacement_[0].noalias() -= forces[index] * of_step_->fresh_column(index);
     gap_.noalias() += forces[index] * of_step_->column(index);
   }
-  waves_.add_forces({forces, drag_of(forces, nodes), nodes});
+  drag_of(forces, nodes);
+  if (more_drag.size() > 0) {
+    drag_ += more_drag;
+    displacement_[0].noalias() -= sliding_compliance() * more_drag;
+    gap_.noalias() += sliding_compliance() * more_drag;
+  }
+  waves_.add_forces({forces, drag_, nodes});
 }
 
-void TimeMarch::jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes) {
+void TimeMarch::jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes,
+                     const Eigen::VectorXd& more_drag) {
   for (int index : nodes) {
     displacement_[1].noalias() += impulses[index] * of_step_->fresh_column(index);
     gap_before_.noalias() -= impulses[index] * of_step_->column(index);
   }
-  waves_.add_impulses({impulses, drag_of(impulses, nodes), nodes});
+  drag_of(impulses, nodes);
+  if (more_drag.size() > 0) {
+    drag_ += more_drag;
+    displacement_[1].noalias() += sliding_compliance() * more_drag;
+    gap_before_.noalias() -= sliding_compliance() * more_drag;
+  }
+  waves_.add_impulses({impulses, drag_, nodes});
+}
+
+const Eigen::VectorXd& TimeMarch::slide() {
+  waves_.slide(slide_);
+  return slide_;
+}
+
+void TimeMarch::turn_to(const Eigen::VectorXd& drag_ratio) {
+  drag_ratio_ = drag_ratio;
+  of_step_->turn(drag_ratio_);
 }
 
 void TimeMarch::turn() {
-  waves_.slide(slide_);
+  slide();
   slide_ += carried_;
   for (Eigen::Index i = 0; i < gap_.size(); ++i)
     drag_ratio_.segment<2>(2 * i) = scene_.setup.friction * slide_.segment<2>(2 * i).normalized();

@@ -45,10 +45,21 @@ class TimeMarch {
   /// The free step to t_{q+1}. Returns whether a node penetrates.
   bool predict();
   /// Adds forces [N] along -normal at t_q to the step just predicted. `nodes`: the indices of the nodes with a force.
-  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
+  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes) { correct(forces, nodes, no_drag_); }
   /// Adds impulses [N] over a step along -normal at t_{q+1}, which change the increments and, backwards from the
   /// present place, the displacements and gaps before (InnerImpact).
-  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes);
+  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes) { jump(impulses, nodes, no_drag_); }
+  /// The same with more drag on these nodes than friction makes of the forces, along theta and along the tip line in
+  /// turn.
+  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes, const Eigen::VectorXd& more_drag);
+  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes, const Eigen::VectorXd& more_drag);
+  /// [m] How the modes have moved the contact nodes in the step before the one just predicted, along theta and along
+  /// the tip line in turn; with friction only.
+  const Eigen::VectorXd& slide();
+  /// Sets mu tau, which step() finds, for the forces and impulses of the step just predicted.
+  void turn_to(const Eigen::VectorXd& drag_ratio);
+  /// [m/N] What forces along theta and along the tip line, in turn, add to the gaps.
+  const Eigen::MatrixXd& sliding_compliance() const { return of_step_->sliding(); }
 
   const MarchedScene& scene() const { return scene_; }
   const RotorAtSpeed& rotor() const { return *scene_.rotor; }
@@ -74,6 +85,8 @@ class TimeMarch {
   bool has_friction() const { return scene_.setup.friction != 0; }
   /// [1] mu tau of all nodes in the last step in contact, along theta and along the tip line in turn.
   const Eigen::VectorXd& drag_ratio() const { return drag_ratio_; }
+  /// [m] their way over the casing in the step before it, likewise.
+  const Eigen::VectorXd& way() const { return slide_; }
   /// The impacts within the last step, whose impulses act at its end, beside the forces of contact() at its start.
   const std::vector<InnerImpact>& impacts() const;
   /// [N] their impulses over a step, by node.
@@ -138,6 +151,7 @@ class TimeMarch {
   Eigen::MatrixXd compliance_;
   std::shared_ptr<ContactCompliance> of_step_;  ///< W with friction
   Eigen::VectorXd carried_;  ///< [m] by rotation in a step, along theta and along the tip line in turn
+  Eigen::VectorXd no_drag_;  ///< empty
   Eigen::VectorXd slide_, drag_ratio_, drag_;  ///< [m] in a step, [1], [N], as carried_
   std::unique_ptr<ContactLaw> contact_;
   std::optional<InnerImpacts> inner_;  ///< if the scheme has them

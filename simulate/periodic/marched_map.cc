@@ -2,6 +2,7 @@
 #include "simulate/periodic/marched_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -26,6 +27,19 @@ MarchedScene disturbed(MarchedScene orbit, Disturbance disturbance) {
   orbit.rotor = rotor;
   orbit.obstacle = orbit.obstacle.touching();
   return orbit;
+}
+
+/// How the nodes slid in the last step of a march, which had contact.
+Sliding sliding_of(const TimeMarch& march) {
+  const Eigen::Index nodes = march.gap().size();
+  Sliding sliding{march.drag_ratio(), Eigen::VectorXd::Zero(nodes), Eigen::VectorXd::Zero(nodes)};
+  const auto over_way = [&](int i, double force) {
+    return force * march.drag_ratio().segment<2>(2 * i).norm() / march.way().segment<2>(2 * i).norm();
+  };
+  for (const int i : march.contact().closed()) sliding.turning[i] = over_way(i, march.contact().multipliers()[i]);
+  for (const InnerImpact& impact : march.impacts())
+    sliding.striking[impact.node()] = over_way(impact.node(), impact.impulse);
+  return sliding;
 }
 
 }  // namespace
@@ -67,8 +81,10 @@ void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
   if (pattern == pattern_) return;
   closed_.clear();
   factors_.clear();
+  sliding_factors_.clear();
   for (const std::vector<int>& set : pattern->sets()) {
     closed_.push_back(on_all_sectors(set));
+    if (march_.has_friction()) continue;
     Eigen::MatrixXd block = compliance_(closed_.back(), closed_.back());
     block.diagonal() *= 1 + diagonal_shift;
     factors_.emplace_back(block);
@@ -76,7 +92,40 @@ void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
       throw NoMotion("the contact compliance of " + std::to_string(set.size()) +
                      " closed nodes is not positive definite: no orbit can be followed with them");
   }
+  auto sliding = pattern->sliding().begin();
+  for (const int set : pattern->steps())
+    if (march_.has_friction() && set != ContactPattern::open)
+      sliding_factors_.push_back(
+          factor_of(closed_[static_cast<std::size_t>(set)], (sliding++)->drag_ratio.replicate(copies_, 1)));
   pattern_ = pattern;
+}
+
+Eigen::PartialPivLU<Eigen::MatrixXd> TangentMarch::factor_of(const std::vector<int>& nodes,
+                                                             const Eigen::VectorXd& drag_ratio) {
+  Eigen::MatrixXd block = compliance_(nodes, nodes);
+  block.diagonal() *= 1 + diagonal_shift;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    block.col(static_cast<Eigen::Index>(i)) +=
+        march_.sliding_compliance()(nodes, Eigen::seqN(2 * nodes[i], 2)) * drag_ratio.segment<2>(2 * nodes[i]);
+  Eigen::PartialPivLU<Eigen::MatrixXd> factor(block);
+  if (!(std::abs(factor.matrixLU().diagonal().cwiseAbs().minCoeff()) > diagonal_shift * block.cwiseAbs().maxCoeff()))
+    throw NoMotion("the contact compliance of " + std::to_string(nodes.size()) +
+                   " closed nodes with friction is singular: no orbit can be followed with them");
+  return factor;
+}
+
+Eigen::VectorXd TangentMarch::turned(const Eigen::VectorXd& forces_over_way) const {
+  const Eigen::VectorXd& ratio = march_.drag_ratio();
+  Eigen::VectorXd drag = Eigen::VectorXd::Zero(ratio.size());
+  for (Eigen::Index i = 0; 2 * i < ratio.size(); ++i) {
+    const Eigen::Vector2d along = ratio.segment<2>(2 * i).normalized(), across(-along[1], along[0]);
+    drag.segment<2>(2 * i) = forces_over_way[i % nodes_a_copy_] * across.dot(slide_.segment<2>(2 * i)) * across;
+  }
+  return drag;
+}
+
+Eigen::VectorXd TangentMarch::by_drag(const Eigen::VectorXd& drag, const std::vector<int>& nodes) const {
+  return (march_.sliding_compliance() * drag).eval()(nodes);
 }
 
 std::vector<InnerImpact::Change> TangentMarch::changes(const std::vector<InnerImpact>& impacts) {
@@ -92,23 +141,34 @@ std::vector<InnerImpact::Change> TangentMarch::changes(const std::vector<InnerIm
   return changes;
 }
 
-void TangentMarch::close(std::size_t set, const std::vector<InnerImpact>& impacts) {
+void TangentMarch::close(std::size_t set, std::size_t place, const std::vector<InnerImpact>& impacts) {
   const std::vector<int>& closed = closed_[set];
+  const Sliding* const sliding = march_.has_friction() ? &pattern_->sliding()[place] : nullptr;
+  Eigen::VectorXd drag;
+  if (sliding != nullptr) {
+    slide_ = march_.slide();
+    march_.turn_to(sliding->drag_ratio.replicate(copies_, 1));
+    drag = turned(sliding->turning);
+  }
   const std::vector<InnerImpact::Change> changed = changes(impacts);
   target_.setZero();
   for (std::size_t i = 0; i < changed.size(); ++i)
     target_[static_cast<int>(i / impacts.size()) * nodes_a_copy_ + impacts[i % impacts.size()].node()] =
         changed[i].target;
   of_set_ = (target_ - march_.gap())(closed);
-  factors_[set].solveInPlace(of_set_);
+  if (sliding != nullptr)
+    of_set_ = sliding_factors_[place].solve(of_set_ - by_drag(drag, closed)).eval();
+  else
+    factors_[set].solveInPlace(of_set_);
   forces_.setZero();
   forces_(closed) = of_set_;
-  march_.correct(forces_, closed);
-  if (!impacts.empty()) strike(impacts, changed);
+  march_.correct(forces_, closed, drag);
+  if (!impacts.empty()) strike(impacts, changed, sliding);
 }
 
 /// Nodes without an impulse have been pushed off by their neighbours' and keep none.
-void TangentMarch::strike(const std::vector<InnerImpact>& impacts, const std::vector<InnerImpact::Change>& changes) {
+void TangentMarch::strike(const std::vector<InnerImpact>& impacts, const std::vector<InnerImpact::Change>& changes,
+                          const Sliding* sliding) {
   std::vector<int> nodes;
   std::vector<double> jumps;
   for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -118,10 +178,17 @@ void TangentMarch::strike(const std::vector<InnerImpact>& impacts, const std::ve
     jumps.push_back(changes[i].jump);
   }
   const Eigen::Map<const Eigen::VectorXd> jump(jumps.data(), static_cast<Eigen::Index>(jumps.size()));
+  forces_.setZero();
+  if (sliding != nullptr) {
+    const Eigen::VectorXd drag = turned(sliding->striking);
+    const Eigen::VectorXd impulses = factor_of(nodes, march_.drag_ratio()).solve(jump - by_drag(drag, nodes));
+    forces_(nodes) = impulses;
+    march_.jump(forces_, nodes, drag);
+    return;
+  }
   Eigen::MatrixXd block = compliance_(nodes, nodes);
   block.diagonal() *= 1 + diagonal_shift;
   const Eigen::VectorXd impulses = block.llt().solve(jump);
-  forces_.setZero();
   forces_(nodes) = impulses;
   march_.jump(forces_, nodes);
 }
@@ -133,12 +200,13 @@ Eigen::VectorXd TangentMarch::operator()(const std::shared_ptr<const ContactPatt
   map_.put(change);
   static const std::vector<InnerImpact> none;
   auto next = pattern_->impacts().begin();
+  std::size_t place = 0;
   for (std::size_t i = 0; i < pattern_->steps().size(); ++i) {
     march_.predict();
     const int set = pattern_->steps()[i];
     if (set == ContactPattern::open) continue;
     const bool struck = next != pattern_->impacts().end() && next->first == i;
-    close(static_cast<std::size_t>(set), struck ? (next++)->second : none);
+    close(static_cast<std::size_t>(set), place++, struck ? (next++)->second : none);
   }
   Eigen::VectorXd changed = map_.image();
   march_.set_step(start);
@@ -164,6 +232,7 @@ MapImage MarchedMap::image(const Eigen::VectorXd& state) {
   for (int i = 0; i < map_.steps(); ++i) {
     march_.step();
     pattern->add(march_.contact().closed(), march_.impacts());
+    if (march_.has_friction() && !march_.contact().closed().empty()) pattern->add(sliding_of(march_));
   }
   MapImage image{map_.image(), std::move(pattern)};
   march_.set_step(start);

@@ -48,8 +48,9 @@ enum class Disturbance {
 };
 
 /// The march linearised along the contact pattern of an orbit: nodes that the orbit closes stay in place, no force
-/// acts on the others, and the instants of impacts within steps move with the disturbance. Costs as much as the
-/// march, without the search for the pattern.
+/// acts on the others, the instants of impacts within steps move with the disturbance, and so do the directions of
+/// sliding: with the way s over the casing, p the unit vector across it, and its change s', friction changes by
+/// mu lambda/|s| (p . s') p. Costs as much as the march, without the search for the pattern.
 class TangentMarch {
  public:
   /// `orbit` is the march of the orbit. Excluded disturbances are those of RotorAtSpeed::others, on all N sectors.
@@ -65,19 +66,29 @@ class TangentMarch {
  private:
   void hold(const std::shared_ptr<const ContactPattern>& pattern);
   std::vector<int> on_all_sectors(const std::vector<int>& nodes) const;
-  void close(std::size_t set, const std::vector<InnerImpact>& impacts);
+  /// The factor of a set with friction.
+  Eigen::PartialPivLU<Eigen::MatrixXd> factor_of(const std::vector<int>& nodes, const Eigen::VectorXd& drag_ratio);
+  /// A step with contact, the `place`-th one of the pattern.
+  void close(std::size_t set, std::size_t place, const std::vector<InnerImpact>& impacts);
+  /// The change of the drag as the ways of the nodes turn.
+  Eigen::VectorXd turned(const Eigen::VectorXd& forces_over_way) const;
+  /// What a drag adds to the gaps of some nodes.
+  Eigen::VectorXd by_drag(const Eigen::VectorXd& drag, const std::vector<int>& nodes) const;
   /// The changes of the impacts by the gaps of the free step, one for each copy of the sectors.
   std::vector<InnerImpact::Change> changes(const std::vector<InnerImpact>& impacts);
-  void strike(const std::vector<InnerImpact>& impacts, const std::vector<InnerImpact::Change>& changes);
+  void strike(const std::vector<InnerImpact>& impacts, const std::vector<InnerImpact::Change>& changes,
+              const Sliding* sliding);
 
   TimeMarch march_;
   SymmetricMap map_;
   int copies_, nodes_a_copy_;   ///< how often this march repeats the sectors of the orbit; values in each
   Eigen::MatrixXd compliance_;  ///< [m/N] W, of full rank
   std::shared_ptr<const ContactPattern> pattern_;
-  std::vector<std::vector<int>> closed_;  ///< the sets of the pattern, on all sectors
-  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;
+  std::vector<std::vector<int>> closed_;                               ///< the sets of the pattern, on all sectors
+  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;                   ///< of the sets, without friction
+  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> sliding_factors_;  ///< of the steps with contact, with friction
   Eigen::VectorXd forces_, target_, of_set_;
+  Eigen::VectorXd slide_;  ///< [m] TimeMarch::slide() of a step
 };
 
 /// The symmetric map of a march, or a power of it, and its derivative.

@@ -16,8 +16,15 @@ namespace tiprub::simulate {
 /// The product A x of an operator A that is not available as a matrix.
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
+/// How the contact nodes slide in a step; by node.
+struct Sliding {
+  Eigen::VectorXd drag_ratio;  ///< [1] mu tau along theta and along the tip line in turn
+  Eigen::VectorXd turning;  ///< [N/m] mu lambda/|s|, s the way over the casing: by which a turn of s changes the drag
+  Eigen::VectorXd striking;  ///< [N/m] the same for the impulses of impacts within the step
+};
+
 /// The sets of closed nodes in consecutive steps of a march, and the impacts within steps. With these sets held
-/// fixed, the march is an affine map but for the instants of the impacts.
+/// fixed, the march is an affine map but for the instants of the impacts and the directions of sliding.
 class ContactPattern {
  public:
   static constexpr int open = -1;
@@ -34,14 +41,20 @@ class ContactPattern {
     steps_.push_back(place->second);
   }
 
+  /// Adds the sliding of the step added last, which has closed nodes.
+  void add(Sliding sliding) { sliding_.push_back(std::move(sliding)); }
+
   /// For each step the index of its set in sets(), or `open`.
   const std::vector<int>& steps() const { return steps_; }
   /// The distinct sets in the order of their first steps; no set is empty.
   const std::vector<std::vector<int>>& sets() const { return sets_; }
   /// The steps with impacts in them, ascending.
   const std::vector<std::pair<std::size_t, std::vector<InnerImpact>>>& impacts() const { return impacts_; }
+  /// Of the steps with closed nodes, in their order; empty without friction.
+  const std::vector<Sliding>& sliding() const { return sliding_; }
 
  private:
+  std::vector<Sliding> sliding_;
   std::vector<int> steps_;
   std::vector<std::vector<int>> sets_;
   std::map<std::vector<int>, int> places_;

@@ -65,10 +65,6 @@ void require_friction_that_slides(const CaseTable& table, const Casing& casing, 
   }
   if (parameters.contact == ContactRule::paper)
     table.reject(key, "needs forces that only push; set [simulate] contact = \"complementarity\"");
-  if (parameters.steady_state == SteadyStateMethod::orbit || parameters.branches != BranchChoice::none)
-    table.reject(key,
-                 "changes the derivative of the march, which orbits and branches need and which is known without "
-                 "friction only; set [simulate] steady_state = \"march\" and branches = \"none\"");
 }
 
 }  // namespace tiprub::simulate

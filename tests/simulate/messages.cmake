@@ -33,9 +33,6 @@ expect_message(friction_that_pulls OLD "lobes = 2" NEW "lobes = 2\nfriction_coef
                ARGUMENTS case.toml model.h5 -o response.h5 --set "simulate.contact=\"paper\""
                          --set "simulate.scheme=\"central_differences\""
                ERRORS "needs forces that only push; set [simulate] contact = \"complementarity\"")
-expect_message(orbit_with_friction OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 0.01" EXIT_CODE 2
-               ARGUMENTS case.toml model.h5 -o response.h5 --set "simulate.steady_state=\"orbit\""
-               ERRORS "friction_coefficient changes the derivative of the march, which orbits and branches need")
 expect_message(amplitude_in_millimetres OLD "amplitude = 2.0e-4" NEW "amplitude = 0.2" EXIT_CODE 2
                ERRORS "case.toml:5:13: [casing] amplitude has 0.2 m, more than a tenth of the tip's radius of "
                       "it is in metres, not in millimetres")

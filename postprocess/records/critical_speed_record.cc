@@ -151,6 +151,20 @@ PeakColumns cycle_columns() {
       stress_column("both over yield [1]", [](const FieldPeak& peak) { return optional_cell(peak.yield_share); })};
 }
 
+Cell kilowatts(const std::optional<double>& power) {
+  constexpr double kw_per_w = 1e-3;
+  return power ? Cell(*power * kw_per_w) : Cell(std::string());
+}
+
+PeakColumns friction_columns() {
+  const auto load = [](const PeakRow& peak) -> const FrictionLoad& {
+    return peak.study.response.speeds[static_cast<std::size_t>(peak.critical.index)].friction;
+  };
+  return {
+      {"rub power, mean [kW]", [load](const PeakRow& peak) { return kilowatts(load(peak).rub_power_mean); }},
+      {"rub power, largest [kW]", [load](const PeakRow& peak) { return kilowatts(load(peak).rub_power_largest); }}};
+}
+
 PeakColumns prediction_columns() {
   return {
       {"motion", [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
@@ -216,7 +230,7 @@ PeakColumns shown_stress_columns(const FieldResults& fields) {
 
 Table critical_speed_record(const Study& study, const FieldResults& fields) {
   return table_of(joined<PeakRow>({amplitude_columns(), wave_columns(), contact_columns(), stress_columns(),
-                                   cycle_columns(), prediction_columns()}),
+                                   cycle_columns(), prediction_columns(), friction_columns()}),
                   peaks_of(study, fields));
 }
 

@@ -34,6 +34,15 @@ std::string stress_text(const Study& study, const std::optional<FieldPeak>& peak
   return text + ".";
 }
 
+/// " Friction takes 380 kW of the wheel's power, at most 700 kW."; empty without friction.
+std::string friction_text(const FrictionLoad& friction) {
+  constexpr double kw_per_w = 1e-3;
+  if (!friction.rub_power_mean) return "";
+  return " Friction takes " + significant(*friction.rub_power_mean * kw_per_w, 3) +
+         " kW of the wheel's power on average, and at most " +
+         significant(*friction.rub_power_largest * kw_per_w, 3) + " kW.";
+}
+
 std::string still_rising(const Study& study) {
   std::string text;
   for (const Eigen::Index end : rising_ends(study.amplitudes.largest, study.parameters.prominence))
@@ -64,6 +73,7 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
   const bool more_elsewhere = study.amplitudes.largest.maxCoeff() > peak.amplitude;
   return counted(study.critical.size(), "critical speed") + ". The worst, at " + rpm_text(peak.speed) +
          ", moves the tip by " + amplitude_text(study, peak.index) + "." + stress_text(study, fields.peaks[*worst]) +
+         friction_text(study.response.speeds[static_cast<std::size_t>(peak.index)].friction) +
          (more_elsewhere ? " Where no peak is located, the amplitude is larger: at " + largest : "") +
          not_located(study) + still_rising(study);
 }

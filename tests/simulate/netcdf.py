@@ -16,7 +16,7 @@ except ImportError:
     sys.exit(77)
 
 NUMBERS = ("amplitude", "change", "revolutions", "contact_work", "largest_penetration", "contact_steps", "excluded_growth", "multiplier")
-UNITS = ("1", "m", "N", "J", "rad", "rad/s", "Hz")
+UNITS = ("1", "m", "N", "N m", "J", "W", "rad", "rad/s", "Hz")
 TEXTS = ("failure", "motion", "symmetry", "depth")
 KEPT = ("nodal_diameters", "provenance", "casing/angle", "frequencies/speed")  # by version 4: what is new is an axis, or along one in the root
 SHAPES = {"clearance": ("contact_node",), "displacement": ("angle", "sector", "contact_node", "component"),

@@ -180,6 +180,49 @@ TEST(Friction, IsMirroredWithTheWheel) {
   EXPECT_GT(difference, 1e-6);
 }
 
+/// Three high modes of one blade, damped by 2 %, that flutter in contact with a coefficient of 0.15: two frequencies
+/// of (1 - f n^T/(n . f)) diag(omega^2) are complex, with a growth of 0.27. If they are the mesh's, friction leaves
+/// them out, and the blade rests on the casing.
+TEST(Friction, OfModesOfTheMeshIsLeftOut) {
+  const std::vector<Mode> modes = {{6e3, 1, -4, 0}, {3e5, 1, -12, 0}, {3.1e5, 1, -10, 0}, {3.2e5, 1, 3, 0}};
+  const double mu = 0.15, pushed = 10;
+  for (const int sliding : {4, 1}) {
+    RotorAtSpeed rotor = rotor_of_modes(modes, 1000, 0.02);
+    rotor.waves[0].sliding_rows = rotor.waves[0].sliding_rows.leftCols(sliding).eval();
+    Eigen::VectorXcd rest(4);
+    for (int m = 0; m < 4; ++m)
+      rest[m] = -pushed * (modes[m].normal + (m < sliding ? mu * modes[m].theta : 0)) / std::pow(modes[m].omega, 2);
+    TimeMarch march =
+        blade(rotor, testing::lobed_casing(1, 0, 0), rest.real().sum(), rubbing(Scheme::trigonometric, 12000, mu));
+    march.set_state(0, rest * (1 + 1e-9), Eigen::VectorXcd::Zero(4));
+    int open = 0;
+    for (int i = 0; i < 12000; ++i) {
+      march.step();
+      open += march.contact().closed().empty() ? 1 : 0;
+    }
+    EXPECT_EQ(open > 0, sliding == 4) << sliding << " modes slide";
+  }
+}
+
+TEST(Friction, ActsOnModesUpToTheResolvedFrequency) {
+  const ReducedModel model = testing::synthetic_wheel({});
+  const double limit = 3000;  // Hz
+  const RotorAtSpeed rotor = rotor_at_speed(
+      model, 900, {0, 2}, {0.01}, {.count = 10, .others = ModeChoice::Others::quasi_static, .sliding_below = limit});
+  for (const WaveModes& wave : rotor.waves) {
+    const Eigen::Index slide = wave.sliding_rows.cols();
+    ASSERT_GT(slide, 0);
+    ASSERT_LT(slide, 10);
+    EXPECT_LE(wave.omega[slide - 1], 2 * pi * limit);
+    EXPECT_GT(wave.omega[slide], 2 * pi * limit);
+    EXPECT_EQ(wave.sliding_rows.row(2), wave.contact_rows.row(4).leftCols(slide));  // theta of the second node
+    const Eigen::RowVector3d normal = model.contact.normal.row(1);
+    const Eigen::RowVectorXcd along = -normal[2] * wave.contact_rows.row(3) + normal[0] * wave.contact_rows.row(5);
+    EXPECT_LT((wave.sliding_rows.row(3) - along.leftCols(slide)).norm(), 1e-12 * along.norm());
+  }
+  EXPECT_EQ(rotor_at_speed(model, 900, {0}, {0.01}, {.count = 4}).waves[0].sliding_rows.cols(), 4);
+}
+
 /// Unsymmetric problems of the kind that friction makes, against all sets of closed nodes.
 TEST(Friction, GivesForcesThatComplementTheGaps) {
   std::mt19937 source(5);

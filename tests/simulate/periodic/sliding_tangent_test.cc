@@ -48,7 +48,9 @@ TEST(SlidingTangent, FollowsWhatSymmetryLeavesOut) {
   TimeMarch march(bench.march.scene());
   for (int i = 0; i < 30 * 1200; ++i) march.step();
   MarchedMap map(march);
-  const MapImage image = map.image(map.symmetric().state());
+  const Eigen::VectorXd state = map.symmetric().state();
+  const MapImage image = map.image(state);
+  map.put(state);
   TangentMarch excluded(march, Disturbance::excluded, 1);
 
   MarchedScene whole = march.scene();

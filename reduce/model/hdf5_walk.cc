@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "cases/program/sandbox.h"
@@ -9,7 +10,8 @@ namespace tiprub {
 
 namespace {
 
-constexpr SandboxLimits limits = {1024.0 * 1024 * 1024, 50};
+constexpr double most_memory = 1024.0 * 1024 * 1024;  // [bytes]
+constexpr double least_seconds = 5, bytes_a_second = 1e7;
 constexpr double most_read = 1 << 25;  // values of one dataset; more is not tried
 constexpr const char* beyond_end = "is damaged: its numbers lie beyond its end";
 constexpr const char* elsewhere =
@@ -132,6 +134,13 @@ class Walk {
   std::set<haddr_t> seen_;  // links may lead round
 };
 
+/// A whole file takes a tenth of this time; of a damaged one HDF5 may never come to an end.
+SandboxLimits limits_for(const std::string& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  return {most_memory, least_seconds + (error ? 0.0 : static_cast<double>(size)) / bytes_a_second};
+}
+
 }  // namespace
 
 void hdf5_require_harmless(const std::string& path) {
@@ -144,7 +153,7 @@ void hdf5_require_harmless(const std::string& path) {
           walk.touch(file, "/");
           return walk.harmful();
         },
-        limits);
+        limits_for(path));
   } catch (const SandboxFailure& end) {
     throw FileError(path + ": is not an HDF5 file, or is damaged (HDF5 dies of it: " + end.what() + ")");
   } catch (const RunError&) {  // HDF5 can't open it: so it says again

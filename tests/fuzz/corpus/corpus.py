@@ -41,7 +41,7 @@ def wrong(entry, programs, scene, work):
     before = set(os.listdir(folder))
     inputs = [] if "--matrices" in entry.options else INPUTS[entry.program]
     run = subprocess.run([os.path.join(programs, f"tiprub-{entry.program}"), "case.toml", *inputs, *entry.options, "--check"],
-                         cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60, check=False)
+                         cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=30, check=False)
     said = run.stderr.decode(errors="backslashreplace")
     faults = [fault for holds, fault in (
         (run.returncode == entry.code, f"exit code {run.returncode}, not {entry.code}"),

@@ -111,24 +111,6 @@ TEST_F(ResponseFile, GivesBackWhatTheSceneChose) {
   EXPECT_EQ(back.speeds[0].other_starts[0].start, Start::whole_wheel);
 }
 
-TEST_F(ResponseFile, SaysBesideMultipliersWhatTheyLack) {
-  Response response = two_speeds();
-  OrbitBranch branch;
-  for (Eigen::VectorXd* array : {&branch.speed, &branch.amplitude, &branch.multiplier, &branch.multiplier_uncertainty,
-                                 &branch.multiplier_angle})
-    *array = Eigen::Vector2d(1, 2);
-  response.branches = {branch};
-  for (const Treatment treatment : {Treatment::modelled, Treatment::simplified}) {
-    response.scene.effects = {{Effect::impact_instants, treatment, "why"}};
-    written_and_read(response);
-    const Hdf5File file = Hdf5File::open(path_);
-    for (const std::string dataset : {"/multiplier", "/branch/0/multiplier"})
-      EXPECT_EQ(file.has_attribute(dataset, "comment") ? file.text_attribute(dataset, "comment") : "",
-                treatment == Treatment::simplified ? "why" : "")
-          << dataset;
-  }
-}
-
 TEST_F(ResponseFile, SaysThatTheDiskIsFull) {
   write_response(two_speeds(), path_, "test");
   const auto size = static_cast<rlim_t>(std::filesystem::file_size(path_));

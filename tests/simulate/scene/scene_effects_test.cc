@@ -3,7 +3,12 @@
 #include "simulate/sweep/simulated_scene.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+
+#include "reduce/model/hdf5_file.h"
+#include "simulate/response/response_file.h"
 #include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::simulate {
@@ -56,6 +61,32 @@ TEST_F(SceneEffects, TellsOfFriction) {
   casing_.friction = 0.1;
   EXPECT_EQ(of(Effect::friction).treatment, Treatment::modelled);
   EXPECT_NE(of(Effect::friction).reason.find("coefficient 0.1,"), std::string::npos);
+}
+
+/// In response.h5, by the attribute `comment`.
+TEST_F(SceneEffects, StandBesideMultipliersThatLackTheInstantsOfImpacts) {
+  const auto path = std::filesystem::temp_directory_path() / ("tiprub-effects-" + std::to_string(getpid()) + ".h5");
+  Response response;
+  response.scene.casing_angle = response.scene.casing_distortion = Eigen::VectorXd::LinSpaced(5, 0, 6.28);
+  response.scene.clearance = Eigen::VectorXd::Constant(3, 1e-4);
+  response.speeds.resize(1);
+  response.speeds[0].failure = "why";
+  OrbitBranch branch;
+  for (Eigen::VectorXd* array : {&branch.speed, &branch.amplitude, &branch.multiplier, &branch.multiplier_uncertainty,
+                                 &branch.multiplier_angle})
+    *array = Eigen::Vector2d(1, 2);
+  response.branches = {branch};
+  for (const Scheme scheme : {Scheme::trigonometric, Scheme::central_differences}) {
+    parameters_.scheme = scheme;
+    const ModelledEffect impacts = of(Effect::impact_instants);
+    response.scene.effects = {impacts};
+    write_response(response, path, "test");
+    const Hdf5File file = Hdf5File::open(path);
+    for (const std::string dataset : {"/multiplier", "/branch/0/multiplier"})
+      EXPECT_EQ(file.has_attribute(dataset, "comment") ? file.text_attribute(dataset, "comment") : "",
+                scheme == Scheme::trigonometric ? "" : impacts.reason);
+  }
+  std::filesystem::remove(path);
 }
 
 TEST_F(SceneEffects, TellsOfNodalDiametersAndModes) {

@@ -19,15 +19,18 @@ class ContactCompliance {
  public:
   /// Without friction; n x n.
   explicit ContactCompliance(const Eigen::MatrixXd& normal);
-  /// With friction. `sliding` holds the columns of W_theta and W_m in turn; n x 2n.
-  ContactCompliance(const Eigen::MatrixXd& normal, Eigen::MatrixXd sliding);
+  /// With friction mu. `sliding` holds the columns of W_theta and W_m in turn; n x 2n.
+  ContactCompliance(const Eigen::MatrixXd& normal, Eigen::MatrixXd sliding, double friction);
 
   bool is_symmetric() const { return sliding_.size() == 0; }
   Eigen::Index size() const { return normal_.rows(); }
   /// The columns of W_theta and W_m in turn; empty without friction.
   const Eigen::MatrixXd& sliding() const { return sliding_; }
-  /// Begins a step with friction: mu tau_theta and mu tau_m of all nodes in turn; 2n.
-  void turn(const Eigen::VectorXd& drag_ratio);
+  /// Begins a step with friction: the ways of all nodes over the casing, of any length, along theta and along the tip
+  /// line in turn; 2n. Refers to them.
+  void slide(const Eigen::VectorXd& way);
+  /// [1] mu tau_theta and mu tau_m in turn, of the nodes that are up to date; 2n.
+  const Eigen::VectorXd& drag_ratio() const { return drag_ratio_; }
   /// Brings the columns of these nodes up to date.
   void refresh(const std::vector<int>& nodes) {
     if (!is_symmetric())
@@ -48,6 +51,8 @@ class ContactCompliance {
   void refresh(int node);
 
   Eigen::MatrixXd normal_, sliding_;
+  double friction_ = 0;
+  const double* way_ = nullptr;
   Eigen::VectorXd drag_ratio_;
   std::size_t stride_;
   kernels::Lines columns_;

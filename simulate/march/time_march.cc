@@ -63,11 +63,12 @@ void TimeMarch::tabulate_obstacle() {
 void TimeMarch::prepare_friction() {
   of_step_ = std::make_shared<ContactCompliance>(compliance_);
   if (!has_friction()) return;
-  carried_ = slide_ = drag_ratio_ = drag_ = Eigen::VectorXd::Zero(2 * gap_.size());
+  carried_ = slide_ = drag_ = Eigen::VectorXd::Zero(2 * gap_.size());
   for (Eigen::Index i = 0; i < gap_.size(); ++i)
     if (const Eigen::Index k = i % static_cast<Eigen::Index>(width_); k < node_count_)
       carried_[2 * i] = scene_.tips.position(k, 0) * two_pi / steps_per_revolution();
-  of_step_ = std::make_shared<ContactCompliance>(compliance_, waves_.sliding_compliance(rotor()));
+  of_step_ =
+      std::make_shared<ContactCompliance>(compliance_, waves_.sliding_compliance(rotor()), scene_.setup.friction);
 }
 
 void TimeMarch::set_states(const std::vector<ModalState>& waves, std::size_t first_wave) {
@@ -143,17 +144,10 @@ const Eigen::VectorXd& TimeMarch::slide() {
   return slide_;
 }
 
-void TimeMarch::turn_to(const Eigen::VectorXd& drag_ratio) {
-  drag_ratio_ = drag_ratio;
-  of_step_->turn(drag_ratio_);
-}
-
 void TimeMarch::turn() {
   slide();
   slide_ += carried_;
-  for (Eigen::Index i = 0; i < gap_.size(); ++i)
-    drag_ratio_.segment<2>(2 * i) = scene_.setup.friction * slide_.segment<2>(2 * i).normalized();
-  of_step_->turn(drag_ratio_);
+  slide_along(slide_);
 }
 
 void TimeMarch::require_sliding() const {
@@ -173,7 +167,7 @@ void TimeMarch::require_sliding() const {
 const Eigen::VectorXd& TimeMarch::drag_of(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
   if (!has_friction()) return drag_;
   drag_.setZero();
-  for (const int i : nodes) drag_.segment<2>(2 * i) = forces[i] * drag_ratio_.segment<2>(2 * i);
+  for (const int i : nodes) drag_.segment<2>(2 * i) = forces[i] * drag_ratio().segment<2>(2 * i);
   return drag_;
 }
 

@@ -31,7 +31,7 @@ struct ModalState {
 /// With friction the force of a closed node is -lambda (nu + mu tau), with tau the direction in which the node slides
 /// over the casing: that of (r Omega + u'_theta) e_theta + u'_m e_m, from the displacements in the last step. The
 /// direction is thus known before the forces, and a march is still a map of the modes at two instants. Friction acts
-/// on the modes of WaveModes::sliding_rows only, and doubles to triples the cost of a step in contact.
+/// on the modes of WaveModes::sliding_rows only.
 ///
 /// Values of contact nodes are stored in one vector, sector after sector, each padded to width() nodes.
 class TimeMarch {
@@ -56,8 +56,9 @@ class TimeMarch {
   /// [m] How the modes have moved the contact nodes in the step before the one just predicted, along theta and along
   /// the tip line in turn; with friction only.
   const Eigen::VectorXd& slide();
-  /// Sets mu tau, which step() finds, for the forces and impulses of the step just predicted.
-  void turn_to(const Eigen::VectorXd& drag_ratio);
+  /// Sets the directions of sliding, which step() finds, for the step just predicted: ways of any length over the
+  /// casing, likewise. Refers to them.
+  void slide_along(const Eigen::VectorXd& way) { of_step_->slide(way); }
   /// [m/N] What forces along theta and along the tip line, in turn, add to the gaps.
   const Eigen::MatrixXd& sliding_compliance() const { return of_step_->sliding(); }
 
@@ -83,9 +84,9 @@ class TimeMarch {
   /// The contact forces of the last step: [N], zero for open nodes.
   const ContactLaw& contact() const { return *contact_; }
   bool has_friction() const { return scene_.setup.friction != 0; }
-  /// [1] mu tau of all nodes in the last step in contact, along theta and along the tip line in turn.
-  const Eigen::VectorXd& drag_ratio() const { return drag_ratio_; }
-  /// [m] their way over the casing in the step before it, likewise.
+  /// [1] mu tau of the nodes closed in the last step with contact, along theta and along the tip line in turn.
+  const Eigen::VectorXd& drag_ratio() const { return of_step_->drag_ratio(); }
+  /// [m] The way of all nodes over the casing in the step before it, likewise.
   const Eigen::VectorXd& way() const { return slide_; }
   /// The impacts within the last step, whose impulses act at its end, beside the forces of contact() at its start.
   const std::vector<InnerImpact>& impacts() const;
@@ -150,9 +151,9 @@ class TimeMarch {
   Eigen::VectorXd displacement_[3];
   Eigen::MatrixXd compliance_;
   std::shared_ptr<ContactCompliance> of_step_;  ///< W with friction
-  Eigen::VectorXd carried_;  ///< [m] by rotation in a step, along theta and along the tip line in turn
-  Eigen::VectorXd no_drag_;  ///< empty
-  Eigen::VectorXd slide_, drag_ratio_, drag_;  ///< [m] in a step, [1], [N], as carried_
+  Eigen::VectorXd carried_;       ///< [m] by rotation in a step, along theta and along the tip line in turn
+  Eigen::VectorXd no_drag_;       ///< empty
+  Eigen::VectorXd slide_, drag_;  ///< [m] in a step, [N], as carried_
   std::unique_ptr<ContactLaw> contact_;
   std::optional<InnerImpacts> inner_;  ///< if the scheme has them
   std::vector<int> struck_;            ///< the nodes of the inner impacts of a step

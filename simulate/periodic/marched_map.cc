@@ -115,10 +115,9 @@ Eigen::PartialPivLU<Eigen::MatrixXd> TangentMarch::factor_of(const std::vector<i
 }
 
 Eigen::VectorXd TangentMarch::turned(const Eigen::VectorXd& forces_over_way) const {
-  const Eigen::VectorXd& ratio = march_.drag_ratio();
-  Eigen::VectorXd drag = Eigen::VectorXd::Zero(ratio.size());
-  for (Eigen::Index i = 0; 2 * i < ratio.size(); ++i) {
-    const Eigen::Vector2d along = ratio.segment<2>(2 * i).normalized(), across(-along[1], along[0]);
+  Eigen::VectorXd drag = Eigen::VectorXd::Zero(drag_ratio_.size());
+  for (Eigen::Index i = 0; 2 * i < drag_ratio_.size(); ++i) {
+    const Eigen::Vector2d along = drag_ratio_.segment<2>(2 * i).normalized(), across(-along[1], along[0]);
     drag.segment<2>(2 * i) = forces_over_way[i % nodes_a_copy_] * across.dot(slide_.segment<2>(2 * i)) * across;
   }
   return drag;
@@ -147,7 +146,8 @@ void TangentMarch::close(std::size_t set, std::size_t place, const std::vector<I
   Eigen::VectorXd drag;
   if (sliding != nullptr) {
     slide_ = march_.slide();
-    march_.turn_to(sliding->drag_ratio.replicate(copies_, 1));
+    drag_ratio_ = sliding->drag_ratio.replicate(copies_, 1);
+    march_.slide_along(drag_ratio_);
     drag = turned(sliding->turning);
   }
   const std::vector<InnerImpact::Change> changed = changes(impacts);
@@ -181,7 +181,7 @@ void TangentMarch::strike(const std::vector<InnerImpact>& impacts, const std::ve
   forces_.setZero();
   if (sliding != nullptr) {
     const Eigen::VectorXd drag = turned(sliding->striking);
-    const Eigen::VectorXd impulses = factor_of(nodes, march_.drag_ratio()).solve(jump - by_drag(drag, nodes));
+    const Eigen::VectorXd impulses = factor_of(nodes, drag_ratio_).solve(jump - by_drag(drag, nodes));
     forces_(nodes) = impulses;
     march_.jump(forces_, nodes, drag);
     return;

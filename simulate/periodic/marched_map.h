@@ -88,7 +88,7 @@ class TangentMarch {
   std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;                   ///< of the sets, without friction
   std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> sliding_factors_;  ///< of the steps with contact, with friction
   Eigen::VectorXd forces_, target_, of_set_;
-  Eigen::VectorXd slide_;  ///< [m] TimeMarch::slide() of a step
+  Eigen::VectorXd slide_, drag_ratio_;  ///< TimeMarch::slide() and drag_ratio() of a step
 };
 
 /// The symmetric map of a march, or a power of it, and its derivative.

@@ -61,8 +61,8 @@ Cost timed(TimeMarch& march, double ramp_revolutions) {
 
 Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, const MachineRates& rates,
                 double friction = 0) {
-  const RotorAtSpeed rotor =
-      rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, symmetry), {wheel.damping});
+  const RotorAtSpeed rotor = rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, symmetry),
+                                            {wheel.damping}, {.sliding_below = resolved_frequency(wheel.model)});
   const int steps = scheme == Scheme::central_differences ? central_steps(wheel, rotor) : default_steps(wheel, rotor);
   MarchSetup setup{scheme, ContactRule::complementarity, steps, symmetry};
   setup.friction = friction;

@@ -232,15 +232,17 @@ TEST(Friction, GivesForcesThatComplementTheGaps) {
     const Eigen::MatrixXd factor = Eigen::MatrixXd::NullaryExpr(size, size, random);
     const Eigen::MatrixXd normal = factor * factor.transpose() + 0.5 * Eigen::MatrixXd::Identity(size, size);
     const Eigen::MatrixXd sliding = Eigen::MatrixXd::NullaryExpr(size, 2 * size, random);
-    const Eigen::VectorXd ratio = 0.1 * Eigen::VectorXd::NullaryExpr(2 * size, random);
-    const auto compliance = std::make_shared<ContactCompliance>(normal, sliding);
+    const Eigen::VectorXd way = Eigen::VectorXd::NullaryExpr(2 * size, random);
+    const double friction = 0.1;
+    const auto compliance = std::make_shared<ContactCompliance>(normal, sliding, friction);
     Eigen::MatrixXd W = normal;
-    for (Eigen::Index i = 0; i < size; ++i) W.col(i) += sliding.middleCols<2>(2 * i) * ratio.segment<2>(2 * i);
+    for (Eigen::Index i = 0; i < size; ++i)
+      W.col(i) += friction * sliding.middleCols<2>(2 * i) * way.segment<2>(2 * i).normalized();
     const Eigen::VectorXd free_gap = Eigen::VectorXd::NullaryExpr(size, random).array() - 0.3;
     if (free_gap.minCoeff() >= 0) continue;
     ContactImpulses contact(compliance, ContactRule::complementarity);
     Eigen::VectorXd gap = free_gap;
-    compliance->turn(ratio);
+    compliance->slide(way);
     contact.solve(gap);
     EXPECT_GE(contact.multipliers().minCoeff(), 0);
     EXPECT_GE(gap.minCoeff(), -1e-11);

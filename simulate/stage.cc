@@ -45,10 +45,12 @@ Inputs read_inputs(const StageArguments& arguments) {
   SimulateParameters parameters = read_simulate_parameters(simulate_table);
   ReducedModel model = read_model(arguments.inputs[1]);
   require_lengths_in_metres(casing_table, casing, model.contact);
+  require_ramp_within(casing_table, casing, parameters);
   require_blades_of_wheel(casing_table, casing, parameters, model.sector_count);
   require_speed_of_model(simulate_table, simulate_table.has("speeds_rpm") ? "speeds_rpm" : "speed_max_rpm",
                          parameters.speeds.back(), model, arguments.inputs[1]);
   require_speed_of_model(casing_table, "clearance_speed_rpm", casing.clearance_speed, model, arguments.inputs[1]);
+  require_units_of_model(simulate_table, parameters, model);
   fit_to_model(parameters, model);
   require_friction_that_slides(casing_table, casing, parameters, model);
   const std::string resolved = "[casing]\n" + casing_table.resolved() + "[simulate]\n" + simulate_table.resolved();

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cases/program/units.h"
+#include "cases/program/usual_range.h"
 #include "simulate/scene/damping.h"
 #include "simulate/scene/simulate_parameters.h"
 
@@ -15,6 +16,17 @@ namespace tiprub::simulate {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
+
+/// Angles in radians cover less than a fiftieth of a lobe that is counted in degrees.
+void require_degrees(const CaseTable& table, const Casing& casing, double first, double last) {
+  constexpr double least_share = 0.02;
+  const double period = 360.0 / casing.lobes;
+  if (casing.unusual || last - first >= least_share * period) return;
+  std::ostringstream text;
+  text << "has its angles from " << first << " to " << last << " deg, less than a fiftieth of the " << period
+       << " deg of a lobe; are they in radians? If they are meant, add unusual = true to this table";
+  table.reject("distortion_table", text.str());
+}
 
 void read_distortion_table(CaseTable& table, Casing& casing) {
   auto points = table.points("distortion_table", std::nullopt, Range::any(), "deg, m inward");
@@ -30,6 +42,7 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
   if (const auto near = std::adjacent_find(points.begin(), points.end(), nearer); near != points.end())
     table.reject("distortion_table", "must have its angles more than 1e-9 of 360/lobes deg apart",
                  near - points.begin() + 1);
+  if (points.size() > 1) require_degrees(table, casing, points.front()[0], points.back()[0]);
   for (auto& [angle, inward] : points) {
     angle *= radians_per_degree;
     casing.amplitude = std::max(casing.amplitude, std::abs(inward));
@@ -90,6 +103,7 @@ void read_shape(CaseTable& table, Casing& casing) {
                                             {"table", CasingShape::table},
                                             {"profile", CasingShape::profile}});
   casing.lobes = table.integer("lobes", 2, Range::between(1, 1000), "lobes around the casing");
+  casing.unusual = table.flag("unusual", false);
   if (casing.shape == CasingShape::table) {
     read_distortion_table(table, casing);
   } else if (casing.shape == CasingShape::profile) {
@@ -98,10 +112,11 @@ void read_shape(CaseTable& table, Casing& casing) {
   } else {
     casing.amplitude = table.number("amplitude", std::nullopt, Range::at_least(0), "m inward at the crest");
   }
-  if (casing.shape == CasingShape::bumps)
-    casing.bump_width =
-        radians_per_degree *
-        table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
+  if (casing.shape != CasingShape::bumps) return;
+  const double width =
+      table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
+  if (!casing.unusual) require_usual(table, "bump_width_deg", width, Range::at_least(1), "deg");
+  casing.bump_width = radians_per_degree * width;
 }
 
 /// The smallest of the numbers is moved into `clearance`.
@@ -142,6 +157,8 @@ Casing read_casing(CaseTable& table) {
                  too_low ? 0 : casing.clearance.size() - 1);
   read_blade_clearance(table, casing);
   casing.friction = table.number("friction_coefficient", 0.0, Range::at_least(0), "of the contact force; 0: none");
+  if (!casing.unusual)
+    require_usual(table, "friction_coefficient", casing.friction, Range::between(0, 1), "of the contact force");
   table.close();
   return casing;
 }
@@ -161,14 +178,23 @@ void require_blades_of_wheel(const CaseTable& table, const Casing& casing, const
                  "branches = \"none\"");
 }
 
+void require_ramp_within(const CaseTable& table, const Casing& casing, const SimulateParameters& parameters) {
+  const int left = parameters.max_revolutions - parameters.recorded_revolutions;
+  if (casing.ramp_revolutions <= left) return;
+  std::ostringstream text;
+  text << "= " << casing.ramp_revolutions << " is more than the " << left
+       << " revolutions that [simulate] max_revolutions leaves before the recording; lower it";
+  table.reject("ramp_revolutions", text.str());
+}
+
 void require_lengths_in_metres(const CaseTable& table, const Casing& casing, const ContactLine& contact) {
-  constexpr double largest_share = 0.1;
-  const double radius = contact.position.col(0).maxCoeff();
+  const double radius = contact.position.col(0).maxCoeff(), largest_share = casing.unusual ? 0.1 : 0.02;
   const auto require = [&](const char* key, double length, std::optional<std::size_t> row = {}) {
     if (length <= largest_share * radius) return;
     std::ostringstream text;
-    text << "has " << length << " m, more than a tenth of the tip's radius of " << radius
-         << " m; it is in metres, not in millimetres";
+    text << "has " << length << " m, more than a " << (casing.unusual ? "tenth" : "fiftieth")
+         << " of the tip's radius of " << radius << " m; it is in metres, not in millimetres"
+         << (casing.unusual ? "" : ". If it is meant, add unusual = true to this table");
     table.reject(key, text.str(), row);
   };
   require(key_of_shape(casing.shape), casing.amplitude);

@@ -41,6 +41,7 @@ struct Casing {
   double clearance_speed = 0;  ///< [rad/s] the speed of the state at_speed
   /// [fraction of the arc length, m] clearance of the tightest blade; linear between the points, constant outside.
   std::vector<std::array<double, 2>> clearance;
+  bool unusual = false;                 ///< lengths and angles that are usual for no casing are meant
   std::vector<double> blade_clearance;  ///< [m] extra clearance of each blade, at least 0; empty: none
   double friction = 0;                  ///< [1] mu of Coulomb's law at the tips
 
@@ -73,8 +74,11 @@ Casing read_casing(CaseTable& table);
 void require_blades_of_wheel(const CaseTable& table, const Casing& casing, const SimulateParameters& parameters,
                              int sector_count);
 
-/// Refuses an amplitude or a clearance above a tenth of the tip radius, which is probably a length in millimetres.
-/// Raises InputError at the key.
+/// Refuses a ramp that is longer than the march. Raises InputError at the key.
+void require_ramp_within(const CaseTable& table, const Casing& casing, const SimulateParameters& parameters);
+
+/// Refuses an amplitude or a clearance above a fiftieth of the tip radius, which is probably a length in millimetres,
+/// or above a tenth where `unusual` says that it is meant. Raises InputError at the key.
 void require_lengths_in_metres(const CaseTable& table, const Casing& casing, const ContactLine& contact);
 
 }  // namespace tiprub::simulate

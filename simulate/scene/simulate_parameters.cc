@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "cases/program/units.h"
+#include "cases/program/usual_range.h"
 
 namespace tiprub::simulate {
 
@@ -45,10 +47,22 @@ std::vector<double> read_speeds(CaseTable& table) {
   return speeds;
 }
 
+/// A ratio in percent is mostly beyond this range.
+const Range usual_damping = Range::between(0, 0.05);
+
+const char* damping_key(const CaseTable& table) {
+  for (const char* key : {"damping_table", "damping_ratio_by_family"})
+    if (table.has(key)) return key;
+  return "damping_ratio";
+}
+
 constexpr double unresolved_damping = 0.02;  // of critical: a mode decays within a few of its periods
 
 void read_damping_and_band(CaseTable& table, SimulateParameters& parameters) {
   parameters.damping = read_damping(table);
+  parameters.unusual = table.flag("unusual", false);
+  if (!parameters.unusual)
+    require_usual(table, damping_key(table), parameters.damping.largest(), usual_damping, "of critical");
   parameters.resolved_frequency = table.number("resolved_frequency_hz", 0, Range::at_least(0),
                                                "Hz; 0: twice the highest at which the model was verified");
   parameters.damping_ratio_beyond =
@@ -135,6 +149,14 @@ void read_scheme(CaseTable& table, SimulateParameters& parameters) {
                     Range::between(needs_modes ? 1 : 0, count_max), "with mass, a nodal diameter; 0: all");
 }
 
+/// [Hz] Of the unreduced sector; 0 if the model came without verification.
+double lowest_frequency(const ReducedModel& model) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Eigen::MatrixXd& frequencies : model.verification.unreduced)
+    if (frequencies.size() > 0) lowest = std::min(lowest, frequencies.minCoeff());
+  return std::isfinite(lowest) ? lowest : 0;
+}
+
 }  // namespace
 
 SimulateParameters read_simulate_parameters(CaseTable& table) {
@@ -169,6 +191,17 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
                                    {{"mark", BrokenSymmetry::mark}, {"full_run", BrokenSymmetry::full_run}});
   table.close();
   return parameters;
+}
+
+void require_units_of_model(const CaseTable& table, const SimulateParameters& parameters, const ReducedModel& model) {
+  constexpr double least_share = 1.0 / 9;  // of the model's range: less than the ratio of rad/s to rev/min
+  if (parameters.unusual) return;
+  require_usual(table, table.has("speeds_rpm") ? "speeds_rpm" : "speed_max_rpm",
+                parameters.speeds.back() * rpm_per_rad_s,
+                Range::at_least(least_share * model.speed_max * rpm_per_rad_s), "rev/min");
+  if (parameters.resolved_frequency > 0)
+    require_usual(table, "resolved_frequency_hz", parameters.resolved_frequency,
+                  Range::at_least(lowest_frequency(model)), "Hz");
 }
 
 void fit_to_model(SimulateParameters& parameters, const ReducedModel& model) {

@@ -91,11 +91,16 @@ struct SimulateParameters {
   BranchChoice branches = BranchChoice::none;
   double branch_range = 0;  ///< [1] of a speed, to either side of it
   int branch_steps = 0;     ///< largest number of orbits to either side
+  bool unusual = false;     ///< values that are usual for no wheel are meant
   int threads = 0;          ///< 0: as many as the machine has
 };
 
 /// Reads [simulate]. Raises InputError.
 SimulateParameters read_simulate_parameters(CaseTable& table);
+
+/// Refuses speeds that are probably in rad/s or Hz, and a resolved frequency that is probably in kHz. Raises
+/// InputError at the key.
+void require_units_of_model(const CaseTable& table, const SimulateParameters& parameters, const ReducedModel& model);
 
 /// Sets the resolved frequency from the model, unless the case gives it, and the damping beyond it.
 void fit_to_model(SimulateParameters& parameters, const ReducedModel& model);

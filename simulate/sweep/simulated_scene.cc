@@ -167,6 +167,7 @@ const std::vector<ExemptKey>& exempt_keys() {
       {"branches", "what is done afterwards, of no speed's result"},
       {"branch_range", "as branches"},
       {"branch_steps", "as branches"},
+      {"unusual", "it lets values pass, and these count themselves"},
       {"threads", "results don't depend on them"},
   };
   return keys;

@@ -26,18 +26,20 @@ expect_message(negative_friction OLD "lobes = 2" NEW "lobes = 2\nfriction_coeffi
                ERRORS "case.toml:5:24: [casing] friction_coefficient = -0.1 must be at least 0")
 expect_message(friction_that_is_no_number OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = nan" EXIT_CODE 2
                ERRORS "case.toml:5:24: [casing] friction_coefficient")
-expect_message(friction_that_jams OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 1e9" EXIT_CODE 2
+expect_message(friction_that_jams OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 1e9\nunusual = true" EXIT_CODE 2
                ERRORS "case.toml:5:24: [casing] friction_coefficient = 1e+09 is too large: from a friction coefficient of "
                       "on, contact node " "friction pushes it into the casing; lower it")
+expect_message(friction_in_percent OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 15" EXIT_CODE 2
+               ERRORS "friction_coefficient = 15 is unusual: expected at least 0 and at most 1 [of the contact force]")
 expect_message(friction_that_pulls OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 0.01" EXIT_CODE 2
                ARGUMENTS case.toml model.h5 -o response.h5 --set "simulate.contact=\"paper\""
                          --set "simulate.scheme=\"central_differences\""
                ERRORS "needs forces that only push; set [simulate] contact = \"complementarity\"")
 expect_message(amplitude_in_millimetres OLD "amplitude = 2.0e-4" NEW "amplitude = 0.2" EXIT_CODE 2
-               ERRORS "case.toml:5:13: [casing] amplitude has 0.2 m, more than a tenth of the tip's radius of "
+               ERRORS "case.toml:5:13: [casing] amplitude has 0.2 m, more than a fiftieth of the tip's radius of "
                       "it is in metres, not in millimetres")
 expect_message(clearance_in_millimetres OLD "1.2e-4" NEW "0.12" EXIT_CODE 2
-               ERRORS "[casing] clearance has 0.12 m, more than a tenth of the tip's radius")
+               ERRORS "[casing] clearance has 0.12 m, more than a fiftieth of the tip's radius")
 expect_message(one_sample_a_revolution OLD "damping_ratio" NEW "samples_per_revolution = 1\ndamping_ratio" EXIT_CODE 2
                ERRORS "samples_per_revolution = 1 must be at least 2 and at most")
 expect_message(no_amplitude OLD "amplitude = 2.0e-4\n" NEW "" EXIT_CODE 2
@@ -57,7 +59,7 @@ expect_message(word_in_a_profile ${with_profile} OLD "shape = \"cosine\"" NEW "s
                EXIT_CODE 2 ERRORS "profile.csv:3: \"wide\" stands for how far inward [m], which must be a finite number")
 expect_message(profile_in_millimetres ${with_long} OLD "shape = \"cosine\"\nlobes = 2\namplitude = 2.0e-4"
                NEW "shape = \"profile\"\nlobes = 2\nprofile = \"long.csv\"" EXIT_CODE 2
-               ERRORS "[casing] profile has 0.2 m, more than a tenth of the tip's radius")
+               ERRORS "[casing] profile has 0.2 m, more than a fiftieth of the tip's radius")
 expect_message(no_profile OLD "shape = \"cosine\"" NEW "shape = \"profile\"\nprofile = \"absent.csv\"" EXIT_CODE 1
                ERRORS "absent.csv: can't be read")
 expect_message(lists_from_files ${with_damping} OLD "damping_ratio = 0.005" NEW "damping_table = \"damping.csv\""
@@ -68,7 +70,7 @@ expect_message(speeds_from_a_file ${with_speeds} OLD "speed_min_rpm = 9000\nspee
                NEW "speeds_rpm = \"speeds.csv\"" ARGUMENTS case.toml --tables OUTPUTS "speeds_rpm = [9000, 10000, 9500]")
 expect_message(clearance_in_millimetres_in_a_file ${with_clearance}
                OLD "clearance = [[0.0, 1.5e-4], [1.0, 1.2e-4]]" NEW "clearance = \"clearance.csv\"" EXIT_CODE 2
-               ERRORS "clearance.csv:3: [casing] clearance has 0.12 m, more than a tenth of the tip's radius")
+               ERRORS "clearance.csv:3: [casing] clearance has 0.12 m, more than a fiftieth of the tip's radius")
 expect_message(speeds_beside_a_range ARGUMENTS case.toml model.h5 -o response.h5 --set simulate.speeds_rpm=[9500] EXIT_CODE 2
                ERRORS "[simulate] speed_min_rpm belongs to a range of speeds" "--set simulate.speed_min_rpm= removes this key")
 expect_message(speeds_in_place_of_a_range OUTPUTS "speeds_rpm = [9500]"
@@ -90,9 +92,28 @@ expect_message(cold_clearance_closed_by_spin OLD "clearance =" NEW "clearance_st
 
 expect_message(overdamped OLD "damping_ratio = 0.005" NEW "damping_ratio = 1000" EXIT_CODE 2
                ERRORS "damping_ratio = 1000 must be at least 0 and at most 0.9")
+# Symptom: numbers in another unit passed, and nothing warned.
+expect_message(damping_in_percent OLD "damping_ratio = 0.005" NEW "damping_ratio = 0.5" EXIT_CODE 2
+               ERRORS "damping_ratio = 0.5 is unusual: expected at least 0 and at most 0.05 [of critical]" "add unusual = true to this table")
+expect_message(damping_by_family_in_percent OLD "damping_ratio = 0.005" NEW "damping_ratio_by_family = [0.005, 0.2]" EXIT_CODE 2
+               ERRORS "damping_ratio_by_family = 0.2 is unusual: expected at least 0 and at most 0.05")
+expect_message(damping_that_is_meant OLD "damping_ratio = 0.005" NEW "damping_ratio = 0.5\nunusual = true"
+               ARGUMENTS case.toml model.h5 --check)
+expect_message(speeds_in_hertz OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000" NEW "speed_min_rpm = 150\nspeed_max_rpm = 200" EXIT_CODE 2
+               ERRORS "speed_max_rpm = 200 is unusual: expected at least 2122.0659")
+expect_message(speeds_in_radians OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40" NEW "speeds_rpm = [1500, 2000]" EXIT_CODE 2
+               ERRORS "speeds_rpm = 2000 is unusual: expected at least 2122.0659")
+expect_message(bumps_in_radians OLD "shape = \"cosine\"" NEW "shape = \"bumps\"\nbump_width_deg = 0.35" EXIT_CODE 2
+               ERRORS "bump_width_deg = 0.35 is unusual: expected at least 1 [deg]")
+expect_message(table_in_radians OLD "shape = \"cosine\"\nlobes = 2\namplitude = 2.0e-4"
+               NEW "shape = \"table\"\nlobes = 2\ndistortion_table = [[0.0, 2e-4], [1.57, -2e-4]]" EXIT_CODE 2
+               ERRORS "distortion_table has its angles from 0 to 1.57 deg, less than a fiftieth of the 180 deg of a lobe; are they in radians?")
+expect_message(amplitude_that_is_meant OLD "amplitude = 2.0e-4" NEW "amplitude = 5e-3\nunusual = true" ARGUMENTS case.toml model.h5 --check)
+expect_message(ramp_beyond_the_march OLD "lobes = 2" NEW "lobes = 2\nramp_revolutions = 300" EXIT_CODE 2
+               ERRORS "ramp_revolutions = 300 is more than the " "max_revolutions leaves before the recording")
 expect_message(endless_ramp OLD "lobes = 2" NEW "lobes = 2\nramp_revolutions = 1e308" EXIT_CODE 2
                ERRORS "ramp_revolutions = 1e+308 must be more than 0 and at most 1e+06")
-expect_message(one_revolution_a_minute OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40" NEW "speeds_rpm = [1]"
+expect_message(one_revolution_a_minute OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40" NEW "speeds_rpm = [1]\nunusual = true"
                EXIT_CODE 1 ERRORS "more than ten minutes of marching for one speed")
 expect_message(too_little_memory OLD "max_revolutions = 70"
                NEW "max_revolutions = 2000\nsamples_per_revolution = 1000000\nrecorded_revolutions = 1000"

@@ -75,6 +75,7 @@ distortion_table = [[0.0, 0.0], [20.0, 1.2e-3], [40.0, 0.0]]
 clearance = [[0.0, 1.0e-3]]
 [simulate]
 speeds_rpm = [2000.0]
+unusual = true  # a tenth of what the model holds
 damping_ratio = {RATIO}
 steps_per_revolution = 2400
 samples_per_revolution = 2400

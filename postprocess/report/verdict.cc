@@ -38,9 +38,9 @@ std::string stress_text(const Study& study, const std::optional<FieldPeak>& peak
 std::string friction_text(const FrictionLoad& friction) {
   constexpr double kw_per_w = 1e-3;
   if (!friction.rub_power_mean) return "";
-  return " Friction takes " + significant(*friction.rub_power_mean * kw_per_w, 3) +
-         " kW of the wheel's power on average, and at most " +
-         significant(*friction.rub_power_largest * kw_per_w, 3) + " kW.";
+  return " Friction takes " + fixed(*friction.rub_power_mean * kw_per_w, 0) +
+         " kW of the wheel's power on average, and at most " + fixed(*friction.rub_power_largest * kw_per_w, 0) +
+         " kW.";
 }
 
 std::string still_rising(const Study& study) {

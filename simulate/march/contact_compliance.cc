@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "simulate/march/contact_kernels.h"
@@ -10,7 +11,7 @@
 namespace tiprub::simulate {
 
 ContactCompliance::ContactCompliance(const Eigen::MatrixXd& normal)
-    : normal_(normal),
+    : size_(normal.rows()),
       stride_(kernels::whole_vectors(static_cast<std::size_t>(normal.rows()))),
       columns_(stride_ * stride_),
       is_fresh_(static_cast<std::size_t>(normal.rows()), 0) {
@@ -23,6 +24,13 @@ ContactCompliance::ContactCompliance(const Eigen::MatrixXd& normal, Eigen::Matri
   sliding_ = std::move(sliding);
   friction_ = friction;
   drag_ratio_ = Eigen::VectorXd::Zero(2 * size());
+  parts_ = kernels::Lines(3 * stride_ * stride_);
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    double* own = parts_.data() + 3 * stride_ * static_cast<std::size_t>(i);
+    std::copy_n(normal.col(i).data(), size(), own);
+    std::copy_n(sliding_.col(2 * i).data(), size(), own + stride_);
+    std::copy_n(sliding_.col(2 * i + 1).data(), size(), own + 2 * stride_);
+  }
 }
 
 void ContactCompliance::slide(const Eigen::VectorXd& way) {
@@ -37,9 +45,10 @@ void ContactCompliance::refresh(int node) {
   const double scale = friction_ / std::sqrt(along_theta * along_theta + along_tip * along_tip);
   drag_ratio_[2 * node] = scale * along_theta;
   drag_ratio_[2 * node + 1] = scale * along_tip;
-  Eigen::Map<Eigen::VectorXd>(columns_.data() + stride_ * static_cast<std::size_t>(node), size()) =
-      normal_.col(node) + drag_ratio_[2 * node] * sliding_.col(2 * node) +
-      drag_ratio_[2 * node + 1] * sliding_.col(2 * node + 1);
+  const int parts[] = {3 * node, 3 * node + 1, 3 * node + 2};
+  const double weights[] = {1, drag_ratio_[2 * node], drag_ratio_[2 * node + 1]};
+  kernels::combine_columns({parts_.data(), stride_, stride_}, parts, weights, std::size(parts),
+                           columns_.data() + stride_ * static_cast<std::size_t>(node));
 }
 
 }  // namespace tiprub::simulate

@@ -23,7 +23,7 @@ class ContactCompliance {
   ContactCompliance(const Eigen::MatrixXd& normal, Eigen::MatrixXd sliding, double friction);
 
   bool is_symmetric() const { return sliding_.size() == 0; }
-  Eigen::Index size() const { return normal_.rows(); }
+  Eigen::Index size() const { return size_; }
   /// The columns of W_theta and W_m in turn; empty without friction.
   const Eigen::MatrixXd& sliding() const { return sliding_; }
   /// Begins a step with friction: the ways of all nodes over the casing, of any length, along theta and along the tip
@@ -50,12 +50,14 @@ class ContactCompliance {
  private:
   void refresh(int node);
 
-  Eigen::MatrixXd normal_, sliding_;
+  Eigen::Index size_;
+  Eigen::MatrixXd sliding_;
   double friction_ = 0;
   const double* way_ = nullptr;
   Eigen::VectorXd drag_ratio_;
   std::size_t stride_;
   kernels::Lines columns_;
+  kernels::Lines parts_;        ///< with friction W_N, W_theta and W_m of node after node, in columns of `stride_`
   std::vector<char> is_fresh_;  ///< by node, in this step
 };
 

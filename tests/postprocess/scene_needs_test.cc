@@ -213,6 +213,22 @@ TEST_F(SceneNeeds, SizesFrictionByTheMotionAlongTheCasing) {
   EXPECT_EQ(need(scene_needs(made, {}), Effect::friction).verdict, NeedVerdict::none);
 }
 
+TEST_F(SceneNeeds, PowerOfFrictionStandsInTheVerdict) {
+  Study made = study();
+  const auto all_text = [&] {
+    std::string text;
+    for (const Answer& answer : verdict(made, field_results(std::nullopt, made.critical), {})) text += answer.text;
+    return text;
+  };
+  EXPECT_EQ(all_text().find("Friction takes"), std::string::npos);
+  for (SpeedResponse& speed : made.response.speeds) {
+    speed.friction.rub_power_mean = 3.8e5;
+    speed.friction.rub_power_largest = 1.2e6;
+  }
+  EXPECT_NE(all_text().find("Friction takes 380 kW of the wheel's power on average, and at most 1200 kW."),
+            std::string::npos);
+}
+
 /// A speed that nobody looked at leaves the question open, even where all others hold.
 TEST_F(SceneNeeds, OneUncheckedSpeedLeavesSymmetryOpen) {
   Study made = study();

@@ -251,6 +251,29 @@ TEST(Friction, GivesForcesThatComplementTheGaps) {
   }
 }
 
+/// All schemes that carry friction, with their own steps, on a wheel whose motion friction changes by 2 %.
+TEST(Friction, IsTheSameWithAllSchemes) {
+  const ReducedModel model = testing::synthetic_wheel({});
+  const auto amplitude = [&](Scheme scheme, int steps, double friction) {
+    MarchSetup setup = rubbing(scheme, steps, friction);
+    setup.symmetry = 2;
+    testing::Bench bench = testing::make_bench(model, testing::lobed_casing(2, 2e-4, 1.5e-4), 900, 0.05, setup);
+    Eigen::ArrayXd low = Eigen::ArrayXd::Constant(bench.march.gap().size(), 1), high = -low;
+    for (int i = 0; i < 22 * steps; ++i) {
+      bench.march.step();
+      if (i < 20 * steps) continue;
+      low = low.min(bench.march.displacement().array());
+      high = high.max(bench.march.displacement().array());
+    }
+    return ((high - low) / 2).maxCoeff();
+  };
+  const double reference = amplitude(Scheme::trigonometric, 9600, 0.3);
+  EXPECT_GT(std::abs(amplitude(Scheme::trigonometric, 9600, 0) / reference - 1), 0.015);
+  for (const Scheme scheme : {Scheme::central_differences, Scheme::moreau_jean})
+    EXPECT_NEAR(amplitude(scheme, 9600, 0.3) / reference, 1, 0.02) << static_cast<int>(scheme);
+  EXPECT_NEAR(amplitude(Scheme::trigonometric, 4800, 0.3) / reference, 1, 0.02);
+}
+
 /// The work of the normal forces and of the drag, counted at the nodes, against damping and energy, counted in modes.
 TEST(Friction, KeepsTheEnergyLedgerClosed) {
   for (const Scheme scheme : {Scheme::trigonometric, Scheme::central_differences, Scheme::moreau_jean}) {

@@ -10,6 +10,7 @@
 
 #include "cases/program/machine.h"
 #include "reduce/basis/diameter_reduction.h"
+#include "reduce/basis/second_order_gap.h"
 #include "reduce/model/condensation.h"
 #include "reduce/operators/memory_need.h"
 #include "reduce/operators/spinning_sector.h"
@@ -104,6 +105,15 @@ class Reducer {
   }
 
   ReducedModel run(ReductionReport& report) {
+    ReducedModel model = linear_model(report);
+    if (mesh_.matrices == nullptr) model.contact.second_order = second_order_gap(mesh_, contact_, parameters_);
+    timed(report, "second order of the gap");
+    return model;
+  }
+
+ private:
+  /// All of the model that linear dynamics take.
+  ReducedModel linear_model(ReductionReport& report) {
     report.sector_dofs = dofs_.sector();
     report.clamped_face_nodes = dofs_.clamped_face_nodes;
     require_room(report);
@@ -133,7 +143,6 @@ class Reducer {
     return model;
   }
 
- private:
   /// The data that all nodal diameters share.
   struct Shared {
     const SpinningSector& sector;

@@ -123,6 +123,25 @@ void check_apart(const ContactLine& contact, Eigen::Index k, const std::string& 
   }
 }
 
+void check(const SecondOrderGap& gap, Eigen::Index count, const std::string& where) {
+  const Eigen::Index p = gap.coordinates.cols();
+  require(gap.curvature.rows() == count,
+          where + "/curvature is " + shape(gap.curvature) + ", must be " + std::to_string(count) + " x 2");
+  require(gap.coordinates.rows() == 3 * count && p > 0, where + "/V is " + shape(gap.coordinates) + ", must have " +
+                                                            std::to_string(3 * count) +
+                                                            " rows, one for each contact dof, and a column or more");
+  require(static_cast<Eigen::Index>(gap.displacement.size()) == count,
+          where + "/Q holds " + std::to_string(gap.displacement.size()) + " matrices, must hold " +
+              std::to_string(count));
+  for (const Eigen::MatrixXd& Q : gap.displacement) {
+    require(Q.rows() == p && Q.cols() == p, where + "/Q has matrices of " + shape(Q) + ", must be " +
+                                                std::to_string(p) + " x " + std::to_string(p) +
+                                                ", as /V has columns");
+    require((Q - Q.transpose()).cwiseAbs().maxCoeff() <= hermitian_tolerance * Q.cwiseAbs().maxCoeff(),
+            where + "/Q has a matrix that is not symmetric");
+  }
+}
+
 void check(const ContactLine& contact, const std::string& name) {
   const Eigen::Index count = contact.arc_length.size();
   require(count > 0, name + ": /contact holds no node");
@@ -139,6 +158,7 @@ void check(const ContactLine& contact, const std::string& name) {
     if (k > 0 && k != contact.trailing_edge() + 1) check_step(contact, k, name);
     check_apart(contact, k, name);
   }
+  if (contact.second_order) check(*contact.second_order, count, name + ": /contact/second_order");
 }
 
 /// Frequencies of a rotor that is stable at the verified speeds; what is at most 0 has no relative error.
@@ -310,6 +330,11 @@ std::string digest(const ReducedModel& model) {
   add(digest, Eigen::MatrixXd(contact.arc_length));
   if (contact.kind != ContactKind::points) digest.add(contact.kind);
   if (contact.splitter_nodes > 0) digest.add(contact.splitter_nodes);
+  if (contact.second_order) {
+    add(digest, Eigen::MatrixXd(contact.second_order->curvature));
+    add(digest, contact.second_order->coordinates);
+    for (const Eigen::MatrixXd& Q : contact.second_order->displacement) add(digest, Q);
+  }
   for (const NodalDiameterModel& matrices : model.nodal_diameters) {
     for (int k = 0; k <= 2; ++k) add(digest, matrices.K.coefficient(k));
     add(digest, matrices.M);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,17 @@ enum class ContactKind {
 /// "contact node", "contact segment": for people.
 const char* name_of(ContactKind kind);
 
+/// How gaps change with the square of the vibration. With the motion u of a contact unknown as linear dynamics have
+/// it, u_theta around and u_m along the casing, the gap is narrower by
+///     n.u + (c_1 u_theta^2 + c_2 u_m^2) / 2 + y' Q y,        y = V' u of all unknowns of a sector.
+/// c is the curvature of the casing. y' Q y is the displacement along the normal n that follows from the bending of
+/// the blade, negative where it shortens the blade.
+struct SecondOrderGap {
+  Eigen::MatrixX2d curvature;   ///< [1/m] around and along the casing, positive where it bends round the blade
+  Eigen::MatrixXd coordinates;  ///< [1] V, of the motion of the blades; contact dofs x p
+  std::vector<Eigen::MatrixXd> displacement;  ///< [1/m] Q of each contact unknown, symmetric; n_c of p x p
+};
+
 /// The tip line of the main blade of sector 0, from leading to trailing edge, and maybe that of its splitter after
 /// it; n_c nodes, or the centres of n_c segments.
 struct ContactLine {
@@ -60,6 +72,7 @@ struct ContactLine {
   Eigen::MatrixX3d normal;     ///< unit, from the blade to the casing, components r, theta, z; n_c x 3
   Eigen::VectorXd arc_length;  ///< [m] in the meridional plane, from the main blade's leading edge; n_c
   SpeedPolynomial<Eigen::MatrixX3d, 1> static_shift;  ///< [m] displacement under spin, r, theta, z; n_c x 3
+  std::optional<SecondOrderGap> second_order;  ///< none of a sector without finite elements, or in a model by hand
 
   int size() const { return static_cast<int>(arc_length.size()); }
   /// The node at the main blade's trailing edge; its leading edge is node 0.

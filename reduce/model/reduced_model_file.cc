@@ -16,6 +16,7 @@ constexpr const char* model_schema = "tiprub-model";
 constexpr int model_schema_version = 1;
 constexpr const char* position_unit = "m, rad, m";
 constexpr const char* blade_name = "/contact/blade";
+constexpr const char* second_order_group = "/contact/second_order";
 constexpr const char *points = "points", *segments = "segments";
 
 std::string group_of(int nodal_diameter) {
@@ -131,6 +132,28 @@ int read_splitter_nodes(const Hdf5File& file, int nodes) {
   return on_splitter;
 }
 
+/// n_c x p x p
+std::vector<Eigen::MatrixXd> read_displacement(const Hdf5File& file, const std::string& name) {
+  const Array<double> array = file.read_array(name);
+  if (array.shape.size() != 3) throw FileError(file.path() + ": " + name + " must have three axes: n_c x p x p");
+  const auto rows = static_cast<Eigen::Index>(array.shape[1]), columns = static_cast<Eigen::Index>(array.shape[2]);
+  std::vector<Eigen::MatrixXd> matrices;
+  for (std::size_t k = 0; k < array.shape[0]; ++k)
+    matrices.emplace_back(Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+        array.values.data() + static_cast<Eigen::Index>(k) * rows * columns, rows, columns));
+  return matrices;
+}
+
+SecondOrderGap read_second_order(const Hdf5File& file) {
+  const std::string group = second_order_group;
+  for (const auto& [name, unit] : {std::pair("/curvature", "1/m"), std::pair("/V", "1"), std::pair("/Q", "1/m")})
+    require_unit(file, group + name, unit);
+  const Eigen::MatrixXd curvature = file.read_matrix(group + "/curvature");
+  if (curvature.cols() != 2)
+    throw FileError(file.path() + ": " + group + "/curvature must have two columns: around and along the casing");
+  return {curvature, file.read_matrix(group + "/V"), read_displacement(file, group + "/Q")};
+}
+
 ContactLine read_contact_line(const Hdf5File& file) {
   ContactLine contact;
   contact.kind = read_contact_kind(file);
@@ -140,6 +163,7 @@ ContactLine read_contact_line(const Hdf5File& file) {
   contact.normal = read_triples(file, "/contact/normal", "1");
   read_static_shift(file, contact);
   if (file.exists(blade_name)) contact.splitter_nodes = read_splitter_nodes(file, contact.size());
+  if (file.exists(second_order_group)) contact.second_order = read_second_order(file);
   return contact;
 }
 
@@ -197,6 +221,17 @@ void write_matrix(Hdf5File& file, const std::string& name, const Eigen::MatrixXc
     file.write(name, matrix, unit);
 }
 
+void write_second_order(Hdf5File& file, const SecondOrderGap& gap) {
+  const std::string group = second_order_group;
+  const auto p = static_cast<std::size_t>(gap.displacement.front().rows());
+  Array<double> displacement{{gap.displacement.size(), p, p}, {}};
+  for (const Eigen::MatrixXd& Q : gap.displacement)  // symmetric: by rows as by columns
+    displacement.values.insert(displacement.values.end(), Q.data(), Q.data() + Q.size());
+  file.write(group + "/curvature", Eigen::MatrixXd(gap.curvature), "1/m");
+  file.write(group + "/V", gap.coordinates, "1");
+  file.write(group + "/Q", displacement, "1/m");
+}
+
 void write_contact_line(Hdf5File& file, const ContactLine& contact) {
   file.write("/contact/position", Eigen::MatrixXd(contact.position), position_unit);
   file.write("/contact/normal", Eigen::MatrixXd(contact.normal), "1");
@@ -208,6 +243,7 @@ void write_contact_line(Hdf5File& file, const ContactLine& contact) {
   }
   for (int k = 1; k <= contact.static_shift.highest(); ++k)
     file.write(shift_name(k), Eigen::MatrixXd(contact.static_shift.coefficient(k)), shift_unit(k));
+  if (contact.second_order) write_second_order(file, *contact.second_order);
 }
 
 void write_verification(Hdf5File& file, const Verification& verification) {

@@ -37,6 +37,21 @@ Eigen::Vector2d tangent(const SectorMesh& mesh, const std::vector<int>& line, co
          meridional(mesh.nodes.col(line[middle + 1])) * ((s - a) + (s - b)) / ((c - a) * (c - b));
 }
 
+/// The second derivative of the line over its arc length, along a straight continuation at its ends. Every second
+/// node counts: those between the corners of the cells may lie on straight edges.
+Eigen::Vector2d bend(const SectorMesh& mesh, const std::vector<int>& line, std::size_t at) {
+  const std::size_t apart = line.size() < 7 ? 1 : 2, last = line.size() - 1;
+  if (last < 2 * apart) return Eigen::Vector2d::Zero();
+  const auto inside = [&](std::size_t k) -> Eigen::Vector2d {
+    const auto point = [&](std::size_t i) { return meridional(mesh.nodes.col(line[i])); };
+    const Eigen::Vector2d before = point(k) - point(k - apart), after = point(k + apart) - point(k);
+    return 2 * (after.normalized() - before.normalized()) / (after.norm() + before.norm());
+  };
+  const std::size_t nearest = std::clamp(at, apart, last - apart);
+  const std::size_t next = std::clamp(2 * nearest - at, apart, last - apart);
+  return nearest == next ? inside(nearest) : Eigen::Vector2d(2 * inside(nearest) - inside(next));
+}
+
 /// Whether a normal at a node points out of the blade. Of the nodes that share a cell with it, the one that is most
 /// nearly in line with the normal must lie behind it. Most of them may lie in front, where the tip bends towards the
 /// casing and the cells are flat.
@@ -164,6 +179,19 @@ Eigen::VectorXd arc_lengths_beside(const SectorMesh& mesh, const std::vector<int
     }
   }
   return found;
+}
+
+Eigen::VectorXd meridional_curvature(const SectorMesh& mesh, const std::vector<int>& contact,
+                                     const Eigen::MatrixX3d& normals) {
+  Eigen::VectorXd curvature(normals.rows());
+  for (Eigen::Index k = 0; k < normals.rows(); ++k) {
+    const int node = contact[static_cast<std::size_t>(k)];
+    const auto& main = mesh.contact_line;
+    const auto& line = std::find(main.begin(), main.end(), node) != main.end() ? main : mesh.splitter_line;
+    const auto at = static_cast<std::size_t>(std::find(line.begin(), line.end(), node) - line.begin());
+    curvature[k] = -Eigen::Vector2d(normals(k, 0), normals(k, 2)).dot(bend(mesh, line, at));
+  }
+  return curvature;
 }
 
 ContactLine describe_contact(const SectorMesh& mesh, const std::vector<int>& contact) {

@@ -48,6 +48,50 @@ Eigen::MatrixXd square_of(const Eigen::MatrixXd& A) {
   return square;
 }
 
+/// The displacement gradient H of each field at an integration point, and the stress S of its linear strain [Pa].
+struct GradientAndStress {
+  Eigen::Matrix3d H, S;
+};
+
+std::vector<GradientAndStress> fields_at(const CellPoints& points, Eigen::Index q,
+                                         const std::vector<Eigen::Matrix3Xd>& fields, const Material& material) {
+  std::vector<GradientAndStress> found;
+  for (const Eigen::Matrix3Xd& field : fields) {
+    const Eigen::Matrix3d H = field(Eigen::all, points.nodes) * points.gradient[q];
+    found.push_back({H, stress(H, material, Prestress::linear)});
+  }
+  return found;
+}
+
+/// The third derivative of the strain energy density at rest is linear in each of three fields:
+///     S_k : H_a'H_b + S_a : sym(H_b'H_k) + S_b : sym(H_k'H_a) = S_k : H_a'H_b + H_k : (H_b S_a + H_a S_b).
+/// A row [S_k | H_k] of directions_at() times a row [H_a'H_b | H_b S_a + H_a S_b] of pairs_at() is this sum.
+constexpr int tensor = 9;
+
+Eigen::MatrixXd directions_at(const CellPoints& points, Eigen::Index q, const std::vector<Eigen::Matrix3Xd>& along,
+                              const Material& material) {
+  Eigen::MatrixXd rows(along.size(), 2 * tensor);
+  Eigen::Index k = 0;
+  for (const auto& [H, S] : fields_at(points, q, along, material))
+    rows.row(k++) << S.reshaped<Eigen::ColMajor>().transpose(), H.reshaped<Eigen::ColMajor>().transpose();
+  return rows;
+}
+
+/// One row for each ordered pair of shapes.
+Eigen::MatrixXd pairs_at(const CellPoints& points, Eigen::Index q, const std::vector<Eigen::Matrix3Xd>& shapes,
+                         const Material& material) {
+  const std::vector<GradientAndStress> fields = fields_at(points, q, shapes, material);
+  Eigen::MatrixXd rows(fields.size() * fields.size(), 2 * tensor);
+  Eigen::Index row = 0;
+  for (const GradientAndStress& a : fields)
+    for (const GradientAndStress& b : fields) {
+      const Eigen::Matrix3d both = a.H.transpose() * b.H, crossed = b.H * a.S + a.H * b.S;
+      rows.row(row++) << both.reshaped<Eigen::ColMajor>().transpose(),
+          crossed.reshaped<Eigen::ColMajor>().transpose();
+    }
+  return rows;
+}
+
 Eigen::MatrixXd consistent_mass(const CellPoints& points, double density) {
   return density * points.shape * points.weight.asDiagonal() * points.shape.transpose();
 }
@@ -198,6 +242,23 @@ Eigen::VectorXd RotatingElasticity::internal_force(const Eigen::Matrix3Xd& displ
     }
     return forces;
   });
+}
+
+std::vector<Eigen::MatrixXd> RotatingElasticity::stiffness_change(const std::vector<Eigen::Matrix3Xd>& along,
+                                                                  const std::vector<Eigen::Matrix3Xd>& shapes) const {
+  const auto count = static_cast<Eigen::Index>(along.size()), p = static_cast<Eigen::Index>(shapes.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(count, p * p);
+  const auto integral = [&](const CellPoints& points) {
+    Eigen::MatrixXd value = Eigen::MatrixXd::Zero(count, p * p);
+    for (Eigen::Index q = 0; q < points.weight.size(); ++q)
+      value += points.weight[q] * directions_at(points, q, along, material_) *
+               pairs_at(points, q, shapes, material_).transpose();
+    return value;
+  };
+  elements_.integrate(all_cells_, integral, [&](const CellIntegral& cell) { sum += cell.value; });
+  std::vector<Eigen::MatrixXd> matrices;
+  for (Eigen::Index k = 0; k < count; ++k) matrices.emplace_back(sum.row(k).reshaped(p, p));
+  return matrices;
 }
 
 SymmetricMatrix RotatingElasticity::stiffness_of(const std::vector<int>& cells) const {

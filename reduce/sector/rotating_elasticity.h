@@ -50,6 +50,11 @@ class RotatingElasticity {
   /// Forces of the stress at a displaced shape, int B(F)' S(E) [N]: Green-Lagrange strain E, second Piola-Kirchhoff
   /// stress S = lambda tr(E) + 2 mu E. stiffness(0, u, nonlinear) is its derivative. Sector dofs.
   Eigen::VectorXd internal_force(const Eigen::Matrix3Xd& displacement) const;
+  /// phi_a' K'[psi] phi_b [N], where K'[psi] is the derivative of the stiffness at rest along the displacement psi,
+  /// with large displacements: the third derivative of the strain energy, which is symmetric in its three directions.
+  /// One symmetric matrix for each psi of `along`; `shapes` are the phi. Displacements are 3 x nodes, x, y, z.
+  std::vector<Eigen::MatrixXd> stiffness_change(const std::vector<Eigen::Matrix3Xd>& along,
+                                                const std::vector<Eigen::Matrix3Xd>& shapes) const;
   /// Stiffness at rest of only some cells: u' K u / 2 is their share of the strain energy [J].
   SymmetricMatrix stiffness_of(const std::vector<int>& cells) const;
   /// [Pa] von Mises stress, the largest of each cell's Gauss points: of the linear stress, or with nonlinear

@@ -74,6 +74,7 @@ def differs(reduce, case, form, files):
     subprocess.run([reduce, "-q", case, *files, "-o", "matrices.h5", *AT_REST], check=True)
     with h5py.File("mesh.h5") as one, h5py.File("matrices.h5") as other:
         assert one.attrs["sector_count"] == other.attrs["sector_count"]
+        assert "second_order" in one["contact"] and "second_order" not in other["contact"]
         names = [f"verification/nodal_diameter/{n}/unreduced" for n in range(one.attrs["sector_count"] // 2 + 1)]
         worst = max(np.max(np.abs(other[name][:] / one[name][:] - 1)) for name in names)
         normals = np.max(np.abs(one["contact/normal"][:] - other["contact/normal"][:]))

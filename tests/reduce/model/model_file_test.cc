@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::some_model;
+using test::write_one_mass;
 
 class ModelFile : public ::testing::Test {
  protected:
@@ -48,19 +49,6 @@ class ModelFile : public ::testing::Test {
 
   fs::path folder_;
 };
-
-/// A mass on three springs, 2 rad/s, as somebody would write it by hand.
-void write_one_mass(Hdf5File& file, const std::string& arc_unit = "m") {
-  file.set_schema("tiprub-model", 1, "by hand");
-  file.set_attribute("/", "sector_count", 1);
-  file.set_attribute("/", "speed_max", 100.0);
-  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(3, 3);
-  file.write("/contact/position", Eigen::MatrixXd(one.topRows(1)), "m, rad, m");
-  file.write("/contact/normal", Eigen::MatrixXd(one.topRows(1)), "1");
-  file.write("/contact/arc_length", Eigen::VectorXd(Eigen::VectorXd::Zero(1)), arc_unit);
-  file.write("/nodal_diameter/0/K0", Eigen::MatrixXd(4 * one), "N/m");
-  file.write("/nodal_diameter/0/M", one, "kg");
-}
 
 void expect_same(const ReducedModel& a, const ReducedModel& b) {
   EXPECT_EQ(a.sector_count, b.sector_count);

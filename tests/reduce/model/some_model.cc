@@ -34,4 +34,16 @@ ReducedModel some_model() {
   return model;
 }
 
+void write_one_mass(Hdf5File& file, const std::string& arc_unit) {
+  file.set_schema("tiprub-model", 1, "by hand");
+  file.set_attribute("/", "sector_count", 1);
+  file.set_attribute("/", "speed_max", 100.0);
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(3, 3);
+  file.write("/contact/position", Eigen::MatrixXd(one.topRows(1)), "m, rad, m");
+  file.write("/contact/normal", Eigen::MatrixXd(one.topRows(1)), "1");
+  file.write("/contact/arc_length", Eigen::VectorXd(Eigen::VectorXd::Zero(1)), arc_unit);
+  file.write("/nodal_diameter/0/K0", Eigen::MatrixXd(4 * one), "N/m");
+  file.write("/nodal_diameter/0/M", one, "kg");
+}
+
 }  // namespace tiprub::reduce::test

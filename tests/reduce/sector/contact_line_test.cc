@@ -61,6 +61,17 @@ TEST(ContactLine, NormalsOfAQuarterCircleConvergeToIt) {
   EXPECT_GT(std::log2(coarse / fine), 1.8);
 }
 
+TEST(ContactLine, HasTheCurvatureOfAQuarterCircle) {
+  // The shroud bends away from the blade, whose tip therefore leaves it along the tangent.
+  const SectorMesh mesh = quarter_circle_blade(16);
+  const ContactLine line = describe_contact(mesh, mesh.contact_line);
+  const Eigen::VectorXd curvature = meridional_curvature(mesh, mesh.contact_line, line.normal);
+  for (const double of_node : curvature) EXPECT_NEAR(of_node * tip_distance, -1.0, 0.02);
+  SectorMesh edge = mesh;
+  edge.contact_line = {mesh.contact_line.front(), mesh.contact_line.back()};
+  EXPECT_TRUE(meridional_curvature(edge, edge.contact_line, line.normal.topRows(2)).isZero(0.0));
+}
+
 TEST(ContactLine, NormalsLeaveABladeOfFlatBricksToo) {
   // With fine layers at the tip some normals pointed into the blade: along a tip that bends towards the casing the
   // neighbours lie on the casing's side, by more than such a brick is high.

@@ -138,6 +138,45 @@ TEST_P(FreeSector, SoftensUnderSpinByItsMassWithoutTheAxis) {
   }
 }
 
+TEST_P(FreeSector, ChangesItsStiffnessAsItsTangentDoes) {
+  // The tangent stiffness is quadratic in the displacement u, so that (K(u) - K(-u)) / 2 is its derivative along u.
+  // For the shape under spin it holds K_sigma.
+  const Eigen::Matrix3Xd spin = rotor_.static_displacement(3000.0);
+  const auto& nodes = rotor_.mesh().nodes;
+  const std::vector<Eigen::Matrix3Xd> along = {spin, 1e-3 * nodes.array().sin().matrix()};
+  const std::vector<Eigen::Matrix3Xd> shapes = {some_gradient() * nodes, (20 * nodes).array().cos().matrix()};
+  const std::vector<Eigen::MatrixXd> changes = rotor_.elasticity().stiffness_change(along, shapes);
+  ASSERT_EQ(changes.size(), along.size());
+  const auto on_dofs = [&](const Eigen::Matrix3Xd& field) {
+    Eigen::VectorXd values(rotor_.dofs().sector());
+    for (int node = 0; node < rotor_.mesh().node_count(); ++node)
+      values.segment<3>(rotor_.dofs().first[node]) =
+          cylindrical_frame(rotor_.mesh().nodes.col(node)).transpose() * field.col(node);
+    return values;
+  };
+  Eigen::MatrixXd phi(rotor_.dofs().sector(), 2);
+  phi << on_dofs(shapes[0]), on_dofs(shapes[1]);
+  for (std::size_t k = 0; k < along.size(); ++k) {
+    const auto tangent = [&](double sign) {
+      return dense(rotor_.elasticity().stiffness(0.0, sign * along[k], Prestress::nonlinear));
+    };
+    const Eigen::MatrixXd exact = phi.transpose() * ((tangent(1) - tangent(-1)) / 2) * phi;
+    EXPECT_LT((changes[k] - exact).cwiseAbs().maxCoeff(), 1e-8 * exact.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_P(FreeSector, TurnsRigidlyOnAnArc) {
+  // No force holds (e^{bA} - 1) x, a turn by b. The second order in b is K'[A x] A x + K A^2 x = 0.
+  const Eigen::Matrix3d A = (Eigen::Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 0).finished();
+  const auto& nodes = rotor_.mesh().nodes;
+  const Eigen::Matrix3Xd along = 1e-3 * (30 * nodes).array().sin().matrix();
+  const Eigen::VectorXd psi =
+      nodal([](const Eigen::Vector3d& x) -> Eigen::Vector3d { return 1e-3 * (30 * x).array().sin().matrix(); });
+  const double change = rotor_.elasticity().stiffness_change({along}, {A * nodes})[0](0, 0);
+  const double restoring = psi.dot(dense(rotor_.at_rest()) * linear(A * A));
+  EXPECT_NEAR(change / restoring, -1.0, 1e-9);
+}
+
 TEST_P(FreeSector, IsLoadedByItsMassTimesRadius) {
   // f / Omega^2 = int rho N (x, y, 0): its sums are the first moments, its work on v = G x the second ones.
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/basis/second_order_gap.h"
+
+#include <gtest/gtest.h>
+
+#include "reduce/sector/contact_line.h"
+#include "tests/reduce/brick_grid.h"
+#include "tests/reduce/dense_algebra.h"
+#include "tests/reduce/test_rotor.h"
+
+namespace tiprub::reduce {
+namespace {
+
+/// So slender that shear changes the fourth digit only, and without Poisson's ratio, so that the clamp doesn't stress
+/// its neighbourhood.
+constexpr double root = 0.5, length = 1.0, width = 0.02, thickness = 0.012;  // [m] radius, radial, axial, tangential
+constexpr int bricks_along = 24;
+
+/// A straight radial cantilever of one body, whose tip line runs along its width.
+SectorMesh bar() {
+  const test::BrickGrid grid({bricks_along, 2, 2}, 20, test::Around::open);
+  SectorMesh mesh = grid.place([](const Eigen::Vector3d& at) -> Eigen::Vector3d {
+    return {root + length * at[0], thickness * (at[1] - 0.5), width * (at[2] - 0.5)};
+  });
+  mesh.sector_count = 1;
+  mesh.clamped = grid.layer(0, 0);
+  for (int k = 0; k <= 4; ++k) mesh.contact_line.push_back(grid.node(2 * bricks_along, 2, k));
+  return mesh;
+}
+
+ReductionParameters parameters() {
+  ReductionParameters of_bar;
+  of_bar.material = test::steel();
+  of_bar.material.poisson = 0.0;
+  return of_bar;
+}
+
+TEST(SecondOrderGap, ShortensABarThatATipLoadBends) {
+  const SectorMesh mesh = bar();
+  const int middle = mesh.contact_line[2];
+  test::TestRotor rotor(mesh, {middle}, parameters().material);
+  // Static shapes of unit forces on the middle of the tip: along the bar, and across it.
+  const Eigen::MatrixXd flexibility =
+      test::dense(rotor.at_rest()).llt().solve(Eigen::MatrixXd(rotor.dofs().contact_loads));
+  const double bend = (rotor.dofs().contact_loads.transpose() * flexibility)(2, 2);
+  const double shortening = -second_order_displacement(rotor.elasticity(), mesh, rotor.dofs(),
+                                                       {flexibility.col(2) / bend, flexibility.col(0)})[0](0, 0);
+  EXPECT_NEAR(shortening * length, 0.6, 1e-3);
+  // Deflection and shortening of the elastica, over the length, at P L^2 / E I = 0.2, 0.5, 1 (Mattiasson 1981).
+  struct {
+    double across, along, within;
+  } const elastica[] = {{0.06636, 0.00265, 0.01}, {0.16214, 0.01592, 0.02}, {0.30172, 0.05643, 0.04}};
+  for (const auto& [across, along, within] : elastica)
+    EXPECT_NEAR(shortening * length * across * across / along, 1.0, within);
+}
+
+TEST(SecondOrderGap, ShortensABarThatVibrates) {
+  // The first mode w of a cantilever has int w'^2 / 2 = 0.5810 w(L)^2 / L.
+  const SectorMesh mesh = bar();
+  const ContactUnknowns contact = choose_contact(mesh, ContactKind::points, 3);
+  const SecondOrderGap gap = second_order_gap(mesh, contact, parameters());
+  ASSERT_EQ(gap.displacement.size(), 3u);
+  EXPECT_NEAR(gap.curvature(1, 0), 1 / (root + length), 1e-12);
+  EXPECT_NEAR(gap.curvature(1, 1), 0.0, 1e-9);
+  for (const int direction : {1, 2}) {
+    Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(3, 3);
+    motion.row(direction).setOnes();
+    const Eigen::VectorXd y = gap.coordinates.transpose() * motion.reshaped();
+    for (const Eigen::MatrixXd& Q : gap.displacement) EXPECT_NEAR(y.dot(Q * y) * length, -0.5810, 3e-3);
+  }
+}
+
+TEST(SecondOrderGap, HasCoordinatesThatAreDisplacements) {
+  const SectorMesh mesh = bar();
+  const SecondOrderGap gap = second_order_gap(mesh, choose_contact(mesh, ContactKind::points, 3), parameters());
+  const Eigen::MatrixXd& V = gap.coordinates;
+  const Eigen::MatrixXd motions = V * (V.transpose() * V).inverse();  // for which y is a unit vector
+  for (const auto& motion : motions.colwise()) {
+    EXPECT_NEAR(motion.maxCoeff(), 1.0, 1e-9);
+    EXPECT_GE(motion.minCoeff(), -1.0 - 1e-9);
+  }
+  for (const Eigen::MatrixXd& Q : gap.displacement) EXPECT_EQ(Q, Q.transpose());
+}
+
+}  // namespace
+}  // namespace tiprub::reduce

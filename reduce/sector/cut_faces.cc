@@ -224,7 +224,7 @@ void require_whole_cuts(const SectorMesh& mesh) {
           mesh.file + ": " + name + " holds " + std::to_string(cut->size()) + " of the " +
           std::to_string(cut->size() + static_cast<std::size_t>(alone)) +
           " faces of its surface; a cut is all of it: mesh both cuts alike (gmsh: Periodic Surface), and "
-          "name all of their faces");
+          "name all of their faces; where a slit continues it, cut the sector beside the slit");
   }
 }
 

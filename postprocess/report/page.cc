@@ -15,6 +15,7 @@
 #include "postprocess/compare/comparison.h"
 #include "postprocess/explore/page_data.h"
 #include "postprocess/fields/field_vtu.h"
+#include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/study_records.h"
 #include "postprocess/report/verdict.h"
@@ -240,6 +241,14 @@ std::string record(const Study& study, const ReportSource& source) {
          folded("Where the model comes from", listing(study.model.provenance));
 }
 
+/// What moves the critical speeds; empty if the response holds no error budget.
+std::string budget_section(const Study& study) {
+  const Table table = error_budget_record(study);
+  return table.rows.empty()
+             ? ""
+             : filled(without_first_line(embedded::page_files::budget_html), {{"table", html_table(table)}});
+}
+
 /// Critical speeds beside those of another report; empty if none was given.
 std::string comparison_section(const ReportContents& contents) {
   if (!contents.other) return "";
@@ -293,6 +302,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"critical_speeds", none ? "<p>None.</p>" : html_table(critical_speed_motions(study))},
        {"critical_stresses", none || !fields.has_stress() ? "" : html_table(critical_speed_stresses(study, fields))},
        {"stress_note", stress_note(fields)},
+       {"budget", budget_section(study)},
        {"figure_links", figure_links(figures)},
        {"scene", scene_items(study, fields, needs)},
        {"exactness", html_table(exactness_record(study))},

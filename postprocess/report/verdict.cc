@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/study_records.h"
 #include "postprocess/tables/table.h"
@@ -235,6 +236,7 @@ std::vector<Answer> verdict(const Study& study, const FieldResults& fields, cons
                                  {"Why", why(study)},
                                  {"Margin", margin_text(study)},
                                  {"Trust", trust(study)},
+                                 {"What moves it most", largest_errors(study)},
                                  {"Left out", what_matters(needs)}};
   return without_empty(std::move(answers));
 }

@@ -7,6 +7,12 @@
 
 namespace tiprub {
 
+/// A speed of a sweep and the amplitude of its motion.
+struct SampledSpeed {
+  double speed = 0;      ///< [rad/s]
+  double amplitude = 0;  ///< [m]
+};
+
 /// A local maximum of a curve, and the valleys on both sides of it.
 struct Peak {
   Eigen::Index index = 0;

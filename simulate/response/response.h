@@ -63,6 +63,32 @@ struct OtherStart {
   double difference = 0;  ///< [1] relative difference to the motion of the speed itself
 };
 
+/// What an error budget varies, because a designer does not know it exactly.
+enum class Variation {
+  friction,   ///< its coefficient [1]
+  damping,    ///< its ratio in all resolved modes [1]
+  clearance,  ///< a change of the clearance of all blades [m]
+};
+
+/// The name in response.h5: "friction", "damping", "clearance".
+const char* name_of(Variation variation);
+
+/// The peak of a critical speed with one thing varied.
+struct PeakVariation {
+  Variation what = Variation::friction;
+  double setting = 0;
+  std::string failure;   ///< empty, or why the peak was not found; then the numbers below mean nothing
+  double speed = 0;      ///< [rad/s] of the peak
+  double amplitude = 0;  ///< [m] as SpeedResponse::amplitude, at the peak
+  double excursion = 0;  ///< [m] as largest_excursion(), at the peak
+  MotionClass motion = MotionClass::not_settled;
+  int period_beats = 0;
+};
+
+/// [m] How far a contact node moves from the middle of its path, the largest of all nodes and sectors. `displacement`
+/// as SpeedResponse has it.
+double largest_excursion(const Eigen::MatrixXd& displacement);
+
 /// How thoroughly a speed was computed.
 enum class Depth {
   scanned,   ///< with a coarse step, for its amplitude only; not in a finished response
@@ -117,6 +143,7 @@ struct SpeedResponse {
   std::int64_t solver_fallbacks = 0;  ///< steps in which the active-set method cycled and Murty's method took over
   SpeedAudit audit;
   std::vector<OtherStart> other_starts;  ///< of an examined speed
+  std::vector<PeakVariation> budget;     ///< likewise, if the case asks for it
 };
 
 /// The tolerances of a case; all [1].

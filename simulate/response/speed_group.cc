@@ -210,6 +210,35 @@ OtherStart read_other_start(const Hdf5File& file, const std::string& group) {
   return start;
 }
 
+std::string variation_at(const std::string& group, std::size_t place) {
+  return group + "/budget/" + std::to_string(place);
+}
+
+void write_variation(Hdf5File& file, const std::string& group, const PeakVariation& variation) {
+  file.set_attribute(group, "variation", std::string(name_of(variation.what)));
+  file.set_attribute(group, "setting", variation.setting);
+  file.set_attribute(group, "failure", variation.failure);
+  file.set_attribute(group, "speed", variation.speed);
+  file.set_attribute(group, "amplitude", variation.amplitude);
+  file.set_attribute(group, "excursion", variation.excursion);
+  file.set_attribute(group, "motion", std::string(name_of(variation.motion)));
+  file.set_attribute(group, "period_beats", variation.period_beats);
+}
+
+PeakVariation read_variation(const Hdf5File& file, const std::string& group) {
+  PeakVariation variation;
+  const std::string where = file.path() + ": " + group;
+  variation.what = value_named(variation_names, file.text_attribute(group, "variation"), where + ": variation");
+  variation.setting = file.number_attribute(group, "setting");
+  variation.failure = file.text_attribute(group, "failure");
+  variation.speed = bounded(file, group, "speed", not_negative);
+  variation.amplitude = bounded(file, group, "amplitude", not_negative);
+  variation.excursion = bounded(file, group, "excursion", not_negative);
+  variation.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
+  variation.period_beats = file.integer_attribute(group, "period_beats");
+  return variation;
+}
+
 /// Each speed has axes of its own, so that its netCDF group can be opened by itself.
 void write_axes(Hdf5File& file, const std::string& group, const SpeedResponse& speed, const SimulatedScene& scene) {
   const double turn = 2 * std::numbers::pi;
@@ -294,6 +323,8 @@ bool is_finite(const SpeedResponse& speed) {
   });
   for (const OtherStart& start : speed.other_starts)
     finite = finite && std::isfinite(start.amplitude) && std::isfinite(start.difference);
+  for (const PeakVariation& variation : speed.budget)
+    finite = finite && std::isfinite(variation.amplitude) && std::isfinite(variation.excursion);
   if (speed.snapshot)
     for (const Eigen::VectorXcd& state : speed.snapshot->displacement) finite = finite && state.allFinite();
   if (speed.cycle)
@@ -308,6 +339,8 @@ void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResp
   write_numbers(file, group, speed);
   for (std::size_t i = 0; i < speed.other_starts.size(); ++i)
     write_other_start(file, start_at(group, i), speed.other_starts[i]);
+  for (std::size_t i = 0; i < speed.budget.size(); ++i)
+    write_variation(file, variation_at(group, i), speed.budget[i]);
   write_orbit(file, group, speed.audit.orbit);
   if (!speed.failure.empty()) return;
   write_axes(file, group, speed, scene);
@@ -332,6 +365,8 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
     speed.audit.halving_failure = file.text_attribute(group, "halving_failure");
   while (file.exists(start_at(group, speed.other_starts.size())))
     speed.other_starts.push_back(read_other_start(file, start_at(group, speed.other_starts.size())));
+  while (file.exists(variation_at(group, speed.budget.size())))
+    speed.budget.push_back(read_variation(file, variation_at(group, speed.budget.size())));
   speed.audit.orbit = read_orbit(file, group);
   if (!speed.failure.empty()) return speed;
   const Eigen::Index samples = static_cast<Eigen::Index>(speed.samples_per_revolution) * speed.recorded_revolutions;
@@ -365,6 +400,18 @@ const char* name_of(MotionMeasure measure) {
 
 const char* name_of(Start start) {
   return name_in(start_names, start);
+}
+
+const char* name_of(Variation variation) {
+  return name_in(variation_names, variation);
+}
+
+double largest_excursion(const Eigen::MatrixXd& displacement) {
+  const Eigen::MatrixXd squares = (displacement.rowwise() - displacement.colwise().mean()).cwiseAbs2();
+  double largest = 0;
+  for (Eigen::Index node = 0; 3 * node + 2 < squares.cols(); ++node)
+    largest = std::max(largest, squares.middleCols(3 * node, 3).rowwise().sum().maxCoeff());
+  return std::sqrt(largest);
 }
 
 }  // namespace tiprub

@@ -51,6 +51,12 @@ inline constexpr NamedValues<Start, 4> start_names = {{
     {Start::whole_wheel, "whole wheel"},
 }};
 
+inline constexpr NamedValues<Variation, 3> variation_names = {{
+    {Variation::friction, "friction"},
+    {Variation::damping, "damping"},
+    {Variation::clearance, "clearance"},
+}};
+
 /// The allowed range of a number of a speed that did not fail; ends included.
 struct Bounds {
   double low, high;

@@ -102,6 +102,21 @@ void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
                                 {{"critical_speeds", Examination::critical_speeds}, {"none", Examination::none}});
 }
 
+void read_budget(CaseTable& table, SimulateParameters& parameters) {
+  parameters.budget =
+      table.choice<BudgetChoice>("budget", BudgetChoice::none,
+                                 {{"none", BudgetChoice::none}, {"critical_speeds", BudgetChoice::critical_speeds}});
+  if (parameters.budget == BudgetChoice::none) return;
+  if (parameters.examination == Examination::none)
+    table.reject("budget",
+                 "= \"critical_speeds\" is a part of their examination; set examine = \"critical_speeds\" too");
+  parameters.budget_friction = table.number("budget_friction", 0.1, Range::at_least(0), "of the contact force");
+  parameters.budget_damping = table.numbers("budget_damping", std::vector<double>{2e-3, 5e-3}, damping_range,
+                                            "of critical, each in turn, of all resolved modes");
+  parameters.budget_clearance =
+      table.number("budget_clearance", 20e-6, Range::positive(), "m, tolerance of the clearance");
+}
+
 /// The modes at two instants must determine an orbit, which rules out contact laws with memory.
 void require_law_without_memory(CaseTable& table, const SimulateParameters& parameters) {
   if (maps_states(parameters.scheme, parameters.contact)) return;
@@ -163,6 +178,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   SimulateParameters parameters;
   parameters.accuracy = table.number("accuracy", 0.02, accuracy_range, "of a critical speed's amplitude");
   read_speed_choice(table, parameters);
+  read_budget(table, parameters);
   read_scheme(table, parameters);
   read_damping_and_band(table, parameters);
   parameters.nodal_diameters =

@@ -36,6 +36,9 @@ enum class Examination {
                     ///< cycle is kept
 };
 
+/// Which speeds get an error budget.
+enum class BudgetChoice { none, critical_speeds };
+
 /// How the settled motion of a speed is found.
 enum class SteadyStateMethod {
   march,  ///< by marching until it has settled
@@ -64,6 +67,10 @@ struct SimulateParameters {
   int speed_count_max = 0;       ///< of an adaptive sweep
   double peak_prominence = 0.1;  ///< [1] of a peak's height; peaks with less are neither located nor examined
   Examination examination = Examination::none;
+  BudgetChoice budget = BudgetChoice::none;
+  double budget_friction = 0;          ///< [1] coefficient
+  std::vector<double> budget_damping;  ///< [1] of critical
+  double budget_clearance = 0;         ///< [m] tolerance
   Scheme scheme = Scheme::trigonometric;
   ContactRule contact = ContactRule::complementarity;
   double theta = 0.5;              ///< [1] of Moreau-Jean

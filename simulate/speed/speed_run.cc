@@ -9,6 +9,7 @@
 #include "simulate/motion/attempt.h"
 #include "simulate/orbits/excluded_growth.h"
 #include "simulate/response/speed_group.h"
+#include "simulate/speed/error_budget.h"
 #include "simulate/speed/settled_march.h"
 
 namespace tiprub::simulate {
@@ -187,8 +188,12 @@ SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState&
   if (is_examined && !halving.result) halving = halved_step(scene, rotor, result.end, found.motion);
   std::vector<OtherStart> others;
   if (is_examined) others = other_starts(scene, rotor, result.end, found.motion, symmetry.verdict);
+  std::vector<PeakVariation> budget;
+  if (is_examined && scene.parameters.budget == BudgetChoice::critical_speeds)
+    budget = error_budget(scene, speed, found.motion.recorded);
   result.response = response_of(std::move(found.motion));
   result.response.other_starts = std::move(others);
+  result.response.budget = std::move(budget);
   result.response.audit.orbit = found.orbit;
   result.response.audit.rest_difference = from_rest;
   report(symmetry, result.response.audit);

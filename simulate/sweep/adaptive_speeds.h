@@ -8,12 +8,6 @@
 
 namespace tiprub::simulate {
 
-/// A speed of a sweep and the amplitude of its motion.
-struct SampledSpeed {
-  double speed = 0;      ///< [rad/s]
-  double amplitude = 0;  ///< [m]
-};
-
 /// A response over speed, ascending, from scanned speeds or from fully computed ones. The two are never mixed: a scan
 /// is off by some percent, and the steps between the two kinds would look like peaks.
 using SampledCurve = std::vector<SampledSpeed>;

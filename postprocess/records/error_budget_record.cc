@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/records/error_budget_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "postprocess/records/exactness_record.h"
+#include "postprocess/records/study_records.h"
+
+namespace tiprub::postprocess {
+
+namespace {
+
+std::string signed_text(double value, int digits) {
+  return (value >= 0 ? "+" : "") + significant(value, digits);
+}
+
+std::string source_of(const PeakVariation& variation) {
+  constexpr int digits = 3;
+  switch (variation.what) {
+    case Variation::friction:
+      return "friction " + significant(variation.setting, digits);
+    case Variation::damping:
+      return "damping " + significant(variation.setting, digits);
+    case Variation::clearance:
+      return "clearance " + signed_text(variation.setting * mm_per_m, digits) + " mm";
+  }
+  return name_of(variation.what);
+}
+
+BudgetRow row_of(const PeakVariation& variation, const SpeedResponse& response, double excursion) {
+  BudgetRow row{source_of(variation), variation.failure};
+  if (!row.failure.empty()) return row;
+  row.shift = variation.speed / response.speed - 1;
+  row.amplitude = variation.amplitude / response.amplitude - 1;
+  row.excursion = variation.excursion / excursion - 1;
+  row.motion = motion_text(variation.motion, variation.period_beats);
+  return row;
+}
+
+/// The errors of the settings, which have no sign.
+void add_settings(const Study& study, const SpeedResponse& response, ErrorBudget& budget) {
+  const CriticalSpeed& critical = *budget.critical;
+  const double rise = critical.amplitude_high / critical.amplitude - 1;
+  budget.rows.push_back({"speeds beside the peak", "", critical.spacing / critical.speed, rise, rise});
+  if (const auto step = response.audit.halving_difference)
+    budget.rows.push_back({"time step", response.audit.halving_failure, 0, *step, *step});
+  for (const Check& check : exactness_checks(study))
+    if (check.subject == "model" && check.worst) budget.rows.push_back({"reduced modes", "", *check.worst, 0, 0});
+}
+
+/// The largest absolute value over the rows.
+template <class Value>
+const BudgetRow& largest(const ErrorBudget& budget, Value BudgetRow::*value) {
+  return *std::max_element(budget.rows.begin(), budget.rows.end(), [&](const BudgetRow& a, const BudgetRow& b) {
+    return std::abs(a.*value) < std::abs(b.*value);
+  });
+}
+
+/// The larger of two rows of one source, such as a clearance smaller and larger, summed over the sources.
+double sum_over_sources(const ErrorBudget& budget, double BudgetRow::*value) {
+  std::map<std::string, double> by_source;
+  for (const BudgetRow& row : budget.rows) {
+    double& most = by_source[row.source.substr(0, row.source.find(' '))];
+    most = std::max(most, std::abs(row.*value));
+  }
+  double sum = 0;
+  for (const auto& [source, most] : by_source) sum += most;
+  return sum;
+}
+
+}  // namespace
+
+std::vector<ErrorBudget> error_budgets(const Study& study) {
+  std::vector<ErrorBudget> budgets;
+  for (const CriticalSpeed& critical : study.critical) {
+    const SpeedResponse& response = study.response.speeds[static_cast<std::size_t>(critical.index)];
+    if (response.budget.empty()) continue;
+    ErrorBudget budget{&critical, largest_excursion(response.displacement), {}};
+    for (const PeakVariation& variation : response.budget)
+      budget.rows.push_back(row_of(variation, response, budget.excursion));
+    add_settings(study, response, budget);
+    budgets.push_back(std::move(budget));
+  }
+  return budgets;
+}
+
+std::string largest_errors(const Study& study) {
+  const std::vector<ErrorBudget> budgets = error_budgets(study);
+  if (budgets.empty()) return "";
+  const ErrorBudget& worst = *std::max_element(
+      budgets.begin(), budgets.end(),
+      [](const ErrorBudget& a, const ErrorBudget& b) { return a.critical->amplitude < b.critical->amplitude; });
+  const auto part = [&](const char* of, double BudgetRow::*value) {
+    const BudgetRow& row = largest(worst, value);
+    return std::string(of) + ": " + row.source + " (" + signed_text(percent * row.*value, 2) + " %)";
+  };
+  return "At " + rpm_text(worst.critical->speed) + ", of all that was varied, the most for " +
+         part("the speed", &BudgetRow::shift) + "; " + part("the amplitude", &BudgetRow::amplitude) + "; " +
+         part("the motion of the tip in all directions", &BudgetRow::excursion) + ".";
+}
+
+Table error_budget_record(const Study& study) {
+  Table table{{"critical speed [rpm]", "wave", "source", "speed [rpm]", "change of speed [%]", "amplitude [mm]",
+               "change of amplitude [%]", "tip |u| [mm]", "change of |u| [%]", "motion"},
+              {}};
+  for (const ErrorBudget& budget : error_budgets(study)) {
+    const CriticalSpeed& critical = *budget.critical;
+    const auto add = [&](const std::string& source, double shift, double amplitude, double excursion,
+                         const std::string& motion) {
+      table.rows.push_back({critical.speed * rpm_per_rad_s, wave_name(critical.rising), source,
+                            critical.speed * (1 + shift) * rpm_per_rad_s, percent * shift,
+                            critical.amplitude * (1 + amplitude) * mm_per_m, percent * amplitude,
+                            budget.excursion * (1 + excursion) * mm_per_m, percent * excursion, motion});
+    };
+    const SpeedResponse& response = study.response.speeds[static_cast<std::size_t>(critical.index)];
+    add("as computed", 0, 0, 0, motion_text(response.motion, response.period_beats));
+    for (const BudgetRow& row : budget.rows) {
+      if (row.failure.empty()) {
+        add(row.source, row.shift, row.amplitude, row.excursion, row.motion);
+      } else {
+        table.rows.push_back({critical.speed * rpm_per_rad_s, wave_name(critical.rising), row.source, NoNumber{},
+                              NoNumber{}, NoNumber{}, NoNumber{}, NoNumber{}, NoNumber{}, row.failure});
+      }
+    }
+    add("sum of the largest of each", sum_over_sources(budget, &BudgetRow::shift),
+        sum_over_sources(budget, &BudgetRow::amplitude), sum_over_sources(budget, &BudgetRow::excursion), "");
+  }
+  return table;
+}
+
+}  // namespace tiprub::postprocess

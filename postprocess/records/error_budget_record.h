@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "postprocess/analysis/study.h"
+#include "postprocess/tables/table.h"
+
+namespace tiprub::postprocess {
+
+/// What one source of error does to a critical speed. All changes are relative [1].
+struct BudgetRow {
+  std::string source;       ///< "clearance -0.02 mm"
+  std::string failure;      ///< empty, or why the numbers below are not known
+  double shift = 0;         ///< of the speed, with its sign where that is known
+  double amplitude = 0;     ///< of the amplitude, likewise
+  double excursion = 0;     ///< of the tip's motion in all directions together, likewise
+  std::string motion = {};  ///< class of the motion there; empty where it was not marched
+};
+
+/// The error budget of one critical speed: what tiprub-simulate varied, and the errors of its own settings.
+struct ErrorBudget {
+  const CriticalSpeed* critical = nullptr;
+  double excursion = 0;  ///< [m] largest_excursion() at the critical speed
+  std::vector<BudgetRow> rows;
+};
+
+/// One for each critical speed for which the response has variations; empty without any.
+std::vector<ErrorBudget> error_budgets(const Study& study);
+
+/// "the speed: clearance -0.02 mm (+1.2 %); the amplitude: damping 0.002 (+75 %)": the largest row of each; of the
+/// budget of the worst critical speed, or empty.
+std::string largest_errors(const Study& study);
+
+/// A row for each critical speed and source, and one with the sum over the sources: error_budget.csv.
+Table error_budget_record(const Study& study);
+
+}  // namespace tiprub::postprocess

@@ -1,0 +1,44 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The error budget of a small disc. usage: varied_peaks.py PROGRAMS_FOLDER CASES_FOLDER SMALL_CASE WORK_FOLDER (made by small_chain.py)"""
+import csv
+import json
+import os
+import subprocess
+import sys
+
+import small_chain
+
+
+def varied_peaks(bench):
+    """A peak that is followed with the case's own damping, and with hardly any friction or change of the clearance, is the peak
+    itself; what jams is named."""
+    folder = bench.folder("varied")
+
+    def run(program, *arguments):
+        subprocess.run([os.path.join(bench.programs, f"tiprub-{program}"), "case.toml", "model.h5", *arguments, "-q"],
+                       cwd=folder.path, check=True)
+
+    def budget(name, *settings):
+        run("simulate", "-o", f"{name}.h5", *(word for setting in (
+            'simulate.speeds="adaptive"', "simulate.step_tolerance=0.01", "simulate.max_revolutions=100",
+            'simulate.budget="critical_speeds"', *settings) for word in ("--set", setting)))
+        run("postprocess", f"{name}.h5", "-o", name)
+        return list(csv.DictReader(folder.read(f"{name}/error_budget.csv").decode().splitlines()))
+
+    rows = budget("same", "simulate.budget_damping=[0.02]", "simulate.budget_clearance=1e-9", "simulate.budget_friction=1e-9")
+    varied = [row for row in rows if row["source"].split()[0] in ("friction", "damping", "clearance")]
+    assert len(varied) == 4, rows
+    for row in varied:
+        assert abs(float(row["change of speed [%]"])) < 0.05, row
+        assert abs(float(row["change of amplitude [%]"])) < 0.1 and abs(float(row["change of |u| [%]"])) < 0.1, row
+    rows = budget("other", "simulate.budget_damping=[0.01]", "simulate.budget_friction=5")
+    found = {row["source"]: row for row in rows}
+    assert float(found["damping 0.01"]["change of amplitude [%]"]) > 5, rows
+    assert "jams" in found["friction 5"]["motion"], rows
+    assert "What moves it most" in json.loads(folder.read("other/summary.json"))["verdict"]
+
+
+if __name__ == "__main__":
+    small_chain.STEPS += (varied_peaks,)
+    small_chain.main("varied_peaks", *sys.argv[1:])

@@ -3,25 +3,7 @@
 
 #include <cmath>
 
-#include "simulate/response/speed_numbers.h"
-
 namespace tiprub {
-
-const char* name_of(MotionClass motion) {
-  return name_in(motion_names, motion);
-}
-
-const char* name_of(MotionMeasure measure) {
-  return name_in(measure_names, measure);
-}
-
-const char* name_of(Start start) {
-  return name_in(start_names, start);
-}
-
-const char* name_of(Variation variation) {
-  return name_in(variation_names, variation);
-}
 
 double largest_excursion(const Eigen::MatrixXd& displacement) {
   const Eigen::MatrixXd squares = (displacement.rowwise() - displacement.colwise().mean()).cwiseAbs2();

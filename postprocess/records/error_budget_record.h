@@ -17,6 +17,7 @@ struct BudgetRow {
   double amplitude = 0;     ///< of the amplitude, likewise
   double excursion = 0;     ///< of the tip's motion in all directions together, likewise
   std::string motion = {};  ///< class of the motion there; empty where it was not marched
+  bool is_bound = false;    ///< the most that is possible, far above what is likely
 };
 
 /// The error budget of one critical speed: what tiprub-simulate varied, and the errors of its own settings.

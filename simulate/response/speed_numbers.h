@@ -51,10 +51,11 @@ inline constexpr NamedValues<Start, 4> start_names = {{
     {Start::whole_wheel, "whole wheel"},
 }};
 
-inline constexpr NamedValues<Variation, 3> variation_names = {{
+inline constexpr NamedValues<Variation, 4> variation_names = {{
     {Variation::friction, "friction"},
     {Variation::damping, "damping"},
     {Variation::clearance, "clearance"},
+    {Variation::step, "step"},
 }};
 
 /// The allowed range of a number of a speed that did not fail; ends included.

@@ -2,18 +2,19 @@
 #include "simulate/speed/error_budget.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "simulate/motion/attempt.h"
 #include "simulate/response/peaks.h"
 #include "simulate/scene/friction_limit.h"
-#include "simulate/speed/settled_march.h"
 
 namespace tiprub::simulate {
 
@@ -56,13 +57,17 @@ struct Origin {
   int order;     ///< the largest engine order there
 };
 
+/// [rad/s] Of the narrowest resonance, within reason.
+double half_width_at(const Scene& scene, double speed) {
+  return speed * std::clamp(scene.parameters.damping.smallest(), least_half_width, most_half_width);
+}
+
 /// Climbs a response from a speed to a peak near it, with a coarse step. Where another engine order is the largest,
 /// the response belongs to another peak and counts as zero.
 class Climb {
  public:
   Climb(const Scene& scene, const Origin& origin) : scene_(scene), origin_(origin) {
-    const double damping = scene.parameters.damping.smallest();
-    half_width_ = origin.speed * std::clamp(damping, least_half_width, most_half_width);
+    half_width_ = half_width_at(scene, origin.speed);
     for (const int steps : first_steps) look(origin.speed + steps * half_width_);
     while (reach_out()) continue;
   }
@@ -123,6 +128,19 @@ double vertex(const Top& top) {
                              .offset;
 }
 
+/// A speed marched within the tolerances.
+PeakVariation marched_peak(const Scene& scene, double speed) {
+  const RefinedMotion found = settle_within_tolerance(scene, rotor_of(scene, speed), {}, CycleChoice::left);
+  const Recorded& recorded = found.motion.recorded;
+  PeakVariation peak;
+  peak.speed = speed;
+  peak.amplitude = recorded.amplitude;
+  peak.excursion = largest_excursion(recorded.displacement);
+  peak.motion = found.motion.reading.motion;
+  peak.period_beats = found.motion.reading.period_beats;
+  return peak;
+}
+
 /// The peak near a speed, marched within the tolerances. Where the response jumps beside the top, the finer step may
 /// have jumped already; a speed a little farther from the jump is taken then.
 PeakVariation peak_near(const Scene& scene, const Origin& origin) {
@@ -131,62 +149,110 @@ PeakVariation peak_near(const Scene& scene, const Origin& origin) {
   PeakVariation peak;
   for (int i = 0; i <= (top.jumps() ? retreats : 0); ++i) {
     const double speed = top.jumps() ? top.top.speed + i * away : vertex(top);
-    const RefinedMotion found = settle_within_tolerance(scene, rotor_of(scene, speed), {}, CycleChoice::left);
-    const Recorded& recorded = found.motion.recorded;
-    if (recorded.amplitude > peak.amplitude)
-      peak = {peak.what,
-              0,
-              "",
-              speed,
-              recorded.amplitude,
-              largest_excursion(recorded.displacement),
-              found.motion.reading.motion,
-              found.motion.reading.period_beats};
+    const PeakVariation found = marched_peak(scene, speed);
+    if (found.amplitude > peak.amplitude) peak = found;
     if (peak.amplitude >= fallen * top.top.amplitude) break;
   }
   return peak;
 }
 
-PeakVariation varied(Variation what, double setting, const Scene& scene, const Origin& origin) {
-  const auto found = attempt([&] { return peak_near(scene, origin); });
+/// A scene in which one thing is varied.
+struct VariedScene {
+  Variation what;
+  double setting;
+  Casing casing;
+  SimulateParameters parameters;
+  std::string refusal = {};  ///< empty, or why it can't be marched
+};
+
+VariedScene with_friction(const Scene& scene, double coefficient) {
+  VariedScene varied{Variation::friction, coefficient, scene.casing, scene.parameters};
+  varied.casing.friction = coefficient;
+  if (const FrictionLimit limit = friction_limit(scene.model); coefficient >= limit.coefficient)
+    varied.refusal = limit.text();
+  return varied;
+}
+
+VariedScene with_damping(const Scene& scene, double ratio) {
+  VariedScene varied{Variation::damping, ratio, scene.casing, scene.parameters};
+  varied.parameters.damping = Damping{ratio};
+  varied.parameters.damping.set_beyond(scene.parameters.resolved_frequency, scene.parameters.damping.ratios().beyond);
+  return varied;
+}
+
+VariedScene with_clearance(const Scene& scene, double change) {
+  VariedScene varied{Variation::clearance, change, scene.casing, scene.parameters};
+  for (auto& [place, clearance] : varied.casing.clearance) clearance += change;
+  return varied;
+}
+
+/// The scenes whose peaks are followed: a row of the budget each.
+std::vector<VariedScene> varied_scenes(const Scene& scene) {
+  const SimulateParameters& keys = scene.parameters;
+  std::vector<VariedScene> scenes;
+  if (keys.budget_friction != scene.casing.friction) scenes.push_back(with_friction(scene, keys.budget_friction));
+  for (const double ratio : keys.budget_damping) scenes.push_back(with_damping(scene, ratio));
+  for (const double sign : {-1.0, 1.0}) scenes.push_back(with_clearance(scene, sign * keys.budget_clearance));
+  return scenes;
+}
+
+PeakVariation followed(const Scene& scene, const VariedScene& varied, const Origin& origin) {
+  Attempt<PeakVariation> found{std::nullopt, varied.refusal};
+  if (varied.refusal.empty())
+    found = attempt([&] { return peak_near({scene.model, varied.casing, varied.parameters, scene.scope}, origin); });
   PeakVariation variation = found.result.value_or(PeakVariation{});
-  variation.what = what;
-  variation.setting = setting;
+  variation.what = varied.what;
+  variation.setting = varied.setting;
   variation.failure = found.failure;
   return variation;
 }
 
-PeakVariation with_friction(const Scene& scene, double coefficient, const Origin& origin) {
-  if (const FrictionLimit limit = friction_limit(scene.model); coefficient >= limit.coefficient)
-    return {Variation::friction, coefficient, limit.text()};
-  Casing casing = scene.casing;
-  casing.friction = coefficient;
-  return varied(Variation::friction, coefficient, {scene.model, casing, scene.parameters, scene.scope}, origin);
-}
-
-PeakVariation with_damping(const Scene& scene, double ratio, const Origin& origin) {
+/// The speeds at and beside a critical speed, marched with one step size.
+std::array<PeakVariation, 3> marched_beside(const Scene& scene, double speed, double gap, int steps_per_revolution) {
   SimulateParameters parameters = scene.parameters;
-  parameters.damping = Damping{ratio};
-  parameters.damping.set_beyond(parameters.resolved_frequency, scene.parameters.damping.ratios().beyond);
-  return varied(Variation::damping, ratio, {scene.model, scene.casing, parameters, scene.scope}, origin);
+  parameters.steps_per_revolution = steps_per_revolution;
+  const Scene stepped{scene.model, scene.casing, parameters, scene.scope};
+  std::array<PeakVariation, 3> found;
+  for (int i = 0; i < 3; ++i) found[static_cast<std::size_t>(i)] = marched_peak(stepped, speed + (i - 1) * gap);
+  return found;
 }
 
-PeakVariation with_clearance(const Scene& scene, double change, const Origin& origin) {
-  Casing casing = scene.casing;
-  for (auto& [place, clearance] : casing.clearance) clearance += change;
-  return varied(Variation::clearance, change, {scene.model, casing, scene.parameters, scene.scope}, origin);
+/// The vertex of the parabola through three speeds, or the highest of them beside a jump.
+double top_of(const std::array<PeakVariation, 3>& at) {
+  const auto sample = [&](std::size_t i) { return SampledSpeed{at[i].speed, at[i].amplitude}; };
+  const Top top{sample(0), sample(1), sample(2)};
+  const bool encloses = top.top.amplitude > std::max(top.left.amplitude, top.right.amplitude);
+  if (encloses && !top.jumps()) return vertex(top);
+  return std::max_element(at.begin(), at.end(),
+                          [](const PeakVariation& a, const PeakVariation& b) { return a.amplitude < b.amplitude; })
+      ->speed;
+}
+
+/// The peak with half the step. The step moves a peak by far less than the speeds that find it are apart; the three
+/// speeds at and beside the peak are therefore marched with both steps, and the tops of both curves compared.
+PeakVariation with_half_step(const Scene& scene, double speed, int steps_per_revolution) {
+  const double gap = fineness * half_width_at(scene, speed);
+  const auto found = attempt([&] {
+    const auto whole = marched_beside(scene, speed, gap, steps_per_revolution);
+    const auto half = marched_beside(scene, speed, gap, 2 * steps_per_revolution);
+    PeakVariation peak = half[1];
+    peak.speed = speed + top_of(half) - top_of(whole);
+    return peak;
+  });
+  PeakVariation variation = found.result.value_or(PeakVariation{});
+  variation.what = Variation::step;
+  variation.setting = 2.0 * steps_per_revolution;
+  variation.failure = found.failure;
+  return variation;
 }
 
 }  // namespace
 
-std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const Recorded& motion) {
-  const Origin origin{speed, largest_order(motion)};
+std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const SettledMotion& motion) {
+  const Origin origin{speed, largest_order(motion.recorded)};
   std::vector<PeakVariation> rows;
-  if (const double coefficient = scene.parameters.budget_friction; coefficient != scene.casing.friction)
-    rows.push_back(with_friction(scene, coefficient, origin));
-  for (const double ratio : scene.parameters.budget_damping) rows.push_back(with_damping(scene, ratio, origin));
-  for (const double sign : {-1.0, 1.0})
-    rows.push_back(with_clearance(scene, sign * scene.parameters.budget_clearance, origin));
+  for (const VariedScene& varied : varied_scenes(scene)) rows.push_back(followed(scene, varied, origin));
+  rows.push_back(with_half_step(scene, speed, motion.march->steps_per_revolution()));
   return rows;
 }
 

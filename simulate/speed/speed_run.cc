@@ -190,7 +190,7 @@ SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState&
   if (is_examined) others = other_starts(scene, rotor, result.end, found.motion, symmetry.verdict);
   std::vector<PeakVariation> budget;
   if (is_examined && scene.parameters.budget == BudgetChoice::critical_speeds)
-    budget = error_budget(scene, speed, found.motion.recorded);
+    budget = error_budget(scene, speed, found.motion);
   result.response = response_of(std::move(found.motion));
   result.response.other_starts = std::move(others);
   result.response.budget = std::move(budget);

@@ -3,11 +3,32 @@
 """The error budget of a small disc. usage: varied_peaks.py PROGRAMS_FOLDER CASES_FOLDER SMALL_CASE WORK_FOLDER (made by small_chain.py)"""
 import csv
 import json
+import math
 import os
 import subprocess
 import sys
 
 import small_chain
+
+
+def check_settings(rows):
+    """Half the step changes a peak within the step's tolerance. Blades that differ have Whitehead's bound, and the sum is the root
+    of the squares of all others."""
+    change = "change of amplitude [%]"
+    halved = [row for row in rows if row["source"] == "half the time step"]
+    bound = [row for row in rows if row["source"] == "blades that differ"]
+    assert halved and len(halved) == len(bound), rows
+    for row in halved:
+        assert 0 < abs(float(row[change])) < 1 and abs(float(row["change of speed [%]"])) < 0.02, row
+    for row in bound:
+        assert math.isclose(float(row[change]), 100 * ((1 + math.sqrt(6)) / 2 - 1), rel_tol=1e-6), row
+    first = rows[:next(i for i, row in enumerate(rows) if row["source"] == "root of the sum of squares") + 1]
+    largest = {}
+    for row in first[:-1]:
+        if row["source"] != "blades that differ":
+            source = row["source"].split()[0]
+            largest[source] = max(largest.get(source, 0), abs(float(row[change])))
+    assert math.isclose(float(first[-1][change]), math.sqrt(sum(x * x for x in largest.values())), rel_tol=1e-6), rows
 
 
 def varied_peaks(bench):
@@ -32,6 +53,7 @@ def varied_peaks(bench):
     for row in varied:
         assert abs(float(row["change of speed [%]"])) < 0.05, row
         assert abs(float(row["change of amplitude [%]"])) < 0.1 and abs(float(row["change of |u| [%]"])) < 0.1, row
+    check_settings(rows)
     rows = budget("other", "simulate.budget_damping=[0.01]", "simulate.budget_friction=5")
     found = {row["source"]: row for row in rows}
     assert float(found["damping 0.01"]["change of amplitude [%]"]) > 5, rows

@@ -61,6 +61,8 @@ Study make_study(const PostprocessParameters& parameters, ReducedModel model, Re
   WaveMaps waves = wave_maps(response, contact, curves, parameters);
   std::vector<CriticalSpeed> critical = critical_speeds(response, contact, amplitudes, curves, parameters);
   std::vector<CriticalSpeed> not_located = take_not_located(critical);
+  std::vector<GapTerms> gap;
+  for (const SpeedResponse& speed : response.speeds) gap.push_back(gap_terms(speed, response.scene, contact));
   LinearRules rules = linear_rules(response, contact, curves, amplitudes, critical, parameters);
   critical = with_predictions(std::move(critical), rules, parameters.prediction_tolerance);
   ContactMaps contact_places = contact_maps(response, contact);
@@ -78,6 +80,7 @@ Study make_study(const PostprocessParameters& parameters, ReducedModel model, Re
           std::move(contact_places),
           std::move(critical),
           std::move(not_located),
+          std::move(gap),
           std::move(rules),
           std::move(compared),
           shown};

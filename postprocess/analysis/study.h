@@ -5,6 +5,7 @@
 
 #include "postprocess/analysis/contact_maps.h"
 #include "postprocess/analysis/critical_speeds.h"
+#include "postprocess/analysis/gap_terms.h"
 #include "postprocess/analysis/interaction_map.h"
 #include "postprocess/analysis/linear_rules.h"
 #include "postprocess/analysis/other_motions.h"
@@ -25,6 +26,7 @@ struct Study {
   ContactMaps contact;
   std::vector<CriticalSpeed> critical;
   std::vector<CriticalSpeed> not_located;  ///< peaks of the response that aren't critical speeds: see `located`
+  std::vector<GapTerms> gap;               ///< one per speed
   LinearRules rules;
   std::vector<SweepComparison> sweeps;  ///< one per speed, or none
   /// Index of the speed whose motion and force are drawn: the one nearest to that asked for, or the one with the

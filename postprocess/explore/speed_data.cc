@@ -74,6 +74,9 @@ json add_speed(PackedArrays& arrays, const Study& study, const SpeedFrame& frame
           {"leading", by_node(0, i) * mm_per_m},
           {"trailing", by_node(study.model.contact.trailing_edge(), i) * mm_per_m},
           {"motion", motion_text(speed.motion, speed.period_beats)},
+          {"outside", study.gap[static_cast<std::size_t>(i)].beyond()
+                          ? json(study.gap[static_cast<std::size_t>(i)].in_words())
+                          : json()},
           {"samples", speed.samples_per_revolution},
           {"revolutions", speed.recorded_revolutions},
           {"period", speed.period_revolutions},

@@ -55,6 +55,17 @@ int SpeedFrame::families_at(int nodal_diameter) const {
   return std::min(families, curves.families(nodal_diameter));
 }
 
+namespace {
+
+Eigen::VectorXd outside_validity(const Study& study) {
+  std::vector<double> outside;
+  for (std::size_t i = 0; i < study.gap.size(); ++i)
+    if (study.gap[i].beyond()) outside.push_back(study.response.speeds[i].speed * rpm_per_rad_s);
+  return as_column(outside);
+}
+
+}  // namespace
+
 SpeedFrame speed_frame(const Study& study) {
   const Eigen::VectorXd rpm = rpm_of(study.response.speeds);
   int families = study.parameters.families;
@@ -62,6 +73,7 @@ SpeedFrame speed_frame(const Study& study) {
   return {axis_of(rpm),
           rpm,
           rpm_of(study.failed),
+          outside_validity(study),
           study.range,
           study.curves,
           study.model.sector_count,

@@ -14,6 +14,7 @@ namespace tiprub::postprocess {
 struct SpeedFrame {
   DrawnRange axis;                 ///< [rpm] the simulated range and half a step beyond both ends
   Eigen::VectorXd speeds, failed;  ///< [rpm] with and without a response
+  Eigen::VectorXd outside;         ///< [rpm] where the motion leaves what a linear gap can say
   SpeedRange range;                ///< [rad/s]
   FrequencyCurves curves;
   int sector_count, lobes;

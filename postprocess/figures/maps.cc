@@ -185,6 +185,7 @@ Figure interaction_map_figure(const SpeedFrame& frame, const MapFrame& axes, con
   figure.data = map_table(frame, edge.map);
   set_map_axes(figure.drawing, frame, axes);
   figure.drawing.tables.push_back(family_labels(frame));
+  figure.drawing.tables.push_back({"outside", {frame.outside}});
   for (ScriptTable& marks : unusual_motion(speeds)) figure.drawing.tables.push_back(std::move(marks));
   set_pixels(figure, map_pixels(edge.map, frame.failed, axes, columns, rows));
   return figure;

@@ -169,7 +169,8 @@ Figure response_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes,
                            {"not_periodic", {not_periodic(speeds, amplitudes)}},
                            {"aliased", {speeds_of(drawn_crossings(frame, rules.aliased))}},
                            {"equation_2", {speeds_of(drawn_crossings(frame, rules.equation_2))}},
-                           {"failed", {frame.failed}}};
+                           {"failed", {frame.failed}},
+                           {"outside", {frame.outside}}};
   figure.data = amplitude_table(frame.speeds, amplitudes);
   return figure;
 }

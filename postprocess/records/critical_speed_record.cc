@@ -165,6 +165,19 @@ PeakColumns friction_columns() {
       {"rub power, largest [kW]", [load](const PeakRow& peak) { return kilowatts(load(peak).rub_power_largest); }}};
 }
 
+/// What the motion leaves of the range in which its model holds, with the numbers; empty if it stays inside.
+std::string outside_validity(const PeakRow& peak) {
+  const GapTerms& gap = peak.study.gap[static_cast<std::size_t>(peak.critical.index)];
+  std::string text = gap.beyond() ? gap.in_words() : "";
+  if (peak.stress && peak.stress->yield_share.value_or(0) > 1)
+    text += (text.empty() ? "" : "; ") + std::string("stress ") + fixed(*peak.stress->yield_share, 2) + " of yield";
+  return text;
+}
+
+PeakColumns validity_columns() {
+  return {{"outside validity", [](const PeakRow& peak) { return outside_validity(peak); }}};
+}
+
 PeakColumns prediction_columns() {
   return {
       {"motion", [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
@@ -230,12 +243,13 @@ PeakColumns shown_stress_columns(const FieldResults& fields) {
 
 Table critical_speed_record(const Study& study, const FieldResults& fields) {
   return table_of(joined<PeakRow>({amplitude_columns(), wave_columns(), contact_columns(), stress_columns(),
-                                   cycle_columns(), prediction_columns(), friction_columns()}),
+                                   cycle_columns(), prediction_columns(), friction_columns(), validity_columns()}),
                   peaks_of(study, fields));
 }
 
 Table critical_speed_overview(const Study& study, const FieldResults& fields) {
-  return table_of(joined<PeakRow>({rounded_columns(), shown_stress_columns(fields)}), peaks_of(study, fields));
+  return table_of(joined<PeakRow>({rounded_columns(), shown_stress_columns(fields), validity_columns()}),
+                  peaks_of(study, fields));
 }
 
 Table critical_speed_motions(const Study& study) {
@@ -243,7 +257,7 @@ Table critical_speed_motions(const Study& study) {
 }
 
 Table critical_speed_stresses(const Study& study, const FieldResults& fields) {
-  return table_of(joined<PeakRow>({{rounded_columns().front()}, shown_stress_columns(fields)}),
+  return table_of(joined<PeakRow>({{rounded_columns().front()}, shown_stress_columns(fields), validity_columns()}),
                   peaks_of(study, fields));
 }
 

@@ -41,25 +41,6 @@ struct SlidingShare {
 std::optional<SlidingShare> sliding_share(const SpeedResponse& response, const SimulatedScene& scene,
                                           const ContactLine& contact);
 
-/// [m] The terms of second order in the vibration u that the linear gap, clearance - distortion - nu . u, leaves
-/// out. Each is the largest over contact nodes, sectors and samples of one speed.
-struct SecondOrderGap {
-  /// nu_r u_theta^2/(2 r): a tip that moves along the tangent leaves its circle outwards, and comes nearer to a
-  /// round casing.
-  double curvature = 0;
-  /// |d'| |u_theta|/r, with d' the steepest slope of the distortion over the angle [m/rad]: the program reads the
-  /// casing's shape at the angle of the tip without vibration.
-  double distortion = 0;
-  /// (6/5) w^2/(2 L): the shortening of a beam of length L that a force at its tip bends by w (half the integral of
-  /// the squared slope of w (3 x^2 L - x^3)/(2 L^3)). w is the part of u across the normal, L the span at the node.
-  /// Nothing if the span is not known.
-  std::optional<double> foreshortening;
-};
-
-/// `span` [m] at the contact nodes, or empty.
-SecondOrderGap second_order_gap(const SpeedResponse& response, const SimulatedScene& scene,
-                                const ContactLine& contact, const Eigen::VectorXd& span);
-
 /// [m] The distance from each contact node to the nearest node of the part `disc`; empty without that part.
 Eigen::VectorXd tip_spans(const SectorFields& sector);
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "postprocess/analysis/gap_terms.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/left_out_effects.h"
 #include "postprocess/tables/table.h"
@@ -15,7 +16,7 @@ namespace tiprub::postprocess {
 
 namespace {
 
-constexpr double clearance_share = 0.1;   // allowed error of the gap, of the smallest running clearance
+constexpr double clearance_share = 0.1;   // allowed wear, of the smallest running clearance
 constexpr double frequency_limit = 1e-3;  // allowed error of a critical speed, relative
 constexpr double usual_friction = 0.1;    // of metal on metal or on a coating, as an example
 constexpr double drag_limit = 0.05;       // allowed work of friction, of the normal force's
@@ -49,22 +50,28 @@ SceneNeed measured(const std::vector<Check>& checks, const std::string& subject,
 }
 
 /// [m] A tenth of the smallest running clearance at the judged speed.
-double gap_tolerance(const Study& study) {
+double wear_tolerance(const Study& study) {
   return clearance_share * study.judged_response().clearance.minCoeff();
 }
 
 std::vector<SceneNeed> gap_needs(const Study& study, const FieldEffects& fields) {
   const SpeedResponse& response = study.judged_response();
-  const SecondOrderGap gap = second_order_gap(response, study.response.scene, study.model.contact, fields.tip_span);
-  const double tolerance = gap_tolerance(study);
-  const std::string where = ", at " + rpm_text(response.speed);
+  const GapTerms gap = gap_terms(response, study.response.scene, study.model.contact, fields.tip_span);
+  const bool by_model = study.model.contact.second_order.has_value();
+  const double tolerance = gap.allowed();
+  const std::string where =
+      ", at " + rpm_text(response.speed) + "; the tolerance is a tenth of the interference there";
   std::vector<SceneNeed> needs = {
-      estimated(Effect::round_casing, gap.curvature, tolerance, "n_r u_theta^2/(2 r)" + where),
+      estimated(
+          Effect::round_casing, gap.curvature, tolerance,
+          (by_model ? "(c_1 u_theta^2 + c_2 u_m^2)/2 with the casing's curvatures" : "n_r u_theta^2/(2 r)") + where),
       estimated(Effect::casing_slope, gap.distortion, tolerance,
                 "steepest slope of the distortion, times u_theta/r" + where)};
   needs.push_back(gap.foreshortening
                       ? estimated(Effect::blade_foreshortening, *gap.foreshortening, tolerance,
-                                  "(6/5) w^2/(2 L), w the motion across the normal, L from tip to disc" + where)
+                                  (by_model ? "y' Q y of model.h5"
+                                            : "(6/5) w^2/(2 L), w the motion across the normal, L from tip to disc") +
+                                      where)
                       : not_estimated(Effect::blade_foreshortening,
                                       "give --fields with the part disc: it takes the blade's span"));
   return needs;
@@ -152,7 +159,7 @@ SceneNeed wear_need(const Study& study) {
   if (!(coefficient > 0)) return not_estimated(effect, "set postprocess.wear_coefficient");
   const SpeedResponse& response = study.judged_response();
   const CasingWear wear = casing_wear(response, study.response.scene, study.model.contact, coefficient, hour);
-  const double allowed = gap_tolerance(study);
+  const double allowed = wear_tolerance(study);
   if (!(wear.depth > 0)) return estimated(effect, 0, allowed, "no contact at " + rpm_text(response.speed));
   return estimated(effect, wear.depth, allowed,
                    "Archard at " + rpm_text(response.speed) + ": k/H = " + significant(coefficient, 2) + " m^2/N, " +
@@ -180,6 +187,7 @@ void add_known(std::vector<SceneNeed>& needs, const ModelledEffect& known) {
   if (need != needs.end()) {
     need->effect.treatment = known.treatment;
     need->effect.reason = known.reason;
+    if (known.treatment == Treatment::modelled) *need = {known, NeedVerdict::none};
   } else if (known.treatment == Treatment::modelled) {
     needs.push_back({known, NeedVerdict::none});
   } else {

@@ -18,6 +18,7 @@ struct SpeedRow {
   double amplitude;  ///< [m]
   const TravellingSpectrum& spectrum;
   const ContactMaps& contact;
+  const GapTerms& gap;
   Eigen::Index index;  ///< in the response's speeds
 };
 
@@ -81,6 +82,9 @@ SpeedColumns map_columns() {
            [](const SpeedRow& speed) { return number_if_any(speed.contact.lag.time[speed.index]); }},
           {"likeness of the edges' forces [1]",
            [](const SpeedRow& speed) { return speed.contact.lag.likeness[speed.index]; }},
+          {"second order of the gap [mm]", [](const SpeedRow& speed) { return speed.gap.together * mm_per_m; }},
+          {"interference [mm]", [](const SpeedRow& speed) { return speed.gap.interference * mm_per_m; }},
+          {"outside validity", [](const SpeedRow& speed) { return yes_or_no(speed.gap.beyond()); }},
           {"failure", [](const SpeedRow&) { return std::string(); }}};
 }
 
@@ -139,7 +143,7 @@ Table speed_record(const Study& study) {
   for (const SpeedResponse& response : study.response.speeds) {
     const auto index = static_cast<Eigen::Index>(speeds.size());
     speeds.push_back({response, study.amplitudes.largest[index], study.waves.first().columns[speeds.size()].spectrum,
-                      study.contact, index});
+                      study.contact, study.gap[speeds.size()], index});
   }
   Table table =
       table_of(joined<SpeedRow>({motion_columns(), step_columns(), audit_columns(), map_columns()}), speeds);

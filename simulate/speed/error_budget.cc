@@ -252,7 +252,8 @@ std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const 
   const Origin origin{speed, largest_order(motion.recorded)};
   std::vector<PeakVariation> rows;
   for (const VariedScene& varied : varied_scenes(scene)) rows.push_back(followed(scene, varied, origin));
-  rows.push_back(with_half_step(scene, speed, motion.march->steps_per_revolution()));
+  if (repeats(motion.reading.motion))  // others have no peak that is sharp enough
+    rows.push_back(with_half_step(scene, speed, motion.march->steps_per_revolution()));
   return rows;
 }
 

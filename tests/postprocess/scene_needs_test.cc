@@ -20,42 +20,6 @@
 namespace tiprub::postprocess {
 namespace {
 
-/// Along the tangent the made tips move by 0.8 of what they move along their normals, which have no tangential part.
-TEST(SecondOrderGap, IsThatOfACircleAndOfABentBeam) {
-  const ReducedModel rotor = synthetic::model();
-  const SimulatedScene scene = synthetic::two_lobes();
-  constexpr double amplitude = 1e-3;
-  const synthetic::Wave wave{2, 2, amplitude, 0};
-  const SpeedResponse response = synthetic::speed(scene, rotor.contact, 1000, {wave}, 1);
-  const Eigen::VectorXd span = Eigen::Vector4d(0.04, 0.03, 0.02, 0.004);
-  double curvature = 0, distortion = 0, foreshortening = 0;
-  for (int k = 0; k < rotor.contact.size(); ++k) {
-    const double tangential = 0.8 * amplitude * wave.shape[k], radius = rotor.contact.position(k, 0);
-    curvature = std::max(curvature, std::cos(k * std::numbers::pi / 6) * tangential * tangential / (2 * radius));
-    distortion = std::max(distortion, 2 * 3e-4 * tangential / radius);
-    foreshortening = std::max(foreshortening, 6.0 / 5 * tangential * tangential / (2 * span[k]));
-  }
-  const SecondOrderGap gap = second_order_gap(response, scene, rotor.contact, span);
-  EXPECT_NEAR(gap.curvature, curvature, 1e-9 * curvature);
-  EXPECT_NEAR(gap.distortion, distortion, 1e-4 * distortion);  // the slope is that of a table
-  ASSERT_TRUE(gap.foreshortening);
-  EXPECT_NEAR(*gap.foreshortening, foreshortening, 1e-9 * foreshortening);
-  EXPECT_FALSE(second_order_gap(response, scene, rotor.contact, {}).foreshortening);
-}
-
-/// The pieces of a bent beam, clamped at one end and pushed at the other: the formula is the length that they lose.
-TEST(SecondOrderGap, BeamShortensBySixFifths) {
-  constexpr double length = 0.03, w = 1e-3;
-  constexpr int pieces = 100000;
-  double lost = 0, before = 0;
-  for (int i = 1; i <= pieces; ++i) {
-    const double x = static_cast<double>(i) / pieces, here = w * (3 * x * x - x * x * x) / 2;
-    lost += std::hypot(length / pieces, here - before) - length / pieces;
-    before = here;
-  }
-  EXPECT_NEAR(lost, 6.0 / 5 * w * w / (2 * length), 1e-3 * lost);
-}
-
 TEST(TipSpans, LeadToTheNearestNodeOfTheDisc) {
   SectorFields sector;
   sector.nodes.resize(3, 22);
@@ -188,8 +152,9 @@ TEST_F(SceneNeeds, AreJudgedOnTheScene) {
   EXPECT_EQ(need(needs, Effect::chatter).verdict, NeedVerdict::matters);
   EXPECT_EQ(need(needs, Effect::spin_stiffness).verdict, NeedVerdict::not_estimated);
   EXPECT_EQ(need(needs, Effect::contact_resolution).how, "compare with tiprub-reduce --set reduce.contact_nodes=8");
+  const double crest = study().response.scene.casing_distortion.maxCoeff();
   const double clearance = study().judged_response().clearance.minCoeff();
-  EXPECT_NEAR(*need(needs, Effect::round_casing).effect.tolerance, 0.1 * clearance, 1e-15);
+  EXPECT_NEAR(*need(needs, Effect::round_casing).effect.tolerance, 0.1 * (crest - clearance), 1e-15);
 }
 
 /// A tip that moves 3 along theta for each -1 along its normal: a coefficient of 0.1 does 0.3 of the normal force's

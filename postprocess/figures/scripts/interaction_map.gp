@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Amplitude over speed and frequency.
-# Reads what map.gp does; $irregular, $subharmonic, $breaking: speeds [rpm] marked at the foot; $family_labels:
+# Reads what map.gp does; $irregular, $subharmonic, $breaking: speeds [rpm] marked at the foot, and $outside at the top;
+# $family_labels:
 # frequency [Hz] where a line of nodal diameter 0 begins; $critical: speed [rpm], frequency [Hz].
 load 'scripts/map.gp'
 foot(row) = (0.018 + 0.022*row)*frequency_high
@@ -23,5 +24,6 @@ plot name.'.pixels' @map_image, \
     title titled(subharmonic_rows, 'subharmonic'), \
   $breaking using 1:(foot(2)) with points linestyle map_breaking \
     title titled(breaking_rows, 'breaks the symmetry'), \
+  $outside using 1:(0.99*frequency_high) with points linestyle map_outside title titled(outside_rows, 'outside validity'), \
   $family_labels using (speed_low):1:(sprintf('family %d', $0 + 1)) with labels \
     left offset 0.6,0.5 font tiny_font textcolor rgb map_family_text

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tip amplitude over speed, critical speeds labelled, speeds that the linear rules predict at the foot.
 # Reads speed_low, speed_high [rpm], amplitude_high [mm]; $peaks: speed [rpm], amplitude [mm], with peak_name[];
-# $not_periodic: likewise; $aliased, $equation_2, $failed: speeds [rpm]. The figure's table: speed [rpm], largest,
+# $not_periodic: likewise; $aliased, $equation_2, $failed, $outside: speeds [rpm]. The figure's table: speed [rpm], largest,
 # leading edge, trailing edge [mm].
 label_room = 1.45
 foot = 0.02*label_room*amplitude_high
@@ -23,4 +23,6 @@ plot $peaks using 1:2:(peak_name[int($0) + 1]) with labels rotate by 90 left off
   $aliased using 1:(foot) with points linestyle predicted_aliased \
     title titled(aliased_rows, 'rule with aliasing'), \
   $equation_2 using 1:(foot) with points linestyle predicted_linear title titled(equation_2_rows, 'eq. 2'), \
-  $failed using 1:(2*foot) with points linestyle failed_speed title titled(failed_rows, 'failed')
+  $failed using 1:(2*foot) with points linestyle failed_speed title titled(failed_rows, 'failed'), \
+  $outside using 1:(0.985*label_room*amplitude_high) with points linestyle outside_validity \
+    title titled(outside_rows, 'outside validity')

@@ -74,6 +74,7 @@ function drawMap(chart, selection, map, part) {
   data.modes.forEach((mode, k) => {
     if (part === 'total' || Number(part) === mode.nodal_diameter) chart.line(rpm, data.array(`mode/${k}`), 'map-mode');
   });
+  for (const speed of data.speeds) if (speed.outside) markOutside(chart, speed.rpm);
   markSpeeds(chart, selection);
 }
 
@@ -128,5 +129,6 @@ function mapsView(host, selection) {
     ...(data.other ? [choice('Maps of', [['here', 'this report'], ['there', data.other.name]], 'here',
       whose => maps.forEach(view => view.show({whose})))] : []),
     colourBar('viridis', labels, 'mm, logarithmic')),
-    legend(['map-order', 'engine orders'], ['map-mode', 'natural frequencies'], ['critical', 'critical speeds'], ['chosen', 'shown speed']), pair);
+    legend(['map-order', 'engine orders'], ['map-mode', 'natural frequencies'], ['critical', 'critical speeds'], ['chosen', 'shown speed'],
+    ...(data.speeds.some(speed => speed.outside) ? [['outside', 'outside validity']] : [])), pair);
 }

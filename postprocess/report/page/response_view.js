@@ -9,6 +9,13 @@ function legend(...entries) {
 
 function speedRange(data) { return {label: 'speed [rpm]', range: [...data.axes.speed]}; }
 
+// A speed whose motion leaves what its model can say, at the upper edge.
+function markOutside(chart, rpm) {
+  const x = chart.px(rpm);
+  if (x >= chart.left && x <= chart.left + chart.width)
+    chart.content.append(makeSvg('rect', {class: 'outside-mark', x: x - 2, y: chart.top, width: 4, height: 5}));
+}
+
 // Where the critical speeds are, and the one that is shown.
 function markSpeeds(chart, selection) {
   const {data} = selection;
@@ -30,6 +37,7 @@ function drawResponse(chart, selection) {
   if (data.other) chart.line(data.array('other/speed'), data.array('other/largest'), 'other');
   for (const speed of speeds) {
     chart.dot(speed.rpm, speed.largest, 2.2, 'largest-dot');
+    if (speed.outside) markOutside(chart, speed.rpm);
     if (speed.motion !== 'periodic') chart.dot(speed.rpm, speed.largest, 5.5, 'unsteady');
   }
   for (const peak of data.critical) {
@@ -44,17 +52,18 @@ function drawResponse(chart, selection) {
 function responseView(host, selection) {
   const {data} = selection;
   host.append(legend(['largest', 'largest on the tip line'], ['leading', 'leading edge'], ['trailing', 'trailing edge'],
-    ['unsteady', 'not periodic'], ['chosen', 'shown speed'],
+    ['unsteady', 'not periodic'], ...(data.speeds.some(speed => speed.outside) ? [['outside', 'outside validity']] : []), ['chosen', 'shown speed'],
     ...(data.predicted.aliased.length ? [['aliased', 'rule with aliasing']] : []),
     ...(data.predicted.equation_2.length ? [['equation-2', 'eq. 2']] : []), ...(data.other ? [['other', data.other.name]] : [])));
   const chart = new Chart(host, {
-    name: 'Tip amplitude over speed', height: 400, x: speedRange(data),
+    name: 'Tip amplitude over speed', height: 380, x: speedRange(data),
     y: {label: 'amplitude [mm]', range: [0, 1.32 * data.axes.amplitude]},
     paint: drawn => drawResponse(drawn, selection),
     pick: x => pickSpeed(chart, selection, x), step: by => selection.step(by), middle: () => selection.speed.rpm,
     read: x => {
       const speed = data.speeds[selection.nearest(x)];
-      return `${speed.rpm.toFixed(0)} rpm: ${digits(speed.largest)} mm; leading edge ${digits(speed.leading)}, trailing edge ${digits(speed.trailing)} mm; ${speed.motion}`;
+      return `${speed.rpm.toFixed(0)} rpm: ${digits(speed.largest)} mm; leading edge ${digits(speed.leading)}, trailing edge ${digits(speed.trailing)} mm; ${speed.motion}${
+        speed.outside ? `; outside validity: ${speed.outside}` : ''}`;
     },
   });
   selection.onChange(() => chart.draw());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "reduce/model/nodal_diameter.h"
 
@@ -47,7 +48,8 @@ void add_stress(const SectorFields& sector, const CellStress& bricks, WaveField&
     stress.col(high[k]) = next * turned(both, alpha);
     count[low[k]] = count[high[k]] = count[low[k]] + count[high[k]];
   }
-  wave.stress = stress * count.cwiseInverse().asDiagonal();
+  stress *= count.cwiseInverse().asDiagonal();
+  wave.stress = std::move(stress);
 }
 
 WaveField spin_field(const SectorFields& sector, const CellStress& bricks, double speed) {

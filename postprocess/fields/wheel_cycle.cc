@@ -31,9 +31,11 @@ class TurnedDifference {
   TurnedDifference(const WheelCycle& cycle, const SpeedResponse& response, const SimulatedScene& scene,
                    const ReducedModel& model)
       : cycle_(cycle), scene_(scene) {
-    for (const int n : scene.nodal_diameters)
-      stiffness_.push_back(model.nodal_diameters[static_cast<std::size_t>(n)].stiffness(response.speed));
-    for (std::size_t i = 0; i < cycle.states.size(); ++i) norm_ += energy(i, cycle.states[i]);
+    for (std::size_t i = 0; i < cycle.states.size(); ++i) {
+      const auto n = static_cast<std::size_t>(scene.nodal_diameters[i]);
+      forces_.push_back(model.nodal_diameters[n].stiffness(response.speed) * cycle.states[i]);
+      norm_ += energy(cycle.states[i], forces_[i]);
+    }
   }
 
   /// [1] Relative difference between the states `shift` samples later and the states turned by `turn` sectors.
@@ -42,20 +44,26 @@ class TurnedDifference {
     const Eigen::Index columns = cycle_.samples() - shift;
     for (std::size_t i = 0; i < cycle_.states.size(); ++i) {
       const std::complex<double> phase = sector_phase(scene_.nodal_diameters[i], turn, scene_.sector_count);
-      difference += energy(i, cycle_.states[i].rightCols(columns) - phase * cycle_.states[i].leftCols(columns));
+      const auto turned = [&](const Eigen::MatrixXcd& all) {
+        return all.rightCols(columns) - phase * all.leftCols(columns);
+      };
+      difference += energy(turned(cycle_.states[i]), turned(forces_[i]));
     }
     const double share = static_cast<double>(columns) / cycle_.samples();
     return norm_ > 0 ? std::sqrt(difference / (norm_ * share)) : 0;
   }
 
  private:
-  double energy(std::size_t i, const Eigen::MatrixXcd& states) const {
-    return states.conjugate().cwiseProduct(stiffness_[i] * states).sum().real();
+  /// Of states and the elastic forces that belong to them. It is linear in both, so that those of a difference need
+  /// no product with the stiffness.
+  template <class States, class Forces>
+  static double energy(const States& states, const Forces& forces) {
+    return states.conjugate().cwiseProduct(forces).sum().real();
   }
 
   const WheelCycle& cycle_;
   const SimulatedScene& scene_;
-  std::vector<Eigen::MatrixXcd> stiffness_;
+  std::vector<Eigen::MatrixXcd> forces_;  // [N in contact rows] as the states
   double norm_ = 0;
 };
 

@@ -120,6 +120,8 @@ void write_matrix(const std::filesystem::path& path, const Eigen::MatrixXcd& mat
 
 void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& parameters,
                           const std::filesystem::path& folder) {
+  if (mesh.cubic != nullptr)
+    throw InputError("[reduce] element_order = 3 makes cubic bricks, which CalculiX doesn't have; leave it at 2");
   for (int cell = 0; cell < mesh.cell_count(); ++cell)
     if (const CellKind& kind = cell_kind(static_cast<int>(nodes_of(mesh.cells, cell).size())); kind.calculix.empty())
       throw InputError(mesh.file + ": has cells of kind " + kind.name +

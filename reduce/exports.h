@@ -12,7 +12,7 @@ namespace tiprub::reduce {
 /// Writes the sector as complete CalculiX decks: `mesh.inp` (nodes, C3D10, C3D15 and C3D20 elements, sets, cyclic
 /// symmetry) and one `speed_<rpm>.inp` for each verification speed (except at rest, a static step under spin, with
 /// NLGEOM for nonlinear prestress; then the lowest frequencies of every nodal diameter). `folder` is made if it
-/// doesn't exist. Raises InputError for kinds of cells that CalculiX doesn't have, and RunError if a file can't be
+/// doesn't exist. Raises InputError for cells that CalculiX doesn't have, and RunError if a file can't be
 /// written.
 void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& parameters,
                           const std::filesystem::path& folder);

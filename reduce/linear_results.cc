@@ -76,6 +76,7 @@ class LinearAnalysis {
  private:
   void prepare() {
     results_.sector_count = mesh_.sector_count;
+    results_.sector_dofs = dofs_.sector();
     results_.prestress = name_of(parameters_.prestress);
     const std::vector<double>& fractions = parameters_.verification_speeds;
     results_.speeds = parameters_.speed_max * Eigen::Map<const Eigen::VectorXd>(fractions.data(), fractions.size());

@@ -24,6 +24,7 @@ struct ModesOverSpeed {
 /// The modes and the static state of the unreduced sector under spin, without contact.
 struct LinearResults {
   int sector_count = 0;
+  int sector_dofs = 0;
   std::string prestress;
   Eigen::VectorXd speeds;          ///< [rad/s] n_s
   std::vector<std::string> parts;  ///< volume groups of the mesh: "disc", "main_blade", "splitter"; or "sector"

@@ -57,17 +57,23 @@ void fit_polynomial(const SampledStiffness& stiffness, const SpeedSamples& sampl
     model.verification.polynomial_misfit = misfit(stiffness, samples, parameters, model);
 }
 
+/// Those of some nodes that the file has.
+std::vector<int> in_file(const SectorMesh& mesh, std::vector<int> nodes) {
+  std::erase_if(nodes, [&](int node) { return node >= mesh.file_node_count(); });
+  return nodes;
+}
+
 /// A sector as fields.h5 holds it, but for its shape under spin.
 SectorFields describe_sector(const SectorMesh& mesh, const std::vector<int>& contact, const Material& material) {
   SectorFields sector;
   sector.sector_count = mesh.sector_count;
-  sector.nodes = mesh.nodes;
+  sector.nodes = mesh.nodes.leftCols(mesh.file_node_count());
   sector.cells = mesh.cells;
-  sector.node_sets = {{"clamped", mesh.clamped},
+  sector.node_sets = {{"clamped", in_file(mesh, mesh.clamped)},
                       {"contact", contact},
                       {"contact_line", mesh.contact_line},
-                      {"cyclic_low", mesh.cyclic_low},
-                      {"cyclic_high", mesh.cyclic_high}};
+                      {"cyclic_low", in_file(mesh, mesh.cyclic_low)},
+                      {"cyclic_high", in_file(mesh, mesh.cyclic_high)}};
   sector.parts = mesh.parts;
   sector.mesh_digest = digest(mesh);
   sector.young = material.young;
@@ -76,12 +82,12 @@ SectorFields describe_sector(const SectorMesh& mesh, const std::vector<int>& con
   return sector;
 }
 
-/// One vector of sector dofs on all nodes: r, theta, z of node 0, then of node 1, ...; zero where clamped.
-Eigen::VectorXcd on_nodes(const SectorDofs& dofs, const Eigen::VectorXcd& sector_vector) {
-  Eigen::VectorXcd values = Eigen::VectorXcd::Zero(3 * static_cast<Eigen::Index>(dofs.first.size()));
-  for (std::size_t node = 0; node < dofs.first.size(); ++node)
-    if (dofs.first[node] >= 0)
-      values.segment<3>(3 * static_cast<Eigen::Index>(node)) = sector_vector.segment<3>(dofs.first[node]);
+/// One vector of sector dofs on all nodes of the file: r, theta, z of node 0, then of node 1, ...; zero where
+/// clamped.
+Eigen::VectorXcd on_nodes(const SectorMesh& mesh, const SectorDofs& dofs, const Eigen::VectorXcd& sector_vector) {
+  Eigen::VectorXcd values = Eigen::VectorXcd::Zero(3 * mesh.file_node_count());
+  for (int node = 0; node < mesh.file_node_count(); ++node)
+    if (dofs.first[node] >= 0) values.segment<3>(3 * node) = sector_vector.segment<3>(dofs.first[node]);
   return values;
 }
 
@@ -231,7 +237,7 @@ class Reducer {
     SectorFields sector = describe_sector(mesh_, contact_.nodes, parameters_.material);
     for (const Eigen::VectorXd& term : shape.displacement.terms)
       sector.static_displacement.terms.emplace_back(
-          on_nodes(dofs_, term.cast<std::complex<double>>()).real().reshaped(3, mesh_.node_count()));
+          on_nodes(mesh_, dofs_, term.cast<std::complex<double>>()).real().reshaped(3, mesh_.file_node_count()));
     fields_->write_sector(sector);
   }
 
@@ -239,8 +245,9 @@ class Reducer {
     if (fields_ == nullptr) return;
     const Eigen::MatrixXcd shapes = basis.shapes();
     const std::lock_guard lock(writing_);
-    fields_->write_basis(n, shapes.cols(), transforms_[n].is_real(),
-                         [&](Eigen::Index k) { return on_nodes(dofs_, transforms_[n].expand(shapes.col(k))); });
+    fields_->write_basis(n, shapes.cols(), transforms_[n].is_real(), [&](Eigen::Index k) {
+      return on_nodes(mesh_, dofs_, transforms_[n].expand(shapes.col(k)));
+    });
   }
 
   /// Every nodal diameter's M, basis and unreduced frequencies; returns their K at the samples.
@@ -318,11 +325,11 @@ ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameter
   return model;
 }
 
-void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {
+int check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {
   const SectorDofs dofs = number_dofs(mesh, choose_contact(mesh, parameters.contact, parameters.contact_nodes));
   start_threads(memory_need(mesh, dofs, {}), 1);
-  if (mesh.matrices != nullptr) return;
-  RotatingElasticity(mesh, dofs, parameters.material).volume();
+  if (mesh.matrices == nullptr) RotatingElasticity(mesh, dofs, parameters.material).volume();
+  return dofs.sector();
 }
 
 }  // namespace tiprub::reduce

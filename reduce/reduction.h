@@ -44,6 +44,7 @@ ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameter
                     ReductionReport& report, FieldsWriter* fields = nullptr);
 
 /// Whether a sector can be reduced: contact nodes can be chosen and are free, no cell is inverted. Raises InputError.
-void check_sector(const SectorMesh& mesh, const ReductionParameters& parameters);
+/// Returns the number of its dofs.
+int check_sector(const SectorMesh& mesh, const ReductionParameters& parameters);
 
 }  // namespace tiprub::reduce

@@ -22,6 +22,7 @@
 #include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model_file.h"
 #include "reduce/reduction.h"
+#include "reduce/sector/cubic_bricks.h"
 #include "reduce/sector/refinement.h"
 #include "reduce/sector/sector_reader.h"
 
@@ -86,7 +87,7 @@ SectorMesh read_sector(const StageArguments& arguments, const ReduceOptions& opt
       throw InputError("--matrix-dofs and --matrix-at go with --matrices");
     SectorMesh sector = read_sector_mesh(mesh, parameters.cyclic_tolerance);
     for (int k = 0; k < parameters.refine; ++k) sector = refined(sector);
-    return sector;
+    return parameters.degree == Degree::cubic ? with_cubic_bricks(sector) : sector;
   }
   if (!mesh.empty())
     throw InputError(mesh.string() + ": a sector is given by its mesh or by --matrices, not by both");
@@ -94,6 +95,9 @@ SectorMesh read_sector(const StageArguments& arguments, const ReduceOptions& opt
     throw InputError("--export-ccx, --modes and --fields need the sector's cells, which --matrices doesn't give");
   if (parameters.refine > 0)
     throw InputError("[reduce] refine splits the sector's cells, which --matrices doesn't give; leave it at 0");
+  if (parameters.degree != Degree::quadratic)
+    throw InputError(
+        "[reduce] element_order is that of the sector's cells, which --matrices doesn't give; leave it at 2");
   return read_matrix_sector(matrix_files(options), parameters.cyclic_tolerance);
 }
 
@@ -144,9 +148,10 @@ std::string sectors_in_words(int count) {
 
 void check(const StageArguments& arguments, const Inputs& inputs) {
   const SectorMesh& mesh = inputs.mesh;
-  check_sector(mesh, inputs.parameters);
+  const int dofs = check_sector(mesh, inputs.parameters);
   tell(arguments, "the case and the sector are sound: " + sectors_in_words(mesh.sector_count) + ", " +
-                      std::to_string(mesh.node_count()) + " nodes, " + mesh.kinds_in_words());
+                      std::to_string(mesh.file_node_count()) + " nodes, " + mesh.kinds_in_words() + ", " +
+                      std::to_string(dofs) + " dofs");
 }
 
 void export_decks(const StageArguments& arguments, const Inputs& inputs, const std::string& folder) {
@@ -164,7 +169,8 @@ void find_modes(const StageArguments& arguments, const Inputs& inputs, const std
   if (!std::cout.flush()) throw RunError("stdout: can't be written to its end; is the disk full?");
   tell(arguments, file + ": " + std::to_string(inputs.parameters.verification_modes) + " modes of " +
                       std::to_string(results.nodal_diameters.size()) + " nodal diameters at " +
-                      std::to_string(results.speed_count()) + " speeds");
+                      std::to_string(results.speed_count()) + " speeds, of " + std::to_string(results.sector_dofs) +
+                      " dofs");
 }
 
 /// Reduces, and writes the full fields beside it if a file is wanted for them.

@@ -12,13 +12,17 @@
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/gauss_points.h"
 #include "reduce/sector/contact_line.h"
+#include "reduce/sector/cubic_bricks.h"
 
 namespace tiprub::reduce {
 
 namespace {
 
 struct FacePoint {
+  FacePoint(int nodes, double s, double t, double share)
+      : shape(face_shape(nodes, s, t)), cubic(cubic_shape(Eigen::Vector2d(s, t))), weight(share) {}
   Eigen::MatrixX3d shape;  // N, dN/ds, dN/dt; nodes x 3
+  Eigen::VectorXd cubic;   // the functions of a cubic brick's face
   double weight;
 };
 
@@ -34,9 +38,9 @@ std::vector<FacePoint> face_points(int nodes) {
       const double share = gauss(i).weight * gauss(j).weight / (parts * parts), s = (1 + at(i)) / 2,
                    t = (1 + at(j)) / 2;
       if (nodes == triangle_nodes)
-        points.push_back({face_shape(nodes, s, (1 - s) * t), share * (1 - s) / 4});
+        points.emplace_back(nodes, s, (1 - s) * t, share * (1 - s) / 4);
       else
-        points.push_back({face_shape(nodes, at(i), at(j)), share});
+        points.emplace_back(nodes, at(i), at(j), share);
     }
   return points;
 }
@@ -46,6 +50,7 @@ struct BladeTip {
   const char *faces_group, *line_group, *blade;
   const Eigen::MatrixXi& faces;
   const std::vector<int>& line;
+  const SignedNodes* cubic;  ///< of the faces of cubic bricks; else null
 };
 
 /// The tip's nodes, and the weights of the segments on them before they are scaled: int N w_k dA.
@@ -54,54 +59,76 @@ class TipIntegrals {
   TipIntegrals(const SectorMesh& mesh, const BladeTip& tip, int count) : mesh_(mesh), count_(count) {
     for (const int node : tip.faces.reshaped())
       if (node >= 0) number_.try_emplace(node, 0);
+    if (tip.cubic != nullptr)
+      for (const int node : tip.cubic->node.reshaped()) number_.try_emplace(node, 0);
     for (auto& [node, number] : number_) {
       number = static_cast<int>(nodes.size());
       nodes.push_back(node);
+      points += mesh.cubic == nullptr || node < mesh.cubic->points;
     }
     arc_length = arc_lengths_beside(mesh, tip.line, nodes);
     length_ = arc_lengths_beside(mesh, tip.line, {tip.line.back()})[0];
     loads = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(nodes.size()));
-    for (Eigen::Index face = 0; face < tip.faces.cols(); ++face) add(nodes_of(tip.faces, face));
+    for (Eigen::Index face = 0; face < tip.faces.cols(); ++face) add(tip, face);
   }
 
-  std::vector<int> nodes;
+  std::vector<int> nodes;  ///< points, then those that stand for odd functions of cubic bricks
+  Eigen::Index points = 0;
   Eigen::VectorXd arc_length;  ///< [m] of each node, along the blade's own line
   Eigen::MatrixXd loads;       ///< [m^2] segments x nodes
 
  private:
-  void add(const Eigen::VectorXi& face) {
-    const int count = static_cast<int>(face.size());
-    std::vector<FacePoint>& points = points_[count];
-    if (points.empty()) points = face_points(count);
-    for (const FacePoint& point : points) add_point(face, point.shape, point.weight);
+  /// w_k dA at a point of a face, of the two segments that are not zero there.
+  struct Hats {
+    int before;
+    double first, second;
+  };
+
+  void add(const BladeTip& tip, Eigen::Index face) {
+    const Eigen::VectorXi corners = nodes_of(tip.faces, face);
+    const int count = static_cast<int>(corners.size());
+    std::vector<FacePoint>& places = places_[count];
+    if (places.empty()) places = face_points(count);
+    for (const FacePoint& place : places) {
+      const Eigen::VectorXd quadratic = place.shape.col(0);
+      const Hats hats = hats_at(corners, place);
+      if (tip.cubic == nullptr)
+        add(corners, quadratic, hats);
+      else
+        add(tip.cubic->node.col(face), place.cubic.cwiseProduct(tip.cubic->sign.col(face)), hats);
+    }
   }
 
-  void add_point(const Eigen::VectorXi& face, const Eigen::MatrixX3d& shape, double weight) {
+  void add(const Eigen::VectorXi& moving, const Eigen::VectorXd& shape, const Hats& hats) {
+    for (Eigen::Index i = 0; i < moving.size(); ++i) {
+      const int node = number_.at(moving[i]);
+      loads(hats.before, node) += shape[i] * hats.first;
+      if (count_ > 1) loads(hats.before + 1, node) += shape[i] * hats.second;
+    }
+  }
+
+  Hats hats_at(const Eigen::VectorXi& face, const FacePoint& point) const {
     const Eigen::Matrix3Xd corners = mesh_.nodes(Eigen::all, face);
-    const Eigen::Vector3d along_xi = corners * shape.col(1), along_eta = corners * shape.col(2);
-    const double area = weight * along_xi.cross(along_eta).norm();
+    const Eigen::Vector3d along_xi = corners * point.shape.col(1), along_eta = corners * point.shape.col(2);
+    const double area = point.weight * along_xi.cross(along_eta).norm();
     double s = 0;
-    for (Eigen::Index i = 0; i < face.size(); ++i) s += shape(i, 0) * arc_length[number_.at(face[i])];
+    for (Eigen::Index i = 0; i < face.size(); ++i) s += point.shape(i, 0) * arc_length[number_.at(face[i])];
     const double knot = std::clamp(s / length_, 0.0, 1.0) * (count_ - 1);
     const int before = std::min(static_cast<int>(knot), std::max(count_ - 2, 0));
-    for (Eigen::Index i = 0; i < face.size(); ++i) {
-      const int node = number_.at(face[i]);
-      loads(before, node) += area * shape(i, 0) * (1 - (knot - before));
-      if (count_ > 1) loads(before + 1, node) += area * shape(i, 0) * (knot - before);
-    }
+    return {before, area * (1 - (knot - before)), area * (knot - before)};
   }
 
   const SectorMesh& mesh_;
   int count_;
   double length_ = 0;                             // [m] of the contact line
   std::map<int, int> number_;                     // of a node, in `nodes`
-  std::map<int, std::vector<FacePoint>> points_;  // of a face with so many nodes
+  std::map<int, std::vector<FacePoint>> places_;  // of a face with so many nodes
 };
 
-/// The weights, scaled so that the sum of each row is one.
+/// The weights, scaled so that the sum of each row over the points is one.
 Eigen::MatrixXd scaled(const SectorMesh& mesh, const BladeTip& blade, const TipIntegrals& tip) {
   constexpr double least_share = 1e-3;  // of an even part of the tip
-  const Eigen::VectorXd areas = tip.loads.rowwise().sum();
+  const Eigen::VectorXd areas = tip.loads.leftCols(tip.points).rowwise().sum();
   for (Eigen::Index k = 0; k < areas.size(); ++k)
     if (!(areas[k] > least_share * areas.mean()))
       throw InputError(mesh.file + ": the faces of the surface group \"" + blade.faces_group +
@@ -175,13 +202,15 @@ ContactUnknowns segments_of(const SectorMesh& mesh, const BladeTip& blade, int c
     throw InputError(mesh.file + ": [reduce] contact_nodes = " + std::to_string(count) +
                      " asks for more segments than the " + std::to_string(tip.nodes.size()) +
                      " nodes of the tip can tell apart; ask for fewer, or refine the mesh along the blade");
-  const Eigen::VectorXd beside = arc_lengths_beside(mesh, mesh.contact_line, tip.nodes);
+  const std::vector<int> points(tip.nodes.begin(), tip.nodes.begin() + tip.points);
+  const Eigen::MatrixXd means = weights.leftCols(tip.points);
+  const Eigen::VectorXd beside = arc_lengths_beside(mesh, mesh.contact_line, points);
   ContactLine line;
   line.kind = ContactKind::segments;
-  line.position = weights * cylindrical_places(mesh, tip.nodes);
-  line.arc_length = weights * beside;
+  line.position = means * cylindrical_places(mesh, points);
+  line.arc_length = means * beside;
   const Eigen::MatrixX3d normals = normals_beside(describe_contact(mesh, blade.line), beside);
-  line.normal = (weights * normals).rowwise().normalized();
+  line.normal = (means * normals).rowwise().normalized();
   line.static_shift.terms = {Eigen::MatrixX3d::Zero(count, 3)};
   return {nearest_nodes(mesh, blade.line, line.arc_length), line, tip.nodes, weights};
 }
@@ -239,13 +268,14 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact) {
 ContactUnknowns choose_contact(const SectorMesh& mesh, std::optional<ContactKind> kind, int count) {
   const std::vector<int> nodes = choose_contact_nodes(mesh, count);
   if (kind.value_or(usual_kind(mesh)) == ContactKind::points) return {nodes, describe_contact(mesh, nodes)};
-  const ContactUnknowns main =
-      segments_of(mesh, {"blade_tip", "contact", "main blade", mesh.tip_faces, mesh.contact_line}, count);
-  if (mesh.splitter_line.empty()) return main;
-  return joined(
-      main,
-      segments_of(mesh, {"splitter_tip", "contact_splitter", "splitter", mesh.splitter_faces, mesh.splitter_line},
-                  count));
+  const CubicFunctions* cubic = mesh.cubic.get();
+  const BladeTip main = {"blade_tip",    "contact",         "main blade",
+                         mesh.tip_faces, mesh.contact_line, cubic == nullptr ? nullptr : &cubic->tip_faces};
+  if (mesh.splitter_line.empty()) return segments_of(mesh, main, count);
+  const BladeTip splitter = {"splitter_tip",     "contact_splitter",
+                             "splitter",         mesh.splitter_faces,
+                             mesh.splitter_line, cubic == nullptr ? nullptr : &cubic->splitter_faces};
+  return joined(segments_of(mesh, main, count), segments_of(mesh, splitter, count));
 }
 
 }  // namespace tiprub::reduce

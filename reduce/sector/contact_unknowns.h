@@ -15,7 +15,7 @@ struct ContactUnknowns {
   std::vector<int> nodes;  ///< one of the contact line for each unknown: the chosen one, or that next to the centre
   ContactLine line;        ///< static shifts are left zero
   std::vector<int> tip = {};     ///< the nodes that segments spread over; none with points
-  Eigen::MatrixXd weights = {};  ///< [1] W, of each node of the tip in a segment; each row's sum is one
+  Eigen::MatrixXd weights = {};  ///< [1] W, of each node of the tip in a segment; each row's sum over points is one
 };
 
 /// Numbers the dofs of a sector with these contact unknowns, see sector_dofs.h. Raises InputError also if a node of
@@ -31,10 +31,10 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact);
 /// faces,
 ///     W_ki = int N_i w_k dA / int w_k dA,   q_k = sum_i W_ki u_i:
 /// a gap is the mean over its segment, and a force lambda_k is the traction lambda_k w_k / int w_k dA, consistently
-/// on the nodes. The traction is the same on any mesh, so its compliance converges, unlike that of a force at a
-/// point. Places, arc lengths and normals (made unit again) are the same means of the nodes'. Raises InputError if
-/// the mesh doesn't name the tip's faces, if they leave out a stretch of the line, or if there are more segments than
-/// the mesh can tell apart.
+/// on the nodes, or on all functions of cubic bricks. The traction is the same on any mesh, so its compliance
+/// converges, unlike that of a force at a point. Places, arc lengths and normals (made unit again) are the same means
+/// of the nodes'. Raises InputError if the mesh doesn't name the tip's faces, if they leave out a stretch of the
+/// line, or if there are more segments than the mesh can tell apart.
 ContactUnknowns choose_contact(const SectorMesh& mesh, std::optional<ContactKind> kind, int count);
 
 }  // namespace tiprub::reduce

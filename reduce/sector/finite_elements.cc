@@ -2,12 +2,8 @@
 #include "reduce/sector/finite_elements.h"
 
 #include <deal.II/base/multithread_info.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/work_stream.h>
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_simplex_p.h>
-#include <deal.II/fe/fe_wedge_p.h>
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/hp/fe_values.h>
@@ -19,6 +15,7 @@
 
 #include "mesh/cells/cell_kind.h"
 #include "reduce/sector/cell_checks.h"
+#include "reduce/sector/deal_element.h"
 #include "reduce/sector/parallel_for.h"
 
 namespace tiprub::reduce {
@@ -28,97 +25,13 @@ namespace {
 using dealii::Point;
 using Dof = dealii::types::global_dof_index;
 
-constexpr int none = -1;
-
-/// The points of a complete quadratic element in our reference cell: the nodes, and the middles of faces and cell
-/// where a brick of 20 nodes or a wedge of 15 has no node.
-std::vector<Eigen::Vector3d> complete_points(const CellKind& kind, std::size_t count) {
-  const auto middle_of = [&](const std::vector<int>& corners) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int corner : corners) sum += kind.places[corner];
-    return Eigen::Vector3d(sum / static_cast<double>(corners.size()));
-  };
-  std::vector<Eigen::Vector3d> points = kind.places;
-  for (const std::vector<int>& face : kind.faces)
-    if (face.size() == 4 && points.size() < count) points.push_back(middle_of(face));
-  if (points.size() < count) points.emplace_back(0, 0, 0);
-  return points;
-}
-
-/// The same point in deal.II's reference cell. Our bricks and wedges begin at -1, those of deal.II at 0.
-Point<3> in_its_cell(const Eigen::Vector3d& at, int corners) {
-  constexpr int tetrahedron = 4, brick = 8;
-  const auto moved = [](double x, bool moves) { return moves ? (1 + x) / 2 : x; };
-  return {moved(at[0], corners == brick), moved(at[1], corners == brick), moved(at[2], corners != tetrahedron)};
-}
-
-/// The symmetric rule of the second degree: 3 points in a triangle, 4 in a tetrahedron. QGaussSimplex has more.
-template <int dim>
-dealii::Quadrature<dim> simplex_points() {
-  constexpr bool odd_degree = false;
-  return dealii::QWitherdenVincentSimplex<dim>(1, odd_degree);
-}
-
-/// Nine points: three of a triangle on each of three levels.
-dealii::Quadrature<3> wedge_points() {
-  const dealii::Quadrature<2> triangle = simplex_points<2>();
-  const dealii::QGauss<1> line(3);
-  std::vector<Point<3>> points;
-  std::vector<double> weights;
-  for (unsigned int k = 0; k < line.size(); ++k)
-    for (unsigned int i = 0; i < triangle.size(); ++i) {
-      points.emplace_back(triangle.point(i)[0], triangle.point(i)[1], line.point(k)[0]);
-      weights.push_back(triangle.weight(i) * line.weight(k));
-    }
-  return {points, weights};
-}
-
-/// A kind of cell as an element of deal.II.
-struct Element {
-  Element(const CellKind& of, std::unique_ptr<dealii::FiniteElement<3>> element, dealii::Quadrature<3> quadrature);
-
-  const CellKind* kind;
-  std::shared_ptr<const dealii::FiniteElement<3>> fe;
-  dealii::Quadrature<3> points;
-  Eigen::MatrixXd from_nodes;  ///< [1] the values of its dofs from those at the nodes, by multiples of a quarter
-  std::vector<int> node;       ///< of each dof; none where the kind has no node
-};
-
-Element::Element(const CellKind& of, std::unique_ptr<dealii::FiniteElement<3>> element,
-                 dealii::Quadrature<3> quadrature)
-    : kind(&of),
-      fe(std::move(element)),
-      points(std::move(quadrature)),
-      from_nodes(fe->n_dofs_per_cell(), of.nodes()) {
-  // At each of these points one shape function is one and the others are zero, which tells the dof that stands there:
-  // FE_WedgeP(2) doesn't list its support points.
-  from_nodes.setZero();
-  node.assign(fe->n_dofs_per_cell(), none);
-  const std::vector<Eigen::Vector3d> places = complete_points(of, node.size());
-  for (std::size_t at = 0; at < places.size(); ++at) {
-    unsigned int dof = 0;
-    while (fe->shape_value(dof, in_its_cell(places[at], of.corners)) < 0.5) ++dof;
-    const Eigen::ArrayXd quarters = (4 * of.shape(places[at]).array()).round();
-    from_nodes.row(dof) = quarters.matrix().transpose() / 4;
-    if (at < of.places.size()) node[dof] = static_cast<int>(at);
-  }
-}
-
-/// The element of a kind of cell; none for pyramids.
-std::optional<Element> element_of(const CellKind& kind) {
-  constexpr int tetrahedron = 4, wedge = 6, brick = 8, degree = 2;
-  if (kind.corners == brick) return Element(kind, std::make_unique<dealii::FE_Q<3>>(degree), dealii::QGauss<3>(3));
-  if (kind.corners == wedge) return Element(kind, std::make_unique<dealii::FE_WedgeP<3>>(degree), wedge_points());
-  if (kind.corners == tetrahedron)
-    return Element(kind, std::make_unique<dealii::FE_SimplexP<3>>(degree), simplex_points<3>());
-  return std::nullopt;
-}
+constexpr int none = no_node;
 
 /// The isoparametric mapping whose points are the nodes of the file.
 class FileGeometry : public dealii::MappingFE<3> {
  public:
-  FileGeometry(const Element& element, const SectorMesh& mesh, const std::vector<int>& in_mesh)
-      : MappingFE(*element.fe), element_(element), mesh_(mesh), in_mesh_(in_mesh) {}
+  FileGeometry(const DealElement& element, const SectorMesh& mesh, const std::vector<int>& in_mesh)
+      : MappingFE(*element.geometry), element_(element), mesh_(mesh), in_mesh_(in_mesh) {}
   std::unique_ptr<dealii::Mapping<3>> clone() const override { return std::make_unique<FileGeometry>(*this); }
 
  protected:
@@ -132,7 +45,7 @@ class FileGeometry : public dealii::MappingFE<3> {
   }
 
  private:
-  const Element& element_;
+  const DealElement& element_;
   const SectorMesh& mesh_;
   const std::vector<int>& in_mesh_;
 };
@@ -201,7 +114,7 @@ class FiniteElements::Space {
     list_elements();
     triangulate();
     number();
-    constrain();
+    if (mesh.cubic == nullptr) constrain();
   }
 
   /// The working memory of one thread.
@@ -227,9 +140,10 @@ class FiniteElements::Space {
   void number();
   void constrain();
   void follow_nodes(const DofCell& cell, Scratch& scratch) const;
+  void follow_functions(const DofCell& cell, Scratch& scratch) const;
 
   const SectorMesh& mesh_;
-  std::vector<Element> elements_;      ///< of the kinds that the mesh has
+  std::vector<DealElement> elements_;  ///< of the kinds that the mesh has
   std::vector<int> element_of_;        ///< of each mesh cell; none of pyramids
   std::vector<int> in_mesh_;           ///< cell of the mesh, by cell of the triangulation
   std::vector<int> in_triangulation_;  ///< and the other way
@@ -248,14 +162,15 @@ void FiniteElements::Space::list_elements() {
   for (int cell = 0; cell < mesh_.cell_count(); ++cell) {
     const int count = static_cast<int>(nodes_of(mesh_.cells, cell).size());
     const auto [known, is_new] = by_nodes.try_emplace(count, none);
-    if (std::optional<Element> element = is_new ? element_of(cell_kind(count)) : std::nullopt) {
+    const Degree degree = mesh_.cubic != nullptr ? Degree::cubic : Degree::quadratic;
+    if (std::optional<DealElement> element = is_new ? deal_element(cell_kind(count), degree) : std::nullopt) {
       known->second = static_cast<int>(elements_.size());
       elements_.push_back(std::move(*element));
     }
     element_of_.push_back(known->second);
   }
-  for (const Element& element : elements_) {
-    spaces_.push_back(*element.fe);
+  for (const DealElement& element : elements_) {
+    spaces_.push_back(*element.displacement);
     quadratures_.push_back(element.points);
     mappings_.push_back(FileGeometry(element, mesh_, in_mesh_));
   }
@@ -269,7 +184,7 @@ void FiniteElements::Space::triangulate() {
   for (int cell = 0; cell < mesh_.cell_count(); ++cell) {
     in_triangulation_.push_back(none);
     if (element_of_[cell] == none) continue;
-    const Element& element = elements_[element_of_[cell]];
+    const DealElement& element = elements_[element_of_[cell]];
     dealii::CellData<3> data(element.kind->corners);
     for (std::size_t v = 0; v < data.vertices.size(); ++v) {
       const int node = mesh_.cells(element.node[v], cell);
@@ -294,9 +209,10 @@ void FiniteElements::Space::number() {
     cells_.push_back(cell);
   }
   dofs_.distribute_dofs(spaces_);
+  if (mesh_.cubic != nullptr) return;
   node_of_.assign(dofs_.n_dofs(), none);
   for (const auto& cell : cells_) {
-    const Element& element = elements_[cell->active_fe_index()];
+    const DealElement& element = elements_[cell->active_fe_index()];
     const std::vector<Dof> dofs = dofs_of(cell);
     for (std::size_t i = 0; i < dofs.size(); ++i)
       if (element.node[i] != none)
@@ -307,7 +223,7 @@ void FiniteElements::Space::number() {
 /// Constrains the dofs at which a brick of 20 nodes or a wedge of 15 has no node.
 void FiniteElements::Space::constrain() {
   for (const auto& cell : cells_) {
-    const Element& element = elements_[cell->active_fe_index()];
+    const DealElement& element = elements_[cell->active_fe_index()];
     const std::vector<Dof> dofs = dofs_of(cell);
     for (std::size_t i = 0; i < dofs.size(); ++i) {
       if (node_of_[dofs[i]] != none || constraints_.is_constrained(dofs[i])) continue;
@@ -339,6 +255,18 @@ void FiniteElements::Space::follow_nodes(const DofCell& cell, Scratch& scratch) 
   }
 }
 
+/// The dofs of cubic displacements follow all functions of their cell.
+void FiniteElements::Space::follow_functions(const DofCell& cell, Scratch& scratch) const {
+  const Eigen::MatrixXd& from_cubic = elements_[cell->active_fe_index()].from_cubic;
+  scratch.points.nodes = mesh_.moving_nodes(scratch.points.cell);
+  scratch.followers.clear();
+  for (Eigen::Index function = 0; function < from_cubic.cols(); ++function)
+    for (Eigen::Index dof = 0; dof < from_cubic.rows(); ++dof)
+      if (const double weight = from_cubic(dof, function); weight != 0)
+        scratch.followers.push_back({static_cast<unsigned int>(dof), function,
+                                     weight * mesh_.cubic->cells.sign(function, scratch.points.cell)});
+}
+
 const CellPoints& FiniteElements::Space::evaluate(int cell, Scratch& scratch) const {
   scratch.points.cell = cell;
   if (in_triangulation_[cell] == none) {
@@ -346,7 +274,7 @@ const CellPoints& FiniteElements::Space::evaluate(int cell, Scratch& scratch) co
     return scratch.points;
   }
   const DofCell& here = cells_[in_triangulation_[cell]];
-  follow_nodes(here, scratch);
+  mesh_.cubic != nullptr ? follow_functions(here, scratch) : follow_nodes(here, scratch);
   scratch.values.reinit(here);
   collect(scratch.values.get_present_fe_values(), scratch.followers, scratch.points);
   return scratch.points;

@@ -37,6 +37,9 @@ struct CellIntegral {
 /// constraints, and they are resolved in the shape functions before anything is integrated: a matrix of 60 dofs costs
 /// half of one of 81.
 ///
+/// Where the mesh has cubic functions (see cubic_bricks.h), displacements are FE_Q(3), integrated at 64 points, and
+/// the geometry is that of the quadratic brick.
+///
 /// Shape functions are computed again for each integral, so that no memory grows with the number of cells.
 class FiniteElements {
  public:

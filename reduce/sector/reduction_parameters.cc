@@ -50,6 +50,13 @@ void read_polynomial(CaseTable& table, ReductionParameters& p) {
   if (p.polynomial_speeds == 1) table.reject("polynomial_speeds", "must be 0 (as many as it takes) or at least 2");
 }
 
+Degree read_degree(CaseTable& table) {
+  constexpr int quadratic = 2, cubic = 3;
+  const int order = table.integer("element_order", quadratic, Range::between(quadratic, cubic),
+                                  "degree of the displacements; 3 for bricks only");
+  return order == cubic ? Degree::cubic : Degree::quadratic;
+}
+
 }  // namespace
 
 ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput input) {
@@ -80,6 +87,7 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
   p.verification_tolerance =
       table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded}, "of omega^2, estimated");
   p.refine = table.integer("refine", 0, Range::between(0, 3), "times; each splits every cell into eight");
+  p.degree = read_degree(table);
   p.cyclic_tolerance =
       table.number("cyclic_tolerance", 1e-6, {0.0, 0.01, Range::LowEnd::excluded}, "of the largest radius");
   p.unusual = table.flag("unusual", false);

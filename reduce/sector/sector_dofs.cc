@@ -10,7 +10,6 @@
 #include <string>
 
 #include "cases/program/errors.h"
-#include "mesh/cells/cell_kind.h"
 
 namespace tiprub::reduce {
 
@@ -74,9 +73,10 @@ std::vector<int> dissect(const std::vector<int>& interior, const std::vector<std
 
 std::vector<std::vector<int>> node_neighbours(const SectorMesh& mesh) {
   std::vector<std::vector<int>> neighbours(mesh.node_count());
-  for (Eigen::Index cell = 0; cell < mesh.cells.cols(); ++cell)
-    for (const int node : nodes_of(mesh.cells, cell))
-      for (const int other : nodes_of(mesh.cells, cell)) neighbours[node].push_back(other);
+  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    const std::vector<int> nodes = mesh.moving_nodes(cell);
+    for (const int node : nodes) neighbours[node].insert(neighbours[node].end(), nodes.begin(), nodes.end());
+  }
   if (mesh.matrices != nullptr)
     for (const Eigen::SparseMatrix<double>* matrix : {&mesh.matrices->mass, &mesh.matrices->stiffness.front()})
       for (int column = 0; column < matrix->outerSize(); ++column)

@@ -51,6 +51,12 @@ std::string SectorMesh::kinds_in_words() const {
   return words;
 }
 
+std::vector<int> SectorMesh::moving_nodes(int cell) const {
+  const Eigen::VectorXi listed =
+      cubic != nullptr ? Eigen::VectorXi(cubic->cells.node.col(cell)) : nodes_of(cells, cell);
+  return {listed.begin(), listed.end()};
+}
+
 std::string SectorMesh::place_of(int node) const {
   return place_text(nodes.col(node));
 }

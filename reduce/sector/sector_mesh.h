@@ -17,6 +17,24 @@ struct SectorMatrices {
   std::vector<Eigen::SparseMatrix<double>> stiffness;  ///< [N/m] at these
 };
 
+/// The degree of the displacements.
+enum class Degree { quadratic, cubic };
+
+/// Nodes by function and cell, with the signs of the functions.
+struct SignedNodes {
+  Eigen::MatrixXi node;
+  Eigen::MatrixXd sign;  ///< 1 or -1
+};
+
+/// The displacements of bricks of the third degree (see cubic_bricks.h), for which nodes are added to a mesh.
+struct CubicFunctions {
+  int file_nodes = 0;          ///< nodes before this number are those of the file
+  int points = 0;              ///< nodes before this number are points; a later one stands for an odd function
+  SignedNodes cells;           ///< 64 x cells
+  SignedNodes tip_faces;       ///< 16 x faces of the main blade's tip
+  SignedNodes splitter_faces;  ///< of the splitter's tip, likewise
+};
+
 /// One sector of a wheel, as it lies in sector.msh: quadratic cells and the named groups. The axis of rotation is z.
 struct SectorMesh {
   std::string file = "the sector";     ///< where it comes from, for messages
@@ -34,9 +52,14 @@ struct SectorMesh {
   Eigen::MatrixXi splitter_faces;                  ///< of the splitter's tip, likewise
   std::map<std::string, std::vector<int>> parts;   ///< cells of `disc`, `main_blade`, `splitter`, where present
   std::shared_ptr<const SectorMatrices> matrices;  ///< of a sector given by its matrices, which has no cells
+  std::shared_ptr<const CubicFunctions> cubic;     ///< of bricks of the third degree; none with quadratic cells
   double pairing_mismatch = 0;                     ///< [m] largest distance between partners on the cut faces
 
   int node_count() const { return static_cast<int>(nodes.cols()); }
+  /// Nodes of the file, which come first.
+  int file_node_count() const { return cubic != nullptr ? cubic->file_nodes : node_count(); }
+  /// The nodes that a cell moves with.
+  std::vector<int> moving_nodes(int cell) const;
   int cell_count() const { return static_cast<int>(cells.cols()); }
   /// "1500 tet10, 96 wedge15", for people.
   std::string kinds_in_words() const;

@@ -16,6 +16,14 @@ expect_message(check ARGUMENTS case.toml sector.msh --check ERRORS "the case and
 expect_message(refined ARGUMENTS case.toml sector.msh --set reduce.refine=1 ERRORS "6 sectors of" WRITES model.h5)
 expect_message(refined_too_often ARGUMENTS case.toml sector.msh --check --set reduce.refine=4 EXIT_CODE 2
                ERRORS "[reduce] refine = 4 must be")
+expect_message(cubic ARGUMENTS case.toml sector.msh --fields fields.h5 --set reduce.element_order=3
+               ERRORS "6 sectors of" WRITES model.h5 fields.h5)
+expect_message(cubic_modes ARGUMENTS case.toml sector.msh --modes modes.h5 --set reduce.element_order=3
+               OUTPUTS "speed_rpm nodal_diameter mode" ERRORS " dofs" WRITES modes.h5)
+expect_message(cubic_decks ARGUMENTS case.toml sector.msh --export-ccx decks --set reduce.element_order=3 EXIT_CODE 2
+               ERRORS "[reduce] element_order = 3 makes cubic bricks, which CalculiX doesn't have; leave it at 2" WRITES decks)
+expect_message(too_high_an_order ARGUMENTS case.toml sector.msh --check --set reduce.element_order=4 EXIT_CODE 2
+               ERRORS "[reduce] element_order = 4 must be")
 expect_message(verbose ARGUMENTS case.toml sector.msh --check -v ERRORS "BLAS: OpenBLAS" ", kernels ")
 expect_message(generic_kernels PROGRAM ${CMAKE_COMMAND} -E env OPENBLAS_CORETYPE=Prescott $<TARGET_FILE:tiprub-reduce>
                ARGUMENTS case.toml sector.msh --check

@@ -10,6 +10,7 @@
 #include "reduce/operators/cyclic_solver.h"
 #include "reduce/reduction.h"
 #include "reduce/sector/contact_unknowns.h"
+#include "reduce/sector/cubic_bricks.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
@@ -60,17 +61,19 @@ Eigen::MatrixXcd consistent_loads(const SectorMesh& mesh, const SectorDofs& dofs
 
 TEST(Segments, AreAsSoftAsTheUnreducedSector) {
   // Static displacement of every segment by a unit force on every segment, at rest: B' K^-1 B.
-  const ReducedModel model = reduced(parameters());
-  EXPECT_EQ(model.contact.kind, ContactKind::segments);
-  const SectorMesh mesh = sector();
-  test::TestRotor rotor(mesh, {});
-  const Eigen::MatrixXcd loads = consistent_loads(mesh, rotor.dofs());
-  for (int n = 0; n <= sectors / 2; ++n) {
-    const Eigen::MatrixXcd K = cyclic(rotor.at_rest(), rotor.dofs(), sectors, n);
-    const Eigen::MatrixXcd exact = loads.adjoint() * K.llt().solve(loads);
-    const Eigen::MatrixXcd& K0 = model.nodal_diameters[n].K[0];
-    const Eigen::MatrixXcd unit = Eigen::MatrixXcd::Identity(K0.rows(), 9);
-    EXPECT_LT(test::difference(K0.llt().solve(unit).topRows(9), exact), 1e-9);
+  for (const SectorMesh& mesh : {sector(), with_cubic_bricks(sector())}) {
+    ReductionReport report;
+    const ReducedModel model = reduce(mesh, parameters(), Progress::Shown::never, report);
+    EXPECT_EQ(model.contact.kind, ContactKind::segments);
+    test::TestRotor rotor(mesh, {});
+    const Eigen::MatrixXcd loads = consistent_loads(mesh, rotor.dofs());
+    for (int n = 0; n <= sectors / 2; ++n) {
+      const Eigen::MatrixXcd K = cyclic(rotor.at_rest(), rotor.dofs(), sectors, n);
+      const Eigen::MatrixXcd exact = loads.adjoint() * K.llt().solve(loads);
+      const Eigen::MatrixXcd& K0 = model.nodal_diameters[n].K[0];
+      const Eigen::MatrixXcd unit = Eigen::MatrixXcd::Identity(K0.rows(), 9);
+      EXPECT_LT(test::difference(K0.llt().solve(unit).topRows(9), exact), 1e-9);
+    }
   }
 }
 

@@ -51,6 +51,7 @@ Inputs read_inputs(const StageArguments& arguments) {
                          parameters.speeds.back(), model, arguments.inputs[1]);
   require_speed_of_model(casing_table, "clearance_speed_rpm", casing.clearance_speed, model, arguments.inputs[1]);
   require_units_of_model(simulate_table, parameters, model);
+  require_gap_of_model(simulate_table, parameters, model);
   fit_to_model(parameters, model);
   require_friction_that_slides(casing_table, casing, parameters, model);
   const std::string resolved = "[casing]\n" + casing_table.resolved() + "[simulate]\n" + simulate_table.resolved();

@@ -3,34 +3,40 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "simulate/march/contact_kernels.h"
 
 namespace tiprub::simulate {
 
-ContactCompliance::ContactCompliance(const Eigen::MatrixXd& normal)
-    : size_(normal.rows()),
-      stride_(kernels::whole_vectors(static_cast<std::size_t>(normal.rows()))),
-      columns_(stride_ * stride_),
-      is_fresh_(static_cast<std::size_t>(normal.rows()), 0) {
-  for (Eigen::Index i = 0; i < size(); ++i)
-    std::copy_n(normal.col(i).data(), size(), columns_.data() + stride_ * static_cast<std::size_t>(i));
+namespace {
+
+void put_columns(const Eigen::MatrixXd& columns, std::size_t stride, double* into) {
+  for (Eigen::Index i = 0; i < columns.cols(); ++i)
+    std::copy_n(columns.col(i).data(), columns.rows(), into + stride * static_cast<std::size_t>(i));
 }
 
-ContactCompliance::ContactCompliance(const Eigen::MatrixXd& normal, Eigen::MatrixXd sliding, double friction)
-    : ContactCompliance(normal) {
-  sliding_ = std::move(sliding);
-  friction_ = friction;
-  drag_ratio_ = Eigen::VectorXd::Zero(2 * size());
-  parts_ = kernels::Lines(3 * stride_ * stride_);
-  for (Eigen::Index i = 0; i < size(); ++i) {
-    double* own = parts_.data() + 3 * stride_ * static_cast<std::size_t>(i);
-    std::copy_n(normal.col(i).data(), size(), own);
-    std::copy_n(sliding_.col(2 * i).data(), size(), own + stride_);
-    std::copy_n(sliding_.col(2 * i + 1).data(), size(), own + 2 * stride_);
-  }
+}  // namespace
+
+ContactCompliance::ContactCompliance(Responses responses)
+    : size_(responses.normal.cols()),
+      responses_(std::move(responses)),
+      stride_(kernels::whole_vectors(static_cast<std::size_t>(size_))),
+      tall_(kernels::whole_vectors(static_cast<std::size_t>(responses_.normal.rows()))),
+      columns_(stride_ * stride_),
+      is_fresh_(static_cast<std::size_t>(size_), 0) {
+  put_columns(responses_.normal.topRows(size_), stride_, columns_.data());
+  if (is_constant()) return;
+  const auto nodes = static_cast<std::size_t>(size_), blades = static_cast<std::size_t>(responses_.blades.cols());
+  parts_ = kernels::Lines(tall_ * (nodes + 2 * nodes + blades));
+  put_columns(responses_.normal, tall_, parts_.data());
+  put_columns(responses_.sliding, tall_, parts_.data() + tall_ * nodes);
+  put_columns(responses_.blades, tall_, parts_.data() + tall_ * 3 * nodes);
+  if (has_friction()) drag_ratio_ = Eigen::VectorXd::Zero(2 * size_);
+  if (!is_curved()) return;
+  taken_ = kernels::Lines(tall_ * nodes);
+  response_ = kernels::Lines(tall_);
+  slopes_ = Eigen::MatrixXd::Zero(size_, responses_.blades.cols() / responses_.sectors);
 }
 
 void ContactCompliance::slide(const Eigen::VectorXd& way) {
@@ -38,17 +44,47 @@ void ContactCompliance::slide(const Eigen::VectorXd& way) {
   std::fill(is_fresh_.begin(), is_fresh_.end(), 0);
 }
 
+Eigen::MatrixXd& ContactCompliance::tilt(const std::vector<int>& sectors) {
+  std::fill(is_fresh_.begin(), is_fresh_.end(), 0);
+  tilted_ = sectors;
+  return slopes_;
+}
+
+void ContactCompliance::respond(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+  weights_.clear();
+  for (const int node : nodes) weights_.push_back(forces[node]);
+  kernels::combine_columns({taken_.data(), tall_, tall_}, nodes.data(), weights_.data(), nodes.size(),
+                           response_.data());
+}
+
 void ContactCompliance::refresh(int node) {
   if (is_fresh_[node] != 0) return;
   is_fresh_[node] = 1;
-  const double along_theta = way_[2 * node], along_tip = way_[2 * node + 1];
-  const double scale = friction_ / std::sqrt(along_theta * along_theta + along_tip * along_tip);
-  drag_ratio_[2 * node] = scale * along_theta;
-  drag_ratio_[2 * node + 1] = scale * along_tip;
-  const int parts[] = {3 * node, 3 * node + 1, 3 * node + 2};
-  const double weights[] = {1, drag_ratio_[2 * node], drag_ratio_[2 * node + 1]};
-  kernels::combine_columns({parts_.data(), stride_, stride_}, parts, weights, std::size(parts),
-                           columns_.data() + stride_ * static_cast<std::size_t>(node));
+  const auto nodes = static_cast<int>(size_), width = nodes / responses_.sectors;
+  const auto coordinates = static_cast<int>(slopes_.cols());
+  places_.assign(1, node);
+  weights_.assign(1, 1.0);
+  if (has_friction()) {
+    const double along_theta = way_[2 * node], along_tip = way_[2 * node + 1];
+    const double scale = responses_.friction / std::sqrt(along_theta * along_theta + along_tip * along_tip);
+    drag_ratio_[2 * node] = scale * along_theta;
+    drag_ratio_[2 * node + 1] = scale * along_tip;
+    places_.insert(places_.end(), {nodes + 2 * node, nodes + 2 * node + 1});
+    weights_.insert(weights_.end(), {drag_ratio_[2 * node], drag_ratio_[2 * node + 1]});
+  }
+  for (int b = 0; b < coordinates; ++b) {
+    places_.push_back(3 * nodes + node / width * coordinates + b);
+    weights_.push_back(slopes_(node, b));
+  }
+  double* const column = columns_.data() + stride_ * static_cast<std::size_t>(node);
+  double* const taken = is_curved() ? taken_.data() + tall_ * static_cast<std::size_t>(node) : column;
+  kernels::combine_columns({parts_.data(), tall_, tall_}, places_.data(), weights_.data(), places_.size(), taken);
+  if (!is_curved()) return;
+  std::copy_n(taken, nodes, column);
+  for (const int sector : tilted_)
+    kernels::add_columns(
+        {slopes_.data() + sector * width, static_cast<std::size_t>(nodes), static_cast<std::size_t>(width)},
+        taken + nodes + sector * coordinates, static_cast<std::size_t>(coordinates), column + sector * width);
 }
 
 }  // namespace tiprub::simulate

@@ -123,8 +123,8 @@ void ContactImpulses::open() {
 }
 
 void ContactImpulses::factorize() {
-  const bool symmetric = compliance_->is_symmetric();
-  if (symmetric && closed_ == factorized_) return;
+  const bool symmetric = !compliance_->has_friction(), constant = compliance_->is_constant();
+  if (constant && closed_ == factorized_) return;
   factorized_.clear();
   const std::size_t size = closed_.size();
   for (std::size_t column = 0; column < size; ++column) {
@@ -177,7 +177,7 @@ void ContactImpulses::solve_by_factor() {
 void ContactImpulses::solve_closed() {
   multipliers_.setZero();
   compliance_->refresh(closed_);
-  if (!compliance_->is_symmetric() || !solve_by_inverse()) solve_by_factor();
+  if (!compliance_->is_constant() || !solve_by_inverse()) solve_by_factor();
   std::copy_n(padded_correction_.data(), correction_.size(), correction_.data());
 }
 

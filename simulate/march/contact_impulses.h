@@ -53,8 +53,9 @@ class ClosedInverse {
 /// or doubled nodes (a singular W) have a solution; the shift leaves a closed node off the wall by 1e-12 W_ii
 /// lambda_i.
 ///
-/// With friction W is unsymmetric and changes from step to step, so that each set is factorized anew. The forces are
-/// unique, and Murty's method is finite, as long as W is a P-matrix: all its principal minors are positive.
+/// With friction W is unsymmetric, and with friction or a gap of second order it changes from step to step, so that
+/// each set is factorized anew. The forces are unique, and Murty's method is finite, as long as W is a P-matrix: all
+/// its principal minors are positive.
 ///
 /// The paper's rule accepts a negative multiplier (the casing pulls) in some steps and leaves other nodes penetrating
 /// in many. It is kept for reproduction, and its violations are counted. The paper's eq. 15 has the opposite sign of
@@ -80,7 +81,7 @@ class ContactImpulses {
   /// Indices of closed nodes, ascending.
   const std::vector<int>& closed() const { return closed_; }
 
-  /// How often a set was factorized: with friction always, otherwise where the kept inverse was not accurate enough.
+  /// How often a set was factorized: always if W changes, otherwise where the kept inverse was not accurate enough.
   std::int64_t factorizations() const { return factorizations_; }
   std::int64_t fallbacks() const { return fallbacks_; }
 

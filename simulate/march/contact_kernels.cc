@@ -47,6 +47,15 @@ void combine_columns(const Columns& matrix, const int* columns, const double* we
 }
 
 TIPRUB_CLONES
+void add_columns(const Columns& matrix, const double* weights, std::size_t count, double* sum) {
+  for (std::size_t i = 0; i < matrix.rows; i += 4) {
+    Lanes4 rows = lanes4(sum + i);
+    for (std::size_t j = 0; j < count; ++j) rows += lanes4(matrix.values + matrix.stride * j + i) * weights[j];
+    lanes4(sum + i) = rows;
+  }
+}
+
+TIPRUB_CLONES
 void add_dyad(double* matrix, std::size_t stride, std::size_t size, const double* u, double factor) {
   for (std::size_t j = 0; j < size; ++j) {
     const double share = factor * u[j];

@@ -22,6 +22,9 @@ struct Columns {
 void combine_columns(const Columns& matrix, const int* columns, const double* weights, std::size_t count,
                      double* sum);
 
+/// sum += matrix(:, 0 .. count - 1) weights over the first `rows` rows, a whole number of vectors of four.
+void add_columns(const Columns& matrix, const double* weights, std::size_t count, double* sum);
+
 /// matrix += factor u u^T over `size` rows and columns; u is zero from `size` to the end of its last vector.
 void add_dyad(double* matrix, std::size_t stride, std::size_t size, const double* u, double factor);
 

@@ -20,6 +20,7 @@ struct MarchSetup {
   double theta = 0.5;            ///< [1] of Moreau-Jean
   double penalty_stiffness = 0;  ///< [N/m] of penalty
   double friction = 0;           ///< [1] mu
+  GapOrder gap = GapOrder::linear;
 };
 
 /// All marches of one speed share a rotor.

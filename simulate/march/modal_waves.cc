@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/march/modal_waves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -13,6 +14,10 @@ namespace {
 Eigen::Index padded(Eigen::Index count, std::size_t block) {
   const auto unit = static_cast<Eigen::Index>(block);
   return (count + unit - 1) / unit * unit;
+}
+
+std::size_t whole_lanes(std::size_t count) {
+  return static_cast<std::size_t>(padded(static_cast<Eigen::Index>(count), kernels::lane_count));
 }
 
 Eigen::ArrayXd padded(const Eigen::ArrayXd& values, Eigen::Index size, double padding) {
@@ -59,21 +64,27 @@ Eigen::VectorXcd ModalCoordinates::head(Eigen::Index count) const {
 }
 
 ModalWaves::ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, double time_step, const Nodes& nodes,
-                       Friction friction)
-    : nodes_(nodes), friction_(friction) {
+                       const Needs& needs)
+    : nodes_(nodes) {
   normal_.count = static_cast<std::size_t>(nodes_.nodes);
   normal_.width = nodes_.width;
-  sliding_.count = 2 * normal_.count;
-  sliding_.width = 2 * normal_.width;
+  if (needs.friction) {
+    sliding_.count = 2 * normal_.count;
+    sliding_.width = 2 * normal_.width;
+  }
+  blades_.count = needs.coordinates;
+  blades_.width = whole_lanes(needs.coordinates);
+  for (std::size_t row = 0; row < blades_.count; ++row) blades_.forced.push_back(static_cast<int>(row));
   for (const WaveModes& wave : rotor.waves) {
     waves_.push_back(marched(wave, scheme, time_step, nodes_.sector_count));
-    if (friction_ == Friction::slides) waves_.back().sliding = padded(wave.sliding_rows.cols(), kernels::mode_block);
+    if (needs.friction || needs.coordinates > 0)
+      waves_.back().sliding = padded(wave.sliding_rows.cols(), kernels::mode_block);
     memory_.push_back(lay_out(wave, waves_.back()));
   }
   for (int j = 0; j < nodes_.sectors; ++j)
     for (const Memory& memory : memory_)
       phases_of_sectors_.insert(phases_of_sectors_.end(), {memory.cosine[j], memory.sine[j]});
-  for (Directions* directions : {&normal_, &sliding_})
+  for (Directions* directions : {&normal_, &sliding_, &blades_})
     directions->p = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * waves_.size() * directions->width));
 }
 
@@ -82,6 +93,7 @@ ModalWaves::Memory ModalWaves::lay_out(const WaveModes& from, const MarchedWave&
   memory.q = memory.increment = memory.increment_before = memory.jump = Eigen::VectorXd::Zero(2 * wave.modes());
   memory.normal.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(normal_.width));
   memory.sliding.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(sliding_.width));
+  memory.blades.forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(blades_.width));
   memory.cosine.resize(nodes_.sectors);
   memory.sine.resize(nodes_.sectors);
   for (int j = 0; j < nodes_.sectors; ++j) {
@@ -90,7 +102,8 @@ ModalWaves::Memory ModalWaves::lay_out(const WaveModes& from, const MarchedWave&
     memory.sine[j] = phase.imag();
   }
   memory.normal.shapes = lay_out_shapes(from.normal_rows, wave.modes(), wave.kind);
-  if (wave.sliding > 0) memory.sliding.shapes = lay_out_shapes(from.sliding_rows, wave.sliding, wave.kind);
+  if (sliding_.count > 0) memory.sliding.shapes = lay_out_shapes(from.sliding_rows, wave.sliding, wave.kind);
+  if (blades_.count > 0) memory.blades.shapes = lay_out_shapes(from.blade_rows, wave.sliding, wave.kind);
   return memory;
 }
 
@@ -125,15 +138,16 @@ Eigen::VectorXcd ModalWaves::forces(std::size_t wave) const {
   return forces;
 }
 
-Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor, Eigen::MatrixXcd WaveModes::*rows,
-                                       std::size_t width) const {
-  const auto height = static_cast<Eigen::Index>(nodes_.width), breadth = static_cast<Eigen::Index>(width);
+Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor, const RowsOf& moved, const RowsOf& pushed) const {
+  const auto height = static_cast<Eigen::Index>(moved.width), breadth = static_cast<Eigen::Index>(pushed.width);
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Zero(nodes_.sectors * height, nodes_.sectors * breadth);
   for (std::size_t i = 0; i < waves_.size(); ++i) {
-    const Eigen::MatrixXcd &forced = rotor.waves[i].*rows, Y = rotor.waves[i].normal_rows.leftCols(forced.cols());
+    const Eigen::MatrixXcd &moves = rotor.waves[i].*moved.rows, &pushes = rotor.waves[i].*pushed.rows;
+    const Eigen::Index modes = std::min(moves.cols(), pushes.cols());
     // eq. 15: C_N^T [M_r/h^2 + D_r/(2h)]^-1 C_N in modes, for the scheme's own c
-    const Eigen::MatrixXcd own = Y * waves_[i].coefficients.c.head(Y.cols()).matrix().asDiagonal() *
-                                 forced.adjoint() * (waves_[i].weight * nodes_.symmetry / nodes_.sector_count);
+    const Eigen::MatrixXcd own = moves.leftCols(modes) * waves_[i].coefficients.c.head(modes).matrix().asDiagonal() *
+                                 pushes.leftCols(modes).adjoint() *
+                                 (waves_[i].weight * nodes_.symmetry / nodes_.sector_count);
     for (int row = 0; row < nodes_.sectors; ++row)
       for (int column = 0; column < nodes_.sectors; ++column) {
         const int apart = (row - column + nodes_.sector_count) % nodes_.sector_count;
@@ -145,13 +159,27 @@ Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor, Eigen::MatrixX
 }
 
 Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor) const {
-  const Eigen::MatrixXd compliance = this->compliance(rotor, &WaveModes::normal_rows, normal_.width);
+  const RowsOf along_normals{&WaveModes::normal_rows, normal_.width};
+  const Eigen::MatrixXd compliance = this->compliance(rotor, along_normals, along_normals);
   const Eigen::MatrixXd transposed = compliance.transpose();
   return 0.5 * (compliance + transposed);
 }
 
-Eigen::MatrixXd ModalWaves::sliding_compliance(const RotorAtSpeed& rotor) const {
-  return compliance(rotor, &WaveModes::sliding_rows, sliding_.width);
+ContactCompliance::Responses ModalWaves::responses(const RotorAtSpeed& rotor, double friction) const {
+  const RowsOf normal{&WaveModes::normal_rows, normal_.width}, sliding{&WaveModes::sliding_rows, sliding_.width},
+      blades{&WaveModes::blade_rows, blades_.width};
+  const auto stacked = [](const Eigen::MatrixXd& above, const Eigen::MatrixXd& below) {
+    Eigen::MatrixXd both(above.rows() + below.rows(), above.cols());
+    both << above, below;
+    return both;
+  };
+  ContactCompliance::Responses responses{compliance(rotor), {}, {}, friction, nodes_.sectors};
+  if (sliding_.count > 0) responses.sliding = compliance(rotor, normal, sliding);
+  if (blades_.count == 0) return responses;
+  responses.normal = stacked(responses.normal, compliance(rotor, blades, normal));
+  if (sliding_.count > 0) responses.sliding = stacked(responses.sliding, compliance(rotor, blades, sliding));
+  responses.blades = stacked(compliance(rotor, normal, blades), compliance(rotor, blades, blades));
+  return responses;
 }
 
 std::vector<Recoil> ModalWaves::recoils(const RotorAtSpeed& rotor, int symmetry) const {
@@ -180,12 +208,12 @@ void ModalWaves::set_state(std::size_t wave, const Eigen::VectorXcd& q, const Ei
   memory.increment.segment(modes, q.size()) = increment.imag();
 }
 
-void ModalWaves::map_to_sectors(Eigen::VectorXd& displacement, Eigen::VectorXd& before) {
+void ModalWaves::map_to_sectors(TipMotion& motion, TipMotion& before) {
   settle_forces();
-  for (std::size_t i = 0; i < waves_.size(); ++i) map_to_nodes(i, memory_[i].q - memory_[i].increment);
-  add_sectors(normal_, before);
-  for (std::size_t i = 0; i < waves_.size(); ++i) map_to_nodes(i, memory_[i].q);
-  add_sectors(normal_, displacement);
+  for (std::size_t i = 0; i < waves_.size(); ++i) map_to_tips(i, memory_[i].q - memory_[i].increment);
+  add_sectors(before);
+  for (std::size_t i = 0; i < waves_.size(); ++i) map_to_tips(i, memory_[i].q);
+  add_sectors(motion);
 }
 
 void ModalWaves::slide(Eigen::VectorXd& displacement) {
@@ -194,8 +222,9 @@ void ModalWaves::slide(Eigen::VectorXd& displacement) {
   add_sectors(sliding_, displacement);
 }
 
-void ModalWaves::map_to_nodes(std::size_t index, const Eigen::VectorXd& q) {
+void ModalWaves::map_to_tips(std::size_t index, const Eigen::VectorXd& q) {
   map_to_rows(index, memory_[index].normal, q, waves_[index].moving, normal_);
+  if (blades_.count > 0) map_to_rows(index, memory_[index].blades, q, waves_[index].sliding, blades_);
 }
 
 void ModalWaves::map_to_rows(std::size_t index, const Rows& rows, const Eigen::VectorXd& q, Eigen::Index modes,
@@ -216,6 +245,11 @@ void ModalWaves::add_sectors(const Directions& directions, Eigen::VectorXd& disp
                        directions.width, displacement.data() + j * directions.width);
 }
 
+void ModalWaves::add_sectors(TipMotion& motion) const {
+  add_sectors(normal_, motion.normal);
+  if (blades_.count > 0) add_sectors(blades_, motion.blades);
+}
+
 void ModalWaves::advance_modes(std::size_t index) {
   const MarchedWave& wave = waves_[index];
   Memory& memory = memory_[index];
@@ -233,7 +267,7 @@ void ModalWaves::advance_modes(std::size_t index) {
   }
 }
 
-void ModalWaves::look_ahead(Eigen::VectorXd& displacement) {
+void ModalWaves::look_ahead(TipMotion& motion) {
   settle_forces();
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     const auto& [r, k, c] = waves_[i].coefficients;
@@ -242,26 +276,27 @@ void ModalWaves::look_ahead(Eigen::VectorXd& displacement) {
     for (Eigen::Index part = 0; part < 2; ++part)
       kernels::advance(r.data(), k.data(), memory.increment.data() + part * r.size(), ahead_.data() + part * r.size(),
                        memory.jump.data() + part * r.size(), static_cast<std::size_t>(r.size()));
-    map_to_nodes(i, ahead_);
+    map_to_tips(i, ahead_);
   }
-  add_sectors(normal_, displacement);
+  add_sectors(motion);
 }
 
-void ModalWaves::advance(Eigen::VectorXd& displacement) {
+void ModalWaves::advance(TipMotion& motion) {
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     if (forces_wait_) add_waiting_forces(i);
     advance_modes(i);
-    map_to_nodes(i, memory_[i].q);
+    map_to_tips(i, memory_[i].q);
   }
   forces_wait_ = false;
-  add_sectors(normal_, displacement);
+  add_sectors(motion);
 }
 
 /// eq. 15 in modes: the effect of lambda on the displacements, u+ = u+,p + [M_r/h^2 + D_r/(2h)]^-1 C_N lambda.
 void ModalWaves::take_forces(std::size_t index, Eigen::VectorXd& other) const {
   const MarchedWave& wave = waves_[index];
   take_forces(index, memory_[index].normal, normal_, wave.modes(), other);
-  if (wave.sliding > 0) take_forces(index, memory_[index].sliding, sliding_, wave.sliding, other);
+  if (sliding_.count > 0) take_forces(index, memory_[index].sliding, sliding_, wave.sliding, other);
+  if (blades_.count > 0) take_forces(index, memory_[index].blades, blades_, wave.sliding, other);
 }
 
 void ModalWaves::take_forces(std::size_t index, const Rows& rows, const Directions& directions, Eigen::Index modes,
@@ -317,7 +352,8 @@ void ModalWaves::gather(const Forces& forces) {
     sliding_.forced.insert(sliding_.forced.end(), {2 * k, 2 * k + 1});
   }
   gather(forces.normal, normal_, &Memory::normal);
-  if (friction_ == Friction::slides) gather(forces.drag, sliding_, &Memory::sliding);
+  if (sliding_.count > 0) gather(forces.drag, sliding_, &Memory::sliding);
+  if (blades_.count > 0) gather(forces.blades, blades_, &Memory::blades);
 }
 
 void ModalWaves::gather(const Eigen::VectorXd& forces, const Directions& directions, Rows Memory::*rows) {

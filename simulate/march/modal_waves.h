@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulate/march/cache_lines.h"
+#include "simulate/march/contact_compliance.h"
 #include "simulate/march/inner_impact.h"
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/march/step_coefficients.h"
@@ -19,7 +20,7 @@ struct MarchedWave {
   WaveKind kind = WaveKind::travelling;
   double weight = 0;         ///< w_n: 1 for a standing wave, 2 for a travelling one
   Eigen::Index moving = 0;   ///< number of modes with mass, which come first, padded to whole vectors
-  Eigen::Index sliding = 0;  ///< number of modes on which friction acts, likewise; 0 without friction
+  Eigen::Index sliding = 0;  ///< number of modes with rows beside those along the normals, likewise; 0 without any
   Eigen::ArrayXd omega;      ///< [rad/s]
   StepCoefficients coefficients;
 
@@ -34,6 +35,12 @@ struct ModalCoordinates {
   Eigen::VectorXcd head(Eigen::Index count) const;
 };
 
+/// What a march follows of the motion of the tips.
+struct TipMotion {
+  Eigen::VectorXd normal;  ///< [m] displacements along the normals, by node
+  Eigen::VectorXd blades;  ///< [m] coordinates y of the blades, sector after sector; empty if the gap is linear
+};
+
 /// The modes of all nodal diameters of a march. Only this class knows their memory order, which is that of
 /// wave_kernels.h: real and imaginary parts are separate and padded to whole vectors. The forces of a step are
 /// applied to the modes together with the next free step, because both read the same rows of Y.
@@ -44,9 +51,13 @@ class ModalWaves {
     int sector_count, sectors, symmetry, nodes;  ///< N, N/g, g, n_c
     std::size_t width;
   };
-  enum class Friction { none, slides };
+  /// What a march needs beside the displacements along the normals.
+  struct Needs {
+    bool friction = false;
+    std::size_t coordinates = 0;  ///< p, of the blades of a sector
+  };
   ModalWaves(const RotorAtSpeed& rotor, const SchemeOptions& scheme, double time_step, const Nodes& nodes,
-             Friction friction);
+             const Needs& needs);
 
   std::size_t size() const { return waves_.size(); }
   const MarchedWave& operator[](std::size_t wave) const { return waves_[wave]; }
@@ -58,8 +69,8 @@ class ModalWaves {
   Eigen::VectorXcd forces(std::size_t wave) const;
   /// [m/N] W = sum over n of Re(Y c Y^H e^{i n (j - j') alpha}) w_n g / N; padded rows zero.
   Eigen::MatrixXd compliance(const RotorAtSpeed& rotor) const;
-  /// [m/N] The same with Y c S^H: what forces against sliding do to the normal displacements.
-  Eigen::MatrixXd sliding_compliance(const RotorAtSpeed& rotor) const;
+  /// W and what ContactCompliance needs beside it: the same with other rows in place of Y.
+  ContactCompliance::Responses responses(const RotorAtSpeed& rotor, double friction) const;
 
   /// Of each contact node of a sector and its padding: <r> = (Y r c Y^H)/(Y c Y^H), <k> likewise, summed over n as W.
   /// Only nodal diameters that are multiples of `symmetry` count, so that a symmetric motion is the same with the
@@ -67,21 +78,22 @@ class ModalWaves {
   std::vector<Recoil> recoils(const RotorAtSpeed& rotor, int symmetry) const;
 
   void set_state(std::size_t wave, const Eigen::VectorXcd& q, const Eigen::VectorXcd& increment);
-  /// The free step and the normal displacements [m] after it.
-  void advance(Eigen::VectorXd& displacement);
-  /// The normal displacements [m] after a further free step, which is not done.
-  void look_ahead(Eigen::VectorXd& displacement);
-  /// The normal displacements [m] of the modes as they are, and as they were a step ago.
-  void map_to_sectors(Eigen::VectorXd& displacement, Eigen::VectorXd& before);
+  /// The free step and the motion after it.
+  void advance(TipMotion& motion);
+  /// The motion after a further free step, which is not done.
+  void look_ahead(TipMotion& motion);
+  /// The motion of the modes as they are, and as they were a step ago.
+  void map_to_sectors(TipMotion& motion, TipMotion& before);
   /// The displacements [m] S d along theta and along the tip line, in turn, over the step before the last advance().
   void slide(Eigen::VectorXd& displacement);
   /// Contact forces [N] on some nodes.
   struct Forces {
     const Eigen::VectorXd& normal;  ///< along -normal
     const Eigen::VectorXd& drag;    ///< along -theta and against the tip line, in turn; zero on other nodes
+    const Eigen::VectorXd& blades;  ///< against y, sector after sector
     const std::vector<int>& nodes;  ///< those with a force, ascending
   };
-  /// q+ -= c Y^H Lambda_n, and c S^H Lambda_n of the drag.
+  /// q+ -= c Y^H Lambda_n, and likewise with the drag and the forces against y.
   void add_forces(const Forces& forces);
   /// Takes c Y^H Lambda_n of impulses [N] over a step from the increments only, as if the nodes had come to q+ with
   /// another velocity.
@@ -90,8 +102,7 @@ class ModalWaves {
   ModalCoordinates jumps(std::size_t wave) const;
 
  private:
-  /// The working arrays of one nodal diameter.
-  /// The displacements of the contact nodes in some directions, Y or S, in one nodal diameter.
+  /// The displacements of the contact nodes in some directions, or the coordinates y, in one nodal diameter.
   struct Rows {
     kernels::Lines shapes;   ///< in the order of wave_kernels.h
     Eigen::VectorXd forces;  ///< Lambda_n, real parts, then imaginary parts
@@ -102,22 +113,29 @@ class ModalWaves {
     Eigen::VectorXd p;                 ///< Y q, for each wave real parts, then imaginary parts
     std::vector<int> forced;           ///< rows with a force in any sector
   };
+  /// The working arrays of one nodal diameter.
   struct Memory {
     Eigen::VectorXd q, increment, increment_before, jump;  ///< real parts, then imaginary parts
-    Rows normal, sliding;
+    Rows normal, sliding, blades;
     Eigen::VectorXd cosine, sine;  ///< of n j alpha, by sector
   };
   Memory lay_out(const WaveModes& from, const MarchedWave& wave) const;
   void advance_modes(std::size_t wave);
-  /// Computes the share of one wave in normal_.p from its modes.
-  void map_to_nodes(std::size_t wave, const Eigen::VectorXd& modes);
+  /// Computes the share of one wave in normal_.p and blades_.p from its modes.
+  void map_to_tips(std::size_t wave, const Eigen::VectorXd& modes);
+  void add_sectors(TipMotion& motion) const;
   /// The same for the first `modes` modes and any directions.
   void map_to_rows(std::size_t wave, const Rows& rows, const Eigen::VectorXd& q, Eigen::Index modes,
                    Directions& directions);
   ModalCoordinates view(std::size_t wave, Eigen::VectorXd Memory::*parts) const;
   void add_sectors(const Directions& directions, Eigen::VectorXd& displacement) const;
-  /// w_n g / N times Re(Y c rows^H e^{i n (j - j') alpha}) summed over n, for rows of a width.
-  Eigen::MatrixXd compliance(const RotorAtSpeed& rotor, Eigen::MatrixXcd WaveModes::*rows, std::size_t width) const;
+  /// The rows of a rotor that a march puts into vectors with `width` values a sector.
+  struct RowsOf {
+    Eigen::MatrixXcd WaveModes::*rows;
+    std::size_t width;
+  };
+  /// w_n g / N times Re(moved c pushed^H e^{i n (j - j') alpha}) summed over n.
+  Eigen::MatrixXd compliance(const RotorAtSpeed& rotor, const RowsOf& moved, const RowsOf& pushed) const;
   void settle_forces() const;
   /// Finds Lambda_n of forces.
   void gather(const Forces& forces);
@@ -129,12 +147,11 @@ class ModalWaves {
                    Eigen::VectorXd& other) const;
 
   Nodes nodes_;
-  Friction friction_;
   std::vector<MarchedWave> waves_;
   mutable std::vector<Memory> memory_;
-  mutable bool forces_wait_ = false;  ///< the last forces are not in the modes yet
-  Eigen::VectorXd ahead_;             ///< [m sqrt(kg)] of one nodal diameter, after a further step
-  Directions normal_, sliding_;
+  mutable bool forces_wait_ = false;       ///< the last forces are not in the modes yet
+  Eigen::VectorXd ahead_;                  ///< [m sqrt(kg)] of one nodal diameter, after a further step
+  Directions normal_, sliding_, blades_;   ///< the latter two without rows unless they are needed
   std::vector<double> phases_of_sectors_;  ///< for each sector and wave, the cosine and the sine of n j alpha
   std::vector<int> forced_sectors_;        ///< sectors with a force at any node
   std::vector<char> node_has_force_;

@@ -61,7 +61,7 @@ Eigen::MatrixXcd sliding_rows(const ContactLine& contact, const Eigen::MatrixXcd
   return rows;
 }
 
-/// The number of modes on which friction acts.
+/// The number of modes on which friction acts, and whose motion narrows the gap to second order.
 Eigen::Index sliding_modes(const Eigen::ArrayXd& omega, const ModeChoice& choice) {
   return (omega <= 2 * std::numbers::pi * choice.sliding_below).count();
 }
@@ -90,8 +90,9 @@ WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kin
   wave.contact_rows = wave.shapes.topRows(model.contact_dofs());
   const Eigen::MatrixXcd rows = normal_rows(model, spectrum);
   wave.normal_rows = rows.leftCols(held);
-  wave.sliding_rows =
-      sliding_rows(model.contact, wave.contact_rows.leftCols(sliding_modes(wave.omega.head(moving), choice)));
+  const Eigen::MatrixXcd sliding = wave.contact_rows.leftCols(sliding_modes(wave.omega.head(moving), choice));
+  wave.sliding_rows = sliding_rows(model.contact, sliding);
+  if (model.contact.second_order) wave.blade_rows = model.contact.second_order->coordinates.transpose() * sliding;
   if (moving < all) wave.residual_compliance = static_compliance(rows, spectrum.omega, all - moving);
   return wave;
 }

@@ -18,7 +18,8 @@ struct ModeChoice {
 
   int count = 0;  ///< the lowest ones; 0: all
   Others others = Others::dropped;
-  double sliding_below = std::numeric_limits<double>::infinity();  ///< [Hz] friction acts on modes up to here
+  /// [Hz] Friction acts on modes up to here, and the second order of the gap is that of their motion.
+  double sliding_below = std::numeric_limits<double>::infinity();
 };
 
 /// Whether the modes of the nodal diameters that are not asked for are computed as well.
@@ -38,6 +39,8 @@ struct WaveModes {
   /// S: displacement of the contact nodes along theta, then along e_m = nu x e_theta, node by node, in the modes on
   /// which friction acts. These have mass and are resolved by the mesh; 2 n_c x m_s.
   Eigen::MatrixXcd sliding_rows;
+  /// V' Phi: the coordinates of the blades in SecondOrderGap, in the same modes; p x m_s, no rows without it.
+  Eigen::MatrixXcd blade_rows;
   Eigen::MatrixXcd shapes;  ///< Phi, in the model's coordinates; n x m
   /// [m/N] Y omega^-2 Y^H, the compliance of the modes that have no mass or are dropped; n_c x n_c, empty if all
   /// modes have mass.

@@ -21,6 +21,12 @@ std::size_t padded(int count) {
   return (static_cast<std::size_t>(count) + kernels::lane_count - 1) / kernels::lane_count * kernels::lane_count;
 }
 
+/// Of the blades of a sector; 0 if the gap is linear.
+std::size_t blade_coordinates(const MarchedScene& scene) {
+  if (scene.setup.gap == GapOrder::linear) return 0;
+  return static_cast<std::size_t>(scene.tips.second_order->coordinates.cols());
+}
+
 }  // namespace
 
 TimeMarch::TimeMarch(MarchedScene scene)
@@ -32,18 +38,21 @@ TimeMarch::TimeMarch(MarchedScene scene)
       time_step_(two_pi / rotor().speed / steps_per_revolution()),
       waves_(rotor(), {scene_.setup.scheme, scene_.setup.theta}, time_step_,
              {sector_count_, sectors_, symmetry(), node_count_, width_},
-             has_friction() ? ModalWaves::Friction::slides : ModalWaves::Friction::none) {
+             {has_friction(), blade_coordinates(scene_)}) {
   const auto size = static_cast<Eigen::Index>(sectors_ * width_);
   gap_ = gap_before_ = gap_two_before_ = gap_ahead_ =
       Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity());
-  for (Eigen::VectorXd& displacement : displacement_) displacement = Eigen::VectorXd::Zero(size);
+  blade_forces_ = Eigen::VectorXd::Zero(
+      sectors_ * static_cast<Eigen::Index>(padded(static_cast<int>(blade_coordinates(scene_)))));
+  for (TipMotion& motion : motion_) motion = {Eigen::VectorXd::Zero(size), blade_forces_};
   tabulate_obstacle();
   compliance_ = waves_.compliance(rotor());
   prepare_friction();
   contact_ = contact_law(scene_.setup, of_step_);
   if (finds_impacts(scene_.setup.scheme, scene_.setup.contact))
     inner_.emplace(of_step_, waves_.recoils(rotor(), std::gcd(sector_count_, scene_.obstacle.lobes())));
-  impulses_ = displacement_ahead_ = Eigen::VectorXd::Zero(size);
+  impulses_ = Eigen::VectorXd::Zero(size);
+  motion_ahead_ = motion_[0];
   measure_both();
 }
 
@@ -58,22 +67,21 @@ void TimeMarch::tabulate_obstacle() {
     for (int k = 0; k < node_count_; ++k)
       distortion_[phase * width_ + k] =
           obstacle.distortion(k, two_pi * static_cast<double>(phase) / steps_per_revolution());
+  if (blade_coordinates(scene_) > 0) second_order_.emplace(scene_.tips, obstacle, steps_per_revolution(), width_);
 }
 
 void TimeMarch::prepare_friction() {
-  of_step_ = std::make_shared<ContactCompliance>(compliance_);
+  of_step_ = std::make_shared<ContactCompliance>(waves_.responses(rotor(), scene_.setup.friction));
   if (!has_friction()) return;
   carried_ = slide_ = drag_ = Eigen::VectorXd::Zero(2 * gap_.size());
   for (Eigen::Index i = 0; i < gap_.size(); ++i)
     if (const Eigen::Index k = i % static_cast<Eigen::Index>(width_); k < node_count_)
       carried_[2 * i] = scene_.tips.position(k, 0) * two_pi / steps_per_revolution();
-  of_step_ =
-      std::make_shared<ContactCompliance>(compliance_, waves_.sliding_compliance(rotor()), scene_.setup.friction);
 }
 
 void TimeMarch::set_states(const std::vector<ModalState>& waves, std::size_t first_wave) {
   for (std::size_t i = 0; i < waves.size(); ++i) waves_.set_state(first_wave + i, waves[i].q, waves[i].increment);
-  waves_.map_to_sectors(displacement_[0], displacement_[1]);
+  waves_.map_to_sectors(motion_[0], motion_[1]);
   measure_both();
 }
 
@@ -83,60 +91,77 @@ void TimeMarch::set_step(std::int64_t step) {
 }
 
 void TimeMarch::measure_both() {
-  measure_gaps(step_ - 1, displacement_[1], gap_before_);
-  measure_gaps(step_, displacement_[0], gap_);
+  measure_gaps(step_ - 1, motion_[1], gap_before_);
+  measure_gaps(step_, motion_[0], gap_);
 }
 
-bool TimeMarch::measure_gaps(std::int64_t step, const Eigen::VectorXd& displacement, Eigen::VectorXd& gap) const {
-  const double ramp = scene_.obstacle.grown(static_cast<double>(step) / steps_per_revolution());
+SecondOrderTerms::Place TimeMarch::casing_over(int sector, std::int64_t step) const {
+  const std::int64_t turned = static_cast<std::int64_t>(sector) * (steps_per_revolution() / sector_count_);
+  return {(step + phases_ + turned) % phases_,
+          scene_.obstacle.grown(static_cast<double>(step) / steps_per_revolution())};
+}
+
+bool TimeMarch::measure_gaps(std::int64_t step, const TipMotion& motion, Eigen::VectorXd& gap) const {
   bool penetrates = false;
   for (int j = 0; j < sectors_; ++j) {
-    const std::int64_t phase =
-        (step + phases_ + static_cast<std::int64_t>(j) * (steps_per_revolution() / sector_count_)) % phases_;
-    penetrates |= kernels::gap_of_sector(clearance_.data() + j * width_, distortion_.data() + phase * width_, ramp,
-                                         displacement.data() + j * width_, width_, gap.data() + j * width_);
+    const SecondOrderTerms::Place place = casing_over(j, step);
+    double* const own = gap.data() + j * width_;
+    const bool in_first_order =
+        kernels::gap_of_sector(clearance_.data() + j * width_, distortion_.data() + place.phase * width_, place.grown,
+                               motion.normal.data() + j * width_, width_, own);
+    penetrates |=
+        second_order_ ? second_order_->narrow(motion.blades.data() + j * blade_width(), place, own) : in_first_order;
   }
   return penetrates;
 }
 
 bool TimeMarch::predict() {
-  displacement_[2].swap(displacement_[1]);
-  displacement_[1].swap(displacement_[0]);
+  std::swap(motion_[2], motion_[1]);
+  std::swap(motion_[1], motion_[0]);
   gap_two_before_.swap(gap_before_);
   gap_before_.swap(gap_);
-  waves_.advance(displacement_[0]);  // eq. 13: the predicted displacements
+  waves_.advance(motion_[0]);  // eq. 13: the predicted displacements
   ++step_;
-  return measure_gaps(step_, displacement_[0], gap_);  // eq. 14: g^p
+  return measure_gaps(step_, motion_[0], gap_);  // eq. 14: g^p
 }
 
 void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes,
                         const Eigen::VectorXd& more_drag) {
-  for (int index : nodes) {
-    displacement_[0].noalias() -= forces[index] * of_step_->fresh_column(index);
-    gap_.noalias() += forces[index] * of_step_->column(index);
-  }
+  of_step_->refresh(nodes);
+  move(motion_[0], forces, nodes, 1);
+  for (int index : nodes) gap_.noalias() += forces[index] * of_step_->column(index);
   drag_of(forces, nodes);
   if (more_drag.size() > 0) {
     drag_ += more_drag;
-    displacement_[0].noalias() -= sliding_compliance() * more_drag;
+    motion_[0].normal.noalias() -= sliding_compliance() * more_drag;
     gap_.noalias() += sliding_compliance() * more_drag;
   }
-  waves_.add_forces({forces, drag_, nodes});
+  waves_.add_forces({forces, drag_, blade_forces(forces, nodes), nodes});
 }
 
 void TimeMarch::jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes,
                      const Eigen::VectorXd& more_drag) {
-  for (int index : nodes) {
-    displacement_[1].noalias() += impulses[index] * of_step_->fresh_column(index);
-    gap_before_.noalias() -= impulses[index] * of_step_->column(index);
-  }
+  of_step_->refresh(nodes);
+  move(motion_[1], impulses, nodes, -1);
+  for (int index : nodes) gap_before_.noalias() -= impulses[index] * of_step_->column(index);
   drag_of(impulses, nodes);
   if (more_drag.size() > 0) {
     drag_ += more_drag;
-    displacement_[1].noalias() += sliding_compliance() * more_drag;
+    motion_[1].normal.noalias() += sliding_compliance() * more_drag;
     gap_before_.noalias() -= sliding_compliance() * more_drag;
   }
-  waves_.add_impulses({impulses, drag_, nodes});
+  waves_.add_impulses({impulses, drag_, blade_forces(impulses, nodes), nodes});
+}
+
+void TimeMarch::move(TipMotion& motion, const Eigen::VectorXd& forces, const std::vector<int>& nodes,
+                     double direction) {
+  if (!second_order_) {
+    for (const int index : nodes) motion.normal.noalias() -= direction * forces[index] * of_step_->column(index);
+    return;
+  }
+  of_step_->respond(forces, nodes);
+  motion.normal -= direction * of_step_->normal_response();
+  motion.blades -= direction * of_step_->blade_response();
 }
 
 const Eigen::VectorXd& TimeMarch::slide() {
@@ -145,9 +170,21 @@ const Eigen::VectorXd& TimeMarch::slide() {
 }
 
 void TimeMarch::turn() {
-  slide();
-  slide_ += carried_;
-  slide_along(slide_);
+  if (has_friction()) {
+    slide();
+    slide_ += carried_;
+    slide_along(slide_);
+  }
+  if (!second_order_) return;
+  touching_.clear();
+  const auto width = static_cast<Eigen::Index>(width_);
+  for (int j = 0; j < sectors_; ++j)
+    if (traits_of(scene_.setup.scheme).has_memory || gap_.segment(j * width, width).minCoeff() < 0)
+      touching_.push_back(j);
+  Eigen::MatrixXd& slopes = of_step_->tilt(touching_);
+  for (const int j : touching_)
+    second_order_->slopes(motion_[1].blades.data() + j * blade_width(), casing_over(j, step_ - 1),
+                          slopes.data() + j * width, static_cast<std::size_t>(slopes.rows()));
 }
 
 void TimeMarch::require_sliding() const {
@@ -171,14 +208,37 @@ const Eigen::VectorXd& TimeMarch::drag_of(const Eigen::VectorXd& forces, const s
   return drag_;
 }
 
+const Eigen::VectorXd& TimeMarch::blade_forces(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+  if (!second_order_) return blade_forces_;
+  blade_forces_.setZero();
+  const Eigen::MatrixXd& slopes = of_step_->slopes();
+  for (const int i : nodes)
+    blade_forces_.segment(i / width() * slopes.cols(), slopes.cols()) += forces[i] * slopes.row(i).transpose();
+  return blade_forces_;
+}
+
+double TimeMarch::contact_work() const {
+  double work = 0;
+  for (const int i : contact_->closed()) {
+    double way = motion_[0].normal[i] - motion_[2].normal[i];
+    if (second_order_) {
+      const Eigen::MatrixXd& slopes = of_step_->slopes();
+      const Eigen::Index first = i / width() * slopes.cols();
+      way += slopes.row(i).dot((motion_[0].blades - motion_[2].blades).segment(first, slopes.cols()));
+    }
+    work -= contact_->multipliers()[i] * way / 2;
+  }
+  return work;
+}
+
 const std::vector<InnerImpact>& TimeMarch::impacts() const {
   static const std::vector<InnerImpact> none;
   return inner_ ? inner_->all() : none;
 }
 
 const Eigen::VectorXd& TimeMarch::look_ahead() {
-  waves_.look_ahead(displacement_ahead_);
-  measure_gaps(step_ + 1, displacement_ahead_, gap_ahead_);
+  waves_.look_ahead(motion_ahead_);
+  measure_gaps(step_ + 1, motion_ahead_, gap_ahead_);
   return gap_ahead_;
 }
 
@@ -190,16 +250,20 @@ void TimeMarch::step() {
   const bool penetrates = predict();
   if (inner_) inner_->clear();
   if (inner_ && penetrates && inner_->foresee(gaps())) inner_->find(gaps(), look_ahead());
-  if (has_friction() && (penetrates || traits_of(scene_.setup.scheme).has_memory)) turn();
+  if (!of_step_->is_constant() && (penetrates || traits_of(scene_.setup.scheme).has_memory)) turn();
   aim(-1);
   const bool has_force =
       contact_->step(gap_before_, gap_, penetrates);  // eq. 14, eq. 15: lambda that closes the gaps
   aim(1);
   if (!has_force) return;
-  displacement_[0] -= contact_->correction();  // eq. 15: the corrected displacements
+  const Eigen::VectorXd& forces = contact_->multipliers();
+  if (second_order_)
+    move(motion_[0], forces, contact_->closed(), 1);
+  else
+    motion_[0].normal -= contact_->correction();  // eq. 15: the corrected displacements
   require_sliding();
   waves_.add_forces(
-      {contact_->multipliers(), drag_of(contact_->multipliers(), contact_->closed()), contact_->closed()});
+      {forces, drag_of(forces, contact_->closed()), blade_forces(forces, contact_->closed()), contact_->closed()});
   if (!impacts().empty()) strike();
 }
 

@@ -10,6 +10,7 @@
 #include "simulate/march/contact_law.h"
 #include "simulate/march/marched_scene.h"
 #include "simulate/march/modal_waves.h"
+#include "simulate/march/second_order_terms.h"
 
 namespace tiprub::simulate {
 
@@ -32,6 +33,10 @@ struct ModalState {
 /// over the casing: that of (r Omega + u'_theta) e_theta + u'_m e_m, from the displacements in the last step. The
 /// direction is thus known before the forces, and a march is still a map of the modes at two instants. Friction acts
 /// on the modes of WaveModes::sliding_rows only.
+///
+/// With a gap of second order (SecondOrderTerms), the gap of the free step is exact in the coordinates y of the
+/// blades, that of the forces is linear about y at t_q, and the forces act along the slopes of the gap there. All of
+/// this is known before the forces, and their work is that of the gap but for terms of the step's second order.
 ///
 /// Values of contact nodes are stored in one vector, sector after sector, each padded to width() nodes.
 class TimeMarch {
@@ -59,8 +64,8 @@ class TimeMarch {
   /// Sets the directions of sliding, which step() finds, for the step just predicted: ways of any length over the
   /// casing, likewise. Refers to them.
   void slide_along(const Eigen::VectorXd& way) { of_step_->slide(way); }
-  /// [m/N] What forces along theta and along the tip line, in turn, add to the gaps.
-  const Eigen::MatrixXd& sliding_compliance() const { return of_step_->sliding(); }
+  /// [m/N] What forces along theta and along the tip line, in turn, take from the normal displacements.
+  const Eigen::MatrixXd& sliding_compliance() const { return of_step_->responses().sliding; }
 
   const MarchedScene& scene() const { return scene_; }
   const RotorAtSpeed& rotor() const { return *scene_.rotor; }
@@ -78,12 +83,14 @@ class TimeMarch {
   /// [m] at t_{q-2}, t_{q-1} and t_q, the last step's.
   GapHistory gaps() const { return {gap_two_before_, gap_before_, gap_}; }
   /// [m] along the normals, at the last three instants: t_q, t_{q-1}, t_{q-2}.
-  const Eigen::VectorXd& displacement() const { return displacement_[0]; }
-  const Eigen::VectorXd& displacement_before() const { return displacement_[1]; }
-  const Eigen::VectorXd& displacement_two_before() const { return displacement_[2]; }
+  const Eigen::VectorXd& displacement() const { return motion_[0].normal; }
+  const Eigen::VectorXd& displacement_before() const { return motion_[1].normal; }
+  const Eigen::VectorXd& displacement_two_before() const { return motion_[2].normal; }
   /// The contact forces of the last step: [N], zero for open nodes.
   const ContactLaw& contact() const { return *contact_; }
   bool has_friction() const { return scene_.setup.friction != 0; }
+  /// [J] The work of the contact forces of the last step, without drag, on the sectors marched.
+  double contact_work() const;
   /// [1] mu tau of the nodes closed in the last step with contact, along theta and along the tip line in turn.
   const Eigen::VectorXd& drag_ratio() const { return of_step_->drag_ratio(); }
   /// [m] The way of all nodes over the casing in the step before it, likewise.
@@ -123,17 +130,24 @@ class TimeMarch {
   }
 
  private:
-  /// Computes the gaps of a step from displacements. Returns whether a gap is negative.
-  bool measure_gaps(std::int64_t step, const Eigen::VectorXd& displacement, Eigen::VectorXd& gap) const;
+  /// Computes the gaps of a step from the motion. Returns whether a gap is negative.
+  bool measure_gaps(std::int64_t step, const TipMotion& motion, Eigen::VectorXd& gap) const;
   /// Computes the gaps at the last two instants.
   void measure_both();
   void tabulate_obstacle();
   void prepare_friction();
-  /// Finds the directions of sliding in a step.
+  /// Values of a sector in TipMotion::blades.
+  Eigen::Index blade_width() const { return blade_forces_.size() / sectors_; }
+  SecondOrderTerms::Place casing_over(int sector, std::int64_t step) const;
+  /// Finds the directions of the forces in a step: those of sliding, and the slopes of the gaps.
   void turn();
+  /// Takes from a motion what forces do to it.
+  void move(TipMotion& motion, const Eigen::VectorXd& forces, const std::vector<int>& nodes, double direction);
   void require_sliding() const;
   /// [N] The drag of contact forces, along theta and along the tip line in turn.
   const Eigen::VectorXd& drag_of(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
+  /// [N] What contact forces do along the coordinates of the blades.
+  const Eigen::VectorXd& blade_forces(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
   /// Moves the gaps by the targets of the inner impacts, and back.
   void aim(double direction);
   void strike();
@@ -147,13 +161,16 @@ class TimeMarch {
   Eigen::VectorXd clearance_;       ///< [m] sector by sector, padded with infinity
   std::vector<double> distortion_;  ///< [m] by phase (one lobe of steps), then node
   std::int64_t phases_ = 1;
-  Eigen::VectorXd gap_, gap_before_, gap_two_before_, gap_ahead_, displacement_ahead_;
-  Eigen::VectorXd displacement_[3];
+  std::optional<SecondOrderTerms> second_order_;
+  Eigen::VectorXd gap_, gap_before_, gap_two_before_, gap_ahead_;
+  TipMotion motion_[3], motion_ahead_;
   Eigen::MatrixXd compliance_;
-  std::shared_ptr<ContactCompliance> of_step_;  ///< W with friction
+  std::shared_ptr<ContactCompliance> of_step_;  ///< W as it turns from step to step
   Eigen::VectorXd carried_;       ///< [m] by rotation in a step, along theta and along the tip line in turn
   Eigen::VectorXd no_drag_;       ///< empty
   Eigen::VectorXd slide_, drag_;  ///< [m] in a step, [N], as carried_
+  std::vector<int> touching_;     ///< sectors whose gaps may close in a step
+  Eigen::VectorXd blade_forces_;  ///< [N] on the coordinates y, sector after sector
   std::unique_ptr<ContactLaw> contact_;
   std::optional<InnerImpacts> inner_;  ///< if the scheme has them
   std::vector<int> struck_;            ///< the nodes of the inner impacts of a step

@@ -24,6 +24,12 @@ enum class ContactRule {
   paper,            ///< eq. 14, eq. 15: every node that penetrates in the step without forces is closed once
 };
 
+/// How far the gap follows the displacements.
+enum class GapOrder {
+  linear,        ///< n.u
+  second_order,  ///< and the curvatures of the casing, its slope, and the shortening of blades that bend
+};
+
 /// Properties of a scheme, so that other code need not ask for a scheme by name.
 struct SchemeTraits {
   bool has_memory;     ///< its contact law remembers more than the modes at two instants, which rules out orbits
@@ -86,6 +92,8 @@ inline constexpr NamedValues<Scheme, 5> scheme_names = {{{Scheme::trigonometric,
                                                          {Scheme::penalty, "penalty"}}};
 inline constexpr NamedValues<ContactRule, 2> contact_rule_names = {
     {{ContactRule::complementarity, "complementarity"}, {ContactRule::paper, "paper"}}};
+inline constexpr NamedValues<GapOrder, 2> gap_order_names = {
+    {{GapOrder::linear, "linear"}, {GapOrder::second_order, "second_order"}}};
 inline constexpr NamedValues<ClearanceState, 3> clearance_state_names = {
     {{ClearanceState::cold, "cold"}, {ClearanceState::running, "running"}, {ClearanceState::at_speed, "at_speed"}}};
 

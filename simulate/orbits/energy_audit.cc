@@ -78,11 +78,7 @@ void EnergyAudit::observe(const TimeMarch& march) {
     dissipated_ += of_part(last.real, one_before.real);
     dissipated_ += of_part(last.imaginary, one_before.imaginary);
   }
-  double work = 0;
-  for (int index : march.contact().closed())
-    work -= march.contact().multipliers()[index] *
-            (march.displacement()[index] - march.displacement_two_before()[index]) / 2;
-  work_ += march.symmetry() * work;
+  work_ += march.symmetry() * march.contact_work();
   if (march.has_friction() && !march.contact().closed().empty()) observe_drag(march);
   observe_left_out(march);
 }

@@ -73,6 +73,7 @@ struct SimulateParameters {
   double budget_clearance = 0;         ///< [m] tolerance
   Scheme scheme = Scheme::trigonometric;
   ContactRule contact = ContactRule::complementarity;
+  GapOrder gap = GapOrder::linear;
   double theta = 0.5;              ///< [1] of Moreau-Jean
   double penalty_stiffness = 100;  ///< [1] of penalty, in tip stiffnesses
   int modes = 0;                   ///< modes with mass in a nodal diameter; 0: all
@@ -108,6 +109,10 @@ SimulateParameters read_simulate_parameters(CaseTable& table);
 /// Refuses speeds that are probably in rad/s or Hz, and a resolved frequency that is probably in kHz. Raises
 /// InputError at the key.
 void require_units_of_model(const CaseTable& table, const SimulateParameters& parameters, const ReducedModel& model);
+
+/// Refuses a gap of second order where the model does not hold it, and with orbits and branches. Raises InputError at
+/// the key.
+void require_gap_of_model(const CaseTable& table, const SimulateParameters& parameters, const ReducedModel& model);
 
 /// Sets the resolved frequency from the model, unless the case gives it, and the damping beyond it.
 void fit_to_model(SimulateParameters& parameters, const ReducedModel& model);

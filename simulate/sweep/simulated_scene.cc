@@ -40,6 +40,12 @@ ModelledEffect friction(const Scene& scene) {
           "coefficient " + text_of(scene.casing.friction) + ", against the sliding of the vibrating tip" + limit};
 }
 
+ModelledEffect gap_term(Effect effect, const SimulateParameters& parameters) {
+  if (parameters.gap == GapOrder::linear)
+    return {effect, Treatment::left_out, "the gap is linear in the displacement"};
+  return {effect, Treatment::modelled, "the gap is of second order in the displacement, and so is its force"};
+}
+
 ModelledEffect blade_clearance(const Casing& casing) {
   if (casing.blade_clearance.empty())
     return {Effect::blade_clearance, Treatment::left_out, "all blades have the same clearance"};
@@ -102,12 +108,11 @@ void add_settings(Digest& hash, const CaseSettings& settings) {
 
 std::vector<ModelledEffect> effects_of(const Scene& scene) {
   const SimulateParameters& parameters = scene.parameters;
-  const char* const linear = "the gap is linear in the displacement";
   return {normal_contact(parameters),
           friction(scene),
-          {Effect::round_casing, Treatment::left_out, linear},
-          {Effect::casing_slope, Treatment::left_out, linear},
-          {Effect::blade_foreshortening, Treatment::left_out, linear},
+          gap_term(Effect::round_casing, parameters),
+          gap_term(Effect::casing_slope, parameters),
+          gap_term(Effect::blade_foreshortening, parameters),
           {Effect::casing_compliance, Treatment::left_out, "the casing is rigid"},
           {Effect::casing_wear, Treatment::left_out, "the casing keeps its shape"},
           blade_clearance(scene.casing),

@@ -59,17 +59,19 @@ Cost timed(TimeMarch& march, double ramp_revolutions) {
   return cost;
 }
 
-Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, const MachineRates& rates,
-                double friction = 0) {
+Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, const MachineRates& rates, double friction = 0,
+                GapOrder gap = GapOrder::linear) {
   const RotorAtSpeed rotor = rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, symmetry),
                                             {wheel.damping}, {.sliding_below = resolved_frequency(wheel.model)});
   const int steps = scheme == Scheme::central_differences ? central_steps(wheel, rotor) : default_steps(wheel, rotor);
   MarchSetup setup{scheme, ContactRule::complementarity, steps, symmetry};
   setup.friction = friction;
+  setup.gap = gap;
   TimeMarch march = march_of(rotor, wheel.casing, wheel.model.contact,
                              wheel.casing.running_clearance(wheel.model.contact, wheel.speed), setup);
   Cost cost = timed(march, wheel.casing.ramp_revolutions);
-  if (friction == 0) cost.least = count_step(rotor, march.sectors(), cost.closed).least(rates);
+  if (friction == 0 && gap == GapOrder::linear)
+    cost.least = count_step(rotor, march.sectors(), cost.closed).least(rates);
   return cost;
 }
 
@@ -146,6 +148,12 @@ void print_step_costs(const std::string& model) {
   print("trigonometric, two lobes (symmetry)", march_cost(two, Scheme::trigonometric, 2, rates), over);
   constexpr double friction = 0.1;
   print("the same, with friction", march_cost(two, Scheme::trigonometric, 2, rates, friction), over);
+  if (!two.model.contact.second_order) return;
+  const auto curved = [&](double coefficient) {
+    return march_cost(two, Scheme::trigonometric, 2, rates, coefficient, GapOrder::second_order);
+  };
+  print("the same, with a gap of second order", curved(0), over);
+  print("the same, with both", curved(friction), over);
 }
 
 }  // namespace tiprub::simulate::testing

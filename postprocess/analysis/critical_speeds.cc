@@ -134,6 +134,10 @@ std::optional<double> CriticalSpeed::spacing_over_half_width() const {
   return *narrowest > 0 ? spacing / *narrowest : std::numeric_limits<double>::infinity();
 }
 
+double CriticalSpeed::amplitude_slack() const {
+  return amplitude > 0 ? std::max(amplitude_high - amplitude, amplitude - amplitude_low) / amplitude : 0;
+}
+
 std::string wave_names(const CriticalSpeed& critical) {
   return wave_name(critical.rising) +
          (critical.has_larger_wave() ? " (largest: " + wave_name(critical.largest) + ")" : "");
@@ -196,12 +200,12 @@ OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, con
   OperatingMargin margin;
   for (const CriticalSpeed& peak : critical) {  // ascending in speed
     if (peak.amplitude < smallest_amplitude) continue;
-    if (peak.speed < operating.low)
-      margin.below = {peak.speed, (operating.low - peak.speed) / operating.low};
-    else if (peak.speed <= operating.high)
-      margin.inside.push_back(peak.speed);
+    if (peak.speed_high < operating.low)
+      margin.below = {peak.speed, (operating.low - peak.speed_high) / operating.low};
+    else if (peak.speed_low <= operating.high)
+      margin.inside.push_back(peak);
     else if (!margin.above)
-      margin.above = {peak.speed, (peak.speed - operating.high) / operating.high};
+      margin.above = {peak.speed, (peak.speed_low - operating.high) / operating.high};
   }
   return margin;
 }

@@ -63,6 +63,8 @@ struct CriticalSpeed {
   /// [1] The rising wave's amplitude over the peak's. The shares of several waves add up to more than 1 if their
   /// crests do not coincide.
   double wave_share() const { return amplitude > 0 ? rising.amplitude / amplitude : 0.0; }
+  /// [1] How uncertain the amplitude is by step and distance of the speeds, relative to it.
+  double amplitude_slack() const;
   /// Whether another wave is larger than the one that makes the peak.
   bool has_larger_wave() const { return largest.amplitude > rising.amplitude; }
   /// [1] the spacing over the half-width of the narrowest resonance among the peak's large waves; nothing if the
@@ -85,12 +87,12 @@ std::optional<std::size_t> worst_critical(const std::vector<CriticalSpeed>& crit
 /// How far an end of the operating range is from the nearest critical speed outside it.
 struct SpeedMargin {
   double speed = 0;   ///< [rad/s] the critical one
-  double margin = 0;  ///< [1] of the speed at that end of the range
+  double margin = 0;  ///< [1] to the nearer end of its interval, of the speed at that end of the range
 };
 
 /// Where the critical speeds lie relative to the operating range of a wheel.
 struct OperatingMargin {
-  std::vector<double> inside;               ///< [rad/s] critical speeds in the range, its ends included
+  std::vector<CriticalSpeed> inside;        ///< those whose interval reaches into the range, its ends included
   std::optional<SpeedMargin> below, above;  ///< the nearest outside; nothing if there is none
 };
 

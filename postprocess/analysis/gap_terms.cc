@@ -59,7 +59,7 @@ double GapTerms::allowed() const {
 
 std::string GapTerms::in_words() const {
   constexpr int digits = 2;
-  return "second order of the gap " + significant(together * mm_per_m, digits) + " mm, interference " +
+  return "second order of the gap " + significant(together * mm_per_m, digits) + " mm, at an interference of " +
          significant(interference * mm_per_m, digits) + " mm";
 }
 

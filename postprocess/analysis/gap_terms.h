@@ -37,7 +37,7 @@ struct GapTerms {
   double allowed() const;
   /// Whether the motion leaves what a linear gap can say.
   bool beyond() const { return !modelled && together > allowed(); }
-  /// "second order of the gap 0.12 mm, interference 0.037 mm".
+  /// "second order of the gap 0.12 mm, at an interference of 0.037 mm".
   std::string in_words() const;
 };
 

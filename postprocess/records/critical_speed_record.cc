@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "postprocess/records/validity.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {
@@ -16,6 +17,7 @@ struct PeakRow {
   const Study& study;
   const CriticalSpeed& critical;
   const std::optional<FieldPeak>& stress;
+  std::string outside;  ///< of validity
 };
 
 using PeakRows = std::vector<PeakRow>;
@@ -24,7 +26,7 @@ using PeakColumns = std::vector<Column<PeakRow>>;
 PeakRows peaks_of(const Study& study, const FieldResults& fields) {
   PeakRows peaks;
   for (std::size_t i = 0; i < study.critical.size(); ++i)
-    peaks.push_back({study, study.critical[i], fields.peaks[i]});
+    peaks.push_back({study, study.critical[i], fields.peaks[i], outside_validity(study, i, fields)});
   return peaks;
 }
 
@@ -63,13 +65,6 @@ std::string located(const CriticalSpeed& critical) {
          fixed((critical.speed_high - critical.speed) * rpm_per_rad_s, 0);
 }
 
-/// [1] How uncertain the amplitude is, relative to it.
-double amplitude_slack(const CriticalSpeed& critical) {
-  if (!(critical.amplitude > 0)) return 0;
-  return std::max(critical.amplitude_high - critical.amplitude, critical.amplitude - critical.amplitude_low) /
-         critical.amplitude;
-}
-
 /// "up: modulated 0.045 mm; ...": motions from other starts that clearly differ from the speed's own; "none found",
 /// or empty if no other start was tried.
 std::string other_motions(const SpeedResponse& response) {
@@ -87,10 +82,16 @@ std::string other_motions(const SpeedResponse& response) {
   return text.empty() && !response.other_starts.empty() ? "none found" : text;
 }
 
+/// [m] The motion of the tip in all directions together.
+double excursion(const PeakRow& peak) {
+  return largest_excursion(peak.study.speed_at(peak.critical.index).displacement);
+}
+
 PeakColumns amplitude_columns() {
   return {{"speed [rpm]", [](const PeakRow& peak) { return peak.critical.speed * rpm_per_rad_s; }},
           {"speed [rad/s]", [](const PeakRow& peak) { return peak.critical.speed; }},
           {"amplitude [mm]", [](const PeakRow& peak) { return peak.critical.amplitude * mm_per_m; }},
+          {"tip |u| [mm]", [](const PeakRow& peak) { return excursion(peak) * mm_per_m; }},
           {"speed low [rpm]", [](const PeakRow& peak) { return peak.critical.speed_low * rpm_per_rad_s; }},
           {"speed high [rpm]", [](const PeakRow& peak) { return peak.critical.speed_high * rpm_per_rad_s; }},
           {"amplitude low [mm]", [](const PeakRow& peak) { return peak.critical.amplitude_low * mm_per_m; }},
@@ -165,17 +166,8 @@ PeakColumns friction_columns() {
       {"rub power, largest [kW]", [load](const PeakRow& peak) { return kilowatts(load(peak).rub_power_largest); }}};
 }
 
-/// What the motion leaves of the range in which its model holds, with the numbers; empty if it stays inside.
-std::string outside_validity(const PeakRow& peak) {
-  const GapTerms& gap = peak.study.gap[static_cast<std::size_t>(peak.critical.index)];
-  std::string text = gap.beyond() ? gap.in_words() : "";
-  if (peak.stress && peak.stress->yield_share.value_or(0) > 1)
-    text += (text.empty() ? "" : "; ") + std::string("stress ") + fixed(*peak.stress->yield_share, 2) + " of yield";
-  return text;
-}
-
 PeakColumns validity_columns() {
-  return {{"outside validity", [](const PeakRow& peak) { return outside_validity(peak); }}};
+  return {{"outside validity", [](const PeakRow& peak) { return peak.outside; }}};
 }
 
 PeakColumns prediction_columns() {
@@ -195,7 +187,8 @@ PeakColumns rounded_columns() {
       {"speed [rpm]", [](const PeakRow& peak) { return fixed(peak.critical.speed * rpm_per_rad_s, 0); }},
       {"located [rpm]", [](const PeakRow& peak) { return located(peak.critical); }},
       {"amplitude [mm]", [](const PeakRow& peak) { return fixed(peak.critical.amplitude * mm_per_m, 4); }},
-      {"within [%]", [](const PeakRow& peak) { return fixed(percent * amplitude_slack(peak.critical), 1); }},
+      {"tip |u| [mm]", [](const PeakRow& peak) { return fixed(excursion(peak) * mm_per_m, 3); }},
+      {"within [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.amplitude_slack(), 1); }},
       {"node", [](const PeakRow& peak) { return std::to_string(peak.critical.node); }},
       {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.rising.family + 1); }},
       {"wave", [](const PeakRow& peak) { return wave_names(peak.critical); }},

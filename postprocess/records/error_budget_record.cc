@@ -7,6 +7,7 @@
 
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/study_records.h"
+#include "postprocess/records/validity.h"
 
 namespace tiprub::postprocess {
 
@@ -14,6 +15,14 @@ namespace {
 
 std::string signed_text(double value, int digits) {
   return (value >= 0 ? "+" : "") + significant(value, digits);
+}
+
+/// "+75 %", "+173 %"
+std::string change_text(double change) {
+  constexpr double large = 0.995;
+  return (std::abs(change) < large ? signed_text(percent * change, 2)
+                                   : (change > 0 ? "+" : "") + fixed(percent * change, 0)) +
+         " %";
 }
 
 std::string source_of(const PeakVariation& variation) {
@@ -100,6 +109,52 @@ std::vector<ErrorBudget> error_budgets(const Study& study) {
   return budgets;
 }
 
+namespace {
+
+/// "friction 0.1 (-2.9 %)": the row that changes a value most; empty without rows.
+std::string largest_text(const ErrorBudget* budget, double BudgetRow::*value) {
+  if (budget == nullptr) return "not varied";
+  const BudgetRow& row = largest(*budget, value);
+  return row.source + " (" + change_text(row.*value) + ")";
+}
+
+std::string stress_text(const std::optional<FieldPeak>& stress) {
+  if (!stress) return "";
+  return fixed(stress->body.vibration * mpa_per_pa, 0) + " / " + fixed(stress->body.both * mpa_per_pa, 0);
+}
+
+std::string goodman_text(const std::optional<FieldPeak>& stress) {
+  if (!stress || !stress->cycle || !stress->cycle->goodman) return "";
+  const double utilisation = *stress->cycle->goodman;
+  return fixed(utilisation, 2) + (utilisation > 1 ? " > 1" : "");
+}
+
+}  // namespace
+
+Table critical_speed_budgets(const Study& study, const FieldResults& fields) {
+  Table table{{"critical speed [rpm]", "lies between [rpm]", "wave", "tip |u| [mm]", "along the normal [mm]"}, {}};
+  if (fields.has_stress()) table.header.insert(table.header.end(), {"vibration / with spin [MPa]", "Goodman"});
+  table.header.insert(table.header.end(),
+                      {"moves the speed most", "moves |u| most", "validity: second order / interference"});
+  const std::vector<ErrorBudget> budgets = error_budgets(study);
+  for (std::size_t i = 0; i < study.critical.size(); ++i) {
+    const CriticalSpeed& critical = study.critical[i];
+    const auto of_this = [&](const ErrorBudget& budget) { return budget.critical == &critical; };
+    const auto found = std::find_if(budgets.begin(), budgets.end(), of_this);
+    const ErrorBudget* const budget = found == budgets.end() ? nullptr : &*found;
+    std::vector<Cell> row = {
+        fixed(critical.speed * rpm_per_rad_s, 0),
+        fixed(critical.speed_low * rpm_per_rad_s, 0) + " .. " + fixed(critical.speed_high * rpm_per_rad_s, 0),
+        wave_names(critical), fixed(largest_excursion(study.speed_at(critical.index).displacement) * mm_per_m, 2),
+        fixed(critical.amplitude * mm_per_m, 3)};
+    if (fields.has_stress()) row.insert(row.end(), {stress_text(fields.peaks[i]), goodman_text(fields.peaks[i])});
+    row.insert(row.end(), {largest_text(budget, &BudgetRow::shift), largest_text(budget, &BudgetRow::excursion),
+                           validity_in_short(study, i, fields)});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 std::string largest_errors(const Study& study) {
   const std::vector<ErrorBudget> budgets = error_budgets(study);
   if (budgets.empty()) return "";
@@ -107,12 +162,22 @@ std::string largest_errors(const Study& study) {
       budgets.begin(), budgets.end(),
       [](const ErrorBudget& a, const ErrorBudget& b) { return a.critical->amplitude < b.critical->amplitude; });
   const auto part = [&](const char* of, double BudgetRow::*value) {
-    const BudgetRow& row = largest(worst, value);
-    return std::string(of) + ": " + row.source + " (" + signed_text(percent * row.*value, 2) + " %)";
+    return std::string(of) + ": " + largest_text(&worst, value) + ", all together " +
+           fixed(percent * sum_over_sources(worst, value), 1) + " %";
   };
   return "At " + rpm_text(worst.critical->speed) + ", of all that was varied, the most for " +
          part("the speed", &BudgetRow::shift) + "; " + part("the amplitude", &BudgetRow::amplitude) + "; " +
          part("the motion of the tip in all directions", &BudgetRow::excursion) + ".";
+}
+
+std::string largest_moves(const Study& study) {
+  const std::vector<ErrorBudget> budgets = error_budgets(study);
+  const std::optional<std::size_t> worst = worst_critical(study.critical);
+  for (const ErrorBudget& budget : budgets)
+    if (worst && budget.critical == &study.critical[*worst])
+      return largest_text(&budget, &BudgetRow::shift) + " moves the speed, and " +
+             largest_text(&budget, &BudgetRow::excursion) + " the motion of the tip";
+  return "";
 }
 
 Table error_budget_record(const Study& study) {

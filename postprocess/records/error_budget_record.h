@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "postprocess/analysis/study.h"
+#include "postprocess/fields/field_study.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {
@@ -27,12 +28,19 @@ struct ErrorBudget {
   std::vector<BudgetRow> rows;
 };
 
+/// The critical speeds as a decision needs them: place, motion, stress, and what moves each of them most.
+Table critical_speed_budgets(const Study& study, const FieldResults& fields);
+
 /// One for each critical speed for which the response has variations; empty without any.
 std::vector<ErrorBudget> error_budgets(const Study& study);
 
 /// "the speed: clearance -0.02 mm (+1.2 %); the amplitude: damping 0.002 (+75 %)": the largest row of each; of the
 /// budget of the worst critical speed, or empty.
 std::string largest_errors(const Study& study);
+
+/// "friction 0.1 (-2.9 %) moves the speed, and damping 0.002 (+52 %) the motion of the tip": of the same budget, or
+/// empty.
+std::string largest_moves(const Study& study);
 
 /// A row for each critical speed and source, and one with the sum over the sources: error_budget.csv.
 Table error_budget_record(const Study& study);

@@ -247,18 +247,73 @@ std::string name_with_unit(Effect effect) {
          (*meaning.measure == '\0' ? "" : std::string(": ") + meaning.measure + " [" + unit + "]");
 }
 
+namespace {
+
+/// What to set or to compare, so that an effect is known or modelled; empty if nothing here does that.
+std::string settled_by(Effect effect) {
+  switch (effect) {
+    case Effect::friction:
+      return "simulate.budget = \"critical_speeds\", or casing.friction_coefficient";
+    case Effect::damping:
+      return "simulate.budget_damping";
+    case Effect::blade_clearance:
+      return "casing.blade_clearance";
+    case Effect::nodal_diameters:
+      return "simulate.nodal_diameters = \"all\", or when_symmetry_breaks = \"full_run\"";
+    case Effect::contact_resolution:
+      return "reduce.contact = \"segments\", reduce.contact_nodes";
+    case Effect::mesh:
+      return "reduce.refine";
+    case Effect::spin_stiffness:
+      return "reduce.prestress";
+    case Effect::time_step:
+      return "simulate.step_tolerance";
+    case Effect::settling:
+    case Effect::unsettled_motions:
+      return "simulate.max_revolutions";
+    case Effect::casing_wear:
+      return "postprocess.wear_coefficient of the lining";
+    default:
+      return "";
+  }
+}
+
+/// What matters first, then what nobody knows; within each the largest size over its tolerance first.
+bool comes_first(const SceneNeed& a, const SceneNeed& b) {
+  constexpr std::array rank = {4, 3, 0, 1, 2};  // of NeedVerdict's values
+  const int of_a = rank[static_cast<std::size_t>(a.verdict)], of_b = rank[static_cast<std::size_t>(b.verdict)];
+  return of_a != of_b ? of_a < of_b : a.over_tolerance() > b.over_tolerance();
+}
+
+}  // namespace
+
+double SceneNeed::over_tolerance() const {
+  if (!effect.size || !effect.tolerance || *effect.size == 0) return 0;
+  return *effect.size / *effect.tolerance;
+}
+
 std::string name_of(NeedVerdict verdict) {
   constexpr std::array names = {"", "negligible", "matters", "undecided", "not estimated"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
-Table scene_needs_record(const std::vector<SceneNeed>& needs) {
+Table scene_needs_record(std::vector<SceneNeed> needs) {
+  std::stable_sort(needs.begin(), needs.end(), comes_first);
   return table_of<SceneNeed>(
       {{"effect", [](const SceneNeed& need) { return name_with_unit(need.effect.effect); }},
+       {"size over tolerance [1]",
+        [](const SceneNeed& need) {
+          const double ratio = need.over_tolerance();
+          return !need.effect.size ? Cell(std::string()) : std::isfinite(ratio) ? Cell(ratio) : Cell(NoNumber{});
+        }},
+       {"verdict", [](const SceneNeed& need) { return name_of(need.verdict); }},
+       {"settled by",
+        [](const SceneNeed& need) {
+          return need.verdict == NeedVerdict::none ? std::string() : settled_by(need.effect.effect);
+        }},
        {"treatment", [](const SceneNeed& need) { return name_of(need.effect.treatment); }},
        {"size", [](const SceneNeed& need) { return size_cell(need.effect.effect, need.effect.size); }},
        {"tolerance", [](const SceneNeed& need) { return size_cell(need.effect.effect, need.effect.tolerance); }},
-       {"verdict", [](const SceneNeed& need) { return name_of(need.verdict); }},
        {"reason", [](const SceneNeed& need) { return need.effect.reason; }},
        {"estimated by, or how to", [](const SceneNeed& need) { return need.how; }}},
       needs);

@@ -25,6 +25,8 @@ struct SceneNeed {
   ModelledEffect effect;
   NeedVerdict verdict = NeedVerdict::not_estimated;
   std::string how = {};  ///< how the size was estimated, or how it could be measured
+
+  double over_tolerance() const;  ///< [1] of the size; infinite if nothing is allowed
 };
 
 /// Every effect that the model or the response names, or that is estimated here, in the order of Effect. Estimates
@@ -44,7 +46,7 @@ std::string damping_text(const SimulatedScene& scene);
 /// "Coriolis terms: relative change of a frequency [1]".
 std::string name_with_unit(Effect effect);
 
-/// A row for each effect: scene_needs.csv.
-Table scene_needs_record(const std::vector<SceneNeed>& needs);
+/// A row for each effect, what matters most first: scene_needs.csv.
+Table scene_needs_record(std::vector<SceneNeed> needs);
 
 }  // namespace tiprub::postprocess

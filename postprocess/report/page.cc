@@ -76,6 +76,8 @@ bool looks_numeric(const std::string& text) {
 std::string class_of(const std::string& value) {
   constexpr std::size_t short_text = 16;
   if (looks_numeric(value)) return " class=\"n\"";
+  if (value == "matters" || value.rfind("outside", 0) == 0) return " class=\"s bad\"";
+  if (value == "negligible" || value == "inside") return " class=\"s good\"";
   return value.size() <= short_text ? " class=\"s\"" : "";
 }
 
@@ -295,6 +297,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"script", joined(embedded::page_scripts::files)},
        {"speed_low", rpm_text(study.range.low)},
        {"speed_high", rpm_text(study.range.high)},
+       {"decision", none ? "" : html_table(critical_speed_budgets(study, fields))},
        {"verdict", answers(verdict(study, fields, needs))},
        {"brief_scene", answers(scene_in_brief(study))},
        {"response", response_section(figures, folder)},

@@ -6,6 +6,7 @@
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/study_records.h"
+#include "postprocess/records/validity.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {
@@ -31,7 +32,8 @@ std::string stress_text(const Study& study, const std::optional<FieldPeak>& peak
   std::string text = " The vibration stress is " + mpa_text(peak->body.vibration) + ", and " +
                      mpa_text(peak->body.both) + " with spin";
   if (peak->cycle && peak->cycle->goodman)
-    text += "; Goodman's utilisation is " + fixed(*peak->cycle->goodman, 2) + speeds_caveat(study);
+    text += "; Goodman's utilisation is " + fixed(*peak->cycle->goodman, 2) +
+            (*peak->cycle->goodman > 1 ? ", above the limit of 1" : "") + speeds_caveat(study);
   return text + ".";
 }
 
@@ -73,7 +75,9 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
   const CriticalSpeed& peak = study.critical[*worst];
   const bool more_elsewhere = study.amplitudes.largest.maxCoeff() > peak.amplitude;
   return counted(study.critical.size(), "critical speed") + ". The worst, at " + rpm_text(peak.speed) +
-         ", moves the tip by " + amplitude_text(study, peak.index) + "." + stress_text(study, fields.peaks[*worst]) +
+         ", moves the tip by " + fixed(largest_excursion(study.speed_at(peak.index).displacement) * mm_per_m, 2) +
+         " mm in all, and towards the casing by " + amplitude_text(study, peak.index) + "." +
+         stress_text(study, fields.peaks[*worst]) +
          friction_text(study.response.speeds[static_cast<std::size_t>(peak.index)].friction) +
          (more_elsewhere ? " Where no peak is located, the amplitude is larger: at " + largest : "") +
          not_located(study) + still_rising(study);
@@ -122,17 +126,22 @@ std::string margin_text(const Study& study) {
     return "Not known: the case gives no operating range ([postprocess] operating_min_rpm, operating_max_rpm).";
   const SpeedRange operating{keys.operating_min_rpm * rad_s_per_rpm, keys.operating_max_rpm * rad_s_per_rpm};
   const OperatingMargin margin = operating_margin(study.critical, operating, keys.operating_amplitude_mm / mm_per_m);
+  double largest = 0;
+  for (std::size_t i = 0; i < study.response.speeds.size(); ++i)
+    if (study.response.speeds[i].speed >= operating.low && study.response.speeds[i].speed <= operating.high)
+      largest = std::max(largest, study.amplitudes.largest[static_cast<Eigen::Index>(i)]);
   std::string text = "Operating range " + fixed(keys.operating_min_rpm, 0) + " to " + rpm_text(operating.high) + ": ";
   text += margin.inside.empty() ? "no critical speed inside"
                                 : counted(margin.inside.size(), "critical speed") + " inside (";
   for (std::size_t i = 0; i < margin.inside.size(); ++i)
-    text += fixed(margin.inside[i] * rpm_per_rad_s, 0) + (i + 1 < margin.inside.size() ? ", " : " rpm)");
+    text += fixed(margin.inside[i].speed * rpm_per_rad_s, 0) + (i + 1 < margin.inside.size() ? ", " : " rpm)");
   const auto outside = [](const std::optional<SpeedMargin>& there, const std::string& which) {
     return there ? "; the next " + which + ", " + rpm_text(there->speed) + ", is " +
                        fixed(percent * there->margin, 1) + " % away"
                  : std::string();
   };
   text += outside(margin.below, "below") + outside(margin.above, "above") + speeds_caveat(study) + ".";
+  text += " Inside it the tip moves towards the casing by up to " + mm(largest) + ".";
   if (operating.low < study.range.low || operating.high > study.range.high)
     text += " Not all of the range was simulated.";
   return text;
@@ -149,7 +158,36 @@ std::string failed_text(const Check& check) {
          std::to_string(check.looked_at) + ")";
 }
 
-std::string trust(const Study& study) {
+/// "wear reaches its tolerance in 18 s"; empty if it does not within the hour of the estimate.
+std::string wear_text(const std::vector<SceneNeed>& needs) {
+  constexpr double hour = 3600;  // [s]
+  for (const SceneNeed& need : needs)
+    if (need.effect.effect == Effect::casing_wear && need.over_tolerance() > 1)
+      return ", and wear reaches a tenth of the clearance in " + significant(hour / need.over_tolerance(), 2) + " s";
+  return "";
+}
+
+/// How sure the worst critical speed is, and what makes it less so.
+std::string worst_peak_text(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
+  const std::optional<std::size_t> worst = worst_critical(study.critical);
+  if (!worst) return "";
+  const CriticalSpeed& peak = study.critical[*worst];
+  const SpeedResponse& response = study.speed_at(peak.index);
+  const std::string moves = largest_moves(study), outside = outside_validity(study, *worst, fields);
+  return "The worst peak: numerics " + significant(percent * peak.amplitude_slack(), 2) + " %, place -" +
+         fixed((peak.speed - peak.speed_low) * rpm_per_rad_s, 0) + " +" +
+         fixed((peak.speed_high - peak.speed) * rpm_per_rad_s, 0) + " rpm, " +
+         motion_text(response.motion, response.period_beats) +
+         (outside.empty() ? "" : "; but it is outside validity: " + outside) +
+         (moves.empty() ? "; what friction, damping and clearance change is not known (simulate.budget = "
+                          "\"critical_speeds\")"
+                        : "; " + moves) +
+         (response.audit.symmetry == SymmetryVerdict::breaking ? "; nodal diameters that were left out grow there"
+                                                               : "") +
+         wear_text(needs) + ". ";
+}
+
+std::string trust(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
   const std::vector<Check> checks = exactness_checks(study);
   const auto listed = [&](CheckVerdict verdict, const std::string& words, const auto& text_of) {
     std::string text;
@@ -158,10 +196,8 @@ std::string trust(const Study& study) {
     return text.empty() ? text : text + ".";
   };
   const auto subject = [](const Check& check) { return check.subject; };
-  const auto passed = std::count_if(checks.begin(), checks.end(),
-                                    [](const Check& check) { return check.verdict == CheckVerdict::passed; });
-  std::string text = std::to_string(passed) + " of " + std::to_string(checks.size()) + " checks pass.";
-  text += listed(CheckVerdict::failed, "Failed", failed_text);
+  const std::string failed = listed(CheckVerdict::failed, "Checks that fail", failed_text);
+  std::string text = worst_peak_text(study, fields, needs) + (failed.empty() ? "No check fails." : failed.substr(1));
   text += listed(CheckVerdict::undecided, "Undecided", subject);
   text += listed(CheckVerdict::not_looked_at, "Not looked at", subject);
   if (!study.failed.empty()) text += " " + counted(study.failed.size(), "speed") + " failed.";
@@ -186,8 +222,10 @@ std::string interference_text(const Study& study) {
          (low <= 0 && high <= 0 ? "; a tip that doesn't vibrate never touches)" : ")");
 }
 
-/// The effects that a better model of this scene would have to include first.
-std::string what_matters(const std::vector<SceneNeed>& needs) {
+/// The effects that a better model of this scene would have to include, the largest over its tolerance first.
+std::string what_matters(std::vector<SceneNeed> needs) {
+  std::stable_sort(needs.begin(), needs.end(),
+                   [](const SceneNeed& a, const SceneNeed& b) { return a.over_tolerance() > b.over_tolerance(); });
   std::string text;
   for (const SceneNeed& need : needs)
     if (need.verdict == NeedVerdict::matters && need.effect.treatment == Treatment::left_out)
@@ -235,7 +273,7 @@ std::vector<Answer> verdict(const Study& study, const FieldResults& fields, cons
                                  {"Where", where(study, fields)},
                                  {"Why", why(study)},
                                  {"Margin", margin_text(study)},
-                                 {"Trust", trust(study)},
+                                 {"Trust", trust(study, fields, needs)},
                                  {"What moves it most", largest_errors(study)},
                                  {"Left out", what_matters(needs)}};
   return without_empty(std::move(answers));

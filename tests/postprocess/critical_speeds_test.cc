@@ -89,19 +89,24 @@ std::vector<CriticalSpeed> peaks_at(const std::vector<std::pair<double, double>>
   for (const auto& [speed, amplitude] : speeds_and_amplitudes) {
     critical.emplace_back();
     critical.back().speed = speed;
+    critical.back().speed_low = speed - 5;
+    critical.back().speed_high = speed + 10;
     critical.back().amplitude = amplitude;
   }
   return critical;
 }
 
+/// From the nearer end of the interval in which the critical speed lies.
 TEST(OperatingMargin, IsToTheNearestCriticalSpeedOutside) {
-  const auto critical = peaks_at({{800, 2e-4}, {900, 1e-4}, {1000, 3e-4}, {1500, 1e-4}, {2200, 2e-4}, {2500, 2e-4}});
+  const auto critical = peaks_at({{800, 2e-4}, {890, 1e-4}, {990, 3e-4}, {1500, 1e-4}, {2205, 2e-4}, {2500, 2e-4}});
   const OperatingMargin margin = operating_margin(critical, {1000, 2000}, 0);
-  EXPECT_EQ(margin.inside, (std::vector<double>{1000, 1500}));  // the ends count
+  ASSERT_EQ(margin.inside.size(), 2U);  // the ends count
+  EXPECT_EQ(margin.inside[0].speed, 990);
+  EXPECT_EQ(margin.inside[1].speed, 1500);
   ASSERT_TRUE(margin.below && margin.above);
-  EXPECT_EQ(margin.below->speed, 900);
+  EXPECT_EQ(margin.below->speed, 890);
   EXPECT_NEAR(margin.below->margin, 0.1, rounding);
-  EXPECT_EQ(margin.above->speed, 2200);
+  EXPECT_EQ(margin.above->speed, 2205);
   EXPECT_NEAR(margin.above->margin, 0.1, rounding);
 }
 

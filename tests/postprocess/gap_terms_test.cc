@@ -113,7 +113,7 @@ TEST(GapTerms, AreMeasuredByTheInterference) {
   EXPECT_FALSE(terms.beyond());
   terms.together = 5e-6;
   EXPECT_TRUE(terms.beyond());
-  EXPECT_EQ(terms.in_words(), "second order of the gap 0.005 mm, interference 0.04 mm");
+  EXPECT_EQ(terms.in_words(), "second order of the gap 0.005 mm, at an interference of 0.04 mm");
   terms.modelled = true;
   EXPECT_FALSE(terms.beyond());
 }

@@ -238,7 +238,7 @@ TEST_F(SceneNeeds, TellsWhatTheResponseModels) {
     return csv_cell(cells[0]) == name_with_unit(Effect::blade_clearance);
   });
   ASSERT_NE(row, table.rows.end());
-  EXPECT_DOUBLE_EQ(std::get<double>((*row)[2]), 0.02);
+  EXPECT_DOUBLE_EQ(std::get<double>((*row)[5]), 0.02);
 }
 
 /// Symptom: branches of a scheme that lacks the instants of impacts were called stable without a word about that.

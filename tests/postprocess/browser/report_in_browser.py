@@ -43,9 +43,9 @@ def check_opening(browser, page):
 
 
 def check_first_screen(browser):
-    bottoms = browser.value("['.lead', '#brief', '#live-response svg', '.first figcaption'].map(name => "
+    bottoms = browser.value("['.decision table', '.lead'].map(name => "
                             "document.querySelector(name).getBoundingClientRect().bottom)")
-    assert max(bottoms) <= HEIGHT, bottoms
+    assert bottoms[0] < bottoms[1] <= HEIGHT, bottoms
     lead, scene = (browser.value(f"document.querySelector('{name}').textContent") for name in (".lead", "#brief"))
     for question in ("How bad", "Where", "Why", "Margin", "Trust"):
         assert question in lead, question
@@ -263,7 +263,7 @@ def check_without_scripts(browser, page):
     browser.scripts(True)
     found = browser.value("[[...document.images].every(image => image.getClientRects().length > 0), "
                           "[...document.querySelectorAll('.live-only')].some(element => element.getClientRects().length > 0), "
-                          "document.querySelectorAll('table').length, document.images[0].getBoundingClientRect().bottom]")
+                          "document.querySelectorAll('table').length, document.images[0].getBoundingClientRect().top]")
     assert found[0] and not found[1] and found[2] > 5 and found[3] <= HEIGHT, found
 
 

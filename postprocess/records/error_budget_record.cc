@@ -34,6 +34,8 @@ std::string source_of(const PeakVariation& variation) {
       return "damping " + significant(variation.setting, digits);
     case Variation::clearance:
       return "clearance " + signed_text(variation.setting * mm_per_m, digits) + " mm";
+    case Variation::gap:
+      return variation.setting > 1 ? "gap of second order" : "linear gap";
     case Variation::step:
       return "half the time step";
   }

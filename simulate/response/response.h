@@ -68,10 +68,11 @@ enum class Variation {
   friction,   ///< its coefficient [1]
   damping,    ///< its ratio in all resolved modes [1]
   clearance,  ///< a change of the clearance of all blades [m]
+  gap,        ///< the order of the gap in the displacements [1]
   step,       ///< steps in a revolution, twice those of the speed [1]
 };
 
-/// The name in response.h5: "friction", "damping", "clearance", "step".
+/// The name in response.h5: "friction", "damping", "clearance", "gap", "step".
 const char* name_of(Variation variation);
 
 /// The peak of a critical speed with one thing varied.

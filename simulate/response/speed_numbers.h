@@ -51,10 +51,11 @@ inline constexpr NamedValues<Start, 4> start_names = {{
     {Start::whole_wheel, "whole wheel"},
 }};
 
-inline constexpr NamedValues<Variation, 4> variation_names = {{
+inline constexpr NamedValues<Variation, 5> variation_names = {{
     {Variation::friction, "friction"},
     {Variation::damping, "damping"},
     {Variation::clearance, "clearance"},
+    {Variation::gap, "gap"},
     {Variation::step, "step"},
 }};
 

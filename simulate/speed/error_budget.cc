@@ -186,11 +186,21 @@ VariedScene with_clearance(const Scene& scene, double change) {
   return varied;
 }
 
+/// The gap that the case does not ask for.
+VariedScene with_other_gap(const Scene& scene) {
+  const bool to_second = scene.parameters.gap == GapOrder::linear;
+  VariedScene varied{Variation::gap, to_second ? 2.0 : 1.0, scene.casing, scene.parameters};
+  varied.parameters.gap = to_second ? GapOrder::second_order : GapOrder::linear;
+  varied.parameters.steady_state = SteadyStateMethod::march;
+  return varied;
+}
+
 /// The scenes whose peaks are followed: a row of the budget each.
 std::vector<VariedScene> varied_scenes(const Scene& scene) {
   const SimulateParameters& keys = scene.parameters;
   std::vector<VariedScene> scenes;
   if (keys.budget_friction != scene.casing.friction) scenes.push_back(with_friction(scene, keys.budget_friction));
+  if (scene.model.contact.second_order) scenes.push_back(with_other_gap(scene));
   for (const double ratio : keys.budget_damping) scenes.push_back(with_damping(scene, ratio));
   for (const double sign : {-1.0, 1.0}) scenes.push_back(with_clearance(scene, sign * keys.budget_clearance));
   return scenes;

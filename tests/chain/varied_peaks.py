@@ -31,6 +31,17 @@ def check_settings(rows):
     assert math.isclose(float(first[-1][change]), math.sqrt(sum(x * x for x in largest.values())), rel_tol=1e-6), rows
 
 
+def check_gap(rows, folder, run):
+    """A peak with a gap of second order is what that gap gives at its speed."""
+    row = next(row for row in rows if row["source"] == "gap of second order")
+    run("simulate", "-o", "curved.h5", *(word for setting in (
+        'simulate.gap="second_order"', 'simulate.speeds="given"', 'simulate.examine="none"', f"simulate.speeds_rpm=[{row['speed [rpm]']}]",
+        "simulate.step_tolerance=0.01", "simulate.max_revolutions=100") for word in ("--set", setting)))
+    run("postprocess", "curved.h5", "-o", "curved")
+    found = next(csv.DictReader(folder.read("curved/speeds.csv").decode().splitlines()))
+    assert math.isclose(float(found["amplitude [mm]"]), float(row["amplitude [mm]"]), rel_tol=5e-3), (row, found)
+
+
 def varied_peaks(bench):
     """A peak that is followed with the case's own damping, and with hardly any friction or change of the clearance, is the peak
     itself; what jams is named."""
@@ -54,6 +65,7 @@ def varied_peaks(bench):
         assert abs(float(row["change of speed [%]"])) < 0.05, row
         assert abs(float(row["change of amplitude [%]"])) < 0.1 and abs(float(row["change of |u| [%]"])) < 0.1, row
     check_settings(rows)
+    check_gap(rows, folder, run)
     rows = budget("other", "simulate.budget_damping=[0.01]", "simulate.budget_friction=5")
     found = {row["source"]: row for row in rows}
     assert float(found["damping 0.01"]["change of amplitude [%]"]) > 5, rows

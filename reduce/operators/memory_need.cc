@@ -5,6 +5,7 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -30,8 +31,8 @@ constexpr double program_bytes = 0.3 * bytes_per_gib;  // with its libraries, be
 
 /// Lower triangle of the graph of free nodes in the factor's order: column starts and rows.
 struct Graph {
-  std::vector<int> starts = {0};
-  std::vector<int> rows;
+  std::vector<std::int64_t> starts = {0};
+  std::vector<std::int64_t> rows;
 };
 
 Graph node_graph(const SectorMesh& mesh, const SectorDofs& dofs) {
@@ -45,7 +46,7 @@ Graph node_graph(const SectorMesh& mesh, const SectorDofs& dofs) {
     for (const int other : neighbours[node_at[column]])
       if (dofs.first[other] >= static_cast<int>(3 * column)) graph.rows.push_back(dofs.first[other] / 3);
     std::sort(graph.rows.begin() + first, graph.rows.end());
-    graph.starts.push_back(static_cast<int>(graph.rows.size()));
+    graph.starts.push_back(static_cast<std::int64_t>(graph.rows.size()));
   }
   return graph;
 }
@@ -53,7 +54,7 @@ Graph node_graph(const SectorMesh& mesh, const SectorDofs& dofs) {
 /// Entries of the supernodal factor of a graph in its given order.
 double factor_entries(Graph& graph) {
   cholmod_common common{};
-  cholmod_start(&common);
+  cholmod_l_start(&common);
   common.supernodal = CHOLMOD_SUPERNODAL;
   common.nmethods = 1;
   common.method[0].ordering = CHOLMOD_NATURAL;
@@ -64,13 +65,13 @@ double factor_entries(Graph& graph) {
   view.p = graph.starts.data();
   view.i = graph.rows.data();
   view.stype = -1;  // lower triangle
-  view.itype = CHOLMOD_INT;
+  view.itype = CHOLMOD_LONG;
   view.xtype = CHOLMOD_PATTERN;
   view.sorted = view.packed = 1;
-  cholmod_factor* factor = cholmod_analyze(&view, &common);
+  cholmod_factor* factor = cholmod_l_analyze(&view, &common);
   const double entries = factor == nullptr ? unlimited : std::max(common.lnz, static_cast<double>(factor->xsize));
-  cholmod_free_factor(&factor, &common);
-  cholmod_finish(&common);
+  cholmod_l_free_factor(&factor, &common);
+  cholmod_l_finish(&common);
   return entries;
 }
 

@@ -26,7 +26,8 @@ struct MemoryNeed {
 
 /// An estimate. The size of a factor comes from CHOLMOD's symbolic analysis of the graph of nodes: each of its
 /// entries is a 3 x 3 block of dofs. Costs a ninth of the analysis of the dofs, which is little beside a
-/// factorization.
+/// factorization. It is an upper bound: the peaks of reductions of 12,000 to 112,000 dofs, on one and two threads,
+/// were 0.70 to 0.83 of it.
 MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Holdings& held);
 
 /// Raises RunError with both numbers if the need exceeds the available memory, or if the need with its threads

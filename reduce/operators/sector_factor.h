@@ -46,4 +46,8 @@ class SectorFactor {
   Eigen::MatrixXd schur_;
 };
 
+/// Raises RunError if CHOLMOD ended with this status without a factor: for lack of memory, or because numbers of
+/// entries exceed what it or the BLAS can count.
+void require_factor(int status, Eigen::Index dofs);
+
 }  // namespace tiprub::reduce

@@ -65,6 +65,18 @@ TEST(SectorFactor, EliminatesAndSubstitutesBack) {
   }
 }
 
+/// Symptom: CHOLMOD's CHOLMOD_TOO_LARGE was called a lack of memory, whatever the memory.
+TEST(SectorFactor, TellsALackOfMemoryFromTooManyEntries) {
+  constexpr int ok = 0, not_positive = 1, out_of_memory = -2, too_large = -3;  // in cholmod.h
+  EXPECT_NO_THROW(require_factor(ok, 1000));
+  EXPECT_NO_THROW(require_factor(not_positive, 1000));  // has a message of its own
+  EXPECT_EQ(
+      complaint<RunError>([] { require_factor(out_of_memory, 1000); }),
+      "not enough memory to factorize a sector of 1000 dofs; coarsen the mesh, or take a machine with more memory");
+  EXPECT_EQ(complaint<RunError>([] { require_factor(too_large, 1000); }),
+            "a sector of 1000 dofs is too large for CHOLMOD and the BLAS, whatever the memory; coarsen the mesh");
+}
+
 TEST(SectorFactor, RefusesAnInteriorThatIsNotStable) {
   Material soft = test::steel();
   soft.young = 1e6;

@@ -6,6 +6,7 @@
 #include "reduce/stage.h"
 
 int main(int argc, char** argv) {
+  tiprub::return_freed_memory();
   tiprub::prepare_blas(argv);
   tiprub::reduce::ReduceOptions options;
   tiprub::Stage stage;

@@ -2,6 +2,7 @@
 #include "cases/program/machine.h"
 
 #include <dlfcn.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -104,6 +105,13 @@ void require_room_for_libraries() {
   throw RunError("not enough memory: about " + std::to_string(std::lround(room_for_libraries / bytes_per_mib)) +
                  " MiB are needed to begin with, " + std::to_string(std::lround(mappable / bytes_per_mib)) +
                  " MiB are available under ulimit; raise that");
+}
+
+void return_freed_memory() {
+  constexpr int mebibyte = 1 << 20, most_blocks = 65536;
+  mallopt(M_MMAP_MAX, most_blocks);
+  mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);
+  mallopt(M_TRIM_THRESHOLD, 64 * mebibyte);
 }
 
 void work_together(int threads, const std::function<void()>& work) {

@@ -19,6 +19,11 @@ double available_memory(const std::filesystem::path& root = "/");
 /// ask for its buffer again and again without end, and HDF5 would go on without its own.
 void require_room_for_libraries();
 
+/// Makes malloc return large blocks to the system when they are freed, with the thresholds that glibc comes to of
+/// itself. SuperLU_DIST, which comes with deal.II, forbids that as it is loaded (M_MMAP_MAX = 0, M_TRIM_THRESHOLD =
+/// -1): the process then keeps all memory that it ever had, in pieces.
+void return_freed_memory();
+
 /// Runs `work` on this thread and, at the same time, on `threads` - 1 others, and waits for all. There are fewer if
 /// the system gives no more, so results must not depend on their number. Raises what one of them raised, once all
 /// have ended.

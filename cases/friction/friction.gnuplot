@@ -1,27 +1,40 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The peak over speed with each coefficient, and over the coefficient; columns: see the tables' first line.
-set terminal svg size 1300,1000 font "sans,13" background "white"
+set terminal svg size 1300,1500 font "sans,13" background "white"
 set output "friction.svg"
 set datafile separator "\t"
 set grid back lc rgb "#dddddd"
 coefficients = "0 0.05 0.1 0.15 0.2"
 shades = "#440154 #414487 #2a788e #22a884 #7ad151"
-at(friction) = sprintf("< awk -F'\t' '$1 == \"%s\"' speeds.tsv", friction)
-set multiplot layout 2,2
+gaps = "linear second_order"
+names = "'linear' 'of second order'"
+colours = "#0060ad #d55e00"
+at(gap, friction) = sprintf("< awk -F'\t' '$1 == \"%s\" && $2 == \"%s\"' speeds.tsv", gap, friction)
+of(gap) = sprintf("< awk -F'\t' '$1 == \"%s\"' friction.tsv", gap)
+set multiplot layout 3,2
 set xlabel "speed [rev/min]"
 set ylabel "amplitude along the normal [mm]"
-set yrange [0:]
+set xrange [17400:19800]
+set yrange [0:0.35]
 set key top left title "friction"
-plot for [i = 1:5] at(word(coefficients, i)) using 2:3 with linespoints pt 7 ps 0.4 lw 1.5 lc rgb word(shades, i) title word(coefficients, i)
-unset key
+do for [g = 1:2] {
+  set title "gap: " . word(names, g)
+  plot for [i = 1:5] at(word(gaps, g), word(coefficients, i)) using 3:4 with linespoints pt 7 ps 0.4 lw 1.5 lc rgb word(shades, i) title word(coefficients, i)
+}
+unset title
+set key top left title "gap"
 set xlabel "coefficient of friction"
 set xrange [-0.01:0.21]
 set yrange [*:*]
 set ylabel "critical speed [rev/min]"
-plot "friction.tsv" using 1:2 with linespoints pt 7 lw 1.5 lc rgb "#0060ad"
+set key bottom left
+plot for [g = 1:2] of(word(gaps, g)) using 2:3 with linespoints pt 7 lw 1.5 lc rgb word(colours, g) title word(names, g)
+set key top left
 set yrange [0:]
+set ylabel "tip's motion along theta [mm]"
+plot for [g = 1:2] of(word(gaps, g)) using 2:5 with linespoints pt 7 lw 1.5 lc rgb word(colours, g) title word(names, g)
 set ylabel "stress of the vibration [MPa]"
-plot "friction.tsv" using 1:5 with linespoints pt 7 lw 1.5 lc rgb "#0060ad"
+plot for [g = 1:2] of(word(gaps, g)) using 2:6 with linespoints pt 7 lw 1.5 lc rgb word(colours, g) title word(names, g)
 set ylabel "mean power of friction [kW]"
-plot "friction.tsv" using 1:7 with linespoints pt 7 lw 1.5 lc rgb "#0060ad"
+plot for [g = 1:2] of(word(gaps, g)) using 2:8 with linespoints pt 7 lw 1.5 lc rgb word(colours, g) title word(names, g)
 unset multiplot

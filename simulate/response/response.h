@@ -96,6 +96,7 @@ enum class Depth {
   scanned,   ///< with a coarse step, for its amplitude only; not in a finished response
   full,      ///< within the tolerances
   examined,  ///< also from other starts, with the whole cycle kept
+  budgeted,  ///< also with its error budget
 };
 
 /// The settled response at one speed. Recorded sample s lies at the rotor angle 2 pi s / samples_per_revolution. Only

@@ -33,10 +33,11 @@ inline constexpr NamedValues<OrbitReport::Outcome, 3> outcome_names = {{
     {OrbitReport::Outcome::marched, "marched"},
 }};
 
-inline constexpr NamedValues<Depth, 3> depth_names = {{
+inline constexpr NamedValues<Depth, 4> depth_names = {{
     {Depth::scanned, "scanned"},
     {Depth::full, "full"},
     {Depth::examined, "examined"},
+    {Depth::budgeted, "budgeted"},
 }};
 
 inline constexpr NamedValues<MotionMeasure, 2> measure_names = {{

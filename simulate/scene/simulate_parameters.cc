@@ -103,13 +103,13 @@ void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
 }
 
 void read_budget(CaseTable& table, SimulateParameters& parameters) {
-  parameters.budget =
-      table.choice<BudgetChoice>("budget", BudgetChoice::none,
-                                 {{"none", BudgetChoice::none}, {"critical_speeds", BudgetChoice::critical_speeds}});
+  parameters.budget = table.choice<BudgetChoice>("budget", BudgetChoice::none,
+                                                 {{"none", BudgetChoice::none},
+                                                  {"largest", BudgetChoice::largest},
+                                                  {"critical_speeds", BudgetChoice::critical_speeds}});
   if (parameters.budget == BudgetChoice::none) return;
   if (parameters.examination == Examination::none)
-    table.reject("budget",
-                 "= \"critical_speeds\" is a part of their examination; set examine = \"critical_speeds\" too");
+    table.reject("budget", "is a part of the examination of critical speeds; set examine = \"critical_speeds\" too");
   parameters.budget_friction = table.number("budget_friction", 0.1, Range::at_least(0), "of the contact force");
   parameters.budget_damping = table.numbers("budget_damping", std::vector<double>{2e-3, 5e-3}, damping_range,
                                             "of critical, each in turn, of all resolved modes");

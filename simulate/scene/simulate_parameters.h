@@ -37,7 +37,11 @@ enum class Examination {
 };
 
 /// Which speeds get an error budget.
-enum class BudgetChoice { none, critical_speeds };
+enum class BudgetChoice {
+  none,
+  largest,  ///< the critical speed with the largest amplitude
+  critical_speeds,
+};
 
 /// How the settled motion of a speed is found.
 enum class SteadyStateMethod {

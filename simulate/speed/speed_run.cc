@@ -175,7 +175,7 @@ Attempt<MotionDifference> halved_step(const Scene& scene, const SharedRotor& rot
 SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState& start) {
   if (depth == Depth::scanned)
     return {response_of(settle_roughly(scene, rotor_of(scene, speed, OtherDiameters::unknown))), {}};
-  const bool is_examined = depth == Depth::examined;
+  const bool is_examined = depth >= Depth::examined;
   const SharedRotor rotor = rotor_of(scene, speed);
   RefinedMotion found =
       settle_within_tolerance(scene, rotor, start, is_examined ? CycleChoice::kept : CycleChoice::left);
@@ -189,8 +189,7 @@ SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState&
   std::vector<OtherStart> others;
   if (is_examined) others = other_starts(scene, rotor, result.end, found.motion, symmetry.verdict);
   std::vector<PeakVariation> budget;
-  if (is_examined && scene.parameters.budget == BudgetChoice::critical_speeds)
-    budget = error_budget(scene, speed, found.motion);
+  if (depth == Depth::budgeted) budget = error_budget(scene, speed, found.motion);
   result.response = response_of(std::move(found.motion));
   result.response.other_starts = std::move(others);
   result.response.budget = std::move(budget);

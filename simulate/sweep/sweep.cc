@@ -111,6 +111,7 @@ class Sweep {
   // Rounds
   void compute_rounds();
   void compute(const char* what, const std::vector<double>& speeds, Depth depth);
+  void compute(const char* what, const std::vector<SpeedTask>& tasks);
   void locate();
   void examine();
   bool round(const char* what, Depth depth, const std::function<std::vector<double>()>& choose);
@@ -179,10 +180,14 @@ void Sweep::compute_rounds() {
 void Sweep::compute(const char* what, const std::vector<double>& speeds, Depth depth) {
   std::vector<SpeedTask> tasks;
   for (const double speed : speeds) tasks.push_back({speed, depth});
+  compute(what, tasks);
+}
+
+void Sweep::compute(const char* what, const std::vector<SpeedTask>& tasks) {
   compute_missing(what, tasks);
   group_.together([&] {
     if (!group_.leads()) return;
-    for (const double speed : speeds) found(depth)[speed] = finished_->read(speed, depth).amplitude;
+    for (const auto& [speed, depth] : tasks) found(depth)[speed] = finished_->read(speed, depth).amplitude;
   });
 }
 
@@ -210,14 +215,23 @@ bool Sweep::round(const char* what, Depth depth, const std::function<std::vector
   return !next.empty();
 }
 
+/// The largest peaks come first: an error budget costs as much as several speeds.
 void Sweep::examine() {
   std::vector<double> peaks;
   if (group_.leads()) {
     const SampledCurve full = curve(full_);
     for (const std::size_t place : located_peaks(full, goal())) peaks.push_back(full[place].speed);
+    std::stable_sort(peaks.begin(), peaks.end(), [&](double a, double b) { return full_.at(a) > full_.at(b); });
   }
   group_.share(peaks);
-  if (!peaks.empty()) compute("examination of critical speeds", peaks, Depth::examined);
+  const BudgetChoice budget = scene_.parameters.budget;
+  std::vector<SpeedTask> tasks;
+  for (const double peak : peaks) {
+    const bool budgeted =
+        budget == BudgetChoice::critical_speeds || (budget == BudgetChoice::largest && tasks.empty());
+    tasks.push_back({peak, budgeted ? Depth::budgeted : Depth::examined});
+  }
+  if (!tasks.empty()) compute("examination of critical speeds", tasks);
 }
 
 std::vector<double> Sweep::scan() const {

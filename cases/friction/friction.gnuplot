@@ -15,7 +15,7 @@ set multiplot layout 3,2
 set xlabel "speed [rev/min]"
 set ylabel "amplitude along the normal [mm]"
 set xrange [17400:19800]
-set yrange [0:0.35]
+set yrange [0:0.55]
 set key top left title "friction"
 do for [g = 1:2] {
   set title "gap: " . word(names, g)

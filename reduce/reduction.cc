@@ -137,10 +137,13 @@ class Reducer {
     timed(report, "stiffness under spin");
     const SectorFactor at_top = sector.factorize(1.0);
     timed(report, "factor at full speed");
+    std::optional<MeshErrorEstimate> mesh_error;
+    if (estimates_mesh_error()) mesh_error.emplace(mesh_, dofs_, parameters_.material, parameters_.threads);
+    timed(report, "functions that the mesh lacks");
     ReducedModel model = describe(sector.shape());
     write_sector_fields(sector.shape());
     const SampledStiffness stiffness = blaming_shape(sector.shape(), [&] {
-      return reduce_diameters({sector, at_rest, at_top}, model, report);
+      return reduce_diameters({sector, at_rest, at_top, mesh_error ? &*mesh_error : nullptr}, model, report);
     });
     timed(report, "modes, bases, verification");
     fit_polynomial(stiffness, sector.samples(), parameters_, model);  // eq. 7
@@ -154,13 +157,17 @@ class Reducer {
     const SpinningSector& sector;
     const SectorFactor& at_rest;
     const SectorFactor& at_top;
+    const MeshErrorEstimate* mesh_error;
   };
+
+  bool estimates_mesh_error() const { return parameters_.mesh_error && AddedFunctions::serve(mesh_); }
 
   MemoryNeed memory_need_of(const SpeedSamples& samples) const {
     return memory_need(mesh_, dofs_,
                        {.factors = 2,
                         .stiffnesses = static_cast<int>(samples.fractions().size()),
                         .columns = columns_at_once(),
+                        .cubic_cells = estimates_mesh_error() ? mesh_.cell_count() : 0,
                         .threads = parameters_.threads});
   }
 
@@ -261,6 +268,9 @@ class Reducer {
         parameters_.speed_max * Eigen::Map<const Eigen::VectorXd>(parameters_.verification_speeds.data(), rows);
     model.verification.unreduced.resize(diameters);
     model.nodal_diameters.resize(diameters);
+    if (shared.mesh_error != nullptr)
+      model.mesh_error =
+          MeshError{Eigen::MatrixXd(static_cast<Eigen::Index>(diameters), parameters_.verification_modes), {}};
     SampledStiffness stiffness(diameters);
     parallel_for(static_cast<int>(diameters), parameters_.threads, [&](int n) {
       const DiameterReduction diameter(shared.sector, shared.at_rest, shared.at_top, transforms_[n], parameters_);
@@ -274,6 +284,10 @@ class Reducer {
       stiffness[n] = diameter.sampled_stiffness(basis);  // eq. 10
       model.nodal_diameters[n].M = basis.mass();         // eq. 10
       model.verification.unreduced[n] = diameter.unreduced_frequencies(basis);
+      if (shared.mesh_error != nullptr)
+        model.mesh_error->frequency.row(n) = diameter.frequency_errors(*shared.mesh_error, basis).transpose();
+      if (shared.mesh_error != nullptr && n == 0)
+        model.mesh_error->compliance = diameter.compliance_errors(*shared.mesh_error, contact_);
       progress_.advance();
       write_basis(n, basis);
     });

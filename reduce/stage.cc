@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <iomanip>
 #include <iostream>
 #include <list>
 #include <optional>
@@ -235,6 +236,23 @@ std::string summary(const ReducedModel& model, const ReductionReport& report) {
   return line.str();
 }
 
+/// "1.2 %", of a share.
+std::string percent(double share) {
+  std::ostringstream text;
+  text << std::setprecision(share < 0.1 ? 2 : 3) << 100 * share << " %";
+  return text.str();
+}
+
+std::string mesh_error_in_words(const ReducedModel& model, const ReductionParameters& parameters) {
+  if (!parameters.mesh_error || model.prestress == Prestress::given) return "";  // matrices have no mesh
+  if (!model.mesh_error) return "; the error of the mesh is not estimated for these cells";
+  const Eigen::MatrixXd& frequency = model.mesh_error->frequency;
+  return "; the mesh makes the first frequency of each nodal diameter up to " + percent(frequency.col(0).maxCoeff()) +
+         ", the first " + std::to_string(frequency.cols()) + " up to " + percent(frequency.maxCoeff()) +
+         " too high, and the compliance of the tip up to " + percent(model.mesh_error->compliance.maxCoeff()) +
+         " too small (estimated, at rest)";
+}
+
 /// Tells what the reduction took: memory, times, and the shapes of each nodal diameter.
 void tell_details(const StageArguments& arguments, const ReductionReport& report) {
   say(arguments, "memory: " + std::to_string(report.memory_needed / bytes_per_gib) + " GiB expected");
@@ -251,8 +269,8 @@ void tell_details(const StageArguments& arguments, const ReductionReport& report
 void report(const StageArguments& arguments, const ReductionParameters& parameters, const ReducedModel& model,
             const ReductionReport& report, const std::string& matrix_market_folder) {
   if (arguments.verbosity == Verbosity::verbose) tell_details(arguments, report);
-  tell(arguments,
-       arguments.output.string() + ": " + doubts(model) + shape_doubts(report, parameters) + summary(model, report));
+  tell(arguments, arguments.output.string() + ": " + doubts(model) + shape_doubts(report, parameters) +
+                      summary(model, report) + mesh_error_in_words(model, parameters));
   if (!matrix_market_folder.empty())
     tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
                         " nodal diameters in Matrix Market");

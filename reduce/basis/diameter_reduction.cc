@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "reduce/basis/cyclic_modes.h"
+#include "reduce/model/dense_eigen.h"
 #include "reduce/operators/speed_samples.h"
 
 namespace tiprub::reduce {
@@ -65,6 +66,18 @@ Eigen::MatrixXd DiameterReduction::unreduced_frequencies(const CraigBamptonBasis
   Eigen::Index row = 0;
   for (const FollowedModes& modes : following.modes()) table.row(row++) = modes.frequencies().transpose();
   return table;
+}
+
+Eigen::VectorXd DiameterReduction::frequency_errors(const MeshErrorEstimate& mesh,
+                                                    const CraigBamptonBasis& basis) const {
+  const auto [squares, vectors] = eigenpairs(basis.stiffness(0), basis.mass());
+  const int count = parameters_.verification_modes;
+  return mesh.of_frequencies(at_rest_, squares.head(count), basis.combine(vectors.leftCols(count)));
+}
+
+Eigen::VectorXd DiameterReduction::compliance_errors(const MeshErrorEstimate& mesh,
+                                                     const ContactUnknowns& contact) const {
+  return mesh.of_compliances(at_rest_, contact);
 }
 
 std::vector<Eigen::MatrixXcd> DiameterReduction::sampled_stiffness(const CraigBamptonBasis& basis) const {

@@ -193,6 +193,17 @@ void check(const Verification& table, std::size_t nodal_diameters, const std::st
   }
 }
 
+void check(const MeshError& error, Eigen::Index nodal_diameters, Eigen::Index contacts, const std::string& where) {
+  require(error.frequency.rows() == nodal_diameters && error.frequency.cols() > 0,
+          where + "/frequency is " + shape(error.frequency) + ", must be " + std::to_string(nodal_diameters) +
+              " x at least 1");
+  require(error.compliance.size() == contacts, where + "/compliance holds " +
+                                                   std::to_string(error.compliance.size()) + " values, must hold " +
+                                                   std::to_string(contacts) + ", one for each contact unknown");
+  require(error.frequency.minCoeff() >= 0 && error.compliance.minCoeff() >= 0,
+          where + " holds an error below 0; a mesh makes a sector stiffer");
+}
+
 /// Eq. 7 is exact for linear prestress, and nonlinear prestress is exact but for eq. 7.
 ModelledEffect spin_stiffness(const ReducedModel& model) {
   const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
@@ -294,6 +305,7 @@ void check(const ReducedModel& model, const std::string& name) {
     check(model.nodal_diameters[n], model.contact_dofs(), is_standing(n, model.sector_count),
           name + ": /nodal_diameter/" + std::to_string(n));
   check(model.verification, model.nodal_diameters.size(), name);
+  if (model.mesh_error) check(*model.mesh_error, expected, model.contact.size(), name + ": /mesh_error");
 }
 
 ModelError model_error(const ReducedModel& model, int most) {

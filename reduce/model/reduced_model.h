@@ -91,6 +91,12 @@ struct Verification {
   Eigen::MatrixXd polynomial_misfit;
 };
 
+/// What the sector's mesh does to the model, estimated at rest without a finer mesh (see reduce/theory.md).
+struct MeshError {
+  Eigen::MatrixXd frequency;   ///< [1] by which each of the lowest frequencies is too high; nodal diameters x n_f
+  Eigen::VectorXd compliance;  ///< [1] by which that of each contact unknown along its normal is too small; n_c
+};
+
 /// What ReducedModel::stiffness_under_spin() ends with where K(Omega) holds no spin softening.
 inline constexpr const char* without_spin_softening = ", without spin softening";
 
@@ -105,6 +111,7 @@ struct ReducedModel {
   ContactLine contact;
   std::vector<NodalDiameterModel> nodal_diameters;  ///< n = 0 .. floor(N/2): the blocks of Bdiag, eq. 12
   Verification verification;                        ///< may be empty
+  std::optional<MeshError> mesh_error;              ///< none of matrices, or of cells for which there is no estimate
   std::vector<ModelledEffect> effects;              ///< what of the wheel is in the matrices
   std::string mesh_digest;                          ///< of the sector's mesh; empty for a model by hand
   std::string provenance;                           ///< the case and the chain that made it, as text

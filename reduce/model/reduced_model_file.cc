@@ -17,6 +17,7 @@ constexpr int model_schema_version = 1;
 constexpr const char* position_unit = "m, rad, m";
 constexpr const char* blade_name = "/contact/blade";
 constexpr const char* second_order_group = "/contact/second_order";
+constexpr const char* mesh_error_group = "/mesh_error";
 constexpr const char *points = "points", *segments = "segments";
 
 std::string group_of(int nodal_diameter) {
@@ -180,6 +181,13 @@ Verification read_verification(const Hdf5File& file, int nodal_diameter_max) {
   return verification;
 }
 
+std::optional<MeshError> read_mesh_error(const Hdf5File& file) {
+  const std::string group = mesh_error_group;
+  if (!file.exists(group)) return std::nullopt;
+  for (const char* name : {"/frequency", "/compliance"}) require_unit(file, group + name, "1");
+  return MeshError{file.read_matrix(group + "/frequency"), file.read_vector(group + "/compliance")};
+}
+
 /// The frequencies that verify a model of one's own must be those of its matrices.
 void require_own_frequencies(const ReducedModel& model, std::size_t n, Eigen::Index row, const std::string& path) {
   constexpr double tolerance = 0.01, of_highest = 1e-3;
@@ -282,6 +290,10 @@ void write_model(const ReducedModel& model, const std::filesystem::path& path, c
     write_matrix(file, group + "/M", matrices.M, "kg");
   }
   write_verification(file, model.verification);
+  if (model.mesh_error) {
+    file.write(std::string(mesh_error_group) + "/frequency", model.mesh_error->frequency, "1");
+    file.write(std::string(mesh_error_group) + "/compliance", model.mesh_error->compliance, "1");
+  }
   file.close();
 }
 
@@ -300,6 +312,7 @@ ReducedModel read_model(const std::filesystem::path& path) {
   for (int n = 0; n <= model.nodal_diameter_max(); ++n)
     model.nodal_diameters.push_back(read_nodal_diameter(file, group_of(n)));
   model.verification = read_verification(file, model.nodal_diameter_max());
+  model.mesh_error = read_mesh_error(file);
   model.effects = file.exists("/effects") ? read_effects(file) : effects_of(model);
   check(model, path.string());
   require_whole(file, model);

@@ -118,6 +118,12 @@ CyclicTransformation::CyclicTransformation(const SectorDofs& dofs, int sector_co
   if (is_standing(nodal_diameter, sector_count)) phase_ = nodal_diameter == 0 ? 1.0 : -1.0;
 }
 
+CyclicTransformation CyclicTransformation::with(const SectorDofs& dofs) const {
+  CyclicTransformation other = *this;
+  other.dofs_ = dofs;
+  return other;
+}
+
 Eigen::MatrixXcd CyclicTransformation::expand_interface(const Eigen::MatrixXcd& independent) const {
   Eigen::MatrixXcd sector(dofs_.interface(), independent.cols());
   sector << independent.topRows(dofs_.face), phase_ * independent.topRows(dofs_.face),

@@ -25,6 +25,8 @@ namespace tiprub::reduce {
 class CyclicTransformation {
  public:
   CyclicTransformation(const SectorDofs& dofs, int sector_count, int nodal_diameter);
+  /// The same nodal diameter for other dofs.
+  CyclicTransformation with(const SectorDofs& dofs) const;
 
   const SectorDofs& dofs() const { return dofs_; }
   /// e^{i n alpha}

@@ -27,7 +27,8 @@ constexpr double block_entries = 9;                           // of a pair of no
 constexpr int other_matrices = 3;                             // sparse: M, the pattern, the copy that is factorized
 constexpr int interface_matrices = 1;                         // of real numbers: S
 constexpr int columns_on_their_way = 24 * 5;  // complex vectors a thread: a block of right sides, as it is reordered
-constexpr double program_bytes = 0.3 * bytes_per_gib;  // with its libraries, before it has read anything
+constexpr double cubic_cell_bytes = 95 * bytes_per_kib;  // see MeshErrorEstimate
+constexpr double program_bytes = 0.3 * bytes_per_gib;    // with its libraries, before it has read anything
 
 /// Lower triangle of the graph of free nodes in the factor's order: column starts and rows.
 struct Graph {
@@ -99,8 +100,8 @@ MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Hol
   need.threads = mapped_by_threads(held.threads);
   // Each thread makes one more than those that are held.
   const double sparse_matrices = other_matrices + held.stiffnesses + at_once;
-  need.matrices =
-      program_bytes + sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size());
+  need.matrices = program_bytes + held.cubic_cells * cubic_cell_bytes +
+                  sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size());
   need.bases = complex_bytes * independent * (held.columns + columns_on_their_way) * at_once;
   need.factor = held.factors *
                 (real_bytes * (block_entries * factor_entries(graph) + interface_matrices * interface * interface) +

@@ -11,6 +11,7 @@ struct Holdings {
   int factors = 0;      ///< of the sector's K
   int stiffnesses = 0;  ///< sparse K of the sector
   int columns = 0;      ///< complex vectors of a nodal diameter
+  int cubic_cells = 0;  ///< whose error is estimated
   int threads = 1;      ///< nodal diameters at work
 };
 
@@ -18,7 +19,7 @@ struct Holdings {
 struct MemoryNeed {
   double factor = 0;    ///< L of each speed, its interface part, and a nodal diameter's dense factors
   double bases = 0;     ///< vectors of the nodal diameters at work, and those in a solve with a factor
-  double matrices = 0;  ///< sparse K and M, the shape functions at the Gauss points, and the program itself
+  double matrices = 0;  ///< sparse K and M, cells for the error of the mesh, and the program itself
   double threads = 0;   ///< address space of their stacks and of the BLAS's buffers, most of which is never touched
 
   double total() const { return factor + bases + matrices; }

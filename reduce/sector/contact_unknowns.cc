@@ -11,6 +11,7 @@
 #include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/gauss_points.h"
+#include "reduce/sector/added_functions.h"
 #include "reduce/sector/contact_line.h"
 #include "reduce/sector/cubic_bricks.h"
 
@@ -20,9 +21,13 @@ namespace {
 
 struct FacePoint {
   FacePoint(int nodes, double s, double t, double share)
-      : shape(face_shape(nodes, s, t)), cubic(cubic_shape(Eigen::Vector2d(s, t))), weight(share) {}
+      : shape(face_shape(nodes, s, t)),
+        cubic(cubic_shape(Eigen::Vector2d(s, t))),
+        added(AddedFunctions::on_face(s, t)),
+        weight(share) {}
   Eigen::MatrixX3d shape;  // N, dN/ds, dN/dt; nodes x 3
   Eigen::VectorXd cubic;   // the functions of a cubic brick's face
+  std::array<double, AddedFunctions::on_a_face> added;
   double weight;
 };
 
@@ -74,8 +79,9 @@ class TipIntegrals {
 
   std::vector<int> nodes;  ///< points, then those that stand for odd functions of cubic bricks
   Eigen::Index points = 0;
-  Eigen::VectorXd arc_length;  ///< [m] of each node, along the blade's own line
-  Eigen::MatrixXd loads;       ///< [m^2] segments x nodes
+  Eigen::VectorXd arc_length;                               ///< [m] of each node, along the blade's own line
+  Eigen::MatrixXd loads;                                    ///< [m^2] segments x nodes
+  std::map<std::vector<int>, Eigen::VectorXd> added_loads;  ///< [m^2] likewise of the functions that bricks lack
 
  private:
   /// w_k dA at a point of a face, of the two segments that are not zero there.
@@ -89,6 +95,7 @@ class TipIntegrals {
     const int count = static_cast<int>(corners.size());
     std::vector<FacePoint>& places = places_[count];
     if (places.empty()) places = face_points(count);
+    const std::vector<AddedToFace> added = added_to(corners);
     for (const FacePoint& place : places) {
       const Eigen::VectorXd quadratic = place.shape.col(0);
       const Hats hats = hats_at(corners, place);
@@ -96,7 +103,32 @@ class TipIntegrals {
         add(corners, quadratic, hats);
       else
         add(tip.cubic->node.col(face), place.cubic.cwiseProduct(tip.cubic->sign.col(face)), hats);
+      for (std::size_t f = 0; f < added.size(); ++f) {
+        const double value = added[f].sign * place.added[f];
+        (*added[f].loads)[hats.before] += value * hats.first;
+        if (count_ > 1) (*added[f].loads)[hats.before + 1] += value * hats.second;
+      }
     }
+  }
+
+  struct AddedToFace {
+    double sign;  // of an edge, whose function increases from the node of lower number to the other
+    Eigen::VectorXd* loads;
+  };
+
+  /// In the order of AddedFunctions::on_face().
+  std::vector<AddedToFace> added_to(const Eigen::VectorXi& face) {
+    constexpr int corners = 4, face_nodes = 8;
+    if (face.size() != face_nodes) return {};
+    std::vector<int> middles(face.begin() + corners, face.end());
+    std::vector<AddedToFace> found;
+    const auto add = [&](double sign, const std::vector<int>& key) {
+      found.push_back({sign, &added_loads.try_emplace(key, Eigen::VectorXd::Zero(count_)).first->second});
+    };
+    for (int k = 0; k < corners; ++k) add(face[k] < face[(k + 1) % corners] ? 1 : -1, {middles[k]});
+    std::sort(middles.begin(), middles.end());
+    add(1, middles);
+    return found;
   }
 
   void add(const Eigen::VectorXi& moving, const Eigen::VectorXd& shape, const Hats& hats) {
@@ -212,7 +244,10 @@ ContactUnknowns segments_of(const SectorMesh& mesh, const BladeTip& blade, int c
   const Eigen::MatrixX3d normals = normals_beside(describe_contact(mesh, blade.line), beside);
   line.normal = (means * normals).rowwise().normalized();
   line.static_shift.terms = {Eigen::MatrixX3d::Zero(count, 3)};
-  return {nearest_nodes(mesh, blade.line, line.arc_length), line, tip.nodes, weights};
+  ContactUnknowns unknowns{nearest_nodes(mesh, blade.line, line.arc_length), line, tip.nodes, weights};
+  const Eigen::VectorXd areas = tip.loads.leftCols(tip.points).rowwise().sum();
+  for (const auto& [middles, loads] : tip.added_loads) unknowns.added_weights[middles] = loads.cwiseQuotient(areas);
+  return unknowns;
 }
 
 /// The segments of the main blade, then those of the splitter.
@@ -229,6 +264,14 @@ ContactUnknowns joined(const ContactUnknowns& main, const ContactUnknowns& split
                                       main.weights.cols() + splitter.weights.cols());
   all.weights.topLeftCorner(main.weights.rows(), main.weights.cols()) = main.weights;
   all.weights.bottomRightCorner(splitter.weights.rows(), splitter.weights.cols()) = splitter.weights;
+  for (auto& [middles, weights] : all.added_weights) {
+    weights.conservativeResize(all.weights.rows());
+    weights.tail(splitter.weights.rows()).setZero();
+  }
+  for (const auto& [middles, weights] : splitter.added_weights) {
+    Eigen::VectorXd& tail = all.added_weights[middles] = Eigen::VectorXd::Zero(all.weights.rows());
+    tail.tail(weights.size()) = weights;
+  }
   all.line.splitter_nodes = splitter.line.size();
   all.line.position = below(main.line.position, splitter.line.position);
   all.line.normal = below(main.line.normal, splitter.line.normal);

@@ -88,6 +88,7 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
       table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded}, "of omega^2, estimated");
   p.refine = table.integer("refine", 0, Range::between(0, 3), "times; each splits every cell into eight");
   p.degree = read_degree(table);
+  p.mesh_error = table.flag("mesh_error", true);
   p.cyclic_tolerance =
       table.number("cyclic_tolerance", 1e-6, {0.0, 0.01, Range::LowEnd::excluded}, "of the largest radius");
   p.unusual = table.flag("unusual", false);

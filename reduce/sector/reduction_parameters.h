@@ -29,6 +29,7 @@ struct ReductionParameters {
   double polynomial_tolerance = 0;          ///< [1] of the load, that SpinShape may leave out of balance
   int refine = 0;                           ///< times that each cell is split into eight, see refinement.h
   Degree degree = Degree::quadratic;        ///< of the displacements, see cubic_bricks.h
+  bool mesh_error = true;                   ///< whether to estimate it
   double cyclic_tolerance = 0;              ///< [1] over the largest radius
   bool unusual = false;                     ///< values that are usual for no wheel are meant
   int threads = 1;                          ///< for nodal diameters and the BLAS

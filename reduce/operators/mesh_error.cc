@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/operators/mesh_error.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "mesh/cells/cell_kind.h"
+#include "reduce/sector/parallel_for.h"
+
+namespace tiprub::reduce {
+
+namespace {
+
+/// Steps of conjugate gradients. Four find three quarters and more of the energy for modes; forces on a tip, whose
+/// displacements are less smooth, take more.
+constexpr int steps_for_modes = 4, steps_for_forces = 6;
+
+using RealRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The rows of a cell's functions, three of each, zero where one doesn't move: real and imaginary parts by turns.
+template <class Rows>
+RealRows rows_of(const Rows& all, const std::vector<int>& firsts) {
+  RealRows rows = RealRows::Zero(3 * static_cast<Eigen::Index>(firsts.size()), 2 * all.cols());
+  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> real(
+      reinterpret_cast<const double*>(all.data()), all.rows(), 2 * all.cols());
+  for (std::size_t k = 0; k < firsts.size(); ++k)
+    if (firsts[k] >= 0) rows.middleRows<3>(3 * static_cast<Eigen::Index>(k)) = real.middleRows<3>(firsts[k]);
+  return rows;
+}
+
+template <class Rows>
+void add_rows(const RealRows& rows, const std::vector<int>& firsts, Rows& all) {
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> real(
+      reinterpret_cast<double*>(all.data()), all.rows(), 2 * all.cols());
+  for (std::size_t k = 0; k < firsts.size(); ++k)
+    if (firsts[k] >= 0) real.middleRows<3>(firsts[k]) += rows.middleRows<3>(3 * static_cast<Eigen::Index>(k));
+}
+
+template <class Rows>
+Eigen::RowVectorXd inner_products(const Rows& a, const Rows& b) {
+  return a.conjugate().cwiseProduct(b).colwise().sum().real();
+}
+
+/// Zero where a residual vanishes, or where rounding left no energy.
+Eigen::RowVectorXd ratios(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
+  return (b.array() > 0).select(a.array() / b.array(), 0.0);
+}
+
+}  // namespace
+
+/// Finds the patches of a sector whose neighbours are laid beside it.
+class MeshErrorEstimate::Patches {
+ public:
+  Patches(const SectorMesh& mesh, const SectorDofs& node_dofs, const SectorDofs& cubic_dofs,
+          const std::vector<AddedCell>& cells)
+      : mesh_(mesh), node_dofs_(node_dofs), cubic_dofs_(cubic_dofs), cells_(cells) {
+    for (int c = 0; c < mesh.cell_count(); ++c) {
+      for (const int first : cells[c].functions) note(seen(cubic_dofs, first), c, around_function_);
+      for (const int first : cells[c].nodes)
+        if (first >= 0) note(seen(node_dofs, first), c, around_node_);
+    }
+  }
+
+  std::vector<Patch> find(int threads) const {
+    const std::vector<Cells> all = around_corners();
+    std::vector<Patch> patches(all.size());
+    parallel_for(static_cast<int>(all.size()), threads, [&](int k) { patches[k] = patch_of(all[k]); });
+    return patches;
+  }
+
+ private:
+  /// Cells, with the number of sectors from the patch to that of the cell; ascending.
+  using Cells = std::vector<std::pair<int, int>>;
+  using Numbers = std::map<Seen, Eigen::Index>;
+
+  /// A sector dof as the cells of its sector see it: the high cut face is the low one of the next sector.
+  static Seen seen(const SectorDofs& dofs, int first) {
+    if (first < dofs.interior + dofs.face) return {first, 0};
+    return {first - dofs.face, first < dofs.interior + 2 * dofs.face ? 1 : 0};
+  }
+
+  static void note(const Seen& function, int cell, std::map<int, Cells>& around) {
+    around[function.dof].emplace_back(cell, -function.sectors);
+  }
+
+  /// One patch for all corners with the same cells, as those above each other in a plate of one layer.
+  std::vector<Cells> around_corners() const {
+    std::map<int, int> lower;
+    for (std::size_t k = 0; k < mesh_.cyclic_low.size(); ++k) lower[mesh_.cyclic_high[k]] = mesh_.cyclic_low[k];
+    std::map<int, Cells> around;
+    for (int c = 0; c < mesh_.cell_count(); ++c)
+      for (int k = 0; k < cell_kind(static_cast<int>(cells_[c].nodes.size())).corners; ++k) {
+        const int node = mesh_.cells(k, c);
+        const auto partner = lower.find(node);
+        note(partner == lower.end() ? Seen{node, 0} : Seen{partner->second, 1}, c, around);
+      }
+    std::set<Cells> all;
+    for (auto& [corner, cells] : around) {
+      std::sort(cells.begin(), cells.end());
+      all.insert(cells);
+    }
+    return {all.begin(), all.end()};
+  }
+
+  /// Numbers the functions of some cells that vanish outside of them.
+  static void number_inner(const std::map<int, Cells>& around, const SectorDofs& dofs, const std::vector<int>& firsts,
+                           int sectors, const Cells& patch, Numbers& numbers) {
+    for (const int first : firsts) {
+      if (first < 0) continue;
+      Seen function = seen(dofs, first);
+      function.sectors += sectors;
+      const Cells& cells = around.at(function.dof);
+      const bool inside = std::all_of(cells.begin(), cells.end(), [&](const auto& cell) {
+        return std::binary_search(patch.begin(), patch.end(), std::pair(cell.first, cell.second + function.sectors));
+      });
+      if (inside) numbers.try_emplace(function, static_cast<Eigen::Index>(numbers.size()));
+    }
+  }
+
+  /// Places of a cell's functions in a patch; -1 of those that aren't in it.
+  static std::vector<Eigen::Index> places(const SectorDofs& dofs, const std::vector<int>& firsts, int sectors,
+                                          const Numbers& numbers, Eigen::Index before) {
+    std::vector<Eigen::Index> found;
+    for (const int first : firsts) {
+      Seen function = first < 0 ? Seen{-1, 0} : seen(dofs, first);
+      function.sectors += sectors;
+      const auto known = numbers.find(function);
+      found.push_back(known == numbers.end() ? -1 : before + known->second);
+    }
+    return found;
+  }
+
+  Patch patch_of(const Cells& patch) const {
+    Numbers cubic, nodes;
+    for (const auto& [cell, sectors] : patch) {
+      number_inner(around_function_, cubic_dofs_, cells_[cell].functions, sectors, patch, cubic);
+      number_inner(around_node_, node_dofs_, cells_[cell].nodes, sectors, patch, nodes);
+    }
+    const auto w = static_cast<Eigen::Index>(cubic.size()), u = static_cast<Eigen::Index>(nodes.size());
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * (w + u), 3 * (w + u));
+    for (const auto& [cell, sectors] : patch) {
+      const AddedCell& of = cells_[cell];
+      const auto rows = places(cubic_dofs_, of.functions, sectors, cubic, 0);
+      const auto columns = places(node_dofs_, of.nodes, sectors, nodes, w);
+      add(of.stiffness, rows, rows, K);
+      add(of.coupling, rows, columns, K);
+      add(of.of_nodes, columns, columns, K);
+    }
+    Patch result;
+    result.functions.resize(cubic.size());
+    for (const auto& [function, k] : cubic) result.functions[static_cast<std::size_t>(k)] = function;
+    // The symmetric part that add() leaves out is not read: only K_wu and K_uu are.
+    const Eigen::MatrixXd K_wu = K.topRightCorner(3 * w, 3 * u);
+    const Eigen::MatrixXd schur =
+        K.topLeftCorner(3 * w, 3 * w) - K_wu * K.bottomRightCorner(3 * u, 3 * u).ldlt().solve(K_wu.transpose());
+    result.compliance = schur.llt().solve(Eigen::MatrixXd::Identity(3 * w, 3 * w)).cast<float>();
+    return result;
+  }
+
+  static void add(const Eigen::MatrixXd& of_cell, const std::vector<Eigen::Index>& rows,
+                  const std::vector<Eigen::Index>& columns, Eigen::MatrixXd& K) {
+    for (std::size_t b = 0; b < columns.size(); ++b)
+      for (std::size_t a = 0; a < rows.size(); ++a)
+        if (rows[a] >= 0 && columns[b] >= 0)
+          K.block<3, 3>(3 * rows[a], 3 * columns[b]) +=
+              of_cell.block<3, 3>(3 * static_cast<Eigen::Index>(a), 3 * static_cast<Eigen::Index>(b));
+  }
+
+  const SectorMesh& mesh_;
+  const SectorDofs& node_dofs_;
+  const SectorDofs& cubic_dofs_;
+  const std::vector<AddedCell>& cells_;
+  std::map<int, Cells> around_function_, around_node_;  // by independent dof
+};
+
+MeshErrorEstimate::MeshErrorEstimate(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material,
+                                     int threads)
+    : node_dofs_(dofs), functions_(mesh), cells_(mesh.cell_count()) {
+  parallel_for(mesh.cell_count(), threads,
+               [&](int cell) { cells_[cell] = functions_.integrate(cell, dofs, material); });
+  patches_ = Patches(mesh, dofs, functions_.dofs(), cells_).find(threads);
+  for (AddedCell& cell : cells_) cell.of_nodes = {};
+}
+
+Eigen::VectorXd MeshErrorEstimate::of_frequencies(const CyclicSolver& at_rest, const Eigen::VectorXd& eigenvalues,
+                                                  const Eigen::MatrixXcd& shapes) const {
+  const Rows moved = at_rest.transform().expand(shapes);
+  const Rows force = residual(moved, moved * (-eigenvalues).asDiagonal());
+  const CyclicTransformation cubic = at_rest.transform().with(functions_.dofs());
+  return (1 + energies(at_rest, cubic.gather(force), steps_for_modes).array() / eigenvalues.array()).sqrt() - 1;
+}
+
+Eigen::VectorXd MeshErrorEstimate::of_compliances(const CyclicSolver& at_rest, const ContactUnknowns& contact) const {
+  const CyclicTransformation &nodes = at_rest.transform(), cubic = nodes.with(functions_.dofs());
+  const Eigen::Index count = contact.line.size();
+  Eigen::MatrixXd along_normals = Eigen::MatrixXd::Zero(3 * count, count);
+  for (Eigen::Index k = 0; k < count; ++k)
+    along_normals.block<3, 1>(3 * k, k) = contact.line.normal.row(k).transpose();
+  const Eigen::MatrixXcd load = nodes.gather((node_dofs_.contact_loads * along_normals).cast<std::complex<double>>());
+  const Eigen::MatrixXcd moved = at_rest.solve(load, ContactNodes::free);
+  const Eigen::VectorXd compliance = inner_products(load, moved).transpose();
+  const Rows expanded = nodes.expand(moved);
+  Rows force = residual(expanded, Rows::Zero(expanded.rows(), count));
+  force += (functions_.contact_loads(contact.added_weights, contact.line.size()) * along_normals)
+               .cast<std::complex<double>>();
+  const Eigen::ArrayXd growth = energies(at_rest, cubic.gather(force), steps_for_forces).array() / compliance.array();
+  return growth / (1 + growth);
+}
+
+/// -M_wu a - K_wu u; sector x columns.
+MeshErrorEstimate::Rows MeshErrorEstimate::residual(const Rows& displacement, const Rows& acceleration) const {
+  Rows force = Rows::Zero(functions_.dofs().sector(), displacement.cols());
+  for (const AddedCell& cell : cells_)
+    add_rows(-(cell.mass.cast<double>() * rows_of(acceleration, cell.nodes)) -
+                 cell.coupling * rows_of(displacement, cell.nodes),
+             cell.functions, force);
+  return force;
+}
+
+/// r' S^-1 r, from below.
+Eigen::VectorXd MeshErrorEstimate::energies(const CyclicSolver& at_rest, Rows r, int steps) const {
+  Rows z = precondition(at_rest, r), p = z;
+  Eigen::RowVectorXd rz = inner_products(r, z), energy = Eigen::RowVectorXd::Zero(r.cols());
+  for (int k = 0; k < steps; ++k) {
+    const Rows Sp = apply_schur_complement(at_rest, p);
+    const Eigen::RowVectorXd step = ratios(rz, inner_products(p, Sp));
+    energy += step.cwiseProduct(rz);
+    if (k + 1 == steps) break;
+    r -= Sp * step.asDiagonal();
+    z = precondition(at_rest, r);
+    const Eigen::RowVectorXd next = inner_products(r, z);
+    p = z + p * ratios(next, rz).asDiagonal();
+    rz = next;
+  }
+  return energy.transpose();
+}
+
+MeshErrorEstimate::Rows MeshErrorEstimate::apply_schur_complement(const CyclicSolver& at_rest,
+                                                                  const Rows& cubic) const {
+  const CyclicTransformation& nodes = at_rest.transform();
+  const CyclicTransformation functions = nodes.with(functions_.dofs());
+  const Rows moved = functions.expand(cubic);
+  Rows force = Rows::Zero(moved.rows(), moved.cols()), load = Rows::Zero(node_dofs_.sector(), moved.cols());
+  for (const AddedCell& cell : cells_) {
+    const RealRows w = rows_of(moved, cell.functions);
+    add_rows(cell.stiffness * w, cell.functions, force);
+    add_rows(cell.coupling.transpose() * w, cell.nodes, load);
+  }
+  const Rows follow = nodes.expand(at_rest.solve(nodes.gather(load), ContactNodes::free));
+  for (const AddedCell& cell : cells_)
+    add_rows(-(cell.coupling * rows_of(follow, cell.nodes)), cell.functions, force);
+  return functions.gather(force);
+}
+
+MeshErrorEstimate::Rows MeshErrorEstimate::precondition(const CyclicSolver& at_rest, const Rows& residual) const {
+  const std::complex<double> phase = at_rest.transform().phase();
+  // A function of the sector before, -1, moves in the frame of the patch by e^{-i n alpha} times its motion here.
+  const auto factor = [&](int sectors) { return sectors == 0 ? 1.0 : sectors > 0 ? phase : std::conj(phase); };
+  Rows sum = Rows::Zero(residual.rows(), residual.cols());
+  for (const Patch& patch : patches_) {
+    Rows load(3 * static_cast<Eigen::Index>(patch.functions.size()), residual.cols());
+    std::vector<int> all;
+    for (std::size_t k = 0; k < patch.functions.size(); ++k) {
+      const auto& [dof, sectors] = patch.functions[k];
+      load.middleRows<3>(3 * static_cast<Eigen::Index>(k)) = factor(sectors) * residual.middleRows<3>(dof);
+      all.push_back(static_cast<int>(3 * k));
+    }
+    Rows moved = Rows::Zero(load.rows(), load.cols());
+    add_rows((patch.compliance * rows_of(load, all).cast<float>()).cast<double>(), all, moved);
+    for (std::size_t k = 0; k < patch.functions.size(); ++k) {
+      const auto& [dof, sectors] = patch.functions[k];
+      sum.middleRows<3>(dof) += std::conj(factor(sectors)) * moved.middleRows<3>(3 * static_cast<Eigen::Index>(k));
+    }
+  }
+  return sum;
+}
+
+}  // namespace tiprub::reduce

@@ -254,6 +254,10 @@ std::string settled_by(Effect effect) {
   switch (effect) {
     case Effect::friction:
       return "simulate.budget = \"critical_speeds\", or casing.friction_coefficient";
+    case Effect::round_casing:
+    case Effect::casing_slope:
+    case Effect::blade_foreshortening:
+      return "simulate.gap = \"second_order\"";
     case Effect::damping:
       return "simulate.budget_damping";
     case Effect::blade_clearance:
@@ -263,7 +267,7 @@ std::string settled_by(Effect effect) {
     case Effect::contact_resolution:
       return "reduce.contact = \"segments\", reduce.contact_nodes";
     case Effect::mesh:
-      return "reduce.refine";
+      return "reduce.refine, or element_order = 3";
     case Effect::spin_stiffness:
       return "reduce.prestress";
     case Effect::time_step:

@@ -106,9 +106,9 @@ class CubicBricks {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const Eigen::Vector3d at = dimensions == 3 ? cell_kind(static_cast<int>(nodes.size())).places[k]
                                                  : Eigen::Vector3d(around[k][0], around[k][1], -1);
-      found.nodes[static_cast<std::size_t>(value_at(at[0]) + values_along * value_at(at[1]) +
-                                           (dimensions == 3 ? values_along * values_along * value_at(at[2]) : 0))] =
-          nodes[k];
+      int place = 0;
+      for (int axis = dimensions - 1; axis >= 0; --axis) place = values_along * place + value_at(at[axis]);
+      found.nodes[static_cast<std::size_t>(place)] = nodes[k];
     }
     return found;
   }

@@ -57,7 +57,7 @@ dealii::Quadrature<3> wedge_points() {
   return {points, weights};
 }
 
-DealElement quadratic(const CellKind& kind, std::shared_ptr<const dealii::FiniteElement<3>> fe,
+DealElement quadratic(const CellKind& kind, const std::shared_ptr<const dealii::FiniteElement<3>>& fe,
                       dealii::Quadrature<3> points) {
   DealElement element{&kind, fe, fe, std::move(points), {}, {}, {}};
   // At each of these points one shape function is one and the others are zero, which tells the dof that stands there:

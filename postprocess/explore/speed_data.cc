@@ -5,6 +5,7 @@
 #include <array>
 
 #include "postprocess/figures/maps.h"
+#include "postprocess/records/speeds_to_avoid.h"
 #include "postprocess/records/study_records.h"
 #include "postprocess/tables/packing.h"
 #include "postprocess/tables/table.h"
@@ -92,6 +93,16 @@ json critical_of(const std::vector<CriticalSpeed>& all) {
   return list;
 }
 
+json avoid_of(const std::vector<AvoidedBand>& bands) {
+  json list = json::array();
+  for (const AvoidedBand& band : bands)
+    list.push_back({{"low", band.speeds.low * rpm_per_rad_s},
+                    {"high", band.speeds.high * rpm_per_rad_s},
+                    {"concern", name_of(band.concern)},
+                    {"grade", static_cast<int>(band.concern)}});
+  return list;
+}
+
 /// [rpm] of the crossings that the linear rules list.
 json speeds_of(const SpeedFrame& frame, const std::vector<Crossing>& crossings) {
   json speeds = json::array();
@@ -152,7 +163,7 @@ json add_other(PackedArrays& arrays, const ReportNumbers& other) {
 
 }  // namespace
 
-std::string speed_data(const Study& study, const std::optional<ReportNumbers>& other) {
+std::string speed_data(const Study& study, const FieldResults& fields, const std::optional<ReportNumbers>& other) {
   const SpeedFrame frame = speed_frame(study);
   PackedArrays arrays;
   json speeds = json::array(), failed = json::array();
@@ -172,6 +183,8 @@ std::string speed_data(const Study& study, const std::optional<ReportNumbers>& o
                         {"predicted",
                          {{"aliased", speeds_of(frame, study.rules.aliased)},
                           {"equation_2", speeds_of(frame, study.rules.equation_2)}}},
+                        {"avoid", avoid_of(speeds_to_avoid(study, fields))},
+                        {"operating", {study.parameters.operating_min_rpm, study.parameters.operating_max_rpm}},
                         {"modes", add_modes(arrays, frame)},
                         {"axes", axes_of(study, frame)}});
 }

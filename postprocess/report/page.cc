@@ -120,9 +120,9 @@ std::string without_first_line(std::string_view text) {
   return std::string(text.substr(text.find('\n') + 1));
 }
 
-/// To a file of the report's folder, by its name.
-std::string link(const std::string& file) {
-  return "<a href=\"" + file + "\">" + std::filesystem::path(file).filename().string() + "</a>";
+/// A file of the report's folder. The page also travels without it, so that a link could be dead.
+std::string named(const std::string& file) {
+  return "<code>" + file + "</code>";
 }
 
 std::string item(const std::string& text) {
@@ -222,7 +222,7 @@ std::string joined(const std::array<std::pair<std::string_view, std::string_view
 std::string record(const Study& study, const ReportSource& source) {
   const auto folded = [](const std::string& title, const std::string& body, const std::string& file = "") {
     return "<details><summary>" + title + "</summary>" + body +
-           (file.empty() ? "" : "<p class=\"sub\">" + link(file) + "</p>") + "</details>\n";
+           (file.empty() ? "" : "<p class=\"sub\">" + named(file) + "</p>") + "</details>\n";
   };
   const auto listing = [](const std::string& text) { return "<pre>" + escaped(text) + "</pre>"; };
   return folded("Every speed: how steady, how exact", html_table(speed_record(study)), "speeds.csv") +
@@ -266,9 +266,9 @@ std::string wheel_section(const std::optional<FieldStudy>& fields) {
   if (fields->has_instant) files.insert(files.end(), {"contact_wheel.vtu", "contact_sector.vtu"});
   if (moving_at_instant(*fields)) files.emplace_back("motion_sector.pvd");
   std::string links;
-  for (const std::string& file : files) links += (links.empty() ? "" : dot) + link("fields/" + file);
+  for (const std::string& file : files) links += (links.empty() ? "" : dot) + named("fields/" + file);
   const std::string peaks =
-      fields->peaks.empty() ? "" : " Where the stress is largest, in full: " + link("stress_peaks.csv") + ".";
+      fields->peaks.empty() ? "" : " Where the stress is largest, in full: " + named("stress_peaks.csv") + ".";
   return filled(without_first_line(embedded::page_files::wheel_html),
                 {{"vtu_links", links}, {"stress_peaks_link", peaks}});
 }
@@ -312,7 +312,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"needs", html_table(scene_needs_record(needs))},
        {"figures", figure_sections(figures, folder)},
        {"record", record(study, source)},
-       {"speed_data", speed_data(study, other)},
+       {"speed_data", speed_data(study, fields, other)},
        {"comparison", comparison_section(contents)},
        {"wheel_section", wheel_section(full_fields)},
        {"wheel_link", full_fields ? "<li class=\"live-only\"><a href=\"#in-motion\">3-D</a></li>" : ""},

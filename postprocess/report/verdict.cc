@@ -5,6 +5,7 @@
 
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/exactness_record.h"
+#include "postprocess/records/speeds_to_avoid.h"
 #include "postprocess/records/study_records.h"
 #include "postprocess/records/validity.h"
 #include "postprocess/tables/table.h"
@@ -272,6 +273,7 @@ std::vector<Answer> verdict(const Study& study, const FieldResults& fields, cons
                                  {"How bad", how_bad(study, fields)},
                                  {"Where", where(study, fields)},
                                  {"Why", why(study)},
+                                 {"Avoid", bands_in_words(speeds_to_avoid(study, fields), fields)},
                                  {"Margin", margin_text(study)},
                                  {"Trust", trust(study, fields, needs)},
                                  {"What moves it most", largest_errors(study)},

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+const DOUBLE_CLICK = 250;  // [ms]
+
 // A drawing with two axes, in SVG: it fills its host's width, tells the values under the pointer above it, zooms by dragging
 // a box or by its buttons, and passes clicks on. Colours come from the style sheet.
 //
@@ -40,7 +42,11 @@ class Chart {
 
   listen() {
     let from = null;
-    this.svg.addEventListener('pointerdown', event => { from = {place: this.place(event), x: event.clientX, y: event.clientY}; });
+    let picking = 0;
+    this.svg.addEventListener('pointerdown', event => {
+      this.svg.setPointerCapture?.(event.pointerId);  // a box may be released outside
+      from = {place: this.place(event), x: event.clientX, y: event.clientY};
+    });
     this.svg.addEventListener('pointermove', event => {
       this.tell(...this.place(event));
       if (from && event.buttons) this.drawBox(from.place, this.place(event));
@@ -52,9 +58,14 @@ class Chart {
       from = null;
       this.box?.remove();
       if (moved > 8) this.zoomTo(start, this.place(event));
-      else this.options.pick?.(...this.place(event));
+      else if (this.options.pick) {  // once it is clear that no second click follows
+        const at = this.place(event);
+        clearTimeout(picking);
+        picking = setTimeout(() => this.options.pick(...at), DOUBLE_CLICK);
+      }
     });
-    this.svg.addEventListener('dblclick', () => this.reset());
+    this.svg.addEventListener('pointercancel', () => { from = null; this.box?.remove(); });
+    this.svg.addEventListener('dblclick', () => { clearTimeout(picking); this.reset(); });
     this.svg.addEventListener('keydown', event => {
       const step = {ArrowLeft: -1, ArrowRight: 1}[event.key];
       if (!step || !this.options.step) return;

@@ -2,6 +2,7 @@
 // A picture fills the window when it is clicked, and goes back by another click or Escape.
 for (const image of document.querySelectorAll('figure img')) {
   const figure = image.parentElement;
+  figure.querySelector('figcaption').append(' ', make('a', {href: image.src, download: `${figure.previousElementSibling?.id || 'picture'}.svg`}, 'Save picture'));
   const enlarge = make('button', {type: 'button', class: 'enlarge', title: 'Enlarge', 'aria-expanded': 'false'});
   image.replaceWith(enlarge);
   enlarge.append(image);

@@ -30,8 +30,16 @@ function pickSpeed(chart, selection, x) {
   selection.pick(x, NEAR_PIXELS * (chart.range.x[1] - chart.range.x[0]) / chart.width);
 }
 
+// A range of speeds, as high as the chart.
+function drawBand(chart, low, high, look) {
+  const [left, right] = [low, high].map(x => Math.min(chart.left + chart.width, Math.max(chart.left, chart.px(x))));
+  if (right > left) chart.content.append(makeSvg('rect', {class: look, x: left, y: chart.top, width: right - left, height: chart.height}));
+}
+
 function drawResponse(chart, selection) {
   const {data} = selection, {speeds} = data, rpm = speeds.map(speed => speed.rpm);
+  if (data.operating[1] > 0) drawBand(chart, ...data.operating, 'operating');
+  for (const band of [...data.avoid].reverse()) drawBand(chart, band.low, band.high, `avoid grade-${band.grade}`);
   markSpeeds(chart, selection);
   for (const name of ['largest', 'leading', 'trailing']) chart.line(rpm, speeds.map(speed => speed[name]), name);
   if (data.other) chart.line(data.array('other/speed'), data.array('other/largest'), 'other');
@@ -52,7 +60,8 @@ function drawResponse(chart, selection) {
 function responseView(host, selection) {
   const {data} = selection;
   host.append(legend(['largest', 'largest on the tip line'], ['leading', 'leading edge'], ['trailing', 'trailing edge'],
-    ['unsteady', 'not periodic'], ...(data.speeds.some(speed => speed.outside) ? [['outside', 'outside validity']] : []), ['chosen', 'shown speed'],
+    ...[2, 1, 0].flatMap(grade => data.avoid.filter(band => band.grade === grade).slice(0, 1).map(band => [`avoid grade-${grade}`, band.concern])),
+    ...(data.operating[1] > 0 ? [['operating', 'operating range']] : []), ['unsteady', 'not periodic'], ...(data.speeds.some(speed => speed.outside) ? [['outside', 'outside validity']] : []), ['chosen', 'shown speed'],
     ...(data.predicted.aliased.length ? [['aliased', 'rule with aliasing']] : []),
     ...(data.predicted.equation_2.length ? [['equation-2', 'eq. 2']] : []), ...(data.other ? [['other', data.other.name]] : [])));
   const chart = new Chart(host, {

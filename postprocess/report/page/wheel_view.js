@@ -157,7 +157,7 @@ class WheelView {
     scene.setForces(this.shown && this.forces ? this.forceNow() : null, this.mostForce || 1);
     scene.draw();
     const turns = this.angle / (2 * Math.PI);
-    this.told.textContent = this.rest ? '' : this.mode ? `${(360 * (turns % 1)).toFixed(0)} deg of the period; displacement drawn as ${100 * DRAWN_SHARE} % of the radius`
+    this.told.textContent = this.rest ? '' : this.mode ? `${(360 * (turns % 1)).toFixed(0)} deg of the period; displacement drawn as ${digits(100 * DRAWN_SHARE)} % of the radius`
       : `rotor at ${(360 * turns).toFixed(0)} deg; displacement ${digits(this.size, 2)} times as large, casing's shape and clearance ${digits(this.scene.casingSize, 2)} times; ${digits(100 * this.shown.left_out, 2)} % of the mean square of the motion is in smaller waves and left out`;
   }
 

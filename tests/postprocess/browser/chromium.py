@@ -122,9 +122,9 @@ class Chromium:
     def scripts(self, on):
         self.call("Emulation.setScriptExecutionDisabled", value=not on)
 
-    def click(self, x, y):
+    def click(self, x, y, count=1):
         for kind in ("mousePressed", "mouseReleased"):
-            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=count)
 
     def hover(self, x, y):
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)

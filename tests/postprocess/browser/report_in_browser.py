@@ -15,6 +15,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 
 import chromium
 
@@ -68,6 +69,7 @@ def click_peak(browser, number):
                          f"const box = svg.getBoundingClientRect(), name = svg.querySelectorAll('.wave-name')[{number}];"
                          "return [box.left + Number(name.getAttribute('x')), box.top + 60]; })()")
     browser.click(x, y)
+    time.sleep(0.4)  # until it can't be the first half of a double-click
 
 
 def check_peaks(browser, report):
@@ -113,6 +115,11 @@ def check_zoom_and_keys(browser):
     browser.value("document.querySelector('button[aria-label=\"Tip amplitude over speed: show all of it\"]').click()")
     assert browser.value(ticks) == whole
     before = shown(browser)
+    x, y = browser.value("(box => [box.left + 0.3 * box.width, box.top + 60])(document.querySelector('#live-response svg').getBoundingClientRect())")
+    for count in (1, 2):
+        browser.click(x, y, count)
+    time.sleep(0.4)
+    assert shown(browser) == before, "a double-click chose a speed"
     browser.value("document.querySelector('#live-response svg').focus()")
     browser.call("Input.dispatchKeyEvent", type="keyDown", key="ArrowRight")
     assert shown(browser) != before
@@ -138,7 +145,9 @@ def check_pictures_and_tables(browser, report):
     assert browser.value(f"{figure}.classList.contains('large')")
     browser.value("document.dispatchEvent(new KeyboardEvent('keydown', {key: 'Escape'}))")
     assert not browser.value(f"{figure}.classList.contains('large')")
-    assert browser.value("document.querySelectorAll('button.copy').length == document.querySelectorAll('table').length")
+    assert browser.value("document.querySelectorAll('button.copy').length == 2 * document.querySelectorAll('table').length")
+    dead = browser.value("[...document.querySelectorAll('a[href]')].map(a => a.getAttribute('href')).filter(to => !/^(#|data:)/.test(to))")
+    assert dead == [], dead
     copied = browser.value("(() => { let copied; document.execCommand = () => { copied = document.querySelector('body > textarea').value;"
                            "return true; }; document.querySelector('button.copy').click(); return copied; })()")
     assert copied.count("\n") + 1 == browser.value("document.querySelector('table').rows.length") and "\t" in copied

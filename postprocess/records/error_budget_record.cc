@@ -6,6 +6,7 @@
 #include <map>
 
 #include "postprocess/records/exactness_record.h"
+#include "postprocess/records/left_out_effects.h"
 #include "postprocess/records/study_records.h"
 #include "postprocess/records/validity.h"
 
@@ -63,6 +64,7 @@ void add_settings(const Study& study, const SpeedResponse& response, ErrorBudget
     budget.rows.push_back({"time step", response.audit.halving_failure, 0, *step, *step});
   for (const Check& check : exactness_checks(study))
     if (check.subject == "model" && check.worst) budget.rows.push_back({"reduced modes", "", *check.worst, 0, 0});
+  if (const auto shift = mesh_shift(study.model, critical.rising)) budget.rows.push_back({"mesh", "", *shift, 0, 0});
 }
 
 /// Whitehead (1966): in a wheel whose blades differ, one of N blades moves at most (1 + sqrt N)/2 times as far as in

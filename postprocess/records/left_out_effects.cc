@@ -153,6 +153,11 @@ double CoriolisTerms::change(int nodal_diameter, int family, double speed) const
                   std::abs(-moved[count - 1 - family] / modes[family] - 1));
 }
 
+std::optional<double> mesh_shift(const ReducedModel& model, const WaveLabel& wave) {
+  if (!model.mesh_error || wave.family >= model.mesh_error->frequency.cols()) return {};
+  return model.mesh_error->frequency(std::abs(wave.signed_nodal_diameter), wave.family);
+}
+
 FieldEffects field_effects(const std::filesystem::path& fields_file, const ReducedModel& model,
                            const std::vector<CriticalSpeed>& critical) {
   if (fields_file.empty()) return {};

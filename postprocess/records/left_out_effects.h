@@ -91,6 +91,11 @@ struct FieldEffects {
   std::optional<CoriolisShift> coriolis{};  ///< the largest of all critical speeds; nothing if there are none
 };
 
+/// [1] By how much the mesh makes the critical speed of a wave's mode too high. Spin adds B Omega^2 to the square of
+/// the frequency f_0 at rest, f^2 = f_0^2 + B Omega^2, so that the speed at which f is the engine order times Omega
+/// is proportional to f_0, and its relative error is that of f_0. Nothing if the model has no estimate for this mode.
+std::optional<double> mesh_shift(const ReducedModel& model, const WaveLabel& wave);
+
 /// Empty if `fields_file` is empty. Needs a file that passed check_fields().
 FieldEffects field_effects(const std::filesystem::path& fields_file, const ReducedModel& model,
                            const std::vector<CriticalSpeed>& critical);

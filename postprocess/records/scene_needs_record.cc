@@ -127,6 +127,20 @@ SceneNeed diameters_need(const Study& study, const std::vector<Check>& checks) {
   return need;
 }
 
+SceneNeed mesh_need(const Study& study) {
+  const std::optional<std::size_t> worst = worst_critical(study.critical);
+  const std::optional<double> shift = worst ? mesh_shift(study.model, study.critical[*worst].rising) : std::nullopt;
+  if (!shift)
+    return not_estimated(Effect::mesh,
+                         study.model.mesh_error
+                             ? "reduce with more verification_modes: it takes the mode of the worst peak"
+                             : "compare with tiprub-reduce --set reduce.refine=1");
+  return estimated(Effect::mesh, *shift, frequency_limit,
+                   "of the mode that makes the critical speed at " + rpm_text(study.critical[*worst].speed) +
+                       ", from functions that the mesh lacks; the compliance of the tip is up to " +
+                       significant(100 * study.model.mesh_error->compliance.maxCoeff(), 2) + " % too small");
+}
+
 std::vector<SceneNeed> model_needs(const Study& study, const FieldEffects& fields, const std::vector<Check>& checks) {
   return {prestress_need(study.model),
           coriolis_need(fields),
@@ -135,7 +149,7 @@ std::vector<SceneNeed> model_needs(const Study& study, const FieldEffects& field
           measured(checks, "model", Effect::reduced_modes, "reduce with verification_speeds"),
           not_estimated(Effect::contact_resolution, "compare with tiprub-reduce --set reduce.contact_nodes=" +
                                                         std::to_string(2 * study.model.contact.size())),
-          not_estimated(Effect::mesh, "compare two: make -C cases/convergence does so for its wheel")};
+          mesh_need(study)};
 }
 
 /// Effects of how the motion is computed.

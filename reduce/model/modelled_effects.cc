@@ -34,7 +34,7 @@ constexpr EffectMeaning meanings[] = {
      "1"},
     {Effect::massless_modes, "massless_modes", "modes without mass", "share of the elastic energy", "1"},
     {Effect::contact_resolution, "contact_resolution", "contact unknowns along the tip", "", ""},
-    {Effect::mesh, "mesh", "mesh", "", ""},
+    {Effect::mesh, "mesh", "mesh", "relative error of a critical speed", "1"},
     {Effect::time_step, "time_step", "time step", "change by its last halving", "1"},
     {Effect::impact_instants, "impact_instants", "instants of impacts within a time step", "", ""},
     {Effect::settling, "settling", "settling", "change over the last period", "1"},

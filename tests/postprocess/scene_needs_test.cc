@@ -157,6 +157,24 @@ TEST_F(SceneNeeds, AreJudgedOnTheScene) {
   EXPECT_NEAR(*need(needs, Effect::round_casing).effect.tolerance, 0.1 * (crest - clearance), 1e-15);
 }
 
+TEST_F(SceneNeeds, TakeTheErrorOfTheMeshFromTheModel) {
+  Study made = study();
+  EXPECT_EQ(need(scene_needs(made, {}), Effect::mesh).verdict, NeedVerdict::not_estimated);
+  const WaveLabel& wave = made.critical[*worst_critical(made.critical)].rising;
+  const Eigen::Index diameters = made.model.nodal_diameter_max() + 1, n = std::abs(wave.signed_nodal_diameter);
+  made.model.mesh_error = {Eigen::MatrixXd::Constant(diameters, wave.family + 1, 0.5),
+                           Eigen::VectorXd::Constant(made.model.contact.size(), 0.04)};
+  made.model.mesh_error->frequency(n, wave.family) = 0.02;
+  SceneNeed mesh = need(scene_needs(made, {}), Effect::mesh);
+  EXPECT_EQ(mesh.effect.size, 0.02);
+  EXPECT_EQ(mesh.verdict, NeedVerdict::matters);
+  EXPECT_NE(mesh.how.find("the compliance of the tip is up to 4 % too small"), std::string::npos) << mesh.how;
+  made.critical[*worst_critical(made.critical)].rising.family += 1;
+  mesh = need(scene_needs(made, {}), Effect::mesh);
+  EXPECT_EQ(mesh.verdict, NeedVerdict::not_estimated);
+  EXPECT_EQ(mesh.how, "reduce with more verification_modes: it takes the mode of the worst peak");
+}
+
 /// A tip that moves 3 along theta for each -1 along its normal: a coefficient of 0.1 does 0.3 of the normal force's
 /// work.
 TEST_F(SceneNeeds, SizesFrictionByTheMotionAlongTheCasing) {

@@ -53,7 +53,7 @@ BudgetRow row_of(const PeakVariation& variation, const SpeedResponse& response, 
   return row;
 }
 
-/// The errors of the settings, which have no sign.
+/// The errors of the settings. They have no sign, but for the mesh, which makes frequencies too high.
 void add_settings(const Study& study, const SpeedResponse& response, ErrorBudget& budget) {
   const CriticalSpeed& critical = *budget.critical;
   const double rise = critical.amplitude_high / critical.amplitude - 1;
@@ -64,7 +64,7 @@ void add_settings(const Study& study, const SpeedResponse& response, ErrorBudget
     budget.rows.push_back({"time step", response.audit.halving_failure, 0, *step, *step});
   for (const Check& check : exactness_checks(study))
     if (check.subject == "model" && check.worst) budget.rows.push_back({"reduced modes", "", *check.worst, 0, 0});
-  if (const auto shift = mesh_shift(study.model, critical.rising)) budget.rows.push_back({"mesh", "", *shift, 0, 0});
+  if (const auto shift = mesh_shift(study.model, critical.rising)) budget.rows.push_back({"mesh", "", -*shift, 0, 0});
 }
 
 /// Whitehead (1966): in a wheel whose blades differ, one of N blades moves at most (1 + sqrt N)/2 times as far as in

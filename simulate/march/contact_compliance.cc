@@ -44,9 +44,8 @@ void ContactCompliance::slide(const Eigen::VectorXd& way) {
   std::fill(is_fresh_.begin(), is_fresh_.end(), 0);
 }
 
-Eigen::MatrixXd& ContactCompliance::tilt(const std::vector<int>& sectors) {
+Eigen::MatrixXd& ContactCompliance::tilt() {
   std::fill(is_fresh_.begin(), is_fresh_.end(), 0);
-  tilted_ = sectors;
   return slopes_;
 }
 
@@ -81,7 +80,7 @@ void ContactCompliance::refresh(int node) {
   kernels::combine_columns({parts_.data(), tall_, tall_}, places_.data(), weights_.data(), places_.size(), taken);
   if (!is_curved()) return;
   std::copy_n(taken, nodes, column);
-  for (const int sector : tilted_)
+  for (int sector = 0; sector < responses_.sectors; ++sector)
     kernels::add_columns(
         {slopes_.data() + sector * width, static_cast<std::size_t>(nodes), static_cast<std::size_t>(width)},
         taken + nodes + sector * coordinates, static_cast<std::size_t>(coordinates), column + sector * width);

@@ -16,8 +16,9 @@ namespace tiprub::simulate {
 /// With friction it is unsymmetric.
 ///
 /// With a gap of second order, the force also acts on the coordinates y of the node's own blades with the slopes
-/// G = ds/dy of its gap, and gaps move with G y beside the displacements along the normals (SecondOrderTerms):
-///   W = (Y + G V) c (Y + G V + mu tau S)'.
+/// G = ds/dy of its gap, and gaps move with G y beside the displacements along the normals (SecondOrderTerms): with
+/// the rows Y, B and S of the normal displacements, of y, and of sliding,
+///   W = (Y + G B) c (Y + G B + mu tau S)'.
 /// What turns from step to step is computed only for the columns that a step asks for.
 class ContactCompliance {
  public:
@@ -27,7 +28,7 @@ class ContactCompliance {
     Eigen::MatrixXd sliding;  ///< to forces along theta and along the tip line in turn; as many rows, x 2n; or empty
     Eigen::MatrixXd blades;   ///< to forces on y; (n + m) x m, or empty
     double friction = 0;      ///< [1] mu
-    int sectors = 1;
+    int sectors = 1;          ///< with a gap of second order, of whole vectors of four nodes
   };
 
   /// Without friction, and with a gap of first order; n x n.
@@ -44,8 +45,8 @@ class ContactCompliance {
   /// line in turn; 2n. Refers to them.
   void slide(const Eigen::VectorXd& way);
   /// Begins a step with a gap of second order, and gives the place for its slopes: a row for each node, a column for
-  /// each coordinate of a sector. The gaps of sectors that are not listed follow the normal displacements only.
-  Eigen::MatrixXd& tilt(const std::vector<int>& sectors);
+  /// each coordinate of a sector.
+  Eigen::MatrixXd& tilt();
   /// [1] mu tau_theta and mu tau_m in turn, of the nodes that are up to date; 2n.
   const Eigen::VectorXd& drag_ratio() const { return drag_ratio_; }
   const Eigen::MatrixXd& slopes() const { return slopes_; }
@@ -85,7 +86,6 @@ class ContactCompliance {
   kernels::Lines taken_;     ///< with a gap of second order, in columns of `tall_`: what the forces take
   kernels::Lines parts_;     ///< what responses_ hold node after node, then coordinate after coordinate, likewise
   kernels::Lines response_;  ///< of respond()
-  std::vector<int> tilted_;  ///< sectors
   std::vector<int> places_;  ///< of the parts of a column
   std::vector<double> weights_;
   std::vector<char> is_fresh_;  ///< by node, in this step

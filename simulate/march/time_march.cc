@@ -46,8 +46,7 @@ TimeMarch::TimeMarch(MarchedScene scene)
       sectors_ * static_cast<Eigen::Index>(padded(static_cast<int>(blade_coordinates(scene_)))));
   for (TipMotion& motion : motion_) motion = {Eigen::VectorXd::Zero(size), blade_forces_};
   tabulate_obstacle();
-  compliance_ = waves_.compliance(rotor());
-  prepare_friction();
+  prepare_contact();
   contact_ = contact_law(scene_.setup, of_step_);
   if (finds_impacts(scene_.setup.scheme, scene_.setup.contact))
     inner_.emplace(of_step_, waves_.recoils(rotor(), std::gcd(sector_count_, scene_.obstacle.lobes())));
@@ -70,8 +69,9 @@ void TimeMarch::tabulate_obstacle() {
   if (blade_coordinates(scene_) > 0) second_order_.emplace(scene_.tips, obstacle, steps_per_revolution(), width_);
 }
 
-void TimeMarch::prepare_friction() {
+void TimeMarch::prepare_contact() {
   of_step_ = std::make_shared<ContactCompliance>(waves_.responses(rotor(), scene_.setup.friction));
+  compliance_ = of_step_->responses().normal.topRows(gap_.size());
   if (!has_friction()) return;
   carried_ = slide_ = drag_ = Eigen::VectorXd::Zero(2 * gap_.size());
   for (Eigen::Index i = 0; i < gap_.size(); ++i)
@@ -176,15 +176,10 @@ void TimeMarch::turn() {
     slide_along(slide_);
   }
   if (!second_order_) return;
-  touching_.clear();
-  const auto width = static_cast<Eigen::Index>(width_);
+  Eigen::MatrixXd& slopes = of_step_->tilt();
   for (int j = 0; j < sectors_; ++j)
-    if (traits_of(scene_.setup.scheme).has_memory || gap_.segment(j * width, width).minCoeff() < 0)
-      touching_.push_back(j);
-  Eigen::MatrixXd& slopes = of_step_->tilt(touching_);
-  for (const int j : touching_)
     second_order_->slopes(motion_[1].blades.data() + j * blade_width(), casing_over(j, step_ - 1),
-                          slopes.data() + j * width, static_cast<std::size_t>(slopes.rows()));
+                          slopes.data() + j * width_, static_cast<std::size_t>(slopes.rows()));
 }
 
 void TimeMarch::require_sliding() const {

@@ -135,7 +135,7 @@ class TimeMarch {
   /// Computes the gaps at the last two instants.
   void measure_both();
   void tabulate_obstacle();
-  void prepare_friction();
+  void prepare_contact();
   /// Values of a sector in TipMotion::blades.
   Eigen::Index blade_width() const { return blade_forces_.size() / sectors_; }
   SecondOrderTerms::Place casing_over(int sector, std::int64_t step) const;
@@ -169,7 +169,6 @@ class TimeMarch {
   Eigen::VectorXd carried_;       ///< [m] by rotation in a step, along theta and along the tip line in turn
   Eigen::VectorXd no_drag_;       ///< empty
   Eigen::VectorXd slide_, drag_;  ///< [m] in a step, [N], as carried_
-  std::vector<int> touching_;     ///< sectors whose gaps may close in a step
   Eigen::VectorXd blade_forces_;  ///< [N] on the coordinates y, sector after sector
   std::unique_ptr<ContactLaw> contact_;
   std::optional<InnerImpacts> inner_;  ///< if the scheme has them

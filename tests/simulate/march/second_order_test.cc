@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "simulate/march/contact_compliance.h"
 #include "simulate/march/second_order_terms.h"
 #include "simulate/orbits/energy_audit.h"
 #include "tests/simulate/one_sector.h"
@@ -158,6 +159,35 @@ TEST(SecondOrder, OnlyTakesEnergyInARoundCasing) {
     EXPECT_GT(largest, 0);
     EXPECT_LT(rise, 0.02 * largest) << static_cast<int>(scheme);
     EXPECT_LT(std::abs(audit.ledger(march).closing_error), 1e-9);
+  }
+}
+
+/// Two sectors of four nodes and one coordinate: W of forces along n + G y, from rows of the displacements in some
+/// modes.
+TEST(SecondOrder, HasTheComplianceOfForcesAlongItsSlopes) {
+  std::mt19937 source(11);
+  const auto random = [&] { return 2.0 * source() / std::mt19937::max() - 1.0; };
+  const Eigen::Index nodes = 8, modes = 12;
+  const Eigen::MatrixXd Y = Eigen::MatrixXd::NullaryExpr(nodes, modes, random),
+                        B = Eigen::MatrixXd::NullaryExpr(2, modes, random);
+  Eigen::MatrixXd both(nodes + 2, modes);
+  both << Y, B;
+  ContactCompliance compliance(ContactCompliance::Responses{both * Y.transpose(), {}, both * B.transpose(), 0, 2});
+  EXPECT_FALSE(compliance.is_constant());
+  for (int step = 0; step < 2; ++step) {
+    Eigen::MatrixXd& slopes = compliance.tilt();
+    slopes = Eigen::MatrixXd::NullaryExpr(nodes, 1, random);
+    Eigen::MatrixXd directions = Y;
+    for (Eigen::Index i = 0; i < nodes; ++i) directions.row(i) += slopes(i, 0) * B.row(i / 4);
+    const std::vector<int> closed = {0, 2, 7};
+    compliance.refresh(closed);
+    for (const int i : closed)
+      EXPECT_LT((compliance.column(i) - directions * directions.row(i).transpose()).norm(), 1e-13);
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(nodes);
+    forces(closed) = Eigen::Vector3d(3, 2, 5);
+    compliance.respond(forces, closed);
+    EXPECT_LT((compliance.normal_response() - Y * directions.transpose() * forces).norm(), 1e-12);
+    EXPECT_LT((compliance.blade_response() - B * directions.transpose() * forces).norm(), 1e-12);
   }
 }
 

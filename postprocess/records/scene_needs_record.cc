@@ -201,7 +201,7 @@ void add_known(std::vector<SceneNeed>& needs, const ModelledEffect& known) {
   if (need != needs.end()) {
     need->effect.treatment = known.treatment;
     need->effect.reason = known.reason;
-    if (known.treatment == Treatment::modelled) *need = {known, NeedVerdict::none};
+    if (known.treatment == Treatment::modelled) *need = {known, NeedVerdict::none, need->how};
   } else if (known.treatment == Treatment::modelled) {
     needs.push_back({known, NeedVerdict::none});
   } else {

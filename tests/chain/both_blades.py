@@ -123,7 +123,7 @@ def folded(path, made):
     half = SECTORS // 2
     shutil.copy(path, made)
     with h5py.File(path) as old, h5py.File(made, "r+") as new:
-        del new.attrs["digest"], new["nodal_diameter"], new["verification"], new["contact"]
+        del new.attrs["digest"], new["nodal_diameter"], new["verification"], new["mesh_error"], new["contact"]
         new.attrs["sector_count"] = half
         position = old["contact/position"][:]
         nodes, dofs = len(position), 3 * len(position)

@@ -36,7 +36,10 @@ struct FacePoint {
 std::vector<FacePoint> face_points(int nodes) {
   constexpr int parts = 8, triangle_nodes = 6;
   const auto gauss = [](int k) { return gauss_points(3)[static_cast<std::size_t>(k % 3)]; };
-  const auto at = [&](int k) { return (2 * (k / 3) + 1 + gauss(k).x) / parts - 1; };
+  const auto at = [&](int k) {
+    const int part = k / 3;
+    return (2 * part + 1 + gauss(k).x) / parts - 1;
+  };
   std::vector<FacePoint> points;
   for (int i = 0; i < 3 * parts; ++i)
     for (int j = 0; j < 3 * parts; ++j) {

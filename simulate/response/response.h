@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -183,7 +184,7 @@ struct SimulatedScene {
 struct OrbitBranch {
   double start = 0;                        ///< [rad/s] the speed at which the branch was begun
   int steps_per_revolution = 0;            ///< of the march
-  std::string ends[2];                     ///< why it ends at its first orbit, and at its last
+  std::array<std::string, 2> ends;         ///< why it ends at its first orbit, and at its last
   Eigen::VectorXd speed;                   ///< [rad/s]
   Eigen::VectorXd amplitude;               ///< [m] as SpeedResponse::amplitude
   Eigen::VectorXd multiplier;              ///< [1] magnitude of the largest Floquet multiplier per revolution

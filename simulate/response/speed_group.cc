@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "simulate/response/named_axes.h"
+#include "simulate/response/speed_numbers.h"
 
 namespace tiprub {
 

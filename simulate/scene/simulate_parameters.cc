@@ -108,13 +108,12 @@ void read_budget(CaseTable& table, SimulateParameters& parameters) {
                                                   {"largest", BudgetChoice::largest},
                                                   {"critical_speeds", BudgetChoice::critical_speeds}});
   if (parameters.budget == BudgetChoice::none) return;
-  if (parameters.examination == Examination::none)
-    table.reject("budget", "is a part of the examination of critical speeds; set examine = \"critical_speeds\" too");
   parameters.budget_friction = table.number("budget_friction", 0.1, Range::at_least(0), "of the contact force");
   parameters.budget_damping = table.numbers("budget_damping", std::vector<double>{2e-3, 5e-3}, damping_range,
                                             "of critical, each in turn, of all resolved modes");
   parameters.budget_clearance =
       table.number("budget_clearance", 20e-6, Range::positive(), "m, tolerance of the clearance");
+  if (parameters.examination == Examination::none) parameters.budget = BudgetChoice::none;
 }
 
 /// The modes at two instants must determine an orbit, which rules out contact laws with memory.

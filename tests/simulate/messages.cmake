@@ -139,9 +139,6 @@ expect_message(residual_flexibility_without_modes OLD "damping_ratio"
                ERRORS "[simulate] has no modes, and it has no default")
 expect_message(key_of_another_scheme OLD "damping_ratio" NEW "moreau_jean_theta = 0.6\ndamping_ratio" EXIT_CODE 2
                ERRORS "unknown key \"moreau_jean_theta\"")
-expect_message(budget_without_examination OLD "damping_ratio"
-               NEW "examine = \"none\"\nbudget = \"critical_speeds\"\ndamping_ratio" EXIT_CODE 2
-               ERRORS "budget is a part of the examination of critical speeds; set examine")
 expect_message(theta_that_blows_up OLD "damping_ratio"
                NEW "scheme = \"moreau_jean\"\nmoreau_jean_theta = 0.4\ndamping_ratio" EXIT_CODE 2
                ERRORS "moreau_jean_theta = 0.4 must be")

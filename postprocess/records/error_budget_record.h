@@ -34,8 +34,8 @@ Table critical_speed_budgets(const Study& study, const FieldResults& fields);
 /// One for each critical speed for which the response has variations; empty without any.
 std::vector<ErrorBudget> error_budgets(const Study& study);
 
-/// "the speed: clearance -0.02 mm (+1.2 %); the amplitude: damping 0.002 (+75 %)": the largest row of each; of the
-/// budget of the worst critical speed, or empty.
+/// "At 19537 rpm, of all that was varied, the most for the speed: friction 0.1 (-2.9 %), all together 3.7 %; ...":
+/// the largest row and the sum of each, of the budget with the largest amplitude; or empty.
 std::string largest_errors(const Study& study);
 
 /// "friction 0.1 (-2.9 %) moves the speed, and damping 0.002 (+52 %) the motion of the tip": of the same budget, or

@@ -82,10 +82,9 @@ class TimeMarch {
   const Eigen::VectorXd& gap() const { return gap_; }
   /// [m] at t_{q-2}, t_{q-1} and t_q, the last step's.
   GapHistory gaps() const { return {gap_two_before_, gap_before_, gap_}; }
-  /// [m] along the normals, at the last three instants: t_q, t_{q-1}, t_{q-2}.
+  /// [m] along the normals, at t_q and at t_{q-1}.
   const Eigen::VectorXd& displacement() const { return motion_[0].normal; }
   const Eigen::VectorXd& displacement_before() const { return motion_[1].normal; }
-  const Eigen::VectorXd& displacement_two_before() const { return motion_[2].normal; }
   /// The contact forces of the last step: [N], zero for open nodes.
   const ContactLaw& contact() const { return *contact_; }
   bool has_friction() const { return scene_.setup.friction != 0; }

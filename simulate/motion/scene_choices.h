@@ -92,8 +92,6 @@ inline constexpr NamedValues<Scheme, 5> scheme_names = {{{Scheme::trigonometric,
                                                          {Scheme::penalty, "penalty"}}};
 inline constexpr NamedValues<ContactRule, 2> contact_rule_names = {
     {{ContactRule::complementarity, "complementarity"}, {ContactRule::paper, "paper"}}};
-inline constexpr NamedValues<GapOrder, 2> gap_order_names = {
-    {{GapOrder::linear, "linear"}, {GapOrder::second_order, "second_order"}}};
 inline constexpr NamedValues<ClearanceState, 3> clearance_state_names = {
     {{ClearanceState::cold, "cold"}, {ClearanceState::running, "running"}, {ClearanceState::at_speed, "at_speed"}}};
 

@@ -113,4 +113,16 @@ Bench make_bench(const ReducedModel& model, const Casing& casing, double speed, 
   return {std::move(rotor), std::move(march)};
 }
 
+double settled_amplitude(Bench bench) {
+  TimeMarch& march = bench.march;
+  Eigen::ArrayXd low = Eigen::ArrayXd::Constant(march.gap().size(), 1), high = -low;
+  for (int i = 0; i < 22 * march.steps_per_revolution(); ++i) {
+    march.step();
+    if (i < 20 * march.steps_per_revolution()) continue;
+    low = low.min(march.displacement().array());
+    high = high.max(march.displacement().array());
+  }
+  return ((high - low) / 2).maxCoeff();
+}
+
 }  // namespace tiprub::simulate::testing

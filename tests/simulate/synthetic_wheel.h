@@ -42,4 +42,7 @@ struct Bench {
 Bench make_bench(const ReducedModel& model, const Casing& casing, double speed, double damping_ratio,
                  const MarchSetup& setup);
 
+/// [m] Half of the peak-to-peak normal displacement over revolutions 21 and 22, the largest of all nodes.
+double settled_amplitude(Bench bench);
+
 }  // namespace tiprub::simulate::testing

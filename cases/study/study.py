@@ -28,6 +28,7 @@ LABEL = re.compile(r"[A-Za-z0-9_+.-]+")  # stands behind the name of its grid
 FILE = re.compile(r"[\w ./+,@'-]+")      # make takes other signs for its own
 KEY = re.compile(r"[A-Za-z0-9_]+(\.[A-Za-z0-9_]+)+")
 MOST_POINTS = 10_000
+LONGEST_NAME = 200  # file systems take 255 bytes
 
 
 class Wrong(Exception):
@@ -58,11 +59,12 @@ def setting(place, key, value):
     if not KEY.fullmatch(key):
         raise Wrong(f"{place}: {key!r} must be TABLE.KEY of a case, in quotes")
     try:
-        if not isinstance(value, dict):
-            return f"{key}={json.dumps(value, ensure_ascii=False, allow_nan=False)}"
+        text = f"{key}={json.dumps(value, ensure_ascii=False, allow_nan=False)}"
+        if not isinstance(value, dict) and text.isprintable():
+            return text
     except (TypeError, ValueError):
         pass
-    raise Wrong(f"{place}: {key} = {reprlib.repr(value)} must be a number, a text, a truth or a list of these")
+    raise Wrong(f"{place}: {key} = {reprlib.repr(value)} must be a number, a text of one line, a truth or a list of these")
 
 
 def axis_values(name, axis):
@@ -113,6 +115,8 @@ class Study:
     def add(self, name, labels, settings):
         if name in self.points:
             raise Wrong(f"two points have the name {name}")
+        if len(name) > LONGEST_NAME:
+            raise Wrong(f"the point {name[:40]}... has a name of {len(name)} letters; that of a folder may have {LONGEST_NAME}")
         self.points[name] = (labels, settings)
 
     def add_grid(self, grid, common):

@@ -35,6 +35,8 @@ WRONG = (('"casing.lobes" = 3', '"casing.lobs" = 3', "point heavy: ", 'unknown k
          ('"casing.lobes" = 3', '"casing.lobes" = inf', "casing.lobes = inf must be a number"),
          ('"casing.lobes" = 3', '"casing.lobes" = 2026-01-01', "must be a number"),
          ('{"0.13"', '{"../0.13"', "[grid.clearance]: '../0.13' names a folder"),
+         ('{"0.13"', f'{{"{300 * "9"}"', "has a name of 310 letters; that of a folder may have 200"),
+         ('"casing.lobes" = 3', '"casing.shape" = "\\u2028cosine"', "must be a number, a text of one line"),
          ('[grid.clearance]', '[grid."x$(shell touch ran)"]', "[grid]: 'x$(shell touch ran)' names a folder; use letters, digits and ._+-"),
          ('[grid.clearance]', '[grid."../../../evil"]', "[grid]: '../../../evil' names a folder"),
          ('[grid.clearance]', '[grid."g<img src=x onerror=alert(2)>"]', "names a folder"),

@@ -40,6 +40,7 @@ deb: manual
 	@echo "As root: apt-get install $(abspath $(BUILD))/tiprub_*.deb"
 
 tests: configure
+	@.ci/install-packages packages-test.txt
 	ninja -C $(BUILD) -j $(JOBS)
 
 demo: programs

@@ -26,10 +26,12 @@ std::vector<double> arc_lengths(const SectorMesh& mesh, const std::vector<int>& 
   return lengths;
 }
 
-/// Derivative at the middle of three points (or at an end, by the same parabola) over arc length.
+/// Derivative at the middle of three points (or at an end, by the same parabola) over arc length. A single
+/// node has no direction; the casing is taken as a cylinder there.
 Eigen::Vector2d tangent(const SectorMesh& mesh, const std::vector<int>& line, const std::vector<double>& lengths,
                         std::size_t at) {
-  if (line.size() < 3) return meridional(mesh.nodes.col(line.back())) - meridional(mesh.nodes.col(line.front()));
+  if (line.size() == 1) return {0.0, 1.0};
+  if (line.size() == 2) return meridional(mesh.nodes.col(line.back())) - meridional(mesh.nodes.col(line.front()));
   const std::size_t middle = std::clamp<std::size_t>(at, 1, line.size() - 2);
   const double a = lengths[middle - 1], b = lengths[middle], c = lengths[middle + 1], s = lengths[at];
   return meridional(mesh.nodes.col(line[middle - 1])) * ((s - b) + (s - c)) / ((a - b) * (a - c)) +

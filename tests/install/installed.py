@@ -65,6 +65,15 @@ def completion(prefix, folder):
     assert completed(prefix, folder, "case.toml", "--set", "simulate.sw") == ["simulate.sweep="]
 
 
+def python(prefix, folder, work):
+    """The package finds the installed cases and programs."""
+    script = ("import sys, tiprub; folder = sys.argv[1] + '/'; files = {'MODEL': folder + 'model.h5', 'FIELDS': folder + 'fields.h5'}; "
+              "print(tiprub.__file__, len(tiprub.run(folder + 'case.toml', progress=False, **files).sweep.rpm))")
+    environment = {"PATH": "/usr/bin:/bin", "HOME": work, "PYTHONPATH": os.path.join(prefix, "lib/python3/dist-packages")}
+    place, speeds = run(sys.executable, "-B", "-c", script, folder, cwd=work, env=environment).split()
+    assert place.startswith(prefix) and speeds == "4", (place, speeds)
+
+
 def reader(cmake, prefix, source, folder, work):
     built = os.path.join(work, "reader")
     run(cmake, "-S", source, "-B", built, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Debug")
@@ -82,6 +91,7 @@ def main(cmake, build, case, source, work):
     only_sources(prefix)
     manual(prefix)
     completion(prefix, folder)
+    python(prefix, folder, work)
     reader(cmake, prefix, source, folder, work)
 
 

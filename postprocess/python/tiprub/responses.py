@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""response.h5, with the report beside it. The format is described in simulate/format.md, the report in postprocess/report.md."""
+import json
+import os
+
+import h5py
+import numpy as np
+
+from .models import Model, text_of
+from .units import rad_per_s, rpm
+
+
+def _data_array(dataset):
+    """An xarray.DataArray with the names, the values and the units of the dataset's axes."""
+    import xarray
+    axes = [axis.keys()[0] if len(axis) else dataset.name.rsplit("/", 1)[1] for axis in dataset.dims]
+    scales = {name: _values(axis[0]) for name, axis in zip(axes, dataset.dims) if len(axis)}
+    attributes = {name: text_of(dataset.attrs[name]) for name in ("units", "long_name") if name in dataset.attrs}
+    return xarray.DataArray(_values(dataset), scales, axes, attrs=attributes)
+
+
+def _values(dataset):
+    return np.array([text_of(value) for value in dataset[:]], dtype=object) if h5py.check_string_dtype(dataset.dtype) else dataset[:]
+
+
+class Response:
+    """A response of tiprub-simulate. The numbers of all speeds stand in `sweep`, and `at` gives the motion at one speed.
+
+    `report` is the folder that tiprub-postprocess wrote of it, by default `report` beside the file.
+
+    >>> response = open_response("response.h5")
+    >>> response.sector_count, response.independent_sectors
+    (6, 3)
+    >>> response.sweep.amplitude.sizes["rotor_speed"]
+    4
+    """
+
+    def __init__(self, path, report=None):
+        self.path = os.fspath(path)
+        self.report = os.fspath(report or os.path.join(os.path.dirname(self.path), "report"))
+        self.file = h5py.File(self.path)
+        schema = text_of(self.file.attrs.get("schema", "none"))
+        if schema != "tiprub-response":
+            raise ValueError(f"{self.path}: has the schema {schema!r}; a response of tiprub-simulate has 'tiprub-response'")
+
+    @property
+    def sector_count(self):
+        """Number N of the sectors of the wheel."""
+        return int(self.file.attrs["sector_count"])
+
+    @property
+    def independent_sectors(self):
+        """Number N_s of the sectors in the file; sector j moves like sector j mod N_s."""
+        return int(self.file.attrs["independent_sectors"])
+
+    @property
+    def sweep(self):
+        """xarray.Dataset of one number or text for each speed, with `rotor_speed` [rad/s] and `rpm` as coordinates.
+
+        >>> sweep = open_response("response.h5").sweep
+        >>> sweep.amplitude.units, [round(float(speed)) for speed in sweep.rpm]
+        ('m', [20000, 24000, 27000, 30000])
+        """
+        import xarray
+        along_speed = {name: _data_array(dataset) for name, dataset in self.file.items()
+                       if isinstance(dataset, h5py.Dataset) and dataset.ndim == 1 and len(dataset.dims[0])
+                       and dataset.dims[0].keys() == ["rotor_speed"]}
+        attributes = {name: text_of(value) for name, value in self.file.attrs.items()}
+        sweep = xarray.Dataset(along_speed, attrs=attributes)
+        return sweep.assign_coords(rpm=rpm(sweep.rotor_speed))
+
+    def at(self, speed):
+        """xarray.Dataset of the simulated speed nearest to `speed` [rpm]; its attributes are those of the file.
+
+        `displacement` [m] has the axes angle x sector x contact_node x component (r, theta, z in the rotor frame),
+        `contact_force` [N] angle x sector x contact_node. The groups `snapshot` and `cycle` become variables
+        `snapshot_<n>` and `cycle_<n>`: complex waves of the model's dofs on nodal diameter n.
+
+        >>> motion = open_response("response.h5").at(27000)
+        >>> round(rpm(motion.speed)), motion.motion, motion.displacement.dims
+        (27000, 'periodic', ('angle', 'sector', 'contact_node', 'component'))
+        """
+        import xarray
+        group, found = self._group(speed), {}
+        group.visititems(lambda name, item: found.update({name.replace("/", "_"): item}) if isinstance(item, h5py.Dataset) else None)
+        scales = {axis.keys()[0] for item in found.values() for axis in item.dims if len(axis)}
+        attributes = {name: text_of(value) for name, value in group.attrs.items()}
+        return xarray.Dataset({name: _data_array(item) for name, item in found.items() if name not in scales}, attrs=attributes)
+
+    def _group(self, speed):
+        groups = list(self.file["speed"].values())
+        return min(groups, key=lambda group: abs(group.attrs["speed"] - rad_per_s(speed)))
+
+    def whole_wheel(self, data):
+        """`data` along all N sectors: displacement or contact_force of `at`, which hold the independent sectors alone.
+
+        >>> response = open_response("response.h5")
+        >>> response.whole_wheel(response.at(27000).contact_force).sizes["sector"]
+        6
+        """
+        sectors = np.arange(self.sector_count)
+        return data.isel(sector=sectors % self.independent_sectors).assign_coords(sector=sectors)
+
+    def normal_motion(self, speed, model="model.h5"):
+        """[m] displacement towards the casing, angle x sector x contact_node, at the speed nearest to `speed` [rpm].
+
+        `model` is a Model or its file; a relative name counts from the folder of the response.
+
+        >>> motion = open_response("response.h5").normal_motion(27000)
+        >>> (motion.max("angle") - motion.min("angle")).max().item() / 2 == open_response("response.h5").at(27000).amplitude
+        True
+        """
+        import xarray
+        if not isinstance(model, Model):
+            model = Model.read(os.path.join(os.path.dirname(self.path), model))
+        normal = xarray.DataArray(model.normal, dims=("contact_node", "component"))
+        motion = (self.at(speed).displacement * normal).sum("component")
+        return motion.assign_attrs(units="m", long_name="displacement towards the casing")
+
+    def field(self, speed, fields="fields.h5"):
+        """xarray.Dataset of the whole wheel at the instant of the snapshot, at the speed nearest to `speed` [rpm].
+
+        `displacement` [m] has the axes sector x node x component (r, theta, z of each node's own place), without the
+        static shift; `position` [m] has sector x node x (x, y, z) in the rotor frame. `fields` counts as in
+        normal_motion.
+        """
+        import xarray
+        turns = 2 * np.pi * np.arange(self.sector_count) / self.sector_count
+        with h5py.File(os.path.join(os.path.dirname(self.path), fields)) as file:
+            x, y, z = file["nodes"][:].T
+            displacement = 0.0
+            for n, waves in self._group(speed)["snapshot"].items():
+                shape = np.tensordot(waves[:, 0], file[f"nodal_diameter/{n}/basis"][:], 1)
+                displacement += np.real(np.exp(1j * int(n) * turns)[:, None, None] * shape)
+        cos, sin = np.cos(turns)[:, None], np.sin(turns)[:, None]
+        position = np.stack([cos * x - sin * y, sin * x + cos * y, 0 * cos + z], -1)
+        return xarray.Dataset({"displacement": (("sector", "node", "component"), displacement, {"units": "m"}),
+                               "position": (("sector", "node", "axis"), position, {"units": "m"})},
+                              {"component": ["r", "theta", "z"], "axis": ["x", "y", "z"]})
+
+    @property
+    def frequencies(self):
+        """Nodal diameter -> xarray.DataArray [Hz] of natural frequencies, speed x mode; modes count from 1.
+
+        >>> frequencies = open_response("response.h5").frequencies
+        >>> list(frequencies), frequencies[0].dims
+        ([0, 1, 2, 3], ('rpm', 'mode'))
+        """
+        found = {}
+        for n, dataset in sorted(self.file["frequencies/nodal_diameter"].items(), key=lambda item: int(item[0])):
+            data = _data_array(dataset)
+            data = data.assign_coords({data.dims[0]: rpm(data[data.dims[0]]), data.dims[1]: data[data.dims[1]] + 1})
+            found[int(n)] = data.rename({data.dims[0]: "rpm", data.dims[1]: "mode"})
+        return found
+
+    @property
+    def summary(self):
+        """summary.json of the report: texts and lists of rows."""
+        with open(os.path.join(self.report, "summary.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    def table(self, name):
+        """pandas.DataFrame of a table of summary.json: "speeds", "exactness", "scene_needs", "error_budget", ..."""
+        import pandas
+        return pandas.DataFrame(self.summary.get(name, []))
+
+    @property
+    def critical_speeds(self):
+        """pandas.DataFrame with a row for each critical speed; the names of the columns give the units.
+
+        >>> open_response("response.h5").critical_speeds[["speed [rpm]", "engine order", "wave"]]
+           speed [rpm]  engine order      wave
+        0      27000.0           2.0  backward
+        """
+        return self.table("critical_speeds")
+
+
+def open_response(path, report=None):
+    """The Response in a file response.h5."""
+    return Response(path, report)

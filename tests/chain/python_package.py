@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Python package finds in the files of a small disc what the programs say is in them, and writes what they take.
+
+usage: python_package.py SOURCE_FOLDER PROGRAMS_FOLDER FOLDER_WITH_FILES WORK_FOLDER
+"""
+import doctest
+import importlib
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+
+import h5py
+import numpy as np
+
+MODULES = ("units", "models", "responses", "sector_matrices", "runs", "plots")
+
+
+def doctests(tiprub):
+    for name in MODULES:
+        told = doctest.testmod(importlib.import_module(f"tiprub.{name}"), extraglobs=vars(tiprub), optionflags=doctest.NORMALIZE_WHITESPACE)
+        assert told.failed == 0 and told.attempted > 0, (name, told)
+
+
+def frequencies(tiprub):
+    """Those that tiprub-simulate has written."""
+    model, marched = tiprub.Model.read("model.h5"), tiprub.open_response("response.h5").frequencies
+    assert sorted(marched) == list(range(model.sector_count // 2 + 1))
+    for n, data in marched.items():
+        for speed, written in zip(data.rpm.values, data.values):
+            assert np.allclose(model.frequencies(n, speed), written, rtol=1e-6), (n, speed)
+
+
+def motion(tiprub):
+    """Against the numbers that tiprub-simulate has written of each speed, and sums of waves by hand."""
+    response = tiprub.open_response("response.h5")
+    with h5py.File("fields.h5") as fields:
+        tips = fields["node_set/contact"][:]
+    for speed in response.sweep.rpm.values:
+        at, normal = response.at(speed), response.normal_motion(speed)
+        assert np.isclose(at.speed * 30 / np.pi, speed)
+        assert np.isclose((normal.max("angle") - normal.min("angle")).max() / 2, at.amplitude, rtol=1e-12)
+        with h5py.File("response.h5") as file:
+            snapshot = min(file["speed"].values(), key=lambda group: abs(group.attrs["speed"] - at.speed))["snapshot"]
+            sample, force = snapshot.attrs["sample"], snapshot.attrs["contact_force"]
+        whole = response.whole_wheel(at)
+        assert whole.sizes["sector"] == response.sector_count and np.isclose(whole.contact_force[sample].sum(), force)
+        tip = response.field(speed).displacement[:, tips]
+        assert np.allclose(tip, whole.displacement[sample], rtol=1e-5, atol=1e-12)
+
+
+def units(tiprub):
+    """xarray's own reader of netCDF has the same numbers and units."""
+    import xarray
+    with xarray.open_dataset("response.h5") as theirs:
+        ours = tiprub.open_response("response.h5").sweep
+        assert set(theirs.data_vars) == {*ours.data_vars, "provenance"}
+        assert all(theirs[name].equals(ours[name].drop_vars("rpm")) for name in ours.data_vars)
+        assert theirs.amplitude.units == ours.amplitude.units == "m" and tiprub.mm(ours.amplitude).units == "mm"
+
+
+def broken_models(tiprub):
+    """What Model refuses is refused by tiprub-simulate too, and what it takes is taken."""
+    def spoil(n, name, change):
+        matrices = {k: dict(group) for k, group in sound.matrices.items()}
+        matrices[n][name] = change(matrices[n][name])
+        return {"matrices": matrices}
+
+    sound = tiprub.Model.read("model.h5")
+    yield {}
+    yield {"sector_count": 9}
+    yield {"speed_max": 0.0}
+    yield {"normal": -sound.normal}
+    yield {"normal": 2 * sound.normal}
+    yield {"position": sound.position[:1]}
+    yield {"arc_length": sound.arc_length[::-1]}
+    yield {"matrices": {0: sound.matrices[0]}}
+    yield spoil(1, "K0", lambda K: K + np.triu(np.full(K.shape, 1e-6 * np.max(np.abs(K))), 1))
+    yield spoil(0, "K0", lambda K: K + 1e-6j * np.max(K) * np.tri(len(K)) - 1e-6j * np.max(K) * np.tri(len(K)).T)
+    yield spoil(2, "M", lambda M: -M)
+    yield spoil(2, "K1", lambda K: np.nan * K)
+    yield {"matrices": {**sound.matrices, 1: {"K0": sound.matrices[1]["K0"], "K4": sound.matrices[1]["K0"], "M": sound.matrices[1]["M"]}}}
+
+
+def refusals(tiprub, programs):
+    simulate = os.path.join(programs, "tiprub-simulate")
+    for k, change in enumerate(broken_models(tiprub)):
+        model = tiprub.Model.read("model.h5")
+        for name, value in change.items():
+            setattr(model, name, value)
+        try:
+            model.write("changed.h5")
+            assert not change, f"change {k} is not refused"
+        except tiprub.ModelError:
+            assert change, "a sound model is refused"
+            model.check = lambda: None
+            model.write("changed.h5")
+        told = subprocess.run([simulate, "case.toml", "changed.h5", "--check"], text=True, stderr=subprocess.PIPE, stdout=subprocess.PIPE)
+        assert told.returncode == (2 if change else 0), (k, told.stderr)
+    try:
+        tiprub.run("case.toml", set={"casing.lobs": 3}, progress=False)
+        raise AssertionError("a wrong key is not refused")
+    except tiprub.RunError as error:
+        assert 'unknown key "lobs"' in str(error) and "make:" not in str(error), error
+    try:
+        tiprub.plots.budget(tiprub.open_response("response.h5"))
+        raise AssertionError("a picture of no budget")
+    except ValueError as error:
+        assert "simulate with" in str(error)
+
+
+def gallery(scripts):
+    """Each script draws its picture; that of a blade compares its frequency with the closed form."""
+    names = ("interaction_map", "campbell", "travelling_wave", "own_blade")
+    running = [subprocess.Popen([sys.executable, "-B", os.path.join(scripts, name + ".py"), "."], text=True, stdout=subprocess.PIPE) for name in names]
+    said = [each.communicate()[0] for each in running]
+    assert all(each.returncode == 0 for each in running), said
+    assert all(os.path.getsize(name + ".png") > 10_000 for name in names)
+    words = said[-1].split()
+    reduced, beam = (float(word) for before, word in zip(words[1:], words[2:]) if before in ("frequency", "beam"))
+    assert abs(reduced / beam - 1) < 1e-3, said[-1]
+
+
+def wheel(source):
+    """pip makes it by this call."""
+    shutil.copytree(os.path.join(source, "postprocess", "python"), "wheel")
+    script = "import setuptools.build_meta as build; print(build.build_wheel('.'))"
+    made = subprocess.run([sys.executable, "-c", script], cwd="wheel", text=True, stdout=subprocess.PIPE, check=True).stdout.split()[-1]
+    with zipfile.ZipFile(os.path.join("wheel", made)) as files:
+        assert {f"tiprub/{name}.py" for name in ("__init__", *MODULES)} <= set(files.namelist()), files.namelist()
+
+
+def main(source, programs, made, work):
+    shutil.rmtree(work, ignore_errors=True)
+    shutil.copytree(made, work)
+    os.chdir(work)
+    package = os.path.join(source, "postprocess", "python")
+    os.environ.update(PYTHONPATH=package, PATH=programs + os.pathsep + os.environ["PATH"], MPLBACKEND="agg")
+    sys.path.insert(0, package)
+    import tiprub
+    for check in (doctests, frequencies, motion, units):
+        check(tiprub)
+    refusals(tiprub, programs)
+    gallery(os.path.join(source, "cases", "reading"))
+    wheel(source)
+
+
+if __name__ == "__main__":
+    main(*map(os.path.abspath, sys.argv[1:]))

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One version everywhere: CMake's project, the newest release of the changelog, the citation, the Python package.
+"""One version everywhere: CMake's project, the newest release of the changelog, the citation, the README, the Python package.
 
 usage: versions.py ROOT
 """
@@ -10,7 +10,8 @@ import sys
 import source_tree
 
 PLACES = (("CMakeLists.txt", r"^project\(tiprub VERSION ([\d.]+)"), (".github/CHANGELOG.md", r"^## (\d[\d.]*)"),
-          (".github/CITATION.cff", r"^version: ([\d.]+)$"), ("postprocess/python/tiprub/__init__.py", r'^__version__ = "([\d.]+)"$'))
+          (".github/CITATION.cff", r"^version: ([\d.]+)$"), ("README.md", r"latest release is\s+(\d+\.\d+\.\d+)"),
+          ("postprocess/python/tiprub/__init__.py", r'^__version__ = "([\d.]+)"$'))
 
 
 def main(root):

@@ -20,7 +20,7 @@ drawn = axes.pcolormesh(np.degrees(motion.angle), motion.sector, motion.T, cmap=
 figure.colorbar(drawn, label="displacement towards the casing [mm]")
 samples, sectors = np.nonzero(force.values)
 axes.scatter(np.degrees(force.angle[samples]), sectors, 30 * (force / force.max()).values[samples, sectors], color="black", label="contact force")
-axes.set(xlabel="angle of the rotor [deg]", ylabel="sector", yticks=motion.sector, xlim=(0, 360),
-         title=f"contact node {node} at {speed:.0f} rpm: EO {worst['engine order']:.0f}, ND {worst['signed nodal diameter']:+d}")
+axes.set(xlabel="angle of the rotor [deg]", ylabel="sector", yticks=motion.sector, xlim=(0, 360))
+axes.set_title(f"contact node {node} at {speed:.0f} rpm: EO {worst['engine order']:.0f}, ND {worst['signed nodal diameter']:+d}", loc="left")
 axes.legend(loc="lower right", bbox_to_anchor=(1, 1))
 figure.savefig("travelling_wave.png", dpi=120)

@@ -95,7 +95,10 @@ class Model:
         return np.block([[np.eye(contact), np.zeros((contact, modes.shape[1]))], [static, modes]])
 
     def check(self):
-        """Raises ModelError with the first fault for which the programs would refuse the model."""
+        """Raises ModelError with the first fault in shapes, normals, order of the nodes or matrices.
+
+        The programs refuse what this refuses, and also places of nodes that contradict each other; see reduce/format.md.
+        """
         nodes = len(self.arc_length)
         for fault, wrong in (
                 ("sector_count must be at least 1", self.sector_count < 1),

@@ -39,9 +39,9 @@ class Response:
         self.path = os.fspath(path)
         self.report = os.fspath(report or os.path.join(os.path.dirname(self.path), "report"))
         self.file = h5py.File(self.path)
-        schema = text_of(self.file.attrs.get("schema", "none"))
-        if schema != "tiprub-response":
-            raise ValueError(f"{self.path}: has the schema {schema!r}; a response of tiprub-simulate has 'tiprub-response'")
+        schema, version = (text_of(self.file.attrs.get(name, "none")) for name in ("schema", "schema_version"))
+        if schema != "tiprub-response" or version < 5:
+            raise ValueError(f"{self.path}: has the schema {schema!r}, version {version}; a response of tiprub-simulate has 'tiprub-response', 5")
 
     @property
     def sector_count(self):
@@ -70,7 +70,7 @@ class Response:
         return sweep.assign_coords(rpm=rpm(sweep.rotor_speed))
 
     def at(self, speed):
-        """xarray.Dataset of the simulated speed nearest to `speed` [rpm]; its attributes are those of the file.
+        """xarray.Dataset of the motion at the simulated speed nearest to `speed` [rpm]; its attributes are those of the file.
 
         `displacement` [m] has the axes angle x sector x contact_node x component (r, theta, z in the rotor frame),
         `contact_force` [N] angle x sector x contact_node. The groups `snapshot` and `cycle` become variables
@@ -88,7 +88,9 @@ class Response:
         return xarray.Dataset({name: _data_array(item) for name, item in found.items() if name not in scales}, attrs=attributes)
 
     def _group(self, speed):
-        groups = list(self.file["speed"].values())
+        groups = [group for group in self.file["speed"].values() if not group.attrs["failure"]]
+        if not groups:
+            raise ValueError(f"{self.path}: holds no motion; the texts of sweep.failure say why")
         return min(groups, key=lambda group: abs(group.attrs["speed"] - rad_per_s(speed)))
 
     def whole_wheel(self, data):

@@ -21,6 +21,28 @@ constexpr double left_out_waves = 0.002;                       // [1] of the mea
 constexpr std::size_t most_waves = 6;                          // of a motion, that are recovered
 constexpr double m_per_mm = 1e-3;
 constexpr double largest_radius = 1e3;  // [m] of any wheel
+constexpr double unit_error = 1e-3;     // of the motion of a contact node, which is exact to single precision
+constexpr double tip_motion = 30;  // a tip moves by no more, and by no less than 1/30, of the mean over a segment
+
+/// Checks that the basis moves the contact nodes as the contact dofs of the model say, which a basis in another unit
+/// does not.
+void check_contact_shapes(const FieldsReader& reader, const ReducedModel& model, int n, const std::string& name) {
+  const std::vector<int>& contact = reader.sector().node_set("contact");
+  for (int dof = 0; dof < model.contact_dofs(); ++dof) {
+    const Eigen::VectorXcd shape = reader.shape(n, dof);
+    Eigen::VectorXcd moved(contact.size());
+    for (std::size_t k = 0; k < contact.size(); ++k)
+      moved[static_cast<Eigen::Index>(k)] = shape[3 * contact[k] + dof % 3];
+    const double largest = moved.cwiseAbs().maxCoeff();
+    moved[dof / 3] -= 1.0;
+    if (model.contact.kind == ContactKind::points ? moved.cwiseAbs().maxCoeff() <= unit_error
+                                                  : largest <= tip_motion && largest >= 1 / tip_motion)
+      continue;
+    throw InputError(name + ": /nodal_diameter/" + std::to_string(n) + "/basis moves the contact nodes by up to " +
+                     significant(largest, 3) + " m for 1 m of contact dof " + std::to_string(dof) +
+                     "; give the fields that were written with the model");
+  }
+}
 
 void check_together(const FieldsReader& reader, const ReducedModel& model, const std::string& name) {
   const SectorFields& sector = reader.sector();
@@ -45,10 +67,12 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
     if ((sector.nodes.col(contact[k]) - there).norm() > reach)
       refuse("contact node " + std::to_string(k) + " is elsewhere than the model's");
   }
-  for (int n = 0; n <= model.nodal_diameter_max(); ++n)
+  for (int n = 0; n <= model.nodal_diameter_max(); ++n) {
     if (reader.dofs(n) != model.nodal_diameters[static_cast<std::size_t>(n)].M.rows())
       refuse("has " + std::to_string(reader.dofs(n)) + " dofs at nodal diameter " + std::to_string(n) +
              ", the model has " + std::to_string(model.nodal_diameters[static_cast<std::size_t>(n)].M.rows()));
+    check_contact_shapes(reader, model, n, name);
+  }
 }
 
 void require_sound_bricks(const CellStress& bricks, const std::string& name) {

@@ -226,6 +226,12 @@ Eigen::Index FieldsReader::dofs(int nodal_diameter) const {
   return static_cast<Eigen::Index>(shape[0]);
 }
 
+Eigen::VectorXcd FieldsReader::shape(int nodal_diameter, Eigen::Index dof) const {
+  const std::vector<std::complex<float>> slice =
+      file_.read_slice(basis_of(nodal_diameter), static_cast<std::size_t>(dof));
+  return Eigen::Map<const Eigen::VectorXcf>(slice.data(), 3 * sector_.nodes.cols()).cast<std::complex<double>>();
+}
+
 Eigen::MatrixXcd FieldsReader::expand(int nodal_diameter, const Eigen::MatrixXcd& amplitudes) const {
   const std::string name = basis_of(nodal_diameter);
   if (amplitudes.rows() != dofs(nodal_diameter))

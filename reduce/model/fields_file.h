@@ -60,6 +60,8 @@ class FieldsReader {
   const std::string& model_digest() const { return model_digest_; }
   /// How many dofs the model has at a nodal diameter 0 .. floor(N/2).
   Eigen::Index dofs(int nodal_diameter) const;
+  /// The displacement of all nodes for a unit of one dof.
+  Eigen::VectorXcd shape(int nodal_diameter, Eigen::Index dof) const;
   /// Fields of several states at once: basis times `amplitudes` (dofs x states), read in one pass; 3 nodes x states,
   /// r, theta, z of node 0, then of node 1, ...
   Eigen::MatrixXcd expand(int nodal_diameter, const Eigen::MatrixXcd& amplitudes) const;

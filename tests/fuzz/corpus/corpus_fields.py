@@ -67,6 +67,7 @@ def of_basis():
         yield FIELDS.entry(f"basis_{number}.absent", without(name), f"/{name}: is missing")
         yield FIELDS.entry(f"basis_{number}.other_nodes", replaced(name, lambda values: values[:, 1:]), f"/{name} must have the axes model dof, node, component")
         yield FIELDS.entry(f"basis_{number}.one_dof_less", replaced(name, lambda values: values[1:]), f"dofs at nodal diameter {number}, the model has ", 2)
+        yield FIELDS.entry(f"basis_{number}.in_mm", replaced(name, lambda values: values * values.dtype.type(1000)), "moves the contact nodes by up to ", 2)
         yield FIELDS.entry(f"basis_{number}.matrix", replaced(name, lambda values: values[:, :, 0]), f"/{name} must have the axes")
 
 

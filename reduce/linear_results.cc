@@ -13,6 +13,7 @@
 #include "mesh/cells/cell_kind.h"
 #include "reduce/basis/cyclic_modes.h"
 #include "reduce/model/hdf5_file.h"
+#include "reduce/model/model_doubts.h"
 #include "reduce/operators/memory_need.h"
 #include "reduce/operators/speed_samples.h"
 #include "reduce/operators/spin_equilibrium.h"
@@ -120,11 +121,11 @@ class LinearAnalysis {
       }
       ++part;
     }
-    for (int k = 0; k < tip_.size(); ++k) {
-      const Eigen::Vector3d cylindrical =
-          cylindrical_frame(mesh_.nodes.col(contact_[k])).transpose() * u.col(contact_[k]);
-      results_.clearance_loss(row, k) = tip_.normal.row(k).dot(cylindrical);
-    }
+    Eigen::MatrixX3d shift(tip_.size(), 3);
+    for (int k = 0; k < tip_.size(); ++k)
+      shift.row(k) = (cylindrical_frame(mesh_.nodes.col(contact_[k])).transpose() * u.col(contact_[k])).transpose();
+    results_.clearance_loss.row(row) = tip_.normal.cwiseProduct(shift).rowwise().sum().transpose();
+    results_.doubts = shift_doubts(tip_.position, shift, results_.speeds[row]);
   }
 
   SectorFactor factorize(int row) const {

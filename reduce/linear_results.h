@@ -33,6 +33,7 @@ struct LinearResults {
   Eigen::MatrixXd von_mises;                    ///< [Pa] largest under spin, of the Gauss points; n_s x parts
   Eigen::VectorXd tip_arc_length;  ///< [m] of the tip line's nodes from the leading edge, in the meridional plane
   Eigen::MatrixXd clearance_loss;  ///< [m] motion of the tip towards the casing, along its normal; n_s x nodes
+  std::string doubts;              ///< shift_doubts() at the highest speed
 
   int speed_count() const { return static_cast<int>(speeds.size()); }
 };

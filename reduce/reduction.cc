@@ -129,7 +129,6 @@ class Reducer {
     timed(report, "factor at rest");
     require_room(sector.spin(at_rest, transforms_[0]), report);
     report.shape_terms = static_cast<int>(sector.shape().displacement.terms.size());
-    report.imbalance = sector.shape().imbalance;
     report.newton_steps = sector.shape().equilibria.newton_steps;
     report.newton_residual = sector.shape().equilibria.newton_residual;
     timed(report, "shape under spin");
@@ -232,6 +231,8 @@ class Reducer {
       model.spin_softening = parameters_.spin_softening;
     }
     model.contact = contact_.line;
+    if (model.prestress == Prestress::nonlinear)
+      model.verification.shape_balance = ShapeBalance{shape.imbalance, parameters_.polynomial_tolerance};
     std::vector<Eigen::MatrixX3d>& shift = model.contact.static_shift.terms;
     shift.clear();
     for (const Eigen::VectorXd& term : shape.displacement.terms)

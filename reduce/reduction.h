@@ -31,7 +31,6 @@ struct ReductionReport {
   std::vector<int> dropped;           ///< by nodal diameter
   std::vector<int> corrections;       ///< number of shapes added for modes between the speeds, by nodal diameter
   int shape_terms = 0;                ///< of the shape under spin; see SpinShape
-  double imbalance = 0;               ///< [1] of the load, between the speeds of the shape under spin
   std::vector<PartOfWork> parts;
 };
 

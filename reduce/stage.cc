@@ -168,7 +168,7 @@ void find_modes(const StageArguments& arguments, const Inputs& inputs, const std
   output.commit();
   print(std::cout, results);
   if (!std::cout.flush()) throw RunError("stdout: can't be written to its end; is the disk full?");
-  tell(arguments, file + ": " + std::to_string(inputs.parameters.verification_modes) + " modes of " +
+  tell(arguments, file + ": " + results.doubts + std::to_string(inputs.parameters.verification_modes) + " modes of " +
                       std::to_string(results.nodal_diameters.size()) + " nodal diameters at " +
                       std::to_string(results.speed_count()) + " speeds, of " + std::to_string(results.sector_dofs) +
                       " dofs");
@@ -201,16 +201,6 @@ ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const Re
   return model;
 }
 
-/// Where the polynomial shape of nonlinear prestress does not hold what was asked of it.
-std::string shape_doubts(const ReductionReport& report, const ReductionParameters& parameters) {
-  if (parameters.prestress != Prestress::nonlinear || report.imbalance <= parameters.polynomial_tolerance) return "";
-  std::ostringstream text;
-  text << "warning: the shape under spin leaves " << 100 * report.imbalance
-       << " % of the load out of balance between its speeds, more than polynomial_tolerance ("
-       << 100 * parameters.polynomial_tolerance << " %); ";
-  return text.str();
-}
-
 std::string summary(const ReducedModel& model, const ReductionReport& report) {
   const int contact = model.contact_dofs();
   int dofs = 0, dofs_at_speed = 0;
@@ -228,11 +218,12 @@ std::string summary(const ReducedModel& model, const ReductionReport& report) {
        << (model.contact.kind == ContactKind::points ? "at points" : "by segments") << "); first "
        << verified.frequencies << " frequencies within " << 100 * verified.error << " % at "
        << model.verification.speeds.size() << " speeds";
-  if (model.verification.polynomial_misfit.size() > 0)
+  if (model.verification.shape_balance)
     line << ", eq. 7 of " << 2 * report.shape_terms + 1 << " terms alone within "
          << 100 * model.verification.polynomial_misfit.maxCoeff() << " %; shapes under spin in "
          << report.newton_steps << " Newton steps to " << report.newton_residual << ", between the "
-         << report.shape_terms << " of eq. 7 within " << 100 * report.imbalance << " % of the load";
+         << report.shape_terms << " of eq. 7 within " << 100 * model.verification.shape_balance->imbalance
+         << " % of the load";
   return line.str();
 }
 
@@ -269,8 +260,8 @@ void tell_details(const StageArguments& arguments, const ReductionReport& report
 void report(const StageArguments& arguments, const ReductionParameters& parameters, const ReducedModel& model,
             const ReductionReport& report, const std::string& matrix_market_folder) {
   if (arguments.verbosity == Verbosity::verbose) tell_details(arguments, report);
-  tell(arguments, arguments.output.string() + ": " + doubts(model) + shape_doubts(report, parameters) +
-                      summary(model, report) + mesh_error_in_words(model, parameters));
+  tell(arguments, arguments.output.string() + ": " + doubts(model) + summary(model, report) +
+                      mesh_error_in_words(model, parameters));
   if (!matrix_market_folder.empty())
     tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
                         " nodal diameters in Matrix Market");

@@ -12,15 +12,26 @@ constexpr double tolerable_misfit = 0.001;  // error of a frequency caused by eq
 
 }  // namespace
 
+std::string shift_doubts(const Eigen::MatrixX3d& position, const Eigen::MatrixX3d& shift, double speed) {
+  const Eigen::VectorXd moved = shift.rowwise().norm();
+  Eigen::Index node = 0;
+  const double share = moved.cwiseQuotient(position.col(0)).maxCoeff(&node);
+  if (share <= largest_shift) return "";
+  std::ostringstream text;
+  text << "warning: spin moves the tip by " << moved[node] << " m at " << speed << " rad/s, " << 100 * share
+       << " % of its radius: are young_modulus [Pa], density [kg/m^3] and the speed right? ";
+  return text.str();
+}
+
 std::string doubts(const ReducedModel& model) {
   const ContactLine& contact = model.contact;
   std::ostringstream text;
-  const Eigen::VectorXd shift = contact.static_shift(model.speed_max).rowwise().norm();
-  Eigen::Index node = 0;
-  const double share = shift.cwiseQuotient(contact.position.col(0)).maxCoeff(&node);
-  if (share > largest_shift)
-    text << "warning: spin moves the tip by " << shift[node] << " m at " << model.speed_max << " rad/s, "
-         << 100 * share << " % of its radius: are young_modulus [Pa], density [kg/m^3] and the speed right? ";
+  text << shift_doubts(contact.position, contact.static_shift(model.speed_max), model.speed_max);
+  const auto& shape = model.verification.shape_balance;
+  if (shape && shape->imbalance > shape->tolerance)
+    text << "warning: the shape under spin leaves " << 100 * shape->imbalance
+         << " % of the load out of balance between its speeds, more than polynomial_tolerance ("
+         << 100 * shape->tolerance << " %); ";
   const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
   if (misfit.size() > 0 && misfit.maxCoeff() > tolerable_misfit)
     text << "warning: the shape changes too much for eq. 7 between its speeds, frequencies are off by up to "

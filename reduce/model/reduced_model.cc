@@ -178,6 +178,10 @@ void check(const Verification& table, std::size_t nodal_diameters, const std::st
               (misfit.rows() == table.speeds.size() && misfit.cols() == static_cast<Eigen::Index>(nodal_diameters)),
           name + ": /verification/polynomial_misfit is " + shape(misfit) + ", must be " +
               std::to_string(table.speeds.size()) + " x " + std::to_string(nodal_diameters));
+  if (const auto& shape = table.shape_balance)
+    require(shape->imbalance >= 0 && shape->tolerance >= 0, name +
+                                                                ": /verification: shape_imbalance and "
+                                                                "shape_tolerance must be at least 0");
   for (const auto& [kind, tables] :
        {std::pair("unreduced", &table.unreduced), std::pair("reduced", &table.reduced)}) {
     if (table.speeds.size() == 0 && tables->empty()) continue;
@@ -354,6 +358,10 @@ std::string digest(const ReducedModel& model) {
   }
   add(digest, Eigen::MatrixXd(model.verification.speeds));
   add(digest, model.verification.polynomial_misfit);
+  if (const auto& shape = model.verification.shape_balance) {
+    digest.add(shape->imbalance);
+    digest.add(shape->tolerance);
+  }
   for (const auto* frequencies : {&model.verification.unreduced, &model.verification.reduced})
     for (const Eigen::MatrixXd& table : *frequencies) add(digest, table);
   return digest.digits();

@@ -81,6 +81,15 @@ struct ContactLine {
   std::string place_of(int node) const;
 };
 
+/// How well the shape under spin of nonlinear prestress, a polynomial in Omega^2, balances its load between the
+/// speeds of its equilibria.
+struct ShapeBalance {
+  double imbalance = 0;  ///< [1] of the load; largest of these speeds
+  double tolerance = 0;  ///< [1] what was asked for
+
+  bool operator==(const ShapeBalance&) const = default;
+};
+
 /// Frequencies of the unreduced sector that verify the reduction, with those of the model beside them.
 struct Verification {
   Eigen::VectorXd speeds;                  ///< [rad/s]; n_s
@@ -89,6 +98,7 @@ struct Verification {
   /// [1] largest relative error of the model's first n_f frequencies that is due to eq. 7 alone; n_s x nodal
   /// diameters; empty where eq. 7 is exact (linear and stress-only prestress)
   Eigen::MatrixXd polynomial_misfit;
+  std::optional<ShapeBalance> shape_balance;  ///< none where the shape under spin is exact or not known
 };
 
 /// What the sector's mesh does to the model, estimated at rest without a finer mesh (see reduce/theory.md).

@@ -170,6 +170,9 @@ ContactLine read_contact_line(const Hdf5File& file) {
 
 Verification read_verification(const Hdf5File& file, int nodal_diameter_max) {
   Verification verification;
+  if (file.exists("/verification") && file.has_attribute("/verification", "shape_imbalance"))
+    verification.shape_balance = ShapeBalance{file.number_attribute("/verification", "shape_imbalance"),
+                                              file.number_attribute("/verification", "shape_tolerance")};
   if (!file.exists("/verification/speed")) return verification;
   verification.speeds = file.read_vector("/verification/speed");
   if (file.exists("/verification/polynomial_misfit"))
@@ -255,6 +258,10 @@ void write_contact_line(Hdf5File& file, const ContactLine& contact) {
 }
 
 void write_verification(Hdf5File& file, const Verification& verification) {
+  if (const auto& shape = verification.shape_balance) {
+    file.set_attribute("/verification", "shape_imbalance", shape->imbalance);
+    file.set_attribute("/verification", "shape_tolerance", shape->tolerance);
+  }
   if (verification.speeds.size() == 0) return;
   file.write("/verification/speed", verification.speeds, "rad/s");
   if (verification.polynomial_misfit.size() > 0)

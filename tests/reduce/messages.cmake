@@ -70,6 +70,8 @@ expect_message(matrix_market ARGUMENTS case.toml sector.msh --export-matrix-mark
                ERRORS "matrices: K0, K1, K2, M of 4 nodal diameters" WRITES matrices model.h5)
 expect_message(modes ARGUMENTS case.toml sector.msh --modes modes.h5
                OUTPUTS "speed_rpm nodal_diameter mode frequency_hz branch mac energy_disc" WRITES modes.h5)
+expect_message(modes_of_a_soft_wheel KEY young_modulus LINE "young_modulus = 1e8\nunusual = true" ARGUMENTS case.toml sector.msh --modes modes.h5
+               OUTPUTS "speed_rpm tip_arc_length_m clearance_loss_m" ERRORS "modes.h5: warning: spin moves the tip by " WRITES modes.h5)
 expect_message(nonlinear KEY density LINE "density = 7800.0\nprestress = \"nonlinear\"" ERRORS "terms alone within"
                WRITES model.h5)
 # Symptom: a modulus in MPa passed all stages; the blade moved by 74 m on a wheel of 0.1 m.

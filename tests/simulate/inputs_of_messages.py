@@ -26,6 +26,10 @@ def unstable(file):
     file["nodal_diameter/1/K1"] = -1e3 * file["nodal_diameter/1/M"][()]
 
 
+def doubtful(file):
+    file.create_group("verification").attrs.update(shape_imbalance=0.65, shape_tolerance=1e-4)
+
+
 folder = sys.argv[1]
 os.makedirs(folder, exist_ok=True)
 TEXTS = {"case.toml": CASE, "text.h5": "text", "profile.csv": "angle_deg, 0.0, 1.0\n0, 2e-4, 1e-4\n90, -2e-4, wide\n",
@@ -35,5 +39,5 @@ for name, text in TEXTS.items():
     with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
         file.write(text)
 write_model(os.path.join(folder, "model.h5"))
-for change in (not_finite, other_schema, not_hermitian, unstable):
+for change in (not_finite, other_schema, not_hermitian, unstable, doubtful):
     write_model(os.path.join(folder, change.__name__ + ".h5"), change)

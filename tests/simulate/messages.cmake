@@ -173,6 +173,10 @@ expect_wrong_model(other_schema 2 "is tiprub-response version 1, expected tiprub
 expect_wrong_model(not_hermitian 2 "/M is not Hermitian")
 expect_wrong_model(unstable 1 "no speed could be computed" "nodal diameter 1 has omega^2 = -" "statically unstable")
 
+# Symptom: a shape under spin that left 65 % of the load out of balance was named by reduce alone.
+expect_message(model_doubtful INPUTS ${made}/case.toml ${made}/doubtful.h5 ERRORS "response.h5: warning: the shape under spin leaves 65 % of the load"
+               ARGUMENTS case.toml doubtful.h5 -o response.h5 --set simulate.speed_count=2 WRITES response.h5)
+
 set(check ARGUMENTS case.toml model.h5 --check)
 expect_message(check ${check} ERRORS "at least 200 a period of the lowest frequency, halved until that changes the motion by less than 0.005"
                                      "nodal diameters 0, 2: multiples of gcd(6 sectors, 2 lobes) = 2")

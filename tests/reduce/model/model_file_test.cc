@@ -68,6 +68,7 @@ void expect_same(const ReducedModel& a, const ReducedModel& b) {
     EXPECT_EQ(a.nodal_diameters[n].K.terms, b.nodal_diameters[n].K.terms);
     EXPECT_EQ(a.nodal_diameters[n].M, b.nodal_diameters[n].M);
   }
+  EXPECT_EQ(a.verification.shape_balance, b.verification.shape_balance);
   EXPECT_EQ(a.verification.speeds, b.verification.speeds);
   EXPECT_EQ(a.verification.unreduced, b.verification.unreduced);
   EXPECT_EQ(a.verification.reduced, b.verification.reduced);

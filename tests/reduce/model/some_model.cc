@@ -28,6 +28,7 @@ ReducedModel some_model() {
     model.nodal_diameters.push_back(
         {{{1e6 * (n + 2) * one + 1e5 * skew, 0.1 * one + 0.01 * skew, 1e-9 * one}}, one + skew});
   }
+  model.verification.shape_balance = ShapeBalance{1e-5, 1e-4};
   model.verification.speeds = Eigen::Vector2d(0.0, 1234.5);
   model.verification.unreduced.assign(3, Eigen::MatrixXd::Constant(2, 4, 100.0 / 3));
   model.verification.reduced.assign(3, Eigen::MatrixXd::Constant(2, 4, 101.0 / 3));

@@ -133,7 +133,9 @@ TEST(NonlinearReduction, StatesTheMisfitOfItsPolynomial) {
   for (const int exact : {0, 3}) EXPECT_LT(misfit.row(exact).maxCoeff(), 1e-9) << exact;
   for (const int between : {1, 2}) EXPECT_GT(misfit.row(between).maxCoeff(), 1e-11) << between;
   EXPECT_LT(misfit.maxCoeff(), 1e-4);
-  EXPECT_LE(report.imbalance, 1e-4);
+  ASSERT_TRUE(model.verification.shape_balance);
+  EXPECT_LE(model.verification.shape_balance->imbalance, 1e-4);
+  EXPECT_EQ(model.verification.shape_balance->tolerance, 1e-4);
   EXPECT_GE(report.newton_steps, 3);
   EXPECT_LE(report.newton_residual, 1e-10);
 }

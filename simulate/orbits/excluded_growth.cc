@@ -139,4 +139,9 @@ SymmetryVerdict judge(const Growth& growth) {
   return growth.factor < 1 - margin ? SymmetryVerdict::holds : SymmetryVerdict::undecided;
 }
 
+SymmetryVerdict judge(const Growth& growth, int period) {
+  const SymmetryVerdict verdict = judge(growth);
+  return period == 0 && verdict == SymmetryVerdict::holds ? SymmetryVerdict::undecided : verdict;
+}
+
 }  // namespace tiprub::simulate

@@ -30,5 +30,8 @@ Growth excluded_growth(const TimeMarch& settled, int period, int revolutions);
 /// `breaking` or `holds` if the factor differs from 1 by more than its uncertainty and by more than a thousandth;
 /// otherwise `undecided`.
 SymmetryVerdict judge(const Growth& growth);
+/// The same along a motion of this period [revolutions]. Without one (0) it is `undecided` in place of `holds`,
+/// because a mean growth over some revolutions proves no decay.
+SymmetryVerdict judge(const Growth& growth, int period);
 
 }  // namespace tiprub::simulate

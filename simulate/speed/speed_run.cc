@@ -77,9 +77,7 @@ SymmetryCheck check_symmetry(const Scene& scene, const RefinedMotion& found) {
   const auto growth =
       attempt([&] { return excluded_growth(*motion.march, motion.state.period_revolutions, revolutions); });
   if (!growth.result) return {SymmetryVerdict::unchecked, {}};
-  const SymmetryVerdict verdict = judge(*growth.result);
-  const bool of_no_period = motion.state.period_revolutions == 0;  // a mean over some revolutions proves no decay
-  return {of_no_period && verdict == SymmetryVerdict::holds ? SymmetryVerdict::undecided : verdict, growth.result};
+  return {judge(*growth.result, motion.state.period_revolutions), growth.result};
 }
 
 /// The difference of a motion from the one from rest; empty if there is none from rest.

@@ -68,5 +68,12 @@ TEST(ExcludedGrowth, IsUndecidedNearOne) {
   EXPECT_EQ(judge({1.05, 0.01}), SymmetryVerdict::breaking);
 }
 
+/// Symptom: one of 88 verdicts was a wrong "holds", of a motion without period.
+TEST(ExcludedGrowth, ProvesNoDecayAlongAMotionWithoutPeriod) {
+  EXPECT_EQ(judge({0.98, 0.01}, 2), SymmetryVerdict::holds);
+  EXPECT_EQ(judge({0.98, 0.01}, 0), SymmetryVerdict::undecided);
+  EXPECT_EQ(judge({1.05, 0.01}, 0), SymmetryVerdict::breaking);
+}
+
 }  // namespace
 }  // namespace tiprub::simulate

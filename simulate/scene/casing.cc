@@ -18,14 +18,14 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 
 /// Angles in radians cover less than a fiftieth of a lobe that is counted in degrees.
-void require_degrees(const CaseTable& table, const Casing& casing, double first, double last) {
+void require_degrees(const CaseTable& table, const Casing& casing, const std::vector<std::array<double, 2>>& points) {
   constexpr double least_share = 0.02;
-  const double period = 360.0 / casing.lobes;
+  const double period = 360.0 / casing.lobes, first = points.front()[0], last = points.back()[0];
   if (casing.unusual || last - first >= least_share * period) return;
   std::ostringstream text;
   text << "has its angles from " << first << " to " << last << " deg, less than a fiftieth of the " << period
        << " deg of a lobe; are they in radians? If they are meant, add unusual = true to this table";
-  table.reject("distortion_table", text.str());
+  table.reject("distortion_table", text.str(), points.size() - 1);
 }
 
 void read_distortion_table(CaseTable& table, Casing& casing) {
@@ -42,11 +42,13 @@ void read_distortion_table(CaseTable& table, Casing& casing) {
   if (const auto near = std::adjacent_find(points.begin(), points.end(), nearer); near != points.end())
     table.reject("distortion_table", "must have its angles more than 1e-9 of 360/lobes deg apart",
                  near - points.begin() + 1);
-  if (points.size() > 1) require_degrees(table, casing, points.front()[0], points.back()[0]);
-  for (auto& [angle, inward] : points) {
-    angle *= radians_per_degree;
-    casing.amplitude = std::max(casing.amplitude, std::abs(inward));
-  }
+  if (points.size() > 1) require_degrees(table, casing, points);
+  for (auto& [angle, inward] : points) angle *= radians_per_degree;
+  const auto crest = std::max_element(points.begin(), points.end(), [](const auto& one, const auto& other) {
+    return std::abs(one[1]) < std::abs(other[1]);
+  });
+  casing.amplitude = std::abs((*crest)[1]);
+  casing.crest_row = crest - points.begin();
   casing.table = PeriodicTable(points, period * radians_per_degree);
 }
 
@@ -107,7 +109,9 @@ void read_shape(CaseTable& table, Casing& casing) {
   if (casing.shape == CasingShape::table) {
     read_distortion_table(table, casing);
   } else if (casing.shape == CasingShape::profile) {
-    casing.profile = read_casing_profile(table.file("profile", "a casing's profile"), two_pi / casing.lobes);
+    const NamedText file = table.file("profile", "a casing's profile");
+    casing.profile_file = file.name;
+    casing.profile = read_casing_profile(file, two_pi / casing.lobes);
     casing.amplitude = casing.profile.largest();
   } else {
     casing.amplitude = table.number("amplitude", std::nullopt, Range::at_least(0), "m inward at the crest");
@@ -189,15 +193,17 @@ void require_ramp_within(const CaseTable& table, const Casing& casing, const Sim
 
 void require_lengths_in_metres(const CaseTable& table, const Casing& casing, const ContactLine& contact) {
   const double radius = contact.position.col(0).maxCoeff(), largest_share = casing.unusual ? 0.1 : 0.02;
-  const auto require = [&](const char* key, double length, std::optional<std::size_t> row = {}) {
+  const auto require = [&](const std::string& key, double length, std::optional<std::size_t> row = {}) {
     if (length <= largest_share * radius) return;
     std::ostringstream text;
     text << "has " << length << " m, more than a " << (casing.unusual ? "tenth" : "fiftieth")
          << " of the tip's radius of " << radius << " m; it is in metres, not in millimetres"
          << (casing.unusual ? "" : ". If it is meant, add unusual = true to this table");
+    if (key == key_of_shape(CasingShape::profile))
+      throw InputError(casing.profile_file + ": [casing] profile " + text.str());
     table.reject(key, text.str(), row);
   };
-  require(key_of_shape(casing.shape), casing.amplitude);
+  require(key_of_shape(casing.shape), casing.amplitude, casing.crest_row);
   for (std::size_t i = 0; i < casing.clearance.size(); ++i) require("clearance", casing.clearance[i][1], i);
   for (std::size_t i = 0; i < casing.blade_clearance.size(); ++i)
     require("blade_clearance", casing.blade_clearance[i], i);

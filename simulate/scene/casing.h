@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "cases/program/case_file.h"
@@ -30,13 +32,15 @@ enum class CasingShape {
 /// where s_k is the fraction of the arc length at the node and nu_k the normal. The casing pushes along -nu_k.
 struct Casing {
   CasingShape shape = CasingShape::cosine;
-  int lobes = 1;                  ///< N_l: the casing repeats every 2 pi / N_l
-  double amplitude = 0.0;         ///< [m] inward, at the crest; for points the largest absolute value
-  double crest_angle = 0.0;       ///< [rad] absolute angle of the first crest, or of the table's angle 0
-  double bump_width = 0.0;        ///< [rad] from foot to foot
-  PeriodicTable table;            ///< [rad] -> [m], over one lobe
-  CasingProfile profile;          ///< the same, over the chord as well
-  double ramp_revolutions = 1.0;  ///< the distortion grows from zero over this many revolutions
+  int lobes = 1;                         ///< N_l: the casing repeats every 2 pi / N_l
+  double amplitude = 0.0;                ///< [m] inward, at the crest; for points the largest absolute value
+  std::optional<std::size_t> crest_row;  ///< of the table that has it
+  double crest_angle = 0.0;              ///< [rad] absolute angle of the first crest, or of the table's angle 0
+  double bump_width = 0.0;               ///< [rad] from foot to foot
+  PeriodicTable table;                   ///< [rad] -> [m], over one lobe
+  CasingProfile profile;                 ///< the same, over the chord as well
+  std::string profile_file;              ///< that holds it
+  double ramp_revolutions = 1.0;         ///< the distortion grows from zero over this many revolutions
   ClearanceState clearance_state = ClearanceState::running;
   double clearance_speed = 0;  ///< [rad/s] the speed of the state at_speed
   /// [fraction of the arc length, m] clearance of the tightest blade; linear between the points, constant outside.

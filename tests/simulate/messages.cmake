@@ -56,14 +56,17 @@ expect_message(table_beyond_a_lobe OLD "shape = \"cosine\"\nlobes = 2\namplitude
 expect_message(amplitude_of_a_table OLD "shape = \"cosine\""
                NEW "shape = \"table\"\ndistortion_table = [[0, 0], [90, 1e-4]]" EXIT_CODE 2
                ERRORS "unknown key \"amplitude\" in [casing]")
-foreach(file profile long damping overdamped speeds clearance)
+foreach(file profile long damping overdamped speeds clearance distortion)
   set(with_${file} INPUTS ${made}/case.toml ${made}/model.h5 ${made}/${file}.csv)
 endforeach()
 expect_message(word_in_a_profile ${with_profile} OLD "shape = \"cosine\"" NEW "shape = \"profile\"\nprofile = \"profile.csv\""
                EXIT_CODE 2 ERRORS "profile.csv:3: \"wide\" stands for how far inward [m], which must be a finite number")
 expect_message(profile_in_millimetres ${with_long} OLD "shape = \"cosine\"\nlobes = 2\namplitude = 2.0e-4"
                NEW "shape = \"profile\"\nlobes = 2\nprofile = \"long.csv\"" EXIT_CODE 2
-               ERRORS "[casing] profile has 0.2 m, more than a fiftieth of the tip's radius")
+               ERRORS "long.csv: [casing] profile has 0.2 m, more than a fiftieth of the tip's radius")
+expect_message(distortion_in_millimetres_in_a_file ${with_distortion} OLD "shape = \"cosine\"\nlobes = 2\namplitude = 2.0e-4"
+               NEW "shape = \"table\"\nlobes = 2\ndistortion_table = \"distortion.csv\"" EXIT_CODE 2
+               ERRORS "distortion.csv:3: [casing] distortion_table has 0.2 m, more than a fiftieth of the tip's radius")
 expect_message(no_profile OLD "shape = \"cosine\"" NEW "shape = \"profile\"\nprofile = \"absent.csv\"" EXIT_CODE 1
                ERRORS "absent.csv: can't be read")
 expect_message(lists_from_files ${with_damping} OLD "damping_ratio = 0.005" NEW "damping_table = \"damping.csv\""

@@ -165,12 +165,15 @@ void read_scheme(CaseTable& table, SimulateParameters& parameters) {
                     Range::between(needs_modes ? 1 : 0, count_max), "with mass, a nodal diameter; 0: all");
 }
 
-/// [Hz] Of the unreduced sector; 0 if the model came without verification.
+/// [Hz] Of the unreduced sector, or of the model at rest if that came without verification.
 double lowest_frequency(const ReducedModel& model) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const Eigen::MatrixXd& frequencies : model.verification.unreduced)
     if (frequencies.size() > 0) lowest = std::min(lowest, frequencies.minCoeff());
-  return std::isfinite(lowest) ? lowest : 0;
+  if (std::isfinite(lowest)) return lowest;
+  for (const NodalDiameterModel& matrices : model.nodal_diameters)
+    lowest = std::min(lowest, matrices.natural_frequencies(0).minCoeff());
+  return lowest;
 }
 
 }  // namespace

@@ -110,6 +110,8 @@ expect_message(speeds_in_hertz OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000"
                ERRORS "speed_max_rpm = 200 is unusual: expected at least 2122.0659")
 expect_message(speeds_in_radians OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40" NEW "speeds_rpm = [1500, 2000]" EXIT_CODE 2
                ERRORS "speeds_rpm = 2000 is unusual: expected at least 2122.0659")
+expect_message(resolved_frequency_in_kilohertz OLD "damping_ratio" NEW "resolved_frequency_hz = 20\ndamping_ratio" EXIT_CODE 2
+               ERRORS "case.toml:11:25: [simulate] resolved_frequency_hz = 20 is unusual: expected at least " " [Hz]" "add unusual = true to this table")
 expect_message(bumps_in_radians OLD "shape = \"cosine\"" NEW "shape = \"bumps\"\nbump_width_deg = 0.35" EXIT_CODE 2
                ERRORS "bump_width_deg = 0.35 is unusual: expected at least 1 [deg]")
 expect_message(table_in_radians OLD "shape = \"cosine\"\nlobes = 2\namplitude = 2.0e-4"

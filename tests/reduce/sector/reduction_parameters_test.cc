@@ -5,17 +5,23 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+
+#include "cases/program/errors.h"
 
 namespace tiprub::reduce {
 namespace {
 
-ReductionParameters read(const std::string& keys) {
+ReductionParameters read_table(const std::string& keys, SectorInput input) {
   const auto path = std::filesystem::path(::testing::TempDir()) / "reduction_parameters.toml";
-  std::ofstream(path) << "[reduce]\nyoung_modulus = 2e11\npoisson_ratio = 0.3\ndensity = 7800\nspeed_max_rpm = 1e4\n"
-                      << keys;
+  std::ofstream(path) << "[reduce]\nspeed_max_rpm = 1e4\n" << keys;
   CaseFile file(path);
   CaseTable table = file.table("reduce");
-  return read_reduction_parameters(table, SectorInput::mesh);
+  return read_reduction_parameters(table, input);
+}
+
+ReductionParameters read(const std::string& keys) {
+  return read_table("young_modulus = 2e11\npoisson_ratio = 0.3\ndensity = 7800\n" + keys, SectorInput::mesh);
 }
 
 TEST(ReductionParameters, AccuracySetsTheSizeOfTheBasis) {
@@ -28,6 +34,12 @@ TEST(ReductionParameters, AccuracySetsTheSizeOfTheBasis) {
   EXPECT_DOUBLE_EQ(coarse.frequency_tolerance, 5 * usual.frequency_tolerance);
   EXPECT_LE(read("accuracy = 1e-5\n").fixed_interface_modes, 500);
   EXPECT_EQ(read("accuracy = 0.005\nmodes_at_speed = 50\n").modes_at_speed, 50);  // a key of its own goes first
+}
+
+/// Symptom: a sector by its matrices required a young_modulus, which had no effect.
+TEST(ReductionParameters, NeedNoMaterialBesideMatrices) {
+  EXPECT_NO_THROW(read_table("", SectorInput::matrices));
+  EXPECT_THROW(read_table("", SectorInput::mesh), InputError);
 }
 
 TEST(ReductionParameters, LeaveTheKindOfContactToTheMesh) {

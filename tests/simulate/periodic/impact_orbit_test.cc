@@ -163,6 +163,9 @@ TEST(ImpactOrbit, LeavesAtOnceAsTheReturnMapSays) {
       EXPECT_LT(std::abs(orbit.energy.closing_error), 1e-10);
       errors.push_back(std::abs(orbit.amplitude / exact.swing(samples) - 1));
     }
+    Plan by_default(speed);
+    by_default.clearance = clearance;
+    EXPECT_NEAR(found(by_default, 0).audit.orbit.multiplier / std::abs(exact.multiplier), 1, 1e-2) << speed;
     EXPECT_LT(errors[0], 1e-5) << speed;
     EXPECT_LT(errors[1], errors[0] / 4 + 1e-8) << speed;
   }

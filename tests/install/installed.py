@@ -51,6 +51,17 @@ def manual(prefix):
         assert "EXIT STATUS" in page and run(program, "--version").split()[1] in page
 
 
+def pages(prefix):
+    """Their links lead somewhere, from the documentation and from the cases."""
+    sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "structure"))
+    import links  # pylint: disable=import-outside-toplevel,import-error
+    for folder in ("share/doc/tiprub", "share/tiprub"):
+        root = os.path.join(prefix, folder)
+        found = list(links.pages(root))
+        dead = [fault for page in found for fault in links.dead_links(root, page)]
+        assert found and not dead, dead
+
+
 def completed(prefix, folder, *words):
     """What bash offers for the last of the words."""
     script = (f"source '{prefix}/share/bash-completion/completions/tiprub-simulate'; compopt() {{ :; }}; COMP_WORDS=(\"$@\"); "
@@ -90,6 +101,7 @@ def main(cmake, build, case, source, work):
     folder = case_by_make(prefix, case, work)
     only_sources(prefix)
     manual(prefix)
+    pages(prefix)
     completion(prefix, folder)
     python(prefix, folder, work)
     reader(cmake, prefix, source, folder, work)

@@ -35,6 +35,7 @@ struct Campaign {
   std::uint64_t seed = 0, count = 0;
   double seconds = 0;            ///< no input begins later; 0: none is left out
   std::filesystem::path folder;  ///< where inputs are written; those that a reader fails on stay there
+  pid_t run = getpid();          ///< in the name of the input, so that runs in one folder read their own
 };
 
 struct Tally {
@@ -87,7 +88,7 @@ Verdict read(const Reader& reader, const fs::path& file, const fs::path& beside)
 }
 
 fs::path input_file(const Reader& reader, const Campaign& campaign) {
-  return campaign.folder / ("input" + reader.end);
+  return campaign.folder / ("input-" + std::to_string(campaign.run) + reader.end);
 }
 
 /// Keeps the input that was read last, and reports it.
@@ -159,6 +160,7 @@ Tally run(const Reader& reader, const std::vector<Base>& bases, const Campaign& 
     keep(reader, campaign, shared.next++,
          hung ? "takes over a minute" : "ended the process: " + std::to_string(status));
   }
+  fs::remove(input_file(reader, campaign));
   Tally tally = shared.tally;
   tally.inputs = shared.next;
   munmap(memory, sizeof(Shared));

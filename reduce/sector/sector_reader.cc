@@ -117,6 +117,31 @@ Eigen::Matrix3Xd read_positions(const GmshFile& file, const NodeNumbers& numbers
   return nodes;
 }
 
+/// Refuses a face of a surface group whose nodes don't belong to one cell: a stray node would be held, or loaded.
+void require_faces_of_cells(const GmshFile& file, const NodeNumbers& numbers, const SectorMesh& mesh) {
+  std::vector<std::vector<int>> cells_of(numbers.count());  // ascending
+  for (int cell = 0; cell < mesh.cell_count(); ++cell)
+    for (const int node : nodes_of(mesh.cells, cell)) cells_of[node].push_back(cell);
+  for (const char* name : {"cyclic_low", "cyclic_high", "clamped", "blade_tip", "splitter_tip"})
+    for (const GmshElements& elements : file.group(2, name)) {
+      const std::size_t width = elements.nodes_per_element();
+      for (std::size_t face = 0; face < elements.nodes.size() / width; ++face) {
+        std::vector<int> common;
+        for (std::size_t k = 0; k < width; ++k) {
+          const int node = numbers.find(elements.nodes[face * width + k]);
+          const std::vector<int> here = node < 0 ? std::vector<int>() : cells_of[node];
+          std::vector<int> both;
+          std::set_intersection(common.begin(), common.end(), here.begin(), here.end(), std::back_inserter(both));
+          common = k == 0 ? here : both;
+        }
+        if (common.empty())
+          throw InputError(mesh.file + ": surface group \"" + name + "\": the nodes of element " +
+                           std::to_string(elements.tags[face]) +
+                           " belong to no cell in common; write the mesh again");
+      }
+    }
+}
+
 std::vector<int> read_surface(const GmshFile& file, const std::string& name, const NodeNumbers& numbers,
                               const std::string& mesh) {
   std::vector<int> nodes;
@@ -232,6 +257,7 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
     throw InputError(mesh.file + ": " + mesh.name_of_cell(first) + " and " + mesh.name_of_cell(second) +
                      " have the same nodes; is the mesh there twice? Write it once");
   mesh.parts = read_parts(file, cells);
+  require_faces_of_cells(file, numbers, mesh);
   read_cut_faces(file, numbers, tolerance, mesh);
   mesh.clamped = read_surface(file, "clamped", numbers, mesh.file);
   mesh.tip_faces = read_tip(file, "blade_tip", numbers);

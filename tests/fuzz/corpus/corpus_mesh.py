@@ -69,6 +69,11 @@ def of_parts():
     yield entry("parts.overlap", lambda text: re.sub(r"(?m) 2 1 3 0 *$", " 3 1 2 3 0 ", text), '8 of the 8 cells of part "main_blade" are also in part "disc"')
 
 
+def of_faces():
+    """Symptom: a stray mid-side node of a clamped face was held, and the first frequency was 84 % off."""
+    yield entry("faces.stray_node", lambda text: re.sub(r"(?m)^(\d+(?: \d+){7}) \d+ $", r"\1 1 ", text), " belong to no cell in common; write the mesh again")
+
+
 def of_nodes():
     yield entry("node.nan", node(3, lambda x, y, z: f"{x} nan {z}"), "node 4 stands at no finite place; write the mesh again")
     yield entry("node.infinite", node(3, lambda x, y, z: f"{x} inf {z}"), "node 4 stands at no finite place; write the mesh again")
@@ -76,4 +81,4 @@ def of_nodes():
     yield entry("node.word", node(3, lambda x, y, z: f"{x} here {z}"), "gmsh can't read it: Could not read nodes")
 
 
-ENTRIES = [*of_format(), *of_sections(), *of_groups(), *of_parts(), *of_nodes()]
+ENTRIES = [*of_format(), *of_sections(), *of_groups(), *of_parts(), *of_faces(), *of_nodes()]

@@ -252,6 +252,7 @@ void Hdf5File::make_slices(const std::string& name, const std::vector<std::size_
     chunk.front() = 1;
     const Hdf5Id creation = hdf5_dataset_creation();
     hdf5_checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
+    hdf5_checked(H5Pset_fletcher32(creation));
     const Hdf5Id type =
         number == Number::complex ? float_complex_type() : Hdf5Id(H5Tcopy(H5T_NATIVE_FLOAT), H5Tclose);
     handle_->make(name, type, {shape.begin(), shape.end()}, creation, unit).close();
@@ -278,7 +279,7 @@ void Hdf5File::write_slice(const std::string& name, std::size_t index,
 std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, std::size_t index) const {
   if (!exists(name)) fail(name, "is missing");
   std::vector<std::complex<float>> values;
-  attempt(name, "slice " + std::to_string(index) + " can't be read as real or {r, i} numbers", [&] {
+  attempt(name, "slice " + std::to_string(index) + " is damaged, or holds neither real nor {r, i} numbers", [&] {
     const Hdf5Id set = handle_->dataset(name);
     const Hdf5Id inside = space_of(set);
     const Hdf5Id slice = select_slice(inside, index);

@@ -70,7 +70,7 @@ class Hdf5File {
   void describe(const std::string& name, const std::string& long_name, const std::vector<std::string>& axes = {});
 
   /// Large single-precision datasets go in and out one slice at a time, the first index of `shape`; each slice is a
-  /// chunk of its own in the file. Complex ones are {r, i} compounds of float32.
+  /// chunk of its own in the file, with a checksum. Complex ones are {r, i} compounds of float32.
   enum class Number { real, complex };
   void make_slices(const std::string& name, const std::vector<std::size_t>& shape, Number number,
                    const std::string& unit);

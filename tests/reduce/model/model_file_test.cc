@@ -46,6 +46,11 @@ class ModelFile : public ::testing::Test {
     }
     return complaint<RunError>([&] { read_model(path()); });
   }
+  void write_ones() const {
+    Hdf5File file = Hdf5File::create(path());
+    file.make_slices("/basis", {1, 300}, Hdf5File::Number::real, "1");
+    file.write_slice("/basis", 0, std::vector<std::complex<float>>(300, 1.0F));
+  }
 
   fs::path folder_;
 };
@@ -320,11 +325,7 @@ TEST_F(ModelFile, SurvivesWhatHdf5DiesOf) {
 
 /// HDF5 1.10 reads as many bytes of a chunk as it should have, however few the file says it has.
 TEST_F(ModelFile, SurvivesChunksThatAreTooSmall) {
-  {
-    Hdf5File file = Hdf5File::create(path());
-    file.make_slices("/basis", {1, 300}, Hdf5File::Number::real, "1");
-    file.write_slice("/basis", 0, std::vector<std::complex<float>>(300, 1.0F));
-  }
+  write_ones();
   EXPECT_EQ(Hdf5File::open(path()).read_slice("/basis", 0).size(), 300U);
   std::string all = bytes("model.h5");
   constexpr std::size_t size_of_first_chunk = 24;
@@ -334,6 +335,18 @@ TEST_F(ModelFile, SurvivesChunksThatAreTooSmall) {
   std::ofstream(path(), std::ios::binary) << all;
   EXPECT_EQ(complaint<RunError>([&] { Hdf5File::open(path()); }),
             path().string() + ": basis: is damaged: its numbers lie beyond its end");
+}
+
+/// Symptom: a byte that had changed in the basis of fields.h5 changed the stress, and nothing was said.
+TEST_F(ModelFile, NoticesADamagedSlice) {
+  write_ones();
+  std::string all = bytes("model.h5");
+  const std::size_t at = all.find(std::string("\0\0\x80\x3f\0\0\x80\x3f", 8));
+  ASSERT_NE(at, std::string::npos);
+  all[at + 3] = '\x40';
+  std::ofstream(path(), std::ios::binary) << all;
+  EXPECT_EQ(complaint<RunError>([&] { Hdf5File::open(path()).read_slice("/basis", 0); }),
+            path().string() + ": /basis: slice 0 is damaged, or holds neither real nor {r, i} numbers");
 }
 
 /// A shape costs nothing in a file, and took minutes and all memory to be filled with zeros.

@@ -80,7 +80,8 @@ SpeedFrame speed_frame(const Study& study) {
           study.response.scene.lobes,
           families,
           study.parameters.engine_order_max,
-          study.critical};
+          study.critical,
+          study.response.scene.nodal_diameters};
 }
 
 std::vector<Crossing> drawn_crossings(const SpeedFrame& frame, const std::vector<Crossing>& crossings) {

@@ -21,6 +21,7 @@ struct SpeedFrame {
   int families;  ///< drawn: as many as asked for, and at least all that make critical speeds
   int engine_order_max;
   std::vector<CriticalSpeed> critical;
+  std::vector<int> moving;  ///< nodal diameters that can
 
   int nodal_diameters() const { return sector_count / 2 + 1; }
   /// How many of the drawn families a nodal diameter has.

@@ -28,25 +28,51 @@ Table contact_table(const Eigen::VectorXd& rpm, const ContactMap& map) {
   return table;
 }
 
-/// Each area is several pixels high, so that a viewer that smooths the picture keeps the areas' edges. Of more areas
-/// than can be told apart, a pixel shows the one with the most contact.
-Eigen::MatrixXf contact_pixels(const SpeedFrame& frame, const ContactMap& map) {
+/// The area at which the map is cut open: the one with the least contact, summed over the speeds, and of several the
+/// one in the middle of the longest run, so that the picture tears no place of contact.
+Eigen::Index cut_area(const ContactMap& map) {
+  const Eigen::VectorXd contact = map.share.rowwise().sum();
+  const Eigen::Index areas = contact.size();
+  const double least = contact.minCoeff();
+  Eigen::Index cut = 0, longest = 0, run = 0;
+  for (Eigen::Index k = 0; k < 2 * areas && longest < areas; ++k) {  // a run may pass 0 degrees
+    run = contact[k % areas] > least ? 0 : run + 1;
+    if (run <= longest) continue;
+    longest = run;
+    cut = (k - run / 2 + areas) % areas;
+  }
+  return longest >= areas ? 0 : cut;
+}
+
+/// From the area `cut` upwards. Each area is several pixels high, so that a viewer that smooths the picture keeps the
+/// areas' edges. Of more areas than can be told apart, a pixel shows the one with the most contact.
+Eigen::MatrixXf contact_pixels(const SpeedFrame& frame, const ContactMap& map, Eigen::Index cut) {
   constexpr int columns = 700, pixels_per_area = 4;
   constexpr Eigen::Index most_rows = 4000;
   const Eigen::VectorXi nearest = nearest_speeds(frame.speeds, frame.failed, frame.axis, columns);
   const Eigen::Index areas = map.share.rows(), rows = std::min(pixels_per_area * areas, most_rows);
   Eigen::MatrixXf pixels = Eigen::MatrixXf::Constant(rows, columns, std::nanf(""));
+  Eigen::MatrixXd share(areas, map.share.cols());
+  share << map.share.bottomRows(areas - cut), map.share.topRows(cut);
   for (int x = 0; x < columns; ++x)
     if (nearest[x] >= 0)
       for (Eigen::Index y = 0; y < rows; ++y) {
         const Eigen::Index first = y * areas / rows, last = ((y + 1) * areas - 1) / rows;
         pixels(y, x) = static_cast<float>(
-            map.share.col(nearest[x]).segment(first, std::max<Eigen::Index>(1, last - first + 1)).maxCoeff());
+            share.col(nearest[x]).segment(first, std::max<Eigen::Index>(1, last - first + 1)).maxCoeff());
       }
   return pixels;
 }
 
+/// Whether a line describes the drift: it explains at least half of the variance.
+bool is_line(const ContactDrift& drift) {
+  return drift.determination >= 0.5;
+}
+
 std::string drift_sentence(const ContactDrift& drift) {
+  if (!is_line(drift))
+    return " The middle of the contact follows no line over speed (R\xC2\xB2 = " + fixed(drift.determination, 2) +
+           ").";
   return " Red: the line through the middle of the contact, folded onto one lobe: " +
          fixed(microseconds * drift.slope, 1) + " \xC2\xB5s (R\xC2\xB2 = " + fixed(drift.determination, 3) +
          "); a wave that takes so long along the tip would run at " + fixed(drift.implied_wave_speed, 0) + " m/s.";
@@ -62,7 +88,7 @@ std::string lag_sentence(const EdgeLag& lag) {
 /// The drift's line, one on each lobe, if there is a line.
 void set_drift(Drawing& drawing, int casing_lobes, const ContactDrift& drift) {
   constexpr double degrees_per_radian = degrees / (2 * std::numbers::pi);
-  const int lobes = drift.determination > 0 ? std::max(casing_lobes, 1) : 0;
+  const int lobes = is_line(drift) ? std::max(casing_lobes, 1) : 0;
   drawing.values.insert(drawing.values.end(), {{"drift_lobes", lobes},
                                                {"drift_start", drift.intercept * degrees_per_radian},
                                                {"drift_slope", drift.slope * degrees_per_radian / rpm_per_rad_s}});
@@ -90,7 +116,10 @@ Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMa
   figure.data = contact_table(frame.speeds, map);
   if (drift.determination > 0) figure.caption += drift_sentence(drift) + lag_sentence(maps.lag);
   set_drift(figure.drawing, frame.lobes, drift);
-  set_pixels(figure, contact_pixels(frame, map));
+  const Eigen::Index cut = cut_area(map);
+  figure.drawing.values.emplace_back("cut",
+                                     degrees * static_cast<double>(cut) / static_cast<double>(map.share.rows()));
+  set_pixels(figure, contact_pixels(frame, map, cut));
   return figure;
 }
 

@@ -223,34 +223,57 @@ int drawn_lines(const SpeedFrame& frame, const MapColumn& column) {
   return std::min(column.spectrum.lines() - 1, frame.engine_order_max * column.spectrum.revolutions);
 }
 
-/// Frequency [Hz], amplitude [mm]: each line of the spectrum as a narrow triangle.
-Eigen::MatrixXd outline(const SpeedFrame& frame, const MapColumn& column) {
-  const int last = drawn_lines(frame, column);
+/// Frequency [Hz], amplitude [mm]: each line of the spectrum that can be seen, as a narrow triangle.
+Eigen::MatrixXd outline(const SpeedFrame& frame, const MapColumn& column, double largest) {
+  constexpr double seen = 2e-3;  // of the largest amplitude; a fifth of a pixel
   const double hz_per_order = column.speed * hz_per_rad_s;
   const double half_width = line_half_width(column.spectrum) * hz_per_order;
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(3 * last + 2, 2);
-  for (int line = 1; line <= last; ++line) {
+  std::vector<double> frequencies = {0}, amplitudes = {0};
+  for (int line = 1; line <= drawn_lines(frame, column); ++line) {
+    if (column.total[line] < seen * largest) continue;
     const double frequency = column.spectrum.engine_order(line) * hz_per_order;
-    rows.block<3, 1>(3 * line - 2, 0) << frequency - half_width, frequency, frequency + half_width;
-    rows(3 * line - 1, 1) = column.total[line] * mm_per_m;
+    frequencies.insert(frequencies.end(), {frequency - half_width, frequency, frequency + half_width});
+    amplitudes.insert(amplitudes.end(), {0, column.total[line] * mm_per_m, 0});
   }
-  rows(3 * last + 1, 0) = map_frequency_high(frame);
+  frequencies.push_back(map_frequency_high(frame));
+  amplitudes.push_back(0);
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(frequencies.size()), 2);
+  rows << as_column(frequencies), as_column(amplitudes);
   return rows;
+}
+
+/// The columns that the waterfall shows, the lowest speed first: of all in one of `slots` equal ranges of speed, the
+/// one with the largest line. Where speeds lie close together, spectra would only hide each other.
+std::vector<const MapColumn*> apart(const SpeedFrame& frame, const InteractionMap& map, int slots) {
+  std::vector<const MapColumn*> chosen(static_cast<std::size_t>(slots), nullptr);
+  for (const MapColumn& column : map.columns) {
+    const double place = (column.speed * rpm_per_rad_s - frame.axis.low) / (frame.axis.high - frame.axis.low);
+    const MapColumn*& best = chosen[static_cast<std::size_t>(std::clamp(place, 0.0, 1.0) * (slots - 1) + 0.5)];
+    if (best == nullptr || column.total.maxCoeff() > best->total.maxCoeff()) best = &column;
+  }
+  std::erase(chosen, nullptr);
+  return chosen;
 }
 
 }  // namespace
 
 Figure waterfall_figure(const SpeedFrame& frame, const InteractionMap& map) {
-  Figure figure = listed_figure("waterfall", {{"largest", fixed(map.largest() * mm_per_m, 3)}});
+  constexpr int slots = 48;
+  const std::vector<const MapColumn*> drawn = apart(frame, map, slots);
+  Figure figure = listed_figure("waterfall", {{"largest", fixed(map.largest() * mm_per_m, 3)},
+                                              {"drawn", std::to_string(drawn.size())},
+                                              {"speeds", std::to_string(map.columns.size())}});
   figure.data = {{"speed [rpm]", "frequency [Hz]", "total [mm]"}, {}};
   std::vector<double> speeds;
   ScriptTable spectra{"spectra", {}};
-  for (auto column = map.columns.rbegin(); column != map.columns.rend(); ++column) {
-    speeds.push_back(column->speed * rpm_per_rad_s);
-    spectra.sheets.push_back(outline(frame, *column));
+  for (auto column = map.columns.rbegin(); column != map.columns.rend(); ++column)
     for (int line = 1; line <= drawn_lines(frame, *column); ++line)
-      figure.data.rows.push_back({speeds.back(), column->spectrum.engine_order(line) * column->speed * hz_per_rad_s,
+      figure.data.rows.push_back({column->speed * rpm_per_rad_s,
+                                  column->spectrum.engine_order(line) * column->speed * hz_per_rad_s,
                                   column->total[line] * mm_per_m});
+  for (auto column = drawn.rbegin(); column != drawn.rend(); ++column) {
+    speeds.push_back((*column)->speed * rpm_per_rad_s);
+    spectra.sheets.push_back(outline(frame, **column, map.largest()));
   }
   set_engine_orders(figure.drawing, frame);
   figure.drawing.values.insert(figure.drawing.values.end(),

@@ -75,30 +75,36 @@ Eigen::MatrixXd expected_waves(int casing_lobes, int engine_order_max, int secto
   return rows;
 }
 
-/// Each value as a block of pixels, so that a viewer that smooths the picture keeps its edges.
-Eigen::MatrixXf enlarged(const Eigen::MatrixXf& values) {
-  constexpr int wide = 1000, high = 500;
-  const Eigen::Index across = std::max<Eigen::Index>(1, wide / values.cols());
-  const Eigen::Index up = std::max<Eigen::Index>(1, high / values.rows());
-  Eigen::MatrixXf pixels(up * values.rows(), across * values.cols());
-  for (Eigen::Index y = 0; y < pixels.rows(); ++y)
-    for (Eigen::Index x = 0; x < pixels.cols(); ++x) pixels(y, x) = values(y / up, x / across);
-  return pixels;
-}
-
-/// Fills the figure's table and its pixels.
+/// Fills the figure's table, and draws the waves that reach the colours: engine order, signed nodal diameter,
+/// amplitude, the largest first, of which some are named.
 void set_waves(Figure& figure, const TravellingSpectrum& spectrum, const Drawn& drawn, const std::string& unit) {
   const int sectors = spectrum.sector_count;
   figure.data = {{"engine order", "signed nodal diameter", "direction", "amplitude [" + unit + "]"}, {}};
-  Eigen::MatrixXf waves(sectors, drawn.last);
+  struct Wave {
+    double engine_order;
+    int nodal_diameter;
+    double amplitude;
+  };
+  std::vector<Wave> waves;
   for (int line = 1; line <= drawn.last; ++line)
     for (int row = 0; row < sectors; ++row) {
       const int n = drawn.lowest + row;
       const double amplitude = spectrum.amplitude(line, (n + sectors) % sectors);
-      waves(row, line - 1) = static_cast<float>(std::max(amplitude, drawn.low));
+      if (amplitude > drawn.low) waves.push_back({spectrum.engine_order(line), n, amplitude});
       figure.data.rows.push_back({spectrum.engine_order(line), n, name_of(wave_direction(n, sectors)), amplitude});
     }
-  set_pixels(figure, enlarged(waves));
+  constexpr std::size_t named = 6;
+  std::stable_sort(waves.begin(), waves.end(),
+                   [](const Wave& a, const Wave& b) { return a.amplitude > b.amplitude; });
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(waves.size()), 3);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    rows.row(static_cast<Eigen::Index>(i)) << waves[i].engine_order, waves[i].nodal_diameter, waves[i].amplitude;
+    if (i < named) names.push_back(significant(waves[i].amplitude, 3) + " " + unit);
+  }
+  figure.drawing.tables.push_back({"waves", {rows}});
+  figure.drawing.values.insert(figure.drawing.values.end(),
+                               {{"names", static_cast<int>(names.size())}, {"name_of_wave", names}});
 }
 
 }  // namespace
@@ -152,13 +158,18 @@ Figure contact_force_figure(const SimulatedScene& scene, const SpeedResponse& sh
   return figure;
 }
 
-Figure harmonic_bars_figure(const MapColumn& shown, int lobes, int last) {
+Figure harmonic_bars_figure(const MapColumn& shown, int last) {
   const TravellingSpectrum& spectrum = shown.spectrum;
   const int half = spectrum.sector_count / 2;
-  // The casing's second harmonic and its nodal diameter: with two lobes on ten sectors the paper's EO 4 and nodal
-  // diameter 4.
-  const int order = 2 * std::max(lobes, 1);
-  const int diameter = aliased_nodal_diameter(order, spectrum.sector_count);
+  int order = 1, diameter = 0;  // of the largest wave
+  for (int k = 1; k <= last && k * spectrum.revolutions < spectrum.lines(); ++k) {
+    Eigen::Index n = 0;
+    if (shown.parts.row(k * spectrum.revolutions).maxCoeff(&n) >
+        shown.parts(order * spectrum.revolutions, diameter)) {
+      order = k;
+      diameter = static_cast<int>(n);
+    }
+  }
   Figure figure = listed_figure("harmonic_bars", {{"speed", rpm_text(shown.speed)},
                                                   {"engine_order", std::to_string(order)},
                                                   {"nodal_diameter", std::to_string(diameter)}});

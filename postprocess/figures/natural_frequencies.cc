@@ -110,6 +110,9 @@ Figure campbell_figure(const SpeedFrame& frame, const LinearRules& rules) {
   set_engine_orders(figure.drawing, frame);
   set_critical_speeds(figure.drawing, frame, frequency_high);
   set_modes(figure.drawing, frame, axis);
+  std::vector<double> moves(static_cast<std::size_t>(frame.nodal_diameters()), 0);
+  for (const int n : frame.moving) moves[static_cast<std::size_t>(n)] = 1;
+  figure.drawing.values.emplace_back("moves", moves);
   figure.data = mode_table(frame, figure.drawing);
   return figure;
 }

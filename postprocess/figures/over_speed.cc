@@ -101,10 +101,27 @@ struct Panel {
 };
 
 /// "EO 1", "EO 2", ..
-std::vector<std::string> numbered(const std::string& word, int first, Eigen::Index count) {
+std::vector<std::string> numbered(const std::string& word, const std::vector<int>& numbers) {
   std::vector<std::string> names;
-  for (int i = first; i < first + static_cast<int>(count); ++i) names.push_back(word + " " + std::to_string(i));
+  for (const int number : numbers) names.push_back(word + " " + std::to_string(number));
   return names;
+}
+
+std::vector<int> counted_from(int first, Eigen::Index count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), first);
+  return numbers;
+}
+
+/// `count` of the engine orders 1 .. last, ascending: those that become largest on a nodal diameter at any speed.
+std::vector<int> largest_engine_orders(const InteractionMap& map, int last, std::size_t count) {
+  std::vector<int> orders = counted_from(1, last);
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(last + 1);
+  for (const int order : orders) largest[order] = nodal_diameter_tracking(map, order).curves.maxCoeff();
+  std::stable_sort(orders.begin(), orders.end(), [&](int a, int b) { return largest[a] > largest[b]; });
+  orders.resize(std::min(count, orders.size()));
+  std::sort(orders.begin(), orders.end());
+  return orders;
 }
 
 void append(Table& table, const Panel& panel, const std::string& curve, const Eigen::VectorXd& rpm,
@@ -129,12 +146,18 @@ Figure tracking_figure(const SpeedFrame& frame, const std::string& name, const s
                        const std::vector<std::string>& names) {
   ScriptTable curves{"curves", {}};
   std::vector<std::string> titles;
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
   for (const Panel& panel : panels) {
     Eigen::MatrixXd rows(panel.tracking.mean.size(), 2 + panel.tracking.curves.cols());
     rows << frame.speeds, panel.tracking.mean * mm_per_m, panel.tracking.curves * mm_per_m;
     curves.sheets.push_back(rows);
     titles.push_back(panel.title);
+    largest = largest.cwiseMax(panel.tracking.curves.colwise().maxCoeff().transpose());
   }
+  constexpr double in_key = 1e-3;  // of the largest curve; the key names no curve that can't be seen
+  std::vector<std::string> keys = names;
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    if (largest[static_cast<Eigen::Index>(k)] < in_key * largest.maxCoeff()) keys[k].clear();
   const int count = static_cast<int>(panels.size());
   Figure figure = listed_figure(name);
   figure.drawing.height = 90 + 270 * count;
@@ -142,7 +165,7 @@ Figure tracking_figure(const SpeedFrame& frame, const std::string& name, const s
                            {"panels", count},
                            {"panel_title", titles},
                            {"curves", static_cast<int>(names.size())},
-                           {"curve_name", names}};
+                           {"curve_name", keys}};
   figure.drawing.tables = {curves};
   figure.data = tracking_table(frame.speeds, panels, names);
   return figure;
@@ -204,25 +227,26 @@ Figure branches_figure(const TipAmplitudes& amplitudes, const Eigen::VectorXd& s
 }
 
 Figure nodal_diameter_tracking_figure(const SpeedFrame& frame, const InteractionMap& map) {
-  constexpr int followed = 3;
-  const int lobes = std::max(frame.lobes, 1);
+  constexpr std::size_t followed = 3;
   std::vector<Panel> panels;
-  for (int k = 1; k <= followed && (k == 1 || k * lobes <= frame.engine_order_max); ++k)
-    panels.push_back({"EO " + std::to_string(k * lobes), nodal_diameter_tracking(map, k * lobes)});
+  for (const int order : largest_engine_orders(map, frame.engine_order_max, followed))
+    panels.push_back({"EO " + std::to_string(order), nodal_diameter_tracking(map, order)});
   return tracking_figure(frame, "nodal_diameter_tracking", panels,
-                         numbered("ND", 0, panels.front().tracking.curves.cols()));
+                         numbered("ND", counted_from(0, panels.front().tracking.curves.cols())));
 }
 
 Figure engine_order_tracking_figure(const SpeedFrame& frame, const InteractionMap& map) {
-  constexpr std::size_t followed = 2, averaged = 6;
-  std::vector<int> engine_orders(averaged);
-  std::iota(engine_orders.begin(), engine_orders.end(), 1);
+  constexpr std::size_t followed = 3, averaged = 6;
+  constexpr double moving = 0.01;  // of the mean square of the motion
+  const std::vector<int> engine_orders = largest_engine_orders(map, frame.engine_order_max, averaged);
+  const Eigen::VectorXd shares = energy_shares(map);
   std::vector<Panel> panels;
   const std::vector<int> nodal_diameters = by_energy(map);
   for (std::size_t k = 0; k < std::min(followed, nodal_diameters.size()); ++k)
-    panels.push_back({"nodal diameter " + std::to_string(nodal_diameters[k]),
-                      engine_order_tracking(map, nodal_diameters[k], engine_orders)});
-  return tracking_figure(frame, "engine_order_tracking", panels, numbered("EO", 1, averaged));
+    if (k == 0 || shares[nodal_diameters[k]] > moving)
+      panels.push_back({"nodal diameter " + std::to_string(nodal_diameters[k]),
+                        engine_order_tracking(map, nodal_diameters[k], engine_orders)});
+  return tracking_figure(frame, "engine_order_tracking", panels, numbered("EO", engine_orders));
 }
 
 }  // namespace tiprub::postprocess

@@ -58,7 +58,7 @@ std::vector<Figure> motion_figures(const Study& study, const SpeedFrame& frame) 
           contact_force_figure(scene, shown, contact, frame.engine_order_max),
           sectors_figure("force_of_sectors", force, shown),
           two_way_spectrum_figure("force_spectrum", force, shown, frame, decades),
-          harmonic_bars_figure(study.waves.first().columns[static_cast<std::size_t>(study.shown)], scene.lobes,
+          harmonic_bars_figure(study.waves.first().columns[static_cast<std::size_t>(study.shown)],
                                frame.engine_order_max)};
 }
 

@@ -56,7 +56,8 @@ Figure two_way_spectrum_figure(const std::string& name, const SectorSignal& sign
 /// Paper, figs. 14, 15.
 Figure contact_force_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact,
                             int engine_order_max);
-Figure harmonic_bars_figure(const MapColumn& shown, int lobes, int engine_order_max);  ///< paper, fig. 20
+/// Through the largest wave (paper, fig. 20).
+Figure harmonic_bars_figure(const MapColumn& shown, int engine_order_max);
 
 // casing.cc
 /// Paper, fig. 24.

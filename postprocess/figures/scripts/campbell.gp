@@ -2,7 +2,7 @@
 # Natural frequencies over speed, engine orders, and where the linear rules see them cross.
 # Reads speed_low, speed_high [rpm], frequency_high [Hz], range_low, range_high [rpm] (simulated), engine_order_step,
 # engine_order_last, nodal_diameters, families; $modes: speed [rpm], then the families of nodal diameter 0 [Hz], those
-# of 1, ..; $aliased, $equation_2: crossings, and $critical, what was computed: speed [rpm],
+# of 1, ..; moves[], 1 for each nodal diameter that can; $aliased, $equation_2: crossings, and $critical, what was computed: speed [rpm],
 # frequency [Hz].
 mode_column(n, k) = 1 + n*families + k  # of $modes, k from 1
 set xrange [speed_low:speed_high]
@@ -18,8 +18,10 @@ set object 1 rectangle from range_low,0 to range_high,frequency_high fillcolor r
   noborder behind
 load 'scripts/engine_orders.gp'
 plot for [k=engine_order_step:engine_order_last:engine_order_step] k*x/60 with lines linestyle engine_order_line, \
-  for [n=0:nodal_diameters-1] for [k=1:families] $modes using 1:mode_column(n,k) with lines linewidth mode_width \
-    linecolor rgb series_colour(n) title (k == 1 ? sprintf('ND %d', n) : ''), \
+  for [n=0:nodal_diameters-1] for [k=1:families] $modes using 1:(moves[n + 1] > 0 ? NaN : column(mode_column(n,k))) with lines \
+    linestyle engine_order_line, \
+  for [n=0:nodal_diameters-1] for [k=1:families] $modes using 1:(moves[n + 1] > 0 ? column(mode_column(n,k)) : NaN) with lines \
+    linewidth mode_width linecolor rgb series_colour(n) title (k == 1 && moves[n + 1] > 0 ? sprintf('ND %d', n) : ''), \
   $aliased using 1:2 with points linestyle crossing_aliased title titled(aliased_rows, 'rule with aliasing'), \
   $equation_2 using 1:2 with points linestyle crossing_linear title titled(equation_2_rows, 'eq. 2'), \
   $critical using 1:2 with points linestyle critical_speed title titled(critical_rows, 'critical speed')

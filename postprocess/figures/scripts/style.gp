@@ -65,7 +65,7 @@ map_subharmonic = 14; set style line map_subharmonic pointtype 8 pointsize 0.7 l
 map_breaking = 15; set style line map_breaking pointtype 6 pointsize 0.65 linewidth 1.2 linecolor rgb '#ff9ecb'
 map_outside = 20; set style line map_outside pointtype 5 pointsize 0.5 linecolor rgb '#ff9040'
 map_critical = 19; set style line map_critical pointtype 12 pointsize 1.6 linewidth 1.6 linecolor rgb '#ffffff'
-expected_wave = 16; set style line expected_wave pointtype 6 pointsize 1.6 linewidth 1.2 linecolor rgb coral
+expected_wave = 16; set style line expected_wave pointtype 4 pointsize 3.6 linewidth 0.8 linecolor rgb coral
 contact_drift = 17; set style line contact_drift pointtype 7 pointsize 0.22 linecolor rgb '#d62728'
 spectrum_line = 18; set style line spectrum_line linewidth 0.8 linecolor rgb '#31688e'
 

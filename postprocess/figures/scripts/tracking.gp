@@ -22,7 +22,7 @@ do for [p=1:panels] {
   set key at screen right + 0.01,ceiling - 0.02 left top Left reverse
   if (p == panels) { set xlabel 'speed [rpm]' }
   plot for [k=1:curves] $curves index p-1 using 1:k+2 with lines linewidth tracked_width \
-      linecolor rgb series_colour(k - 1) title curve_name[k], \
+      linecolor rgb series_colour(k - 1) title (curve_name[k] eq '' ? '' : curve_name[k]), \
     $curves index p-1 using 1:2 with lines linestyle tracked_mean title 'mean'
 }
 unset multiplot

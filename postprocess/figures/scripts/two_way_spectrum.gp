@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Amplitude of every travelling wave: engine order, signed nodal diameter.
-# Reads lines, revolutions (recorded), sectors, lowest_nodal_diameter, amplitude_low, amplitude_high, unit,
-# pixel_columns, pixel_rows; $expected: engine order and signed nodal diameter of the casing's harmonics.
+# Amplitude of every travelling wave: engine order, signed nodal diameter. The largest ones are named.
+# Reads lines, revolutions (recorded), sectors, lowest_nodal_diameter, amplitude_low, amplitude_high, unit, names,
+# name_of_wave[]; $waves: engine order, signed nodal diameter, amplitude, the largest first; $expected: engine order and
+# signed nodal diameter of the casing's harmonics.
 line_width = 1.0/revolutions  # of a spectral line, in engine orders
-dx = line_width*lines/pixel_columns
-dy = 1.0*sectors/pixel_rows
 bottom = lowest_nodal_diameter - 0.5
 set palette defined (@amplitude_palette)
-unset grid
-set xrange [0.5*line_width:(lines + 0.5)*line_width]
+set xrange [0.4:line_width*lines + 0.9]
 set yrange [bottom:bottom + sectors]
 set cbrange [amplitude_low:amplitude_high]
 set logscale cb
@@ -23,6 +21,9 @@ set xlabel 'engine order'
 set ylabel 'signed nodal diameter'
 set cblabel 'amplitude ['.unit.']'
 set colorbox user origin screen 0.87,0.13 size screen 0.022,0.83
-plot name.'.pixels' binary array=(pixel_columns,pixel_rows) format='%float32' \
-    origin=(0.5*(line_width + dx),bottom + dy/2) dx=dx dy=dy with image, \
-  $expected using 1:2 with points linestyle expected_wave
+# Areas grow with the level, so that the largest waves stand out in black and white as well.
+level(a) = log10(a/amplitude_low)/log10(amplitude_high/amplitude_low)
+size(a) = (0.5 + 2.4*level(a))*(revolutions > 1 ? 0.7 : 1)
+plot $expected using 1:2 with points linestyle expected_wave title 'casing, eq. 17', \
+  $waves using 1:2:(size($3)):3 with points pointtype 5 pointsize variable linecolor palette, \
+  $waves using 1:2:(name_of_wave[int($0) + 1]) every ::0::names-1 with labels offset 0,1.5 font small_font

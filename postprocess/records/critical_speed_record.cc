@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <map>
+#include <string_view>
 
 #include "postprocess/records/validity.h"
 #include "postprocess/tables/table.h"
@@ -65,6 +67,11 @@ std::string located(const CriticalSpeed& critical) {
          fixed((critical.speed_high - critical.speed) * rpm_per_rad_s, 0);
 }
 
+/// "19502 .. 19546" [rpm]
+std::string interval(const CriticalSpeed& critical) {
+  return fixed(critical.speed_low * rpm_per_rad_s, 0) + " .. " + fixed(critical.speed_high * rpm_per_rad_s, 0);
+}
+
 /// "up: modulated 0.045 mm; ...": motions from other starts that clearly differ from the speed's own; "none found",
 /// or empty if no other start was tried.
 std::string other_motions(const SpeedResponse& response) {
@@ -108,7 +115,8 @@ PeakColumns wave_columns() {
       {"nodal diameter", [](const PeakRow& peak) { return std::abs(peak.critical.rising.signed_nodal_diameter); }},
       {"signed nodal diameter", [](const PeakRow& peak) { return peak.critical.rising.signed_nodal_diameter; }},
       {"engine order", [](const PeakRow& peak) { return peak.critical.rising.engine_order; }},
-      {"wave", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
+      {"wave", [](const PeakRow& peak) { return wave_names(peak.critical); }},
+      {"direction", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
       {"wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.rising.amplitude * mm_per_m; }},
       {"natural frequency [Hz]", [](const PeakRow& peak) { return peak.critical.rising.natural_frequency; }},
       {"detuning [%]", [](const PeakRow& peak) { return percent * peak.critical.rising.detuning; }},
@@ -246,7 +254,18 @@ Table critical_speed_overview(const Study& study, const FieldResults& fields) {
 }
 
 Table critical_speed_motions(const Study& study) {
-  return table_of(rounded_columns(), peaks_of(study, field_results(std::nullopt, study.critical)));
+  // A page has room for words, and for the ends of the interval in place of the distances to them.
+  const std::map<std::string_view, const char*> words = {{"located [rpm]", "peak lies between [rpm]"},
+                                                         {"within [%]", "amplitude \xC2\xB1 [%]"},
+                                                         {"runs", "direction"},
+                                                         {"areas LE/TE", "places rubbed, leading / trailing edge"},
+                                                         {"eq. 2", "predicted by eq. 2"},
+                                                         {"aliasing", "predicted with aliasing"}};
+  PeakColumns columns = rounded_columns();
+  columns[1].cell = [](const PeakRow& peak) { return interval(peak.critical); };
+  for (auto& column : columns)
+    if (const auto found = words.find(column.name); found != words.end()) column.name = found->second;
+  return table_of(columns, peaks_of(study, field_results(std::nullopt, study.critical)));
 }
 
 Table critical_speed_stresses(const Study& study, const FieldResults& fields) {

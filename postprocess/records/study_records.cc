@@ -209,8 +209,8 @@ Table drift_record(const ContactMaps& maps, const ContactLine& contact) {
 }
 
 Table linear_criterion_record(const Study& study) {
-  Table table{{"speed [rpm]", "frequency [Hz]", "engine order", "signed nodal diameter", "wave", "family", "eq. 2",
-               "with aliasing", "nodal diameter can move", "wave amplitude [mm]", "critical speed found"},
+  Table table{{"speed [rpm]", "frequency [Hz]", "engine order", "signed nodal diameter", "direction", "family",
+               "eq. 2", "with aliasing", "nodal diameter can move", "wave amplitude [mm]", "critical speed found"},
               {}};
   for (const Crossing& crossing : study.rules.aliased) append_crossing(table, study, crossing, "listed");
   for (const Crossing& crossing : study.rules.equation_2)

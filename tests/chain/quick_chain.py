@@ -109,7 +109,7 @@ def critical_speeds(programs, cases, work):
         if order % 2 == 0:
             folded = int(order) % 10
             assert int(row["nodal diameter"]) == min(folded, 10 - folded)
-        assert int(row["family"]) >= 1 and row["wave"] in ("forward", "backward", "standing")
+        assert int(row["family"]) >= 1 and row["direction"] in ("forward", "backward", "standing")
 
 
 def turned_about_z(vectors, angles):

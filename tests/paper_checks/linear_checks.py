@@ -111,7 +111,7 @@ by_test(10, "every root of f = n Omega, and of f = |n Omega - f_c|",
 @check(11, "combinations that the rule excludes are listed as excluded")
 def _(c):
     rows = c.any_case.report("linear_criterion.csv")
-    forward = [row for row in rows if row["wave"] == "forward"]
+    forward = [row for row in rows if row["direction"] == "forward"]
     excluded = sum(row["eq. 2"].startswith("excluded") for row in forward)
     return bool(forward) and excluded == len(forward), f"{len(forward)} forward waves listed, {excluded} of them as excluded by eq. 2"
 

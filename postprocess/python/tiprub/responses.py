@@ -170,8 +170,8 @@ class Response:
     def critical_speeds(self):
         """pandas.DataFrame with a row for each critical speed; the names of the columns give the units.
 
-        >>> open_response("response.h5").critical_speeds[["speed [rpm]", "engine order", "wave"]]
-           speed [rpm]  engine order      wave
+        >>> open_response("response.h5").critical_speeds[["speed [rpm]", "engine order", "direction"]]
+           speed [rpm]  engine order direction
         0      27000.0           2.0  backward
         """
         return self.table("critical_speeds")

@@ -95,6 +95,7 @@ ReportContents run(Inputs inputs, const PostprocessOptions& options, Progress::S
   contents.numbers = report_numbers(contents.study, contents.field_results);
   if (!options.compared.empty()) {
     contents.other = read_other_report(options.compared, contents.study);
+    compare_cases(*contents.other, options.compared, contents.source.title, contents.source.case_text);
     contents.figures.push_back(comparison_figure(contents.numbers, *contents.other));
     contents.figures.push_back(comparison_map_figure(contents.study, contents.numbers, *contents.other));
   }

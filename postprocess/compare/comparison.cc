@@ -23,15 +23,21 @@ bool same_wave(const ComparedPeak& a, const ComparedPeak& b) {
          std::abs(a.engine_order - b.engine_order) < 1e-6;
 }
 
-/// Pairs by the same wave, the nearest two first.
+/// Peaks of other waves that lie as near as this are one critical speed that another wave makes.
+constexpr double same_place = 0.01;  // of the speed
+
+/// Pairs by the same wave, then by the same place, the nearest two first.
 std::vector<PeakPair> pairs_of(const std::vector<ComparedPeak>& here, const std::vector<ComparedPeak>& there) {
   std::vector<std::pair<std::size_t, std::size_t>> candidates;
+  const auto other_wave = [&](const auto& pair) { return !same_wave(here[pair.first], there[pair.second]); };
+  const auto apart = [&](const auto& pair) { return std::abs(here[pair.first].speed - there[pair.second].speed); };
   for (std::size_t i = 0; i < here.size(); ++i)
     for (std::size_t k = 0; k < there.size(); ++k)
-      if (same_wave(here[i], there[k])) candidates.emplace_back(i, k);
-  const auto apart = [&](const auto& pair) { return std::abs(here[pair.first].speed - there[pair.second].speed); };
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
+      if (const std::pair pair{i, k}; !other_wave(pair) || apart(pair) < same_place * here[i].speed)
+        candidates.push_back(pair);
+  std::stable_sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+    return other_wave(a) != other_wave(b) ? other_wave(b) : apart(a) < apart(b);
+  });
   std::vector<char> taken_here(here.size(), 0), taken_there(there.size(), 0);
   std::vector<PeakPair> pairs;
   for (const auto& [i, k] : candidates) {
@@ -46,6 +52,10 @@ std::vector<PeakPair> pairs_of(const std::vector<ComparedPeak>& here, const std:
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const PeakPair& a, const PeakPair& b) { return a.any().speed < b.any().speed; });
   return pairs;
+}
+
+std::string wave_of(const ComparedPeak& peak) {
+  return wave_name(peak.engine_order, peak.signed_nodal_diameter);
 }
 
 using Get = std::optional<double> (*)(const ComparedPeak&);
@@ -89,7 +99,10 @@ Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& othe
   const auto change = [](Get get) { return [get](const PeakPair& pair) { return change_of(pair, get); }; };
   return table_of<PeakPair>({{"wave",
                               [](const PeakPair& pair) {
-                                return Cell(wave_name(pair.any().engine_order, pair.any().signed_nodal_diameter));
+                                const std::string wave = wave_of(pair.any());
+                                return Cell(pair.here && pair.there && !same_wave(*pair.here, *pair.there)
+                                                ? wave + ", there " + wave_of(*pair.there)
+                                                : wave);
                               }},
                              {"speed [rpm]", here(speed_of)},
                              {"other speed [rpm]", there(speed_of)},
@@ -101,6 +114,51 @@ Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& othe
                              {"other von Mises, both [MPa]", there(stress_of)},
                              {"change of stress [%]", change(stress_of)}},
                             pairs_of(this_one.peaks, other.peaks));
+}
+
+namespace {
+
+const ComparedPeak& worst_of(const std::vector<ComparedPeak>& peaks) {
+  return *std::max_element(peaks.begin(), peaks.end(),
+                           [](const ComparedPeak& a, const ComparedPeak& b) { return a.amplitude < b.amplitude; });
+}
+
+std::string worst_text(const ComparedPeak& peak) {
+  return fixed(peak.amplitude, 3) + " mm at " + fixed(peak.speed, 0) + " rpm (" + wave_of(peak) + ")";
+}
+
+std::string signed_percent(double ratio) {
+  return (ratio < 1 ? "" : "+") + fixed(percent * (ratio - 1), 1) + " %";
+}
+
+/// Speeds that only one of the two has move and lower the peaks between them.
+std::string grids_text(const ReportNumbers& here, const ReportNumbers& other) {
+  constexpr double same_speed = 1e-9;
+  const bool same = here.speed.size() == other.speed.size() && here.speed.isApprox(other.speed, same_speed);
+  return same ? ""
+              : " The speeds differ: " + std::to_string(here.speed.size()) + " from " + fixed(here.speed[0], 0) +
+                    " to " + fixed(here.speed.tail<1>()[0], 0) + " rpm here, " + std::to_string(other.speed.size()) +
+                    " from " + fixed(other.speed[0], 0) + " to " + fixed(other.speed.tail<1>()[0], 0) +
+                    " rpm there. A peak between speeds that are far apart is lower and elsewhere for that alone.";
+}
+
+}  // namespace
+
+std::string comparison_in_words(const ReportNumbers& here, const ReportNumbers& other) {
+  std::string text;
+  if (here.peaks.empty() || other.peaks.empty()) {
+    text = std::to_string(here.peaks.size()) + " critical speeds here, " + std::to_string(other.peaks.size()) +
+           " there.";
+  } else {
+    const ComparedPeak &worst = worst_of(here.peaks), &there = worst_of(other.peaks);
+    text = "The worst critical speed is " + worst_text(worst) + " here and " + worst_text(there) + " there: speed " +
+           signed_percent(worst.speed / there.speed) + ", amplitude " +
+           signed_percent(worst.amplitude / there.amplitude) + "; " + std::to_string(here.peaks.size()) +
+           " critical speeds here, " + std::to_string(other.peaks.size()) + " there.";
+  }
+  for (std::size_t i = 0; i < other.changes.size(); ++i)
+    text += (i == 0 ? " The cases differ in " : "; ") + other.changes[i];
+  return text + (other.changes.empty() ? "" : ".") + grids_text(here, other);
 }
 
 Figure comparison_map_figure(const Study& study, const ReportNumbers& this_one, const ReportNumbers& other) {

@@ -10,6 +10,8 @@ namespace tiprub::postprocess {
 /// one; a shift within rounding is 0. Two critical speeds are paired if the same wave makes them (engine order,
 /// signed nodal diameter and family); of several candidates, the nearest are paired. Each unpaired one has its own
 /// row.
+/// In one sentence, what differs; then what is to be kept in mind: the keys that differ, and other grids of speeds.
+std::string comparison_in_words(const ReportNumbers& here, const ReportNumbers& other);
 Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& other);
 
 /// The interaction maps of both reports side by side, for the edge asked for.

@@ -2,7 +2,11 @@
 #include "postprocess/compare/report_numbers.h"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
 
 #include "cases/program/errors.h"
 #include "postprocess/analysis/input_check.h"
@@ -89,9 +93,13 @@ ComparedPeak peak_from(const json& peak) {
 ReportNumbers from_json(const json& numbers) {
   require(numbers.at("schema") == schema && numbers.at("schema_version") == schema_version,
           "is of another version; give a report that this version made");
-  ReportNumbers read{
-      {}, vector_of(numbers.at("response").at("speed_rpm")), vector_of(numbers.at("response").at("largest_mm")),
-      {}, map_from(numbers.at("maps").at("leading")),        map_from(numbers.at("maps").at("trailing"))};
+  ReportNumbers read{{},
+                     {},
+                     vector_of(numbers.at("response").at("speed_rpm")),
+                     vector_of(numbers.at("response").at("largest_mm")),
+                     {},
+                     map_from(numbers.at("maps").at("leading")),
+                     map_from(numbers.at("maps").at("trailing"))};
   require(read.speed.size() > 0 && read.speed.size() == read.amplitude.size(),
           "speeds and amplitudes differ in number");
   for (const json& peak : numbers.at("critical_speeds")) read.peaks.push_back(peak_from(peak));
@@ -124,8 +132,13 @@ ReportNumbers from_response(const fs::path& path, const Study& study) {
 
 ReportNumbers report_numbers(const Study& study, const FieldResults& fields) {
   const int orders = study.parameters.engine_order_max;
-  ReportNumbers numbers{{}, rpm_of(study.response.speeds),      study.amplitudes.largest * mm_per_m,
-                        {}, up_to(study.waves.leading, orders), up_to(study.waves.trailing, orders)};
+  ReportNumbers numbers{{},
+                        {},
+                        rpm_of(study.response.speeds),
+                        study.amplitudes.largest * mm_per_m,
+                        {},
+                        up_to(study.waves.leading, orders),
+                        up_to(study.waves.trailing, orders)};
   for (std::size_t i = 0; i < study.critical.size(); ++i) {
     const CriticalSpeed& critical = study.critical[i];
     numbers.peaks.push_back(
@@ -159,6 +172,64 @@ ReportNumbers read_other_report(const fs::path& path, const Study& study) {
   ReportNumbers numbers = folder ? from_folder(path) : from_response(path, study);
   numbers.name = folder ? path.lexically_normal().string() : path.string();
   return numbers;
+}
+
+namespace {
+
+/// The keys of a case file with their values as they are written, without comments and blanks; a report's copy has
+/// those of the command line behind "# --set ".
+std::map<std::string, std::string> written_keys(const std::string& text) {
+  std::map<std::string, std::string> keys;
+  std::string table, key;
+  int open = 0;  // brackets of a value that goes on
+  std::istringstream lines(text);
+  constexpr std::string_view setting = "# --set ";
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(setting)) {
+      line.erase(0, setting.size());
+      table.clear();
+    }
+    bool quoted = false;
+    std::string bare;
+    for (const char letter : line) {
+      if (letter == '"') quoted = !quoted;
+      if (letter == '#' && !quoted) break;
+      if (quoted || std::isspace(static_cast<unsigned char>(letter)) == 0) bare += letter;
+      if (!quoted) open += letter == '[' ? 1 : letter == ']' ? -1 : 0;
+    }
+    const std::size_t equals = bare.find('=');
+    if (!key.empty()) {
+      keys[key] += bare;
+    } else if (equals != std::string::npos) {
+      key = table + bare.substr(0, equals);
+      keys[key] = bare.substr(equals + 1);
+    } else if (bare.size() > 2 && bare.front() == '[') {
+      table = bare.substr(1, bare.size() - 2) + ".";
+    }
+    if (open == 0) key.clear();
+  }
+  return keys;
+}
+
+}  // namespace
+
+void compare_cases(ReportNumbers& other, const fs::path& path, const std::string& title,
+                   const std::string& case_text) {
+  const fs::path file = path / "case.toml";
+  if (!fs::exists(file)) return;
+  const std::map<std::string, std::string> here = written_keys(case_text), there = written_keys(read_text(file));
+  std::map<std::string, std::string> all = here;
+  all.insert(there.begin(), there.end());
+  const auto value = [](const std::map<std::string, std::string>& keys, const std::string& key) {
+    const auto found = keys.find(key);
+    return found == keys.end() ? std::string("not given") : found->second;
+  };
+  for (const auto& [key, either] : all)
+    if (key != "title" && value(here, key) != value(there, key))
+      other.changes.push_back(key + ": " + value(here, key) + ", there " + value(there, key));
+  const std::string name = value(there, "title");
+  if (name.size() > 2 && name.front() == '"' && name != "\"" + title + "\"")
+    other.name = name.substr(1, name.size() - 2);
 }
 
 }  // namespace tiprub::postprocess

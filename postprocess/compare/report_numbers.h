@@ -23,7 +23,8 @@ struct ComparedPeak {
 
 /// The numbers with which two reports are compared; their wheels may differ.
 struct ReportNumbers {
-  std::string name;                  ///< path of the other report, as the user gave it
+  std::string name;                  ///< of the other report: its title if that differs, else its path
+  std::vector<std::string> changes;  ///< keys of the case that differ: "casing.clearance: 0.2e-3, there 0.3e-3"
   Eigen::VectorXd speed, amplitude;  ///< [rpm]; [mm] the largest on the tip line
   std::vector<ComparedPeak> peaks;   ///< ascending in speed
   /// Parts and totals up to engine_order_max. Of the spectra only the numbers of lines and revolutions are set.
@@ -39,5 +40,10 @@ std::string to_json(const ReportNumbers& numbers);
 /// Reads a report's folder, or studies another response of the same model with the same parameters. Raises InputError
 /// if `path` is neither.
 ReportNumbers read_other_report(const std::filesystem::path& path, const Study& study);
+
+/// Names the other report by its title, and finds the keys that differ, from the copy of the case in its folder. Does
+/// nothing if `path` is a response or has no copy.
+void compare_cases(ReportNumbers& other, const std::filesystem::path& path, const std::string& title,
+                   const std::string& case_text);
 
 }  // namespace tiprub::postprocess

@@ -74,6 +74,7 @@ json add_speed(PackedArrays& arrays, const Study& study, const SpeedFrame& frame
           {"largest", study.amplitudes.largest[i] * mm_per_m},
           {"leading", by_node(0, i) * mm_per_m},
           {"trailing", by_node(study.model.contact.trailing_edge(), i) * mm_per_m},
+          {"excursion", largest_excursion(speed.displacement) * mm_per_m},
           {"motion", motion_text(speed.motion, speed.period_beats)},
           {"outside", study.gap[static_cast<std::size_t>(i)].beyond()
                           ? json(study.gap[static_cast<std::size_t>(i)].in_words())
@@ -86,10 +87,18 @@ json add_speed(PackedArrays& arrays, const Study& study, const SpeedFrame& frame
            {speed.clearance[0] * mm_per_m, speed.clearance[study.model.contact.trailing_edge()] * mm_per_m}}};
 }
 
-json critical_of(const std::vector<CriticalSpeed>& all) {
+/// "586 MPa of the vibration, 643 MPa with spin; main blade near the root; Goodman's utilisation 1.23"
+json stress_of(const std::optional<FieldPeak>& peak) {
+  if (!peak) return {};
+  return mpa_text(peak->body.vibration) + " of the vibration, " + mpa_text(peak->body.both) + " with spin" +
+         (peak->where.empty() ? "" : "; " + peak->where) +
+         (peak->cycle && peak->cycle->goodman ? "; Goodman's utilisation " + fixed(*peak->cycle->goodman, 2) : "");
+}
+
+json critical_of(const std::vector<CriticalSpeed>& all, const FieldResults& fields) {
   json list = json::array();
-  for (const CriticalSpeed& critical : all)
-    list.push_back({{"index", critical.index}, {"wave", wave_names(critical)}});
+  for (std::size_t i = 0; i < all.size(); ++i)
+    list.push_back({{"index", all[i].index}, {"wave", wave_names(all[i])}, {"stress", stress_of(fields.peaks[i])}});
   return list;
 }
 
@@ -179,7 +188,7 @@ std::string speed_data(const Study& study, const FieldResults& fields, const std
                         {"speeds", std::move(speeds)},
                         {"failed", std::move(failed)},
                         {"other", other ? add_other(arrays, *other) : json()},
-                        {"critical", critical_of(study.critical)},
+                        {"critical", critical_of(study.critical, fields)},
                         {"predicted",
                          {{"aliased", speeds_of(frame, study.rules.aliased)},
                           {"equation_2", speeds_of(frame, study.rules.equation_2)}}},

@@ -99,10 +99,18 @@ std::string html_table(const Table& table) {
   return text + "</tbody></table></div>\n";
 }
 
+/// A template without its first line, the licence, which stays with the source.
+std::string without_first_line(std::string_view text) {
+  return std::string(text.substr(text.find('\n') + 1));
+}
+
 /// A picture as a data URL for `src="..."`: its text with a few characters replaced, a quarter shorter than base 64.
 std::string svg_url(const std::string& svg) {
+  const std::size_t head = svg.find("<defs>");  // the style of dark pages goes before all that it applies to
+  const std::string styled = svg.substr(0, head) + "<style>" + without_first_line(embedded::page_files::picture_css) +
+                             "</style>" + (head == std::string::npos ? "" : svg.substr(head));
   std::string url = "data:image/svg+xml,";
-  for (const char letter : svg) {
+  for (const char letter : styled) {
     const std::string_view replaced = "%#\"<>&\n\t";
     if (replaced.find(letter) == std::string_view::npos) {
       url += letter;
@@ -113,11 +121,6 @@ std::string svg_url(const std::string& svg) {
     url += code;
   }
   return url;
-}
-
-/// A template without its first line, the licence, which stays with the source.
-std::string without_first_line(std::string_view text) {
-  return std::string(text.substr(text.find('\n') + 1));
 }
 
 /// A file of the report's folder. The page also travels without it, so that a link could be dead.
@@ -256,6 +259,7 @@ std::string comparison_section(const ReportContents& contents) {
   if (!contents.other) return "";
   return filled(without_first_line(embedded::page_files::compared_html),
                 {{"other", escaped(contents.other->name)},
+                 {"words", escaped(comparison_in_words(contents.numbers, *contents.other))},
                  {"table", html_table(comparison_record(contents.numbers, *contents.other))}});
 }
 
@@ -295,6 +299,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
       {{"title", escaped(source.title.empty() ? "Blade-tip rub" : source.title)},
        {"style", joined(embedded::page_styles::files)},
        {"script", joined(embedded::page_scripts::files)},
+       {"made_by", escaped(run.in_words().front().text)},
        {"speed_low", rpm_text(study.range.low)},
        {"speed_high", rpm_text(study.range.high)},
        {"decision", none ? "" : html_table(critical_speed_budgets(study, fields))},

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "cases/program/errors.h"
@@ -20,6 +21,46 @@ Study made_study() {
 
 double number(const Cell& cell) {
   return std::get<double>(cell);
+}
+
+/// Symptom: of one critical speed that different waves make in two reports, each had a row, and no change was told.
+TEST(Comparison, PairsPeaksOfOtherWavesByTheirPlaces) {
+  ReportNumbers here, other;
+  here.peaks = {{10000, 0.2, 6, -4, 1, std::nullopt}, {12000, 0.1, 10, 0, 2, std::nullopt}};
+  other.peaks = {{9960, 0.1, 10, 0, 2, std::nullopt}, {14000, 0.3, 8, 2, 1, std::nullopt}};
+  const Table table = comparison_record(here, other);
+  ASSERT_EQ(table.rows.size(), 3U);  // 12,000 rpm has the wave of 9960 rpm, which comes before the place
+  EXPECT_EQ(std::get<std::string>(table.rows[1][0]), "EO 10 ND 0");
+  here.peaks.pop_back();
+  const Table by_place = comparison_record(here, other);
+  ASSERT_EQ(by_place.rows.size(), 2U);
+  EXPECT_EQ(std::get<std::string>(by_place.rows[0][0]), "EO 6 ND -4, there EO 10 ND 0");
+  EXPECT_NEAR(number(by_place.rows[0][3]), 100 * (10000 / 9960.0 - 1), 1e-9);
+}
+
+/// What differs: the worst peaks, the keys, the grids.
+TEST(Comparison, TellsWhatDiffers) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "tiprub_compared_case";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "case.toml")
+      << "title = \"Wide\"\n[casing]\nlobes = 2  # as before\nclearance = [[0.0, 3e-4],\n"
+         "  [1.0, 3e-4]]\n# --set simulate.budget=\"none\"\n";
+  ReportNumbers here, other;
+  here.speed = here.amplitude = Eigen::VectorXd::LinSpaced(5, 1000, 2000);
+  other.speed = other.amplitude = Eigen::VectorXd::LinSpaced(3, 1000, 2000);
+  here.peaks = {{1100, 0.3, 6, -4, 1, std::nullopt}};
+  other.peaks = {{1000, 0.2, 6, -4, 1, std::nullopt}};
+  compare_cases(other, folder, "Narrow",
+                "title = \"Narrow\"\n[casing]\nclearance = [[0.0, 2e-4], [1.0, 2e-4]]\nlobes = 2\n");
+  EXPECT_EQ(other.name, "Wide");
+  EXPECT_EQ(other.changes,
+            (std::vector<std::string>{"casing.clearance: [[0.0,2e-4],[1.0,2e-4]], there [[0.0,3e-4],[1.0,3e-4]]",
+                                      "simulate.budget: not given, there \"none\""}));
+  const std::string words = comparison_in_words(here, other);
+  for (const char* part : {"0.300 mm at 1100 rpm (EO 6 ND -4) here", "speed +10.0 %, amplitude +50.0 %",
+                           "differ in casing.clearance", "5 from 1000 to 2000 rpm here, 3 from"})
+    EXPECT_NE(words.find(part), std::string::npos) << part << "\n" << words;
+  std::filesystem::remove_all(folder);
 }
 
 /// Peaks of the same wave 2 % lower and half as high; one that only the other has, one that only this has.

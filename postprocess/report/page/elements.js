@@ -27,10 +27,34 @@ function choice(label, entries, chosen, onChange) {
   return make('label', {class: 'choice'}, label + ' ', select);
 }
 
+// What a button says to the eye is a part of what it says to the ear.
 function button(words, label, onClick) {
-  const element = make('button', {type: 'button', 'aria-label': label, title: label}, words);
+  const named = /\p{L}/u.test(words) ? `${words}: ${label}` : label;
+  const element = make('button', {type: 'button', 'aria-label': named, title: label}, words);
   element.addEventListener('click', onClick);
   return element;
+}
+
+function download(parts, type, name) {
+  const url = URL.createObjectURL(new Blob(parts, {type}));
+  make('a', {href: url, download: name}).click();
+  URL.revokeObjectURL(url);
+}
+
+function copied(text) {
+  const area = make('textarea');
+  area.value = text;
+  document.body.append(area);
+  area.select();
+  const done = document.execCommand('copy');
+  area.remove();
+  return done;
+}
+
+// Rows of cells as the text of a CSV file.
+function csvOf(rows) {
+  const quoted = cell => /[",\n]/.test(cell) ? `"${String(cell).replaceAll('"', '""')}"` : cell;
+  return rows.map(row => row.map(quoted).join(',')).join('\n') + '\n';
 }
 
 // So many digits as count.

@@ -11,7 +11,8 @@ async function explore() {
   document.documentElement.classList.add('live');
   responseView(document.getElementById('live-response'), selection);
   const host = document.getElementById('live-views');
-  host.append(selectionBar(selection));
+  host.append(...selectionBar(selection));
+  linkRows(selection);
   mapsView(host, selection);
   const grid = make('div', {class: 'grid'});
   host.append(grid);
@@ -20,7 +21,9 @@ async function explore() {
   panel(grid, 'Two-way spectrum', section => spectrumView(section, selection));
   panel(grid, 'Where sector 0 rubs the casing', section => contactView(section, selection));
   panel(grid, 'Path of the tip, sector 0 and faint the others', section => orbitView(section, selection));
+  panel(grid, 'Campbell diagram', section => campbellView(section, selection));
   selection.tell();
+  selection.tellWindow();
   const wheel = document.getElementById('live-wheel');
   if (wheel) wheelView(wheel, selection);
   return selection;

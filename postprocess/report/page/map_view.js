@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Amplitude over speed and frequency of one edge, in total or of one nodal diameter: the interaction map.
 const VIRIDIS = colourTable('viridis');
+const MOST_ORDERS = 60;
 const WIDEST_HALF_LINE = 0.1;  // of an engine order, as the pictures have it
 
 // What a map is drawn from: speeds with their lines, and a line's amplitude [mm] of a nodal diameter `part`, both directions
@@ -86,18 +87,62 @@ function readMap(map, part, rpm, frequency) {
     digits(map.amplitude(index, line, part))} mm`;
 }
 
+// The numbers of what a map shows.
+function mapRows(map, part, {x, y}) {
+  const rows = [['speed [rpm]', 'frequency [Hz]', 'engine order', part === 'total' ? 'total [mm]' : `nodal diameter ${part} [mm]`]];
+  map.speeds.forEach((speed, index) => {
+    if (speed.rpm < x[0] || speed.rpm > x[1]) return;
+    for (let line = 1; line < speed.lines; ++line) {
+      const order = line / speed.revolutions, frequency = order * speed.rpm / 60;
+      if (frequency >= y[0] && frequency <= y[1]) rows.push([speed.rpm, frequency, order, map.amplitude(index, line, part)]);
+    }
+  });
+  return rows;
+}
+
 function mapView(host, selection, edge) {
   const {data} = selection, maps = {here: ownMap(data, edge), there: data.other && otherMap(data, edge)};
-  const shown = {part: 'total', whose: 'here'};
+  const shown = {whose: 'here'};
   const chart = new Chart(host, {
     name: `Interaction map, ${edge} edge`, height: 380, x: speedRange(data),
     y: {label: 'frequency [Hz]', range: [0, data.axes.frequency]},
-    paint: drawn => drawMap(drawn, selection, maps[shown.whose], shown.part), step: by => selection.step(by),
+    paint: drawn => drawMap(drawn, selection, maps[shown.whose], selection.part), shared: selection,
+    rows: () => mapRows(maps[shown.whose], selection.part, chart.range), step: by => selection.step(by),
     pick: x => pickSpeed(chart, selection, x), middle: () => selection.speed.rpm,
-    read: (x, y) => readMap(maps[shown.whose], shown.part, x, y),
+    read: (x, y) => readMap(maps[shown.whose], selection.part, x, y),
   });
   selection.onChange(() => chart.draw());
   return {show(what) { Object.assign(shown, what); chart.draw(); }};
+}
+
+// Natural frequencies over speed by nodal diameter, engine orders, and the critical speeds at the frequencies of their waves.
+function campbellView(host, selection) {
+  const {data} = selection, rpm = data.speeds.map(speed => speed.rpm), moving = movingParts(data);
+  const colourOf = n => `var(--series-${n % 8})`, curves = data.modes.map((mode, k) => ({...mode, hertz: data.array(`mode/${k}`)}));
+  const shown = curves.filter(curve => moving.includes(curve.nodal_diameter)), high = Math.max(...shown.flatMap(curve => [...curve.hertz]), 1);
+  const order = peak => Number.parseFloat(peak.wave.replace(/^EO /, ''));
+  host.append(legend(...moving.map(n => [`series-${n % 8}`, `ND ${n}`]), ['map-order', 'engine orders'], ['met', 'critical speeds'], ['chosen', 'shown speed']));
+  const chart = new Chart(host, {
+    name: 'Campbell diagram', height: 380, x: speedRange(data), y: {label: 'frequency [Hz]', range: [0, 1.05 * high]}, shared: selection,
+    pick: x => pickSpeed(chart, selection, x), step: by => selection.step(by), middle: () => selection.speed.rpm,
+    paint: drawn => {
+      for (let k = 1; k <= MOST_ORDERS && k * rpm[0] / 60 < 1.05 * high; ++k) drawn.line(drawn.range.x, drawn.range.x.map(x => k * x / 60), 'order');
+      for (const curve of shown) drawn.line(rpm, curve.hertz, 'mode', colourOf(curve.nodal_diameter));
+      drawn.upright(selection.speed.rpm, 'chosen-mark');
+      for (const peak of data.critical) {
+        const x = data.speeds[peak.index].rpm;
+        drawn.dot(x, Math.min(1.05 * high, order(peak) * x / 60), 5, 'met');
+      }
+    },
+    read: (x, y) => {
+      const i = selection.nearest(x), near = [...shown].sort((a, b) => Math.abs(a.hertz[i] - y) - Math.abs(b.hertz[i] - y))[0];
+      return `${rpm[i].toFixed(0)} rpm, ${y.toFixed(0)} Hz, EO ${digits(y * 60 / rpm[i], 3)}${
+        near ? `; next mode: ND ${near.nodal_diameter}, family ${near.family}, ${near.hertz[i].toFixed(0)} Hz` : ''}`;
+    },
+    rows: () => [['speed [rpm]', ...shown.map(curve => `ND ${curve.nodal_diameter} family ${curve.family} [Hz]`)],
+      ...rpm.map((speed, i) => [speed, ...shown.map(curve => curve.hertz[i])])],
+  });
+  selection.onChange(() => chart.draw());
 }
 
 // Nodal diameters that move at all: an empty map tells nothing.
@@ -123,12 +168,13 @@ function mapsView(host, selection) {
     return mapView(side, selection, edge);
   });
   const labels = Array.from({length: 3}, (_, i) => digits(map * 10 ** (decades * (i / 2 - 1)), 2));
-  host.append(make('div', {class: 'tools'},
-    choice('Nodal diameters', [['total', 'all, their sum'], ...movingParts(data).map(n => [String(n), `${n} alone`])],
-      'total', part => maps.forEach(view => view.show({part}))),
+  const parts = choice('Nodal diameters', [['total', 'all, their sum'], ...movingParts(data).map(n => [String(n), `${n} alone`])],
+    selection.part, part => selection.choosePart(part));
+  selection.onChange(() => { parts.lastChild.value = selection.part; });
+  host.append(make('div', {class: 'tools'}, parts,
     ...(data.other ? [choice('Maps of', [['here', 'this report'], ['there', data.other.name]], 'here',
       whose => maps.forEach(view => view.show({whose})))] : []),
     colourBar('viridis', labels, 'mm, logarithmic')),
-    legend(['map-order', 'engine orders'], ['map-mode', 'natural frequencies'], ['critical', 'critical speeds'], ['chosen', 'shown speed'],
+    legend(['map-order', 'engine orders'], ['map-mode', 'natural frequencies'], ['critical on-map', 'critical speeds'], ['chosen on-map', 'shown speed'],
     ...(data.speeds.some(speed => speed.outside) ? [['outside', 'outside validity']] : [])), pair);
 }

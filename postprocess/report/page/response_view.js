@@ -27,7 +27,7 @@ function markSpeeds(chart, selection) {
 }
 
 function pickSpeed(chart, selection, x) {
-  selection.pick(x, NEAR_PIXELS * (chart.range.x[1] - chart.range.x[0]) / chart.width);
+  return selection.pick(x, NEAR_PIXELS * (chart.range.x[1] - chart.range.x[0]) / chart.width);
 }
 
 // A range of speeds, as high as the chart.
@@ -66,7 +66,9 @@ function responseView(host, selection) {
     ...(data.predicted.equation_2.length ? [['equation-2', 'eq. 2']] : []), ...(data.other ? [['other', data.other.name]] : [])));
   const chart = new Chart(host, {
     name: 'Tip amplitude over speed', height: 380, x: speedRange(data),
-    y: {label: 'amplitude [mm]', range: [0, 1.32 * data.axes.amplitude]},
+    y: {label: 'amplitude [mm]', range: [0, 1.32 * Math.max(data.axes.amplitude, ...(data.other ? data.array('other/largest') : []))]},
+    shared: selection, rows: () => [['speed [rpm]', 'largest [mm]', 'leading edge [mm]', 'trailing edge [mm]', 'motion'],
+      ...data.speeds.map(speed => [speed.rpm, speed.largest, speed.leading, speed.trailing, speed.motion])],
     paint: drawn => drawResponse(drawn, selection),
     pick: x => pickSpeed(chart, selection, x), step: by => selection.step(by), middle: () => selection.speed.rpm,
     read: x => {

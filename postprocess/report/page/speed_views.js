@@ -42,6 +42,11 @@ function sectorsView(host, selection, what, unit) {
       const s = Math.min(shownSamples(selection.speed) - 1, Math.max(0, Math.round(x / 360 * samples)));
       return `sector ${j}, ${(360 * s / samples).toFixed(1)} deg: ${digits(values(j)[s])} ${unit}`;
     },
+    rows: () => {
+      const all = Array.from({length: data.sectors}, (_, j) => values(j));
+      return [['rotor angle [deg]', ...all.map((_, j) => `sector ${j} [${unit}]`)],
+        ...Array.from(all[0], (_, s) => [360 * s / selection.speed.samples, ...all.map(values => values[s])])];
+    },
   });
   selection.onChange(() => {
     chart.options.y.label = `sector (a step is ${digits(spacing(), 2)} ${unit})`;
@@ -78,6 +83,7 @@ function spectrumView(host, selection) {
       const n = Math.min(half, Math.max(lowest, Math.round(y)));
       return `EO ${digits(line / revolutions)}, ND ${n > 0 ? '+' : ''}${n}: ${digits(amplitude(line, columnOf(n)))} mm`;
     },
+    rows: () => [['engine order', 'signed nodal diameter', 'amplitude [mm]'], ...selection.largestWaves(Infinity)],
   });
   selection.onChange(() => chart.draw());
 }
@@ -98,6 +104,8 @@ function contactView(host, selection) {
       const areas = share('leading').length, area = Math.min(areas - 1, Math.floor(x / 360 * areas));
       return `area ${area}, ${(360 * area / areas).toFixed(1)} deg: leading edge ${digits(share('leading')[area], 3)}, trailing edge ${digits(share('trailing')[area], 3)}`;
     },
+    rows: () => [['angle [deg]', 'leading edge [1]', 'trailing edge [1]'],
+      ...Array.from(share('leading'), (value, area) => [360 * (area + 0.5) / share('leading').length, value, share('trailing')[area]])],
   });
   selection.onChange(() => chart.draw());
 }
@@ -119,6 +127,9 @@ function orbitView(host, selection) {
           drawn.line(path(edge, 'tangential', j), path(edge, 'normal', j), `${edge} ${j ? 'faint' : ''}`);
     },
     read: (x, y) => `${digits(x, 3)} mm tangential, ${digits(y, 3)} mm along the normal`,
+    rows: () => [['tangential, leading edge [mm]', 'along the normal, leading edge [mm]', 'tangential, trailing edge [mm]', 'along the normal, trailing edge [mm]'],
+      ...Array.from(path('leading', 'normal', 0), (normal, s) => [path('leading', 'tangential', 0)[s], normal, path('trailing', 'tangential', 0)[s],
+        path('trailing', 'normal', 0)[s]])],
   });
   selection.onChange(() => {
     const around = what => {

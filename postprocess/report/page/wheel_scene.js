@@ -68,8 +68,8 @@ class WheelScene {
     motion.moved = new Float32Array(3 * count);
     motion.positions(0, 0, this.positions.array);
     geometry.computeVertexNormals();
-    const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({vertexColors: THREE.VertexColors, side: THREE.DoubleSide,
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}));
+    const mesh = new THREE.Mesh(geometry, new THREE.MeshPhongMaterial({vertexColors: THREE.VertexColors, side: THREE.DoubleSide, flatShading: true,
+      specular: 0, shininess: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}));
     mesh.frustumCulled = false;
     this.scene.add(mesh);
     this.addMarks();

@@ -18,18 +18,20 @@ class WheelView {
     this.scene = new WheelScene(this.canvas, data);
     this.told = make('output', {class: 'readout'});
     this.bar = make('div');
-    host.append(this.controls(), this.canvas, make('div', {class: 'tools'}, this.bar, this.told));
+    this.blank = make('p', {class: 'blank', hidden: ''});
+    host.append(this.controls(), this.blank, this.canvas, make('div', {class: 'tools'}, this.bar, this.told));
     this.onDisc = new Set(data.array('disc'));
     host.parentElement.classList.add('drawn');
     this.listen();
-    this.choose(this.atSelection() ?? this.entries[0]);
+    this.choose(this.atSelection());
   }
 
   get entries() {
-    return [...this.data.motions.map((_, k) => `motion/${k}`), ...this.data.modes.map((_, k) => `mode/${k}`), 'rest'];
+    return ['none', ...this.data.motions.map((_, k) => `motion/${k}`), ...this.data.modes.map((_, k) => `mode/${k}`), 'rest'];
   }
 
   nameOf(entry) {
+    if (entry === 'none') return 'nothing: no motion of the wheel at the shown speed';
     if (entry === 'rest') return 'at rest: sector 0, its mesh and node sets';
     const [kind, k] = entry.split('/'), what = this.data[`${kind}s`][k];
     if (kind === 'mode') return `mode: nodal diameter ${what.nodal_diameter}, family ${what.family}, ${what.hz.toFixed(0)} Hz`;
@@ -37,10 +39,10 @@ class WheelView {
     return `motion at ${what.rpm.toFixed(0)} rpm${peak ? `, ${peak.wave}` : ''}`;
   }
 
-  // The motion of the speed that the other views show, if there is one.
+  // The motion of the speed that the other views show, or nothing; another speed's would mislead.
   atSelection() {
     const k = this.data.motions.findIndex(motion => motion.index === this.selection.index);
-    return k < 0 ? null : `motion/${k}`;
+    return k < 0 ? 'none' : `motion/${k}`;
   }
 
   controls() {
@@ -82,7 +84,9 @@ class WheelView {
   }
 
   listen() {
-    this.selection.onChange(() => { if (this.atSelection()) this.choose(this.atSelection()); });
+    this.selection.onChange(() => { if (this.atSelection() !== 'none' || this.shown) this.choose(this.atSelection()); });
+    // Without a key the wheel of the mouse moves the page.
+    this.host.addEventListener('wheel', event => { if (!event.ctrlKey && !event.metaKey) event.stopPropagation(); }, {capture: true});
     this.canvas.addEventListener('keydown', event => {
       const turn = {ArrowLeft: [-0.15, 0, 1], ArrowRight: [0.15, 0, 1], ArrowUp: [0, -0.12, 1], ArrowDown: [0, 0.12, 1], '+': [0, 0, 0.9], '-': [0, 0, 1.11]}[event.key];
       if (!turn) return;
@@ -99,8 +103,12 @@ class WheelView {
   choose(entry) {
     this.entry = entry;
     this.which.lastChild.value = entry;
-    const [kind, k] = entry.split('/');
-    this.rest = kind === 'rest';
+    const [kind, k] = entry.split('/'), none = kind === 'none';
+    this.blank.hidden = !none;
+    this.canvas.hidden = none;
+    this.blank.textContent = none ? `No motion of the whole wheel was recovered at ${this.selection.speed.rpm.toFixed(0)} rpm, only at the critical speeds; ` +
+      'choose one of them, a mode or the wheel at rest above.' : '';
+    this.rest = none || kind === 'rest';
     this.mode = kind === 'mode' ? this.data.modes[k] : null;
     this.shown = kind === 'motion' ? this.data.motions[k] : null;
     const waves = this.mode ? [{order: 1, nodal_diameter: this.mode.nodal_diameter}] : this.shown?.waves ?? [];

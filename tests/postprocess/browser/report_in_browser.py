@@ -8,7 +8,6 @@ and nothing complains.
 usage: report_in_browser.py PROGRAM SCENE_WRITER WORK_FOLDER
 Exit code 77 (skipped) without Chromium.
 """
-import csv
 import json
 import os
 import re
@@ -18,20 +17,11 @@ import sys
 import time
 
 import chromium
+from shown_page import HEIGHT, VIEWS, WIDTH, click_peak, opened, rows_of, shown
+from speed_checks import check_any_speed, check_honest_wheel, check_saved_views, check_shared_speeds
 
 SKIPPED = 77
-WIDTH, HEIGHT = 1440, 900
-PAPER_WIDTH, PAPER_HEIGHT = 277 / 25.4 * 96, 190 / 25.4 * 96  # px: A4 on its side, margins of 10 mm
-LIVE = "document.documentElement.classList.contains('live')"
-VIEWS = "[...document.querySelectorAll('svg.chart')]"
-
-
-def opened(browser, page, width=WIDTH, height=HEIGHT, medium="screen", scheme="light"):
-    browser.size(width, height, mobile=width < 600)
-    browser.media(medium, scheme)
-    seconds = browser.open(page) + browser.wait(LIVE + " && document.querySelectorAll('svg.chart .frame').length >= 8")
-    assert browser.value("performance.getEntriesByType('resource').map(e => e.name).filter(n => !/^(data|blob):/.test(n))") == []
-    return seconds
+PAPER_WIDTH, PAPER_HEIGHT = 277 / 25.4 * 96, 188 / 25.4 * 96  # px: A4 on its side, margins of 10 mm, 12 mm at the foot
 
 
 def check_opening(browser, page):
@@ -52,24 +42,6 @@ def check_first_screen(browser):
         assert question in lead, question
     for word in ("lobe", "clearance", "Interference", "Damping", "Speeds"):
         assert word in scene, word
-
-
-def rows_of(path):
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def shown(browser):
-    return browser.value("document.querySelector('#shown-speed').textContent")
-
-
-def click_peak(browser, number):
-    """In the response, where a peak's name stands, far above the curve."""
-    x, y = browser.value(f"(() => {{ const svg = document.querySelector('#live-response svg'); svg.scrollIntoView({{block: 'center'}});"
-                         f"const box = svg.getBoundingClientRect(), name = svg.querySelectorAll('.wave-name')[{number}];"
-                         "return [box.left + Number(name.getAttribute('x')), box.top + 60]; })()")
-    browser.click(x, y)
-    time.sleep(0.4)  # until it can't be the first half of a double-click
 
 
 def check_peaks(browser, report):
@@ -112,7 +84,7 @@ def check_zoom_and_keys(browser):
     whole = browser.value(ticks)
     browser.value("document.querySelector('button[aria-label=\"Tip amplitude over speed: zoom in\"]').click()")
     assert browser.value(ticks) != whole
-    browser.value("document.querySelector('button[aria-label=\"Tip amplitude over speed: show all of it\"]').click()")
+    browser.value("document.querySelector('button[aria-label=\"Whole: Tip amplitude over speed: show all of it\"]').click()")
     assert browser.value(ticks) == whole
     before = shown(browser)
     x, y = browser.value("(box => [box.left + 0.3 * box.width, box.top + 60])(document.querySelector('#live-response svg').getBoundingClientRect())")
@@ -140,6 +112,9 @@ def check_pictures_and_tables(browser, report):
     assert [peak["speed [rpm]"] for peak in summary["critical_speeds"]] and summary["verdict"]["How bad"] in browser.value(
         "document.querySelector('.lead').textContent")
     assert browser.value("[...document.querySelectorAll('th')].every(cell => cell.scope)")
+    waves = browser.value("(rows => { const column = [...rows[0].cells].findIndex(cell => cell.textContent === 'wave');"
+                          "return rows.slice(1).map(row => row.cells[column].textContent); })([...document.querySelectorAll('#critical ~ div table')[0].rows])")
+    assert waves == [row["wave"] for row in rows_of(os.path.join(report, "critical_speeds.csv"))], waves
     figure = "document.querySelectorAll('figure')[1]"
     browser.value(f"{figure}.querySelector('button').click()")
     assert browser.value(f"{figure}.classList.contains('large')")
@@ -164,6 +139,9 @@ def check_sizes(browser, page):
         ground, ink = browser.value("(style => [style.backgroundColor, style.color])(getComputedStyle(document.body))")
         brightness = [sum(map(int, re.findall(r"\d+", colour)[:3])) for colour in (ground, ink)]
         assert (brightness[0] > brightness[1]) == (scheme == "light") and abs(brightness[0] - brightness[1]) > 400, (ground, ink)
+        paper = browser.value("(context => { context.drawImage(document.querySelector('#campbell ~ figure img'), 0, 0);"
+                              "return context.getImageData(2, 2, 1, 1).data[0]; })(document.createElement('canvas').getContext('2d'))")
+        assert (paper > 128) == (scheme == "light"), (scheme, paper)
 
 
 def check_paper(browser, work, page):
@@ -179,8 +157,12 @@ def check_paper(browser, work, page):
         torn: sections.filter(section => getComputedStyle(section).breakInside !== 'avoid' || !section.querySelector('h2')).length,
         tallest: Math.max(...sections.map(section => section.getBoundingClientRect().height)),
         heads: tables.every(table => getComputedStyle(table.tHead).display === 'table-header-group'),
+        version: document.querySelector('.paper-only').getClientRects().length && document.querySelector('.paper-only').textContent,
+        numbered: getComputedStyle(document.querySelector('figcaption'), '::before').content,
+        abreast: sections.filter(section => section.getBoundingClientRect().left > innerWidth / 3).length,
         columns: tables.flatMap(table => [...table.rows[0].cells].map(cell => cell.textContent))}; })()""")
     assert found["pictures"] and not found["live"] and found["torn"] == 0 and found["heads"], found
+    assert found["version"].startswith("tiprub-postprocess") and "Figure" in found["numbered"] and found["abreast"] > 5, found
     assert found["right"] <= PAPER_WIDTH + 1 and found["tallest"] <= PAPER_HEIGHT, found
     paper = os.path.join(work, "report.pdf")
     with open(paper, "wb") as file:
@@ -193,7 +175,7 @@ def check_paper(browser, work, page):
 
 def check_hardest_contact(browser, angle):
     """The wheel stops where the largest sum of forces was recorded."""
-    browser.value("document.querySelector('button[aria-label=\"Pause where the casing pushes most\"]').click()")
+    browser.value("document.querySelector('button[aria-label=\"Hardest contact: Pause where the casing pushes most\"]').click()")
     browser.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
     expected = browser.value("""unpacked('wheel-data').then(data => {
       const motion = data.motions[0], force = data.array('motion/0/force'), rows = force.length / motion.samples;
@@ -234,6 +216,7 @@ def check_wheel(browser, page):
     shown_motion = "document.querySelector('select[aria-label=\"Shown\"]').value"
     click_peak(browser, 1)
     assert browser.value(shown_motion) == "motion/1"
+    check_honest_wheel(browser)
 
 
 def check_comparison(browser, program, work):
@@ -249,6 +232,8 @@ def check_comparison(browser, program, work):
     opened(browser, os.path.join(compared, "report.html"))
     assert browser.value("document.querySelector('#live-response path.other').getAttribute('d').length > 100")
     assert browser.value("document.querySelector('#compared + div tbody, #compared ~ div tbody').rows.length") == len(rows)
+    words = browser.value("document.querySelector('#compared + p').textContent")
+    assert words.startswith("The worst critical speed is") and "speed +0.0 %, amplitude +0.0 %" in words and "differ" not in words, words
     own = readout(browser, 1, 0.6, 0.5)
     browser.value("(choice => { choice.value = 'there'; choice.dispatchEvent(new Event('change')); })"
                   "(document.querySelector('select[aria-label=\"Maps of\"]'))")
@@ -293,6 +278,10 @@ def main(program, writer, work):
         check_peaks(browser, report)
         check_values(browser, report)
         check_zoom_and_keys(browser)
+        check_any_speed(browser, page, report)
+        check_shared_speeds(browser, page)
+        check_saved_views(browser)
+        opened(browser, page)
         check_pictures_and_tables(browser, report)
         check_sizes(browser, page)
         if browser.value("document.createElement('canvas').getContext('webgl') !== null"):

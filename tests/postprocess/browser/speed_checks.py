@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Any speed of the page: chosen, named in the address, zoomed into, saved; and the wheel at it."""
+import csv
+import json
+import os
+import re
+import time
+
+from shown_page import VIEWS, opened, rows_of, shown
+
+
+def event(selector, kind, value=None):
+    """Script: an element hears an event, after it took a value."""
+    return (f"(element => {{ {'' if value is None else f'element.value = {json.dumps(value)};'} element.dispatchEvent(new Event('{kind}')); }})"
+            f"(document.querySelector({json.dumps(selector)}))")
+
+
+def ticks_of(browser, view):
+    return browser.value(f"[...{VIEWS}[{view}].querySelectorAll('.axes text')].map(text => text.textContent)")
+
+
+def check_any_speed(browser, page, report):
+    """Typed, or a row of a table: the views show it, the address names it, and back leads to the one before."""
+    opened(browser, page)
+    rows = rows_of(os.path.join(report, "speeds.csv"))
+    speeds = [float(row["speed [rpm]"]) for row in rows]
+    first = shown(browser)
+    between = 0.4 * speeds[1] + 0.6 * speeds[2]
+    browser.value(event("input.typed", "change", str(between)))
+    assert shown(browser).startswith(f"{speeds[2]:.0f} rpm"), (shown(browser), speeds[:4])
+    told = browser.value("document.querySelector('#shown-answers').textContent")
+    low, high = ([float(row["largest [mm]"]) for row in rows_of(os.path.join(report, "figures", "response.csv"))][i] for i in (1, 2))
+    assert "was not simulated" in told and abs(float(re.search(r"moves by (\S+) mm", told)[1]) - (0.4 * low + 0.6 * high)) < 0.01 * (low + high), told
+    browser.value("document.querySelector('.decision button.row-speed').click()")
+    peak = rows_of(os.path.join(report, "critical_speeds.csv"))[0]
+    assert shown(browser).startswith(f"{float(peak['speed [rpm]']):.0f} rpm, critical: {peak['wave']}"), (shown(browser), peak["wave"])
+    address = browser.value("location.hash")
+    browser.value("new Promise(done => { addEventListener('popstate', () => done(), {once: true}); history.back(); })")
+    assert shown(browser).startswith(f"{speeds[2]:.0f} rpm"), shown(browser)
+    browser.value("new Promise(done => { addEventListener('popstate', () => done(), {once: true}); history.back(); })")
+    assert shown(browser) == first
+    browser.call("Page.navigate", url="about:blank")
+    opened(browser, page + address + "&nd=2&from=1000&to=99999")
+    assert shown(browser).startswith(f"{float(peak['speed [rpm]']):.0f} rpm, critical")
+    assert browser.value("document.querySelector('select[aria-label=\"Nodal diameters\"]').value") == "2"
+
+
+def check_shared_speeds(browser, page):
+    """Response, maps and Campbell diagram zoom along speed together; the cross stands at one speed in all; a flat box leaves y alone."""
+    opened(browser, page)
+    campbell = browser.value(VIEWS + ".findIndex(view => view.getAttribute('aria-label').startsWith('Campbell'))")
+    whole = [ticks_of(browser, view) for view in (0, 1, 2, campbell)]
+    x, y, width = browser.value("(() => { const frame = document.querySelector('#live-response .frame'); frame.scrollIntoView({block: 'center'});"
+                                "const box = frame.getBoundingClientRect(); return [box.left, box.top + 40, box.width]; })()")
+    crossed = "[...document.querySelectorAll('svg.chart')].filter(view => view.querySelector('.cross line')).length"
+    browser.hover(x + 0.5 * width, y)
+    assert browser.value(crossed) == 4
+    browser.call("Input.dispatchMouseEvent", type="mousePressed", x=x + 0.2 * width, y=y, button="left", clickCount=1)
+    for kind, to in (("mouseMoved", 0.5), ("mouseMoved", 2), ("mouseReleased", 2)):  # released outside
+        browser.call("Input.dispatchMouseEvent", type=kind, x=x + to * width, y=y + 3, button="left", buttons=1, clickCount=1)
+    zoomed = [ticks_of(browser, view) for view in (0, 1, 2, campbell)]
+    assert all(a != b for a, b in zip(whole, zoomed)) and browser.value("document.querySelector('.zoom-box')") is None
+    assert browser.value("/&from=/.test(location.hash)")
+    amplitudes = [[text for text in ticks if "." in text] for ticks in (whole[0], zoomed[0])]
+    assert amplitudes[0] == amplitudes[1], amplitudes
+    browser.value("document.querySelector('button[aria-label^=\"Whole: Campbell\"]').click()")
+    assert [ticks_of(browser, view) for view in (0, 1, 2, campbell)] == whole
+    before = shown(browser)
+    for count in (1, 2):  # a slow double-click: the first one has chosen a speed
+        browser.click(x + 0.3 * width, y, count)
+        time.sleep(0.4 if count == 1 else 0.1)
+    assert shown(browser) == before, "a slow double-click chose a speed"
+
+
+def check_saved_views(browser):
+    """What a view saves: its picture with its looks, and its numbers."""
+    saved = browser.value("""(() => { const found = [], create = URL.createObjectURL; URL.createObjectURL = blob => { found.push(blob); return create(blob); };
+      HTMLAnchorElement.prototype.click = () => {};
+      for (const name of ['SVG', 'CSV']) for (const view of document.querySelectorAll(`button[aria-label^="${name}: "]`)) view.click();
+      URL.createObjectURL = create; return Promise.all(found.map(blob => blob.text())); })()""")
+    pictures = [text for text in saved if text.startswith("<svg")]
+    assert len(pictures) == 9 and all("stroke:" in text for text in pictures), len(pictures)
+    for text in saved:
+        if not text.startswith("<svg"):
+            columns = [len(row) for row in csv.reader(text.splitlines())]
+            assert len(set(columns)) == 1 and len(columns) > 5, text[:200]
+
+
+def check_honest_wheel(browser):
+    """At a speed without a motion of the wheel it shows none, and says so; the mouse's wheel moves the page but with a key the view."""
+    browser.value("document.querySelector('#in-motion').scrollIntoView()")
+    x, y = browser.value("(box => [box.left + box.width / 2, box.top + 60])(document.querySelector('canvas.wheel').getBoundingClientRect())")
+    for modifiers, moves in ((0, True), (2, False)):
+        top = browser.value("scrollY")
+        browser.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=60, modifiers=modifiers)
+        browser.value("new Promise(done => setTimeout(done, 1000))")  # a series of turns keeps its first target
+        assert (browser.value("scrollY") != top) == moves, (modifiers, top)
+    browser.value(event("input.typed", "change", "1"))
+    seen = browser.value("[document.querySelector('canvas.wheel').getClientRects().length, document.querySelector('.blank').textContent]")
+    assert seen[0] == 0 and "No motion of the whole wheel was recovered at" in seen[1], seen

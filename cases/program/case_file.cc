@@ -180,6 +180,11 @@ bool CaseTable::has(std::string_view key) const {
   return node_->values->contains(key);
 }
 
+bool CaseTable::is_one_number(std::string_view key) const {
+  const toml::node* node = node_->values->get(key);
+  return node == nullptr || node->is_number();
+}
+
 double CaseTable::number(std::string_view key, std::optional<double> fallback, const Range& range,
                          std::string_view unit) {
   const toml::node* node = node_->ask(key, !fallback);

@@ -46,6 +46,8 @@ class CaseTable {
   explicit CaseTable(std::shared_ptr<Node> node);
 
   bool has(std::string_view key) const;
+  /// Whether the key is absent or has one number, where it may also have a list.
+  bool is_one_number(std::string_view key) const;
   double number(std::string_view key, std::optional<double> fallback, const Range& range, std::string_view unit);
   int integer(std::string_view key, std::optional<int> fallback, const Range& range, std::string_view unit);
   bool flag(std::string_view key, bool fallback);

@@ -65,7 +65,7 @@ void ContactCompliance::refresh(int node) {
   weights_.assign(1, 1.0);
   if (has_friction()) {
     const double along_theta = way_[2 * node], along_tip = way_[2 * node + 1];
-    const double scale = responses_.friction / std::sqrt(along_theta * along_theta + along_tip * along_tip);
+    const double scale = responses_.friction[node] / std::sqrt(along_theta * along_theta + along_tip * along_tip);
     drag_ratio_[2 * node] = scale * along_theta;
     drag_ratio_[2 * node + 1] = scale * along_tip;
     places_.insert(places_.end(), {nodes + 2 * node, nodes + 2 * node + 1});

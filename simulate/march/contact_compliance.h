@@ -27,8 +27,8 @@ class ContactCompliance {
     Eigen::MatrixXd normal;   ///< to forces along the normals; n x n, or (n + m) x n
     Eigen::MatrixXd sliding;  ///< to forces along theta and along the tip line in turn; as many rows, x 2n; or empty
     Eigen::MatrixXd blades;   ///< to forces on y; (n + m) x m, or empty
-    double friction = 0;      ///< [1] mu
-    int sectors = 1;          ///< with a gap of second order, of whole vectors of four nodes
+    Eigen::VectorXd friction = {};  ///< [1] mu, node by node; with sliding only
+    int sectors = 1;                ///< with a gap of second order, of whole vectors of four nodes
   };
 
   /// Without friction, and with a gap of first order; n x n.

@@ -44,7 +44,8 @@ MarchedScene marched_scene(const Scene& scene, const SharedRotor& rotor, int ste
           tips,
           {scene.casing, tips, open_clearance(scene, rotor->speed)},
           {parameters.scheme, parameters.contact, steps_per_revolution, scene.scope.symmetry, parameters.theta,
-           parameters.penalty_stiffness * rotor->tip_stiffness, scene.casing.friction, parameters.gap}};
+           parameters.penalty_stiffness * rotor->tip_stiffness,
+           scene.casing.has_friction() ? scene.casing.friction_at(tips) : Eigen::VectorXd(), parameters.gap}};
 }
 
 }  // namespace tiprub::simulate

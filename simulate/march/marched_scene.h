@@ -19,7 +19,8 @@ struct MarchSetup {
   int symmetry = 1;              ///< g: the wheel's nodal diameters are multiples of it
   double theta = 0.5;            ///< [1] of Moreau-Jean
   double penalty_stiffness = 0;  ///< [N/m] of penalty
-  double friction = 0;           ///< [1] mu
+  /// [1] mu of the contact nodes of a blade, or one for all of them; empty: none
+  Eigen::VectorXd friction = {};
   GapOrder gap = GapOrder::linear;
 };
 

@@ -165,7 +165,7 @@ Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor) const {
   return 0.5 * (compliance + transposed);
 }
 
-ContactCompliance::Responses ModalWaves::responses(const RotorAtSpeed& rotor, double friction) const {
+ContactCompliance::Responses ModalWaves::responses(const RotorAtSpeed& rotor, const Eigen::VectorXd& friction) const {
   const RowsOf normal{&WaveModes::normal_rows, normal_.width}, sliding{&WaveModes::sliding_rows, sliding_.width},
       blades{&WaveModes::blade_rows, blades_.width};
   const auto stacked = [](const Eigen::MatrixXd& above, const Eigen::MatrixXd& below) {
@@ -173,7 +173,11 @@ ContactCompliance::Responses ModalWaves::responses(const RotorAtSpeed& rotor, do
     both << above, below;
     return both;
   };
-  ContactCompliance::Responses responses{compliance(rotor), {}, {}, friction, nodes_.sectors};
+  ContactCompliance::Responses responses{compliance(rotor), {}, {}, {}, nodes_.sectors};
+  responses.friction = Eigen::VectorXd::Zero(responses.normal.cols());
+  for (int j = 0; j < nodes_.sectors && friction.size() > 0; ++j)
+    responses.friction.segment(j * static_cast<Eigen::Index>(normal_.width), nodes_.nodes) =
+        friction.size() == 1 ? Eigen::VectorXd::Constant(nodes_.nodes, friction[0]) : friction;
   if (sliding_.count > 0) responses.sliding = compliance(rotor, normal, sliding);
   if (blades_.count == 0) return responses;
   responses.normal = stacked(responses.normal, compliance(rotor, blades, normal));

@@ -69,8 +69,9 @@ class ModalWaves {
   Eigen::VectorXcd forces(std::size_t wave) const;
   /// [m/N] W = sum over n of Re(Y c Y^H e^{i n (j - j') alpha}) w_n g / N; padded rows zero.
   Eigen::MatrixXd compliance(const RotorAtSpeed& rotor) const;
-  /// W and what ContactCompliance needs beside it: the same with other rows in place of Y.
-  ContactCompliance::Responses responses(const RotorAtSpeed& rotor, double friction) const;
+  /// W and what ContactCompliance needs beside it: the same with other rows in place of Y. `friction` as in
+  /// MarchSetup.
+  ContactCompliance::Responses responses(const RotorAtSpeed& rotor, const Eigen::VectorXd& friction) const;
 
   /// Of each contact node of a sector and its padding: <r> = (Y r c Y^H)/(Y c Y^H), <k> likewise, summed over n as W.
   /// Only nodal diameters that are multiples of `symmetry` count, so that a symmetric motion is the same with the

@@ -87,7 +87,7 @@ class TimeMarch {
   const Eigen::VectorXd& displacement_before() const { return motion_[1].normal; }
   /// The contact forces of the last step: [N], zero for open nodes.
   const ContactLaw& contact() const { return *contact_; }
-  bool has_friction() const { return scene_.setup.friction != 0; }
+  bool has_friction() const { return scene_.setup.friction.size() > 0; }
   /// [J] The work of the contact forces of the last step, without drag, on the sectors marched.
   double contact_work() const;
   /// [1] mu tau of the nodes closed in the last step with contact, along theta and along the tip line in turn.

@@ -78,6 +78,23 @@ double Casing::ramp(double revolutions) const {
   return x * x * x * (10 - 15 * x + 6 * x * x);
 }
 
+Eigen::VectorXd Casing::friction_at(const ContactLine& contact) const {
+  return arc_fractions(contact).unaryExpr([&](double fraction) { return linear_between(friction, fraction); });
+}
+
+bool Casing::has_friction() const {
+  return std::any_of(friction.begin(), friction.end(), [](const auto& point) { return point[1] > 0; });
+}
+
+std::string Casing::friction_text() const {
+  const auto [least, most] = std::minmax_element(
+      friction.begin(), friction.end(), [](const auto& one, const auto& other) { return one[1] < other[1]; });
+  std::ostringstream text;
+  text << (*least)[1];
+  if ((*most)[1] > (*least)[1]) text << " .. " << (*most)[1] << " over the chord";
+  return text.str();
+}
+
 Eigen::VectorXd Casing::given_clearance(const ContactLine& contact) const {
   return arc_fractions(contact).unaryExpr([&](double fraction) { return linear_between(clearance, fraction); });
 }
@@ -123,6 +140,26 @@ void read_shape(CaseTable& table, Casing& casing) {
   casing.bump_width = radians_per_degree * width;
 }
 
+std::vector<std::array<double, 2>> points_over_chord(CaseTable& table, const char* key, const std::string& unit) {
+  auto points = table.points(key, std::nullopt, Range::at_least(0), "fraction of the chord, " + unit);
+  const bool too_low = points.front()[0] < 0;
+  if (too_low || points.back()[0] > 1)
+    table.reject(key, "must have its fractions of the arc length in 0 .. 1", too_low ? 0 : points.size() - 1);
+  return points;
+}
+
+void read_friction(CaseTable& table, Casing& casing) {
+  const char* const key = "friction_coefficient";
+  const std::string unit = "of the contact force";
+  if (table.is_one_number(key))
+    casing.friction = {{0.0, table.number(key, 0.0, Range::at_least(0), unit + "; 0: none")}};
+  else
+    casing.friction = points_over_chord(table, key, unit);
+  if (casing.unusual) return;
+  for (const auto& [place, coefficient] : casing.friction)
+    require_usual(table, key, coefficient, Range::between(0, 1), unit);
+}
+
 /// The smallest of the numbers is moved into `clearance`.
 void read_blade_clearance(CaseTable& table, Casing& casing) {
   if (!table.has("blade_clearance")) return;
@@ -154,15 +191,9 @@ Casing read_casing(CaseTable& table) {
   if (casing.clearance_state == ClearanceState::at_speed)
     casing.clearance_speed =
         rad_s_per_rpm * table.number("clearance_speed_rpm", std::nullopt, Range::at_least(0), "rev/min");
-  casing.clearance = table.points("clearance", std::nullopt, Range::at_least(0), "fraction of the chord, m");
-  const bool too_low = casing.clearance.front()[0] < 0;
-  if (too_low || casing.clearance.back()[0] > 1)
-    table.reject("clearance", "must have its fractions of the arc length in 0 .. 1",
-                 too_low ? 0 : casing.clearance.size() - 1);
+  casing.clearance = points_over_chord(table, "clearance", "m");
   read_blade_clearance(table, casing);
-  casing.friction = table.number("friction_coefficient", 0.0, Range::at_least(0), "of the contact force; 0: none");
-  if (!casing.unusual)
-    require_usual(table, "friction_coefficient", casing.friction, Range::between(0, 1), "of the contact force");
+  read_friction(table, casing);
   table.close();
   return casing;
 }

@@ -47,7 +47,8 @@ struct Casing {
   std::vector<std::array<double, 2>> clearance;
   bool unusual = false;                 ///< lengths and angles that are usual for no casing are meant
   std::vector<double> blade_clearance;  ///< [m] extra clearance of each blade, at least 0; empty: none
-  double friction = 0;                  ///< [1] mu of Coulomb's law at the tips
+  /// [fraction of the arc length, 1] mu of Coulomb's law at the tips; linear between the points, constant outside.
+  std::vector<std::array<double, 2>> friction = {{0.0, 0.0}};
 
   /// [m] inward, fully grown, at an absolute angle in rad and a fraction of the contact line's arc length.
   double distortion(double angle, double fraction) const;
@@ -57,6 +58,12 @@ struct Casing {
   std::int64_t grown_after() const { return static_cast<std::int64_t>(std::ceil(ramp_revolutions)); }
   /// [m] clearance of the blade of a sector beyond that of the tightest blade.
   double extra_clearance(int sector) const { return blade_clearance.empty() ? 0.0 : blade_clearance[sector]; }
+  /// [1] mu at the contact nodes of a blade.
+  Eigen::VectorXd friction_at(const ContactLine& contact) const;
+  /// Whether tips have friction anywhere.
+  bool has_friction() const;
+  /// "0.1", or "0.05 .. 0.15 over the chord".
+  std::string friction_text() const;
   /// [m] clearance as the case gives it, at the contact nodes of the tightest blade.
   Eigen::VectorXd given_clearance(const ContactLine& contact) const;
   /// [m] clearance that is left at a speed in rad/s. A running clearance is the same at every speed. The others

@@ -2,8 +2,10 @@
 #include "simulate/scene/friction_limit.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <optional>
 #include <sstream>
+#include <vector>
 
 #include "cases/program/units.h"
 #include "reduce/model/nodal_diameter.h"
@@ -26,6 +28,33 @@ std::optional<Eigen::MatrixXd> tip_compliance(const ReducedModel& model, double 
   return compliance;
 }
 
+/// Of each contact node at a speed [rad/s]; none if the rotor is statically unstable there.
+std::vector<FrictionLimit> limits_of_nodes(const ReducedModel& model, double speed) {
+  std::vector<FrictionLimit> limits;
+  const std::optional<Eigen::MatrixXd> compliance = tip_compliance(model, speed);
+  for (int k = 0; compliance && k < model.contact.size(); ++k) {
+    const Eigen::RowVector3d by_normal =
+        model.contact.normal.row(k) * compliance->block<3, 3>(3 * static_cast<Eigen::Index>(k), 3 * k);
+    if (by_normal[1] < 0) limits.push_back({-by_normal.dot(model.contact.normal.row(k)) / by_normal[1], k, speed});
+  }
+  return limits;
+}
+
+/// The one that is the smallest beside the coefficient of its node.
+FrictionLimit nearest(const std::vector<FrictionLimit>& limits, const Eigen::VectorXd& coefficients) {
+  const auto reserve = [&](const FrictionLimit& limit) { return limit.coefficient / coefficients[limit.node]; };
+  const auto found = std::min_element(
+      limits.begin(), limits.end(), [&](const auto& one, const auto& next) { return reserve(one) < reserve(next); });
+  return found == limits.end() ? FrictionLimit{} : *found;
+}
+
+/// At standstill and at the model's highest speed.
+FrictionLimit nearest(const ReducedModel& model, const Eigen::VectorXd& coefficients) {
+  std::vector<FrictionLimit> limits = limits_of_nodes(model, 0), fastest = limits_of_nodes(model, model.speed_max);
+  limits.insert(limits.end(), fastest.begin(), fastest.end());
+  return nearest(limits, coefficients);
+}
+
 }  // namespace
 
 std::string FrictionLimit::text() const {
@@ -37,30 +66,21 @@ std::string FrictionLimit::text() const {
 }
 
 FrictionLimit friction_limit(const ReducedModel& model, double speed) {
-  const std::optional<Eigen::MatrixXd> compliance = tip_compliance(model, speed);
-  FrictionLimit limit;
-  if (!compliance) return limit;
-  for (int k = 0; k < model.contact.size(); ++k) {
-    const Eigen::RowVector3d by_normal =
-        model.contact.normal.row(k) * compliance->block<3, 3>(3 * static_cast<Eigen::Index>(k), 3 * k);
-    const double coefficient = -by_normal.dot(model.contact.normal.row(k)) / by_normal[1];
-    if (by_normal[1] < 0 && coefficient < limit.coefficient) limit = {coefficient, k, speed};
-  }
-  return limit;
+  return nearest(limits_of_nodes(model, speed), Eigen::VectorXd::Ones(model.contact.size()));
 }
 
 FrictionLimit friction_limit(const ReducedModel& model) {
-  const FrictionLimit at_rest = friction_limit(model, 0), fastest = friction_limit(model, model.speed_max);
-  return fastest.coefficient < at_rest.coefficient ? fastest : at_rest;
+  return nearest(model, Eigen::VectorXd::Ones(model.contact.size()));
 }
 
 void require_friction_that_slides(const CaseTable& table, const Casing& casing, const SimulateParameters& parameters,
                                   const ReducedModel& model) {
-  if (casing.friction == 0) return;
+  if (!casing.has_friction()) return;
   const std::string key = "friction_coefficient";
-  if (const FrictionLimit limit = friction_limit(model); casing.friction >= limit.coefficient) {
+  const Eigen::VectorXd coefficients = casing.friction_at(model.contact);
+  if (const FrictionLimit limit = nearest(model, coefficients); coefficients[limit.node] >= limit.coefficient) {
     std::ostringstream text;
-    text << "= " << casing.friction << " is too large: " << limit.text() << "; lower it";
+    text << "= " << coefficients[limit.node] << " is too large: " << limit.text() << "; lower it";
     table.reject(key, text.str());
   }
   if (parameters.contact == ContactRule::paper)

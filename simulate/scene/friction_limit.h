@@ -29,7 +29,8 @@ FrictionLimit friction_limit(const ReducedModel& model, double speed);
 /// The lower one of the limits at standstill and at the model's highest speed.
 FrictionLimit friction_limit(const ReducedModel& model);
 
-/// Refuses friction from the limit on, and with the paper's contact rule, which pulls. Raises InputError at the key.
+/// Refuses friction from the limit of a contact node on, and with the paper's contact rule, which pulls. Raises
+/// InputError at the key.
 void require_friction_that_slides(const CaseTable& table, const Casing& casing, const SimulateParameters& parameters,
                                   const ReducedModel& model);
 

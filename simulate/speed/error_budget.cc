@@ -167,7 +167,7 @@ struct VariedScene {
 
 VariedScene with_friction(const Scene& scene, double coefficient) {
   VariedScene varied{Variation::friction, coefficient, scene.casing, scene.parameters};
-  varied.casing.friction = coefficient;
+  varied.casing.friction = {{0.0, coefficient}};
   if (const FrictionLimit limit = friction_limit(scene.model); coefficient >= limit.coefficient)
     varied.refusal = limit.text();
   return varied;
@@ -199,7 +199,10 @@ VariedScene with_other_gap(const Scene& scene) {
 std::vector<VariedScene> varied_scenes(const Scene& scene) {
   const SimulateParameters& keys = scene.parameters;
   std::vector<VariedScene> scenes;
-  if (keys.budget_friction != scene.casing.friction) scenes.push_back(with_friction(scene, keys.budget_friction));
+  const auto differs = [&](const auto& point) { return point[1] != keys.budget_friction; };
+  const auto& own_friction = scene.casing.friction;
+  if (std::any_of(own_friction.begin(), own_friction.end(), differs))
+    scenes.push_back(with_friction(scene, keys.budget_friction));
   if (scene.model.contact.second_order) scenes.push_back(with_other_gap(scene));
   for (const double ratio : keys.budget_damping) scenes.push_back(with_damping(scene, ratio));
   for (const double sign : {-1.0, 1.0}) scenes.push_back(with_clearance(scene, sign * keys.budget_clearance));

@@ -34,10 +34,10 @@ ModelledEffect normal_contact(const SimulateParameters& parameters) {
 
 ModelledEffect friction(const Scene& scene) {
   const std::string limit = "; " + friction_limit(scene.model).text();
-  if (scene.casing.friction == 0)
+  if (!scene.casing.has_friction())
     return {Effect::friction, Treatment::left_out, "the contact force acts only along the normal" + limit};
   return {Effect::friction, Treatment::modelled,
-          "coefficient " + text_of(scene.casing.friction) + ", against the sliding of the vibrating tip" + limit};
+          "coefficient " + scene.casing.friction_text() + ", against the sliding of the vibrating tip" + limit};
 }
 
 ModelledEffect gap_term(Effect effect, const SimulateParameters& parameters) {

@@ -65,7 +65,7 @@ Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, const Mach
                                             {wheel.damping}, {.sliding_below = resolved_frequency(wheel.model)});
   const int steps = scheme == Scheme::central_differences ? central_steps(wheel, rotor) : default_steps(wheel, rotor);
   MarchSetup setup{scheme, ContactRule::complementarity, steps, symmetry};
-  setup.friction = friction;
+  if (friction > 0) setup.friction = Eigen::VectorXd::Constant(1, friction);
   setup.gap = gap;
   TimeMarch march = march_of(rotor, wheel.casing, wheel.model.contact,
                              wheel.casing.running_clearance(wheel.model.contact, wheel.speed), setup);

@@ -29,6 +29,16 @@ expect_message(friction_that_is_no_number OLD "lobes = 2" NEW "lobes = 2\nfricti
 expect_message(friction_that_jams OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 1e9\nunusual = true" EXIT_CODE 2
                ERRORS "case.toml:5:24: [casing] friction_coefficient = 1e+09 is too large: from a friction coefficient of "
                       "on, contact node " "friction pushes it into the casing; lower it")
+expect_message(friction_beyond_the_chord OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = [[0.0, 0.1], [1.2, 0.1]]" EXIT_CODE 2
+               ERRORS "case.toml:5:43: [casing] friction_coefficient must have its fractions of the arc length in 0 .. 1")
+expect_message(negative_friction_over_the_chord OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = [[0.0, 0.1], [1.0, -0.1]]"
+               EXIT_CODE 2
+               ERRORS "case.toml:5:43: [casing] friction_coefficient = -0.1 must be at least 0 [fraction of the chord, of the contact force]")
+expect_message(friction_over_the_chord_that_is_no_number OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = [[0.0, nan]]" EXIT_CODE 2
+               ERRORS "case.toml:5:31: [casing] friction_coefficient = nan must be a finite number")
+expect_message(friction_that_jams_at_a_node OLD "lobes = 2"
+               NEW "lobes = 2\nfriction_coefficient = [[0.0, 0.0], [1.0, 1e9]]\nunusual = true" EXIT_CODE 2
+               ERRORS "case.toml:5:24: [casing] friction_coefficient = " "is too large: from a friction coefficient of ")
 expect_message(friction_in_percent OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 15" EXIT_CODE 2
                ERRORS "friction_coefficient = 15 is unusual: expected at least 0 and at most 1 [of the contact force]")
 expect_message(friction_that_pulls OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 0.01" EXIT_CODE 2

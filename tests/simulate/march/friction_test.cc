@@ -49,7 +49,7 @@ RotorAtSpeed rotor_of_modes(const std::vector<Mode>& modes, double speed, double
 
 MarchSetup rubbing(Scheme scheme, int steps, double friction) {
   MarchSetup setup{scheme, ContactRule::complementarity, steps};
-  setup.friction = friction;
+  if (friction > 0) setup.friction = Eigen::VectorXd::Constant(1, friction);
   return setup;
 }
 
@@ -233,12 +233,12 @@ TEST(Friction, GivesForcesThatComplementTheGaps) {
     const Eigen::MatrixXd normal = factor * factor.transpose() + 0.5 * Eigen::MatrixXd::Identity(size, size);
     const Eigen::MatrixXd sliding = Eigen::MatrixXd::NullaryExpr(size, 2 * size, random);
     const Eigen::VectorXd way = Eigen::VectorXd::NullaryExpr(2 * size, random);
-    const double friction = 0.1;
+    const Eigen::VectorXd friction = Eigen::VectorXd::LinSpaced(size, 0, 0.15);
     const auto compliance =
         std::make_shared<ContactCompliance>(ContactCompliance::Responses{normal, sliding, {}, friction});
     Eigen::MatrixXd W = normal;
     for (Eigen::Index i = 0; i < size; ++i)
-      W.col(i) += friction * sliding.middleCols<2>(2 * i) * way.segment<2>(2 * i).normalized();
+      W.col(i) += friction[i] * sliding.middleCols<2>(2 * i) * way.segment<2>(2 * i).normalized();
     const Eigen::VectorXd free_gap = Eigen::VectorXd::NullaryExpr(size, random).array() - 0.3;
     if (free_gap.minCoeff() >= 0) continue;
     ContactImpulses contact(compliance, ContactRule::complementarity);
@@ -287,6 +287,39 @@ TEST(Friction, KeepsTheEnergyLedgerClosed) {
     EXPECT_LT(std::abs(ledger.closing_error), 1e-11);
     EXPECT_GT(std::abs(ledger.drag_work), 0.01 * std::abs(ledger.contact_work));
     EXPECT_EQ(impacts > 0, scheme == Scheme::trigonometric);
+  }
+}
+
+/// Nodes that move apart from each other: friction divides the force of each by its own 1 + mu t/n.
+TEST(Friction, OverTheChordChangesTheForceOfEachNode) {
+  const Eigen::Vector2d n(3, 2), t(-4, 5), mu(0.2, 0.1);
+  RotorAtSpeed rotor = rotor_of_modes({{6000, 0, 0, 0}, {8000, 0, 0, 0}}, 1000, 0.01);
+  WaveModes& wave = rotor.waves[0];
+  wave.normal_rows = n.cast<std::complex<double>>().asDiagonal();
+  wave.sliding_rows = Eigen::MatrixXcd::Zero(4, 2);
+  wave.sliding_rows(0, 0) = t[0];
+  wave.sliding_rows(2, 1) = t[1];
+  wave.contact_rows = Eigen::MatrixXcd::Zero(6, 2);
+  const ContactLine one = testing::one_sector().contact;
+  ContactLine tips = one;
+  tips.position = one.position.replicate(2, 1);
+  tips.normal = one.normal.replicate(2, 1);
+  tips.arc_length = Eigen::Vector2d(0, 0.1);
+  Casing casing = testing::lobed_casing(1, 2e-4, 1e-4);
+  casing.friction = {{0.0, mu[0]}, {1.0, mu[1]}};
+  const auto march = [&](const Eigen::VectorXd& friction) {
+    MarchSetup setup = rubbing(Scheme::trigonometric, 1200, 0);
+    setup.friction = friction;
+    return testing::march_of(rotor, casing, tips, Eigen::Vector2d::Constant(1e-4), setup);
+  };
+  TimeMarch slides = march(casing.friction_at(tips)), rests = march({});
+  for (int i = 0; i < 6 * 1200; ++i) {
+    slides.step();
+    rests.step();
+    for (int k = 0; k < 2; ++k) {
+      const double force = rests.contact().multipliers()[k];
+      ASSERT_NEAR(slides.contact().multipliers()[k], force / (1 + mu[k] * t[k] / n[k]), 1e-7 * force + 1e-7) << i;
+    }
   }
 }
 

@@ -172,7 +172,7 @@ TEST(SecondOrder, HasTheComplianceOfForcesAlongItsSlopes) {
                         B = Eigen::MatrixXd::NullaryExpr(2, modes, random);
   Eigen::MatrixXd both(nodes + 2, modes);
   both << Y, B;
-  ContactCompliance compliance(ContactCompliance::Responses{both * Y.transpose(), {}, both * B.transpose(), 0, 2});
+  ContactCompliance compliance(ContactCompliance::Responses{both * Y.transpose(), {}, both * B.transpose(), {}, 2});
   EXPECT_FALSE(compliance.is_constant());
   for (int step = 0; step < 2; ++step) {
     Eigen::MatrixXd& slopes = compliance.tilt();

@@ -12,7 +12,7 @@ namespace {
 /// A march of a wheel that rubs an oval casing, grown and settled for some revolutions.
 testing::Bench rubbing_wheel(Scheme scheme, double friction, double speed) {
   MarchSetup setup{scheme, ContactRule::complementarity, 1200, 2};
-  setup.friction = friction;
+  setup.friction = Eigen::VectorXd::Constant(1, friction);
   testing::Bench bench =
       testing::make_bench(testing::synthetic_wheel({}), testing::lobed_casing(2, 2e-4, 1.5e-4), speed, 0.02, setup);
   for (int i = 0; i < 30 * 1200; ++i) bench.march.step();

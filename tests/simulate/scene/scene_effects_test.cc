@@ -58,7 +58,7 @@ TEST_F(SceneEffects, TellsWhetherMultipliersHaveTheInstantsOfImpacts) {
 TEST_F(SceneEffects, TellsOfFriction) {
   EXPECT_EQ(of(Effect::friction).treatment, Treatment::left_out);
   EXPECT_NE(of(Effect::friction).reason.find("jams"), std::string::npos);
-  casing_.friction = 0.1;
+  casing_.friction = {{0.0, 0.1}};
   EXPECT_EQ(of(Effect::friction).treatment, Treatment::modelled);
   EXPECT_NE(of(Effect::friction).reason.find("coefficient 0.1,"), std::string::npos);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "simulate/scene/friction_limit.h"
 #include "tests/benchmark/benchmarks.h"
 #include "tests/benchmark/trial.h"
 
@@ -28,6 +29,7 @@ struct Map {
   std::vector<double> values;
   std::function<Trial(std::size_t row, double value)> trial;
   bool own_reference = true;  ///< each row has a scene of its own
+  bool classes = false;       ///< the class of the motion instead of its error
 };
 
 void print(const Map& map) {
@@ -35,7 +37,8 @@ void print(const Map& map) {
   for (std::size_t row = 0; row < map.rows.size(); ++row) {
     if (map.own_reference) reference = Reference();
     for (std::size_t column = 0; column < map.values.size(); ++column) {
-      const Verdict verdict = try_out(map.trial(row, map.values[column]), reference);
+      const Trial trial = map.trial(row, map.values[column]);
+      const Verdict verdict = map.classes ? classify(trial) : try_out(trial, reference);
       std::printf("%s\t%zu\t%s\t%zu\t%g\t%s\t%.3g\t%s\n", map.name, row, map.rows[row].c_str(), column,
                   map.values[column], name_of(verdict.outcome), verdict.number, verdict.note.c_str());
       std::fflush(stdout);
@@ -52,7 +55,7 @@ double lowest_frequency(const BenchWheel& wheel) {
 }
 
 Trial stepped(const BenchWheel& wheel, double steps) {
-  Trial trial{wheel, bench_parameters(wheel, {20, 60, 6, 1e-4})};
+  Trial trial{wheel, bench_parameters(wheel, patience)};
   trial.parameters.resolved_frequency = chatter_band * lowest_frequency(wheel);
   trial.parameters.steps_per_revolution = static_cast<int>(steps);
   return trial;
@@ -207,13 +210,43 @@ Map softening() {
           }};
 }
 
+/// Up to the coefficient at which a tip that is held in contact digs into the casing, and beyond.
+Map friction(const BenchWheel& wheel) {
+  const double limit = friction_limit(wheel.model).coefficient;
+  return pairs("friction over its limit", {"0", "0.25", "0.5", "0.75", "0.95", "1.05"},
+               [&wheel, limit](std::size_t i) {
+                 BenchWheel rubbed = wheel;
+                 rubbed.casing.friction = {{0.0, std::vector{0.0, 0.25, 0.5, 0.75, 0.95, 1.05}[i] * limit}};
+                 return rubbed;
+               });
+}
+
+/// What kind of motion there is.
+Map classes() {
+  static const std::vector<double> ratios = {0.0005, 0.001, 0.002, 0.005, 0.02};
+  Map map{
+      "class over damping", "lobes over clearance", {}, {1.01, 1.5, 2, 3, 5, 10}, [](std::size_t row, double reach) {
+        BenchWheel wheel = made_wheel(2);
+        wheel.damping = ratios[row];
+        wheel.casing.amplitude = reach * wheel.casing.clearance[0][1];
+        Trial trial{wheel, bench_parameters(wheel, {20, 400, 40, 1e-4})};
+        trial.parameters.resolved_frequency = chatter_band * lowest_frequency(wheel);
+        trial.parameters.steps_per_revolution = default_steps;
+        return trial;
+      }};
+  for (const double ratio : ratios) map.rows.push_back((std::ostringstream() << ratio).str());
+  map.classes = true;
+  return map;
+}
+
 }  // namespace
 
 void print_stability(const std::string& model) {
   const BenchWheel wheel = model.empty() ? made_wheel(2) : given_wheel(model, 2);
   std::printf("# map\trow\tname\tcolumn\tvalue\tverdict\tnumber\tnote\n");
   print(schemes(wheel));
-  for (const Map& map : {damping(), tips(), penalty(), theta(), modes(), rules(), bumps(), lobes(), softening()}) {
+  for (const Map& map : {damping(), tips(), penalty(), theta(), modes(), rules(), bumps(), lobes(), softening(),
+                         friction(wheel), classes()}) {
     std::printf("\n\n");  // what gnuplot tells two sets by
     print(map);
   }

@@ -49,6 +49,13 @@ Eigen::MatrixXd& ContactCompliance::tilt() {
   return slopes_;
 }
 
+Eigen::VectorXd ContactCompliance::response(const Eigen::VectorXd& sliding, const Eigen::VectorXd& blades) const {
+  Eigen::VectorXd taken = Eigen::VectorXd::Zero(responses_.normal.rows());
+  if (sliding.size() > 0) taken.noalias() += responses_.sliding * sliding;
+  if (blades.size() > 0) taken.noalias() += responses_.blades * blades;
+  return taken;
+}
+
 void ContactCompliance::respond(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
   weights_.clear();
   for (const int node : nodes) weights_.push_back(forces[node]);

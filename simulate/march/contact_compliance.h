@@ -65,6 +65,9 @@ class ContactCompliance {
     if (!is_constant()) refresh(node);
     return column(node);
   }
+  /// What forces along theta and along the tip line in turn [N], and forces on y [N], take from the normal
+  /// displacements, and with a gap of second order from y; each may be empty.
+  Eigen::VectorXd response(const Eigen::VectorXd& sliding, const Eigen::VectorXd& blades) const;
   /// With a gap of second order: finds what contact forces [N] on nodes that are up to date take from the normal
   /// displacements, and from y.
   void respond(const Eigen::VectorXd& forces, const std::vector<int>& nodes);

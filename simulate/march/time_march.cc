@@ -23,7 +23,7 @@ std::size_t padded(int count) {
 
 /// Of the blades of a sector; 0 if the gap is linear.
 std::size_t blade_coordinates(const MarchedScene& scene) {
-  if (scene.setup.gap == GapOrder::linear) return 0;
+  if (scene.setup.gap != GapOrder::second_order) return 0;
   return static_cast<std::size_t>(scene.tips.second_order->coordinates.cols());
 }
 
@@ -125,32 +125,60 @@ bool TimeMarch::predict() {
   return measure_gaps(step_, motion_[0], gap_);  // eq. 14: g^p
 }
 
-void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes,
-                        const Eigen::VectorXd& more_drag) {
+void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes, const TurnedForces& more) {
   of_step_->refresh(nodes);
   move(motion_[0], forces, nodes, 1);
   for (int index : nodes) gap_.noalias() += forces[index] * of_step_->column(index);
   drag_of(forces, nodes);
-  if (more_drag.size() > 0) {
-    drag_ += more_drag;
-    motion_[0].normal.noalias() -= sliding_compliance() * more_drag;
-    gap_.noalias() += sliding_compliance() * more_drag;
-  }
-  waves_.add_forces({forces, drag_, blade_forces(forces, nodes), nodes});
+  blade_forces(forces, nodes);
+  add(more, motion_[0], gap_, 1);
+  waves_.add_forces({forces, drag_, blade_forces_, nodes});
 }
 
-void TimeMarch::jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes,
-                     const Eigen::VectorXd& more_drag) {
+void TimeMarch::jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes, const TurnedForces& more) {
   of_step_->refresh(nodes);
   move(motion_[1], impulses, nodes, -1);
   for (int index : nodes) gap_before_.noalias() -= impulses[index] * of_step_->column(index);
   drag_of(impulses, nodes);
-  if (more_drag.size() > 0) {
-    drag_ += more_drag;
-    motion_[1].normal.noalias() += sliding_compliance() * more_drag;
-    gap_before_.noalias() -= sliding_compliance() * more_drag;
-  }
-  waves_.add_impulses({impulses, drag_, blade_forces(impulses, nodes), nodes});
+  blade_forces(impulses, nodes);
+  add(more, motion_[1], gap_before_, -1);
+  waves_.add_impulses({impulses, drag_, blade_forces_, nodes});
+}
+
+void TimeMarch::add(const TurnedForces& more, TipMotion& motion, Eigen::VectorXd& gap, double direction) {
+  if (more.drag.size() + more.blades.size() == 0) return;
+  drag_ += more.drag;
+  blade_forces_ += more.blades;
+  const Eigen::VectorXd taken = of_step_->response(more.drag, more.blades);
+  motion.normal -= direction * taken.head(gap_.size());
+  motion.blades -= direction * taken.tail(motion.blades.size());
+  gap += direction * opened_by(more);
+}
+
+Eigen::VectorXd TimeMarch::opened_by(const TurnedForces& more) const {
+  if (more.drag.size() + more.blades.size() == 0) return Eigen::VectorXd::Zero(gap_.size());
+  const Eigen::VectorXd taken = of_step_->response(more.drag, more.blades);
+  Eigen::VectorXd opened = taken.head(gap_.size());
+  if (!second_order_) return opened;
+  opened += more.gaps;
+  for (int j = 0; j < sectors_; ++j)
+    opened.segment(j * width(), width()) += of_step_->slopes().middleRows(j * width(), width()) *
+                                            taken.segment(gap_.size() + j * blade_width(), blade_width());
+  return opened;
+}
+
+Eigen::MatrixXd TimeMarch::compliance(const std::vector<int>& nodes) {
+  of_step_->refresh(nodes);
+  Eigen::MatrixXd block(nodes.size(), nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    block.col(static_cast<Eigen::Index>(i)) = of_step_->column(nodes[i])(nodes);
+  return block;
+}
+
+Eigen::VectorXd TimeMarch::blade_response(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
+  of_step_->refresh(nodes);
+  of_step_->respond(forces, nodes);
+  return of_step_->blade_response();
 }
 
 void TimeMarch::move(TipMotion& motion, const Eigen::VectorXd& forces, const std::vector<int>& nodes,
@@ -175,11 +203,19 @@ void TimeMarch::turn() {
     slide_ += carried_;
     slide_along(slide_);
   }
-  if (!second_order_) return;
-  Eigen::MatrixXd& slopes = of_step_->tilt();
+  if (second_order_) find_slopes(motion_[1].blades, step_ - 1, of_step_->tilt());
+}
+
+void TimeMarch::find_slopes(const Eigen::VectorXd& blades, std::int64_t step, Eigen::MatrixXd& slopes) const {
   for (int j = 0; j < sectors_; ++j)
-    second_order_->slopes(motion_[1].blades.data() + j * blade_width(), casing_over(j, step_ - 1),
-                          slopes.data() + j * width_, static_cast<std::size_t>(slopes.rows()));
+    second_order_->slopes(blades.data() + j * blade_width(), casing_over(j, step), slopes.data() + j * width_,
+                          static_cast<std::size_t>(slopes.rows()));
+}
+
+Eigen::MatrixXd TimeMarch::slopes(const Eigen::VectorXd& blades, std::int64_t step) const {
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(gap_.size(), blade_width());
+  find_slopes(blades, step, slopes);
+  return slopes;
 }
 
 void TimeMarch::require_sliding() const {

@@ -19,6 +19,14 @@ struct ModalState {
   Eigen::VectorXcd q, increment;
 };
 
+/// What is added to the forces along a disturbance of an orbit because their directions turn; all empty where they
+/// don't.
+struct TurnedForces {
+  Eigen::VectorXd drag;    ///< [N] along theta and along the tip line in turn
+  Eigen::VectorXd blades;  ///< [N] on the coordinates y
+  Eigen::VectorXd gaps;    ///< [m] what the forces of the orbit add to the gaps as the slopes turn, by node
+};
+
 /// The time loop of all schemes: a rotor in modal coordinates against a rigid casing, step by step,
 ///   q+ = q + d+,   d+ = d - r d - k q - c Y^H Lambda_n,   Lambda_n = (w_n g / N) sum_j lambda_j e^{-i n j alpha}, j
 ///   < N/g,
@@ -50,22 +58,30 @@ class TimeMarch {
   /// The free step to t_{q+1}. Returns whether a node penetrates.
   bool predict();
   /// Adds forces [N] along -normal at t_q to the step just predicted. `nodes`: the indices of the nodes with a force.
-  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes) { correct(forces, nodes, no_drag_); }
+  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes) { correct(forces, nodes, {}); }
   /// Adds impulses [N] over a step along -normal at t_{q+1}, which change the increments and, backwards from the
   /// present place, the displacements and gaps before (InnerImpact).
-  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes) { jump(impulses, nodes, no_drag_); }
-  /// The same with more drag on these nodes than friction makes of the forces, along theta and along the tip line in
-  /// turn.
-  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes, const Eigen::VectorXd& more_drag);
-  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes, const Eigen::VectorXd& more_drag);
+  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes) { jump(impulses, nodes, {}); }
+  /// The same with more forces on the sectors of these nodes.
+  void correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes, const TurnedForces& more);
+  void jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes, const TurnedForces& more);
+  /// [m] What turned forces add to the gaps, by node.
+  Eigen::VectorXd opened_by(const TurnedForces& more) const;
   /// [m] How the modes have moved the contact nodes in the step before the one just predicted, along theta and along
   /// the tip line in turn; with friction only.
   const Eigen::VectorXd& slide();
   /// Sets the directions of sliding, which step() finds, for the step just predicted: ways of any length over the
   /// casing, likewise. Refers to them.
   void slide_along(const Eigen::VectorXd& way) { of_step_->slide(way); }
-  /// [m/N] What forces along theta and along the tip line, in turn, take from the normal displacements.
-  const Eigen::MatrixXd& sliding_compliance() const { return of_step_->responses().sliding; }
+  /// Sets the slopes of the gaps, which step() finds, likewise.
+  void tilt(const Eigen::MatrixXd& slopes) { of_step_->tilt() = slopes; }
+  /// [m/N] The block of W that belongs to some nodes, for these directions.
+  Eigen::MatrixXd compliance(const std::vector<int>& nodes);
+  /// [1] With a gap of second order, its slopes ds/dy for blades with the coordinates y [m] in a step: a row for each
+  /// node, a column for each coordinate of a sector and its padding. Affine in y.
+  Eigen::MatrixXd slopes(const Eigen::VectorXd& blades, std::int64_t step) const;
+  /// [m] What contact forces [N] of the last step take from y.
+  Eigen::VectorXd blade_response(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
 
   const MarchedScene& scene() const { return scene_; }
   const RotorAtSpeed& rotor() const { return *scene_.rotor; }
@@ -85,9 +101,15 @@ class TimeMarch {
   /// [m] along the normals, at t_q and at t_{q-1}.
   const Eigen::VectorXd& displacement() const { return motion_[0].normal; }
   const Eigen::VectorXd& displacement_before() const { return motion_[1].normal; }
+  /// [m] the coordinates y of the blades at t_q, at t_{q-1}, and of look_ahead(); empty if the gap is linear.
+  const Eigen::VectorXd& blades() const { return motion_[0].blades; }
+  const Eigen::VectorXd& blades_before() const { return motion_[1].blades; }
+  const Eigen::VectorXd& blades_ahead() const { return motion_ahead_.blades; }
   /// The contact forces of the last step: [N], zero for open nodes.
   const ContactLaw& contact() const { return *contact_; }
   bool has_friction() const { return scene_.setup.friction.size() > 0; }
+  /// Whether the gap is of second order.
+  bool is_curved() const { return second_order_.has_value(); }
   /// [J] The work of the contact forces of the last step, without drag, on the sectors marched.
   double contact_work() const;
   /// [1] mu tau of the nodes closed in the last step with contact, along theta and along the tip line in turn.
@@ -140,6 +162,9 @@ class TimeMarch {
   SecondOrderTerms::Place casing_over(int sector, std::int64_t step) const;
   /// Finds the directions of the forces in a step: those of sliding, and the slopes of the gaps.
   void turn();
+  void find_slopes(const Eigen::VectorXd& blades, std::int64_t step, Eigen::MatrixXd& slopes) const;
+  /// Adds to the forces of a step, whose effects on a motion and on its gaps have the sign of `direction`.
+  void add(const TurnedForces& more, TipMotion& motion, Eigen::VectorXd& gap, double direction);
   /// Takes from a motion what forces do to it.
   void move(TipMotion& motion, const Eigen::VectorXd& forces, const std::vector<int>& nodes, double direction);
   void require_sliding() const;
@@ -166,7 +191,6 @@ class TimeMarch {
   Eigen::MatrixXd compliance_;
   std::shared_ptr<ContactCompliance> of_step_;  ///< W as it turns from step to step
   Eigen::VectorXd carried_;       ///< [m] by rotation in a step, along theta and along the tip line in turn
-  Eigen::VectorXd no_drag_;       ///< empty
   Eigen::VectorXd slide_, drag_;  ///< [m] in a step, [N], as carried_
   Eigen::VectorXd blade_forces_;  ///< [N] on the coordinates y, sector after sector
   std::unique_ptr<ContactLaw> contact_;

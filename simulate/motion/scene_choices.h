@@ -26,6 +26,7 @@ enum class ContactRule {
 
 /// How far the gap follows the displacements.
 enum class GapOrder {
+  automatic,     ///< of second order if the model has its terms, otherwise linear
   linear,        ///< n.u
   second_order,  ///< and the curvatures of the casing, its slope, and the shortening of blades that bend
 };

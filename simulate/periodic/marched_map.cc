@@ -25,6 +25,10 @@ MarchedScene disturbed(MarchedScene orbit, Disturbance disturbance) {
   }
   rotor->others.clear();
   orbit.rotor = rotor;
+  if (orbit.tips.second_order) {  // TangentMarch adds its slopes
+    orbit.tips.second_order->curvature.setZero();
+    for (Eigen::MatrixXd& displacement : orbit.tips.second_order->displacement) displacement.setZero();
+  }
   orbit.obstacle = orbit.obstacle.touching();
   return orbit;
 }
@@ -42,6 +46,24 @@ Sliding sliding_of(const TimeMarch& march) {
   return sliding;
 }
 
+/// The blades in the last step of a march, which began with the coordinates `start`.
+BladeStep blades_of(TimeMarch& march, Eigen::VectorXd start) {
+  BladeStep blades;
+  blades.start = std::move(start);
+  blades.free = march.blades();
+  if (march.contact().closed().empty()) return blades;
+  blades.forces = march.contact().multipliers();
+  blades.taken = march.blade_response(blades.forces, march.contact().closed());
+  blades.free += blades.taken;
+  if (march.impacts().empty()) return blades;
+  blades.ahead = march.blades_ahead();
+  blades.impulses = march.impulses();
+  std::vector<int> struck;
+  for (const InnerImpact& impact : march.impacts()) struck.push_back(impact.node());
+  blades.taken_by_impulses = march.blade_response(blades.impulses, struck);
+  return blades;
+}
+
 }  // namespace
 
 SymmetricMap::SymmetricMap(TimeMarch& march, int power) : march_(march), energy_state_(march) {
@@ -53,7 +75,8 @@ SymmetricMap::SymmetricMap(TimeMarch& march, int power) : march_(march), energy_
 }
 
 TangentMarch::TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int power)
-    : march_(disturbed(orbit.scene(), disturbance)),
+    : orbit_(orbit),
+      march_(disturbed(orbit.scene(), disturbance)),
       map_(march_, power),
       copies_(march_.sectors() / orbit.sectors()),
       nodes_a_copy_(orbit.sectors() * orbit.width()),
@@ -79,12 +102,13 @@ std::vector<int> TangentMarch::on_all_sectors(const std::vector<int>& nodes) con
 
 void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
   if (pattern == pattern_) return;
+  pattern_ = pattern;
   closed_.clear();
   factors_.clear();
-  sliding_factors_.clear();
+  turning_factors_.clear();
   for (const std::vector<int>& set : pattern->sets()) {
     closed_.push_back(on_all_sectors(set));
-    if (march_.has_friction()) continue;
+    if (turns()) continue;
     Eigen::MatrixXd block = compliance_(closed_.back(), closed_.back());
     block.diagonal() *= 1 + diagonal_shift;
     factors_.emplace_back(block);
@@ -92,46 +116,97 @@ void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
       throw NoMotion("the contact compliance of " + std::to_string(set.size()) +
                      " closed nodes is not positive definite: no orbit can be followed with them");
   }
-  auto sliding = pattern->sliding().begin();
-  for (const int set : pattern->steps())
-    if (march_.has_friction() && set != ContactPattern::open)
-      sliding_factors_.push_back(
-          factor_of(closed_[static_cast<std::size_t>(set)], (sliding++)->drag_ratio.replicate(copies_, 1)));
-  pattern_ = pattern;
+  for (std::size_t step = 0; turns() && step < pattern->steps().size(); ++step) {
+    if (pattern->steps()[step] == ContactPattern::open) continue;
+    direct(step, turning_factors_.size());
+    turning_factors_.push_back(factor_of(closed_[static_cast<std::size_t>(pattern->steps()[step])]));
+  }
 }
 
-Eigen::PartialPivLU<Eigen::MatrixXd> TangentMarch::factor_of(const std::vector<int>& nodes,
-                                                             const Eigen::VectorXd& drag_ratio) {
-  Eigen::MatrixXd block = compliance_(nodes, nodes);
+void TangentMarch::direct(std::size_t step, std::size_t contact) {
+  if (march_.has_friction()) {
+    drag_ratio_ = pattern_->sliding()[contact].drag_ratio.replicate(copies_, 1);
+    march_.slide_along(drag_ratio_);
+  }
+  if (march_.is_curved())
+    march_.tilt(orbit_.slopes(pattern_->blades()[step].start, pattern_->first_step + static_cast<std::int64_t>(step))
+                    .replicate(copies_, 1));
+}
+
+Eigen::PartialPivLU<Eigen::MatrixXd> TangentMarch::factor_of(const std::vector<int>& nodes) {
+  Eigen::MatrixXd block = march_.compliance(nodes);
+  block += compliance_(nodes, nodes) - march_.compliance()(nodes, nodes);
   block.diagonal() *= 1 + diagonal_shift;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    block.col(static_cast<Eigen::Index>(i)) +=
-        march_.sliding_compliance()(nodes, Eigen::seqN(2 * nodes[i], 2)) * drag_ratio.segment<2>(2 * nodes[i]);
   Eigen::PartialPivLU<Eigen::MatrixXd> factor(block);
   if (!(std::abs(factor.matrixLU().diagonal().cwiseAbs().minCoeff()) > diagonal_shift * block.cwiseAbs().maxCoeff()))
     throw NoMotion("the contact compliance of " + std::to_string(nodes.size()) +
-                   " closed nodes with friction is singular: no orbit can be followed with them");
+                   " closed nodes whose forces turn is singular: no orbit can be followed with them");
   return factor;
 }
 
-Eigen::VectorXd TangentMarch::turned(const Eigen::VectorXd& forces_over_way) const {
-  Eigen::VectorXd drag = Eigen::VectorXd::Zero(drag_ratio_.size());
-  for (Eigen::Index i = 0; 2 * i < drag_ratio_.size(); ++i) {
+Eigen::VectorXd TangentMarch::narrowed(const Eigen::VectorXd& y, const Eigen::VectorXd& blades,
+                                       std::int64_t step) const {
+  const Eigen::MatrixXd slopes = orbit_.slopes(y, step);
+  const Eigen::Index sectors = march_.sectors(), width = march_.width(), coordinates = slopes.cols();
+  Eigen::VectorXd narrowed(sectors * width);
+  for (Eigen::Index j = 0; j < sectors; ++j)
+    narrowed.segment(j * width, width) =
+        slopes.middleRows(j * width % nodes_a_copy_, width) * blades.segment(j * coordinates, coordinates);
+  return narrowed;
+}
+
+void TangentMarch::narrow_start() {
+  const Eigen::VectorXd before = march_.gaps().now, now = march_.gap();
+  march_.set_gaps(before - narrowed(pattern_->blades_before, march_.blades_before(), pattern_->first_step - 1),
+                  now - narrowed(pattern_->blades().front().start, march_.blades(), pattern_->first_step));
+}
+
+void TangentMarch::narrow(std::size_t step) {
+  const std::int64_t next = pattern_->first_step + static_cast<std::int64_t>(step) + 1;
+  const Eigen::VectorXd before = march_.gaps().now, now = march_.gap();
+  march_.set_gaps(before, now - narrowed(pattern_->blades()[step].free, march_.blades(), next));
+}
+
+void TangentMarch::turn_slopes(std::size_t step) {
+  const std::int64_t at = pattern_->first_step + static_cast<std::int64_t>(step);
+  const Eigen::VectorXd changes = march_.blades_before();
+  const Eigen::Index blades_a_copy = changes.size() / copies_;
+  const Eigen::MatrixXd unturned = orbit_.slopes(Eigen::VectorXd::Zero(blades_a_copy), at);
+  turned_slopes_.resize(unturned.rows() * copies_, unturned.cols());
+  for (int copy = 0; copy < copies_; ++copy)
+    turned_slopes_.middleRows(copy * unturned.rows(), unturned.rows()) =
+        orbit_.slopes(changes.segment(copy * blades_a_copy, blades_a_copy), at) - unturned;
+}
+
+TurnedForces TangentMarch::turned(const Eigen::VectorXd& over_way, const Eigen::VectorXd& forces,
+                                  const Eigen::VectorXd& taken) const {
+  TurnedForces turned;
+  if (march_.has_friction()) turned.drag = Eigen::VectorXd::Zero(drag_ratio_.size());
+  for (Eigen::Index i = 0; 2 * i < turned.drag.size(); ++i) {
     const Eigen::Vector2d along = drag_ratio_.segment<2>(2 * i).normalized(), across(-along[1], along[0]);
-    drag.segment<2>(2 * i) = forces_over_way[i % nodes_a_copy_] * across.dot(slide_.segment<2>(2 * i)) * across;
+    turned.drag.segment<2>(2 * i) = over_way[i % nodes_a_copy_] * across.dot(slide_.segment<2>(2 * i)) * across;
   }
-  return drag;
+  if (!march_.is_curved()) return turned;
+  const Eigen::Index coordinates = turned_slopes_.cols();
+  turned.blades = Eigen::VectorXd::Zero(march_.blades().size());
+  turned.gaps.resize(turned_slopes_.rows());
+  for (Eigen::Index i = 0; i < turned.gaps.size(); ++i) {
+    const Eigen::Index sector = i / march_.width(), in_copy = i % nodes_a_copy_ / march_.width();
+    turned.blades.segment(sector * coordinates, coordinates) +=
+        forces[i % nodes_a_copy_] * turned_slopes_.row(i).transpose();
+    turned.gaps[i] = turned_slopes_.row(i).dot(taken.segment(in_copy * coordinates, coordinates));
+  }
+  return turned;
 }
 
-Eigen::VectorXd TangentMarch::by_drag(const Eigen::VectorXd& drag, const std::vector<int>& nodes) const {
-  return (march_.sliding_compliance() * drag).eval()(nodes);
-}
-
-std::vector<InnerImpact::Change> TangentMarch::changes(const std::vector<InnerImpact>& impacts) {
+std::vector<InnerImpact::Change> TangentMarch::changes(std::size_t step, const std::vector<InnerImpact>& impacts) {
   std::vector<InnerImpact::Change> changes;
   if (impacts.empty()) return changes;
   const auto [before, now, next] = march_.gaps();
-  const Eigen::VectorXd& ahead = march_.look_ahead();
+  Eigen::VectorXd ahead = march_.look_ahead();
+  if (march_.is_curved())
+    ahead -= narrowed(pattern_->blades()[step].ahead, march_.blades_ahead(),
+                      pattern_->first_step + static_cast<std::int64_t>(step) + 2);
   for (int copy = 0; copy < copies_; ++copy)
     for (const InnerImpact& impact : impacts) {
       const int i = copy * nodes_a_copy_ + impact.node();
@@ -140,35 +215,36 @@ std::vector<InnerImpact::Change> TangentMarch::changes(const std::vector<InnerIm
   return changes;
 }
 
-void TangentMarch::close(std::size_t set, std::size_t place, const std::vector<InnerImpact>& impacts) {
+void TangentMarch::close(std::size_t step, std::size_t contact, const std::vector<InnerImpact>& impacts) {
+  static const Sliding no_sliding;
+  static const BladeStep no_blades;
+  const auto set = static_cast<std::size_t>(pattern_->steps()[step]);
   const std::vector<int>& closed = closed_[set];
-  const Sliding* const sliding = march_.has_friction() ? &pattern_->sliding()[place] : nullptr;
-  Eigen::VectorXd drag;
-  if (sliding != nullptr) {
-    slide_ = march_.slide();
-    drag_ratio_ = sliding->drag_ratio.replicate(copies_, 1);
-    march_.slide_along(drag_ratio_);
-    drag = turned(sliding->turning);
-  }
-  const std::vector<InnerImpact::Change> changed = changes(impacts);
+  const Sliding& sliding = march_.has_friction() ? pattern_->sliding()[contact] : no_sliding;
+  const BladeStep& blades = march_.is_curved() ? pattern_->blades()[step] : no_blades;
+  if (march_.has_friction()) slide_ = march_.slide();
+  if (march_.is_curved()) turn_slopes(step);
+  direct(step, contact);
+  const TurnedForces more = turned(sliding.turning, blades.forces, blades.taken);
+  const std::vector<InnerImpact::Change> changed = changes(step, impacts);
   target_.setZero();
   for (std::size_t i = 0; i < changed.size(); ++i)
     target_[static_cast<int>(i / impacts.size()) * nodes_a_copy_ + impacts[i % impacts.size()].node()] =
         changed[i].target;
-  of_set_ = (target_ - march_.gap())(closed);
-  if (sliding != nullptr)
-    of_set_ = sliding_factors_[place].solve(of_set_ - by_drag(drag, closed)).eval();
+  of_set_ = (target_ - march_.gap() - march_.opened_by(more))(closed);
+  if (turns())
+    of_set_ = turning_factors_[contact].solve(of_set_).eval();
   else
     factors_[set].solveInPlace(of_set_);
   forces_.setZero();
   forces_(closed) = of_set_;
-  march_.correct(forces_, closed, drag);
-  if (!impacts.empty()) strike(impacts, changed, sliding);
+  march_.correct(forces_, closed, more);
+  if (!impacts.empty()) strike(impacts, changed, turned(sliding.striking, blades.impulses, blades.taken_by_impulses));
 }
 
 /// Nodes without an impulse have been pushed off by their neighbours' and keep none.
 void TangentMarch::strike(const std::vector<InnerImpact>& impacts, const std::vector<InnerImpact::Change>& changes,
-                          const Sliding* sliding) {
+                          const TurnedForces& more) {
   std::vector<int> nodes;
   std::vector<double> jumps;
   for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -178,19 +254,16 @@ void TangentMarch::strike(const std::vector<InnerImpact>& impacts, const std::ve
     jumps.push_back(changes[i].jump);
   }
   const Eigen::Map<const Eigen::VectorXd> jump(jumps.data(), static_cast<Eigen::Index>(jumps.size()));
-  forces_.setZero();
-  if (sliding != nullptr) {
-    const Eigen::VectorXd drag = turned(sliding->striking);
-    const Eigen::VectorXd impulses = factor_of(nodes, drag_ratio_).solve(jump - by_drag(drag, nodes));
-    forces_(nodes) = impulses;
-    march_.jump(forces_, nodes, drag);
-    return;
+  if (turns()) {
+    of_set_ = factor_of(nodes).solve(jump - march_.opened_by(more)(nodes));
+  } else {
+    Eigen::MatrixXd block = compliance_(nodes, nodes);
+    block.diagonal() *= 1 + diagonal_shift;
+    of_set_ = block.llt().solve(jump);
   }
-  Eigen::MatrixXd block = compliance_(nodes, nodes);
-  block.diagonal() *= 1 + diagonal_shift;
-  const Eigen::VectorXd impulses = block.llt().solve(jump);
-  forces_(nodes) = impulses;
-  march_.jump(forces_, nodes);
+  forces_.setZero();
+  forces_(nodes) = of_set_;
+  march_.jump(forces_, nodes, more);
 }
 
 Eigen::VectorXd TangentMarch::operator()(const std::shared_ptr<const ContactPattern>& pattern,
@@ -198,15 +271,16 @@ Eigen::VectorXd TangentMarch::operator()(const std::shared_ptr<const ContactPatt
   hold(pattern);
   const std::int64_t start = march_.step_count();
   map_.put(change);
+  if (march_.is_curved()) narrow_start();
   static const std::vector<InnerImpact> none;
   auto next = pattern_->impacts().begin();
-  std::size_t place = 0;
+  std::size_t contact = 0;
   for (std::size_t i = 0; i < pattern_->steps().size(); ++i) {
     march_.predict();
-    const int set = pattern_->steps()[i];
-    if (set == ContactPattern::open) continue;
+    if (march_.is_curved()) narrow(i);
+    if (pattern_->steps()[i] == ContactPattern::open) continue;
     const bool struck = next != pattern_->impacts().end() && next->first == i;
-    close(static_cast<std::size_t>(set), place++, struck ? (next++)->second : none);
+    close(i, contact++, struck ? (next++)->second : none);
   }
   Eigen::VectorXd changed = map_.image();
   march_.set_step(start);
@@ -229,9 +303,13 @@ MapImage MarchedMap::image(const Eigen::VectorXd& state) {
   const std::int64_t start = march_.step_count();
   auto pattern = std::make_shared<ContactPattern>();
   map_.put(state);
+  pattern->first_step = start;
+  pattern->blades_before = march_.blades_before();
   for (int i = 0; i < map_.steps(); ++i) {
+    Eigen::VectorXd blades = march_.blades();
     march_.step();
     pattern->add(march_.contact().closed(), march_.impacts());
+    if (march_.is_curved()) pattern->add(blades_of(march_, std::move(blades)));
     if (march_.has_friction() && !march_.contact().closed().empty()) pattern->add(sliding_of(march_));
   }
   MapImage image{map_.image(), std::move(pattern)};

@@ -49,12 +49,14 @@ enum class Disturbance {
 
 /// The march linearised along the contact pattern of an orbit: nodes that the orbit closes stay in place, no force
 /// acts on the others, the instants of impacts within steps move with the disturbance, and so do the directions of
-/// sliding: with the way s over the casing, p the unit vector across it, and its change s', friction changes by
-/// mu lambda/|s| (p . s') p. Costs as much as the march, without the search for the pattern.
+/// the forces. Those of sliding: with the way s over the casing, p the unit vector across it, and its change s',
+/// friction changes by mu lambda/|s| (p . s') p. Those of a gap of second order: its slopes G at t_q change by
+/// G' = (d2s/dy2) y', so that the forces on y gain G'^T lambda, and the gaps G' r, r being what lambda takes from y.
+/// Costs as much as the march, without the search for the pattern.
 class TangentMarch {
  public:
-  /// `orbit` is the march of the orbit. Excluded disturbances are those of RotorAtSpeed::others, on all N sectors.
-  /// `power` is that of the symmetric map whose pattern is followed.
+  /// `orbit` is the march of the orbit, which must outlive this object. Excluded disturbances are those of
+  /// RotorAtSpeed::others, on all N sectors. `power` is that of the symmetric map whose pattern is followed.
   TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int power);
 
   Eigen::Index size() const { return map_.state().size(); }
@@ -66,29 +68,42 @@ class TangentMarch {
  private:
   void hold(const std::shared_ptr<const ContactPattern>& pattern);
   std::vector<int> on_all_sectors(const std::vector<int>& nodes) const;
-  /// The factor of a set with friction.
-  Eigen::PartialPivLU<Eigen::MatrixXd> factor_of(const std::vector<int>& nodes, const Eigen::VectorXd& drag_ratio);
-  /// A step with contact, the `place`-th one of the pattern.
-  void close(std::size_t set, std::size_t place, const std::vector<InnerImpact>& impacts);
-  /// The change of the drag as the ways of the nodes turn.
-  Eigen::VectorXd turned(const Eigen::VectorXd& forces_over_way) const;
-  /// What a drag adds to the gaps of some nodes.
-  Eigen::VectorXd by_drag(const Eigen::VectorXd& drag, const std::vector<int>& nodes) const;
+  /// Whether the directions of the forces turn with the motion.
+  bool turns() const { return march_.has_friction() || march_.is_curved(); }
+  /// Gives the forces of a step the directions that they have in the orbit.
+  void direct(std::size_t step, std::size_t contact);
+  /// The factor of a set for these directions.
+  Eigen::PartialPivLU<Eigen::MatrixXd> factor_of(const std::vector<int>& nodes);
+  /// What the slopes of an orbit whose blades are at y take from the gaps of a disturbance, in a step.
+  Eigen::VectorXd narrowed(const Eigen::VectorXd& y, const Eigen::VectorXd& blades, std::int64_t step) const;
+  /// Takes this from the gaps at the start of the map, and from those of a step.
+  void narrow_start();
+  void narrow(std::size_t step);
+  /// Finds turned_slopes_ of a step.
+  void turn_slopes(std::size_t step);
+  /// A step with contact, the `contact`-th one of the pattern.
+  void close(std::size_t step, std::size_t contact, const std::vector<InnerImpact>& impacts);
+  /// The change of forces of the orbit as their directions turn: with the forces over the ways of the nodes that they
+  /// push, the forces, and what they take from y.
+  TurnedForces turned(const Eigen::VectorXd& over_way, const Eigen::VectorXd& forces,
+                      const Eigen::VectorXd& taken) const;
   /// The changes of the impacts by the gaps of the free step, one for each copy of the sectors.
-  std::vector<InnerImpact::Change> changes(const std::vector<InnerImpact>& impacts);
+  std::vector<InnerImpact::Change> changes(std::size_t step, const std::vector<InnerImpact>& impacts);
   void strike(const std::vector<InnerImpact>& impacts, const std::vector<InnerImpact::Change>& changes,
-              const Sliding* sliding);
+              const TurnedForces& more);
 
+  const TimeMarch& orbit_;
   TimeMarch march_;
   SymmetricMap map_;
   int copies_, nodes_a_copy_;   ///< how often this march repeats the sectors of the orbit; values in each
   Eigen::MatrixXd compliance_;  ///< [m/N] W, of full rank
   std::shared_ptr<const ContactPattern> pattern_;
   std::vector<std::vector<int>> closed_;                               ///< the sets of the pattern, on all sectors
-  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;                   ///< of the sets, without friction
-  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> sliding_factors_;  ///< of the steps with contact, with friction
+  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;                   ///< of the sets, if directions don't turn
+  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> turning_factors_;  ///< of the steps with contact, if they do
   Eigen::VectorXd forces_, target_, of_set_;
   Eigen::VectorXd slide_, drag_ratio_;  ///< TimeMarch::slide() and drag_ratio() of a step
+  Eigen::MatrixXd turned_slopes_;       ///< the change of TimeMarch::slopes() at the start of a step
 };
 
 /// The symmetric map of a march, or a power of it, and its derivative.

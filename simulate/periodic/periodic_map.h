@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -23,8 +24,18 @@ struct Sliding {
   Eigen::VectorXd striking;  ///< [N/m] the same for the impulses of impacts within the step
 };
 
+/// The coordinates y [m] of the blades in a step from t_q to t_{q+1} with a gap of second order, and the forces that
+/// act along its slopes.
+struct BladeStep {
+  Eigen::VectorXd start, free;                  ///< at t_q, and at t_{q+1} without the forces of the step
+  Eigen::VectorXd ahead;                        ///< after a further step without forces; empty without impacts
+  Eigen::VectorXd forces, taken;                ///< [N] by node, and what they take from y at t_{q+1}
+  Eigen::VectorXd impulses, taken_by_impulses;  ///< of impacts; empty without
+};
+
 /// The sets of closed nodes in consecutive steps of a march, and the impacts within steps. With these sets held
-/// fixed, the march is an affine map but for the instants of the impacts and the directions of sliding.
+/// fixed, the march is an affine map but for the instants of the impacts, the directions of sliding, and the slopes
+/// of a gap of second order.
 class ContactPattern {
  public:
   static constexpr int open = -1;
@@ -43,6 +54,11 @@ class ContactPattern {
 
   /// Adds the sliding of the step added last, which has closed nodes.
   void add(Sliding sliding) { sliding_.push_back(std::move(sliding)); }
+  /// Adds the blades of the step added last.
+  void add(BladeStep blades) { blades_.push_back(std::move(blades)); }
+  /// The steps since the start of the march, at the first step of this pattern.
+  std::int64_t first_step = 0;
+  Eigen::VectorXd blades_before;  ///< [m] y one step before the first one; empty if the gap is linear
 
   /// For each step the index of its set in sets(), or `open`.
   const std::vector<int>& steps() const { return steps_; }
@@ -52,9 +68,12 @@ class ContactPattern {
   const std::vector<std::pair<std::size_t, std::vector<InnerImpact>>>& impacts() const { return impacts_; }
   /// Of the steps with closed nodes, in their order; empty without friction.
   const std::vector<Sliding>& sliding() const { return sliding_; }
+  /// Of all steps; empty if the gap is linear.
+  const std::vector<BladeStep>& blades() const { return blades_; }
 
  private:
   std::vector<Sliding> sliding_;
+  std::vector<BladeStep> blades_;
   std::vector<int> steps_;
   std::vector<std::vector<int>> sets_;
   std::map<std::vector<int>, int> places_;
@@ -68,8 +87,8 @@ struct MapImage {
 };
 
 /// A map whose fixed points x = F(x) are steady motions. It is continuous, and affine as long as the contact pattern
-/// does not change, but for the instants at which impacts within steps occur. Newton's method, multipliers and
-/// branches know a march by this interface only.
+/// does not change, but for what ContactPattern names. Newton's method, multipliers and branches know a march by this
+/// interface only.
 class PeriodicMap {
  public:
   virtual ~PeriodicMap() = default;

@@ -152,8 +152,10 @@ void read_scheme(CaseTable& table, SimulateParameters& parameters) {
                  "= \"paper\" holds only with scheme = \"central_differences\": with the larger steps of the "
                  "trigonometric scheme its pulling forces grow without bound; set that scheme, or contact = "
                  "\"complementarity\"");
-  parameters.gap = table.choice<GapOrder>("gap", GapOrder::linear,
-                                          {{"linear", GapOrder::linear}, {"second_order", GapOrder::second_order}});
+  parameters.gap = table.choice<GapOrder>("gap", GapOrder::automatic,
+                                          {{"automatic", GapOrder::automatic},
+                                           {"linear", GapOrder::linear},
+                                           {"second_order", GapOrder::second_order}});
   if (parameters.scheme == Scheme::moreau_jean)
     parameters.theta = table.number("moreau_jean_theta", 0.5, Range::between(0.5, 1), "1/2 conserves, more damps");
   if (parameters.scheme == Scheme::penalty)
@@ -225,20 +227,15 @@ void require_units_of_model(const CaseTable& table, const SimulateParameters& pa
 }
 
 void require_gap_of_model(const CaseTable& table, const SimulateParameters& parameters, const ReducedModel& model) {
-  if (parameters.gap == GapOrder::linear) return;
-  const std::string linear = ", or set gap = \"linear\"";
-  if (!model.contact.second_order)
-    table.reject("gap",
-                 "= \"second_order\" needs /contact/second_order in the model, which tiprub-reduce writes for "
-                 "sectors of finite elements; reduce the sector again" +
-                     linear);
-  if (parameters.steady_state == SteadyStateMethod::orbit)
-    table.reject("gap", "= \"second_order\" is marched only; set steady_state = \"march\"" + linear);
-  if (parameters.branches == BranchChoice::critical_speeds)
-    table.reject("gap", "= \"second_order\" is marched only; set branches = \"none\"" + linear);
+  if (parameters.gap != GapOrder::second_order || model.contact.second_order) return;
+  table.reject("gap",
+               "= \"second_order\" needs /contact/second_order in the model, which tiprub-reduce writes for "
+               "sectors of finite elements; reduce the sector again, or set gap = \"linear\"");
 }
 
 void fit_to_model(SimulateParameters& parameters, const ReducedModel& model) {
+  if (parameters.gap == GapOrder::automatic)
+    parameters.gap = model.contact.second_order ? GapOrder::second_order : GapOrder::linear;
   if (parameters.resolved_frequency == 0) parameters.resolved_frequency = resolved_frequency(model);
   parameters.damping.set_beyond(parameters.resolved_frequency, parameters.damping_ratio_beyond);
 }

@@ -77,7 +77,7 @@ struct SimulateParameters {
   double budget_clearance = 0;         ///< [m] tolerance
   Scheme scheme = Scheme::trigonometric;
   ContactRule contact = ContactRule::complementarity;
-  GapOrder gap = GapOrder::linear;
+  GapOrder gap = GapOrder::automatic;
   double theta = 0.5;              ///< [1] of Moreau-Jean
   double penalty_stiffness = 100;  ///< [1] of penalty, in tip stiffnesses
   int modes = 0;                   ///< modes with mass in a nodal diameter; 0: all
@@ -114,11 +114,11 @@ SimulateParameters read_simulate_parameters(CaseTable& table);
 /// InputError at the key.
 void require_units_of_model(const CaseTable& table, const SimulateParameters& parameters, const ReducedModel& model);
 
-/// Refuses a gap of second order where the model does not hold it, and with orbits and branches. Raises InputError at
-/// the key.
+/// Refuses a gap of second order where the model does not hold it. Raises InputError at the key.
 void require_gap_of_model(const CaseTable& table, const SimulateParameters& parameters, const ReducedModel& model);
 
-/// Sets the resolved frequency from the model, unless the case gives it, and the damping beyond it.
+/// Sets the resolved frequency and the order of the gap from the model, unless the case gives them, and the damping
+/// beyond that frequency.
 void fit_to_model(SimulateParameters& parameters, const ReducedModel& model);
 
 }  // namespace tiprub::simulate

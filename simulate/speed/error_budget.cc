@@ -188,7 +188,7 @@ VariedScene with_clearance(const Scene& scene, double change) {
 
 /// The gap that the case does not ask for.
 VariedScene with_other_gap(const Scene& scene) {
-  const bool to_second = scene.parameters.gap == GapOrder::linear;
+  const bool to_second = scene.parameters.gap != GapOrder::second_order;
   VariedScene varied{Variation::gap, to_second ? 2.0 : 1.0, scene.casing, scene.parameters};
   varied.parameters.gap = to_second ? GapOrder::second_order : GapOrder::linear;
   varied.parameters.steady_state = SteadyStateMethod::march;

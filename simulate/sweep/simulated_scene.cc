@@ -41,7 +41,7 @@ ModelledEffect friction(const Scene& scene) {
 }
 
 ModelledEffect gap_term(Effect effect, const SimulateParameters& parameters) {
-  if (parameters.gap == GapOrder::linear)
+  if (parameters.gap != GapOrder::second_order)
     return {effect, Treatment::left_out, "the gap is linear in the displacement"};
   return {effect, Treatment::modelled, "the gap is of second order in the displacement, and so is its force"};
 }

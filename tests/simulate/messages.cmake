@@ -48,7 +48,7 @@ expect_message(friction_that_pulls OLD "lobes = 2" NEW "lobes = 2\nfriction_coef
 expect_message(gap_that_the_model_lacks OLD "damping_ratio" NEW "gap = \"second_order\"\ndamping_ratio" EXIT_CODE 2
                ERRORS "[simulate] gap = \"second_order\" needs /contact/second_order in the model" "reduce the sector again")
 expect_message(gap_of_third_order OLD "damping_ratio" NEW "gap = \"third_order\"\ndamping_ratio" EXIT_CODE 2
-               ERRORS "case.toml:11:7: [simulate] gap = \"third_order\" must be one of: linear, second_order")
+               ERRORS "case.toml:11:7: [simulate] gap = \"third_order\" must be one of: automatic, linear, second_order")
 expect_message(amplitude_in_millimetres OLD "amplitude = 2.0e-4" NEW "amplitude = 0.2" EXIT_CODE 2
                ERRORS "case.toml:5:13: [casing] amplitude has 0.2 m, more than a fiftieth of the tip's radius of "
                       "it is in metres, not in millimetres")

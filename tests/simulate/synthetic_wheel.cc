@@ -113,6 +113,20 @@ Bench make_bench(const ReducedModel& model, const Casing& casing, double speed, 
   return {std::move(rotor), std::move(march)};
 }
 
+ReducedModel curved_wheel() {
+  ReducedModel model = synthetic_wheel({});
+  std::mt19937 source(7);
+  const auto random = [&] { return 2.0 * source() / std::mt19937::max() - 1.0; };
+  SecondOrderGap& given = model.contact.second_order.emplace();
+  given.curvature = Eigen::MatrixX2d::Constant(model.contact.size(), 2, 10);
+  given.coordinates = Eigen::MatrixXd::NullaryExpr(model.contact_dofs(), 3, random);
+  for (int k = 0; k < model.contact.size(); ++k) {
+    const Eigen::Matrix3d any = Eigen::Matrix3d::NullaryExpr(random) * 1000;
+    given.displacement.emplace_back(any + any.transpose());
+  }
+  return model;
+}
+
 double settled_amplitude(Bench bench) {
   TimeMarch& march = bench.march;
   Eigen::ArrayXd low = Eigen::ArrayXd::Constant(march.gap().size(), 1), high = -low;

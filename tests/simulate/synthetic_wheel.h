@@ -42,6 +42,9 @@ struct Bench {
 Bench make_bench(const ReducedModel& model, const Casing& casing, double speed, double damping_ratio,
                  const MarchSetup& setup);
 
+/// The wheel of synthetic_wheel({}) with made-up terms of second order in its gap.
+ReducedModel curved_wheel();
+
 /// [m] Half of the peak-to-peak normal displacement over revolutions 21 and 22, the largest of all nodes.
 double settled_amplitude(Bench bench);
 

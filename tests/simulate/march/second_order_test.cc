@@ -191,23 +191,9 @@ TEST(SecondOrder, HasTheComplianceOfForcesAlongItsSlopes) {
   }
 }
 
-ReducedModel curved_wheel() {
-  ReducedModel model = testing::synthetic_wheel({});
-  std::mt19937 source(7);
-  const auto random = [&] { return 2.0 * source() / std::mt19937::max() - 1.0; };
-  SecondOrderGap& given = model.contact.second_order.emplace();
-  given.curvature = Eigen::MatrixX2d::Constant(model.contact.size(), 2, 10);
-  given.coordinates = Eigen::MatrixXd::NullaryExpr(model.contact_dofs(), 3, random);
-  for (int k = 0; k < model.contact.size(); ++k) {
-    const Eigen::Matrix3d any = Eigen::Matrix3d::NullaryExpr(random) * 1000;
-    given.displacement.emplace_back(any + any.transpose());
-  }
-  return model;
-}
-
 /// Schemes with steps of their own, on a motion that the second order changes by more than they differ.
 TEST(SecondOrder, IsTheSameWithOtherSchemes) {
-  const ReducedModel model = curved_wheel();
+  const ReducedModel model = testing::curved_wheel();
   const auto amplitude = [&](Scheme scheme, int steps, GapOrder gap) {
     MarchSetup setup = curved(scheme, steps);
     setup.gap = gap;
@@ -224,7 +210,7 @@ TEST(SecondOrder, IsTheSameWithOtherSchemes) {
 
 /// The symmetric nodal diameters alone against the whole wheel, transient included.
 TEST(SecondOrder, KeepsTheSymmetryOfTheWheel) {
-  const ReducedModel model = curved_wheel();
+  const ReducedModel model = testing::curved_wheel();
   const Casing casing = testing::lobed_casing(2, 2e-4, 1.5e-4);
   MarchSetup setup = curved(Scheme::trigonometric, 1200);
   testing::Bench whole = testing::make_bench(model, casing, 900, 0.01, setup);

@@ -152,10 +152,9 @@ void read_scheme(CaseTable& table, SimulateParameters& parameters) {
                  "= \"paper\" holds only with scheme = \"central_differences\": with the larger steps of the "
                  "trigonometric scheme its pulling forces grow without bound; set that scheme, or contact = "
                  "\"complementarity\"");
-  parameters.gap = table.choice<GapOrder>("gap", GapOrder::automatic,
-                                          {{"automatic", GapOrder::automatic},
-                                           {"linear", GapOrder::linear},
-                                           {"second_order", GapOrder::second_order}});
+  parameters.gap = table.choice<GapOrder>(
+      "gap", GapOrder::automatic,
+      {{"automatic", GapOrder::automatic}, {"linear", GapOrder::linear}, {"second_order", GapOrder::second_order}});
   if (parameters.scheme == Scheme::moreau_jean)
     parameters.theta = table.number("moreau_jean_theta", 0.5, Range::between(0.5, 1), "1/2 conserves, more damps");
   if (parameters.scheme == Scheme::penalty)

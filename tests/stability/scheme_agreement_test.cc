@@ -12,7 +12,7 @@ namespace {
 /// of the made-up wheel of 900 dofs against two lobes.
 void expect_agreement(double friction, int count) {
   BenchWheel wheel = made_wheel(2);
-  wheel.casing.friction = friction;
+  wheel.casing.friction = {{0.0, friction}};
   const std::vector<SchemePair> pairs = compare_schemes(wheel, 600, 1400, count);
   ASSERT_EQ(pairs.size(), static_cast<std::size_t>(count));
   int agreeing = 0;

@@ -36,7 +36,7 @@ MarchedScene disturbed(MarchedScene orbit, Disturbance disturbance) {
 /// How the nodes slid in the last step of a march, which had contact.
 Sliding sliding_of(const TimeMarch& march) {
   const Eigen::Index nodes = march.gap().size();
-  Sliding sliding{march.drag_ratio(), Eigen::VectorXd::Zero(nodes), Eigen::VectorXd::Zero(nodes)};
+  Sliding sliding{march.way(), Eigen::VectorXd::Zero(nodes), Eigen::VectorXd::Zero(nodes)};
   const auto over_way = [&](int i, double force) {
     return force * march.drag_ratio().segment<2>(2 * i).norm() / march.way().segment<2>(2 * i).norm();
   };
@@ -125,8 +125,8 @@ void TangentMarch::hold(const std::shared_ptr<const ContactPattern>& pattern) {
 
 void TangentMarch::direct(std::size_t step, std::size_t contact) {
   if (march_.has_friction()) {
-    drag_ratio_ = pattern_->sliding()[contact].drag_ratio.replicate(copies_, 1);
-    march_.slide_along(drag_ratio_);
+    way_ = pattern_->sliding()[contact].way.replicate(copies_, 1);
+    march_.slide_along(way_);
   }
   if (march_.is_curved())
     march_.tilt(orbit_.slopes(pattern_->blades()[step].start, pattern_->first_step + static_cast<std::int64_t>(step))
@@ -181,9 +181,9 @@ void TangentMarch::turn_slopes(std::size_t step) {
 TurnedForces TangentMarch::turned(const Eigen::VectorXd& over_way, const Eigen::VectorXd& forces,
                                   const Eigen::VectorXd& taken) const {
   TurnedForces turned;
-  if (march_.has_friction()) turned.drag = Eigen::VectorXd::Zero(drag_ratio_.size());
+  if (march_.has_friction()) turned.drag = Eigen::VectorXd::Zero(way_.size());
   for (Eigen::Index i = 0; 2 * i < turned.drag.size(); ++i) {
-    const Eigen::Vector2d along = drag_ratio_.segment<2>(2 * i).normalized(), across(-along[1], along[0]);
+    const Eigen::Vector2d along = way_.segment<2>(2 * i).normalized(), across(-along[1], along[0]);
     turned.drag.segment<2>(2 * i) = over_way[i % nodes_a_copy_] * across.dot(slide_.segment<2>(2 * i)) * across;
   }
   if (!march_.is_curved()) return turned;

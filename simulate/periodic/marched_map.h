@@ -102,8 +102,8 @@ class TangentMarch {
   std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;                   ///< of the sets, if directions don't turn
   std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> turning_factors_;  ///< of the steps with contact, if they do
   Eigen::VectorXd forces_, target_, of_set_;
-  Eigen::VectorXd slide_, drag_ratio_;  ///< TimeMarch::slide() and drag_ratio() of a step
-  Eigen::MatrixXd turned_slopes_;       ///< the change of TimeMarch::slopes() at the start of a step
+  Eigen::VectorXd slide_, way_;    ///< [m] TimeMarch::slide() of a step, and TimeMarch::way() of the orbit
+  Eigen::MatrixXd turned_slopes_;  ///< the change of TimeMarch::slopes() at the start of a step
 };
 
 /// The symmetric map of a march, or a power of it, and its derivative.

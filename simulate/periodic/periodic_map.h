@@ -19,8 +19,8 @@ using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
 /// How the contact nodes slide in a step; by node.
 struct Sliding {
-  Eigen::VectorXd drag_ratio;  ///< [1] mu tau along theta and along the tip line in turn
-  Eigen::VectorXd turning;  ///< [N/m] mu lambda/|s|, s the way over the casing: by which a turn of s changes the drag
+  Eigen::VectorXd way;       ///< [m] s over the casing in the step before, along theta and along the tip line in turn
+  Eigen::VectorXd turning;   ///< [N/m] mu lambda/|s|, by which a turn of s changes the drag
   Eigen::VectorXd striking;  ///< [N/m] the same for the impulses of impacts within the step
 };
 

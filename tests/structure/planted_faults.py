@@ -73,7 +73,7 @@ FAULTS = [
 
 def copy_of(root, copy):
     shutil.rmtree(copy, ignore_errors=True)
-    documents = ["cases/equations.md", "CMakeLists.txt", ".github/CHANGELOG.md", ".github/CITATION.cff"]
+    documents = ["README.md", "cases/equations.md", "CMakeLists.txt", ".github/CHANGELOG.md", ".github/CITATION.cff"]
     for path in source_tree.files(root) + documents:
         if os.path.isfile(os.path.join(root, path)):
             os.makedirs(os.path.join(copy, os.path.dirname(path)), exist_ok=True)

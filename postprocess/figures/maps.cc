@@ -248,7 +248,8 @@ std::vector<const MapColumn*> apart(const SpeedFrame& frame, const InteractionMa
   std::vector<const MapColumn*> chosen(static_cast<std::size_t>(slots), nullptr);
   for (const MapColumn& column : map.columns) {
     const double place = (column.speed * rpm_per_rad_s - frame.axis.low) / (frame.axis.high - frame.axis.low);
-    const MapColumn*& best = chosen[static_cast<std::size_t>(std::clamp(place, 0.0, 1.0) * (slots - 1) + 0.5)];
+    const long slot = std::lround(std::clamp(place, 0.0, 1.0) * (slots - 1));
+    const MapColumn*& best = chosen[static_cast<std::size_t>(slot)];
     if (best == nullptr || column.total.maxCoeff() > best->total.maxCoeff()) best = &column;
   }
   std::erase(chosen, nullptr);

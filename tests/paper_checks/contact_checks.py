@@ -4,6 +4,7 @@ import os
 
 import numpy
 
+from free_ring import odd_force_share, odd_share
 from registry import ByConstruction, CannotBeMade, by_test, check, percent
 from scene import read_vtu, signed
 
@@ -96,8 +97,8 @@ def _(c):
 @check(45, "two lobes: 2, 4, 6, 8, 10, 12 on 2, 4, 4, 2, 0, 2; 1, 3, 5 empty though they may move")
 def _(c):
     same, measured = on_the_zig_zag(c.lobed(2), (2, 4, 6, 8, 10, 12))
-    odd = c.free_ring.odd_share()
-    return same and odd < 0.01, f"{measured}; 1, 3, 5 hold {percent(odd)} of {c.free_ring}"
+    empty, odd = c.free_ring.verdict(odd_share)
+    return same and empty, f"{measured}; power on 1, 3, 5 {odd}"
 
 
 @check(46, "three lobes: 3, 6, ... 30 on 3, 4, 1, 2, 5, 2, 1, 4, 3, 0")
@@ -107,7 +108,7 @@ def _(c):
 
 @check(47, "eq. 17: the smallest k for each nodal diameter and number of lobes")
 def _(c):
-    good, text = c.tests.run(("postprocess-test", "Aliasing.SmallestEngineOrderSolvesEquation17"))
+    good, text = c.tests.run(("postprocess-test", "Aliasing.TheNodalDiameterSolvesEquation17"))
     words = []
     for case in c.cases:
         strongest, smallest = case.strongest_diameters(range(case.lobes, 31, case.lobes)), {}
@@ -145,11 +146,10 @@ def _(c):
 
 @check(50, "two lobes: odd nodal diameters hold less than 1 %")
 def _(c):
-    share = c.free_ring.odd_share()
+    empty, odd = c.free_ring.verdict(odd_share)
     two = c.lobed(2)
     breaking = sum(at.attributes["symmetry"].decode() == "breaking" for at in two.speeds)
-    return share < 0.01, (f"{percent(share)} of {c.free_ring}; at {breaking} of {len(two.speeds)} speeds a disturbance of the odd "
-                          "ones would grow")
+    return empty, f"power {odd}; at {breaking} of {len(two.speeds)} speeds a disturbance of the odd ones would grow"
 
 
 by_test(51, "two signals, close in frequency, on two nodal diameters: one peak over time, two in the two-way spectrum",
@@ -171,8 +171,7 @@ def _(c):
 
 @check(53, "force of all leading edges: even nodal diameters only")
 def _(c):
-    share = c.free_ring.odd_force_share()
-    return share < 0.01, f"odd ones hold {percent(share)} of {c.free_ring}"
+    return c.free_ring.verdict(odd_force_share)
 
 
 @check(54, "direction: orders 1-4 backward, 6-9 forward, 0 and 5 standing; EO 4 and EO 6 on nodal diameter 4 run apart")

@@ -306,12 +306,16 @@ def _(c):
 
 @check(32, "a sweep computes with the reduced matrices only")
 def _(c):
-    path = os.path.join(c.tests.build, "bin", "tiprub-simulate")
-    if not os.path.exists(path):
-        raise CannotBeMade(f"{path} is not built")
-    libraries = subprocess.run(["ldd", path], stdout=subprocess.PIPE, text=True, check=True).stdout
-    found = [name for name in ("deal.ii", "trilinos", "gmsh", "cholmod") if name.lower() in libraries.lower()]
-    return not found, "tiprub-simulate links no finite elements, mesher or sparse solver" if not found else f"links {found}"
+    def linked(program):
+        path = os.path.join(c.tests.build, "bin", program)
+        if not os.path.exists(path):
+            raise CannotBeMade(f"{path} is not built")
+        libraries = subprocess.run(["ldd", path], stdout=subprocess.PIPE, text=True, check=True).stdout.lower()
+        return [name for name in ("deal.ii", "gmsh", "cholmod", "anasazi") if name in libraries]
+
+    # Trilinos' NOX and LOCA, which find periodic motions of the reduced model, are neither.
+    found, of_reduce = linked("tiprub-simulate"), linked("tiprub-reduce")
+    return not found and bool(of_reduce), f"finite elements, meshers and sparse solvers in tiprub-simulate: {found}; in tiprub-reduce: {of_reduce}"
 
 
 @check(33, "Campbell diagram: frequencies rise with speed; the first family is narrow against the second", WHEEL)

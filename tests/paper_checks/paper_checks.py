@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks 1 to 81 of what a reproduction of the paper must show, one line each.
 
-usage: paper_checks.py BUILD_FOLDER CASES_FOLDER CASE_FOLDER...
+usage: paper_checks.py BUILD_FOLDER CASES_FOLDER CASE_FOLDER... [--table=FILE.tsv]
 
 BUILD_FOLDER holds bin/ with the programs and tests, CASES_FOLDER holds `aliasing` and `convergence`; each CASE_FOLDER is a case
 that `make` has made. A line reads `holds`, `does not hold on this wheel`, `by construction`, or `can't be made`, with what was
-measured. Exit code 1 if a check that does not depend on the paper's own wheel doesn't hold; else 2 if one can't be made; else 0.
+measured; the table holds the same. Exit code 1 if a check that does not depend on the paper's own wheel doesn't hold; else 2 if one can't be made; else 0.
 """
 import functools
 import importlib.util
@@ -19,7 +19,7 @@ import linear_checks  # each adds its checks to the registry, in this order
 import contact_checks
 import result_checks
 from free_ring import FreeRing
-from registry import CHECKS, WHEEL, ByConstruction, CannotBeMade
+from registry import CHECKS, PLACE_OF, WHEEL, ByConstruction, CannotBeMade
 from scene import Case, Mesh, Model, Tests, read_table
 
 
@@ -42,7 +42,7 @@ class Context:
 
     @functools.cached_property
     def free_ring(self):
-        """The two-lobed case with all nodal diameters, at one speed."""
+        """The two-lobed case with all nodal diameters, at its critical speeds."""
         return FreeRing(self, self.lobed(2))
 
     @functools.cached_property
@@ -94,8 +94,15 @@ def outcome_of(function, context):
         return "can't be made", str(reason)
 
 
-def main(build, cases_folder, *folders):
-    tally = dict.fromkeys(("holds", "does not hold on this wheel", "by construction", "can't be made"), 0)
+def write_table(path, rows):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("check\tin the paper\twhat\tverdict\tmeasured\n")
+        file.writelines("\t".join((str(number), PLACE_OF[number], text, outcome, " ".join(measured.split()))) + "\n"
+                        for number, text, outcome, measured in rows)
+
+
+def main(build, cases_folder, *folders, table=None):
+    rows, tally = [], dict.fromkeys(("holds", "does not hold on this wheel", "by construction", "can't be made"), 0)
     failed = []
     with tempfile.TemporaryDirectory() as work:
         try:
@@ -106,15 +113,20 @@ def main(build, cases_folder, *folders):
         for number, text, depends, function in CHECKS:
             outcome, measured = outcome_of(function, context)
             tally[outcome] += 1
+            rows.append((number, text, outcome, measured))
             if outcome == "does not hold on this wheel" and depends != WHEEL:
                 failed.append(number)
             print(f"{number:2d}  {outcome}{' [D]' if depends == WHEEL else ''}: {text}: {measured}", flush=True)
+    if table:
+        write_table(table, rows)
     print("; ".join(f"{count} {outcome}" for outcome, count in tally.items()) +
           (f"; of those that don't depend on the paper's own wheel, these don't hold: {failed}" if failed else ""))
     return 1 if failed else 2 if tally["can't be made"] else 0
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 4:
+    folders = [word for word in sys.argv[1:] if not word.startswith("--table=")]
+    if len(folders) < 3:
         sys.exit(__doc__)
-    sys.exit(main(*map(os.path.abspath, sys.argv[1:])))
+    wanted = [word.partition("=")[2] for word in sys.argv[1:] if word not in folders]
+    sys.exit(main(*map(os.path.abspath, folders), table=wanted[0] if wanted else None))

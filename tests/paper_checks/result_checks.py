@@ -5,6 +5,7 @@ import re
 
 import numpy
 
+from free_ring import odd_to_even
 from linear_checks import rule_scores
 from registry import WHEEL, CannotBeMade, check, percent
 
@@ -37,8 +38,8 @@ def _(c):
 
 @check(65, "two lobes: the odd parts of the map are negligible")
 def _(c):
-    ratio = c.free_ring.odd_to_even()
-    return ratio < 0.01, f"largest odd over largest even: {ratio:.1e} of {c.free_ring}"
+    negligible, ratio = c.free_ring.verdict(odd_to_even)
+    return negligible, f"largest odd over largest even, {ratio}"
 
 
 @check(66, "two lobes: nodal diameters 2 and 4 carry most of the motion")

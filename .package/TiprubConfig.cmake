@@ -6,6 +6,8 @@ find_dependency(Threads)
 find_dependency(CLI11 2.1)
 find_dependency(PkgConfig)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+# FindHDF5 compiles a C program to look at the library.
+enable_language(C)
 set(HDF5_PREFER_PARALLEL OFF)
 find_dependency(HDF5 1.10 COMPONENTS C HL)
 include(${CMAKE_CURRENT_LIST_DIR}/TiprubTargets.cmake)

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <ostream>
+#include <utility>
 
 #include "cases/program/units.h"
 #include "mesh/cells/cell_kind.h"
@@ -51,9 +52,10 @@ std::vector<int> pair_by_mac(Eigen::MatrixXd mac) {
 
 class LinearAnalysis {
  public:
-  LinearAnalysis(const SectorMesh& mesh, const ReductionParameters& parameters)
+  LinearAnalysis(const SectorMesh& mesh, const ReductionParameters& parameters, FactorChoice factors)
       : mesh_(mesh),
         parameters_(parameters),
+        factors_(std::move(factors)),
         parts_(parts_of(mesh)),
         contact_(mesh.contact_line),
         dofs_(number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes))),
@@ -98,7 +100,8 @@ class LinearAnalysis {
   /// same factor.
   void find_shapes() {
     const SectorFactor factor(
-        elasticity_.stiffness(0.0, Eigen::Matrix3Xd::Zero(3, mesh_.node_count()), parameters_.prestress), dofs_);
+        elasticity_.stiffness(0.0, Eigen::Matrix3Xd::Zero(3, mesh_.node_count()), parameters_.prestress), dofs_,
+        factors_);
     const std::vector<double> speeds(results_.speeds.begin(), results_.speeds.end());
     static_ =
         shapes_under_spin(elasticity_, mesh_, CyclicSolver(factor, transforms_[0]), speeds, parameters_.prestress);
@@ -132,7 +135,7 @@ class LinearAnalysis {
     return at_speed(results_.speeds[row], [&] {
       return SectorFactor(elasticity_.stiffness(results_.speeds[row], displacement(row), parameters_.prestress,
                                                 parameters_.spin_softening),
-                          dofs_);
+                          dofs_, factors_);
     });
   }
 
@@ -186,6 +189,7 @@ class LinearAnalysis {
 
   const SectorMesh& mesh_;
   const ReductionParameters& parameters_;
+  FactorChoice factors_;
   std::map<std::string, std::vector<int>> parts_;
   std::vector<int> contact_;  // all nodes of the tip line
   SectorDofs dofs_;
@@ -242,13 +246,14 @@ void print_tip(std::ostream& out, const LinearResults& results) {
 }  // namespace
 
 LinearResults linear_results(const SectorMesh& mesh, const ReductionParameters& parameters) {
-  start_threads(memory_need(mesh, number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes)),
-                            {.factors = 1,
-                             .stiffnesses = 1,
-                             .columns = krylov_vectors * parameters.verification_modes,
-                             .threads = parameters.threads}),
-                parameters.threads);
-  return LinearAnalysis(mesh, parameters).run();
+  const MemoryNeed need = memory_need(mesh, number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes)),
+                                      {.factors = 1,
+                                       .stiffnesses = 1,
+                                       .columns = krylov_vectors * parameters.verification_modes,
+                                       .threads = parameters.threads});
+  const FactorMethod method = choose_method(need, parameters);
+  start_threads(need, method, parameters.threads);
+  return LinearAnalysis(mesh, parameters, {method, parameters.scratch_folder}).run();
 }
 
 void print(std::ostream& out, const LinearResults& results) {

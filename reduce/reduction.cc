@@ -101,7 +101,8 @@ class Reducer {
         progress_(progress),
         fields_(fields),
         contact_(choose_contact(mesh, parameters.contact, parameters.contact_nodes)),
-        dofs_(number_dofs(mesh, contact_)) {
+        dofs_(number_dofs(mesh, contact_)),
+        factors_{FactorMethod::cholmod, parameters.scratch_folder} {
     for (int n = 0; n <= mesh.sector_count / 2; ++n) transforms_.emplace_back(dofs_, mesh.sector_count, n);
   }
 
@@ -112,7 +113,8 @@ class Reducer {
 
   ReducedModel run(ReductionReport& report) {
     ReducedModel model = linear_model(report);
-    if (mesh_.matrices == nullptr) model.contact.second_order = second_order_gap(mesh_, contact_, parameters_);
+    if (mesh_.matrices == nullptr)
+      model.contact.second_order = second_order_gap(mesh_, contact_, parameters_, factors_);
     timed(report, "second order of the gap");
     return model;
   }
@@ -125,7 +127,7 @@ class Reducer {
     require_room(report);
     SpinningSector sector(mesh_, dofs_, parameters_);
     timed(report, "mass and stiffness at rest");
-    const SectorFactor at_rest = sector.factorize(0.0);
+    const SectorFactor at_rest = sector.factorize(0.0, factors_);
     timed(report, "factor at rest");
     require_room(sector.spin(at_rest, transforms_[0]), report);
     report.shape_terms = static_cast<int>(sector.shape().displacement.terms.size());
@@ -134,7 +136,7 @@ class Reducer {
     timed(report, "shape under spin");
     sector.sample();
     timed(report, "stiffness under spin");
-    const SectorFactor at_top = sector.factorize(1.0);
+    const SectorFactor at_top = sector.factorize(1.0, factors_);
     timed(report, "factor at full speed");
     std::optional<MeshErrorEstimate> mesh_error;
     if (estimates_mesh_error()) mesh_error.emplace(mesh_, dofs_, parameters_.material, parameters_.threads);
@@ -170,20 +172,25 @@ class Reducer {
                         .threads = parameters_.threads});
   }
 
-  /// Raises RunError if there is too little memory for the shape that is expected. Starts the threads.
-  void require_room(ReductionReport& report) const {
+  /// Decides by the memory how to factorize. Raises RunError if there is too little for the shape that is expected.
+  /// Starts the threads.
+  void require_room(ReductionReport& report) {
     constexpr int usual_terms = 2;  // of a shape that isn't linear
     const SpeedSamples samples(parameters_, parameters_.prestress == Prestress::nonlinear ? usual_terms : 1);
     const MemoryNeed need = memory_need_of(samples);
-    start_threads(need, parameters_.threads);
-    report.memory_needed = need.total();
+    report.memory_available = available_at_start_;
+    report.memory_by_cholmod = need.total(FactorMethod::cholmod);
+    report.factor_method = factors_.method = choose_method(need, parameters_);
+    start_threads(need, factors_.method, parameters_.threads);
+    report.memory_needed = need.total(factors_.method);
   }
 
   /// Requires the memory, as it was available at the start, for the shape that was found, if that takes more.
   void require_room(const SpeedSamples& samples, ReductionReport& report) const {
     const MemoryNeed need = memory_need_of(samples);
-    if (need.total() > report.memory_needed) require_memory(need, available_at_start_, mappable_at_start_);
-    report.memory_needed = std::max(report.memory_needed, need.total());
+    const double total = need.total(factors_.method);
+    if (total > report.memory_needed) require_memory(need, factors_.method, available_at_start_, mappable_at_start_);
+    report.memory_needed = std::max(report.memory_needed, total);
   }
 
   /// K of a polynomial that is far from the shape under spin may look like K of an unstable rotor; the message then
@@ -326,6 +333,7 @@ class Reducer {
   ContactUnknowns contact_;
   SectorDofs dofs_;
   std::vector<CyclicTransformation> transforms_;
+  FactorChoice factors_;
   double available_at_start_ = available_memory();
   double mappable_at_start_ = mappable_memory();
 };
@@ -342,7 +350,7 @@ ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameter
 
 int check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {
   const SectorDofs dofs = number_dofs(mesh, choose_contact(mesh, parameters.contact, parameters.contact_nodes));
-  start_threads(memory_need(mesh, dofs, {}), 1);
+  start_threads(memory_need(mesh, dofs, {}), FactorMethod::cholmod, 1);
   if (mesh.matrices == nullptr) RotatingElasticity(mesh, dofs, parameters.material).volume();
   return dofs.sector();
 }

@@ -8,6 +8,7 @@
 #include "cases/program/progress.h"
 #include "reduce/model/fields_file.h"
 #include "reduce/model/reduced_model.h"
+#include "reduce/operators/sector_factor.h"
 #include "reduce/sector/reduction_parameters.h"
 #include "reduce/sector/sector_mesh.h"
 
@@ -26,7 +27,10 @@ struct ReductionReport {
   double newton_residual = 0;  ///< [1] largest of all speeds; see spin_equilibrium()
   int sector_dofs = 0;
   int clamped_face_nodes = 0;
-  double memory_needed = 0;           ///< [bytes] estimated
+  double memory_needed = 0;  ///< [bytes] estimated
+  FactorMethod factor_method = FactorMethod::cholmod;
+  double memory_by_cholmod = 0;       ///< [bytes] that it would need
+  double memory_available = 0;        ///< [bytes] before the start, for this process
   std::vector<int> generalized_dofs;  ///< by nodal diameter
   std::vector<int> dropped;           ///< by nodal diameter
   std::vector<int> corrections;       ///< number of shapes added for modes between the speeds, by nodal diameter

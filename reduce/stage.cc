@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <iomanip>
@@ -107,6 +108,7 @@ Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
   CaseTable table = case_file.table("reduce");
   ReductionParameters parameters = read_reduction_parameters(table, options.input());
   if (options.threads > 0) parameters.threads = options.threads;
+  parameters.scratch_folder = arguments.output.parent_path();
   if (arguments.verbosity == Verbosity::verbose) say(arguments, "[reduce]\n" + table.resolved());
   say_blas(arguments);
   SectorMesh mesh = read_sector(arguments, options, parameters);
@@ -244,9 +246,24 @@ std::string mesh_error_in_words(const ReducedModel& model, const ReductionParame
          " too small (estimated, at rest)";
 }
 
+/// "; factors by MUMPS on disk, because ...", unless they are CHOLMOD's.
+std::string factors_in_words(const ReductionParameters& parameters, const ReductionReport& report) {
+  if (report.factor_method == FactorMethod::cholmod) return "";
+  const bool on_disk = report.factor_method == FactorMethod::mumps_on_disk;
+  std::ostringstream text;
+  text << std::setprecision(3) << "; factors by MUMPS" << (on_disk ? " on disk" : "");
+  if (parameters.factorization == Factorization::automatic)
+    text << ", because CHOLMOD would need about " << report.memory_by_cholmod / bytes_per_gib << " GiB and "
+         << report.memory_available / bytes_per_gib << " GiB are available";
+  return text.str();
+}
+
 /// Tells what the reduction took: memory, times, and the shapes of each nodal diameter.
 void tell_details(const StageArguments& arguments, const ReductionReport& report) {
-  say(arguments, "memory: " + std::to_string(report.memory_needed / bytes_per_gib) + " GiB expected");
+  constexpr std::array names = {"CHOLMOD", "MUMPS", "MUMPS on disk"};
+  say(arguments, "memory: " + std::to_string(report.memory_needed / bytes_per_gib) + " GiB expected, " +
+                     std::to_string(report.memory_available / bytes_per_gib) + " GiB available: factors by " +
+                     names.at(static_cast<std::size_t>(report.factor_method)));
   for (const PartOfWork& part : report.parts)
     say(arguments, part.what + ": " + std::to_string(part.wall) + " s, " + std::to_string(part.processor) +
                        " s of processor time");
@@ -261,7 +278,7 @@ void report(const StageArguments& arguments, const ReductionParameters& paramete
             const ReductionReport& report, const std::string& matrix_market_folder) {
   if (arguments.verbosity == Verbosity::verbose) tell_details(arguments, report);
   tell(arguments, arguments.output.string() + ": " + doubts(model) + summary(model, report) +
-                      mesh_error_in_words(model, parameters));
+                      mesh_error_in_words(model, parameters) + factors_in_words(parameters, report));
   if (!matrix_market_folder.empty())
     tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
                         " nodal diameters in Matrix Market");

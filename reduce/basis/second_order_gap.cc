@@ -102,12 +102,12 @@ std::vector<Eigen::MatrixXd> second_order_displacement(const RotatingElasticity&
 }
 
 SecondOrderGap second_order_gap(const SectorMesh& mesh, const ContactUnknowns& contact,
-                                const ReductionParameters& parameters) {
+                                const ReductionParameters& parameters, const FactorChoice& choice) {
   const SectorMesh alone = with_held_cuts(mesh);
   const SectorDofs dofs = number_dofs(alone, as_segments(contact));
   const RotatingElasticity elasticity(alone, dofs, parameters.material, parameters.threads);
   const SectorFactor factor(
-      elasticity.stiffness(0.0, Eigen::Matrix3Xd::Zero(3, alone.node_count()), Prestress::stress_only), dofs);
+      elasticity.stiffness(0.0, Eigen::Matrix3Xd::Zero(3, alone.node_count()), Prestress::stress_only), dofs, choice);
   const CyclicSolver solver(factor, CyclicTransformation(dofs, 1, 0));
   const int blades = contact.line.splitter_nodes > 0 ? 2 : 1;
   const CyclicModes modes = lowest_modes(solver, elasticity.mass(), ContactNodes::free,

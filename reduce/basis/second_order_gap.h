@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reduce/model/reduced_model.h"
+#include "reduce/operators/sector_factor.h"
 #include "reduce/sector/contact_unknowns.h"
 #include "reduce/sector/reduction_parameters.h"
 #include "reduce/sector/rotating_elasticity.h"
@@ -32,6 +33,6 @@ std::vector<Eigen::MatrixXd> second_order_displacement(const RotatingElasticity&
 ///
 /// Costs a factorization of the sector's K and some twenty modes.
 SecondOrderGap second_order_gap(const SectorMesh& mesh, const ContactUnknowns& contact,
-                                const ReductionParameters& parameters);
+                                const ReductionParameters& parameters, const FactorChoice& choice = {});
 
 }  // namespace tiprub::reduce

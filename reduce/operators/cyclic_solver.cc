@@ -93,7 +93,7 @@ Eigen::MatrixXcd CyclicSolver::solve(const Eigen::MatrixXcd& load, ContactNodes 
 Eigen::MatrixXcd CyclicSolver::solve_block(const Eigen::MatrixXcd& load, ContactNodes contact) const {
   const SectorDofs& dofs = transform_.dofs();
   const Eigen::Index kept = dofs.face + (contact == ContactNodes::free ? dofs.boundary() : 0);
-  SectorFactor::Eliminated eliminated = factor_.eliminate(split(load.topRows(dofs.interior), transform_.is_real()));
+  Eliminated eliminated = factor_.eliminate(split(load.topRows(dofs.interior), transform_.is_real()));
   Eigen::MatrixXcd interface = load.bottomRows(dofs.face + dofs.boundary()) +
                                transform_.gather_interface(join(eliminated.interface_load, transform_.is_real()));
   const auto lower = cholesky_.topLeftCorner(kept, kept).triangularView<Eigen::Lower>();
@@ -119,10 +119,8 @@ Eigen::MatrixXcd CyclicSolver::constraint_modes() const {
   interface.topRows(face) = -cholesky_.block(face, 0, boundary, face).adjoint();
   auto solved = interface.topRows(face);
   cholesky_.topLeftCorner(face, face).triangularView<Eigen::Lower>().adjoint().solveInPlace(solved);
-  SectorFactor::Eliminated nothing;
-  nothing.state = Eigen::MatrixXd::Zero(dofs.sector(), (transform_.is_real() ? 1 : 2) * boundary);
-  const Eigen::MatrixXd moved = factor_.back_substitute(
-      std::move(nothing), split(transform_.expand_interface(interface), transform_.is_real()));
+  const Eigen::MatrixXd imposed = split(transform_.expand_interface(interface), transform_.is_real());
+  const Eigen::MatrixXd moved = factor_.back_substitute(factor_.unloaded(imposed.cols()), imposed);
   Eigen::MatrixXcd result(dofs.independent(), boundary);
   result << join(moved.topRows(dofs.interior), transform_.is_real()), interface;
   return result;

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,8 @@ constexpr double block_entries = 9;                           // of a pair of no
 constexpr int other_matrices = 3;                             // sparse: M, the pattern, the copy that is factorized
 constexpr int interface_matrices = 1;                         // of real numbers: S
 constexpr int columns_on_their_way = 24 * 5;  // complex vectors a thread: a block of right sides, as it is reordered
+// Of MUMPS, over L by CHOLMOD and over a matrix of interface dofs.
+constexpr double mumps_factor = 1.5, mumps_front = 0.5, mumps_interfaces = 2;
 constexpr double cubic_cell_bytes = 95 * bytes_per_kib;  // see MeshErrorEstimate
 constexpr double program_bytes = 0.3 * bytes_per_gib;    // with its libraries, before it has read anything
 
@@ -91,6 +95,17 @@ std::string gib(double bytes) {
 
 }  // namespace
 
+double MemoryNeed::factor_by(FactorMethod method) const {
+  if (method == FactorMethod::cholmod || factors == 0) return factor;
+  const double working = mumps_front * sparse_factor + mumps_interfaces * interface;
+  if (method == FactorMethod::mumps_on_disk) return factor - factors * sparse_factor + working;
+  return factor + factors * ((mumps_factor - 1) * sparse_factor + mumps_interfaces * interface);
+}
+
+double MemoryNeed::on_disk(FactorMethod method) const {
+  return method == FactorMethod::mumps_on_disk ? factors * sparse_factor : 0;
+}
+
 MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Holdings& held) {
   Graph graph = node_graph(mesh, dofs);
   const int highest_diameter = mesh.sector_count / 2;
@@ -103,26 +118,66 @@ MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Hol
   need.matrices = program_bytes + held.cubic_cells * cubic_cell_bytes +
                   sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size());
   need.bases = complex_bytes * independent * (held.columns + columns_on_their_way) * at_once;
+  need.factors = held.factors;
+  need.sparse_factor = real_bytes * block_entries * factor_entries(graph);
+  need.interface = real_bytes * interface * interface;
   need.factor = held.factors *
-                (real_bytes * (block_entries * factor_entries(graph) + interface_matrices * interface * interface) +
-                 complex_bytes * kept * kept * at_once);
+                (need.sparse_factor + interface_matrices * need.interface + complex_bytes * kept * kept * at_once);
   return need;
 }
 
-void require_memory(const MemoryNeed& need, double available, double mappable) {
-  const bool fits = need.total() <= available;
-  if (fits && need.total() + need.threads <= mappable) return;
-  const std::string parts =
-      "factor " + gib(need.factor) + ", bases " + gib(need.bases) + ", matrices " + gib(need.matrices);
-  throw RunError("not enough memory: about " +
-                 (fits ? gib(need.total() + need.threads) + " are needed (" + parts + ", threads " +
-                             gib(need.threads) + "), " + gib(mappable) + " are available under ulimit"
-                       : gib(need.total()) + " are needed (" + parts + "), " + gib(available) + " are available") +
-                 "; coarsen the mesh, ask for fewer fixed_interface_modes or threads, or take a larger machine");
+namespace {
+
+bool fits(const MemoryNeed& need, FactorMethod method, double available, double mappable) {
+  return need.total(method) <= available && need.total(method) + need.threads <= mappable;
 }
 
-void start_threads(const MemoryNeed& need, int threads) {
-  require_memory(need, available_memory(), mappable_memory());
+/// Raises RunError if the disk is too small for the factors.
+void require_disk(double bytes, const std::filesystem::path& folder) {
+  std::error_code error;
+  const double room = static_cast<double>(std::filesystem::space(folder.empty() ? "." : folder, error).available);
+  if (error || bytes <= room) return;
+  throw RunError("not enough memory for the factors, nor room on the disk of " + folder.string() + ": about " +
+                 gib(bytes) + " are needed there, " + gib(room) +
+                 " are available; write model.h5 to another disk, coarsen the mesh, or take a larger machine");
+}
+
+}  // namespace
+
+void require_memory(const MemoryNeed& need, FactorMethod method, double available, double mappable) {
+  if (fits(need, method, available, mappable)) return;
+  const double total = need.total(method);
+  const std::string parts = std::string("factor ") + gib(need.factor_by(method)) +
+                            (method == FactorMethod::mumps_on_disk ? " beside that on disk" : "") + ", bases " +
+                            gib(need.bases) + ", matrices " + gib(need.matrices);
+  const double on_disk = need.total(FactorMethod::mumps_on_disk);
+  const bool disk_helps = method == FactorMethod::cholmod && on_disk < total;
+  throw RunError(
+      "not enough memory: about " +
+      (total <= available ? gib(total + need.threads) + " are needed (" + parts + ", threads " + gib(need.threads) +
+                                "), " + gib(mappable) + " are available under ulimit"
+                          : gib(total) + " are needed (" + parts + "), " + gib(available) + " are available") +
+      "; coarsen the mesh, ask for fewer fixed_interface_modes or threads, or take a larger machine" +
+      (disk_helps ? "; factorization = \"mumps\" would need " + gib(on_disk) + ", with factors on disk" : ""));
+}
+
+FactorMethod choose_method(const MemoryNeed& need, Factorization wanted, double available, double mappable) {
+  const FactorMethod in_memory = wanted == Factorization::mumps ? FactorMethod::mumps : FactorMethod::cholmod;
+  if (wanted == Factorization::cholmod || need.factors == 0) return in_memory;
+  const bool disk_helps = need.total(FactorMethod::mumps_on_disk) < need.total(in_memory);
+  return !disk_helps || fits(need, in_memory, available, mappable) ? in_memory : FactorMethod::mumps_on_disk;
+}
+
+FactorMethod choose_method(const MemoryNeed& need, const ReductionParameters& parameters, int processes) {
+  const double available = available_memory() / processes;
+  const FactorMethod method = choose_method(need, parameters.factorization, available, mappable_memory());
+  require_memory(need, method, available, mappable_memory());
+  require_disk(processes * need.on_disk(method), parameters.scratch_folder);
+  return method;
+}
+
+void start_threads(const MemoryNeed& need, FactorMethod method, int threads) {
+  require_memory(need, method, available_memory(), mappable_memory());
   openblas_set_num_threads(threads);
 }
 

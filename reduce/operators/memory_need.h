@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "reduce/operators/sector_factor.h"
+#include "reduce/sector/reduction_parameters.h"
 #include "reduce/sector/sector_dofs.h"
 #include "reduce/sector/sector_mesh.h"
 
@@ -17,12 +19,20 @@ struct Holdings {
 
 /// What a reduction will hold at its peak [bytes], before it starts.
 struct MemoryNeed {
-  double factor = 0;    ///< L of each speed, its interface part, and a nodal diameter's dense factors
+  double factor = 0;    ///< L by CHOLMOD of each speed, S, and a nodal diameter's dense factors
   double bases = 0;     ///< vectors of the nodal diameters at work, and those in a solve with a factor
   double matrices = 0;  ///< sparse K and M, cells for the error of the mesh, and the program itself
   double threads = 0;   ///< address space of their stacks and of the BLAS's buffers, most of which is never touched
+  double sparse_factor = 0;  ///< L of one speed, part of `factor`
+  double interface = 0;      ///< one dense matrix of interface dofs
+  int factors = 0;
 
-  double total() const { return factor + bases + matrices; }
+  /// `factor` by this method: MUMPS also holds its workspace, with two matrices of interface dofs, and on disk that
+  /// of one factorization only.
+  double factor_by(FactorMethod method) const;
+  double total(FactorMethod method = FactorMethod::cholmod) const { return factor_by(method) + bases + matrices; }
+  /// That MUMPS writes.
+  double on_disk(FactorMethod method) const;
 };
 
 /// An estimate. The size of a factor comes from CHOLMOD's symbolic analysis of the graph of nodes: each of its
@@ -33,10 +43,16 @@ MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Hol
 
 /// Raises RunError with both numbers if the need exceeds the available memory, or if the need with its threads
 /// exceeds the memory that may be mapped.
-void require_memory(const MemoryNeed& need, double available, double mappable);
+void require_memory(const MemoryNeed& need, FactorMethod method, double available, double mappable);
+
+/// The method for [reduce] factorization that fits the memory; if none does, the one that needs least.
+FactorMethod choose_method(const MemoryNeed& need, Factorization wanted, double available, double mappable);
+
+/// The same for this machine, which `processes` share. Raises RunError if memory or disk don't suffice.
+FactorMethod choose_method(const MemoryNeed& need, const ReductionParameters& parameters, int processes = 1);
 
 /// Requires the memory that the work will take, and starts the BLAS's threads. Nothing may call the BLAS before
 /// this: if a limit leaves no room for a buffer, OpenBLAS tries to map it forever.
-void start_threads(const MemoryNeed& need, int threads);
+void start_threads(const MemoryNeed& need, FactorMethod method, int threads);
 
 }  // namespace tiprub::reduce

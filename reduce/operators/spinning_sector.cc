@@ -136,8 +136,8 @@ SymmetricMatrix SpinningSector::stiffness(double fraction) const {
   return sum;
 }
 
-SectorFactor SpinningSector::factorize(double fraction) const {
-  return at_speed(speed(fraction), [&] { return SectorFactor(stiffness(fraction), dofs_); });
+SectorFactor SpinningSector::factorize(double fraction, const FactorChoice& choice) const {
+  return at_speed(speed(fraction), [&] { return SectorFactor(stiffness(fraction), dofs_, choice); });
 }
 
 }  // namespace tiprub::reduce

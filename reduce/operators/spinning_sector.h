@@ -56,7 +56,7 @@ class SpinningSector {
   /// K at any fraction of Omega_max.
   SymmetricMatrix stiffness(double fraction) const;
   /// The factor of K at a fraction. Raises RunError, with the speed, if the rotor is unstable there.
-  SectorFactor factorize(double fraction) const;
+  SectorFactor factorize(double fraction, const FactorChoice& choice = {}) const;
   /// The shape under spin and what Newton's method took.
   const SpinShape& shape() const { return shape_; }
 

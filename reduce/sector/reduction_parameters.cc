@@ -57,6 +57,13 @@ Degree read_degree(CaseTable& table) {
   return order == cubic ? Degree::cubic : Degree::quadratic;
 }
 
+Factorization read_factorization(CaseTable& table) {
+  return table.choice<Factorization>("factorization", Factorization::automatic,
+                                     {{"automatic", Factorization::automatic},
+                                      {"cholmod", Factorization::cholmod},
+                                      {"mumps", Factorization::mumps}});
+}
+
 }  // namespace
 
 ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput input) {
@@ -93,6 +100,7 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
       table.number("cyclic_tolerance", 1e-6, {0.0, 0.01, Range::LowEnd::excluded}, "of the largest radius");
   p.unusual = table.flag("unusual", false);
   if (!p.unusual && input == SectorInput::mesh) check_material(table, p.material);
+  p.factorization = read_factorization(table);
   p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");
   table.close();
   return p;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,13 @@
 #include "reduce/sector/rotating_elasticity.h"
 
 namespace tiprub::reduce {
+
+/// What factorizes the sector's stiffness.
+enum class Factorization {
+  automatic,  ///< CHOLMOD if its factors fit the memory, or else MUMPS
+  cholmod,
+  mumps,  ///< on disk if its factors don't fit the memory
+};
 
 /// The table [reduce] of a case file.
 struct ReductionParameters {
@@ -32,7 +40,9 @@ struct ReductionParameters {
   bool mesh_error = true;                   ///< whether to estimate it
   double cyclic_tolerance = 0;              ///< [1] over the largest radius
   bool unusual = false;                     ///< values that are usual for no wheel are meant
-  int threads = 1;                          ///< for nodal diameters and the BLAS
+  Factorization factorization = Factorization::automatic;
+  std::filesystem::path scratch_folder;  ///< for factors on disk; no key: the folder of the output
+  int threads = 1;                       ///< for nodal diameters and the BLAS
 };
 
 /// What gives the sector. A mesh needs a material, whose keys have no effect on given matrices.

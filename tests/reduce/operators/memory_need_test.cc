@@ -51,21 +51,46 @@ TEST(Memory, IsReturnedWhenItIsFreed) {
 
 TEST(MemoryNeed, IsComparedWithWhatThereIs) {
   constexpr double gib = 1024.0 * 1024 * 1024;
-  const MemoryNeed need{2 * gib, 1 * gib, 0.5 * gib, 1 * gib};
-  EXPECT_NO_THROW(require_memory(need, 3.5 * gib, 4.5 * gib));
-  const std::string message = complaint<RunError>([&] { require_memory(need, 3.4 * gib, 9 * gib); });
+  const MemoryNeed need{.factor = 2 * gib, .bases = 1 * gib, .matrices = 0.5 * gib, .threads = 1 * gib};
+  constexpr FactorMethod method = FactorMethod::cholmod;
+  EXPECT_NO_THROW(require_memory(need, method, 3.5 * gib, 4.5 * gib));
+  const std::string message = complaint<RunError>([&] { require_memory(need, method, 3.4 * gib, 9 * gib); });
   EXPECT_EQ(message.rfind("not enough memory: about 3.50 GiB are needed (factor 2.00 GiB, bases 1.00 GiB, matrices "
                           "0.50 GiB), 3.40 GiB are available; ",
                           0),
             0u)
       << message;
   // The BLAS's buffers count where mapping is limited only.
-  const std::string limited = complaint<RunError>([&] { require_memory(need, 9 * gib, 4.4 * gib); });
+  const std::string limited = complaint<RunError>([&] { require_memory(need, method, 9 * gib, 4.4 * gib); });
   EXPECT_EQ(limited.rfind("not enough memory: about 4.50 GiB are needed (factor 2.00 GiB, bases 1.00 GiB, matrices "
                           "0.50 GiB, threads 1.00 GiB), 4.40 GiB are available under ulimit; ",
                           0),
             0u)
       << limited;
+}
+
+TEST(MemoryNeed, DecidesWhatFactorizesAndWhere) {
+  constexpr double gib = 1024.0 * 1024 * 1024;
+  const MemoryNeed need{.factor = 9 * gib,
+                        .bases = 1 * gib,
+                        .matrices = 1 * gib,
+                        .threads = 0,
+                        .sparse_factor = 4 * gib,
+                        .interface = 0.2 * gib,
+                        .factors = 2};
+  const auto chosen = [&](Factorization wanted, double available) {
+    return choose_method(need, wanted, available * gib, 100 * gib);
+  };
+  EXPECT_EQ(chosen(Factorization::automatic, 11.1), FactorMethod::cholmod);
+  EXPECT_EQ(chosen(Factorization::automatic, 10.9), FactorMethod::mumps_on_disk);
+  EXPECT_EQ(chosen(Factorization::automatic, 1), FactorMethod::mumps_on_disk);  // and is refused
+  EXPECT_EQ(chosen(Factorization::cholmod, 1), FactorMethod::cholmod);
+  EXPECT_EQ(chosen(Factorization::mumps, 30), FactorMethod::mumps);
+  EXPECT_EQ(chosen(Factorization::mumps, 10.9), FactorMethod::mumps_on_disk);
+  EXPECT_EQ(need.on_disk(FactorMethod::mumps_on_disk), 8 * gib);
+  const std::string message =
+      complaint<RunError>([&] { require_memory(need, FactorMethod::cholmod, 10.9 * gib, 100 * gib); });
+  EXPECT_NE(message.find("; factorization = \"mumps\" would need "), std::string::npos) << message;
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "reduce/operators/cholmod_factor.h"
+#include "reduce/operators/mumps_factor.h"
 #include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
@@ -25,7 +27,18 @@ struct Blocks {
   Eigen::MatrixXd II, FI, FF;
 };
 
-TEST(SectorFactor, LeavesTheSchurComplementOfTheInterface) {
+/// By each library, in memory and on disk.
+class SectorFactorBy : public testing::TestWithParam<FactorMethod> {
+ protected:
+  SectorFactor factorize(const SymmetricMatrix& stiffness, const SectorDofs& dofs) const {
+    return {stiffness, dofs, {GetParam(), testing::TempDir()}};
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(AllMethods, SectorFactorBy,
+                         testing::Values(FactorMethod::cholmod, FactorMethod::mumps, FactorMethod::mumps_on_disk));
+
+TEST_P(SectorFactorBy, LeavesTheSchurComplementOfTheInterface) {
   // S = K_FF - K_FI K_II^-1 K_IF, also where the shift in K_FF has to be taken out again, and also for an interface
   // of more dofs than one block of the rank updates.
   for (const std::array<int, 3>& bricks : {std::array{2, 2, 1}, std::array{5, 2, 3}}) {
@@ -37,27 +50,27 @@ TEST(SectorFactor, LeavesTheSchurComplementOfTheInterface) {
       const SymmetricMatrix stiffness = rotor.at_speed(speed, Prestress::linear);
       const Blocks K(stiffness, rotor.dofs());
       const Eigen::MatrixXd schur = K.FF - K.FI * K.II.llt().solve(K.FI.transpose());
-      EXPECT_LT(difference(SectorFactor(stiffness, rotor.dofs()).schur_complement(), schur), 1e-11);
+      EXPECT_LT(difference(factorize(stiffness, rotor.dofs()).schur_complement(), schur), 1e-11);
     }
   }
 }
 
-TEST(SectorFactor, IsExactlySymmetric) {
+TEST_P(SectorFactorBy, IsExactlySymmetric) {
   TestRotor rotor = test::tip_rotor(test::skewed_annulus(5));
-  const SectorFactor factor(rotor.at_rest(), rotor.dofs());
+  const SectorFactor factor = factorize(rotor.at_rest(), rotor.dofs());
   EXPECT_EQ(factor.schur_complement(), factor.schur_complement().transpose());
 }
 
-TEST(SectorFactor, EliminatesAndSubstitutesBack) {
+TEST_P(SectorFactorBy, EliminatesAndSubstitutesBack) {
   // The load that reaches the interface is -K_FI K_II^-1 b; the interior follows K_II x = b - K_IF x_F.
   TestRotor rotor = test::tip_rotor(test::skewed_annulus(5));
   const SymmetricMatrix stiffness = rotor.at_rest();
   const Blocks K(stiffness, rotor.dofs());
-  const SectorFactor factor(stiffness, rotor.dofs());
+  const SectorFactor factor = factorize(stiffness, rotor.dofs());
   for (const int columns : {1, 3, 8, 16, 19, 27}) {  // one strip of right sides, wide or narrow, and more
     const Eigen::MatrixXd b = test::arbitrary(rotor.dofs().interior, columns).real();
     const Eigen::MatrixXd moved = test::arbitrary(rotor.dofs().interface(), columns).imag() * 1e-9;
-    SectorFactor::Eliminated eliminated = factor.eliminate(b);
+    Eliminated eliminated = factor.eliminate(b);
     EXPECT_LT(difference(eliminated.interface_load, -K.FI * K.II.llt().solve(b)), 1e-11);
     const Eigen::MatrixXd x = factor.back_substitute(std::move(eliminated), moved);
     EXPECT_LT(difference(x.bottomRows(rotor.dofs().interface()), moved), 1e-11);
@@ -77,19 +90,19 @@ TEST(SectorFactor, TellsALackOfMemoryFromTooManyEntries) {
             "a sector of 1000 dofs is too large for CHOLMOD and the BLAS, whatever the memory; coarsen the mesh");
 }
 
-TEST(SectorFactor, RefusesAnInteriorThatIsNotStable) {
+TEST_P(SectorFactorBy, RefusesAnInteriorThatIsNotStable) {
   Material soft = test::steel();
   soft.young = 1e6;
   TestRotor rotor = test::tip_rotor(test::skewed_annulus(5), soft);
   const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, rotor.mesh().node_count());
   const SymmetricMatrix stiffness = rotor.elasticity().stiffness(3000.0, still, Prestress::linear);
-  const std::string message = complaint<RunError>([&] { SectorFactor(stiffness, rotor.dofs()).schur_complement(); });
+  const std::string message = complaint<RunError>([&] { factorize(stiffness, rotor.dofs()); });
   EXPECT_NE(message.find("not positive definite: the rotor is unstable, or a part of it is not held"),
             std::string::npos)
       << message;
 }
 
-TEST(SectorFactor, RefusesAPieceThatNothingHolds) {
+TEST_P(SectorFactorBy, RefusesAPieceThatNothingHolds) {
   // A second block far from the sector, tied to nothing; under spin it flies off.
   SectorMesh mesh = test::Annulus().sector();
   const int nodes = mesh.node_count(), cells = mesh.cell_count();
@@ -100,7 +113,7 @@ TEST(SectorFactor, RefusesAPieceThatNothingHolds) {
   TestRotor rotor(mesh, {mesh.contact_line.front()});
   const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, 2 * nodes);
   const SymmetricMatrix stiffness = rotor.elasticity().stiffness(100.0, still, Prestress::linear);
-  const std::string message = complaint<RunError>([&] { SectorFactor(stiffness, rotor.dofs()).schur_complement(); });
+  const std::string message = complaint<RunError>([&] { factorize(stiffness, rotor.dofs()); });
   EXPECT_NE(message.find("or a part of it is not held"), std::string::npos) << message;
 }
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+namespace tiprub::reduce {
+
+/// A new folder for files that may be larger than the memory. It is removed with this object, and also if the
+/// process ends in any other way, killed or for lack of memory: a shell that waits for the process's end removes it
+/// then.
+class ScratchFolder {
+ public:
+  /// Raises RunError if no folder can be made in `parent`.
+  explicit ScratchFolder(const std::filesystem::path& parent);
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  int alive_ = -1;  ///< end of a pipe; the shell waits until all copies of it are closed
+  int watcher_ = -1;
+};
+
+}  // namespace tiprub::reduce

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
       .add_options = [&](CLI::App& app) {
         app.add_option(
             "--import", import,
-            "import this mesh (.inp, .bdf, .cdb or .unv), as [mesh] mesh_file does; [mesh] selects its groups");
+            "import this mesh (.inp, .bdf, .cdb, .unv or .msh), as [mesh] mesh_file does; [mesh] selects its groups");
       }};
   return tiprub::run_stage(
       argc, argv, stage, [&](const tiprub::StageArguments& arguments) { tiprub::mesh::run_mesh(arguments, import); });

@@ -107,8 +107,17 @@ struct CaseTable::Node {
       refuse(at, key, said + range.describe() + (unit.empty() ? "" : " [" + std::string(unit) + "]"));
     return value;
   }
+  std::filesystem::path path_beside(const std::string& name) const {
+    return std::filesystem::path(file).parent_path() / name;
+  }
   NamedText file_beside(const std::string& name, const std::string& kind) const {
-    return read_named_text(std::filesystem::path(file).parent_path() / name, kind);
+    return read_named_text(path_beside(name), kind);
+  }
+  /// Of the file that the key which was read last names.
+  void note_digest(const NamedText& named) {
+    Digest digest;
+    digest.add(named.text);
+    settings.back().digest = digest.digits();
   }
 
   /// A row of a list: its numbers, and where the first and the last of them stand.
@@ -224,9 +233,13 @@ std::string CaseTable::text(std::string_view key, std::optional<std::string> fal
 
 NamedText CaseTable::file(std::string_view key, std::string_view kind) {
   NamedText file = node_->file_beside(text(key, std::nullopt), std::string(kind));
-  Digest digest;
-  digest.add(file.text);
-  node_->settings.back().digest = digest.digits();
+  node_->note_digest(file);
+  return file;
+}
+
+NamedText CaseTable::large_file(std::string_view key, std::string_view kind) {
+  NamedText file = read_named_bytes(node_->path_beside(text(key, std::nullopt)), std::string(kind));
+  node_->note_digest(file);
   return file;
 }
 

@@ -56,6 +56,8 @@ class CaseTable {
   /// the file should be ("a blade file"). The digest of the file is noted among the settings, so that results become
   /// out of date when the file changes. Raises RunError if it can't be read.
   NamedText file(std::string_view key, std::string_view kind);
+  /// The same for a file of any size and any bytes.
+  NamedText large_file(std::string_view key, std::string_view kind);
   /// An array of numbers, or the name of a file beside the case with one number a line. It may begin with a heading.
   std::vector<double> numbers(std::string_view key, std::optional<std::vector<double>> fallback, const Range& range,
                               std::string_view unit);

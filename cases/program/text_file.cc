@@ -48,6 +48,15 @@ bool is_name(std::string_view word) {
   refuse_line(file, line.number, found + what);
 }
 
+}  // namespace
+
+std::string place_in(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t start = before.find_last_of('\n') + 1;  // npos + 1 is 0
+  return ":" + std::to_string(line) + ":" + std::to_string(offset - start + 1) + ": ";
+}
+
 void require_utf8(const NamedText& file, const std::string& kind) {
   const std::string_view text = file.text;
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
@@ -61,30 +70,28 @@ void require_utf8(const NamedText& file, const std::string& kind) {
   }
 }
 
-}  // namespace
-
-std::string place_in(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t start = before.find_last_of('\n') + 1;  // npos + 1 is 0
-  return ":" + std::to_string(line) + ":" + std::to_string(offset - start + 1) + ": ";
+NamedText read_named_text(const std::filesystem::path& path, const std::string& kind) {
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  if (!none && size > largest_text)
+    throw InputError(path.string() + ": is larger than " + std::to_string(largest_text >> 20) + " MiB; name " + kind);
+  NamedText file = read_named_bytes(path, kind);
+  require_utf8(file, kind);
+  return file;
 }
 
-NamedText read_named_text(const std::filesystem::path& path, const std::string& kind) {
+NamedText read_named_bytes(const std::filesystem::path& path, const std::string& kind) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw RunError(path.string() + ": can't be read: it is " + (fs::is_directory(status) ? "a folder" : "no file") +
                    "; name " + kind);
-  if (fs::exists(status) && fs::file_size(path, ignored) > largest_text)
-    throw InputError(path.string() + ": is larger than " + std::to_string(largest_text >> 20) + " MiB; name " + kind);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   NamedText file{path.string(), std::string(std::istreambuf_iterator<char>(stream), {})};
   if (!stream.is_open() || stream.bad())
     throw RunError(path.string() + ": can't be read" + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
-  require_utf8(file, kind);
   return file;
 }
 

@@ -20,6 +20,12 @@ struct NamedText {
 /// read or is a folder, a device or a pipe, which might never end. Raises InputError if it is too large or not UTF-8.
 NamedText read_named_text(const std::filesystem::path& path, const std::string& kind);
 
+/// The same for a file of any size and any bytes, as a mesh may be.
+NamedText read_named_bytes(const std::filesystem::path& path, const std::string& kind);
+
+/// Raises InputError, with the place, at the first byte that is no letter of UTF-8.
+void require_utf8(const NamedText& file, const std::string& kind);
+
 /// Where something stands in a text: ":LINE:COLUMN: ".
 std::string place_in(std::string_view text, std::size_t offset);
 

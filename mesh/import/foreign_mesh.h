@@ -31,5 +31,6 @@ ForeignMesh read_inp(const NamedText& file);  ///< CalculiX, Abaqus: *NODE, *ELE
 ForeignMesh read_bdf(const NamedText& file);  ///< Nastran: GRID, CTETRA, CPYRAM, CPENTA, CHEXA, SPC, SPC1, SET
 ForeignMesh read_cdb(const NamedText& file);  ///< Ansys: NBLOCK, EBLOCK, CMBLOCK
 ForeignMesh read_unv(const NamedText& file);  ///< I-deas universal file: 2411, 2412, groups
+ForeignMesh read_msh(const NamedText& file);  ///< gmsh: physical groups that have a name; raises without a line
 
 }  // namespace tiprub::mesh

@@ -44,6 +44,13 @@ class Search {
     }
   }
 
+  /// Among the faces of two given cuts only, however these lie to the circle.
+  Search(const CellMesh& mesh, const PeriodicCuts& cuts) : mesh_(mesh), reach_(tolerance * mesh.largest_radius()) {
+    const auto at = [&](int face) { return centre(mesh, mesh.faces[static_cast<std::size_t>(face)]); };
+    for (const int face : cuts.low) low_.push_back({face, at(face)});
+    for (const int face : cuts.high) high_.emplace(at(face).z(), Face{face, at(face)});
+  }
+
   /// The faces that have a partner for this number of sectors.
   PeriodicCuts of(int sector_count) const {
     PeriodicCuts cuts;
@@ -96,6 +103,12 @@ class Search {
   std::multimap<double, Face> high_;  // by z
 };
 
+[[noreturn]] void refuse_part(const CellMesh& mesh, int sector_count, std::size_t paired, std::size_t all) {
+  throw InputError(mesh.file + ": " + std::to_string(paired) + " of the " + std::to_string(all) +
+                   " faces of a cut, turned by 360/" + std::to_string(sector_count) +
+                   " degrees, are faces of the other; mesh both cuts alike (gmsh: Periodic Surface)");
+}
+
 }  // namespace
 
 PeriodicCuts find_cuts(const CellMesh& mesh, int sector_count) {
@@ -110,12 +123,14 @@ void require_whole(const CellMesh& mesh, const PeriodicCuts& cuts) {
   for (const std::vector<int>* cut : {&cuts.low, &cuts.high}) {
     const std::vector<int> patch = surface_patch(mesh.faces, *cut);
     const auto alone = std::count_if(patch.begin(), patch.end(), [&](int face) { return !paired.contains(face); });
-    if (alone > 0)
-      throw InputError(mesh.file + ": " + std::to_string(cut->size()) + " of the " +
-                       std::to_string(cut->size() + static_cast<std::size_t>(alone)) +
-                       " faces of a cut, turned by 360/" + std::to_string(cuts.sector_count) +
-                       " degrees, are faces of the other; mesh both cuts alike (gmsh: Periodic Surface)");
+    if (alone > 0) refuse_part(mesh, cuts.sector_count, cut->size(), cut->size() + static_cast<std::size_t>(alone));
   }
+}
+
+void require_pairs(const CellMesh& mesh, const PeriodicCuts& cuts) {
+  const std::size_t paired = Search(mesh, cuts).of(cuts.sector_count).low.size();
+  const std::size_t all = std::max(cuts.low.size(), cuts.high.size());
+  if (paired < all) refuse_part(mesh, cuts.sector_count, paired, all);
 }
 
 }  // namespace tiprub::mesh

@@ -24,4 +24,7 @@ PeriodicCuts find_cuts(const CellMesh& mesh, int sector_count);
 /// continue it without an edge belong to it.
 void require_whole(const CellMesh& mesh, const PeriodicCuts& cuts);
 
+/// Raises InputError unless each face of one cut, turned by 2 pi/N, is one of the other.
+void require_pairs(const CellMesh& mesh, const PeriodicCuts& cuts);
+
 }  // namespace tiprub::mesh

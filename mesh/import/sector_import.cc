@@ -28,23 +28,20 @@ std::optional<MeshFormat> usual_format(const std::string& name) {
   if (end == ".bdf" || end == ".nas" || end == ".dat") return MeshFormat::bdf;
   if (end == ".cdb") return MeshFormat::cdb;
   if (end == ".unv") return MeshFormat::unv;
+  if (end == ".msh") return MeshFormat::msh;
   return std::nullopt;
 }
 
-/// Refuses a file of an unknown format, and says how gmsh can convert it.
+/// Refuses a file of an unknown format, and says how gmsh meshes one of a CAD system.
 void require_format(const CaseTable& table, const std::string& name) {
   if (table.has("mesh_format") || usual_format(name)) return;
   const std::filesystem::path path(name);
   const std::string end = path.extension().string();
-  const std::string unv = std::filesystem::path(path).replace_extension(".unv").string();
-  if (end == ".msh")
-    table.reject("mesh_file",
-                 "is gmsh's: tiprub-reduce takes it as it is, if it is in metres and its groups are named; "
-                 "else write it as a format that is read here: gmsh " +
-                     name + " -save -o " + unv);
+  const std::string msh = std::filesystem::path(path).replace_extension(".msh").string();
   for (const char* cad : {".step", ".stp", ".iges", ".igs", ".brep", ".geo"})
-    if (end == cad) table.reject("mesh_file", "has no mesh yet: gmsh " + name + " -3 -order 2 -o " + unv);
-  table.reject("mesh_file", "doesn't end as a format that is known; name it: mesh_format = inp, bdf, cdb or unv");
+    if (end == cad) table.reject("mesh_file", "has no mesh yet: gmsh " + name + " -3 -order 2 -o " + msh);
+  table.reject("mesh_file",
+               "doesn't end as a format that is known; name it: mesh_format = inp, bdf, cdb, unv or msh");
 }
 
 constexpr int triangle6 = 9, quadrangle8 = 16, line2 = 1;  // gmsh's types
@@ -59,6 +56,8 @@ ForeignMesh read(const ImportParameters& parameters) {
       return read_cdb(parameters.file);
     case MeshFormat::unv:
       return read_unv(parameters.file);
+    case MeshFormat::msh:
+      return read_msh(parameters.file);
   }
   return {};
 }
@@ -116,29 +115,32 @@ std::string where_cuts_pair(const ImportParameters& parameters) {
   return "";
 }
 
+[[noreturn]] void refuse_cuts(const CellMesh& mesh, const ImportParameters& parameters) {
+  const std::string count = std::to_string(parameters.sector_count), other = where_cuts_pair(parameters);
+  throw InputError(mesh.file + ": no face, turned " +
+                   (parameters.sector_count > 1 ? "by 360/" + count + " degrees " : "") +
+                   "about the axis, is another one; " +
+                   (other.empty() ? "is axis right, is the mesh on both cuts the same (gmsh: Periodic Surface), and "
+                                    "sector_count the wheel's?"
+                                  : other));
+}
+
 /// The cuts that the case names, or those that are found.
 PeriodicCuts cuts_of(const CellMesh& mesh, const ImportParameters& parameters) {
-  if (parameters.cyclic_low.empty()) {
-    PeriodicCuts cuts = find_cuts(mesh, parameters.sector_count);
-    if (cuts.low.empty() && parameters.sector_count > 1) {
-      const std::string other = where_cuts_pair(parameters);
-      throw InputError(mesh.file + ": no face, turned by 360/" + std::to_string(parameters.sector_count) +
-                       " degrees about the axis, is another one; " +
-                       (other.empty()
-                            ? "is axis right, is the mesh on both cuts the same, and sector_count the wheel's?"
-                            : other));
-    }
-    require_whole(mesh, cuts);
-    return cuts;
-  }
-  PeriodicCuts cuts = {0, select_faces(mesh, "cyclic_low", parameters.cyclic_low),
-                       select_faces(mesh, "cyclic_high", parameters.cyclic_high)};
+  const bool named = !parameters.cyclic_low.empty();
   const PeriodicCuts found = find_cuts(mesh, parameters.sector_count);
-  cuts.sector_count = found.sector_count;
+  if (found.low.empty() && (named || parameters.sector_count > 1)) refuse_cuts(mesh, parameters);
+  if (!named) {
+    require_whole(mesh, found);
+    return found;
+  }
+  PeriodicCuts cuts = {found.sector_count, select_faces(mesh, "cyclic_low", parameters.cyclic_low),
+                       select_faces(mesh, "cyclic_high", parameters.cyclic_high)};
   const std::set<int> high(cuts.high.begin(), cuts.high.end());
-  const bool exchanged = !found.low.empty() && std::all_of(found.low.begin(), found.low.end(),
-                                                           [&](int face) { return high.contains(face); });
+  const bool exchanged =
+      std::all_of(found.low.begin(), found.low.end(), [&](int face) { return high.contains(face); });
   if (exchanged) std::swap(cuts.low, cuts.high);
+  require_pairs(mesh, cuts);
   return cuts;
 }
 
@@ -157,6 +159,35 @@ Tip tip_of(const CellMesh& mesh, Tip tip, const std::string& faces, const std::s
     throw InputError(mesh.file + ": [mesh] " + tip.line_key +
                      " has one node in the meridional plane; it must run along the tip");
   return tip;
+}
+
+/// The parameters with the sets of the file that bear the name of a key in place of keys that are not given. A
+/// splitter's tip by itself is only a name: contact there must be asked for.
+ImportParameters with_own_names(ImportParameters p, const CellMesh& mesh) {
+  const auto has = [&](const char* name) {
+    const auto set = mesh.node_sets.find(name);
+    return set != mesh.node_sets.end() && !set->second.empty();
+  };
+  const auto take = [&](std::string& selection, const char* name) {
+    if (selection.empty() && has(name)) selection = name;
+  };
+  take(p.contact, "contact");
+  take(p.blade_tip, "blade_tip");
+  if (p.splitter_tip.empty()) take(p.contact_splitter, "contact_splitter");
+  if (!p.contact_splitter.empty()) take(p.splitter_tip, "splitter_tip");
+  if (p.cyclic_low.empty() && has("cyclic_low") && has("cyclic_high")) {
+    p.cyclic_low = "cyclic_low";
+    p.cyclic_high = "cyclic_high";
+  }
+  for (const auto& [part, name] :
+       {std::pair{&p.disc, "disc"}, {&p.main_blade, "main_blade"}, {&p.splitter, "splitter"}})
+    if (mesh.cell_sets.contains(name)) take(*part, name);
+  if (p.contact.empty() && p.blade_tip.empty())
+    throw InputError(mesh.file +
+                     ": [mesh] needs blade_tip, the faces of the main blade's tip, or contact, nodes along it; there "
+                     "are the sets: " +
+                     names_of_sets(mesh));
+  return p;
 }
 
 /// Of the main blade and of the splitter.
@@ -195,20 +226,22 @@ bool is_import(const CaseTable& table) {
 
 ImportParameters read_import_parameters(CaseTable& table) {
   ImportParameters parameters;
-  parameters.file = table.file("mesh_file", "a mesh of another code");
+  const char* kind = "a mesh of another code";
+  parameters.file = table.large_file("mesh_file", kind);
   require_format(table, parameters.file.name);
-  parameters.format = table.choice<MeshFormat>(
-      "mesh_format", usual_format(parameters.file.name),
-      {{"inp", MeshFormat::inp}, {"bdf", MeshFormat::bdf}, {"cdb", MeshFormat::cdb}, {"unv", MeshFormat::unv}});
+  parameters.format = table.choice<MeshFormat>("mesh_format", usual_format(parameters.file.name),
+                                               {{"inp", MeshFormat::inp},
+                                                {"bdf", MeshFormat::bdf},
+                                                {"cdb", MeshFormat::cdb},
+                                                {"unv", MeshFormat::unv},
+                                                {"msh", MeshFormat::msh}});
+  if (parameters.format != MeshFormat::msh) require_utf8(parameters.file, kind);
   parameters.length = read_length_unit(table);
   parameters.axis = table.choice<Axis>("axis", Axis::z, {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}});
   parameters.sector_count = table.integer("sector_count", 0, Range::between(0, most_sectors), "sectors");
-  parameters.clamped = table.text("clamped", std::nullopt);
+  parameters.clamped = table.text("clamped", "clamped");
   parameters.blade_tip = table.text("blade_tip", "");
   parameters.contact = table.text("contact", "");
-  if (parameters.blade_tip.empty() && parameters.contact.empty())
-    table.reject("clamped",
-                 "needs beside it blade_tip, the faces of the main blade's tip, or contact, nodes along it");
   parameters.splitter_tip = table.text("splitter_tip", "");
   parameters.contact_splitter = table.text("contact_splitter", "");
   parameters.cyclic_low = table.text("cyclic_low", "");
@@ -224,8 +257,9 @@ ImportParameters read_import_parameters(CaseTable& table) {
   return parameters;
 }
 
-ImportedSector import_sector(const ImportParameters& parameters) {
-  const CellMesh mesh = in_our_terms(read(parameters), parameters.length, parameters.axis);
+ImportedSector import_sector(const ImportParameters& given) {
+  const CellMesh mesh = in_our_terms(read(given), given.length, given.axis);
+  const ImportParameters parameters = with_own_names(given, mesh);
   const PeriodicCuts cuts = cuts_of(mesh, parameters);
   const std::array<Tip, 2> tips = tips_of(mesh, parameters);
   ImportedSector sector;

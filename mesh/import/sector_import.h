@@ -10,7 +10,7 @@
 
 namespace tiprub::mesh {
 
-enum class MeshFormat { inp, bdf, cdb, unv };
+enum class MeshFormat { inp, bdf, cdb, unv, msh };
 
 /// [mesh] with mesh_file instead of family: a mesh of another code, and the names of its faces, nodes and solids.
 struct ImportParameters {
@@ -19,8 +19,8 @@ struct ImportParameters {
   double length = 1;  ///< [m] of the file's unit
   Axis axis = Axis::z;
   int sector_count = 0;                                              ///< 0: found from the cuts
-  std::string clamped, contact, blade_tip, cyclic_low, cyclic_high;  ///< selections; empty: see mesh/format.md
-  std::string contact_splitter, splitter_tip;                        ///< likewise; both empty: no contact there
+  std::string clamped, contact, blade_tip, cyclic_low, cyclic_high;  ///< selections; empty: the set of the key's name
+  std::string contact_splitter, splitter_tip;                        ///< likewise
   std::string disc, main_blade, splitter;                            ///< sets of solids; may be empty
   LeadingEdge leading_edge = LeadingEdge::low_z;
 };

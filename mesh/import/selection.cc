@@ -24,17 +24,19 @@ using IsIn = std::function<bool(const FreeFace&)>;
   throw InputError(mesh.file + ": [mesh] " + key + " " + message);
 }
 
+std::string names_in(const std::map<std::string, std::vector<int>>& sets) {
+  std::string names;
+  for (const auto& [each, members] : sets)
+    if (!members.empty()) names += (names.empty() ? "" : ", ") + each;
+  return names.empty() ? "none" : names;
+}
+
 template <class Sets>
 const std::vector<int>& set_of(const CellMesh& mesh, const Sets& sets, const std::string& key,
                                const std::string& name, const std::string& what) {
   const auto known = sets.find(name);
   if (known != sets.end() && !known->second.empty()) return known->second;
-  std::string names;
-  for (const auto& [each, members] : sets)
-    if (!members.empty()) names += (names.empty() ? "" : ", ") + each;
-  refuse(mesh, key,
-         "= \"" + name + "\": there is no set of this name " + what +
-             "; there are: " + (names.empty() ? "none" : names));
+  refuse(mesh, key, "= \"" + name + "\": there is no set of this name " + what + "; there are: " + names_in(sets));
 }
 
 IsIn every_corner(const std::function<bool(int)>& is_in) {
@@ -167,6 +169,10 @@ const std::vector<int>& select_nodes(const CellMesh& mesh, const std::string& ke
 
 const std::vector<int>& select_cells(const CellMesh& mesh, const std::string& key, const std::string& name) {
   return set_of(mesh, mesh.cell_sets, key, name, "with solids");
+}
+
+std::string names_of_sets(const CellMesh& mesh) {
+  return names_in(mesh.node_sets);
 }
 
 std::vector<int> select_faces(const CellMesh& mesh, const std::string& key, const std::string& selection) {

@@ -19,6 +19,9 @@ const std::vector<int>& select_nodes(const CellMesh& mesh, const std::string& ke
 /// The solids of a set. Raises InputError, which lists the sets that there are.
 const std::vector<int>& select_cells(const CellMesh& mesh, const std::string& key, const std::string& name);
 
+/// The sets that hold nodes of solids, for messages: "BORE, TIP", or "none".
+std::string names_of_sets(const CellMesh& mesh);
+
 /// At which end of the tip the leading edge is.
 enum class LeadingEdge { low_z, high_z };
 

@@ -12,10 +12,10 @@
 #include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/free_faces.h"
+#include "mesh/cells/gmsh_file.h"
 #include "reduce/model/sector_parts.h"
 #include "reduce/sector/contact_line.h"
 #include "reduce/sector/cut_faces.h"
-#include "reduce/sector/gmsh_file.h"
 
 namespace tiprub::reduce {
 

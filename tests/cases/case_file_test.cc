@@ -309,6 +309,10 @@ TEST_F(GoodCase, ReadsAFileBesideItAndTellsItsDigest) {
   EXPECT_EQ(told("section"), told("section"));
   CaseTable table = CaseFile(path("other.toml")).table("mesh");
   EXPECT_THROW(table.file("missing", "a blade file"), RunError);
+  const std::string mesh(5 << 20, '\xff');  // symptom: meshes above 4 MiB were refused
+  write(path("blade.txt"), mesh);
+  EXPECT_THROW(table.file("blade", "a blade file"), InputError);
+  EXPECT_EQ(table.large_file("blade", "a mesh").text, mesh);
 }
 
 TEST(Range, HoldsItsEndsUnlessSaid) {

@@ -26,7 +26,7 @@ def main(programs, source, work):
             shutil.copy(os.path.join(case, name), os.path.join(work, folder))
     by_hand, by_make = (os.path.join(work, folder) for folder in ("by_hand", "by_make"))
     told = tutorial.run(tutorial.commands(case), programs, source, by_hand)
-    assert re.search(r"blade.unv: \d+ nodes, \d+ tet10\n.*\nno cuts: one body", told), told
+    assert re.search(r"blade.msh: \d+ nodes, \d+ tet10\n.*\nno cuts: one body", told), told
     assert "of contact, by segments)" in told, told
     for goal in ("report/report.html", "-q report/report.html"):
         tutorial.run(f"make TIPRUB='{source}' {goal}\n", programs, source, by_make)

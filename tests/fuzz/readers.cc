@@ -134,7 +134,10 @@ void read_foreign_mesh(const fs::path& file, const fs::path&) {
   parameters.blade_tip = "normal 1 0 0";
   import_sector(parameters);
   parameters.blade_tip = "";
-  parameters.contact = format == MeshFormat::bdf ? "SET 7" : format == MeshFormat::cdb ? "CONTACT" : "contact";
+  parameters.contact = format == MeshFormat::bdf   ? "SET 7"
+                       : format == MeshFormat::cdb ? "CONTACT"
+                       : format == MeshFormat::msh ? "blade_tip"
+                                                   : "contact";
   import_sector(parameters);
   parameters.sector_count = 6;
   try {
@@ -180,6 +183,7 @@ const std::vector<Reader> readers = {
     {"bdf", ".bdf", Format::text, {read_foreign_mesh<MeshFormat::bdf>}},
     {"cdb", ".cdb", Format::text, {read_foreign_mesh<MeshFormat::cdb>}},
     {"unv", ".unv", Format::text, {read_foreign_mesh<MeshFormat::unv>}},
+    {"msh", ".msh", Format::mesh, {read_foreign_mesh<MeshFormat::msh>}},
     {"mesh", ".msh", Format::mesh, {read_mesh}},
     {"model", ".h5", Format::hdf5, {read_model_file}},
     {"fields", ".h5", Format::hdf5, {read_fields, check_report_of_fields}},
@@ -193,7 +197,7 @@ const Reader& reader_named(const std::string& name) {
     if (one.name == name) return one;
   throw std::out_of_range("no reader " + name +
                           "; there are: case, sections, profile, meanline, casing, pairs, stiffness, mass, nodes, "
-                          "rows, inp, bdf, cdb, unv, mesh, model, fields, response");
+                          "rows, inp, bdf, cdb, unv, msh, mesh, model, fields, response");
 }
 
 }  // namespace tiprub::fuzz

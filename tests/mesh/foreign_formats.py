@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A mesh in msh 2.2 as other codes write it: CalculiX or Abaqus, Nastran, Ansys, I-deas."""
+"""A mesh in msh 2.2 as other codes write it: CalculiX or Abaqus, Nastran, Ansys, I-deas, gmsh in millimetres."""
 import random
+import re
 
 # gmsh's types of solids: nodes in VTK's order, which is CalculiX's.
 SOLIDS = {11: (0, 1, 2, 3, 4, 5, 6, 7, 9, 8), 19: (0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12),
@@ -13,7 +14,8 @@ class Mesh:
 
     def __init__(self, path, axis):
         with open(path, encoding="ascii") as file:
-            lines = iter(file.read().splitlines())
+            self.text = file.read()
+        lines = iter(self.text.splitlines())
         self.nodes, self.cells, self.sets, names = {}, [], {}, {}
         for line in lines:
             if line == "$PhysicalNames":
@@ -128,7 +130,14 @@ def unv(mesh):
     yield f"{-1:6}"
 
 
-WRITERS = {"inp": inp, "bdf": bdf, "cdb": cdb, "unv": unv}
+def msh(mesh):
+    """The file itself, with other places."""
+    head, tail = re.fullmatch(r"(?s)(.*\$Nodes\n\d+\n).*?(\$EndNodes.*)\n", mesh.text).groups()
+    yield head + "\n".join(f"{number} {x!r} {y!r} {z!r}" for number, (x, y, z) in mesh.nodes.items())
+    yield tail
+
+
+WRITERS = {"inp": inp, "bdf": bdf, "cdb": cdb, "unv": unv, "msh": msh}
 
 
 def write(source, kind, axis, path):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Meshes of other codes that are wrong, and what is said of them.
 set(bricks ${PROJECT_SOURCE_DIR}/tests/fuzz/meshes)
-set(importing INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/import.toml=case.toml ${bricks}/brick.inp ${bricks}/brick.bdf ${bricks}/brick.cdb ${bricks}/brick.unv
+set(importing INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/import.toml=case.toml ${bricks}/brick.inp ${bricks}/brick.bdf ${bricks}/brick.cdb ${bricks}/brick.unv ${bricks}/brick.msh
               ARGUMENTS case.toml -o sector.msh FILE brick.inp)
 set(message_defaults PROGRAM $<TARGET_FILE:tiprub-mesh> ${importing})
 expect_message(import_works ERRORS "brick.inp: 20 nodes, 1 hex20" "no cuts: one body" "contact: 3 nodes" "wrote sector.msh" WRITES sector.msh)
@@ -12,11 +12,9 @@ endforeach()
 expect_message(import_without_a_unit FILE case.toml OLD "length_unit = \"mm\"\n" NEW "" EXIT_CODE 2
                ERRORS "[mesh] has no length_unit, and it has no default; add it")
 expect_message(import_of_no_format ARGUMENTS case.toml --import case.toml --check EXIT_CODE 2
-               ERRORS "[mesh] mesh_file doesn't end as a format that is known; name it: mesh_format = inp, bdf, cdb or unv")
-expect_message(import_of_gmshs_own INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/import.toml=case.toml ${bricks}/brick.inp=brick.msh FILE case.toml OLD "brick.inp"
-               NEW "brick.msh" EXIT_CODE 2 ERRORS "[mesh] mesh_file is gmsh's: tiprub-reduce takes it" "gmsh brick.msh -save -o brick.unv")
+               ERRORS "[mesh] mesh_file doesn't end as a format that is known; name it: mesh_format = inp, bdf, cdb, unv or msh")
 expect_message(import_of_cad INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/import.toml=case.toml ${bricks}/brick.inp=brick.step FILE case.toml OLD "brick.inp"
-               NEW "brick.step" EXIT_CODE 2 ERRORS "[mesh] mesh_file has no mesh yet: gmsh brick.step -3 -order 2 -o brick.unv")
+               NEW "brick.step" EXIT_CODE 2 ERRORS "[mesh] mesh_file has no mesh yet: gmsh brick.step -3 -order 2 -o brick.msh")
 expect_message(import_of_a_wheel FILE case.toml OLD "contact = " NEW "family = \"impeller\"\ncontact = " EXIT_CODE 2 ERRORS "unknown key \"family\" in [mesh]")
 expect_message(import_of_no_file FILE case.toml OLD "brick.inp" NEW "nowhere.inp" EXIT_CODE 1 ERRORS "nowhere.inp")
 expect_message(import_unknown_set FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"bore\"" EXIT_CODE 2
@@ -29,11 +27,12 @@ expect_message(import_of_no_plane FILE case.toml OLD "clamped = \"clamped\"" NEW
                ERRORS "must be plane x, y or z and a place")
 expect_message(import_one_cut FILE case.toml OLD "contact = " NEW "cyclic_low = \"contact\"\ncontact = " EXIT_CODE 2
                ERRORS "cyclic_low needs the other cut beside it")
-expect_message(import_no_tip FILE case.toml OLD "contact = \"contact\"" NEW "" EXIT_CODE 2 ERRORS "needs beside it blade_tip")
+expect_message(import_no_tip OLD "NSET=contact" NEW "NSET=tip" ARGUMENTS case.toml --set "mesh.contact=''" --check EXIT_CODE 2
+               ERRORS "brick.inp: [mesh] needs blade_tip, the faces of the main blade's tip, or contact" "there are the sets: all, clamped, solid, tip")
 expect_message(import_no_such_sectors FILE case.toml OLD "contact = " NEW "sector_count = 6\ncontact = " EXIT_CODE 2
                ERRORS "brick.inp: no face, turned by 360/6 degrees about the axis, is another one; is axis right")
-expect_message(import_tip_without_an_edge FILE case.toml OLD "contact = \"contact\"" NEW "blade_tip = \"all\"" EXIT_CODE 2
-               ERRORS "brick.inp: [mesh] blade_tip selects faces that have no single edge round them")
+expect_message(import_tip_without_an_edge ARGUMENTS case.toml --import brick.bdf --set "mesh.clamped='SPC 1'" --set "mesh.contact=" --set "mesh.blade_tip='PID 3'"
+               EXIT_CODE 2 ERRORS "brick.bdf: [mesh] blade_tip selects faces that have no single edge round them")
 expect_message(import_of_corners_only OLD "type=C3D20R" NEW "type=C3D8" EXIT_CODE 2
                ERRORS "brick.inp:25: C3D8: elements that have corners only bend too stiffly; mesh again with quadratic ones")
 expect_message(import_of_27_nodes OLD "type=C3D20R" NEW "type=C3D27" EXIT_CODE 2 ERRORS "brick.inp:25: elements of type C3D27 are not known; C3D10")
@@ -62,3 +61,10 @@ expect_message(import_cdb_cut_off ${cdb} OLD "N,R5.3" NEW "" ERRORS "brick.cdb:"
 set(unv ARGUMENTS case.toml --import brick.unv ${other} FILE brick.unv EXIT_CODE 2)
 expect_message(import_unv_of_corners_only ${unv} OLD "         7       116" NEW "         7       115" ERRORS "descriptor 115: elements that have corners only")
 expect_message(import_unv_of_few_nodes ${unv} OLD "         7       116" NEW "         7       118" ERRORS "an element of descriptor 118 has 20 nodes")
+# Of gmsh's own format: each brick stands there twice, once for each of its groups, and the groups have the names of the keys.
+set(msh ARGUMENTS case.toml --import brick.msh --set "mesh.clamped=" --set "mesh.contact=" --check FILE brick.msh)
+expect_message(import_of_msh ${msh} ERRORS "20 nodes, 1 hex20" "no cuts: one body" "contact: 4 nodes")
+expect_message(import_msh_of_corners_only ${msh} OLD "1 17 2 1 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15" NEW "1 5 2 1 1 1 2 3 4 5 6 7 8" EXIT_CODE 2
+               ERRORS "brick.msh: volume group \"sector\": bricks that have corners only bend too stiffly; mesh again with Mesh.ElementOrder = 2")
+expect_message(import_msh_of_faces_only ${msh} OLD "4\n1 17 2 1 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15\n2 17 2 2 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15\n" NEW "2\n" EXIT_CODE 2
+               ERRORS "brick.msh: holds no cells; mesh in three dimensions (gmsh -3), and name the volume too")

@@ -77,12 +77,17 @@ TEST(ImportedMesh, RefusesAPartOfACut) {
     }));
   };
   const CellMesh whole = ring(0), part = ring(0.01);
+  const PeriodicCuts named =
+      find_cuts(whole, 0);  // the cuts of both by their faces' numbers, as sets would name them
   EXPECT_EQ(find_cuts(whole, 0).low.size(), 6u);
   EXPECT_EQ(complaint<InputError>([&] { require_whole(whole, find_cuts(whole, 0)); }), "");
   EXPECT_EQ(
       complaint<InputError>([&] { require_whole(part, find_cuts(part, sectors)); }),
       "bricks: 2 of the 6 faces of a cut, turned by 360/6 degrees, are faces of the other; mesh both cuts alike "
       "(gmsh: Periodic Surface)");
+  EXPECT_EQ(complaint<InputError>([&] { require_pairs(whole, named); }), "");
+  EXPECT_EQ(complaint<InputError>([&] { require_pairs(part, named); }),
+            complaint<InputError>([&] { require_whole(part, find_cuts(part, sectors)); }));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ IMPORTS = [
     ("unv", "hex20", "x", SETS),
     ("unv", "wedge15", "z", SETS),
     ("unv", "tet10", "z", SETS),
+    ("msh", "mixed", "y", ""),
 ]
 
 

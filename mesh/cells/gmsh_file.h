@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
-namespace tiprub::reduce {
+#include "cases/program/text_file.h"
 
-/// Elements of one type in one named group, in the order of the file.
+namespace tiprub {
+
+/// Elements of one type in one named group, or cells in none, in the order of the file.
 struct GmshElements {
   int dimension = 0;
-  std::string group;
+  std::string group;               ///< empty: none that has a name
   int type = 0;                    ///< gmsh's number
   std::vector<std::size_t> tags;   ///< one an element
   std::vector<std::size_t> nodes;  ///< tags, the same number an element
@@ -18,10 +20,10 @@ struct GmshElements {
   std::size_t nodes_per_element() const { return nodes.size() / tags.size(); }
 };
 
-/// A mesh as it lies in a gmsh file: all nodes, and the elements of all named groups.
+/// A mesh as it lies in a gmsh file: all nodes, the elements of all named groups, and the cells of none.
 struct GmshFile {
   std::vector<std::size_t> node_tags;
-  std::vector<double> positions;  ///< [m] x, y, z of each node
+  std::vector<double> positions;  ///< x, y, z of each node, in the unit of the file
   std::vector<GmshElements> elements;
 
   /// The elements of the groups of a name, each once: msh 2.2 repeats an element for each of its groups, and gmsh
@@ -37,4 +39,7 @@ struct GmshFile {
 /// with gmsh's reason if it is no such mesh.
 GmshFile read_gmsh_file(const std::filesystem::path& path);
 
-}  // namespace tiprub::reduce
+/// The same, of the contents of a file.
+GmshFile read_gmsh_file(const NamedText& contents);
+
+}  // namespace tiprub

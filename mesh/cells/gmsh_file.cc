@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/sector/gmsh_file.h"
+#include "mesh/cells/gmsh_file.h"
 
 #include <fcntl.h>
 #include <gmsh.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,13 +18,27 @@
 #include "cases/program/errors.h"
 #include "cases/program/sandbox.h"
 
-namespace tiprub::reduce {
+namespace tiprub {
 
 namespace {
 
 /// An open file. gmsh reads it by its descriptor, so that it is the file whose first line was checked.
 class OpenFile {
  public:
+  /// A file in memory, because gmsh reads files only.
+  explicit OpenFile(const NamedText& contents) : file_(memfd_create("mesh", MFD_CLOEXEC)) {
+    for (std::string_view rest = contents.text; file_ >= 0 && !rest.empty();) {
+      const ssize_t count = write(file_, rest.data(), rest.size());
+      if (count <= 0) {
+        close(file_);
+        file_ = -1;
+      } else {
+        rest.remove_prefix(static_cast<std::size_t>(count));
+      }
+    }
+    if (file_ < 0) throw RunError(contents.name + ": can't be copied for gmsh: " + std::strerror(errno));
+    size_ = static_cast<double>(contents.text.size());
+  }
   explicit OpenFile(const std::filesystem::path& path)
       : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
     if (file_ < 0) throw RunError(path.string() + ": " + (errno == ENOENT ? "no such file" : std::strerror(errno)));
@@ -120,19 +135,30 @@ GmshFile unpacked(std::string from) {
   return file;
 }
 
-void read_group(int dimension, int tag, GmshFile& file) {
-  std::string name;
-  gmsh::model::getPhysicalName(dimension, tag, name);
-  if (name.empty()) return;
-  std::vector<int> entities;
-  gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
-  for (const int entity : entities) {
-    std::vector<int> types;
-    std::vector<std::vector<std::size_t>> tags, nodes;
-    gmsh::model::mesh::getElements(types, tags, nodes, dimension, entity);
-    for (std::size_t i = 0; i < types.size(); ++i)
-      if (!tags[i].empty()) file.elements.push_back({dimension, name, types[i], tags[i], nodes[i]});
+void read_entity(int dimension, int entity, const std::string& group, GmshFile& file) {
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> tags, nodes;
+  gmsh::model::mesh::getElements(types, tags, nodes, dimension, entity);
+  for (std::size_t i = 0; i < types.size(); ++i)
+    if (!tags[i].empty()) file.elements.push_back({dimension, group, types[i], tags[i], nodes[i]});
+}
+
+void read_groups(GmshFile& file) {
+  gmsh::vectorpair groups, volumes;
+  gmsh::model::getPhysicalGroups(groups);
+  std::set<int> named;  // volumes
+  for (const auto& [dimension, tag] : groups) {
+    std::string name;
+    gmsh::model::getPhysicalName(dimension, tag, name);
+    if (name.empty()) continue;
+    std::vector<int> entities;
+    gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
+    for (const int entity : entities) read_entity(dimension, entity, name, file);
+    if (dimension == 3) named.insert(entities.begin(), entities.end());
   }
+  gmsh::model::getEntities(volumes, 3);
+  for (const auto& [dimension, entity] : volumes)
+    if (!named.contains(entity)) read_entity(dimension, entity, "", file);
 }
 
 /// Runs in the child process, so that gmsh's only model needs no clean-up.
@@ -144,9 +170,7 @@ std::string read_by_gmsh(const std::string& name) {
     GmshFile file;
     std::vector<double> parameters;
     gmsh::model::mesh::getNodes(file.node_tags, file.positions, parameters, -1, -1, false, false);
-    gmsh::vectorpair groups;
-    gmsh::model::getPhysicalGroups(groups);
-    for (const auto& [dimension, tag] : groups) read_group(dimension, tag, file);
+    read_groups(file);
     return packed(file);
   } catch (std::string& reason) {  // what gmsh 4.8 throws
     if (const std::size_t at = reason.find(name); at != std::string::npos) reason.replace(at, name.size(), "it");
@@ -161,6 +185,24 @@ SandboxLimits limits_for(double file_size) {
   constexpr double least_bytes = 1024.0 * 1024 * 1024, bytes_per_byte = 100;  // gmsh takes some 10 a byte of text
   constexpr double least_seconds = 10, bytes_per_second = 1e5;                // and reads some 10 MB a second
   return {least_bytes + bytes_per_byte * file_size, least_seconds + file_size / bytes_per_second};
+}
+
+GmshFile read_open_file(const OpenFile& file, const std::string& shown) {
+  const std::string begin = file.first_line();
+  if (begin != "$MeshFormat" && begin != "$Comments")
+    throw InputError(shown +
+                     ": is no mesh in gmsh's format: its first line must be $MeshFormat; write it by gmsh FILE -save "
+                     "-format msh41 -o sector.msh");
+  try {
+    return unpacked(made_in_sandbox([&] { return read_by_gmsh(file.name()); }, limits_for(file.size())));
+  } catch (const InputError& error) {
+    throw InputError(shown + ": " + error.what());
+  } catch (const RunError& error) {
+    throw RunError(shown + ": " + error.what());
+  } catch (const SandboxFailure& death) {
+    throw InputError(shown + ": gmsh fails on it (" + death.what() +
+                     "): its counts don't fit what it holds, or it is damaged; write it again");
+  }
 }
 
 }  // namespace
@@ -186,22 +228,11 @@ std::vector<GmshElements> GmshFile::group(int dimension, const std::string& name
 }
 
 GmshFile read_gmsh_file(const std::filesystem::path& path) {
-  const OpenFile file(path);
-  const std::string begin = file.first_line();
-  if (begin != "$MeshFormat" && begin != "$Comments")
-    throw InputError(path.string() +
-                     ": is no mesh in gmsh's format: its first line must be $MeshFormat; write it by gmsh FILE -save "
-                     "-format msh41 -o sector.msh");
-  try {
-    return unpacked(made_in_sandbox([&] { return read_by_gmsh(file.name()); }, limits_for(file.size())));
-  } catch (const InputError& error) {
-    throw InputError(path.string() + ": " + error.what());
-  } catch (const RunError& error) {
-    throw RunError(path.string() + ": " + error.what());
-  } catch (const SandboxFailure& death) {
-    throw InputError(path.string() + ": gmsh fails on it (" + death.what() +
-                     "): its counts don't fit what it holds, or it is damaged; write it again");
-  }
+  return read_open_file(OpenFile(path), path.string());
 }
 
-}  // namespace tiprub::reduce
+GmshFile read_gmsh_file(const NamedText& contents) {
+  return read_open_file(OpenFile(contents), contents.name);
+}
+
+}  // namespace tiprub

@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/stage.h"
 
-#include <functional>
 #include <optional>
+#include <ostream>
+#include <utility>
 
+#include "cases/program/errors.h"
 #include "cases/program/output_file.h"
 #include "mesh/import/sector_import.h"
 #include "mesh/sector/sector_check.h"
 #include "mesh/sector/sector_file.h"
 #include "mesh/sector/sector_mesher.h"
+#include "mesh/sector/sector_picture.h"
 
 namespace tiprub::mesh {
 
 namespace {
 
-/// Writes a mesh that is made and checked already.
-using Writer = std::function<void(const std::filesystem::path&)>;
-
 /// The sector is checked in memory, because an inverted element shows only there.
-Writer mesh_wheel(const StageArguments& arguments, CaseTable& table) {
+NamedMesh mesh_wheel(const StageArguments& arguments, CaseTable& table) {
   const Wheel wheel = read_wheel(table);
   if (arguments.verbosity == Verbosity::verbose) say(arguments, table.resolved());
   const MeshedSector mesh = mesh_sector(wheel);
   say(arguments, describe(measure_sector(mesh, wheel), mesh, wheel));
-  return [mesh](const std::filesystem::path& path) { write_sector(mesh, path); };
+  return named_groups(mesh);
 }
 
-Writer import_mesh(const StageArguments& arguments, CaseTable& table) {
+NamedMesh import_mesh(const StageArguments& arguments, CaseTable& table) {
   const ImportParameters parameters = read_import_parameters(table);
   if (arguments.verbosity == Verbosity::verbose) say(arguments, table.resolved());
-  const ImportedSector sector = import_sector(parameters);
+  ImportedSector sector = import_sector(parameters);
   say(arguments, sector.description);
-  return [sector](const std::filesystem::path& path) { write_mesh(sector.mesh, path); };
+  return std::move(sector.mesh);
 }
 
 /// The file given by --import replaces [mesh] mesh_file.
@@ -39,6 +39,13 @@ std::vector<std::string> settings_of(const StageArguments& arguments, const std:
   std::vector<std::string> settings = arguments.settings;
   if (!import.empty()) settings.push_back("mesh.mesh_file='" + std::filesystem::absolute(import).string() + "'");
   return settings;
+}
+
+void draw(const StageArguments& arguments, const NamedMesh& mesh, const std::filesystem::path& path) {
+  OutputFile output(path);
+  write_file(output.scratch(), [&](std::ostream& file) { file << picture_of(mesh); });
+  output.commit();
+  say(arguments, "drew " + path.string());
 }
 
 }  // namespace
@@ -52,14 +59,18 @@ std::string mesh_tables(const CaseFile& file) {
   });
 }
 
-void run_mesh(const StageArguments& arguments, const std::string& import) {
-  CaseTable table = CaseFile(arguments.inputs[0], settings_of(arguments, import)).table("mesh");
+void run_mesh(const StageArguments& arguments, const MeshOptions& options) {
+  if (!options.picture.empty() && options.picture.extension() != ".svg")
+    throw InputError("--picture " + options.picture.string() + ": must end in .svg");
+  refuse_overwriting({options.picture, arguments.output}, arguments.inputs);
+  CaseTable table = CaseFile(arguments.inputs[0], settings_of(arguments, options.import)).table("mesh");
   std::optional<OutputLock> lock;
   if (arguments.action == Action::run) lock.emplace(arguments.output);
-  const Writer write = is_import(table) ? import_mesh(arguments, table) : mesh_wheel(arguments, table);
+  const NamedMesh mesh = is_import(table) ? import_mesh(arguments, table) : mesh_wheel(arguments, table);
+  if (!options.picture.empty()) draw(arguments, mesh, options.picture);
   if (arguments.action == Action::check) return;
   OutputFile output(arguments.output);
-  write(output.scratch());
+  write_mesh(mesh, output.scratch());
   output.commit();
   say(arguments, "wrote " + arguments.output.string());
 }

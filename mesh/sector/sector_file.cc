@@ -118,7 +118,7 @@ void write_mesh(const NamedMesh& mesh, const std::filesystem::path& path) {
   require_whole(path);
 }
 
-void write_sector(const MeshedSector& mesh, const std::filesystem::path& path) {
+NamedMesh named_groups(const MeshedSector& mesh) {
   NamedMesh named{mesh.nodes, {}};
   for (const auto& [region, name] :
        {std::pair{Region::disc, "disc"}, {Region::main_blade, "main_blade"}, {Region::splitter, "splitter"}})
@@ -128,7 +128,11 @@ void write_sector(const MeshedSector& mesh, const std::filesystem::path& path) {
     named.entities.push_back({surface_dimension, {surface.name}, {{face, surface.face_nodes}}});
   for (const auto& [name, line] : {std::pair{"contact", &mesh.contact}, {"contact_splitter", &mesh.contact_splitter}})
     if (!line->empty()) named.entities.push_back({curve_dimension, {name}, {{line2, pieces_of(*line)}}});
-  write_mesh(named, path);
+  return named;
+}
+
+void write_sector(const MeshedSector& mesh, const std::filesystem::path& path) {
+  write_mesh(named_groups(mesh), path);
 }
 
 }  // namespace tiprub::mesh

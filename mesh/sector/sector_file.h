@@ -29,7 +29,10 @@ std::vector<std::size_t> pieces_of(const std::vector<std::size_t>& line);
 /// written.
 void write_mesh(const NamedMesh& mesh, const std::filesystem::path& path);
 
-/// Writes the sector as gmsh 4.1 in text, with the named groups that mesh/format.md lists.
+/// The sector with the named groups that mesh/format.md lists.
+NamedMesh named_groups(const MeshedSector& mesh);
+
+/// Writes these.
 void write_sector(const MeshedSector& mesh, const std::filesystem::path& path);
 
 }  // namespace tiprub::mesh

@@ -68,3 +68,5 @@ expect_message(import_msh_of_corners_only ${msh} OLD "1 17 2 1 1 1 2 3 4 5 6 7 8
                ERRORS "brick.msh: volume group \"sector\": bricks that have corners only bend too stiffly; mesh again with Mesh.ElementOrder = 2")
 expect_message(import_msh_of_faces_only ${msh} OLD "4\n1 17 2 1 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15\n2 17 2 2 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15\n" NEW "2\n" EXIT_CODE 2
                ERRORS "brick.msh: holds no cells; mesh in three dimensions (gmsh -3), and name the volume too")
+expect_message(picture_of_a_mesh ARGUMENTS case.toml --check --picture mesh.svg ERRORS "drew mesh.svg" WRITES mesh.svg)
+expect_message(picture_of_no_drawing ARGUMENTS case.toml --check --picture mesh.png EXIT_CODE 2 ERRORS "--picture mesh.png: must end in .svg")

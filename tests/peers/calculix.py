@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Frequencies of an unreduced sector against CalculiX's C3D20, C3D15 or C3D10 on the same mesh.
 
-usage: calculix.py TIPRUB_MESH TIPRUB_REDUCE CASE PRESTRESS WORK_FOLDER [--split SPLIT_SECTOR KIND] [KEY=VALUE...]
+usage: calculix.py TIPRUB_MESH TIPRUB_REDUCE CASE PRESTRESS WORK_FOLDER [--split SPLIT_SECTOR KIND | --gmsh GEO] [KEY=VALUE...]
 
-Meshes the case, with other values of these keys of [mesh] if there are any, and cut into cells of another kind if there is one, reduces it with this prestress (linear or nonlinear) at rest, half and full speed, exports the CalculiX
+Meshes the case, with other values of these keys of [mesh] if there are any, cut into cells of another kind if there is one, or imported from what gmsh makes of a drawing, reduces it with this prestress (linear or nonlinear) at rest, half and full speed, exports the CalculiX
 decks, runs them, and compares every verification frequency of every nodal diameter. Exit 77 (skipped) if there is no
 CalculiX.
 """
@@ -35,8 +35,9 @@ def calculix_frequencies(table):
 
 
 def main(mesh, reduce, case, prestress, work, *mesh_keys):
-    if shutil.which("ccx") is None:
-        print("SKIPPED: CalculiX (ccx) is not installed; it is Debian's package calculix-ccx")
+    missing = [name for name in ("ccx", "gmsh") if (name == "ccx" or "--gmsh" in mesh_keys) and shutil.which(name) is None]
+    if missing:
+        print(f"SKIPPED: {' and '.join(missing)} not installed; ccx is in Debian's package calculix-ccx, gmsh in gmsh")
         return SKIPPED
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
@@ -45,6 +46,9 @@ def main(mesh, reduce, case, prestress, work, *mesh_keys):
             "verification_tolerance": "1e-9"}
     settings = [word for key, value in keys.items() for word in ("--set", f"reduce.{key}={value}")]
     split = None
+    if mesh_keys and mesh_keys[0] == "--gmsh":
+        drawing, mesh_keys = mesh_keys[1], (*mesh_keys[2:], f"mesh_file='{os.path.join(work, 'gmsh.msh')}'")
+        subprocess.run(["gmsh", drawing, "-3", "-v", "1", "-o", os.path.join(work, "gmsh.msh")], check=True)
     if mesh_keys and mesh_keys[0] == "--split":
         split, mesh_keys = mesh_keys[1:3], (*mesh_keys[3:], 'element="hex27"')
     subprocess.run([mesh, "-q", case, "-o", sector, *(word for key in mesh_keys for word in ("--set", f"mesh.{key}"))], check=True)

@@ -16,6 +16,7 @@
 #include "reduce/operators/spinning_sector.h"
 #include "reduce/sector/contact_unknowns.h"
 #include "reduce/sector/parallel_for.h"
+#include "reduce/shared_diameters.h"
 
 namespace tiprub::reduce {
 
@@ -95,24 +96,32 @@ Eigen::VectorXcd on_nodes(const SectorMesh& mesh, const SectorDofs& dofs, const 
 /// side by side, and the memory of each is released as soon as its model is made and verified.
 class Reducer {
  public:
-  Reducer(const SectorMesh& mesh, const ReductionParameters& parameters, Progress& progress, FieldsWriter* fields)
+  Reducer(const SectorMesh& mesh, const ReductionParameters& parameters, Progress& progress, FieldsWriter* fields,
+          ProcessGroup* group)
       : mesh_(mesh),
         parameters_(parameters),
         progress_(progress),
         fields_(fields),
+        group_(group),
         contact_(choose_contact(mesh, parameters.contact, parameters.contact_nodes)),
         dofs_(number_dofs(mesh, contact_)),
         factors_{FactorMethod::cholmod, parameters.scratch_folder} {
     for (int n = 0; n <= mesh.sector_count / 2; ++n) transforms_.emplace_back(dofs_, mesh.sector_count, n);
+    std::vector<double> with_fields = {fields == nullptr ? 0.0 : 1.0};
+    if (group != nullptr) group->agree(nullptr);
+    if (group != nullptr) group->share(with_fields);
+    with_fields_ = with_fields.front() != 0;
   }
 
-  static int steps(const SectorMesh& mesh) {
+  /// Of the leader's share, or of all in a single process.
+  static int steps(const SectorMesh& mesh, int processes) {
     constexpr int stages = 3;  // of a nodal diameter: modes at rest, the basis, its verification
-    return stages * (mesh.sector_count / 2 + 1);
+    return stages * (mesh.sector_count / 2 / processes + 1);
   }
 
   ReducedModel run(ReductionReport& report) {
     ReducedModel model = linear_model(report);
+    if (!leads()) return model;
     if (mesh_.matrices == nullptr)
       model.contact.second_order = second_order_gap(mesh_, contact_, parameters_, factors_);
     timed(report, "second order of the gap");
@@ -120,7 +129,9 @@ class Reducer {
   }
 
  private:
-  /// All of the model that linear dynamics take.
+  bool leads() const { return group_ == nullptr || group_->leads(); }
+
+  /// All of the model that linear dynamics take; only the leader's is whole.
   ReducedModel linear_model(ReductionReport& report) {
     report.sector_dofs = dofs_.sector();
     report.clamped_face_nodes = dofs_.clamped_face_nodes;
@@ -147,6 +158,7 @@ class Reducer {
       return reduce_diameters({sector, at_rest, at_top, mesh_error ? &*mesh_error : nullptr}, model, report);
     });
     timed(report, "modes, bases, verification");
+    if (!leads()) return model;
     fit_polynomial(stiffness, sector.samples(), parameters_, model);  // eq. 7
     find_reduced_frequencies(model);
     timed(report, "model");
@@ -180,7 +192,8 @@ class Reducer {
     const MemoryNeed need = memory_need_of(samples);
     report.memory_available = available_at_start_;
     report.memory_by_cholmod = need.total(FactorMethod::cholmod);
-    report.factor_method = factors_.method = choose_method(need, parameters_);
+    report.factor_method = factors_.method =
+        choose_method(need, parameters_, group_ == nullptr ? 1 : group_->local_size());
     start_threads(need, factors_.method, parameters_.threads);
     report.memory_needed = need.total(factors_.method);
   }
@@ -256,13 +269,10 @@ class Reducer {
     fields_->write_sector(sector);
   }
 
-  void write_basis(int n, const CraigBamptonBasis& basis) {
-    if (fields_ == nullptr) return;
-    const Eigen::MatrixXcd shapes = basis.shapes();
+  void write_basis(int n, Eigen::Index dofs, const ShapeOfBasis& shape) {
     const std::lock_guard lock(writing_);
-    fields_->write_basis(n, shapes.cols(), transforms_[n].is_real(), [&](Eigen::Index k) {
-      return on_nodes(mesh_, dofs_, transforms_[n].expand(shapes.col(k)));
-    });
+    fields_->write_basis(n, dofs, transforms_[n].is_real(),
+                         [&](Eigen::Index k) { return on_nodes(mesh_, dofs_, transforms_[n].expand(shape(k))); });
   }
 
   /// Every nodal diameter's M, basis and unreduced frequencies; returns their K at the samples.
@@ -280,26 +290,49 @@ class Reducer {
       model.mesh_error =
           MeshError{Eigen::MatrixXd(static_cast<Eigen::Index>(diameters), parameters_.verification_modes), {}};
     SampledStiffness stiffness(diameters);
-    parallel_for(static_cast<int>(diameters), parameters_.threads, [&](int n) {
-      const DiameterReduction diameter(shared.sector, shared.at_rest, shared.at_top, transforms_[n], parameters_);
-      CraigBamptonBasis basis = diameter.start_basis();  // eq. 8, eq. 9
-      progress_.advance();
-      require_enough_modes(n, basis.size());
-      report.corrections[n] = diameter.correct(basis);
-      progress_.advance();
-      report.generalized_dofs[n] = static_cast<int>(basis.size() - basis.contact_dofs());
-      report.dropped[n] = basis.dropped();
-      stiffness[n] = diameter.sampled_stiffness(basis);  // eq. 10
-      model.nodal_diameters[n].M = basis.mass();         // eq. 10
-      model.verification.unreduced[n] = diameter.unreduced_frequencies(basis);
-      if (shared.mesh_error != nullptr)
-        model.mesh_error->frequency.row(n) = diameter.frequency_errors(*shared.mesh_error, basis).transpose();
-      if (shared.mesh_error != nullptr && n == 0)
-        model.mesh_error->compliance = diameter.compliance_errors(*shared.mesh_error, contact_);
-      progress_.advance();
-      write_basis(n, basis);
-    });
+    const auto keep = [&](int n, DiameterResult result, const ShapeOfBasis& shapes) {
+      if (fields_ != nullptr) write_basis(n, result.mass.cols(), shapes);
+      report.generalized_dofs[n] = result.generalized_dofs;
+      report.dropped[n] = result.dropped;
+      report.corrections[n] = result.corrections;
+      stiffness[n] = std::move(result.stiffness);
+      model.nodal_diameters[n].M = std::move(result.mass);
+      model.verification.unreduced[n] = std::move(result.unreduced);
+      if (model.mesh_error) model.mesh_error->frequency.row(n) = result.frequency_errors.transpose();
+      if (model.mesh_error && n == 0) model.mesh_error->compliance = std::move(result.compliance_errors);
+    };
+    if (group_ == nullptr || group_->size() == 1)
+      parallel_for(static_cast<int>(diameters), parameters_.threads, [&](int n) {
+        DiameterResult result = reduce_diameter(shared, n);
+        const Eigen::MatrixXcd shapes = std::move(result.shapes);
+        keep(n, std::move(result), [&](Eigen::Index k) { return shapes.col(k); });
+      });
+    else
+      share_diameters(
+          *group_, static_cast<int>(diameters), parameters_.threads,
+          [&](int n) { return reduce_diameter(shared, n); }, keep);
     return stiffness;
+  }
+
+  DiameterResult reduce_diameter(const Shared& shared, int n) {
+    const DiameterReduction diameter(shared.sector, shared.at_rest, shared.at_top, transforms_[n], parameters_);
+    DiameterResult result;
+    CraigBamptonBasis basis = diameter.start_basis();  // eq. 8, eq. 9
+    progress_.advance();
+    require_enough_modes(n, basis.size());
+    result.corrections = diameter.correct(basis);
+    progress_.advance();
+    result.generalized_dofs = static_cast<int>(basis.size() - basis.contact_dofs());
+    result.dropped = basis.dropped();
+    result.stiffness = diameter.sampled_stiffness(basis);
+    result.mass = basis.mass();
+    result.unreduced = diameter.unreduced_frequencies(basis);
+    if (shared.mesh_error != nullptr) result.frequency_errors = diameter.frequency_errors(*shared.mesh_error, basis);
+    if (shared.mesh_error != nullptr && n == 0)
+      result.compliance_errors = diameter.compliance_errors(*shared.mesh_error, contact_);
+    progress_.advance();
+    if (with_fields_) result.shapes = basis.shapes();
+    return result;
   }
 
   /// The model's own frequencies beside the unreduced ones, with as many dofs as it has at any one speed.
@@ -327,6 +360,8 @@ class Reducer {
   const ReductionParameters& parameters_;
   Progress& progress_;
   FieldsWriter* fields_;
+  ProcessGroup* group_;
+  bool with_fields_ = false;  ///< the leader writes them
   std::mutex writing_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::clock_t processor_ = std::clock();
@@ -341,10 +376,10 @@ class Reducer {
 }  // namespace
 
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown shown,
-                    ReductionReport& report, FieldsWriter* fields) {
-  Progress progress("reducing", Reducer::steps(mesh), shown);
-  ReducedModel model = Reducer(mesh, parameters, progress, fields).run(report);
-  model.effects = effects_of(model);
+                    ReductionReport& report, FieldsWriter* fields, ProcessGroup* group) {
+  Progress progress("reducing", Reducer::steps(mesh, group == nullptr ? 1 : group->size()), shown);
+  ReducedModel model = Reducer(mesh, parameters, progress, fields, group).run(report);
+  if (group == nullptr || group->leads()) model.effects = effects_of(model);
   return model;
 }
 

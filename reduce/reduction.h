@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/program/process_group.h"
 #include "cases/program/progress.h"
 #include "reduce/model/fields_file.h"
 #include "reduce/model/reduced_model.h"
@@ -43,8 +44,11 @@ struct ReductionReport {
 /// frequencies that verify it. Costs two factorizations, at rest and at Omega_max, for all nodal diameters and all
 /// speeds. Raises RunError for an unstable rotor, with the speed. If `fields` is given, the basis on all nodes is
 /// written to it as soon as it is known.
+///
+/// The processes of a group each factorize and share the nodal diameters. All must call this; only the leader gets
+/// the model, and gives `fields`.
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown progress,
-                    ReductionReport& report, FieldsWriter* fields = nullptr);
+                    ReductionReport& report, FieldsWriter* fields = nullptr, ProcessGroup* group = nullptr);
 
 /// Whether a sector can be reduced: contact nodes can be chosen and are free, no cell is inverted. Raises InputError.
 /// Returns the number of its dofs.

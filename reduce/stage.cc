@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "cases/program/output_file.h"
+#include "cases/program/process_group.h"
 #include "cases/program/units.h"
 #include "reduce/exports.h"
 #include "reduce/linear_results.h"
@@ -178,22 +179,23 @@ void find_modes(const StageArguments& arguments, const Inputs& inputs, const std
 
 /// Reduces, and writes the full fields beside it if a file is wanted for them.
 ReducedModel reduce_with_fields(const StageArguments& arguments, const Inputs& inputs,
-                                const std::optional<OutputFile>& fields_file, ReductionReport& report) {
+                                const std::optional<OutputFile>& fields_file, ReductionReport& report,
+                                ProcessGroup& group) {
   const auto shown =
       arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal;
-  if (!fields_file) return reduce(inputs.mesh, inputs.parameters, shown, report);
+  if (!fields_file) return reduce(inputs.mesh, inputs.parameters, shown, report, nullptr, &group);
   FieldsWriter fields(fields_file->scratch(), program_version(program));
-  ReducedModel model = reduce(inputs.mesh, inputs.parameters, shown, report, &fields);
+  ReducedModel model = reduce(inputs.mesh, inputs.parameters, shown, report, &fields, &group);
   fields.close(digest(model));
   return model;
 }
 
 ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const ReduceOptions& options,
-                 ReductionReport& report) {
+                 ReductionReport& report, ProcessGroup& group) {
   OutputFile output(arguments.output);  // refuses before the work, not after it
   std::optional<OutputFile> fields;
   if (!options.fields_file.empty()) fields.emplace(options.fields_file);
-  ReducedModel model = reduce_with_fields(arguments, inputs, fields, report);
+  ReducedModel model = reduce_with_fields(arguments, inputs, fields, report, group);
   model.provenance = inputs.provenance;
   model.mesh_digest = digest(inputs.mesh);
   write_model(model, output.scratch(), program_version(program));
@@ -284,6 +286,27 @@ void report(const StageArguments& arguments, const ReductionParameters& paramete
                         " nodal diameters in Matrix Market");
 }
 
+/// What the leader of the processes does, or the only one.
+void lead(const StageArguments& arguments, const ReduceOptions& options, ProcessGroup& group) {
+  const Inputs inputs = read(arguments, options);
+  if (arguments.action == Action::check) return check(arguments, inputs);
+  const Outputs outputs(arguments, options);
+  if (!options.calculix_folder.empty()) return export_decks(arguments, inputs, options.calculix_folder);
+  if (!options.modes_file.empty()) return find_modes(arguments, inputs, options.modes_file);
+  ReductionReport made;
+  const ReducedModel model = run(arguments, inputs, options, made, group);
+  report(arguments, inputs.parameters, model, made, options.matrix_market_folder);
+}
+
+/// What the others do: nothing but their part of a reduction.
+void follow(StageArguments arguments, const ReduceOptions& options, ProcessGroup& group) {
+  if (arguments.action == Action::check || !options.calculix_folder.empty() || !options.modes_file.empty()) return;
+  arguments.verbosity = Verbosity::quiet;
+  const Inputs inputs = read(arguments, options);
+  ReductionReport made;
+  reduce(inputs.mesh, inputs.parameters, Progress::Shown::never, made, nullptr, &group);
+}
+
 }  // namespace
 
 std::string reduce_tables(const CaseFile& file, SectorInput input) {
@@ -291,14 +314,8 @@ std::string reduce_tables(const CaseFile& file, SectorInput input) {
 }
 
 void run_reduce(const StageArguments& arguments, const ReduceOptions& options) {
-  const Inputs inputs = read(arguments, options);
-  if (arguments.action == Action::check) return check(arguments, inputs);
-  const Outputs outputs(arguments, options);
-  if (!options.calculix_folder.empty()) return export_decks(arguments, inputs, options.calculix_folder);
-  if (!options.modes_file.empty()) return find_modes(arguments, inputs, options.modes_file);
-  ReductionReport made;
-  const ReducedModel model = run(arguments, inputs, options, made);
-  report(arguments, inputs.parameters, model, made, options.matrix_market_folder);
+  ProcessGroup group;
+  group.together([&] { group.leads() ? lead(arguments, options, group) : follow(arguments, options, group); });
 }
 
 }  // namespace tiprub::reduce

@@ -21,6 +21,7 @@
 #include "cases/program/machine.h"
 #include "cases/program/output_file.h"
 #include "cases/program/printable.h"
+#include "cases/program/process_group.h"
 #include "cases/program/signal_cleanup.h"
 
 namespace tiprub {
@@ -122,6 +123,8 @@ int run(const Stage& stage, const std::function<void()>& body) {
   try {
     body();
     return 0;
+  } catch (const FailedElsewhere&) {
+    return exit_failed;
   } catch (const InputError& error) {
     return complain(stage, error.what(), exit_wrong_input);
   } catch (const FileError& error) {

@@ -30,7 +30,7 @@ constexpr int other_matrices = 3;                             // sparse: M, the 
 constexpr int interface_matrices = 1;                         // of real numbers: S
 constexpr int columns_on_their_way = 24 * 5;  // complex vectors a thread: a block of right sides, as it is reordered
 // Of MUMPS, over L by CHOLMOD and over a matrix of interface dofs.
-constexpr double mumps_factor = 1.5, mumps_front = 0.5, mumps_interfaces = 2;
+constexpr double mumps_factor = 1.5, mumps_front = 0.5, mumps_buffers = 0.1, mumps_interfaces = 2;
 constexpr double cubic_cell_bytes = 95 * bytes_per_kib;  // see MeshErrorEstimate
 constexpr double program_bytes = 0.3 * bytes_per_gib;    // with its libraries, before it has read anything
 
@@ -97,8 +97,9 @@ std::string gib(double bytes) {
 
 double MemoryNeed::factor_by(FactorMethod method) const {
   if (method == FactorMethod::cholmod || factors == 0) return factor;
-  const double working = mumps_front * sparse_factor + mumps_interfaces * interface;
-  if (method == FactorMethod::mumps_on_disk) return factor - factors * sparse_factor + working;
+  const double factorizing = mumps_front * sparse_factor + mumps_interfaces * interface;
+  if (method == FactorMethod::mumps_on_disk)  // both factors are made before there are bases
+    return factor - factors * sparse_factor + std::max(factorizing - bases, mumps_buffers * sparse_factor);
   return factor + factors * ((mumps_factor - 1) * sparse_factor + mumps_interfaces * interface);
 }
 
@@ -135,9 +136,10 @@ bool fits(const MemoryNeed& need, FactorMethod method, double available, double 
 /// Raises RunError if the disk is too small for the factors.
 void require_disk(double bytes, const std::filesystem::path& folder) {
   std::error_code error;
-  const double room = static_cast<double>(std::filesystem::space(folder.empty() ? "." : folder, error).available);
+  const std::filesystem::path place = folder.empty() ? "." : folder;
+  const double room = static_cast<double>(std::filesystem::space(place, error).available);
   if (error || bytes <= room) return;
-  throw RunError("not enough memory for the factors, nor room on the disk of " + folder.string() + ": about " +
+  throw RunError("not enough memory for the factors, nor room on the disk of " + place.string() + ": about " +
                  gib(bytes) + " are needed there, " + gib(room) +
                  " are available; write model.h5 to another disk, coarsen the mesh, or take a larger machine");
 }

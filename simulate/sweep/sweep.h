@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cases/program/command_line.h"
+#include "cases/program/process_group.h"
 #include "simulate/scene/scene.h"
-#include "simulate/sweep/process_group.h"
 #include "simulate/sweep/simulated_scene.h"
 #include "simulate/sweep/sweep_tally.h"
 

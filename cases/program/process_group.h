@@ -6,11 +6,17 @@
 #include <memory>
 #include <vector>
 
-namespace tiprub::simulate {
+namespace tiprub {
 
-/// The processes that share a sweep: those that mpirun started together, or only this one. MPI is initialised only
-/// under mpirun, which is recognised by environment variables; the serial program starts without it. A program may
-/// hold one group at most, because its destructor finalises MPI.
+/// Raised in the processes of a group other than the one that failed and says why. The program then ends without a
+/// message of its own.
+struct FailedElsewhere : std::exception {
+  const char* what() const noexcept override { return "another process failed"; }
+};
+
+/// The processes that share the work of a program: those that mpirun started together, or only this one. MPI is
+/// initialised only under mpirun, which is recognised by environment variables; the serial program starts without it.
+/// A program may hold one group at most, because its destructor finalises MPI.
 class ProcessGroup {
  public:
   ProcessGroup();
@@ -31,8 +37,8 @@ class ProcessGroup {
   void restart();
   /// From now on next() gives numbers beyond any list.
   void stop();
-  /// Waits for all processes, which must all call it. If one has failed, raises its failure there and RunError in the
-  /// others, which would otherwise wait for ever.
+  /// Waits for all processes, which must all call it. If some have failed, raises the failure of the first of them
+  /// there and FailedElsewhere in the others, which would otherwise wait for ever. After that it waits no more.
   void agree(const std::exception_ptr& failure);
   /// Runs work that may fail in one process only, and agrees.
   template <class Body>
@@ -47,13 +53,16 @@ class ProcessGroup {
   }
   /// Gives the values of the leader to all processes, which must all call it.
   void share(std::vector<double>& values);
+  /// Gives the values of one process to the leader, in its vector. Both must call it; for others nothing happens.
+  void pass_to_leader(int from, std::vector<double>& values);
 
  private:
   struct Shared;
   std::size_t add(long long increment);
 
   int rank_ = 0, size_ = 1, local_size_ = 1;
+  bool failed_ = false;
   std::unique_ptr<Shared> shared_;
 };
 
-}  // namespace tiprub::simulate
+}  // namespace tiprub

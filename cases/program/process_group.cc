@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/sweep/process_group.h"
+#include "cases/program/process_group.h"
 
 #define OMPI_SKIP_MPICXX 1
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <mutex>
 
-#include "cases/program/errors.h"
-
-namespace tiprub::simulate {
+namespace tiprub {
 
 namespace {
 
@@ -88,10 +87,12 @@ void ProcessGroup::stop() {
 }
 
 void ProcessGroup::agree(const std::exception_ptr& failure) {
-  int here = failure ? 1 : 0, anywhere = here;
-  if (shared_->window != MPI_WIN_NULL) MPI_Allreduce(&here, &anywhere, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-  if (failure) std::rethrow_exception(failure);
-  if (anywhere != 0) throw RunError("another process of the sweep failed; see its message");
+  if (failed_ && failure) std::rethrow_exception(failure);
+  int here = failure ? rank_ : size_, first = here;
+  if (shared_->window != MPI_WIN_NULL) MPI_Allreduce(&here, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  failed_ = first < size_;
+  if (first == rank_) std::rethrow_exception(failure);
+  if (failed_) throw FailedElsewhere();
 }
 
 void ProcessGroup::share(std::vector<double>& values) {
@@ -102,4 +103,23 @@ void ProcessGroup::share(std::vector<double>& values) {
   MPI_Bcast(values.data(), static_cast<int>(count), MPI_DOUBLE, 0, MPI_COMM_WORLD);
 }
 
-}  // namespace tiprub::simulate
+void ProcessGroup::pass_to_leader(int from, std::vector<double>& values) {
+  if (shared_->window == MPI_WIN_NULL || from == 0 || (rank_ != from && !leads())) return;
+  constexpr std::size_t at_once = std::size_t{1} << 28;  // MPI counts with 31 bits
+  constexpr int tag = 0;
+  long long count = static_cast<long long>(values.size());
+  if (leads())
+    MPI_Recv(&count, 1, MPI_LONG_LONG, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  else
+    MPI_Send(&count, 1, MPI_LONG_LONG, 0, tag, MPI_COMM_WORLD);
+  values.resize(static_cast<std::size_t>(count));
+  for (std::size_t first = 0; first < values.size(); first += at_once) {
+    const int part = static_cast<int>(std::min(at_once, values.size() - first));
+    if (leads())
+      MPI_Recv(values.data() + first, part, MPI_DOUBLE, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    else
+      MPI_Send(values.data() + first, part, MPI_DOUBLE, 0, tag, MPI_COMM_WORLD);
+  }
+}
+
+}  // namespace tiprub

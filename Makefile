@@ -5,15 +5,14 @@
 #   make test       installs missing packages, builds, and runs the tests;  make test-all also runs the slow ones
 #   make test-sanitized   runs the unit tests in a Debug build with address and undefined-behaviour sanitizers
 #   make fuzz       gives the reader of each kind of file 300 damaged inputs of a new seed;  FUZZ_INPUTS, FUZZ_SEED; BUILD=build-sanitized
-#   make paper-checks   makes the cases of the paper (under an hour on two cores), and tells which of the 81 checks hold
-#   make paper-checks PAPER_CASES=cases/impeller_quick   does the same for other cases
+#   make paper-checks   makes the two wheels of cases/paper, and tells which of the 81 checks hold on each, in its pages
 #   make bench      measures the speed of the costly parts, also against CalculiX (half an hour, most of it for CalculiX)
 #   make format     formats the code;  make check-format and make lint check it
 BUILD ?= build
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 DEMO := cases/impeller_quick
-PAPER_CASES ?= cases/impeller cases/impeller_three_lobes
+PAPER_CHECKS = /usr/bin/python3 -B tests/paper_checks/paper_checks.py $(BUILD) cases
 FUZZ_INPUTS ?= 300
 
 .PHONY: all packages configure programs manual tests demo install deb test test-all tests-sanitized test-sanitized fuzz paper-checks bench format check-format lint clean
@@ -80,8 +79,10 @@ fuzz: programs
 	grep -A 1 '^reader' $(BUILD)/Testing/Temporary/LastTest.log; exit $$code
 
 paper-checks: tests
-	+for case in $(PAPER_CASES); do $(MAKE) -C $$case BIN=$(abspath $(BUILD))/bin || exit 1; done
-	/usr/bin/python3 -B tests/paper_checks/paper_checks.py $(BUILD) cases $(PAPER_CASES)
+	+$(MAKE) -C cases/paper BIN=$(abspath $(BUILD))/bin
+	-$(PAPER_CHECKS) cases/paper/two_lobes cases/paper/three_lobes --table=cases/paper/expected/checks_paper_like.tsv
+	-$(PAPER_CHECKS) cases/impeller cases/impeller_three_lobes --table=cases/paper/expected/checks_flying.tsv
+	/usr/bin/python3 -B cases/paper/page.py
 
 bench: tests
 	$(BUILD)/bin/tiprub-benchmark

@@ -56,7 +56,7 @@ def force(scenes):
     save(figure, "14")
     figure, axes = panels(1, 2, height=2.8)
     for place, (scene, _) in zip(axes, scenes.values()):
-        force = scene.figure("contact_force")["leading edge [N]"].to_numpy()[:-1]
+        force = scene.figure("contact_force")["leading edge [N]"].to_numpy()
         amplitude = 2 * abs(numpy.fft.rfft(force)) / len(force)
         place.bar(range(1, 25), amplitude[1:25], width=0.4, color=COLOURS[2])
         place.set(title=shown_at(scene), xlabel="engine order", ylabel="leading edge [N]", xticks=range(0, 25, 2))

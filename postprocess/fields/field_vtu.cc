@@ -21,13 +21,15 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file says LittleEndian");
 
-/// An array in VTK's inline binary format: its length in bytes and the array itself, together in base 64.
+/// An array in VTK's inline compressed format: the number of blocks, their length in bytes, that of a last one which
+/// is shorter, and the length of each when compressed; then the blocks. Either is in base 64 by itself. There is one
+/// block.
 template <class Value>
 std::string encoded(const std::vector<Value>& values) {
-  const std::uint64_t length = sizeof(Value) * values.size();
-  std::string bytes(reinterpret_cast<const char*>(&length), sizeof length);
-  bytes.append(reinterpret_cast<const char*>(values.data()), length);
-  return base64(bytes);
+  const std::string block(reinterpret_cast<const char*>(values.data()), sizeof(Value) * values.size());
+  const std::string packed = deflated(block);
+  const std::array<std::uint64_t, 4> head = {1, block.size(), 0, packed.size()};
+  return base64({reinterpret_cast<const char*>(head.data()), sizeof head}) + base64(packed);
 }
 
 template <class Value>
@@ -70,7 +72,7 @@ void write_document(std::ostream& out, const VtuMesh& mesh, const std::vector<Vt
                     const std::vector<VtuNumber>& numbers) {
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-         "header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+         "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n";
   write_numbers(out, numbers);
   out << "<Piece NumberOfPoints=\"" << mesh.points.cols() << "\" NumberOfCells=\"" << mesh.cells.cols()
       << "\">\n<Points>\n";

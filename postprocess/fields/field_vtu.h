@@ -28,8 +28,9 @@ struct VtuNumber {
   double value = 0;
 };
 
-/// Writes a VTK XML file of an unstructured grid. Arrays are single-precision, little-endian, in base 64; the numbers
-/// for the whole file are decimal. The DataOut of deal.II 9.4 writes neither quadratic wedges nor pyramids.
+/// Writes a VTK XML file of an unstructured grid. Arrays are single-precision, little-endian, compressed, in base 64;
+/// the numbers for the whole file are decimal. The DataOut of deal.II 9.4 writes neither quadratic wedges nor
+/// pyramids.
 void write_vtu(const VtuMesh& mesh, const std::vector<VtuArray>& arrays, const std::vector<VtuNumber>& numbers,
                const std::filesystem::path& path);
 

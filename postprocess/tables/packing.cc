@@ -31,7 +31,7 @@ std::string deflated(const std::string& bytes) {
   const int result =
       compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
                 static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
-  if (result != Z_OK) throw RunError("report.html: its data can't be packed: not enough memory");
+  if (result != Z_OK) throw RunError("the data of a report can't be compressed: not enough memory");
   packed.resize(size);
   return packed;
 }

@@ -2,16 +2,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a reduction costs over the size of the mesh, and how exact it is over the size of the model.
 
-usage: reduction_cost.py cost|error|prestress PROGRAMS_FOLDER CASE
+usage: reduction_cost.py cost|error|prestress|size PROGRAMS_FOLDER CASE
 
 cost: meshes of the case's wheel between 8,000 and 115,000 dofs; one line each; wall and processor time, peak memory.
 error: models of many sizes of the case's own mesh with each prestress model; one line each. The error is the worst of the
 wheel's first 50 frequencies against the unreduced sector at five speeds that the basis never saw.
 prestress: what nonlinear prestress adds to linear on the case's own mesh: the same figures, terms of K, the processor time of
 some of the steps, and that of the whole over that of the two factorizations.
+size: meshes up to a million dofs on one thread, by CHOLMOD in memory and, with less memory, by MUMPS on disk, as far as 20 GiB
+and two hours go; then the laws dofs^p that fit, and what they say of larger sectors.
 """
+import glob
+import math
 import os
 import re
+import resource
 import subprocess
 import sys
 import time
@@ -22,6 +27,10 @@ MESHES = [  # elements along chord, bore and span, through the disc, between bla
     (29, 12, 12, 4, 6),
     (38, 15, 16, 6, 8),
 ]
+# With a limit of the memory [GiB] that factors in memory exceed and others don't.
+LARGE_MESHES = [(MESHES[1], 1.55), (MESHES[3], 4.2), ((54, 22, 23, 9, 12), 10.6), ((68, 27, 30, 11, 16), 20),
+                ((88, 35, 38, 14, 20), 20)]
+MOST_MEMORY, MOST_TIME = 20, 7200  # [GiB], [s]
 UNSEEN = "[0.15, 0.35, 0.6, 0.85, 0.95]"
 # Fixed-interface modes at each of two speeds, generalized dofs at any one speed, and the tolerance between the speeds.
 MODELS = [(10, 20, 1.0), (20, 40, 1.0), (40, 60, 1.0), (20, 40, 5e-4), (40, 60, 5e-4), (40, 60, 1e-4), (60, 100, 5e-5)]
@@ -39,6 +48,32 @@ def run(*command):
     if process.returncode != 0:
         sys.exit(f"{' '.join(command)}: exit code {process.returncode}")
     return time.monotonic() - start, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 2**20, output
+
+
+def limited(memory, *command):
+    """Wall and processor time [s], peak memory and peak of the factors in runs [GiB] of a program with a limit of the memory
+    [GiB]; without the times if it takes too long, and None if it fails."""
+    disk = 0.0
+    start = time.monotonic()
+    with open("runs/log", "w", encoding="utf8") as log, subprocess.Popen(
+            command, stdout=log, stderr=log,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_DATA, 2 * (int(memory * 2**30),))) as process:
+        while True:
+            pid, status, used = os.wait4(process.pid, os.WNOHANG)
+            if pid:
+                break
+            files = glob.glob("runs/.tiprub-factor-*/*")
+            disk = max(disk, sum(os.path.getsize(file) for file in files if os.path.exists(file)) / 2**30)
+            if time.monotonic() - start > MOST_TIME:
+                process.terminate()
+            time.sleep(0.5)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    wall, processor = time.monotonic() - start, used.ru_utime + used.ru_stime
+    if wall > MOST_TIME:
+        wall = processor = 0.0
+    elif process.returncode != 0:
+        return None
+    return wall, processor, used.ru_maxrss / 2**20, disk
 
 
 def settings(table, keys):
@@ -62,12 +97,53 @@ def reduce(programs, case, keys, mesh_keys=None):
     return line, output
 
 
+def elements(chord, bore, span, disc, between):
+    return {"elements_along_chord": chord, "elements_along_bore": bore, "elements_along_span": span,
+            "elements_through_disc": disc, "elements_between_blades": between}
+
+
 def cost(programs, case, threads):
     print(f"# threads {threads}\n{COLUMNS}")
-    for chord, bore, span, disc, between in MESHES:
-        mesh_keys = {"elements_along_chord": chord, "elements_along_bore": bore, "elements_along_span": span,
-                     "elements_through_disc": disc, "elements_between_blades": between}
-        print(reduce(programs, case, {"threads": threads}, mesh_keys)[0], flush=True)
+    for mesh in MESHES:
+        print(reduce(programs, case, {"threads": threads}, elements(*mesh))[0], flush=True)
+
+
+def law(rows, column):
+    """p and c of c dofs^p through the logarithms."""
+    x, y = [math.log(row[0]) for row in rows], [math.log(row[column]) for row in rows]
+    mean_x, mean_y = sum(x) / len(x), sum(y) / len(y)
+    power = sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum((a - mean_x)**2 for a in x)
+    return power, math.exp(mean_y - power * mean_x)
+
+
+def laws(name, rows):
+    """Lines of the fitted exponents and of larger sectors."""
+    known = {column: [row for row in rows if row[column] > 0] for column in range(1, 5)}
+    fits = {column: law(some, column) for column, some in known.items() if len(some) > 1}
+    print(f"{name}\tdofs^\t" + "\t".join(f"{fits[column][0]:.2f}" if column in fits else "" for column in range(1, 5)))
+    for dofs in (1e6, 3e6, 10e6):
+        values = (f"{fits[column][1] * dofs**fits[column][0]:.4g}" if column in fits else "" for column in range(1, 5))
+        print(f"{name} (extrapolated)\t{dofs:.0f}\t" + "\t".join(values), flush=True)
+
+
+def size(programs, case, _):
+    print("factors\tsector_dofs\twall_s\tprocessor_s\tmemory_GiB\tdisk_GiB")
+    os.makedirs("runs", exist_ok=True)
+    for name, factorization in (("CHOLMOD", "cholmod"), ("MUMPS on disk", "automatic")):
+        rows = []
+        for mesh, too_little in LARGE_MESHES:
+            run(f"{programs}/tiprub-mesh", "-q", case, "-o", "runs/sector.msh", *settings("mesh", elements(*mesh)))
+            checked = run(f"{programs}/tiprub-reduce", "--check", case, "runs/sector.msh")[-1]
+            dofs = int(re.search(r"(\d+) dofs$", checked, flags=re.M).group(1))
+            command = (f"{programs}/tiprub-reduce", case, "runs/sector.msh", "-o", "runs/model.h5",
+                       *settings("reduce", {"threads": 1, "mesh_error": "false", "factorization": f'"{factorization}"'}))
+            made = limited(MOST_MEMORY if factorization == "cholmod" else too_little, *command)
+            if made is None:
+                print(f"{name}: {mesh} was not finished", file=sys.stderr)
+                break
+            rows.append((dofs, *made))
+            print(f"{name}\t{dofs}\t{made[0]:.1f}\t{made[1]:.1f}\t{made[2]:.3f}\t{made[3]:.3f}", flush=True)
+        laws(name, rows)
 
 
 def error(programs, case, threads):
@@ -98,7 +174,7 @@ def prestress(programs, case, threads):
 
 def main():
     what, programs, case = sys.argv[1:]
-    {"cost": cost, "error": error, "prestress": prestress}[what](programs, case, len(os.sched_getaffinity(0)))
+    {"cost": cost, "error": error, "prestress": prestress, "size": size}[what](programs, case, len(os.sched_getaffinity(0)))
 
 
 if __name__ == "__main__":

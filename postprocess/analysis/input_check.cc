@@ -38,6 +38,8 @@ void check_states(const SpeedResponse& speed, const std::vector<int>& moving, co
   for (std::size_t i = 0; i < moving.size(); ++i) {
     if (speed.snapshot) require(i, speed.snapshot->displacement[i].size());
     if (speed.cycle) require(i, speed.cycle->displacement[i].rows());
+    for (const PeakVariation& peak : speed.budget)
+      if (peak.cycle) require(i, peak.cycle->displacement[i].rows());
   }
 }
 

@@ -101,7 +101,16 @@ std::vector<std::size_t> recovered_speeds(const std::vector<CriticalSpeed>& all,
 struct CycleAtSpeed {
   std::size_t index;
   WheelCycle cycle;
+  std::vector<std::optional<WheelCycle>> varied;  ///< of each peak in SpeedResponse::budget that has one
 };
+
+std::vector<std::optional<WheelCycle>> varied_cycles(const std::vector<PeakVariation>& budget,
+                                                     const SimulatedScene& scene, const ReducedModel& model) {
+  std::vector<std::optional<WheelCycle>> cycles;
+  for (const PeakVariation& peak : budget)
+    cycles.push_back(peak.cycle ? std::optional(wheel_cycle(peak, scene, model)) : std::nullopt);
+  return cycles;
+}
 
 /// The cycles of the speeds whose states the response holds.
 std::vector<CycleAtSpeed> cycles_at(const std::vector<std::size_t>& speeds, const Response& all,
@@ -109,14 +118,19 @@ std::vector<CycleAtSpeed> cycles_at(const std::vector<std::size_t>& speeds, cons
   std::vector<CycleAtSpeed> cycles;
   for (const std::size_t index : speeds) {
     const SpeedResponse& response = all.speeds[index];
-    if (response.cycle || response.snapshot) cycles.push_back({index, wheel_cycle(response, all.scene, model)});
+    if (response.cycle || response.snapshot)
+      cycles.push_back(
+          {index, wheel_cycle(response, all.scene, model), varied_cycles(response.budget, all.scene, model)});
   }
   return cycles;
 }
 
 std::size_t samples_of(const std::vector<CycleAtSpeed>& cycles) {
   std::size_t samples = 0;
-  for (const CycleAtSpeed& at : cycles) samples += static_cast<std::size_t>(at.cycle.samples());
+  for (const CycleAtSpeed& at : cycles) {
+    samples += static_cast<std::size_t>(at.cycle.samples());
+    for (const auto& varied : at.varied) samples += varied ? static_cast<std::size_t>(varied->samples()) : 0;
+  }
   return samples;
 }
 
@@ -205,15 +219,28 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
       natural_modes(reader, study.model, study.response.scene.lobes, study.parameters.families, fields.speed);
   const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles), shown);
-  for (const auto& [index, cycle] : cycles) {
+  const auto stress_of = [&](const WheelCycle& cycle, const WaveField& spin) {
+    require_sound_stress(spin, fields_file.string());
+    return cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, block, progress);
+  };
+  const auto peak_of = [&](const CycleStress& stress, const WheelCycle& cycle, double speed) {
+    FieldPeak peak = field_peak(fields.sector, stress, fields.zones, places, strength);
+    peak.speed = speed;
+    peak.samples = cycle.whole ? cycle.recorded_samples : 0;
+    return peak;
+  };
+  for (const auto& [index, cycle, varied] : cycles) {
     const SpeedResponse& response = study.response.speeds[index];
     const WaveField spin = spin_field(fields.sector, bricks, response.speed);
-    require_sound_stress(spin, fields_file.string());
-    const CycleStress stress =
-        cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, block, progress);
-    fields.peaks.push_back(field_peak(fields.sector, stress, fields.zones, places, strength));
-    fields.peaks.back().speed = response.speed;
-    fields.peaks.back().samples = cycle.whole ? cycle.recorded_samples : 0;
+    const CycleStress stress = stress_of(cycle, spin);
+    fields.peaks.push_back(peak_of(stress, cycle, response.speed));
+    fields.varied.emplace_back(varied.size());
+    for (std::size_t i = 0; i < varied.size(); ++i) {
+      if (!varied[i]) continue;
+      const double speed = response.budget[i].speed;
+      fields.varied.back()[i] =
+          peak_of(stress_of(*varied[i], spin_field(fields.sector, bricks, speed)), *varied[i], speed);
+    }
     if (response.cycle)
       fields.moving.push_back(
           moving_wheel(reader, wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
@@ -247,13 +274,17 @@ bool FieldResults::has_cycles() const {
 }
 
 FieldResults field_results(const std::optional<FieldStudy>& fields, const std::vector<CriticalSpeed>& critical) {
-  FieldResults results{scope_of(fields), std::vector<std::optional<FieldPeak>>(critical.size())};
+  FieldResults results{scope_of(fields), std::vector<std::optional<FieldPeak>>(critical.size()), {}};
+  results.varied.resize(critical.size());
   if (!fields) return results;
   results.tip_patch = fields->zones.tip_patch;
   results.clamp_rim = fields->zones.clamp_rim;
   for (std::size_t i = 0; i < critical.size(); ++i)
-    for (const FieldPeak& peak : fields->peaks)
-      if (peak.speed == critical[i].speed) results.peaks[i] = peak;
+    for (std::size_t k = 0; k < fields->peaks.size(); ++k) {
+      if (fields->peaks[k].speed != critical[i].speed) continue;
+      results.peaks[i] = fields->peaks[k];
+      results.varied[i] = fields->varied[k];
+    }
   return results;
 }
 

@@ -26,14 +26,16 @@ struct MovingWheel {
 /// Full fields of a study.
 struct FieldStudy {
   SectorFields sector;
-  double speed = 0;                 ///< [rad/s] the worst critical speed, of the modes and the contact instant
-  NaturalModes modes;               ///< at that speed
-  bool has_instant = false;         ///< whether the response holds the rotor's state; if not, what follows is empty
-  double angle = 0;                 ///< [rad] of the rotor at the contact instant, from the start of the recording
-  double force = 0;                 ///< [N] all contact forces then
-  WheelField vibration, spin;       ///< at the contact instant
-  StressZones zones;                ///< where stress is read
-  std::vector<FieldPeak> peaks;     ///< at every critical speed, and at the speed of the instant
+  double speed = 0;              ///< [rad/s] the worst critical speed, of the modes and the contact instant
+  NaturalModes modes;            ///< at that speed
+  bool has_instant = false;      ///< whether the response holds the rotor's state; if not, what follows is empty
+  double angle = 0;              ///< [rad] of the rotor at the contact instant, from the start of the recording
+  double force = 0;              ///< [N] all contact forces then
+  WheelField vibration, spin;    ///< at the contact instant
+  StressZones zones;             ///< where stress is read
+  std::vector<FieldPeak> peaks;  ///< at every critical speed, and at the speed of the instant
+  /// By `peaks`: of each varied peak in SpeedResponse::budget that has a cycle.
+  std::vector<std::vector<std::optional<FieldPeak>>> varied;
   std::vector<MovingWheel> moving;  ///< at every critical speed that has a cycle
 };
 
@@ -49,6 +51,8 @@ struct FieldResults {
   std::string scope;  ///< one line: what was recovered, or why nothing was
   /// One per critical speed; nothing without full fields, or where the response holds no state of the rotor.
   std::vector<std::optional<FieldPeak>> peaks;
+  /// One list per critical speed, as FieldStudy has them; may be empty.
+  std::vector<std::vector<std::optional<FieldPeak>>> varied;
   double tip_patch = 0, clamp_rim = 0;  ///< [m] see StressZones
 
   bool has_stress() const;

@@ -28,12 +28,11 @@ void require_dofs(Eigen::Index found, Eigen::Index asked) {
 /// How far the later states of a cycle are from earlier ones that are turned.
 class TurnedDifference {
  public:
-  TurnedDifference(const WheelCycle& cycle, const SpeedResponse& response, const SimulatedScene& scene,
-                   const ReducedModel& model)
+  TurnedDifference(const WheelCycle& cycle, double speed, const SimulatedScene& scene, const ReducedModel& model)
       : cycle_(cycle), scene_(scene) {
     for (std::size_t i = 0; i < cycle.states.size(); ++i) {
       const auto n = static_cast<std::size_t>(scene.nodal_diameters[i]);
-      forces_.push_back(model.nodal_diameters[n].stiffness(response.speed) * cycle.states[i]);
+      forces_.push_back(model.nodal_diameters[n].stiffness(speed) * cycle.states[i]);
       norm_ += energy(cycle.states[i], forces_[i]);
     }
   }
@@ -79,6 +78,28 @@ void drop_repeats(WheelCycle& cycle, int beat, const TurnedDifference& differenc
       }
 }
 
+void require_dofs(const WheelCycle& cycle, const SimulatedScene& scene, const ReducedModel& model) {
+  for (std::size_t i = 0; i < cycle.states.size(); ++i) {
+    const auto n = static_cast<std::size_t>(scene.nodal_diameters[i]);
+    require_dofs(cycle.states[i].rows(), model.nodal_diameters[n].M.rows());
+  }
+}
+
+/// A `Motion` has a speed [rad/s], its samples per revolution and a cycle.
+template <class Motion>
+WheelCycle without_repeats(const Motion& motion, const SimulatedScene& scene, const ReducedModel& model) {
+  WheelCycle cycle;
+  cycle.sectors = scene.independent_sectors;
+  cycle.whole = true;
+  cycle.first_sample = motion.cycle->first_sample;
+  cycle.states = motion.cycle->displacement;
+  cycle.recorded_samples = cycle.samples();
+  require_dofs(cycle, scene, model);
+  if (const int beats = std::lcm(scene.sector_count, scene.lobes); motion.samples_per_revolution % beats == 0)
+    drop_repeats(cycle, motion.samples_per_revolution / beats, TurnedDifference(cycle, motion.speed, scene, model));
+  return cycle;
+}
+
 }  // namespace
 
 int WheelCycle::histories() const {
@@ -86,25 +107,18 @@ int WheelCycle::histories() const {
 }
 
 WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model) {
-  WheelCycle cycle;
-  cycle.sectors = scene.independent_sectors;
-  cycle.whole = response.cycle.has_value();
-  if (cycle.whole) {
-    cycle.first_sample = response.cycle->first_sample;
-    cycle.states = response.cycle->displacement;
-  } else {
-    cycle.first_sample = response.snapshot->sample;
-    for (const Eigen::VectorXcd& state : response.snapshot->displacement) cycle.states.emplace_back(state);
-  }
-  for (std::size_t i = 0; i < cycle.states.size(); ++i) {
-    const auto n = static_cast<std::size_t>(scene.nodal_diameters[i]);
-    require_dofs(cycle.states[i].rows(), model.nodal_diameters[n].M.rows());
-  }
-  cycle.recorded_samples = cycle.samples();
-  const int beats = std::lcm(scene.sector_count, scene.lobes);
-  if (cycle.whole && response.samples_per_revolution % beats == 0)
-    drop_repeats(cycle, response.samples_per_revolution / beats, TurnedDifference(cycle, response, scene, model));
-  return cycle;
+  if (response.cycle) return without_repeats(response, scene, model);
+  WheelCycle instant;
+  instant.sectors = scene.independent_sectors;
+  instant.first_sample = response.snapshot->sample;
+  for (const Eigen::VectorXcd& state : response.snapshot->displacement) instant.states.emplace_back(state);
+  instant.recorded_samples = instant.samples();
+  require_dofs(instant, scene, model);
+  return instant;
+}
+
+WheelCycle wheel_cycle(const PeakVariation& peak, const SimulatedScene& scene, const ReducedModel& model) {
+  return without_repeats(peak, scene, model);
 }
 
 namespace {

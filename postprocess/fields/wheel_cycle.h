@@ -32,6 +32,8 @@ struct WheelCycle {
 /// From the cycle of a speed or, without one, from its snapshot; the speed must have either. States that differ by
 /// less than 1e-3 of their norm (of elastic energy) count as equal; the error of stress from a mesh is far larger.
 WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model);
+/// The same for a varied peak that has a cycle.
+WheelCycle wheel_cycle(const PeakVariation& peak, const SimulatedScene& scene, const ReducedModel& model);
 
 /// One travelling wave of the whole rotor: sector j moves by Re(x e^{i (k phi + n j alpha)}), phi the rotor's angle
 /// from the start of the recording, k = engine_order, of either sign.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <map>
 
 #include "postprocess/records/exactness_record.h"
@@ -43,12 +45,15 @@ std::string source_of(const PeakVariation& variation) {
   return name_of(variation.what);
 }
 
-BudgetRow row_of(const PeakVariation& variation, const SpeedResponse& response, double excursion) {
+/// `stress` is that of the varied peak, if it was recovered.
+BudgetRow row_of(const PeakVariation& variation, const std::optional<FieldPeak>& stress,
+                 const SpeedResponse& response, const ErrorBudget& budget) {
   BudgetRow row{source_of(variation), variation.failure};
   if (!row.failure.empty()) return row;
   row.shift = variation.speed / response.speed - 1;
   row.amplitude = variation.amplitude / response.amplitude - 1;
-  row.excursion = variation.excursion / excursion - 1;
+  row.excursion = variation.excursion / budget.excursion - 1;
+  if (stress && budget.stress > 0) row.stress = stress->body.vibration / budget.stress - 1;
   row.motion = motion_text(variation.motion, variation.period_beats);
   return row;
 }
@@ -57,11 +62,11 @@ BudgetRow row_of(const PeakVariation& variation, const SpeedResponse& response, 
 void add_settings(const Study& study, const SpeedResponse& response, ErrorBudget& budget) {
   const CriticalSpeed& critical = *budget.critical;
   const double rise = critical.amplitude_high / critical.amplitude - 1;
-  budget.rows.push_back({"speeds beside the peak", "", critical.spacing / critical.speed, rise, rise});
+  budget.rows.push_back({"speeds beside the peak", "", critical.spacing / critical.speed, rise, rise, rise});
   const bool marched = std::any_of(response.budget.begin(), response.budget.end(),
                                    [](const PeakVariation& row) { return row.what == Variation::step; });
   if (const auto step = response.audit.halving_difference; step && !marched)
-    budget.rows.push_back({"time step", response.audit.halving_failure, 0, *step, *step});
+    budget.rows.push_back({"time step", response.audit.halving_failure, 0, *step, *step, *step});
   for (const Check& check : exactness_checks(study))
     if (check.subject == "model" && check.worst) budget.rows.push_back({"reduced modes", "", *check.worst, 0, 0});
   if (const auto shift = mesh_shift(study.model, critical.rising)) budget.rows.push_back({"mesh", "", -*shift, 0, 0});
@@ -71,25 +76,31 @@ void add_settings(const Study& study, const SpeedResponse& response, ErrorBudget
 /// a wheel of equal ones.
 BudgetRow differing_blades(int blades) {
   const double rise = (1 + std::sqrt(static_cast<double>(blades))) / 2 - 1;
-  return {"blades that differ", "", 0, rise, rise, "an upper bound, not in the sum", true};
+  return {"blades that differ", "", 0, rise, rise, rise, "an upper bound, not in the sum", true};
 }
 
-/// The largest absolute value over the rows, bounds excepted.
+/// 0 where it is not known.
+double stress_change(const BudgetRow& row) {
+  return row.stress.value_or(0);
+}
+
+/// The row with the largest absolute value, bounds excepted.
 template <class Value>
-const BudgetRow& largest(const ErrorBudget& budget, Value BudgetRow::*value) {
+const BudgetRow& largest(const ErrorBudget& budget, Value value) {
   return *std::max_element(budget.rows.begin(), budget.rows.end(), [&](const BudgetRow& a, const BudgetRow& b) {
-    return a.is_bound || (!b.is_bound && std::abs(a.*value) < std::abs(b.*value));
+    return a.is_bound || (!b.is_bound && std::abs(std::invoke(value, a)) < std::abs(std::invoke(value, b)));
   });
 }
 
 /// The larger of two rows of one source, such as a clearance smaller and larger; over the sources the root of the sum
 /// of squares, as if these were independent.
-double sum_over_sources(const ErrorBudget& budget, double BudgetRow::*value) {
+template <class Value>
+double sum_over_sources(const ErrorBudget& budget, Value value) {
   std::map<std::string, double> by_source;
   for (const BudgetRow& row : budget.rows) {
     if (row.is_bound) continue;
     double& most = by_source[row.source.substr(0, row.source.find(' '))];
-    most = std::max(most, std::abs(row.*value));
+    most = std::max(most, std::abs(std::invoke(value, row)));
   }
   double sum = 0;
   for (const auto& [source, most] : by_source) sum += most * most;
@@ -98,14 +109,17 @@ double sum_over_sources(const ErrorBudget& budget, double BudgetRow::*value) {
 
 }  // namespace
 
-std::vector<ErrorBudget> error_budgets(const Study& study) {
+std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& fields) {
   std::vector<ErrorBudget> budgets;
-  for (const CriticalSpeed& critical : study.critical) {
-    const SpeedResponse& response = study.response.speeds[static_cast<std::size_t>(critical.index)];
+  for (std::size_t i = 0; i < study.critical.size(); ++i) {
+    const SpeedResponse& response = study.speed_at(study.critical[i].index);
     if (response.budget.empty()) continue;
-    ErrorBudget budget{&critical, largest_excursion(response.displacement), {}};
-    for (const PeakVariation& variation : response.budget)
-      budget.rows.push_back(row_of(variation, response, budget.excursion));
+    const auto& stress = fields.peaks[i];
+    ErrorBudget budget{
+        &study.critical[i], largest_excursion(response.displacement), stress ? stress->body.vibration : 0, {}};
+    for (std::size_t k = 0; k < response.budget.size(); ++k)
+      budget.rows.push_back(row_of(
+          response.budget[k], k < fields.varied[i].size() ? fields.varied[i][k] : std::nullopt, response, budget));
     add_settings(study, response, budget);
     budget.rows.push_back(differing_blades(study.response.scene.sector_count));
     budgets.push_back(std::move(budget));
@@ -116,10 +130,11 @@ std::vector<ErrorBudget> error_budgets(const Study& study) {
 namespace {
 
 /// "friction 0.1 (-2.9 %)": the row that changes a value most; empty without rows.
-std::string largest_text(const ErrorBudget* budget, double BudgetRow::*value) {
+template <class Value>
+std::string largest_text(const ErrorBudget* budget, Value value) {
   if (budget == nullptr) return "not varied";
   const BudgetRow& row = largest(*budget, value);
-  return row.source + " (" + change_text(row.*value) + ")";
+  return row.source + " (" + change_text(std::invoke(value, row)) + ")";
 }
 
 std::string stress_text(const std::optional<FieldPeak>& stress) {
@@ -140,7 +155,8 @@ Table critical_speed_budgets(const Study& study, const FieldResults& fields) {
   if (fields.has_stress()) table.header.insert(table.header.end(), {"vibration / with spin [MPa]", "Goodman"});
   table.header.insert(table.header.end(),
                       {"moves the speed most", "moves |u| most", "validity: second order / interference"});
-  const std::vector<ErrorBudget> budgets = error_budgets(study);
+  if (fields.has_stress()) table.header.insert(std::prev(table.header.end()), "moves the stress most");
+  const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
   for (std::size_t i = 0; i < study.critical.size(); ++i) {
     const CriticalSpeed& critical = study.critical[i];
     const auto of_this = [&](const ErrorBudget& budget) { return budget.critical == &critical; };
@@ -152,63 +168,68 @@ Table critical_speed_budgets(const Study& study, const FieldResults& fields) {
         wave_names(critical), fixed(largest_excursion(study.speed_at(critical.index).displacement) * mm_per_m, 2),
         fixed(critical.amplitude * mm_per_m, 3)};
     if (fields.has_stress()) row.insert(row.end(), {stress_text(fields.peaks[i]), goodman_text(fields.peaks[i])});
-    row.insert(row.end(), {largest_text(budget, &BudgetRow::shift), largest_text(budget, &BudgetRow::excursion),
-                           validity_in_short(study, i, fields)});
+    row.insert(row.end(), {largest_text(budget, &BudgetRow::shift), largest_text(budget, &BudgetRow::excursion)});
+    if (fields.has_stress()) row.emplace_back(largest_text(budget, stress_change));
+    row.emplace_back(validity_in_short(study, i, fields));
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-std::string largest_errors(const Study& study) {
-  const std::vector<ErrorBudget> budgets = error_budgets(study);
+std::string largest_errors(const Study& study, const FieldResults& fields) {
+  const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
   if (budgets.empty()) return "";
   const ErrorBudget& worst = *std::max_element(
       budgets.begin(), budgets.end(),
       [](const ErrorBudget& a, const ErrorBudget& b) { return a.critical->amplitude < b.critical->amplitude; });
-  const auto part = [&](const char* of, double BudgetRow::*value) {
+  const auto part = [&](const char* of, auto value) {
     return std::string(of) + ": " + largest_text(&worst, value) + ", all together " +
            fixed(percent * sum_over_sources(worst, value), 1) + " %";
   };
   return "At " + rpm_text(worst.critical->speed) + ", of all that was varied, the most for " +
          part("the speed", &BudgetRow::shift) + "; " + part("the amplitude", &BudgetRow::amplitude) + "; " +
-         part("the motion of the tip in all directions", &BudgetRow::excursion) + ".";
+         part("the motion of the tip in all directions", &BudgetRow::excursion) +
+         (worst.stress > 0 ? "; " + part("the stress of the vibration", stress_change) : "") + ".";
 }
 
-std::string largest_moves(const Study& study) {
-  const std::vector<ErrorBudget> budgets = error_budgets(study);
+std::string largest_moves(const Study& study, const FieldResults& fields) {
+  const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
   const std::optional<std::size_t> worst = worst_critical(study.critical);
   for (const ErrorBudget& budget : budgets)
     if (worst && budget.critical == &study.critical[*worst])
       return largest_text(&budget, &BudgetRow::shift) + " moves the speed, and " +
-             largest_text(&budget, &BudgetRow::excursion) + " the motion of the tip";
+             largest_text(&budget, &BudgetRow::excursion) + " the motion of the tip" +
+             (budget.stress > 0 ? ", " + largest_text(&budget, stress_change) + " the stress" : "");
   return "";
 }
 
-Table error_budget_record(const Study& study) {
+Table error_budget_record(const Study& study, const FieldResults& fields) {
   Table table{{"critical speed [rpm]", "wave", "source", "speed [rpm]", "change of speed [%]", "amplitude [mm]",
-               "change of amplitude [%]", "tip |u| [mm]", "change of |u| [%]", "motion"},
+               "change of amplitude [%]", "tip |u| [mm]", "change of |u| [%]", "stress [MPa]", "change of stress [%]",
+               "motion"},
               {}};
-  for (const ErrorBudget& budget : error_budgets(study)) {
+  for (const ErrorBudget& budget : error_budgets(study, fields)) {
     const CriticalSpeed& critical = *budget.critical;
-    const auto add = [&](const std::string& source, double shift, double amplitude, double excursion,
-                         const std::string& motion) {
-      table.rows.push_back({critical.speed * rpm_per_rad_s, wave_name(critical.rising), source,
-                            critical.speed * (1 + shift) * rpm_per_rad_s, percent * shift,
-                            critical.amplitude * (1 + amplitude) * mm_per_m, percent * amplitude,
-                            budget.excursion * (1 + excursion) * mm_per_m, percent * excursion, motion});
+    const auto add = [&](const BudgetRow& row) {
+      std::vector<Cell> cells = {critical.speed * rpm_per_rad_s, wave_name(critical.rising), row.source};
+      const auto put = [&](bool known, double value, double change) {
+        cells.push_back(known ? Cell(value * (1 + change)) : NoNumber{});
+        cells.push_back(known ? Cell(percent * change) : NoNumber{});
+      };
+      const bool known = row.failure.empty();
+      put(known, critical.speed * rpm_per_rad_s, row.shift);
+      put(known, critical.amplitude * mm_per_m, row.amplitude);
+      put(known, budget.excursion * mm_per_m, row.excursion);
+      put(known && row.stress && budget.stress > 0, budget.stress * mpa_per_pa, stress_change(row));
+      cells.emplace_back(known ? row.motion : row.failure);
+      table.rows.push_back(std::move(cells));
     };
-    const SpeedResponse& response = study.response.speeds[static_cast<std::size_t>(critical.index)];
-    add("as computed", 0, 0, 0, motion_text(response.motion, response.period_beats));
-    for (const BudgetRow& row : budget.rows) {
-      if (row.failure.empty()) {
-        add(row.source, row.shift, row.amplitude, row.excursion, row.motion);
-      } else {
-        table.rows.push_back({critical.speed * rpm_per_rad_s, wave_name(critical.rising), row.source, NoNumber{},
-                              NoNumber{}, NoNumber{}, NoNumber{}, NoNumber{}, NoNumber{}, row.failure});
-      }
-    }
-    add("root of the sum of squares", sum_over_sources(budget, &BudgetRow::shift),
-        sum_over_sources(budget, &BudgetRow::amplitude), sum_over_sources(budget, &BudgetRow::excursion), "");
+    const SpeedResponse& response = study.speed_at(critical.index);
+    add({"as computed", "", 0, 0, 0, 0, motion_text(response.motion, response.period_beats)});
+    for (const BudgetRow& row : budget.rows) add(row);
+    add({"root of the sum of squares", "", sum_over_sources(budget, &BudgetRow::shift),
+         sum_over_sources(budget, &BudgetRow::amplitude), sum_over_sources(budget, &BudgetRow::excursion),
+         sum_over_sources(budget, stress_change)});
   }
   return table;
 }

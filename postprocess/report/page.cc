@@ -247,8 +247,8 @@ std::string record(const Study& study, const ReportSource& source) {
 }
 
 /// What moves the critical speeds; empty if the response holds no error budget.
-std::string budget_section(const Study& study) {
-  const Table table = error_budget_record(study);
+std::string budget_section(const Study& study, const FieldResults& fields) {
+  const Table table = error_budget_record(study, fields);
   return table.rows.empty()
              ? ""
              : filled(without_first_line(embedded::page_files::budget_html), {{"table", html_table(table)}});
@@ -310,7 +310,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"critical_speeds", none ? "<p>None.</p>" : html_table(critical_speed_motions(study))},
        {"critical_stresses", none || !fields.has_stress() ? "" : html_table(critical_speed_stresses(study, fields))},
        {"stress_note", stress_note(fields)},
-       {"budget", budget_section(study)},
+       {"budget", budget_section(study, fields)},
        {"figure_links", figure_links(figures)},
        {"scene", scene_items(study, fields, needs)},
        {"exactness", html_table(exactness_record(study))},

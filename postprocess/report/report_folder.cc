@@ -55,7 +55,7 @@ std::string json_summary(const ReportContents& contents) {
                           {"speeds", rows_of(speed_record(study))},
                           {"exactness", rows_of(exactness_record(study))},
                           {"scene_needs", rows_of(scene_needs_record(contents.needs))},
-                          {"error_budget", rows_of(error_budget_record(study))},
+                          {"error_budget", rows_of(error_budget_record(study, contents.field_results))},
                           {"linear_rules", rows_of(rule_score_record(study.rules))}};
   if (contents.other) summary["comparison"] = rows_of(comparison_record(contents.numbers, *contents.other));
   // Bytes of a case's title that are not UTF-8 are replaced.
@@ -77,7 +77,7 @@ void write_tables(const Study& study, const FieldResults& fields, const std::fil
   write_csv(exactness_record(study), folder / "exactness.csv");
   write_csv(drift_record(study.contact, study.model.contact), folder / "contact_drift.csv");
   if (!study.response.branches.empty()) write_csv(branch_record(study.response.branches), folder / "branches.csv");
-  if (const Table budget = error_budget_record(study); !budget.rows.empty())
+  if (const Table budget = error_budget_record(study, fields); !budget.rows.empty())
     write_csv(budget, folder / "error_budget.csv");
   if (!study.sweeps.empty())
     write_csv(sweep_record(study.response.speeds, study.amplitudes, study.sweeps), folder / "sweeps.csv");

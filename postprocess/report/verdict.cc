@@ -174,7 +174,7 @@ std::string worst_peak_text(const Study& study, const FieldResults& fields, cons
   if (!worst) return "";
   const CriticalSpeed& peak = study.critical[*worst];
   const SpeedResponse& response = study.speed_at(peak.index);
-  const std::string moves = largest_moves(study), outside = outside_validity(study, *worst, fields);
+  const std::string moves = largest_moves(study, fields), outside = outside_validity(study, *worst, fields);
   return "The worst peak: numerics " + significant(percent * peak.amplitude_slack(), 2) + " %, place -" +
          fixed((peak.speed - peak.speed_low) * rpm_per_rad_s, 0) + " +" +
          fixed((peak.speed_high - peak.speed) * rpm_per_rad_s, 0) + " rpm, " +
@@ -276,7 +276,7 @@ std::vector<Answer> verdict(const Study& study, const FieldResults& fields, cons
                                  {"Avoid", bands_in_words(speeds_to_avoid(study, fields), fields)},
                                  {"Margin", margin_text(study)},
                                  {"Trust", trust(study, fields, needs)},
-                                 {"What moves it most", largest_errors(study)},
+                                 {"What moves it most", largest_errors(study, fields)},
                                  {"Left out", what_matters(needs)}};
   return without_empty(std::move(answers));
 }

@@ -86,6 +86,8 @@ struct PeakVariation {
   double excursion = 0;  ///< [m] as largest_excursion(), at the peak
   MotionClass motion = MotionClass::not_settled;
   int period_beats = 0;
+  int samples_per_revolution = 0;
+  std::optional<RotorCycle> cycle;  ///< one period of a motion that repeats, some revolutions of another
 };
 
 /// [m] How far a contact node moves from the middle of its path, the largest of all nodes and sectors. `displacement`

@@ -69,10 +69,10 @@ RotorSnapshot read_snapshot(const Hdf5File& file, const std::string& place, cons
   return snapshot;
 }
 
-void write_cycle(Hdf5File& file, const std::string& group, const RotorCycle& cycle, const SpeedResponse& speed,
+void write_cycle(Hdf5File& file, const std::string& group, const RotorCycle& cycle, int samples_per_revolution,
                  const SimulatedScene& scene) {
   const std::string place = group + "/cycle", angles = group + "/cycle_angle";
-  const double spacing = 2 * std::numbers::pi / speed.samples_per_revolution;
+  const double spacing = 2 * std::numbers::pi / samples_per_revolution;
   const Eigen::Index samples = cycle.displacement.front().cols();
   write_axis(file, angles,
              spacing * Eigen::VectorXd::LinSpaced(samples, cycle.first_sample,
@@ -215,7 +215,8 @@ std::string variation_at(const std::string& group, std::size_t place) {
   return group + "/budget/" + std::to_string(place);
 }
 
-void write_variation(Hdf5File& file, const std::string& group, const PeakVariation& variation) {
+void write_variation(Hdf5File& file, const std::string& group, const PeakVariation& variation,
+                     const SimulatedScene& scene) {
   file.set_attribute(group, "variation", std::string(name_of(variation.what)));
   file.set_attribute(group, "setting", variation.setting);
   file.set_attribute(group, "failure", variation.failure);
@@ -224,9 +225,14 @@ void write_variation(Hdf5File& file, const std::string& group, const PeakVariati
   file.set_attribute(group, "excursion", variation.excursion);
   file.set_attribute(group, "motion", std::string(name_of(variation.motion)));
   file.set_attribute(group, "period_beats", variation.period_beats);
+  if (!variation.cycle) return;
+  file.set_attribute(group, "samples_per_revolution", variation.samples_per_revolution);
+  file.set_attribute(group, "cycle_samples", static_cast<int>(variation.cycle->displacement.front().cols()));
+  write_cycle(file, group, *variation.cycle, variation.samples_per_revolution, scene);
 }
 
-PeakVariation read_variation(const Hdf5File& file, const std::string& group) {
+PeakVariation read_variation(const Hdf5File& file, const std::string& group, const SimulatedScene& scene,
+                             NamedAxes& axes) {
   PeakVariation variation;
   const std::string where = file.path() + ": " + group;
   variation.what = value_named(variation_names, file.text_attribute(group, "variation"), where + ": variation");
@@ -237,6 +243,11 @@ PeakVariation read_variation(const Hdf5File& file, const std::string& group) {
   variation.excursion = bounded(file, group, "excursion", not_negative);
   variation.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
   variation.period_beats = file.integer_attribute(group, "period_beats");
+  if (!file.exists(group + "/cycle")) return variation;
+  bounded(file, group, "samples_per_revolution", at_least_one);
+  variation.samples_per_revolution = file.integer_attribute(group, "samples_per_revolution");
+  bounded(file, group, "cycle_samples", at_least_one);
+  variation.cycle = read_cycle(file, group + "/cycle", scene, axes, file.integer_attribute(group, "cycle_samples"));
   return variation;
 }
 
@@ -301,7 +312,7 @@ void read_arrays(const Hdf5File& file, const std::string& group, NamedAxes& axes
 void write_kept_states(Hdf5File& file, const std::string& group, const SpeedResponse& speed,
                        const SimulatedScene& scene) {
   if (speed.snapshot) write_snapshot(file, group, *speed.snapshot, speed, scene);
-  if (speed.cycle) write_cycle(file, group, *speed.cycle, speed, scene);
+  if (speed.cycle) write_cycle(file, group, *speed.cycle, speed.samples_per_revolution, scene);
 }
 
 void read_kept_states(const Hdf5File& file, const std::string& group, const SimulatedScene& scene, NamedAxes& axes,
@@ -324,8 +335,11 @@ bool is_finite(const SpeedResponse& speed) {
   });
   for (const OtherStart& start : speed.other_starts)
     finite = finite && std::isfinite(start.amplitude) && std::isfinite(start.difference);
-  for (const PeakVariation& variation : speed.budget)
+  for (const PeakVariation& variation : speed.budget) {
     finite = finite && std::isfinite(variation.amplitude) && std::isfinite(variation.excursion);
+    if (variation.cycle)
+      for (const Eigen::MatrixXcd& states : variation.cycle->displacement) finite = finite && states.allFinite();
+  }
   if (speed.snapshot)
     for (const Eigen::VectorXcd& state : speed.snapshot->displacement) finite = finite && state.allFinite();
   if (speed.cycle)
@@ -340,13 +354,13 @@ void write_speed_group(Hdf5File& file, const std::string& group, const SpeedResp
   write_numbers(file, group, speed);
   for (std::size_t i = 0; i < speed.other_starts.size(); ++i)
     write_other_start(file, start_at(group, i), speed.other_starts[i]);
-  for (std::size_t i = 0; i < speed.budget.size(); ++i)
-    write_variation(file, variation_at(group, i), speed.budget[i]);
   write_orbit(file, group, speed.audit.orbit);
   if (!speed.failure.empty()) return;
   write_axes(file, group, speed, scene);
   write_arrays(file, group, speed, scene);
   write_kept_states(file, group, speed, scene);
+  for (std::size_t i = 0; i < speed.budget.size(); ++i)
+    write_variation(file, variation_at(group, i), speed.budget[i], scene);
 }
 
 SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, const SimulatedScene& scene,
@@ -366,8 +380,6 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
     speed.audit.halving_failure = file.text_attribute(group, "halving_failure");
   while (file.exists(start_at(group, speed.other_starts.size())))
     speed.other_starts.push_back(read_other_start(file, start_at(group, speed.other_starts.size())));
-  while (file.exists(variation_at(group, speed.budget.size())))
-    speed.budget.push_back(read_variation(file, variation_at(group, speed.budget.size())));
   speed.audit.orbit = read_orbit(file, group);
   if (!speed.failure.empty()) return speed;
   const Eigen::Index samples = static_cast<Eigen::Index>(speed.samples_per_revolution) * speed.recorded_revolutions;
@@ -377,6 +389,8 @@ SpeedResponse read_speed_group(const Hdf5File& file, const std::string& group, c
     throw FileError(where + ": attribute chatter_node is " + std::to_string(speed.chatter_node) +
                     ", must be one of the " + std::to_string(speed.clearance.size()) + " contact nodes, from 0");
   read_kept_states(file, group, scene, axes, samples, speed);
+  while (file.exists(variation_at(group, speed.budget.size())))
+    speed.budget.push_back(read_variation(file, variation_at(group, speed.budget.size()), scene, axes));
   return speed;
 }
 

@@ -128,9 +128,21 @@ double vertex(const Top& top) {
                              .offset;
 }
 
+/// The states from which stress is computed: one period of a motion that repeats, all that was kept of another one.
+std::optional<RotorCycle> stressed_cycle(const SettledMotion& motion, int lobes) {
+  const int beats = motion.reading.period_beats, samples = motion.recorded.samples_per_revolution;
+  if (!motion.recorded.cycle) return std::nullopt;
+  RotorCycle cycle = *motion.recorded.cycle;
+  cycle.first_sample = 0;  // the recording is of whole revolutions
+  if (beats > 0 && samples % lobes == 0)
+    for (Eigen::MatrixXcd& states : cycle.displacement)
+      states.conservativeResize(Eigen::NoChange, std::min<Eigen::Index>(states.cols(), samples / lobes * beats));
+  return cycle;
+}
+
 /// A speed marched within the tolerances.
 PeakVariation marched_peak(const Scene& scene, double speed) {
-  const RefinedMotion found = settle_within_tolerance(scene, rotor_of(scene, speed), {}, CycleChoice::left);
+  const RefinedMotion found = settle_within_tolerance(scene, rotor_of(scene, speed), {}, CycleChoice::kept);
   const Recorded& recorded = found.motion.recorded;
   PeakVariation peak;
   peak.speed = speed;
@@ -138,6 +150,8 @@ PeakVariation marched_peak(const Scene& scene, double speed) {
   peak.excursion = largest_excursion(recorded.displacement);
   peak.motion = found.motion.reading.motion;
   peak.period_beats = found.motion.reading.period_beats;
+  peak.samples_per_revolution = recorded.samples_per_revolution;
+  peak.cycle = stressed_cycle(found.motion, scene.casing.lobes);
   return peak;
 }
 
@@ -191,7 +205,6 @@ VariedScene with_other_gap(const Scene& scene) {
   const bool to_second = scene.parameters.gap != GapOrder::second_order;
   VariedScene varied{Variation::gap, to_second ? 2.0 : 1.0, scene.casing, scene.parameters};
   varied.parameters.gap = to_second ? GapOrder::second_order : GapOrder::linear;
-  varied.parameters.steady_state = SteadyStateMethod::march;
   return varied;
 }
 

@@ -13,8 +13,8 @@ namespace tiprub::simulate {
 /// not know exactly has another value: friction at the tips, the order of the gap, each ratio of [simulate]
 /// budget_damping, and a clearance smaller and larger by budget_clearance. Each peak is followed with a coarse step
 /// from the critical speed, as long as the engine order that is largest in its `motion` stays the largest; the new
-/// top is then marched within the tolerances. The last row has half the step of `motion`, if that repeats. Costs some
-/// five speeds a row.
+/// top is then marched within the tolerances, and its states are kept, so that its stress can be computed. The last
+/// row has half the step of `motion`, if that repeats. Costs some five speeds a row.
 std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const SettledMotion& motion);
 
 }  // namespace tiprub::simulate

@@ -81,7 +81,7 @@ def campbell(response, modes=2, engine_orders=None, nodal_diameters=None, axes=N
 def budget(response, quantity="amplitude", axes=None):
     """By how many percent each uncertain input changes the critical speed with the largest amplitude, as bars.
 
-    `quantity` is "speed", "amplitude" or "|u|". The response must hold an error budget ([simulate] budget).
+    `quantity` is "speed", "amplitude", "|u|" or "stress". The response must hold an error budget ([simulate] budget).
     """
     axes = _axes(axes)
     table = response.table("error_budget")

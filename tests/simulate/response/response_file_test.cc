@@ -34,6 +34,11 @@ SpeedResponse settled_speed() {
   speed.snapshot = RotorSnapshot{5, 12.5, {Eigen::VectorXcd::Random(4), Eigen::VectorXcd::Random(7)}};
   speed.cycle = RotorCycle{4, {Eigen::MatrixXcd::Random(4, 4), Eigen::MatrixXcd::Random(7, 4)}};
   speed.audit.orbit = {OrbitReport::Outcome::marched, 4, 25, 1e-3, 1.1, 0.01, 2};
+  PeakVariation varied;
+  varied.speed = 99;
+  varied.samples_per_revolution = 6;
+  varied.cycle = RotorCycle{0, {Eigen::MatrixXcd::Random(4, 3), Eigen::MatrixXcd::Random(7, 3)}};
+  speed.budget = {varied, PeakVariation{}};
   return speed;
 }
 
@@ -176,6 +181,12 @@ TEST_F(ResponseFile, GivesBackASpeed) {
   EXPECT_EQ(speed.audit.orbit.multiplier, 1.1);
   EXPECT_EQ(speed.audit.orbit.multiplier_uncertainty, 0.01);
   EXPECT_EQ(speed.audit.orbit.multiplier_angle, 2);
+  ASSERT_EQ(speed.budget.size(), 2u);
+  EXPECT_EQ(speed.budget[0].speed, 99);
+  EXPECT_EQ(speed.budget[0].samples_per_revolution, 6);
+  ASSERT_TRUE(speed.budget[0].cycle.has_value());
+  EXPECT_EQ(speed.budget[0].cycle->displacement, given.budget[0].cycle->displacement);
+  EXPECT_FALSE(speed.budget[1].cycle.has_value());
 }
 
 TEST_F(ResponseFile, GivesBackWhyASpeedFailed) {
@@ -353,6 +364,9 @@ const std::vector<Wrong> wrong_speeds = {
      "samples"},
     {"a cycle from before the recording", [](Response& r) { first(r).cycle->first_sample = -1; },
      "first_sample -1 is not one of the 8"},
+    {"a varied peak's cycle of other dofs",
+     [](Response& r) { first(r).budget[0].cycle->displacement[1].conservativeResize(6, 3); },
+     "/speed/00000/budget/0/cycle/2: has shape 6 x 3, must have"},
 };
 
 TEST_F(ResponseFile, SaysWhatDoesNotFit) {

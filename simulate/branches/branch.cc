@@ -114,7 +114,7 @@ Side follow_side(const Scene& scene, double speed, int steps_per_revolution, con
   const Eigen::VectorXd state = family.of_family(speed, start);
   Side side;
   const auto group = Teuchos::rcp(new OrbitGroup(
-      global, [&](double at) { return family.at(at); }, speed, state, std::make_shared<RecycledGmres>()));
+      global, [&](double at) { return family.at(at); }, speed, state));
   group->call_at_solutions([&](double at, const Eigen::VectorXd& found) { side.points.push_back({at, found}); });
   LOCA::Stepper stepper(global, group, test(), list);
   try {

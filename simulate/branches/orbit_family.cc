@@ -51,6 +51,9 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
                           const Eigen::VectorXd& change) override {
     return of_family(map_.tangent(pattern, of_march(change)));
   }
+  Eigen::VectorXd precondition(const Eigen::VectorXd& change) override {
+    return of_family(map_.precondition(of_march(change)));
+  }
 
   Eigen::VectorXd of_family(const Eigen::VectorXd& state) const {
     Eigen::VectorXd turned(layout_.size());

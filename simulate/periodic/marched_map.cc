@@ -287,6 +287,15 @@ Eigen::VectorXd TangentMarch::operator()(const std::shared_ptr<const ContactPatt
   return changed;
 }
 
+Eigen::VectorXd TangentMarch::in_free_flight(const Eigen::VectorXd& change) {
+  const std::int64_t start = march_.step_count();
+  map_.put(change);
+  for (int i = 0; i < map_.steps(); ++i) march_.predict();
+  Eigen::VectorXd changed = map_.image();
+  march_.set_step(start);
+  return changed;
+}
+
 MarchedMap::MarchedMap(TimeMarch& march, int power)
     : march_(march), map_(march, power), tangent_(march, Disturbance::symmetric, power) {
   const auto has_mass = [](const WaveModes& wave) { return wave.moving == wave.omega.size(); };
@@ -319,7 +328,43 @@ MapImage MarchedMap::image(const Eigen::VectorXd& state) {
 
 Eigen::VectorXd MarchedMap::tangent(const std::shared_ptr<const ContactPattern>& pattern,
                                     const Eigen::VectorXd& change) {
+  ++tangents_;
   return tangent_(pattern, change);
+}
+
+/// The modes do not couple: a flight from unit positions of all modes and one from unit velocities tell all.
+void MarchedMap::invert_free_flight() {
+  const StateLayout& layout = map_.layout();
+  Eigen::VectorXd at_one(layout.size()), moving(layout.size());
+  for (std::size_t i = 0; i < march_.wave_count(); ++i) {
+    const Eigen::VectorXcd none = Eigen::VectorXcd::Zero(march_.wave(i).moving);
+    Eigen::VectorXcd ones = none;
+    ones.head(march_.rotor().waves[i].moving).setOnes();  // what follows is padding, which never moves
+    layout.write({ones, none}, i, at_one);
+    layout.write({none, ones}, i, moving);
+  }
+  const Eigen::VectorXd from_position = tangent_.in_free_flight(at_one),
+                        from_velocity = tangent_.in_free_flight(moving);
+  for (std::size_t i = 0; i < march_.wave_count(); ++i) {
+    const auto [a, c] = layout.read(from_position, i);
+    const auto [b, d] = layout.read(from_velocity, i);
+    const Eigen::ArrayXcd kept = 1 - a.array(), other = 1 - d.array();
+    const Eigen::ArrayXcd determinant = kept * other - b.array() * c.array();
+    free_.push_back({other / determinant, b.array() / determinant, c.array() / determinant, kept / determinant});
+  }
+}
+
+Eigen::VectorXd MarchedMap::precondition(const Eigen::VectorXd& change) {
+  if (free_.empty()) invert_free_flight();
+  const StateLayout& layout = map_.layout();
+  Eigen::VectorXd solved(change.size());
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const auto [position, velocity] = layout.read(change, i);
+    const auto& [pp, pv, vp, vv] = free_[i];
+    const Eigen::VectorXcd to_position = pp * position.array() + pv * velocity.array();
+    layout.write({to_position, vp * position.array() + vv * velocity.array()}, i, solved);
+  }
+  return solved;
 }
 
 }  // namespace tiprub::simulate

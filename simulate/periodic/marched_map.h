@@ -64,6 +64,8 @@ class TangentMarch {
   /// DF times a change of a state of SymmetricMap. Raises NoMotion if the compliance of nodes that the pattern closes
   /// together is singular.
   Eigen::VectorXd operator()(const std::shared_ptr<const ContactPattern>& pattern, const Eigen::VectorXd& change);
+  /// The same without any contact.
+  Eigen::VectorXd in_free_flight(const Eigen::VectorXd& change);
 
  private:
   void hold(const std::shared_ptr<const ContactPattern>& pattern);
@@ -120,12 +122,25 @@ class MarchedMap final : public PeriodicMap {
   MapImage image(const Eigen::VectorXd& state) override;
   Eigen::VectorXd tangent(const std::shared_ptr<const ContactPattern>& pattern,
                           const Eigen::VectorXd& change) override;
+  /// (1 - F')^-1 for a motion that never touches, in which the modes do not couple. The contact of an orbit changes
+  /// the slow modes, whose number decides how many steps GMRES takes, by little.
+  Eigen::VectorXd precondition(const Eigen::VectorXd& change) override;
+  /// Calls of tangent() so far.
+  int tangents() const { return tangents_; }
 
  private:
+  /// The inverse of a 2 x 2 matrix for each mode of a wave, on its position and velocity.
+  struct Inverse {
+    Eigen::ArrayXcd position_from_position, position_from_velocity, velocity_from_position, velocity_from_velocity;
+  };
+  void invert_free_flight();
+
   TimeMarch& march_;
   SymmetricMap map_;
   TangentMarch tangent_;
+  std::vector<Inverse> free_;  ///< by wave; empty until it is needed
   bool all_have_mass_;
+  int tangents_ = 0;
 };
 
 }  // namespace tiprub::simulate

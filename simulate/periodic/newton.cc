@@ -52,12 +52,11 @@ Teuchos::RCP<NOX::StatusTest::Generic> test(const NewtonLimits& limits) {
 
 }  // namespace
 
-NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, const NewtonLimits& limits,
-                              const std::shared_ptr<RecycledGmres>& solver) {
+NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, const NewtonLimits& limits) {
   const auto list = settings();
   const auto global = LOCA::createGlobalData(list);
   const MapFamily here = [&map](double) { return std::shared_ptr<PeriodicMap>(&map, [](PeriodicMap*) {}); };
-  const auto group = Teuchos::rcp(new OrbitGroup(global, here, 0.0, start, solver));
+  const auto group = Teuchos::rcp(new OrbitGroup(global, here, 0.0, start));
   const auto newton = NOX::Solver::buildSolver(group, test(limits), list);
   const bool converged = newton->solve() == NOX::StatusTest::Converged;
   const auto& last = dynamic_cast<const OrbitGroup&>(newton->getSolutionGroup());

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "simulate/periodic/periodic_map.h"
-#include "simulate/periodic/recycled_gmres.h"
 
 namespace tiprub::simulate {
 
@@ -24,11 +23,9 @@ struct NewtonResult {
   int iterations = 0;
 };
 
-/// Solves x = F(x) by Newton's method with a line search (NOX), and its linear systems by `solver`, which keeps its
-/// directions from call to call. On one affine piece of the map a single Newton step leads to the fixed point from
-/// any distance; the iteration finds the right piece, that is, the contact pattern. It also converges to orbits that
-/// repel. Raises what the map raises.
-NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, const NewtonLimits& limits,
-                              const std::shared_ptr<RecycledGmres>& solver);
+/// Solves x = F(x) by Newton's method with a line search (NOX). On one affine piece of the map a single Newton step
+/// leads to the fixed point from any distance; the iteration finds the right piece, that is, the contact pattern. It
+/// also converges to orbits that repel. Raises what the map raises.
+NewtonResult find_fixed_point(PeriodicMap& map, const Eigen::VectorXd& start, const NewtonLimits& limits);
 
 }  // namespace tiprub::simulate

@@ -6,6 +6,8 @@
 #include <Teuchos_oblackholestream.hpp>
 #include <utility>
 
+#include "simulate/periodic/gmres.h"
+
 namespace tiprub::simulate {
 
 Eigen::Map<const Eigen::VectorXd> numbers(const NOX::Abstract::Vector& vector) {
@@ -35,11 +37,10 @@ void close_book_of_times() {
 }
 
 OrbitGroup::OrbitGroup(const Teuchos::RCP<LOCA::GlobalData>& global, MapFamily family, double speed,
-                       const Eigen::VectorXd& start, std::shared_ptr<RecycledGmres> solver)
+                       const Eigen::VectorXd& start)
     : LOCA::Abstract::Group(global),
       family_(std::move(family)),
       map_(family_(speed)),
-      solver_(std::move(solver)),
       size_(start.norm()),
       x_(static_cast<int>(start.size())),
       f_(x_),
@@ -53,7 +54,6 @@ OrbitGroup::OrbitGroup(const OrbitGroup& other, NOX::CopyType type)
     : LOCA::Abstract::Group(other, type),
       family_(other.family_),
       map_(other.map_),
-      solver_(other.solver_),
       listener_(other.listener_),
       size_(other.size_),
       parameters_(other.parameters_),
@@ -134,7 +134,8 @@ OrbitGroup::ReturnType OrbitGroup::applyJacobianInverse(Teuchos::ParameterList& 
                                                         const NOX::Abstract::Vector& input,
                                                         NOX::Abstract::Vector& result) const {
   const auto tangent = [this](const Eigen::VectorXd& change) { return map_->tangent(pattern_, change); };
-  numbers(result) = -solver_->solve(tangent, numbers(input), settings.get("Tolerance", 1e-2));
+  const auto precondition = [this](const Eigen::VectorXd& change) { return map_->precondition(change); };
+  numbers(result) = -gmres(tangent, precondition, numbers(input), settings.get("Tolerance", 1e-2));
   return Ok;
 }
 

@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "simulate/periodic/periodic_map.h"
-#include "simulate/periodic/recycled_gmres.h"
 
 namespace tiprub::simulate {
 
@@ -47,7 +46,7 @@ class StopsWhen final : public NOX::StatusTest::Generic {
 };
 
 /// F(x; p) - x = 0 for NOX and LOCA: a state, its residual, and solves with the Jacobian DF - 1. Copies share the
-/// family and the solver. Exceptions of the map pass through.
+/// family. Exceptions of the map pass through.
 class OrbitGroup final : public LOCA::Abstract::Group {
  public:
   static constexpr const char* parameter = "speed";
@@ -55,7 +54,7 @@ class OrbitGroup final : public LOCA::Abstract::Group {
   using NOX::Abstract::Group::applyJacobianInverseMultiVector;
 
   OrbitGroup(const Teuchos::RCP<LOCA::GlobalData>& global, MapFamily family, double speed,
-             const Eigen::VectorXd& start, std::shared_ptr<RecycledGmres> solver);
+             const Eigen::VectorXd& start);
   OrbitGroup(const OrbitGroup& other, NOX::CopyType type);
 
   /// Is called with the speed and the state of each orbit that LOCA finds.
@@ -106,7 +105,6 @@ class OrbitGroup final : public LOCA::Abstract::Group {
 
   MapFamily family_;
   std::shared_ptr<PeriodicMap> map_;
-  std::shared_ptr<RecycledGmres> solver_;
   Listener listener_;
   double size_;  ///< norm of the first state
   LOCA::ParameterVector parameters_;

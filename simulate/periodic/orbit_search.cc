@@ -19,13 +19,13 @@ constexpr int tries[] = {12, 24, 48};  // revolutions after the casing has grown
 constexpr double come_back = 0.2;      // of the largest distance within the longest period: the march nearly returns
 constexpr double newton_step = 10;    // of settle_tolerance: bound of the last step, whose error is a hundredth of it
 constexpr double clear_distance = 5;  // of a multiplier from 1, in uncertainties: nearer ones are found more exactly
-constexpr double exact = 2e-5;        // of a multiplier
+constexpr double rough = 2e-3, common = 2e-4, exact = 2e-5;  // of a multiplier
 
-/// The largest multiplier, found more exactly if a rough value does not tell on which side of 1 it is.
-Multiplier clear_multiplier(const LinearMap& map, Eigen::Index size) {
-  const Multiplier rough = largest_multiplier(map, size);
-  const double distance = std::abs(std::abs(rough.value) - 1);
-  return distance > clear_distance * rough.uncertainty ? rough : largest_multiplier(map, size, exact);
+/// The largest multiplier, found more exactly if the first value does not tell on which side of 1 it is.
+Multiplier clear_multiplier(const LinearMap& map, Eigen::Index size, double tolerance) {
+  const Multiplier first = largest_multiplier(map, size, tolerance);
+  const double distance = std::abs(std::abs(first.value) - 1);
+  return distance > clear_distance * first.uncertainty ? first : largest_multiplier(map, size, exact);
 }
 
 }  // namespace
@@ -51,7 +51,6 @@ bool OrbitSearch::look_along(TimeMarch& coarse) {
   }
   while (coarse.step_count() < (grown + std::end(tries)[-1]) * coarse.steps_per_revolution()) coarse.step();
   report_.maps = recurrence(coarse);
-  solver_ = std::make_shared<RecycledGmres>();  // for another map
   return report_.maps > 1 && jump(coarse);
 }
 
@@ -89,14 +88,13 @@ int OrbitSearch::period_revolutions() const {
 
 bool OrbitSearch::find(TimeMarch& march) {
   MarchedMap map(march, report_.maps);
-  const int steps = solver_->steps();
   const NewtonLimits limits{newton_step * scene_.parameters.settle_tolerance};
-  const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), limits, solver_);
-  const double maps = solver_->steps() - steps + orbit.iterations + 1;
+  const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), limits);
+  const double maps = map.tangents() + orbit.iterations + 1;
   report_.revolutions += maps / map.symmetric().maps_per_revolution();
   if (orbit.found == NewtonResult::Found::no) return false;
   const bool is_first = orbit_.state.size() == 0;
-  if (is_first && !attracts(map, orbit)) return false;
+  if (is_first && !attracts(map, orbit, rough)) return false;  // stands() looks closer
   map.put(orbit.state);
   orbit_ = orbit;
   report_.outcome = OrbitReport::Outcome::found;
@@ -108,7 +106,7 @@ bool OrbitSearch::stands(TimeMarch& march) {
   if (has_given_up()) return false;
   const auto stood = attempt([&] {
     MarchedMap map(march, report_.maps);
-    const bool stands = attracts(map, orbit_);
+    const bool stands = attracts(map, orbit_, common);
     if (stands) follow_excluded(march, orbit_);
     return stands;
   });
@@ -117,14 +115,14 @@ bool OrbitSearch::stands(TimeMarch& march) {
   return false;
 }
 
-bool OrbitSearch::attracts(MarchedMap& map, const NewtonResult& orbit) {
+bool OrbitSearch::attracts(MarchedMap& map, const NewtonResult& orbit, double tolerance) {
   const double maps = map.symmetric().maps_per_revolution();
   double applied = 0;
   const LinearMap tangent = [&](const Eigen::VectorXd& change) {
     ++applied;
     return map.tangent(orbit.pattern, change);
   };
-  const Multiplier largest = clear_multiplier(tangent, orbit.state.size());
+  const Multiplier largest = clear_multiplier(tangent, orbit.state.size(), tolerance);
   const Growth growth = per_revolution(largest, maps);
   report_.revolutions += applied / maps;
   report_.multiplier = growth.factor;
@@ -137,7 +135,7 @@ void OrbitSearch::follow_excluded(const TimeMarch& march, const NewtonResult& or
   if (march.rotor().others.empty() || scene_.parameters.symmetry_check_revolutions == 0) return;
   TangentMarch tangent(march, Disturbance::excluded, report_.maps);
   const LinearMap map = [&](const Eigen::VectorXd& change) { return tangent(orbit.pattern, change); };
-  excluded_ = per_revolution(clear_multiplier(map, tangent.size()), tangent.maps_per_revolution());
+  excluded_ = per_revolution(clear_multiplier(map, tangent.size(), common), tangent.maps_per_revolution());
 }
 
 double OrbitSearch::drift(TimeMarch& march) const {

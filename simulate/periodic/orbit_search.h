@@ -21,8 +21,7 @@ bool has_symmetric_map(const Scene& scene);
 /// Finds the steady motion that a march from rest approaches, without marching all the way. Newton's method seeks a
 /// fixed point of the symmetric map, with a coarse step first and then with finer steps from the orbit before. If no
 /// fixed point attracts, it seeks one of the power of the map after which the march nearly returns. Orbits that repel
-/// are recognised by their multiplier and rejected. The directions that the linear solver has collected with one step
-/// size make the next one cheap.
+/// are recognised by their multiplier and rejected.
 class OrbitSearch {
  public:
   /// Refers to the scene.
@@ -56,11 +55,10 @@ class OrbitSearch {
   /// Marches on from rest until jump() finds an orbit. Raises what the march raises.
   bool look_along(TimeMarch& coarse);
   bool find(TimeMarch& march);
-  bool attracts(MarchedMap& map, const NewtonResult& orbit);
+  bool attracts(MarchedMap& map, const NewtonResult& orbit, double tolerance);
   void follow_excluded(const TimeMarch& march, const NewtonResult& orbit);
 
   const Scene& scene_;
-  std::shared_ptr<RecycledGmres> solver_ = std::make_shared<RecycledGmres>();
   NewtonResult orbit_;  ///< the last orbit found
   OrbitReport report_;
   std::optional<Growth> excluded_;

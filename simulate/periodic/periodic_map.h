@@ -99,6 +99,8 @@ class PeriodicMap {
   /// has no impacts.
   virtual Eigen::VectorXd tangent(const std::shared_ptr<const ContactPattern>& pattern,
                                   const Eigen::VectorXd& change) = 0;
+  /// A fixed linear map near (1 - DF)^-1, for linear solvers.
+  virtual Eigen::VectorXd precondition(const Eigen::VectorXd& change) { return change; }
 };
 
 }  // namespace tiprub::simulate

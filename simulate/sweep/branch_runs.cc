@@ -26,13 +26,12 @@ constexpr double same_amplitude = 0.03;       // relative difference of an orbit
 /// An orbit, attracting or repelling, near the path of a march from rest.
 std::optional<Eigen::VectorXd> orbit_near(const Scene& scene, const SharedRotor& rotor, int steps) {
   TimeMarch march(marched_scene(scene, rotor, steps));
-  const auto solver = std::make_shared<RecycledGmres>();
   for (int revolutions = first_try; revolutions <= last_try; revolutions *= 2) {
     const std::int64_t until = (scene.casing.grown_after() + revolutions) * steps;
     while (march.step_count() < until) march.step();
     const MarchState before(march);
     MarchedMap map(march);
-    const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), {newton_step}, solver);
+    const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), {newton_step});
     if (orbit.found == NewtonResult::Found::yes) return orbit.state;
     before.restore(march);
   }

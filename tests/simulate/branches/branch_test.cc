@@ -62,7 +62,7 @@ struct Bed {
   static Eigen::VectorXd near(TimeMarch& march) {
     MarchedMap map(march);
     const NewtonResult found =
-        find_fixed_point(map, map.symmetric().state(), {1e-9}, std::make_shared<RecycledGmres>());
+        find_fixed_point(map, map.symmetric().state(), {1e-9});
     EXPECT_EQ(found.found, NewtonResult::Found::yes);
     return found.state;
   }

@@ -69,8 +69,8 @@ void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> Sw
           .motion = there.motion,
           .period_beats = there.period_beats,
           .difference = relative_difference(spectrum(here, response.scene), spectrum(there, swept.scene))};
-      const bool settle = here.settled() && there.settled();
-      found.differs = found.difference > (settle ? clear_difference : clear_irregular_difference);
+      const bool repeat = repeats(here.motion) && repeats(there.motion);
+      found.differs = found.difference > (repeat ? clear_difference : clear_irregular_difference);
       comparison.*direction = found;
     }
   }

@@ -67,6 +67,13 @@ TEST_F(Sweeps, DifferOnlyWhereTheMotionDoes) {
   EXPECT_FALSE(found[2].down.has_value());
 }
 
+TEST_F(Sweeps, PeriodicMotionsDifferWhereOneStillSettles) {
+  Response up = rest_;
+  up.speeds[1] = at(1100, 3e-5);
+  up.speeds[1].period_revolutions = 0;
+  EXPECT_TRUE(compared(up)[1].differs());
+}
+
 TEST_F(Sweeps, IrregularMotionIsNotCalledAnotherSolution) {
   Response up = rest_;
   up.speeds[1] = at(1100, 3e-5);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <utility>
 
 #include "cases/program/errors.h"
 #include "cases/program/signal_cleanup.h"
@@ -75,11 +77,15 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
   }
 }
 
-void require_sound_bricks(const CellStress& bricks, const std::string& name) {
+/// The cells of fields that fit the model.
+CellStress checked_cells(const FieldsReader& reader, const ReducedModel& model, const std::string& name) {
+  check_together(reader, model, name);
+  CellStress bricks(reader.sector());
   if (const auto& cell = bricks.degenerate_cell())
     throw InputError(name + ": /cells: cell " + std::to_string(*cell) +
                      " is flat or turned inside out; it has no stress. Look at the mesh, and at the order of its "
                      "nodes");
+  return bricks;
 }
 
 /// Squares of the stress are computed later, and stress beyond this limit comes from damaged numbers.
@@ -176,6 +182,26 @@ MovingWheel moving_wheel(const FieldsReader& reader, WheelMotion motion, double 
   return moving;
 }
 
+/// Sector, zones, and the modes at a speed.
+FieldStudy without_motion(const FieldsReader& reader, const Study& study, double speed) {
+  FieldStudy fields;
+  fields.sector = reader.sector();
+  fields.zones = stress_zones(fields.sector, m_per_mm * study.parameters.tip_patch_mm);
+  fields.speed = speed;
+  fields.modes = natural_modes(reader, study.model, study.response.scene.lobes, study.parameters.families, speed);
+  return fields;
+}
+
+/// What `recover` finds of each varied peak that has a cycle.
+std::vector<std::optional<FieldPeak>> varied_peaks(
+    const std::vector<std::optional<WheelCycle>>& cycles, const std::vector<PeakVariation>& budget,
+    const std::function<FieldPeak(const WheelCycle&, double speed)>& recover) {
+  std::vector<std::optional<FieldPeak>> peaks(cycles.size());
+  for (std::size_t i = 0; i < cycles.size(); ++i)
+    if (cycles[i]) peaks[i] = recover(*cycles[i], budget[i].speed);
+  return peaks;
+}
+
 /// The whole wheel at the snapshot of a speed.
 void recover_instant(const SpeedResponse& response, const WaveRecovery& recover, const WaveField& spin,
                      FieldStudy& fields) {
@@ -194,32 +220,24 @@ void recover_instant(const SpeedResponse& response, const WaveRecovery& recover,
 }  // namespace
 
 void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model) {
-  const FieldsReader reader(fields_file);
-  check_together(reader, model, fields_file.string());
-  require_sound_bricks(CellStress(reader.sector()), fields_file.string());
+  checked_cells(FieldsReader(fields_file), model, fields_file.string());
 }
 
 FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study,
                           const std::optional<MaterialStrength>& strength, Progress::Shown shown) {
   const FieldsReader reader(fields_file);
-  check_together(reader, study.model, fields_file.string());
-  FieldStudy fields;
-  fields.sector = reader.sector();
-  const CellStress bricks(fields.sector);
-  require_sound_bricks(bricks, fields_file.string());
+  const CellStress bricks = checked_cells(reader, study.model, fields_file.string());
+  const std::vector<std::size_t> speeds = recovered_speeds(study.critical, study.amplitudes);
+  const std::size_t worst = worst_of(speeds, study.amplitudes.largest);
+  FieldStudy fields = without_motion(reader, study, study.response.speeds[worst].speed);
   const BladePlaces places(fields.sector);
   const WaveRecovery recover =
       wave_recovery(reader, bricks, study.response.scene.nodal_diameters, fields_file.string());
   const int block = block_of_samples(study.response.scene, fields.sector);
-  const std::vector<std::size_t> speeds = recovered_speeds(study.critical, study.amplitudes);
-  const std::size_t worst = worst_of(speeds, study.amplitudes.largest);
-  fields.zones = stress_zones(fields.sector, m_per_mm * study.parameters.tip_patch_mm);
-  fields.speed = study.response.speeds[worst].speed;
-  fields.modes =
-      natural_modes(reader, study.model, study.response.scene.lobes, study.parameters.families, fields.speed);
   const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles), shown);
-  const auto stress_of = [&](const WheelCycle& cycle, const WaveField& spin) {
+  const auto stress_of = [&](const WheelCycle& cycle, double speed) {
+    const WaveField spin = spin_field(fields.sector, bricks, speed);
     require_sound_stress(spin, fields_file.string());
     return cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, block, progress);
   };
@@ -231,21 +249,17 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
   };
   for (const auto& [index, cycle, varied] : cycles) {
     const SpeedResponse& response = study.response.speeds[index];
-    const WaveField spin = spin_field(fields.sector, bricks, response.speed);
-    const CycleStress stress = stress_of(cycle, spin);
+    const CycleStress stress = stress_of(cycle, response.speed);
     fields.peaks.push_back(peak_of(stress, cycle, response.speed));
-    fields.varied.emplace_back(varied.size());
-    for (std::size_t i = 0; i < varied.size(); ++i) {
-      if (!varied[i]) continue;
-      const double speed = response.budget[i].speed;
-      fields.varied.back()[i] =
-          peak_of(stress_of(*varied[i], spin_field(fields.sector, bricks, speed)), *varied[i], speed);
-    }
+    fields.varied.push_back(varied_peaks(varied, response.budget, [&](const WheelCycle& other, double speed) {
+      return peak_of(stress_of(other, speed), other, speed);
+    }));
     if (response.cycle)
       fields.moving.push_back(
           moving_wheel(reader, wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
                        response.speed, stress));
-    if (index == worst && response.snapshot) recover_instant(response, recover, spin, fields);
+    if (index == worst && response.snapshot)
+      recover_instant(response, recover, spin_field(fields.sector, bricks, response.speed), fields);
   }
   return fields;
 }

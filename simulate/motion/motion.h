@@ -62,6 +62,8 @@ struct OrbitReport {
   /// [1] The magnitude of the largest Floquet multiplier per revolution, and its uncertainty; 0 if not known.
   double multiplier = 0, multiplier_uncertainty = 0;
   double multiplier_angle = 0;  ///< [rad] 0 .. pi, of one map: pi for a period doubling
+
+  bool operator==(const OrbitReport&) const = default;
 };
 
 /// Whether the nodal diameters that were left out by symmetry would stay at rest.

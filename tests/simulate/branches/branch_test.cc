@@ -61,8 +61,7 @@ struct Bed {
  private:
   static Eigen::VectorXd near(TimeMarch& march) {
     MarchedMap map(march);
-    const NewtonResult found =
-        find_fixed_point(map, map.symmetric().state(), {1e-9});
+    const NewtonResult found = find_fixed_point(map, map.symmetric().state(), {1e-9});
     EXPECT_EQ(found.found, NewtonResult::Found::yes);
     return found.state;
   }

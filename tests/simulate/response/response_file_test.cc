@@ -34,11 +34,9 @@ SpeedResponse settled_speed() {
   speed.snapshot = RotorSnapshot{5, 12.5, {Eigen::VectorXcd::Random(4), Eigen::VectorXcd::Random(7)}};
   speed.cycle = RotorCycle{4, {Eigen::MatrixXcd::Random(4, 4), Eigen::MatrixXcd::Random(7, 4)}};
   speed.audit.orbit = {OrbitReport::Outcome::marched, 4, 25, 1e-3, 1.1, 0.01, 2};
-  PeakVariation varied;
-  varied.speed = 99;
-  varied.samples_per_revolution = 6;
-  varied.cycle = RotorCycle{0, {Eigen::MatrixXcd::Random(4, 3), Eigen::MatrixXcd::Random(7, 3)}};
-  speed.budget = {varied, PeakVariation{}};
+  speed.budget.resize(2);
+  speed.budget[0].samples_per_revolution = 6;
+  speed.budget[0].cycle = RotorCycle{0, {Eigen::MatrixXcd::Random(4, 3), Eigen::MatrixXcd::Random(7, 3)}};
   return speed;
 }
 
@@ -159,42 +157,30 @@ TEST_F(ResponseFile, RefusesAByteThatChanged) {
 TEST_F(ResponseFile, GivesBackASpeed) {
   const Response response = two_speeds(), back = written_and_read(response);
   const SpeedResponse& given = response.speeds[0];
-  ASSERT_EQ(back.speeds.size(), 2u);
-  const SpeedResponse& speed = back.speeds[0];
+  const SpeedResponse& speed = back.speeds.at(0);
   EXPECT_EQ(speed.clearance, given.clearance);
   EXPECT_EQ(speed.displacement, given.displacement);
   EXPECT_EQ(speed.contact_force, given.contact_force);
   EXPECT_EQ(speed.contact_count, given.contact_count);
   EXPECT_EQ(speed.contact_steps, given.contact_steps);
   EXPECT_EQ(speed.motion, MotionClass::subharmonic);
-  ASSERT_TRUE(speed.snapshot.has_value());
+  ASSERT_TRUE(speed.snapshot && speed.cycle);
   EXPECT_EQ(speed.snapshot->sample, 5);
   EXPECT_EQ(speed.snapshot->force, 12.5);
   EXPECT_EQ(speed.snapshot->displacement, given.snapshot->displacement);
-  ASSERT_TRUE(speed.cycle.has_value());
   EXPECT_EQ(speed.cycle->first_sample, 4);
   EXPECT_EQ(speed.cycle->displacement, given.cycle->displacement);
-  EXPECT_EQ(speed.audit.orbit.outcome, OrbitReport::Outcome::marched);
-  EXPECT_EQ(speed.audit.orbit.maps, 4);
-  EXPECT_EQ(speed.audit.orbit.revolutions, 25);
-  EXPECT_EQ(speed.audit.orbit.residual, 1e-3);
-  EXPECT_EQ(speed.audit.orbit.multiplier, 1.1);
-  EXPECT_EQ(speed.audit.orbit.multiplier_uncertainty, 0.01);
-  EXPECT_EQ(speed.audit.orbit.multiplier_angle, 2);
-  ASSERT_EQ(speed.budget.size(), 2u);
-  EXPECT_EQ(speed.budget[0].speed, 99);
+  EXPECT_EQ(speed.audit.orbit, given.audit.orbit);
+  ASSERT_TRUE(speed.budget.size() == 2 && speed.budget[0].cycle);
   EXPECT_EQ(speed.budget[0].samples_per_revolution, 6);
-  ASSERT_TRUE(speed.budget[0].cycle.has_value());
   EXPECT_EQ(speed.budget[0].cycle->displacement, given.budget[0].cycle->displacement);
   EXPECT_FALSE(speed.budget[1].cycle.has_value());
 }
 
 TEST_F(ResponseFile, GivesBackWhyASpeedFailed) {
   const Response back = written_and_read(two_speeds());
-  ASSERT_EQ(back.speeds.size(), 2u);
-  EXPECT_EQ(back.speeds[1].failure, "why");
-  EXPECT_FALSE(back.speeds[1].snapshot.has_value());
-  EXPECT_FALSE(back.speeds[1].cycle.has_value());
+  EXPECT_EQ(back.speeds.at(1).failure, "why");
+  EXPECT_FALSE(back.speeds[1].snapshot || back.speeds[1].cycle);
   EXPECT_EQ(back.speeds[1].audit.orbit.outcome, OrbitReport::Outcome::none);
 }
 

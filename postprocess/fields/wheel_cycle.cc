@@ -95,7 +95,8 @@ WheelCycle without_repeats(const Motion& motion, const SimulatedScene& scene, co
   cycle.states = motion.cycle->displacement;
   cycle.recorded_samples = cycle.samples();
   require_dofs(cycle, scene, model);
-  if (const int beats = std::lcm(scene.sector_count, scene.lobes); motion.samples_per_revolution % beats == 0)
+  if (const int beats = std::lcm(scene.sector_count, scene.lobes);
+      beats > 0 && motion.samples_per_revolution % beats == 0)
     drop_repeats(cycle, motion.samples_per_revolution / beats, TurnedDifference(cycle, motion.speed, scene, model));
   return cycle;
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -122,8 +121,8 @@ void MumpsFactor::write_to(const std::filesystem::path& folder) {
   const std::string name = folder.string();
   if (name.size() >= sizeof(mumps_.ooc_tmpdir))
     throw RunError(name + ": the name of this folder is too long for MUMPS; write model.h5 to another folder");
-  std::strcpy(mumps_.ooc_tmpdir, name.c_str());
-  std::strcpy(mumps_.ooc_prefix, "factor");
+  name.copy(mumps_.ooc_tmpdir, name.size());  // zeros follow
+  std::string("factor").copy(mumps_.ooc_prefix, sizeof(mumps_.ooc_prefix) - 1);
   control(22) = 1;
 }
 

@@ -121,8 +121,9 @@ void MumpsFactor::write_to(const std::filesystem::path& folder) {
   const std::string name = folder.string();
   if (name.size() >= sizeof(mumps_.ooc_tmpdir))
     throw RunError(name + ": the name of this folder is too long for MUMPS; write model.h5 to another folder");
-  name.copy(mumps_.ooc_tmpdir, name.size());  // zeros follow
-  std::string("factor").copy(mumps_.ooc_prefix, sizeof(mumps_.ooc_prefix) - 1);
+  mumps_.ooc_tmpdir[name.copy(mumps_.ooc_tmpdir, name.size())] = '\0';
+  const std::string prefix = "factor";
+  mumps_.ooc_prefix[prefix.copy(mumps_.ooc_prefix, prefix.size())] = '\0';
   control(22) = 1;
 }
 

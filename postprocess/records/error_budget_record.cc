@@ -197,7 +197,7 @@ std::string largest_moves(const Study& study, const FieldResults& fields) {
   const std::optional<std::size_t> worst = worst_critical(study.critical);
   for (const ErrorBudget& budget : budgets)
     if (worst && budget.critical == &study.critical[*worst])
-      return largest_text(&budget, &BudgetRow::shift) + " moves the speed, and " +
+      return largest_text(&budget, &BudgetRow::shift) + " moves the speed, " +
              largest_text(&budget, &BudgetRow::excursion) + " the motion of the tip" +
              (budget.stress > 0 ? ", " + largest_text(&budget, stress_change) + " the stress" : "");
   return "";

@@ -42,8 +42,8 @@ std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& f
 /// the largest row and the sum of each, of the budget with the largest amplitude; or empty.
 std::string largest_errors(const Study& study, const FieldResults& fields);
 
-/// "friction 0.1 (-2.9 %) moves the speed, and damping 0.002 (+52 %) the motion of the tip": of the same budget, or
-/// empty.
+/// "friction 0.1 (-2.9 %) moves the speed, damping 0.002 (+52 %) the motion of the tip, ... the stress": of the same
+/// budget, or empty.
 std::string largest_moves(const Study& study, const FieldResults& fields);
 
 /// A row for each critical speed and source, and one with the sum over the sources: error_budget.csv.

@@ -8,6 +8,10 @@
 
 namespace tiprub {
 
+/// Starts MPI, for one call of it at a time; and ends it.
+void start_mpi();
+void end_mpi();
+
 /// Raised in the processes of a group other than the one that failed and says why. The program then ends without a
 /// message of its own.
 struct FailedElsewhere : std::exception {

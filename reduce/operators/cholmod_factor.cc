@@ -24,15 +24,23 @@ using Supernode = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using Rows = Eigen::Matrix<std::int64_t, Eigen::Dynamic, 1>;
 static_assert(std::is_same_v<SuiteSparse_long, std::int64_t>);
 
-class CholmodFactor : public FactorEngine {
- public:
-  CholmodFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs);
-  CholmodFactor(const CholmodFactor&) = delete;
-  CholmodFactor& operator=(const CholmodFactor&) = delete;
-  ~CholmodFactor() override {
+/// What CHOLMOD allocates; it is freed also if a constructor fails.
+struct CholmodMemory {
+  cholmod_common common_{};
+  cholmod_factor* factor_ = nullptr;
+
+  CholmodMemory() { cholmod_l_start(&common_); }
+  CholmodMemory(const CholmodMemory&) = delete;
+  CholmodMemory& operator=(const CholmodMemory&) = delete;
+  ~CholmodMemory() {
     cholmod_l_free_factor(&factor_, &common_);
     cholmod_l_finish(&common_);
   }
+};
+
+class CholmodFactor : public FactorEngine, private CholmodMemory {
+ public:
+  CholmodFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs);
 
   Eigen::MatrixXd take_schur_complement() override;
   Eliminated eliminate(const Eigen::MatrixXd& interior_load) const override;
@@ -53,8 +61,6 @@ class CholmodFactor : public FactorEngine {
   Eigen::MatrixXd multiply_interface_transposed(const Eigen::MatrixXd& x) const;
   Supernodes supernodes() const;
 
-  cholmod_common common_{};
-  cholmod_factor* factor_ = nullptr;
   int interior_ = 0;
   int interface_ = 0;
   double shift_ = 0;           ///< of K_FF
@@ -63,7 +69,6 @@ class CholmodFactor : public FactorEngine {
 
 CholmodFactor::CholmodFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs)
     : interior_(dofs.interior), interface_(dofs.interface()) {
-  cholmod_l_start(&common_);
   common_.supernodal = CHOLMOD_SUPERNODAL;
   common_.final_ll = 1;
   common_.nmethods = 1;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cases/program/errors.h"
+#include "cases/program/process_group.h"
 #include "reduce/operators/scratch_folder.h"
 
 namespace tiprub::reduce {
@@ -30,13 +31,12 @@ void require_mpi() {
     int started_before = 0;
     Session() {
       MPI_Initialized(&started_before);
-      int provided = 0;
-      if (started_before == 0) MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+      if (started_before == 0) start_mpi();
     }
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
     ~Session() {
-      if (started_before == 0) MPI_Finalize();
+      if (started_before == 0) end_mpi();
     }
   };
   static const Session session;

@@ -10,40 +10,124 @@ namespace {
 constexpr std::size_t eight = 8;
 
 /// `vectors` vectors of the sum. Even and odd columns are summed separately, which halves the chain of additions.
-template <std::size_t vectors>
+template <class Set, std::size_t vectors>
 TIPRUB_INLINE void combine_rows(const double* matrix, std::size_t stride, const int* columns, const double* weights,
                                 std::size_t count, double* sum) {
-  Lanes8 even[vectors] = {}, odd[vectors] = {};
+  Eight<Set> even[vectors] = {}, odd[vectors] = {};
   std::size_t i = 0;
   for (; i + 2 <= count; i += 2) {
     const double* first = matrix + stride * columns[i];
     const double* second = matrix + stride * columns[i + 1];
     for (std::size_t v = 0; v < vectors; ++v) {
-      even[v] += lanes8(first + eight * v) * weights[i];
-      odd[v] += lanes8(second + eight * v) * weights[i + 1];
+      even[v] += lanes8<Set>(first + eight * v) * weights[i];
+      odd[v] += lanes8<Set>(second + eight * v) * weights[i + 1];
     }
   }
   for (std::size_t v = 0; v < vectors && i < count; ++v)
-    even[v] += lanes8(matrix + stride * columns[i] + eight * v) * weights[i];
-  for (std::size_t v = 0; v < vectors; ++v) lanes8(sum + eight * v) = even[v] + odd[v];
+    even[v] += lanes8<Set>(matrix + stride * columns[i] + eight * v) * weights[i];
+  for (std::size_t v = 0; v < vectors; ++v) lanes8<Set>(sum + eight * v) = even[v] + odd[v];
 }
 
-std::size_t vector_of(std::size_t index) {
+TIPRUB_INLINE std::size_t vector_of(std::size_t index) {
   return index / eight * eight;
 }
 
+struct CombineColumns {
+  template <class Set>
+  TIPRUB_INLINE static void run(const Columns& matrix, const int* columns, const double* weights, std::size_t count,
+                                double* sum) {
+    constexpr std::size_t most = Set::registers == 1 ? 5 : 3;  // vectors whose sums fit the registers
+    std::size_t offset = 0;
+    for (; offset + most * eight <= matrix.rows; offset += most * eight)
+      combine_rows<Set, most>(matrix.values + offset, matrix.stride, columns, weights, count, sum + offset);
+    for (; offset + 2 * eight <= matrix.rows; offset += 2 * eight)
+      combine_rows<Set, 2>(matrix.values + offset, matrix.stride, columns, weights, count, sum + offset);
+    for (; offset < matrix.rows; offset += eight)
+      combine_rows<Set, 1>(matrix.values + offset, matrix.stride, columns, weights, count, sum + offset);
+  }
+};
+
+struct AddDyad {
+  template <class Set>
+  TIPRUB_INLINE static void run(double* matrix, std::size_t stride, std::size_t size, const double* u,
+                                double factor) {
+    for (std::size_t j = 0; j < size; ++j) {
+      const double share = factor * u[j];
+      double* column = matrix + stride * j;
+      for (std::size_t i = 0; i < size; i += eight) lanes8<Set>(column + i) += lanes8<Set>(u + i) * share;
+    }
+  }
+};
+
+struct Factorize {
+  template <class Set>
+  TIPRUB_INLINE static bool run(const Factor& factor, std::size_t size) {
+    const std::size_t stride = factor.stride;
+    for (std::size_t j = 0; j < size; ++j) {
+      double* column = factor.lower + stride * j;
+      if (!(column[j] > 0)) return false;
+      const double inverse = 1 / column[j];
+      factor.inverse_pivot[j] = inverse;
+      for (std::size_t c = j + 1; c < size; ++c) {
+        const double share = column[c] * inverse;
+        factor.upper[stride * c + j] = share;
+        double* later = factor.lower + stride * c;
+        for (std::size_t i = vector_of(c); i < size; i += eight)
+          lanes8<Set>(later + i) -= lanes8<Set>(column + i) * share;
+      }
+      for (std::size_t i = vector_of(j); i < size; i += eight) lanes8<Set>(column + i) *= inverse;
+      for (std::size_t i = vector_of(j); i <= j; ++i) column[i] = 0;
+    }
+    return true;
+  }
+};
+
+struct FactorizeUnsymmetric {
+  template <class Set>
+  TIPRUB_INLINE static bool run(const Factor& factor, std::size_t size) {
+    const std::size_t stride = factor.stride;
+    for (std::size_t j = 0; j < size; ++j) {
+      double* column = factor.lower + stride * j;
+      if (!(column[j] > 0)) return false;
+      const double inverse = 1 / column[j];
+      factor.inverse_pivot[j] = inverse;
+      for (std::size_t c = j + 1; c < size; ++c) {
+        double* later = factor.lower + stride * c;
+        const double share = later[j] * inverse;
+        factor.upper[stride * c + j] = share;
+        for (std::size_t i = vector_of(j + 1); i < size; i += eight)
+          lanes8<Set>(later + i) -= lanes8<Set>(column + i) * share;
+      }
+      for (std::size_t i = vector_of(j); i < size; i += eight) lanes8<Set>(column + i) *= inverse;
+      for (std::size_t i = vector_of(j); i <= j; ++i) column[i] = 0;
+    }
+    return true;
+  }
+};
+
+struct Solve {
+  template <class Set>
+  TIPRUB_INLINE static void run(const Factor& factor, std::size_t size, double* x) {
+    const std::size_t stride = factor.stride;
+    for (std::size_t j = 0; j + 1 < size; ++j) {
+      const double value = x[j];
+      for (std::size_t i = vector_of(j + 1); i < size; i += eight)
+        lanes8<Set>(x + i) -= lanes8<Set>(factor.lower + stride * j + i) * value;
+    }
+    for (std::size_t i = 0; i < size; i += eight) lanes8<Set>(x + i) *= lanes8<Set>(factor.inverse_pivot + i);
+    for (std::size_t j = size - 1; j > 0; --j) {
+      const double value = x[j];
+      for (std::size_t i = 0; i < j; i += eight)
+        lanes8<Set>(x + i) -= lanes8<Set>(factor.upper + stride * j + i) * value;
+    }
+  }
+};
+
 }  // namespace
 
-TIPRUB_CLONES
 void combine_columns(const Columns& matrix, const int* columns, const double* weights, std::size_t count,
                      double* sum) {
-  std::size_t offset = 0;
-  for (; offset + 5 * eight <= matrix.rows; offset += 5 * eight)
-    combine_rows<5>(matrix.values + offset, matrix.stride, columns, weights, count, sum + offset);
-  for (; offset + 2 * eight <= matrix.rows; offset += 2 * eight)
-    combine_rows<2>(matrix.values + offset, matrix.stride, columns, weights, count, sum + offset);
-  for (; offset < matrix.rows; offset += eight)
-    combine_rows<1>(matrix.values + offset, matrix.stride, columns, weights, count, sum + offset);
+  in_eights<CombineColumns>(matrix, columns, weights, count, sum);
 }
 
 TIPRUB_CLONES
@@ -55,68 +139,20 @@ void add_columns(const Columns& matrix, const double* weights, std::size_t count
   }
 }
 
-TIPRUB_CLONES
 void add_dyad(double* matrix, std::size_t stride, std::size_t size, const double* u, double factor) {
-  for (std::size_t j = 0; j < size; ++j) {
-    const double share = factor * u[j];
-    double* column = matrix + stride * j;
-    for (std::size_t i = 0; i < size; i += eight) lanes8(column + i) += lanes8(u + i) * share;
-  }
+  in_eights<AddDyad>(matrix, stride, size, u, factor);
 }
 
-TIPRUB_CLONES
 bool factorize(const Factor& factor, std::size_t size) {
-  const std::size_t stride = factor.stride;
-  for (std::size_t j = 0; j < size; ++j) {
-    double* column = factor.lower + stride * j;
-    if (!(column[j] > 0)) return false;
-    const double inverse = 1 / column[j];
-    factor.inverse_pivot[j] = inverse;
-    for (std::size_t c = j + 1; c < size; ++c) {
-      const double share = column[c] * inverse;
-      factor.upper[stride * c + j] = share;
-      double* later = factor.lower + stride * c;
-      for (std::size_t i = vector_of(c); i < size; i += eight) lanes8(later + i) -= lanes8(column + i) * share;
-    }
-    for (std::size_t i = vector_of(j); i < size; i += eight) lanes8(column + i) *= inverse;
-    for (std::size_t i = vector_of(j); i <= j; ++i) column[i] = 0;
-  }
-  return true;
+  return in_eights<Factorize>(factor, size);
 }
 
-TIPRUB_CLONES
 bool factorize_unsymmetric(const Factor& factor, std::size_t size) {
-  const std::size_t stride = factor.stride;
-  for (std::size_t j = 0; j < size; ++j) {
-    double* column = factor.lower + stride * j;
-    if (!(column[j] > 0)) return false;
-    const double inverse = 1 / column[j];
-    factor.inverse_pivot[j] = inverse;
-    for (std::size_t c = j + 1; c < size; ++c) {
-      double* later = factor.lower + stride * c;
-      const double share = later[j] * inverse;
-      factor.upper[stride * c + j] = share;
-      for (std::size_t i = vector_of(j + 1); i < size; i += eight) lanes8(later + i) -= lanes8(column + i) * share;
-    }
-    for (std::size_t i = vector_of(j); i < size; i += eight) lanes8(column + i) *= inverse;
-    for (std::size_t i = vector_of(j); i <= j; ++i) column[i] = 0;
-  }
-  return true;
+  return in_eights<FactorizeUnsymmetric>(factor, size);
 }
 
-TIPRUB_CLONES
 void solve(const Factor& factor, std::size_t size, double* x) {
-  const std::size_t stride = factor.stride;
-  for (std::size_t j = 0; j + 1 < size; ++j) {
-    const double value = x[j];
-    for (std::size_t i = vector_of(j + 1); i < size; i += eight)
-      lanes8(x + i) -= lanes8(factor.lower + stride * j + i) * value;
-  }
-  for (std::size_t i = 0; i < size; i += eight) lanes8(x + i) *= lanes8(factor.inverse_pivot + i);
-  for (std::size_t j = size - 1; j > 0; --j) {
-    const double value = x[j];
-    for (std::size_t i = 0; i < j; i += eight) lanes8(x + i) -= lanes8(factor.upper + stride * j + i) * value;
-  }
+  in_eights<Solve>(factor, size, x);
 }
 
 }  // namespace tiprub::simulate::kernels

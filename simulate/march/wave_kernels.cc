@@ -11,158 +11,246 @@ constexpr std::size_t eight = 8;
 constexpr std::size_t node_group = 4;
 static_assert(mode_block == 2 * eight && lane_count == node_group);
 
-/// The sums over the lanes of eight vectors, in order.
-TIPRUB_INLINE void sum_lanes(const Lanes8 (&v)[eight], Lanes8& sums) {
-  Lanes8 pairs[4];
+/// Sums of eight products over modes, in the registers of eight modes: each of their lanes is a sum of its own.
+template <class Set>
+struct Sums {
+  Avx512::Register all[eight] = {};
+};
+template <>
+struct Sums<Avx> {
+  Lanes4 low[eight] = {}, high[eight] = {};
+};
+
+/// The sums over the lanes of eight vectors, in order: of the first four, and of the others.
+TIPRUB_INLINE void sum_lanes(const Sums<Avx512>& sums, Lanes4& first, Lanes4& last) {
+  const auto& v = sums.all;
+  Avx512::Register pairs[4];
   for (std::size_t i = 0; i < 4; ++i)
     pairs[i] = __builtin_shufflevector(v[2 * i], v[2 * i + 1], 0, 8, 2, 10, 4, 12, 6, 14) +
                __builtin_shufflevector(v[2 * i], v[2 * i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-  Lanes8 fours[2];
+  Avx512::Register fours[2];
   for (std::size_t i = 0; i < 2; ++i)
     fours[i] = __builtin_shufflevector(pairs[2 * i], pairs[2 * i + 1], 0, 1, 8, 9, 4, 5, 12, 13) +
                __builtin_shufflevector(pairs[2 * i], pairs[2 * i + 1], 2, 3, 10, 11, 6, 7, 14, 15);
-  sums = __builtin_shufflevector(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
-         __builtin_shufflevector(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
+  const Avx512::Register all = __builtin_shufflevector(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
+                               __builtin_shufflevector(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
+  first = __builtin_shufflevector(all, all, 0, 1, 2, 3);
+  last = __builtin_shufflevector(all, all, 4, 5, 6, 7);
 }
 
-/// `count` nodes, at most four, whose shapes begin at `shapes`.
-template <std::size_t count>
-TIPRUB_INLINE void travelling_group(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
-                                    std::size_t nodes, double* p_re, double* p_im) {
-  Lanes8 sums[eight] = {};  // real parts of four nodes, then imaginary parts
+TIPRUB_INLINE void sum_fours(const Lanes4* v, Lanes4& sums) {
+  const Lanes4 one =
+                   __builtin_shufflevector(v[0], v[1], 0, 4, 2, 6) + __builtin_shufflevector(v[0], v[1], 1, 5, 3, 7),
+               two =
+                   __builtin_shufflevector(v[2], v[3], 0, 4, 2, 6) + __builtin_shufflevector(v[2], v[3], 1, 5, 3, 7);
+  sums = __builtin_shufflevector(one, two, 0, 1, 4, 5) + __builtin_shufflevector(one, two, 2, 3, 6, 7);
+}
+TIPRUB_INLINE void sum_lanes(const Sums<Avx>& sums, Lanes4& first, Lanes4& last) {
+  Lanes4 low, high;
+  sum_fours(sums.low, low);
+  sum_fours(sums.high, high);
+  first = low + high;
+  sum_fours(sums.low + 4, low);
+  sum_fours(sums.high + 4, high);
+  last = low + high;
+}
+
+/// Adds the products of `count` nodes, at most four, whose shapes begin at `shapes`: the real parts of four nodes,
+/// then the imaginary parts.
+template <std::size_t count, class Set>
+TIPRUB_INLINE void add_travelling(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
+                                  std::size_t nodes, typename Set::Register (&sums)[eight]) {
   for (std::size_t m = 0; m < modes; m += mode_block, shapes += 2 * mode_block * nodes)
     for (std::size_t half = 0; half < mode_block; half += eight) {
-      const Lanes8 re = lanes8(q_re + m + half), im = lanes8(q_im + m + half);
+      const typename Set::Register re = lanes<Set>(q_re + m + half), im = lanes<Set>(q_im + m + half);
       for (std::size_t k = 0; k < count; ++k) {
         const double* own = shapes + 2 * mode_block * k + half;
-        Lanes8 y_re, y_im;
-        read_once(own, y_re);
-        read_once(own + mode_block, y_im);
+        typename Set::Register y_re, y_im;
+        read_once<Set>(own, y_re);
+        read_once<Set>(own + mode_block, y_im);
         sums[k] += y_re * re;
         sums[4 + k] += y_re * im;
         sums[k] -= y_im * im;
         sums[4 + k] += y_im * re;
       }
     }
-  Lanes8 all;
-  sum_lanes(sums, all);
-  lanes4(p_re) = __builtin_shufflevector(all, all, 0, 1, 2, 3);
-  lanes4(p_im) = __builtin_shufflevector(all, all, 4, 5, 6, 7);
 }
 
-TIPRUB_INLINE void take(const Lanes8& change, const Modes& modes, std::size_t offset) {
-  lanes8(modes.q + offset) -= change;
-  lanes8(modes.increment + offset) -= change;
+template <class Set, std::size_t count>
+TIPRUB_INLINE void travelling_group(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
+                                    std::size_t nodes, double* p_re, double* p_im) {
+  Sums<Set> sums;
+  if constexpr (Set::registers == 1) {
+    add_travelling<count, Set>(shapes, q_re, q_im, modes, nodes, sums.all);
+  } else {
+    add_travelling<count, Set>(shapes, q_re, q_im, modes, nodes, sums.low);
+    add_travelling<count, Set>(shapes + 4, q_re + 4, q_im + 4, modes, nodes, sums.high);
+  }
+  sum_lanes(sums, lanes4(p_re), lanes4(p_im));
 }
 
 /// The two halves of a block are summed separately, which halves the chain of additions.
-template <std::size_t count>
-TIPRUB_INLINE void standing_group(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
-                                  double* p) {
-  Lanes8 sums[eight] = {};
+template <std::size_t count, class Set>
+TIPRUB_INLINE void add_standing(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
+                                typename Set::Register (&sums)[eight]) {
   for (std::size_t m = 0; m < modes; m += mode_block, shapes += mode_block * nodes)
     for (std::size_t half = 0; half < 2; ++half)
       for (std::size_t k = 0; k < count; ++k)
-        sums[4 * half + k] += lanes8(shapes + mode_block * k + eight * half) * lanes8(q + m + eight * half);
-  Lanes8 all;
-  sum_lanes(sums, all);
-  lanes4(p) = __builtin_shufflevector(all, all, 0, 1, 2, 3) + __builtin_shufflevector(all, all, 4, 5, 6, 7);
+        sums[4 * half + k] += lanes<Set>(shapes + mode_block * k + eight * half) * lanes<Set>(q + m + eight * half);
 }
+
+template <class Set, std::size_t count>
+TIPRUB_INLINE void standing_group(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
+                                  double* p) {
+  Sums<Set> sums;
+  if constexpr (Set::registers == 1) {
+    add_standing<count, Set>(shapes, q, modes, nodes, sums.all);
+  } else {
+    add_standing<count, Set>(shapes, q, modes, nodes, sums.low);
+    add_standing<count, Set>(shapes + 4, q + 4, modes, nodes, sums.high);
+  }
+  Lanes4 first, last;
+  sum_lanes(sums, first, last);
+  lanes4(p) = first + last;
+}
+
+struct Advance {
+  template <class Set>
+  TIPRUB_INLINE static void run(const double* r, const double* k, const double* increment, double* q, double* next,
+                                std::size_t count) {
+    for (std::size_t m = 0; m < count; m += eight / Set::registers) {
+      const typename Set::Register now = lanes<Set>(q + m), last = lanes<Set>(increment + m);
+      const typename Set::Register change = last - lanes<Set>(r + m) * last - lanes<Set>(k + m) * now;
+      lanes<Set>(next + m) = change;
+      lanes<Set>(q + m) = now + change;
+    }
+  }
+};
+
+struct ToNodesTravelling {
+  template <class Set>
+  TIPRUB_INLINE static void run(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
+                                std::size_t nodes, double* p_re, double* p_im) {
+    for (std::size_t offset = 0; offset < nodes; offset += node_group) {
+      const double* from = shapes + 2 * mode_block * offset;
+      switch (nodes - offset) {
+        case 1:
+          travelling_group<Set, 1>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
+          break;
+        case 2:
+          travelling_group<Set, 2>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
+          break;
+        case 3:
+          travelling_group<Set, 3>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
+          break;
+        default:
+          travelling_group<Set, 4>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
+      }
+    }
+  }
+};
+
+struct ToNodesStanding {
+  template <class Set>
+  TIPRUB_INLINE static void run(const double* shapes, const double* q, std::size_t modes, std::size_t nodes,
+                                double* p) {
+    for (std::size_t offset = 0; offset < nodes; offset += node_group) {
+      const double* from = shapes + mode_block * offset;
+      switch (nodes - offset) {
+        case 1:
+          standing_group<Set, 1>(from, q, modes, nodes, p + offset);
+          break;
+        case 2:
+          standing_group<Set, 2>(from, q, modes, nodes, p + offset);
+          break;
+        case 3:
+          standing_group<Set, 3>(from, q, modes, nodes, p + offset);
+          break;
+        default:
+          standing_group<Set, 4>(from, q, modes, nodes, p + offset);
+      }
+    }
+  }
+};
+
+template <class Set>
+TIPRUB_INLINE void take(const Eight<Set>& change, const Modes& modes, std::size_t offset) {
+  lanes8<Set>(modes.q + offset) -= change;
+  lanes8<Set>(modes.increment + offset) -= change;
+}
+
+/// Four sums for each register of a block: the products of real and imaginary parts.
+struct AddForceTravelling {
+  template <class Set>
+  TIPRUB_INLINE static void run(const double* shapes, const double* c, const double* f_re, const double* f_im,
+                                const ForcedNodes& forced, std::size_t modes, const Modes& re, const Modes& im) {
+    constexpr std::size_t halves = 2 / Set::registers;  // of a block at once, as many as there are registers
+    for (std::size_t m = 0; m < modes; m += mode_block, shapes += 2 * mode_block * forced.nodes)
+      for (std::size_t first = 0; first < mode_block; first += halves * eight) {
+        Eight<Set> rr[halves] = {}, ii[halves] = {}, ri[halves] = {}, ir[halves] = {};
+        for (std::size_t i = 0; i < forced.count; ++i) {
+          const int k = forced.index[i];
+          const double* own = shapes + 2 * mode_block * k + first;
+          const double force_re = f_re[k], force_im = f_im[k];
+          for (std::size_t half = 0; half < halves; ++half) {
+            Eight<Set> y_re, y_im;
+            read_once(own + eight * half, y_re);
+            read_once(own + mode_block + eight * half, y_im);
+            rr[half] += y_re * force_re;
+            ii[half] += y_im * force_im;
+            ri[half] += y_re * force_im;
+            ir[half] += y_im * force_re;
+          }
+        }
+        for (std::size_t half = 0; half < halves; ++half) {
+          const std::size_t offset = m + first + eight * half;
+          take(lanes8<Set>(c + offset) * (rr[half] + ii[half]), re, offset);
+          take(lanes8<Set>(c + offset) * (ri[half] - ir[half]), im, offset);
+        }
+      }
+  }
+};
+
+struct AddForceStanding {
+  template <class Set>
+  TIPRUB_INLINE static void run(const double* shapes, const double* c, const double* f, const ForcedNodes& forced,
+                                std::size_t modes, const Modes& re) {
+    for (std::size_t m = 0; m < modes; m += mode_block, shapes += mode_block * forced.nodes) {
+      Eight<Set> sum[2] = {};
+      for (std::size_t i = 0; i < forced.count; ++i)
+        for (std::size_t half = 0; half < 2; ++half)
+          sum[half] += lanes8<Set>(shapes + mode_block * forced.index[i] + eight * half) * f[forced.index[i]];
+      for (std::size_t half = 0; half < 2; ++half) {
+        const std::size_t offset = m + eight * half;
+        take(lanes8<Set>(c + offset) * sum[half], re, offset);
+      }
+    }
+  }
+};
 
 }  // namespace
 
-TIPRUB_CLONES
 void advance(const double* r, const double* k, const double* increment, double* q, double* next, std::size_t count) {
-  for (std::size_t m = 0; m < count; m += eight) {
-    const Lanes8 now = lanes8(q + m), last = lanes8(increment + m);
-    const Lanes8 change = last - lanes8(r + m) * last - lanes8(k + m) * now;
-    lanes8(next + m) = change;
-    lanes8(q + m) = now + change;
-  }
+  in_eights<Advance>(r, k, increment, q, next, count);
 }
 
-TIPRUB_CLONES
 void to_nodes_travelling(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
                          std::size_t nodes, double* p_re, double* p_im) {
-  for (std::size_t offset = 0; offset < nodes; offset += node_group) {
-    const double* from = shapes + 2 * mode_block * offset;
-    switch (nodes - offset) {
-      case 1:
-        travelling_group<1>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
-        break;
-      case 2:
-        travelling_group<2>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
-        break;
-      case 3:
-        travelling_group<3>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
-        break;
-      default:
-        travelling_group<4>(from, q_re, q_im, modes, nodes, p_re + offset, p_im + offset);
-    }
-  }
+  in_eights<ToNodesTravelling>(shapes, q_re, q_im, modes, nodes, p_re, p_im);
 }
 
-TIPRUB_CLONES
 void to_nodes_standing(const double* shapes, const double* q, std::size_t modes, std::size_t nodes, double* p) {
-  for (std::size_t offset = 0; offset < nodes; offset += node_group) {
-    const double* from = shapes + mode_block * offset;
-    switch (nodes - offset) {
-      case 1:
-        standing_group<1>(from, q, modes, nodes, p + offset);
-        break;
-      case 2:
-        standing_group<2>(from, q, modes, nodes, p + offset);
-        break;
-      case 3:
-        standing_group<3>(from, q, modes, nodes, p + offset);
-        break;
-      default:
-        standing_group<4>(from, q, modes, nodes, p + offset);
-    }
-  }
+  in_eights<ToNodesStanding>(shapes, q, modes, nodes, p);
 }
 
-/// Eight sums at once: the four products of real and imaginary parts, for two vectors of modes.
-TIPRUB_CLONES
 void add_force_travelling(const double* shapes, const double* c, const double* f_re, const double* f_im,
                           const ForcedNodes& forced, std::size_t modes, const Modes& re, const Modes& im) {
-  for (std::size_t m = 0; m < modes; m += mode_block, shapes += 2 * mode_block * forced.nodes) {
-    Lanes8 rr[2] = {}, ii[2] = {}, ri[2] = {}, ir[2] = {};
-    for (std::size_t i = 0; i < forced.count; ++i) {
-      const int k = forced.index[i];
-      const double* own = shapes + 2 * mode_block * k;
-      const double force_re = f_re[k], force_im = f_im[k];
-      for (std::size_t half = 0; half < 2; ++half) {
-        Lanes8 y_re, y_im;
-        read_once(own + eight * half, y_re);
-        read_once(own + mode_block + eight * half, y_im);
-        rr[half] += y_re * force_re;
-        ii[half] += y_im * force_im;
-        ri[half] += y_re * force_im;
-        ir[half] += y_im * force_re;
-      }
-    }
-    for (std::size_t half = 0; half < 2; ++half) {
-      const std::size_t offset = m + eight * half;
-      take(lanes8(c + offset) * (rr[half] + ii[half]), re, offset);
-      take(lanes8(c + offset) * (ri[half] - ir[half]), im, offset);
-    }
-  }
+  in_eights<AddForceTravelling>(shapes, c, f_re, f_im, forced, modes, re, im);
 }
 
-TIPRUB_CLONES
 void add_force_standing(const double* shapes, const double* c, const double* f, const ForcedNodes& forced,
                         std::size_t modes, const Modes& re) {
-  for (std::size_t m = 0; m < modes; m += mode_block, shapes += mode_block * forced.nodes) {
-    Lanes8 sum[2] = {};
-    for (std::size_t i = 0; i < forced.count; ++i)
-      for (std::size_t half = 0; half < 2; ++half)
-        sum[half] += lanes8(shapes + mode_block * forced.index[i] + eight * half) * f[forced.index[i]];
-    for (std::size_t half = 0; half < 2; ++half) {
-      const std::size_t offset = m + eight * half;
-      take(lanes8(c + offset) * sum[half], re, offset);
-    }
-  }
+  in_eights<AddForceStanding>(shapes, c, f, forced, modes, re);
 }
 
 TIPRUB_CLONES

@@ -17,29 +17,35 @@ constexpr int trials = 40;
 constexpr std::size_t eight = 8;
 
 /// Twenty-four chains of additions to products, of eight doubles each.
-TIPRUB_CLONES
-double multiply_and_add(int count) {
-  constexpr int chains = 24;
-  kernels::Lanes8 sums[chains];
-  for (int k = 0; k < chains; ++k) sums[k] = kernels::Lanes8{} + k;  // equal chains would be one
-  const kernels::Lanes8 factor = kernels::Lanes8{} + 0.999, more = kernels::Lanes8{} + 1e-3;
-  for (int i = 0; i < count; ++i)
-#pragma GCC unroll 24
-    for (int k = 0; k < chains; ++k) sums[k] = sums[k] * factor + more;
-  kernels::Lanes8 all = {};
-  for (int k = 0; k < chains; ++k) all += sums[k];
-  return all[0];
-}
+struct MultiplyAndAdd {
+  static constexpr int chains = 12;  // at once, in a register each
+  template <class Set>
+  TIPRUB_INLINE static double run(int count) {
+    typename Set::Register sums[chains];
+    for (int k = 0; k < chains; ++k) sums[k] = typename Set::Register{} + k;  // equal chains would be one
+    const typename Set::Register factor = typename Set::Register{} + 0.999, more = typename Set::Register{} + 1e-3;
+    const int rounds = 2 * static_cast<int>(Set::registers) * count;
+    for (int i = 0; i < rounds; ++i)
+#pragma GCC unroll 12
+      for (int k = 0; k < chains; ++k) sums[k] = sums[k] * factor + more;
+    typename Set::Register all = {};
+    for (int k = 0; k < chains; ++k) all += sums[k];
+    return all[0];
+  }
+};
 
-TIPRUB_CLONES
-double add_all(const double* values, std::size_t count) {
-  kernels::Lanes8 sums[eight] = {};
-  for (std::size_t i = 0; i < count; i += eight * eight)
-    for (std::size_t k = 0; k < eight; ++k) sums[k] += kernels::lanes8(values + i + eight * k);
-  kernels::Lanes8 all = {};
-  for (std::size_t k = 0; k < eight; ++k) all += sums[k];
-  return all[0];
-}
+struct AddAll {
+  template <class Set>
+  TIPRUB_INLINE static double run(const double* values, std::size_t count) {
+    constexpr std::size_t lanes = eight / Set::registers;
+    typename Set::Register sums[eight] = {};
+    for (std::size_t i = 0; i < count; i += eight * lanes)
+      for (std::size_t k = 0; k < eight; ++k) sums[k] += kernels::lanes<Set>(values + i + lanes * k);
+    typename Set::Register all = {};
+    for (std::size_t k = 0; k < eight; ++k) all += sums[k];
+    return all[0];
+  }
+};
 
 /// [s] the best of some trials.
 template <class Run>
@@ -75,10 +81,11 @@ MachineRates machine_rates() {
   constexpr double flops_each = 24 * 8 * 2;
   const kernels::Lines values(24 * 1024);  // 192 KiB: beyond 32 or 48 KiB, within what any processor has next
   const std::size_t size = 24 * 1024;
-  const double flops = count * flops_each / least_seconds([] { return multiply_and_add(count); });
+  const double flops = count * flops_each / least_seconds([] { return kernels::in_eights<MultiplyAndAdd>(count); });
   const double bytes = repeats * size * size_of / least_seconds([&] {
                          double sum = 0;
-                         for (int i = 0; i < repeats; ++i) sum += add_all(values.data() + 64 * (i % 2), size - 64);
+                         for (int i = 0; i < repeats; ++i)
+                           sum += kernels::in_eights<AddAll>(values.data() + 64 * (i % 2), size - 64);
                          return sum;
                        });
   return {flops, bytes};

@@ -23,7 +23,7 @@ constexpr int node_dofs = 3;
 /// machine.
 __attribute__((target_clones("avx512f", "avx2,fma", "default"))) void multiply_strip(
     int columns, const int* starts, const int* rows, const double* values, const double* right, double* product) {
-  constexpr int lanes = 8, parts = strip_width / lanes;
+  constexpr int lanes = 4, parts = strip_width / lanes;  // 32 bytes: see supernodal_solve.cc
   using Lanes = double __attribute__((vector_size(lanes * sizeof(double)), aligned(alignof(double)), may_alias));
   const auto row_of = [](auto* strip, int row) { return strip + static_cast<std::ptrdiff_t>(row) * strip_width; };
   for (int node = 0; node < columns; node += node_dofs) {

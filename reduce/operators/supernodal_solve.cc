@@ -8,7 +8,7 @@ namespace tiprub::reduce {
 
 namespace {
 
-constexpr int lanes = 8;
+constexpr int lanes = 4;  ///< 32 bytes: without AVX-512, GCC passes vectors of 64 through memory
 using Lanes = double __attribute__((vector_size(lanes * sizeof(double)), aligned(alignof(double)), may_alias));
 
 /// Some columns of a supernode, from the diagonal on.
@@ -101,16 +101,16 @@ __attribute__((always_inline)) inline void backward(const Supernodes& factor, do
 // Compiled for what the processor has: the sums are then the same on the same machine.
 #define TIPRUB_FOR_EACH_PROCESSOR __attribute__((target_clones("avx512f", "avx2,fma", "default")))
 TIPRUB_FOR_EACH_PROCESSOR void forward_wide(const Supernodes& factor, double* strip) {
-  forward<2>(factor, strip);
+  forward<4>(factor, strip);
 }
 TIPRUB_FOR_EACH_PROCESSOR void forward_narrow(const Supernodes& factor, double* strip) {
-  forward<1>(factor, strip);
+  forward<2>(factor, strip);
 }
 TIPRUB_FOR_EACH_PROCESSOR void backward_wide(const Supernodes& factor, double* strip) {
-  backward<2>(factor, strip);
+  backward<4>(factor, strip);
 }
 TIPRUB_FOR_EACH_PROCESSOR void backward_narrow(const Supernodes& factor, double* strip) {
-  backward<1>(factor, strip);
+  backward<2>(factor, strip);
 }
 #undef TIPRUB_FOR_EACH_PROCESSOR
 
@@ -122,13 +122,13 @@ void in_strips(Eigen::MatrixXd& right, const Wide& wide, const Narrow& narrow) {
   Strip strip;
   for (Eigen::Index first = 0; first < right.cols(); first += strip.cols()) {
     const Eigen::Index rest = right.cols() - first;
-    if (rest <= lanes || strip.size() == 0) strip.setZero(right.rows(), rest <= lanes ? lanes : 2 * lanes);
+    if (rest <= 2 * lanes || strip.size() == 0) strip.setZero(right.rows(), rest <= 2 * lanes ? 2 * lanes : 4 * lanes);
     const Eigen::Index columns = std::min(rest, strip.cols());
     for (Eigen::Index row = 0; row < right.rows(); row += rows_at_once) {
       const Eigen::Index rows = std::min(rows_at_once, right.rows() - row);
       strip.block(row, 0, rows, columns) = right.block(row, first, rows, columns);
     }
-    strip.cols() == lanes ? narrow(strip.data()) : wide(strip.data());
+    strip.cols() == 2 * lanes ? narrow(strip.data()) : wide(strip.data());
     for (Eigen::Index row = 0; row < right.rows(); row += rows_at_once) {
       const Eigen::Index rows = std::min(rows_at_once, right.rows() - row);
       right.block(row, first, rows, columns) = strip.block(row, 0, rows, columns);

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes expected/numbers.tsv, from which page.py fills the cells of the page: a key and its value in a line.   tell_numbers.py"""
+"""Writes expected/numbers.tsv, from which ../fill_pages.py fills the cells of the page: a key and its value in a line.   tell_numbers.py"""
 import os
 
 import numpy

@@ -67,13 +67,16 @@ FAULTS = [
     ("sizes", lambda copy: put(copy, "tests/chain/planted.py", "def planted():\n" + long_body("    pass", 40)),
      "a function of 41 lines, at most 40: def planted"),
     ("sizes", lambda copy: put(copy, "mesh/curves/planted.h", long_body("// long", 401)), "has 401 lines, at most 400"),
+    ("pages", lambda copy: put(copy, "README.md", re.sub(r"(checks.either -->)\d+", r"\g<1>99", source_tree.read(copy, "README.md")), "w"),
+     "README.md: differs from the tables"),
+    ("pages", lambda copy: put(copy, "README.md", "<!-- paper/no.such -->7<!---->\n"), "the cell no.such stands in no table"),
     ("versions", lambda copy: put(copy, ".github/CITATION.cff", "version: 9.9.9\n", "w"), "CITATION.cff: says version 9.9.9"),
 ]
 
 
 def copy_of(root, copy):
     shutil.rmtree(copy, ignore_errors=True)
-    documents = ["README.md", "cases/equations.md", "CMakeLists.txt", ".github/CHANGELOG.md", ".github/CITATION.cff"]
+    documents = ["README.md", "cases/equations.md", "cases/paper/expected/check_numbers.tsv", "CMakeLists.txt", ".github/CHANGELOG.md", ".github/CITATION.cff"]
     for path in source_tree.files(root) + documents:
         if os.path.isfile(os.path.join(root, path)):
             os.makedirs(os.path.join(copy, os.path.dirname(path)), exist_ok=True)

@@ -1,0 +1,76 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fills the marked cells of the pages, <!-- KEY -->value<!---->, from the tables beside them.
+
+usage: fill_pages.py           writes README.md of all cases, and the project's first page
+       fill_pages.py --check   fails if a page differs from its tables
+
+A case's expected/*numbers.tsv hold a key and its value in a line. A KEY that names a table of expected/, NAME.tsv or NAME.csv, stands for
+the whole table. On the first page keys begin with the name of the case: impeller_quick/largest.rpm.
+"""
+import csv
+import glob
+import os
+import re
+import sys
+
+CASES = os.path.dirname(os.path.abspath(__file__))
+FIRST_PAGE = os.path.join(CASES, "..", "README.md")
+CELL = re.compile(r"<!-- (\S+) -->(.*?)<!---->", re.S)
+SEPARATORS = {".tsv": "\t", ".csv": ","}
+
+
+def rows_of(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.reader(file, delimiter=SEPARATORS[os.path.splitext(path)[1]]))
+
+
+def numbers_of(folder):
+    """{key: value} of a case's tables of numbers."""
+    return {key: value for path in sorted(glob.glob(os.path.join(folder, "expected", "*numbers.tsv"))) for key, value in rows_of(path)[1:]}
+
+
+def table_of(path):
+    """A table as Markdown."""
+    head, *rows = ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows_of(path)]
+    return "\n".join(["", head, "|" + "---|" * len(rows_of(path)[0]), *rows, ""])
+
+
+def value_of(key, folder, numbers, page):
+    if os.path.splitext(key)[1] in SEPARATORS:
+        path = os.path.join(folder, "expected", key)
+        if os.path.exists(path):
+            return table_of(path)
+    if key not in numbers:
+        sys.exit(f"{page}: the cell {key} stands in no table of {os.path.join(folder, 'expected')}")
+    return numbers[key]
+
+
+def filled(text, page):
+    """The text of a page with the values that its tables have now."""
+    def cell(match):
+        folder, _, key = match[1].rpartition("/") if page == FIRST_PAGE else ("", "", match[1])
+        folder = os.path.join(CASES, folder) if folder else os.path.dirname(page)
+        return f"<!-- {match[1]} -->{value_of(key, folder, numbers_of(folder), os.path.relpath(page, CASES))}<!---->"
+
+    return CELL.sub(cell, text)
+
+
+def main(check):
+    stale = []
+    pages = sorted(glob.glob(os.path.join(CASES, "*", "README.md"))) + [FIRST_PAGE]
+    for page in filter(os.path.exists, pages):  # an installation keeps the first page elsewhere
+        with open(page, encoding="utf-8") as file:
+            text = file.read()
+        new = filled(text, page)
+        if new != text:
+            stale.append(os.path.relpath(page, CASES))
+            if not check:
+                with open(page, "w", encoding="utf-8") as file:
+                    file.write(new)
+    if check and stale:
+        sys.exit(f"{' and '.join(stale)}: differs from the tables of its case; run cases/fill_pages.py")
+
+
+if __name__ == "__main__":
+    main("--check" in sys.argv)

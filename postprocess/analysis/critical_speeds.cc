@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "postprocess/tables/table.h"
 #include "postprocess/waves/travelling_spectrum.h"
 
 namespace tiprub::postprocess {
@@ -138,9 +139,22 @@ double CriticalSpeed::amplitude_slack() const {
   return amplitude > 0 ? std::max(amplitude_high - amplitude, amplitude - amplitude_low) / amplitude : 0;
 }
 
+namespace {
+
+/// "EO 10 ND 0 48 %"
+std::string with_share(const WaveLabel& wave, const CriticalSpeed& critical) {
+  return wave_name(wave) + " " + fixed(percent * wave.amplitude / critical.amplitude, 0) + " %";
+}
+
+}  // namespace
+
 std::string wave_names(const CriticalSpeed& critical) {
-  return wave_name(critical.rising) +
-         (critical.has_larger_wave() ? " (largest: " + wave_name(critical.largest) + ")" : "");
+  if (!critical.is_mixed()) return wave_name(critical.rising);
+  constexpr std::size_t named = 2;  // beside the wave that makes the peak
+  std::string text = "mixed: " + with_share(critical.rising, critical);
+  for (std::size_t i = 0; i < std::min(named, critical.others.size()); ++i)
+    text += ", " + with_share(critical.others[i], critical);
+  return text;
 }
 
 Eigen::Index TipAmplitudes::worst() const {

@@ -42,10 +42,10 @@ Eigen::MatrixXd peaks(const std::vector<CriticalSpeed>& critical) {
   return rows;
 }
 
-/// The waves that make the peaks: "EO 6 ND -4".
+/// The waves that make the peaks: "EO 6 ND -4", or "mixed".
 std::vector<std::string> peak_names(const std::vector<CriticalSpeed>& all) {
   std::vector<std::string> names;
-  for (const CriticalSpeed& critical : all) names.push_back(wave_names(critical));
+  for (const CriticalSpeed& critical : all) names.push_back(critical.is_mixed() ? "mixed" : wave_names(critical));
   return names;
 }
 

@@ -122,7 +122,8 @@ void in_strips(Eigen::MatrixXd& right, const Wide& wide, const Narrow& narrow) {
   Strip strip;
   for (Eigen::Index first = 0; first < right.cols(); first += strip.cols()) {
     const Eigen::Index rest = right.cols() - first;
-    if (rest <= 2 * lanes || strip.size() == 0) strip.setZero(right.rows(), rest <= 2 * lanes ? 2 * lanes : 4 * lanes);
+    if (rest <= 2 * lanes || strip.size() == 0)
+      strip.setZero(right.rows(), rest <= 2 * lanes ? 2 * lanes : 4 * lanes);
     const Eigen::Index columns = std::min(rest, strip.cols());
     for (Eigen::Index row = 0; row < right.rows(); row += rows_at_once) {
       const Eigen::Index rows = std::min(rows_at_once, right.rows() - row);

@@ -221,7 +221,8 @@ Eigen::MatrixXd TimeMarch::slopes(const Eigen::VectorXd& blades, std::int64_t st
 void TimeMarch::require_sliding() const {
   if (!has_friction()) return;
   for (const int i : contact_->closed()) {
-    if (slide_[2 * i] * carried_[2 * i] > 0) continue;
+    const bool rubs = drag_ratio()[2 * i] != 0 || drag_ratio()[2 * i + 1] != 0;
+    if (!rubs || slide_[2 * i] * carried_[2 * i] > 0) continue;
     std::ostringstream text;
     text << "contact node " << i % width() << " (from 0) of sector " << i / width()
          << " no longer slides forward: its velocity over the casing along the circumference is "

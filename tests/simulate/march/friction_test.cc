@@ -9,6 +9,7 @@
 #include "simulate/motion/attempt.h"
 #include "simulate/orbits/energy_audit.h"
 #include "simulate/scene/friction_limit.h"
+#include "tests/simulate/march/rubbing_blade.h"
 #include "tests/simulate/one_sector.h"
 #include "tests/simulate/synthetic_wheel.h"
 
@@ -16,49 +17,11 @@ namespace tiprub::simulate {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double radius = 0.1;  // m
-
-/// A mode of one blade with one contact node: how far it moves the tip along its normal, theta, and the tip line.
-struct Mode {
-  double omega, normal, theta, tip_line;  ///< [rad/s], [1/sqrt(kg)]
-};
-
-RotorAtSpeed rotor_of_modes(const std::vector<Mode>& modes, double speed, double damping_ratio = 0) {
-  RotorAtSpeed rotor;
-  rotor.speed = speed;
-  rotor.sector_count = 1;
-  const auto count = static_cast<Eigen::Index>(modes.size());
-  WaveModes wave;
-  wave.kind = WaveKind::standing;
-  wave.moving = count;
-  wave.omega.resize(count);
-  wave.damping_ratio = Eigen::ArrayXd::Constant(count, damping_ratio);
-  wave.normal_rows.resize(1, count);
-  wave.sliding_rows.resize(2, count);
-  for (Eigen::Index m = 0; m < count; ++m) {
-    const Mode& mode = modes[static_cast<std::size_t>(m)];
-    wave.omega[m] = mode.omega;
-    wave.normal_rows(0, m) = mode.normal;
-    wave.sliding_rows.col(m) << mode.theta, mode.tip_line;
-  }
-  wave.contact_rows = Eigen::MatrixXcd::Zero(3, count);
-  wave.shapes = Eigen::MatrixXcd::Identity(count, count);
-  rotor.waves.push_back(wave);
-  return rotor;
-}
-
-MarchSetup rubbing(Scheme scheme, int steps, double friction) {
-  MarchSetup setup{scheme, ContactRule::complementarity, steps};
-  if (friction > 0) setup.friction = Eigen::VectorXd::Constant(1, friction);
-  return setup;
-}
-
-/// The blade against a casing with a clearance [m], negative if it presses at rest.
-TimeMarch blade(const RotorAtSpeed& rotor, const Casing& casing, double clearance, const MarchSetup& setup) {
-  return testing::march_of(rotor, casing, testing::one_sector().contact, Eigen::VectorXd::Constant(1, clearance),
-                           setup);
-}
-
+using testing::blade;
+using testing::Mode;
+using testing::radius;
+using testing::rotor_of_modes;
+using testing::rubbing;
 /// One mode moves along one line only, and the casing prescribes how: friction changes the force, not the motion.
 TEST(Friction, OfOneModeChangesTheForceAndNotTheMotion) {
   const double n = 3, t = -4, mu = 0.2;
@@ -152,6 +115,47 @@ TEST(Friction, DampsAMassAcrossTheMotionOfItsBelt) {
     }
     const double ratio = std::log(largest_before / largest) / (2 * pi * (periods - 1));
     EXPECT_NEAR(ratio, mu * force / (2 * belt), 2e-4);
+  }
+}
+
+/// Two modes of a tip on a spring k3 (Hoffmann et al. 2002, whose springs these are): with the stiffness k11 along
+/// the casing, k22 towards it, k3 included, and k12 < 0 between the two, their frequencies coalesce at mu = ((k11 -
+/// k22)^2 + 4 k12^2)/(-4 k12 k3) = 0.472. Beyond, the tip flutters at the rate Re sqrt(-w^2).
+TEST(Friction, LetsTwoModesFlutterWhereTheirFrequenciesCoalesce) {
+  const double k11 = 23.25e6, k22 = 18.75e6, k12 = -9e6 * std::sqrt(3.0) / 4, k3 = 11e6;  // N/m, of 1 kg
+  const double limit = ((k11 - k22) * (k11 - k22) + 4 * k12 * k12) / (-4 * k12 * k3);
+  EXPECT_NEAR(limit, 0.472, 5e-4);
+  const Eigen::Matrix2d own = (Eigen::Matrix2d() << k11, k12, k12, k22 - k3).finished();  // theta, normal
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(own);
+  std::vector<Mode> free;
+  for (int m = 0; m < 2; ++m)
+    free.push_back({std::sqrt(modes.eigenvalues()[m]), modes.eigenvectors()(1, m), modes.eigenvectors()(0, m), 0});
+  const int steps = 2400, revolutions = 20;
+  const double pressed = 10;  // N
+  for (const double mu : {0.98 * limit, 1.02 * limit}) {
+    const Eigen::Vector2d rest = -pressed * own.inverse() * Eigen::Vector2d(mu, 1);
+    MarchSetup setup = rubbing(Scheme::penalty, steps, mu);
+    setup.penalty_stiffness = k3;
+    TimeMarch march =
+        blade(rotor_of_modes(free, 1000), testing::lobed_casing(1, 0, 0), rest[1] - pressed / k3, setup);
+    const Eigen::Vector2d at_rest = modes.eigenvectors().transpose() * rest;
+    march.set_state(0, (at_rest * (1 + 1e-7)).cast<std::complex<double>>(), Eigen::Vector2cd(0, 0));
+    double early = 0, late = 0;  // largest distances from rest in revolutions 8 and 20
+    for (int i = 0; i < revolutions * steps; ++i) {
+      march.step();
+      const double away = (march.coordinates(0).head(2).real() - at_rest).norm();
+      if (i / steps == 7) early = std::max(early, away);
+      if (i / steps == revolutions - 1) late = std::max(late, away);
+    }
+    const std::complex<double> split =
+        std::sqrt(std::complex<double>((k11 - k22) * (k11 - k22) / 4 + k12 * (k12 + mu * k3)));
+    const double rate = std::sqrt(-(k11 + k22) / 2 + split).real();
+    EXPECT_EQ(rate > 1, mu > limit);
+    const double growth = std::log(late / early);
+    if (mu > limit)
+      EXPECT_NEAR(growth, rate * 12 * 2 * pi / 1000, 0.05);
+    else
+      EXPECT_LT(growth, 1.5);  // two frequencies beat
   }
 }
 
@@ -287,39 +291,6 @@ TEST(Friction, KeepsTheEnergyLedgerClosed) {
     EXPECT_LT(std::abs(ledger.closing_error), 1e-11);
     EXPECT_GT(std::abs(ledger.drag_work), 0.01 * std::abs(ledger.contact_work));
     EXPECT_EQ(impacts > 0, scheme == Scheme::trigonometric);
-  }
-}
-
-/// Nodes that move apart from each other: friction divides the force of each by its own 1 + mu t/n.
-TEST(Friction, OverTheChordChangesTheForceOfEachNode) {
-  const Eigen::Vector2d n(3, 2), t(-4, 5), mu(0.2, 0.1);
-  RotorAtSpeed rotor = rotor_of_modes({{6000, 0, 0, 0}, {8000, 0, 0, 0}}, 1000, 0.01);
-  WaveModes& wave = rotor.waves[0];
-  wave.normal_rows = n.cast<std::complex<double>>().asDiagonal();
-  wave.sliding_rows = Eigen::MatrixXcd::Zero(4, 2);
-  wave.sliding_rows(0, 0) = t[0];
-  wave.sliding_rows(2, 1) = t[1];
-  wave.contact_rows = Eigen::MatrixXcd::Zero(6, 2);
-  const ContactLine one = testing::one_sector().contact;
-  ContactLine tips = one;
-  tips.position = one.position.replicate(2, 1);
-  tips.normal = one.normal.replicate(2, 1);
-  tips.arc_length = Eigen::Vector2d(0, 0.1);
-  Casing casing = testing::lobed_casing(1, 2e-4, 1e-4);
-  casing.friction = {{0.0, mu[0]}, {1.0, mu[1]}};
-  const auto march = [&](const Eigen::VectorXd& friction) {
-    MarchSetup setup = rubbing(Scheme::trigonometric, 1200, 0);
-    setup.friction = friction;
-    return testing::march_of(rotor, casing, tips, Eigen::Vector2d::Constant(1e-4), setup);
-  };
-  TimeMarch slides = march(casing.friction_at(tips)), rests = march({});
-  for (int i = 0; i < 6 * 1200; ++i) {
-    slides.step();
-    rests.step();
-    for (int k = 0; k < 2; ++k) {
-      const double force = rests.contact().multipliers()[k];
-      ASSERT_NEAR(slides.contact().multipliers()[k], force / (1 + mu[k] * t[k] / n[k]), 1e-7 * force + 1e-7) << i;
-    }
   }
 }
 

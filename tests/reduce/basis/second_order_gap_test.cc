@@ -54,6 +54,23 @@ TEST(SecondOrderGap, ShortensABarThatATipLoadBends) {
     EXPECT_NEAR(shortening * length * across * across / along, 1.0, within);
 }
 
+TEST(SecondOrderGap, ContractedWithTheSpinLoadGivesTheStiffeningByTension) {
+  // phi' K_sigma phi = int T w'^2 dx, with the tension T = rho A Omega^2 ((r + L)^2 - (r + x)^2)/2 and w = (3 x^2 L -
+  // x^3)/(2 L^3), which a tip load bends; for r = L/2 the integral is 9/8 (8/3 - 3 + 2/5 + 1/2 - 1/7) rho A L
+  // Omega^2.
+  const SectorMesh mesh = bar();
+  test::TestRotor rotor(mesh, {mesh.contact_line[2]}, parameters().material);
+  const auto factor = test::dense(rotor.at_rest()).llt();
+  const Eigen::VectorXd bent = factor.solve(Eigen::MatrixXd(rotor.dofs().contact_loads).col(2).eval());
+  const double deflection = (rotor.dofs().contact_loads.transpose() * bent)(2);
+  const Eigen::VectorXd spun = factor.solve(rotor.elasticity().centrifugal_load());
+  const double Q =
+      second_order_displacement(rotor.elasticity(), mesh, rotor.dofs(), {bent / deflection, spun})[0](0, 0);
+  const double tension = 9.0 / 8 * (8.0 / 3 - 3 + 2.0 / 5 + 1.0 / 2 - 1.0 / 7) * parameters().material.density *
+                         width * thickness * length;
+  EXPECT_NEAR(-2 * Q / tension, 1.0, 2e-3);
+}
+
 TEST(SecondOrderGap, ShortensABarThatVibrates) {
   // The first mode w of a cantilever has int w'^2 / 2 = 0.5810 w(L)^2 / L.
   const SectorMesh mesh = bar();

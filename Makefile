@@ -81,7 +81,7 @@ fuzz: programs
 paper-checks: tests
 	+$(MAKE) -C cases/paper BIN=$(abspath $(BUILD))/bin
 	-$(PAPER_CHECKS) cases/paper/two_lobes cases/paper/three_lobes --table=cases/paper/expected/checks_paper_like.tsv
-	-$(PAPER_CHECKS) cases/impeller cases/impeller_three_lobes --table=cases/paper/expected/checks_flying.tsv
+	-$(PAPER_CHECKS) cases/paper/flying_two_lobes cases/paper/flying_three_lobes --table=cases/paper/expected/checks_flying.tsv
 	/usr/bin/python3 -B cases/paper/tell_checks.py
 	/usr/bin/python3 -B cases/fill_pages.py
 

@@ -32,10 +32,15 @@ MESHES = {
                "elements_through_splitter": 3, "elements_through_disc": 4, "elements_between_blades": 4},
 }
 
+# What the wheel is studied with, whatever its case says, unless a script says otherwise.
+BASES = {"impeller_quick": {"mesh": {"fillet_radius": 0}, "reduce": {"contact": '"points"', "contact_nodes": 10, "speed_max_rpm": 22000},
+                            "simulate": {"gap": '"linear"', "budget": '"none"'}}}
+
 
 class Bench:
     def __init__(self, programs, cases, folder="runs", case="fast_impeller"):
         self.programs, self.folder, self.case = programs, folder, os.path.join(folder, "case.toml")
+        self.base = BASES.get(case, {})
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(folder)
         # Speeds come as a list: those that the case spaces evenly go.
@@ -47,6 +52,7 @@ class Bench:
 
     def run(self, program, inputs, output, table, keys):
         """`inputs` may end with further options."""
+        keys = {**self.base.get(table, {}), **keys}
         settings = [word for key, value in keys.items() for word in ("--set", f"{table}.{key}={value}")]
         subprocess.run([os.path.join(self.programs, program), "-q", self.case, *inputs, "-o", output, *settings], check=True,
                        stdout=subprocess.DEVNULL)

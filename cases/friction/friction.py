@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The largest peak of a wheel over the coefficient of friction, with a linear gap and with one of second order.
 
-usage: friction.py PROGRAMS_FOLDER CASE_FOLDER
+usage: friction.py PROGRAMS_FOLDER CASE_FOLDER MODEL_FOLDER
 
 Sweeps over the peak with each gap and coefficient. With the name of the case's folder, it writes NAME_speeds.tsv (a line a
 speed) and NAME.tsv (a line a sweep: the critical speed with its motion, stress, force and power).
@@ -26,7 +26,7 @@ def excursion(displacement):
     return numpy.linalg.norm(displacement - displacement.mean(axis=0), axis=-1).max()
 
 
-def simulate(programs, wheel, gap, friction):
+def simulate(programs, wheel, models, gap, friction):
     """The speeds of the sweep, as attributes with the motion in all directions and the mean force of a blade."""
     output = "response.h5"
     if os.path.exists(output):
@@ -36,7 +36,7 @@ def simulate(programs, wheel, gap, friction):
                 *(f"simulate.{key}={value}" for key, value in speeds)]
     words = [word for setting in settings for word in ("--set", setting)]
     case = os.path.join(wheel, "case.toml")
-    model, fields = (os.path.join(wheel, name) for name in ("model.h5", "fields.h5"))
+    model, fields = (os.path.join(models, name) for name in ("model.h5", "fields.h5"))
     subprocess.run([os.path.join(programs, "tiprub-simulate"), "-q", case, model, "-o", output, *words], check=True)
     subprocess.run([os.path.join(programs, "tiprub-postprocess"), "-q", case, model, output, "--fields", fields, "-o", "report", *words],
                    check=True, stdout=subprocess.DEVNULL)
@@ -55,14 +55,14 @@ def simulate(programs, wheel, gap, friction):
     return swept, largest
 
 
-def main(programs, wheel):
+def main(programs, wheel, models):
     name = os.path.basename(wheel)
     with open(f"{name}_speeds.tsv", "w", encoding="utf-8") as by_speed, open(f"{name}.tsv", "w", encoding="utf-8") as by_run:
         by_speed.write("gap\tfriction [1]\tspeed [rpm]\tamplitude [mm]\ttip |u| [mm]\tmean force of a blade [N]\tmean power [kW]\tsymmetry\n")
         by_run.write("gap\tfriction [1]\tcritical speed [rpm]\tamplitude [mm]\ttip |u| [mm]\tvibration [MPa]\tmean force of a blade [N]\t"
                      "mean power [kW]\tlargest power [kW]\n")
         for gap, friction in ((gap, friction) for gap, values in COEFFICIENTS.items() for friction in values if friction < JAMS_FROM[name]):
-            speeds, largest = simulate(programs, wheel, gap, friction)
+            speeds, largest = simulate(programs, wheel, models, gap, friction)
             for at in speeds:
                 by_speed.write(f"{gap}\t{friction:g}\t{at['rpm']:.0f}\t{1e3 * at['amplitude']:.4f}\t{1e3 * at['excursion']:.3f}\t{at['force']:.0f}\t"
                                f"{1e-3 * at.get('rub_power_mean', 0):.0f}\t{at['symmetry'].decode()}\n")
@@ -75,4 +75,4 @@ def main(programs, wheel):
 
 
 if __name__ == "__main__":
-    main(*map(os.path.abspath, sys.argv[1:3]))
+    main(*map(os.path.abspath, sys.argv[1:4]))

@@ -6,7 +6,7 @@ import tomllib
 import numpy
 import pandas
 
-NAMES = {"paper-like wheel": ("two_lobes", "three_lobes"), "flying wheel": ("../impeller", "../impeller_three_lobes")}
+NAMES = {"paper-like wheel": ("two_lobes", "three_lobes"), "flying wheel": ("flying_two_lobes", "flying_three_lobes")}
 FIRST_FAMILY = 10.0  # the paper's f = 10 on its hidden axes; Omega has the same unit, for its engine orders are f = k Omega
 
 

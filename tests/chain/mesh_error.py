@@ -56,8 +56,9 @@ def tell(what, estimated, measured):
 def main():
     *tools, case, folder = sys.argv[1:5]
     os.makedirs(folder, exist_ok=True)
-    subprocess.run([tools[0], case, "-o", os.path.join(folder, "sector.msh")], check=True)
     keys = ["reduce.verification_speeds=[0.0]", f"reduce.verification_modes={MODES + MORE}", *sys.argv[5:]]
+    settings = [word for key in keys for word in ("--set", key)]
+    subprocess.run([tools[0], case, "-o", os.path.join(folder, "sector.msh"), *settings], check=True)
     coarse = reduced(tools, case, folder, "coarse", keys)
     fine = reduced(tools, case, folder, "fine", [*keys, "reduce.refine=1", "reduce.mesh_error=false"])
     good = [tell(f"nodal diameter {n}", *frequency_errors(coarse, fine, n))

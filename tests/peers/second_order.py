@@ -128,6 +128,9 @@ def modes_of_coordinates(tip, modes):
     return numbers
 
 
+AT_NODES = ["--set", "mesh.fillet_radius=0", "--set", 'reduce.contact="points"', "--set", "reduce.contact_nodes=10"]
+
+
 def main(mesh, reduce, case, work):
     if shutil.which("ccx") is None:
         print("SKIPPED: CalculiX (ccx) is not installed; it is Debian's package calculix-ccx")
@@ -135,9 +138,9 @@ def main(mesh, reduce, case, work):
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
     sector, model, fields, decks = (os.path.join(work, name) for name in ("sector.msh", "model.h5", "fields.h5", "ccx"))
-    subprocess.run([mesh, "-q", case, "-o", sector], check=True)
-    subprocess.run([reduce, "-q", case, sector, "-o", model, "--fields", fields], check=True)
-    subprocess.run([reduce, "-q", case, sector, "--export-ccx", decks], check=True)
+    subprocess.run([mesh, "-q", case, "-o", sector, *AT_NODES], check=True)
+    subprocess.run([reduce, "-q", case, sector, "-o", model, "--fields", fields, *AT_NODES], check=True)
+    subprocess.run([reduce, "-q", case, sector, "--export-ccx", decks, *AT_NODES], check=True)
     with h5py.File(fields) as file:
         nodes, cells, density = file["nodes"][:], file["cells"][:], file.attrs["density"]
         at_tip = file["node_set/contact"][:]

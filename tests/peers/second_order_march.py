@@ -25,6 +25,8 @@ TOLERANCE = 0.03
 SETTINGS = ("simulate.speeds=\"given\"", "simulate.examine=\"none\"", "simulate.gap=\"second_order\"",
             "simulate.symmetry_check_revolutions=0", "simulate.speed_min_rpm=", "simulate.speed_max_rpm=", "simulate.speed_count=")
 
+AT_NODES = ["--set", "mesh.fillet_radius=0", "--set", 'reduce.contact="points"', "--set", "reduce.contact_nodes=10"]
+
 
 class Wheel:
     def __init__(self, path):
@@ -149,8 +151,8 @@ def main(mesh, reduce, simulate, case, folder):
     sector, model, response = (os.path.join(folder, name) for name in ("sector.msh", "model.h5", "response.h5"))
     if os.path.exists(response):
         os.remove(response)
-    subprocess.run([mesh, "-q", case, "-o", sector], check=True)
-    subprocess.run([reduce, "-q", case, sector, "-o", model], check=True)
+    subprocess.run([mesh, "-q", case, "-o", sector, *AT_NODES], check=True)
+    subprocess.run([reduce, "-q", case, sector, "-o", model, *AT_NODES], check=True)
     words = [word for setting in (*SETTINGS, f"simulate.speeds_rpm={list(SPEEDS)}") for word in ("--set", setting)]
     subprocess.run([simulate, "-q", case, model, "-o", response, *words], check=True)
     with h5py.File(response) as file:

@@ -1,0 +1,141 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes what a case publishes, from its report into expected/: tables, pictures, and the numbers that its page quotes.
+
+usage: publish.py PROGRAMS_FOLDER CASE_FOLDER
+
+numbers.tsv names the version and the commit of the programs, and the day. The commit ends with "+" if files differed from it. A study has
+no report: its own tables and pictures are copied, and version_numbers.tsv names the same.
+"""
+import csv
+import datetime
+import os
+import shutil
+import subprocess
+import sys
+
+import h5py
+import numpy
+
+PICTURES = {"interaction_map_leading_edge": "interaction_map", **{name: name for name in (
+    "interaction_map_trailing_edge", "interaction_map_parts", "campbell", "contact_map_leading_edge", "contact_map_trailing_edge", "branches")}}
+TABLES = ("critical_speeds.txt", "error_budget.csv", "scene_needs.csv", "exactness.csv", "linear_rules.csv", "branches.csv", "sweeps.csv")
+MOTIONS = ("periodic", "subharmonic", "modulated", "irregular", "not settled")
+
+
+def rows_of(path):
+    if not os.path.exists(path):
+        return []
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def number(row, column, form):
+    """The rounded value of a cell; empty if the cell is, or if it is no number. A zero has no sign."""
+    value = float(row.get(column) or "nan")
+    text = "" if numpy.isnan(value) else format(value, form)
+    return text.lstrip("+-") if text and not any(digit in "123456789" for digit in text) else text
+
+
+def percent(row, column):
+    return f"{100 * float(row[column]):.0f} %"
+
+
+def version_of(programs):
+    version = subprocess.run([os.path.join(programs, "tiprub-simulate"), "--version"], text=True, check=True, stdout=subprocess.PIPE).stdout
+    here = os.path.dirname(os.path.abspath(__file__))
+    git = ["git", "-C", here]
+    commit = subprocess.run([*git, "rev-parse", "--short", "HEAD"], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout.strip()
+    changed = commit and subprocess.run([*git, "diff", "--quiet", "HEAD", "--", "../mesh", "../reduce", "../simulate", "../postprocess"],
+                                        cwd=here).returncode
+    return {"version": version.split()[-1], "commit": commit + ("+" if changed else ""), "date": datetime.date.today().isoformat()}
+
+
+def peak_line(row):
+    """A line of critical_speeds.tsv."""
+    return {"speed [rpm]": number(row, "speed [rpm]", ".0f"),
+            "between [rpm]": number(row, "speed low [rpm]", ".0f") + " and " + number(row, "speed high [rpm]", ".0f"),
+            "tip |u| [mm]": number(row, "tip |u| [mm]", ".2f"), "stress of the vibration [MPa]": number(row, "von Mises, vibration [MPa]", ".0f"),
+            "Goodman": number(row, "Goodman utilisation [1]", ".2f"), "along the normal [mm]": number(row, "amplitude [mm]", ".3f"),
+            "wave": row["wave"], "share": percent(row, "wave share [1]"), "symmetric motion": row["motion"],
+            "from other starts": row["motions from other starts"]}
+
+
+def budget_line(row):
+    """A line of budget.tsv. The sum of all sources is a change, and no speed."""
+    speed = "" if row["source"].startswith("root of") else number(row, "speed [rpm]", ",.0f")
+    changes = {"change of speed [%]": "change of speed [%]", "of |u| [%]": "change of |u| [%]", "of the stress [%]": "change of stress [%]"}
+    return {"source": row["source"], "critical speed [rpm]": speed, **{name: number(row, column, "+.1f") for name, column in changes.items()}}
+
+
+def write_table(path, lines):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(lines[0]), delimiter="\t", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(lines)
+
+
+def of_sweep(folder):
+    """Numbers of all speeds, and how many of them symmetry does not describe."""
+    speeds = [row for row in rows_of(os.path.join(folder, "report", "speeds.csv")) if not row["failure"]]
+    kinds = [row["motion"] for row in speeds]
+    found = {"speeds": str(len(speeds)), "range": f"{number(speeds[0], 'speed [rpm]', ',.0f')} to {number(speeds[-1], 'speed [rpm]', ',.0f')}",
+             **{kind.replace(" ", "_"): str(sum(name.startswith(kind) for name in kinds)) for kind in MOTIONS},
+             "unstable": str(sum(row.get("symmetry") == "breaking" for row in speeds))}
+    outside = [row for row in rows_of(os.path.join(folder, "report", "critical_speeds.csv")) if row["outside validity"]]
+    return found | {"outside": str(len(outside))}
+
+
+def of_model(folder):
+    with h5py.File(os.path.join(folder, "model.h5")) as model:
+        rest = numpy.array([block["unreduced"][0, 0] for block in model["verification/nodal_diameter"].values()]) if "verification" in model else []
+    return {"first_hz": f"{min(rest):.0f} to {max(rest):.0f}"} if len(rest) else {}
+
+
+def of_largest(rows):
+    """Numbers of the critical speed with the largest motion of the tip."""
+    row = max(rows, key=lambda row: float(row["tip |u| [mm]"]))
+    return {"largest.rpm": number(row, "speed [rpm]", ",.0f"), "largest.u_mm": number(row, "tip |u| [mm]", ".1f"),
+            "largest.normal_mm": number(row, "amplitude [mm]", ".2f"), "largest.wave": row["wave"],
+            "largest.share": percent(row, "wave share [1]"), "largest.mpa": number(row, "von Mises, vibration [MPa]", ",.0f"),
+            "largest.goodman": number(row, "Goodman utilisation [1]", ".2f"), "largest.spin_mpa": number(row, "von Mises, spin [MPa]", ",.0f")}
+
+
+def write_numbers(path, numbers):
+    write_table(path, [{"key": key, "value": value} for key, value in numbers.items()])
+
+
+def publish_study(programs, folder, expected):
+    for name in os.listdir(folder):
+        if os.path.splitext(name)[1] in (".tsv", ".csv", ".svg", ".png"):
+            shutil.copy(os.path.join(folder, name), expected)
+    write_numbers(os.path.join(expected, "version_numbers.tsv"), version_of(programs))
+
+
+def publish_case(programs, folder, expected):
+    report = os.path.join(folder, "report")
+    critical, rules = rows_of(os.path.join(report, "critical_speeds.csv")), rows_of(os.path.join(report, "linear_rules.csv"))
+    numbers = {**version_of(programs), **of_model(folder), **of_sweep(folder), "critical": str(len(critical)),
+               **({} if not critical else of_largest(critical)),
+               **{f"rule.{row['rule'].split()[-1].strip('.')}.missed": row["missed"] for row in rules}}
+    write_numbers(os.path.join(expected, "numbers.tsv"), numbers)
+    if critical:
+        write_table(os.path.join(expected, "critical_speeds.tsv"), [peak_line(row) for row in critical])
+    budget = rows_of(os.path.join(report, "error_budget.csv"))
+    if budget:
+        write_table(os.path.join(expected, "budget.tsv"), [budget_line(row) for row in budget])
+    copies = {**{name: name for name in TABLES}, **{f"figures/{name}.png": f"{copy}.png" for name, copy in PICTURES.items()}}
+    for name, copy in copies.items():
+        if os.path.exists(os.path.join(report, name)):
+            shutil.copy(os.path.join(report, name), os.path.join(expected, copy))
+
+
+def main(programs, folder):
+    expected = os.path.join(folder, "expected")
+    os.makedirs(expected, exist_ok=True)
+    made = os.path.exists(os.path.join(folder, "report", "critical_speeds.csv"))
+    (publish_case if made else publish_study)(programs, folder, expected)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:3])

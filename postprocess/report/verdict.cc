@@ -257,9 +257,9 @@ std::string speeds_warning(const Study& study) {
 }
 
 std::string printed_critical_speeds(const Study& study, const FieldResults& fields) {
-  const std::string warning = speeds_warning(study);
+  const std::string warning = speeds_warning(study), rising = still_rising(study);
   return (warning.empty() ? "" : "Not trustworthy. " + warning + "\n") +
-         aligned_text(critical_speed_overview(study, fields));
+         aligned_text(critical_speed_overview(study, fields)) + (rising.empty() ? "" : rising.substr(1) + "\n");
 }
 
 std::string running_clearances(const Response& response) {

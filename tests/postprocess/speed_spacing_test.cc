@@ -136,6 +136,19 @@ TEST(SpeedSpacing, APeakThatDoesNotFallClearlyIsNoCriticalSpeed) {
   EXPECT_NE(how_bad.find("Not located, and no critical speeds: 0.030 mm at 15100 rpm"), std::string::npos) << how_bad;
 }
 
+/// Symptom: the table of a wheel was silent of engine order 9, which was still rising at the design speed.
+TEST(SpeedSpacing, ThePrintedTableTellsWhereTheResponseStillRises) {
+  const Study risen = study_of({{12000, 0.01}, {13000, 0.04}, {14000, 0.01}, {15000, 0.02}, {16000, 0.03}});
+  const FieldResults none = field_results(std::nullopt, risen.critical);
+  const std::string printed = printed_critical_speeds(risen, none);
+  EXPECT_NE(printed.find("\nThe amplitude still rises towards 16000 rpm (0.030 mm): a peak may lie outside"),
+            std::string::npos)
+      << printed;
+  const Study fallen = study_of({{12000, 0.01}, {13000, 0.04}, {14000, 0.01}, {15000, 0.01}, {16000, 0.01}});
+  EXPECT_EQ(printed_critical_speeds(fallen, field_results(std::nullopt, fallen.critical)).find("still rises"),
+            std::string::npos);
+}
+
 TEST(SpeedSpacing, AnIntervalOverMostOfTheRangeLocatesNothing) {
   const Study study = study_of({{12000, 0.01}, {14000, 0.02}, {16000, 0.08}, {18000, 0.01}});
   EXPECT_TRUE(study.critical.empty());

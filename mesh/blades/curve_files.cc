@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "mesh/blades/section_surface.h"
+#include "mesh/blades/blade_section.h"
 
 namespace tiprub::mesh {
 

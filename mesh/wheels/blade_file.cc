@@ -6,12 +6,12 @@
 #include <sstream>
 
 #include "cases/program/units.h"
+#include "mesh/blades/blade_section.h"
 #include "mesh/blades/curve_files.h"
 #include "mesh/blades/section_files.h"
-#include "mesh/blades/section_surface.h"
 #include "mesh/curves/wheel_keys.h"
-#include "mesh/wheels/families.h"
 #include "mesh/wheels/impeller.h"
+#include "mesh/wheels/wheel.h"
 
 namespace tiprub::mesh {
 

@@ -5,7 +5,7 @@
 #include "cases/program/units.h"
 #include "mesh/curves/smooth_table.h"
 #include "mesh/curves/wheel_keys.h"
-#include "mesh/wheels/families.h"
+#include "mesh/wheels/wheel.h"
 
 namespace tiprub::mesh {
 

@@ -6,7 +6,7 @@
 #include "cases/program/case_file.h"
 #include "mesh/curves/meridional_curve.h"
 #include "mesh/curves/smooth_table.h"
-#include "mesh/lattice/sector_plan.h"
+#include "mesh/wheels/sector_plan.h"
 
 namespace tiprub::mesh {
 

@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "mesh/curves/wheel_keys.h"
-#include "mesh/wheels/families.h"
 
 namespace tiprub::mesh {
 

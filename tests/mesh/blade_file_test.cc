@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/wheels/families.h"
+#include "mesh/wheels/wheel.h"
 
 #include <gtest/gtest.h>
 

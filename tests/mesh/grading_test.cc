@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/lattice/sector_plan.h"
+#include "mesh/wheels/sector_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@ import source_tree
 # From the ground up; "" is the room's own folder, where its main.cc is.
 STOREYS = {
     "cases": ["program"],
-    "mesh": ["cells", "curves", "blades", "lattice", "wheels", "sector", "import", ""],
+    "mesh": ["cells", "curves", "blades", "wheels", "sector", "import", ""],
     "reduce": ["model", "sector", "matrices", "operators", "basis", ""],
     "simulate": ["motion", "scene", "response", "march", "orbits", "periodic", "speed", "branches", "sweep", ""],
     "postprocess": ["tables", "waves", "analysis", "fields", "records", "figures", "compare", "explore", "report", ""],

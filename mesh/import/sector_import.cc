@@ -44,6 +44,10 @@ void require_format(const CaseTable& table, const std::string& name) {
                "doesn't end as a format that is known; name it: mesh_format = inp, bdf, cdb, unv or msh");
 }
 
+constexpr std::array part_keys = {"disc", "main_blade", "splitter"};
+constexpr std::array selection_keys = {"clamped",    "blade_tip",   "contact", "splitter_tip", "contact_splitter",
+                                       "cyclic_low", "cyclic_high", "disc",    "main_blade",   "splitter"};
+
 constexpr int triangle6 = 9, quadrangle8 = 16, line2 = 1;  // gmsh's types
 
 ForeignMesh read(const ImportParameters& parameters) {
@@ -66,11 +70,9 @@ ForeignMesh read(const ImportParameters& parameters) {
 class Parts {
  public:
   Parts(const CellMesh& mesh, const ImportParameters& parameters) : part_(mesh.cells.size()) {
-    for (const auto& [key, set] : {std::pair{"disc", &parameters.disc},
-                                   {"main_blade", &parameters.main_blade},
-                                   {"splitter", &parameters.splitter}})
-      if (!set->empty())
-        for (const int cell : select_cells(mesh, key, *set)) part_[static_cast<std::size_t>(cell)] = key;
+    for (const char* key : part_keys)
+      if (const std::string& set = parameters.selection.at(key); !set.empty())
+        for (const int cell : select_cells(mesh, key, set)) part_[static_cast<std::size_t>(cell)] = key;
   }
 
   std::vector<NamedMesh::Entity> entities(const CellMesh& mesh) const {
@@ -127,18 +129,19 @@ std::string where_cuts_pair(const ImportParameters& parameters) {
 
 /// The cuts that the case names, or those that are found.
 PeriodicCuts cuts_of(const CellMesh& mesh, const ImportParameters& parameters) {
-  const bool named = !parameters.cyclic_low.empty();
+  const std::string &low = parameters.selection.at("cyclic_low"), &high = parameters.selection.at("cyclic_high");
+  const bool named = !low.empty();
   const PeriodicCuts found = find_cuts(mesh, parameters.sector_count);
   if (found.low.empty() && (named || parameters.sector_count > 1)) refuse_cuts(mesh, parameters);
   if (!named) {
     require_whole(mesh, found);
     return found;
   }
-  PeriodicCuts cuts = {found.sector_count, select_faces(mesh, "cyclic_low", parameters.cyclic_low),
-                       select_faces(mesh, "cyclic_high", parameters.cyclic_high)};
-  const std::set<int> high(cuts.high.begin(), cuts.high.end());
+  PeriodicCuts cuts = {found.sector_count, select_faces(mesh, "cyclic_low", low),
+                       select_faces(mesh, "cyclic_high", high)};
+  const std::set<int> on_high(cuts.high.begin(), cuts.high.end());
   const bool exchanged =
-      std::all_of(found.low.begin(), found.low.end(), [&](int face) { return high.contains(face); });
+      std::all_of(found.low.begin(), found.low.end(), [&](int face) { return on_high.contains(face); });
   if (exchanged) std::swap(cuts.low, cuts.high);
   require_pairs(mesh, cuts);
   return cuts;
@@ -150,11 +153,12 @@ struct Tip {
   std::vector<int> faces, line;     ///< the line from leading to trailing edge; without one there is no contact
 };
 
-Tip tip_of(const CellMesh& mesh, Tip tip, const std::string& faces, const std::string& line, LeadingEdge leading) {
+Tip tip_of(const CellMesh& mesh, const ImportParameters& parameters, Tip tip) {
+  const std::string &faces = parameters.selection.at(tip.faces_key), &line = parameters.selection.at(tip.line_key);
   if (faces.empty() && line.empty()) return tip;
   if (!faces.empty()) tip.faces = select_faces(mesh, tip.faces_key, faces);
-  tip.line = line.empty() ? line_along_tip(mesh, tip.faces, tip.faces_key, leading)
-                          : ordered_line(mesh, select_nodes(mesh, tip.line_key, line), leading);
+  tip.line = line.empty() ? line_along_tip(mesh, tip.faces, tip.faces_key, parameters.leading_edge)
+                          : ordered_line(mesh, select_nodes(mesh, tip.line_key, line), parameters.leading_edge);
   if (tip.line.size() < 2)
     throw InputError(mesh.file + ": [mesh] " + tip.line_key +
                      " has one node in the meridional plane; it must run along the tip");
@@ -168,33 +172,25 @@ ImportParameters with_own_names(ImportParameters p, const CellMesh& mesh) {
     const auto set = mesh.node_sets.find(name);
     return set != mesh.node_sets.end() && !set->second.empty();
   };
-  const auto take = [&](std::string& selection, const char* name) {
-    if (selection.empty() && has(name)) selection = name;
+  for (const char* key : selection_keys) p.selection.try_emplace(key);
+  const auto empty = [&](const char* key) { return p.selection.at(key).empty(); };
+  const auto take = [&](const char* key) {
+    if (empty(key) && has(key)) p.selection.at(key) = key;
   };
-  take(p.contact, "contact");
-  take(p.blade_tip, "blade_tip");
-  if (p.splitter_tip.empty()) take(p.contact_splitter, "contact_splitter");
-  if (!p.contact_splitter.empty()) take(p.splitter_tip, "splitter_tip");
-  if (p.cyclic_low.empty() && has("cyclic_low") && has("cyclic_high")) {
-    p.cyclic_low = "cyclic_low";
-    p.cyclic_high = "cyclic_high";
-  }
-  for (const auto& [part, name] :
-       {std::pair{&p.disc, "disc"}, {&p.main_blade, "main_blade"}, {&p.splitter, "splitter"}})
-    if (mesh.cell_sets.contains(name)) take(*part, name);
-  if (p.contact.empty() && p.blade_tip.empty())
+  take("contact");
+  take("blade_tip");
+  if (empty("splitter_tip")) take("contact_splitter");
+  if (!empty("contact_splitter")) take("splitter_tip");
+  if (empty("cyclic_low") && has("cyclic_low") && has("cyclic_high"))
+    for (const char* cut : {"cyclic_low", "cyclic_high"}) p.selection.at(cut) = cut;
+  for (const char* part : part_keys)
+    if (mesh.cell_sets.contains(part)) take(part);
+  if (empty("contact") && empty("blade_tip"))
     throw InputError(mesh.file +
                      ": [mesh] needs blade_tip, the faces of the main blade's tip, or contact, nodes along it; there "
                      "are the sets: " +
                      names_of_sets(mesh));
   return p;
-}
-
-/// Of the main blade and of the splitter.
-std::array<Tip, 2> tips_of(const CellMesh& mesh, const ImportParameters& p) {
-  return {
-      tip_of(mesh, {"blade_tip", "contact", {}, {}}, p.blade_tip, p.contact, p.leading_edge),
-      tip_of(mesh, {"splitter_tip", "contact_splitter", {}, {}}, p.splitter_tip, p.contact_splitter, p.leading_edge)};
 }
 
 std::string described(const CellMesh& mesh, const PeriodicCuts& cuts, const std::array<Tip, 2>& tips) {
@@ -239,18 +235,10 @@ ImportParameters read_import_parameters(CaseTable& table) {
   parameters.length = read_length_unit(table);
   parameters.axis = table.choice<Axis>("axis", Axis::z, {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}});
   parameters.sector_count = table.integer("sector_count", 0, Range::between(0, most_sectors), "sectors");
-  parameters.clamped = table.text("clamped", "clamped");
-  parameters.blade_tip = table.text("blade_tip", "");
-  parameters.contact = table.text("contact", "");
-  parameters.splitter_tip = table.text("splitter_tip", "");
-  parameters.contact_splitter = table.text("contact_splitter", "");
-  parameters.cyclic_low = table.text("cyclic_low", "");
-  parameters.cyclic_high = table.text("cyclic_high", "");
-  if (parameters.cyclic_low.empty() != parameters.cyclic_high.empty())
-    table.reject(parameters.cyclic_low.empty() ? "cyclic_high" : "cyclic_low", "needs the other cut beside it");
-  parameters.disc = table.text("disc", "");
-  parameters.main_blade = table.text("main_blade", "");
-  parameters.splitter = table.text("splitter", "");
+  for (const std::string key : selection_keys)
+    parameters.selection[key] = table.text(key, key == "clamped" ? "clamped" : "");
+  const bool low = parameters.selection["cyclic_low"].empty(), high = parameters.selection["cyclic_high"].empty();
+  if (low != high) table.reject(low ? "cyclic_high" : "cyclic_low", "needs the other cut beside it");
   parameters.leading_edge = table.choice<LeadingEdge>(
       "leading_edge", LeadingEdge::low_z, {{"low_z", LeadingEdge::low_z}, {"high_z", LeadingEdge::high_z}});
   table.close();
@@ -261,7 +249,8 @@ ImportedSector import_sector(const ImportParameters& given) {
   const CellMesh mesh = in_our_terms(read(given), given.length, given.axis);
   const ImportParameters parameters = with_own_names(given, mesh);
   const PeriodicCuts cuts = cuts_of(mesh, parameters);
-  const std::array<Tip, 2> tips = tips_of(mesh, parameters);
+  const std::array<Tip, 2> tips = {tip_of(mesh, parameters, {"blade_tip", "contact", {}, {}}),
+                                   tip_of(mesh, parameters, {"splitter_tip", "contact_splitter", {}, {}})};
   ImportedSector sector;
   for (const auto& node : mesh.nodes.colwise()) sector.mesh.nodes.emplace_back(node);
   sector.mesh.entities = Parts(mesh, parameters).entities(mesh);
@@ -270,7 +259,7 @@ ImportedSector import_sector(const ImportParameters& given) {
   };
   add("cyclic_low", cuts.low);
   add("cyclic_high", cuts.high);
-  add("clamped", select_faces(mesh, "clamped", parameters.clamped));
+  add("clamped", select_faces(mesh, "clamped", parameters.selection.at("clamped")));
   for (const Tip& tip : tips) add(tip.faces_key, tip.faces);
   for (const Tip& tip : tips)
     if (!tip.line.empty())

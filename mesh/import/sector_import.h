@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "cases/program/case_file.h"
@@ -18,10 +19,10 @@ struct ImportParameters {
   MeshFormat format = MeshFormat::inp;
   double length = 1;  ///< [m] of the file's unit
   Axis axis = Axis::z;
-  int sector_count = 0;                                              ///< 0: found from the cuts
-  std::string clamped, contact, blade_tip, cyclic_low, cyclic_high;  ///< selections; empty: the set of the key's name
-  std::string contact_splitter, splitter_tip;                        ///< likewise
-  std::string disc, main_blade, splitter;                            ///< sets of solids; may be empty
+  int sector_count = 0;  ///< 0: found from the cuts
+  /// By key of [mesh]: of faces (clamped, blade_tip, splitter_tip, cyclic_low, cyclic_high), of nodes (contact,
+  /// contact_splitter), of solids (disc, main_blade, splitter). Empty or absent: the set of the key's name, if any.
+  std::map<std::string, std::string> selection;
   LeadingEdge leading_edge = LeadingEdge::low_z;
 };
 

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "cases/program/case_file.h"
+#include "mesh/blades/blade_section.h"
 #include "mesh/blades/curve_files.h"
 #include "mesh/blades/section_files.h"
-#include "mesh/blades/section_surface.h"
 #include "mesh/import/sector_import.h"
 #include "mesh/wheels/wheel.h"
 #include "postprocess/analysis/postprocess_parameters.h"
@@ -130,14 +130,13 @@ void read_foreign_mesh(const fs::path& file, const fs::path&) {
   parameters.file = text_of(file);
   parameters.format = format;
   parameters.length = 1e-3;
-  parameters.clamped = "plane x 0.04";
-  parameters.blade_tip = "normal 1 0 0";
+  parameters.selection = {{"clamped", "plane x 0.04"}, {"blade_tip", "normal 1 0 0"}};
   import_sector(parameters);
-  parameters.blade_tip = "";
-  parameters.contact = format == MeshFormat::bdf   ? "SET 7"
-                       : format == MeshFormat::cdb ? "CONTACT"
-                       : format == MeshFormat::msh ? "blade_tip"
-                                                   : "contact";
+  const char* const contact = format == MeshFormat::bdf   ? "SET 7"
+                              : format == MeshFormat::cdb ? "CONTACT"
+                              : format == MeshFormat::msh ? "blade_tip"
+                                                          : "contact";
+  parameters.selection = {{"clamped", "plane x 0.04"}, {"contact", contact}};
   import_sector(parameters);
   parameters.sector_count = 6;
   try {

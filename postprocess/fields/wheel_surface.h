@@ -4,18 +4,18 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "mesh/cells/free_faces.h"
 #include "reduce/model/fields_file.h"
 
 namespace tiprub::postprocess {
 
-/// A face that belongs to only one cell, and so lies on the surface.
-struct SurfaceFace {
+/// A face on the surface, and on which side of the sector it lies.
+struct SurfaceFace : FreeFace {
   enum class Side { free, cyclic_low, cyclic_high };
 
-  std::vector<int> nodes;  ///< corners around (3 or 4), then the mid-sides between them
   Side side = Side::free;
 
-  int corners() const { return static_cast<int>(nodes.size() / 2); }
+  int corners() const { return static_cast<int>(FreeFace::corners()); }
 };
 
 /// The surface of a sector; the faces on the cut planes are marked.

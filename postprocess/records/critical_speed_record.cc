@@ -8,7 +8,6 @@
 #include <map>
 #include <string_view>
 
-#include "postprocess/records/validity.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {

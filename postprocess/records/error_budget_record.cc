@@ -10,7 +10,6 @@
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/left_out_effects.h"
 #include "postprocess/records/study_records.h"
-#include "postprocess/records/validity.h"
 
 namespace tiprub::postprocess {
 

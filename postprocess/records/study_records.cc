@@ -2,12 +2,12 @@
 #include "postprocess/records/study_records.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <numbers>
 
 #include "postprocess/analysis/other_motions.h"
 #include "postprocess/tables/table.h"
+#include "simulate/response/speed_numbers.h"
 
 namespace tiprub::postprocess {
 
@@ -23,11 +23,6 @@ struct SpeedRow {
 };
 
 using SpeedColumns = std::vector<Column<SpeedRow>>;
-
-std::string symmetry_text(SymmetryVerdict symmetry) {
-  constexpr std::array names = {"all held", "unchecked", "holds", "breaking", "undecided"};
-  return names[static_cast<std::size_t>(symmetry)];
-}
 
 Cell count(std::int64_t value) {
   return static_cast<double>(value);
@@ -64,7 +59,8 @@ SpeedColumns audit_columns() {
       {"tensile share of contact force", [](const SpeedRow& speed) { return speed.response.audit.tension_share; }},
       {"change by the last halving of the step",
        [](const SpeedRow& speed) { return optional_cell(speed.response.audit.halving_difference); }},
-      {"symmetry", [](const SpeedRow& speed) { return symmetry_text(speed.response.audit.symmetry); }},
+      {"symmetry",
+       [](const SpeedRow& speed) { return std::string(name_in(symmetry_names, speed.response.audit.symmetry)); }},
       {"growth per revolution of nodal diameters left out",
        [](const SpeedRow& speed) { return optional_cell(speed.response.audit.excluded_growth); }},
       {"difference from rest",
@@ -256,6 +252,23 @@ Table mode_record(const FieldStudy& fields) {
     for (const auto& [part, share] : mode.share) table.rows.back().emplace_back(share);
   }
   return table;
+}
+
+std::string outside_validity(const Study& study, std::size_t critical, const FieldResults& fields) {
+  const GapTerms& gap = study.gap[static_cast<std::size_t>(study.critical[critical].index)];
+  const std::optional<FieldPeak>& stress = fields.peaks[critical];
+  std::string text = gap.beyond() ? gap.in_words() : "";
+  if (stress && stress->yield_share.value_or(0) > 1)
+    text += (text.empty() ? "" : "; ") + std::string("stress ") + fixed(*stress->yield_share, 2) + " of yield";
+  return text;
+}
+
+std::string validity_in_short(const Study& study, std::size_t critical, const FieldResults& fields) {
+  if (outside_validity(study, critical, fields).empty()) return "inside";
+  const GapTerms& gap = study.gap[static_cast<std::size_t>(study.critical[critical].index)];
+  return "outside: " + (gap.beyond() ? significant(gap.together * mm_per_m, 2) + " / " +
+                                           significant(gap.interference * mm_per_m, 2) + " mm"
+                                     : std::string("yield"));
 }
 
 }  // namespace tiprub::postprocess

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "postprocess/analysis/study.h"
 #include "postprocess/fields/field_study.h"
 #include "postprocess/tables/table.h"
@@ -42,5 +44,12 @@ Table rule_score_record(const LinearRules& rules);
 Table stress_peak_record(const FieldStudy& fields);
 /// The frequency of every natural mode that was examined, and each part's share in it; modes.csv.
 Table mode_record(const FieldStudy& fields);
+
+/// What the motion at a critical speed leaves of the range in which its model holds, with the numbers; empty if it
+/// stays inside.
+std::string outside_validity(const Study& study, std::size_t critical, const FieldResults& fields);
+
+/// "inside", "outside: 0.12 / 0.037 mm" (the gap's terms of second order and the interference), "outside: yield".
+std::string validity_in_short(const Study& study, std::size_t critical, const FieldResults& fields);
 
 }  // namespace tiprub::postprocess

@@ -7,7 +7,6 @@
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/speeds_to_avoid.h"
 #include "postprocess/records/study_records.h"
-#include "postprocess/records/validity.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {

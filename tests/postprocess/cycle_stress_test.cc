@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "postprocess/fields/cycle_stress.h"
 
 #include <gtest/gtest.h>
 

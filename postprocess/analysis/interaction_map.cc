@@ -67,29 +67,29 @@ double part(const MapColumn& column, int engine_order, Eigen::Index nodal_diamet
   return line < column.parts.rows() ? column.parts(line, nodal_diameter) : 0.0;
 }
 
-}  // namespace
-
-HarmonicTracking nodal_diameter_tracking(const InteractionMap& map, int engine_order) {
-  const auto speeds = static_cast<Eigen::Index>(map.columns.size());
-  const Eigen::Index count = speeds == 0 ? 0 : map.columns.front().parts.cols();
-  HarmonicTracking tracking{Eigen::MatrixXd(speeds, count), {}};
-  for (Eigen::Index i = 0; i < speeds; ++i)
-    for (Eigen::Index n = 0; n < count; ++n)
-      tracking.curves(i, n) = part(map.columns[static_cast<std::size_t>(i)], engine_order, n);
+/// `amplitude(column, k)` for each speed, and `count` curves.
+template <class Amplitude>
+HarmonicTracking tracked(const InteractionMap& map, Eigen::Index count, const Amplitude& amplitude) {
+  HarmonicTracking tracking{Eigen::MatrixXd(static_cast<Eigen::Index>(map.columns.size()), count), {}};
+  for (Eigen::Index i = 0; i < tracking.curves.rows(); ++i)
+    for (Eigen::Index k = 0; k < count; ++k)
+      tracking.curves(i, k) = amplitude(map.columns[static_cast<std::size_t>(i)], k);
   tracking.mean = tracking.curves.rowwise().mean();
   return tracking;
 }
 
+}  // namespace
+
+HarmonicTracking nodal_diameter_tracking(const InteractionMap& map, int engine_order) {
+  return tracked(map, map.columns.empty() ? 0 : map.columns.front().parts.cols(),
+                 [&](const MapColumn& column, Eigen::Index n) { return part(column, engine_order, n); });
+}
+
 HarmonicTracking engine_order_tracking(const InteractionMap& map, int nodal_diameter,
                                        const std::vector<int>& engine_orders) {
-  const auto speeds = static_cast<Eigen::Index>(map.columns.size());
-  HarmonicTracking tracking{Eigen::MatrixXd(speeds, static_cast<Eigen::Index>(engine_orders.size())), {}};
-  for (Eigen::Index i = 0; i < speeds; ++i)
-    for (std::size_t k = 0; k < engine_orders.size(); ++k)
-      tracking.curves(i, static_cast<Eigen::Index>(k)) =
-          part(map.columns[static_cast<std::size_t>(i)], engine_orders[k], nodal_diameter);
-  tracking.mean = tracking.curves.rowwise().mean();
-  return tracking;
+  return tracked(map, static_cast<Eigen::Index>(engine_orders.size()), [&](const MapColumn& column, Eigen::Index k) {
+    return part(column, engine_orders[static_cast<std::size_t>(k)], nodal_diameter);
+  });
 }
 
 namespace {

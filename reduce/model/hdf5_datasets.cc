@@ -14,18 +14,23 @@ namespace {
 
 constexpr const char* unwritable = "can't be written; is the disk full?";
 
-using RowMajorComplex = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+template <class Scalar>
+using RowMajor = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-Hdf5Id double_complex_type() {
-  return hdf5_complex_type<double>(H5T_NATIVE_DOUBLE);
+/// "3 x 4", "scalar".
+template <class Shape>
+std::string shape_text(const Shape& shape) {
+  std::string words;
+  for (const auto extent : shape) words += (words.empty() ? "" : " x ") + std::to_string(extent);
+  return words.empty() ? "scalar" : words;
 }
 
 H5T_class_t class_of(hid_t set) {
   return H5Tget_class(Hdf5Id(H5Dget_type(set), H5Tclose));
 }
 
-Hdf5Shape extents_of(hid_t set) {
-  return hdf5_extents(Hdf5Id(H5Dget_space(set), H5Sclose));
+Hdf5Id space_of(hid_t set) {
+  return {H5Dget_space(set), H5Sclose};
 }
 
 /// The number of values of a dataset. Raises std::bad_alloc if they are more than the machine could hold, because a
@@ -52,18 +57,6 @@ bool has_real_member(hid_t type, unsigned place, const std::string& wanted) {
 bool is_complex(hid_t set) {
   const Hdf5Id type(H5Dget_type(set), H5Tclose);
   return H5Tget_nmembers(type) == 2 && has_real_member(type, 0, "r") && has_real_member(type, 1, "i");
-}
-
-Hdf5Id float_complex_type() {
-  return hdf5_complex_type<float>(H5T_NATIVE_FLOAT);
-}
-
-Hdf5Id space_of(hid_t set) {
-  return {H5Dget_space(set), H5Sclose};
-}
-
-bool is_compound(hid_t set) {
-  return H5Tget_class(Hdf5Id(H5Dget_type(set), H5Tclose)) == H5T_COMPOUND;
 }
 
 /// Selects one slice of a dataset's space. Returns the space of that slice.
@@ -126,26 +119,26 @@ void Hdf5File::write(const std::string& name, const Array<std::int32_t>& array, 
 }
 
 void Hdf5File::write(const std::string& name, const Eigen::MatrixXd& matrix, const std::string& unit) {
-  const Eigen::MatrixXd transposed = matrix.transpose();  // row-major in the file
-  write(name,
-        Array<double>{{static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())},
-                      {transposed.data(), transposed.data() + transposed.size()}},
-        unit);
+  const RowMajor<double> rows = matrix;
+  attempt(name, unwritable, [&] {
+    handle_->write(name, H5T_NATIVE_DOUBLE, {static_cast<hsize_t>(rows.rows()), static_cast<hsize_t>(rows.cols())},
+                   rows.data(), unit);
+  });
 }
 
 void Hdf5File::write(const std::string& name, const Eigen::VectorXd& vector, const std::string& unit) {
-  write(name,
-        Array<double>{{static_cast<std::size_t>(vector.size())}, {vector.data(), vector.data() + vector.size()}},
-        unit);
+  attempt(name, unwritable, [&] {
+    handle_->write(name, H5T_NATIVE_DOUBLE, {static_cast<hsize_t>(vector.size())}, vector.data(), unit);
+  });
 }
 
 void Hdf5File::write(const std::string& name, const Eigen::MatrixXcd& matrix, const std::string& unit) {
-  const Eigen::MatrixXcd transposed = matrix.transpose();
+  const RowMajor<std::complex<double>> rows = matrix;
   const Hdf5Shape shape = {static_cast<hsize_t>(matrix.rows()), static_cast<hsize_t>(matrix.cols())};
   attempt(name, unwritable, [&] {
-    const Hdf5Id type = handle_->storage == Storage::plain ? double_complex_type()
-                                                           : handle_->named("/complex", double_complex_type());
-    handle_->write(name, type, shape, transposed.data(), unit);
+    Hdf5Id type = hdf5_complex_type<double>();
+    if (handle_->storage != Storage::plain) type = handle_->named("/complex", std::move(type));
+    handle_->write(name, type, shape, rows.data(), unit);
   });
 }
 
@@ -187,7 +180,7 @@ Array<double> Hdf5File::read_array(const std::string& name) const {
   attempt(name, "can't be read as an array of numbers", [&] {
     const Hdf5Id set = handle_->dataset(name);
     if (class_of(set) != H5T_FLOAT && class_of(set) != H5T_INTEGER) fail(name, "is not real numbers");
-    const Hdf5Shape shape = extents_of(set);
+    const Hdf5Shape shape = hdf5_extents(space_of(set));
     array.shape.assign(shape.begin(), shape.end());
     array.values.resize(affordable_count(set, sizeof(double)));
     if (!array.values.empty()) read_all(set, H5T_NATIVE_DOUBLE, array.values.data());
@@ -208,23 +201,20 @@ Array<std::int32_t> Hdf5File::read_integers(const std::string& name) const {
 
 Eigen::MatrixXd Hdf5File::read_matrix(const std::string& name) const {
   const Array<double> array = read_array(name);
-  if (array.shape.size() != 2)
-    fail(name, "has shape " + hdf5_shape_text({array.shape.begin(), array.shape.end()}) + ", must have two axes");
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<const RowMajor>(array.values.data(), static_cast<Eigen::Index>(array.shape[0]),
-                                    static_cast<Eigen::Index>(array.shape[1]));
+  if (array.shape.size() != 2) fail(name, "has shape " + shape_text(array.shape) + ", must have two axes");
+  return Eigen::Map<const RowMajor<double>>(array.values.data(), static_cast<Eigen::Index>(array.shape[0]),
+                                            static_cast<Eigen::Index>(array.shape[1]));
 }
 
 Eigen::VectorXd Hdf5File::read_vector(const std::string& name) const {
   const Array<double> array = read_array(name);
-  if (array.shape.size() != 1)
-    fail(name, "has shape " + hdf5_shape_text({array.shape.begin(), array.shape.end()}) + ", must have one axis");
+  if (array.shape.size() != 1) fail(name, "has shape " + shape_text(array.shape) + ", must have one axis");
   return Eigen::Map<const Eigen::VectorXd>(array.values.data(), static_cast<Eigen::Index>(array.values.size()));
 }
 
 Eigen::MatrixXcd Hdf5File::read_complex_matrix(const std::string& name) const {
   if (!exists(name)) fail(name, "is missing");
-  RowMajorComplex matrix;
+  RowMajor<std::complex<double>> matrix;
   attempt(name, "can't be read as a complex matrix", [&] {
     const Hdf5Id set = handle_->dataset(name);
     if (class_of(set) != H5T_COMPOUND) {
@@ -232,11 +222,11 @@ Eigen::MatrixXcd Hdf5File::read_complex_matrix(const std::string& name) const {
       return;
     }
     if (!is_complex(set)) fail(name, "has compound members that are not r and i, floating-point numbers both");
-    const Hdf5Shape shape = extents_of(set);
-    if (shape.size() != 2) fail(name, "has shape " + hdf5_shape_text(shape) + ", must have two axes");
+    const Hdf5Shape shape = hdf5_extents(space_of(set));
+    if (shape.size() != 2) fail(name, "has shape " + shape_text(shape) + ", must have two axes");
     affordable_count(set, sizeof(std::complex<double>));
     matrix.resize(static_cast<Eigen::Index>(shape[0]), static_cast<Eigen::Index>(shape[1]));
-    if (matrix.size() > 0) read_all(set, double_complex_type(), matrix.data());
+    if (matrix.size() > 0) read_all(set, hdf5_complex_type<double>(), matrix.data());
   });
   for (Eigen::Index row = 0; row < matrix.rows(); ++row)
     for (Eigen::Index column = 0; column < matrix.cols(); ++column)
@@ -247,14 +237,14 @@ Eigen::MatrixXcd Hdf5File::read_complex_matrix(const std::string& name) const {
 
 void Hdf5File::make_slices(const std::string& name, const std::vector<std::size_t>& shape, Number number,
                            const std::string& unit) {
-  attempt(name, "can't be written; is the disk full?", [&] {
+  attempt(name, unwritable, [&] {
     Hdf5Shape chunk(shape.begin(), shape.end());
     chunk.front() = 1;
     const Hdf5Id creation = hdf5_dataset_creation();
     hdf5_checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
     hdf5_checked(H5Pset_fletcher32(creation));
     const Hdf5Id type =
-        number == Number::complex ? float_complex_type() : Hdf5Id(H5Tcopy(H5T_NATIVE_FLOAT), H5Tclose);
+        number == Number::complex ? hdf5_complex_type<float>() : Hdf5Id(H5Tcopy(H5T_NATIVE_FLOAT), H5Tclose);
     handle_->make(name, type, {shape.begin(), shape.end()}, creation, unit).close();
   });
 }
@@ -265,8 +255,8 @@ void Hdf5File::write_slice(const std::string& name, std::size_t index,
     Hdf5Id set = handle_->dataset(name);
     const Hdf5Id inside = space_of(set);
     const Hdf5Id slice = select_slice(inside, index);
-    if (is_compound(set)) {
-      hdf5_checked(H5Dwrite(set, float_complex_type(), slice, inside, H5P_DEFAULT, values.data()));
+    if (class_of(set) == H5T_COMPOUND) {
+      hdf5_checked(H5Dwrite(set, hdf5_complex_type<float>(), slice, inside, H5P_DEFAULT, values.data()));
     } else {
       std::vector<float> real(values.size());
       std::transform(values.begin(), values.end(), real.begin(), [](std::complex<float> v) { return v.real(); });
@@ -284,8 +274,8 @@ std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, s
     const Hdf5Id inside = space_of(set);
     const Hdf5Id slice = select_slice(inside, index);
     values.resize(static_cast<std::size_t>(hdf5_checked(H5Sget_simple_extent_npoints(slice))));
-    if (is_compound(set)) {
-      hdf5_checked(H5Dread(set, float_complex_type(), slice, inside, H5P_DEFAULT, values.data()));
+    if (class_of(set) == H5T_COMPOUND) {
+      hdf5_checked(H5Dread(set, hdf5_complex_type<float>(), slice, inside, H5P_DEFAULT, values.data()));
     } else {
       std::vector<float> real(values.size());
       hdf5_checked(H5Dread(set, H5T_NATIVE_FLOAT, slice, inside, H5P_DEFAULT, real.data()));

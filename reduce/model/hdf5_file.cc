@@ -40,12 +40,6 @@ Hdf5Shape hdf5_extents(hid_t space) {
   return shape;
 }
 
-std::string hdf5_shape_text(const Hdf5Shape& shape) {
-  std::string words;
-  for (hsize_t extent : shape) words += (words.empty() ? "" : " x ") + std::to_string(extent);
-  return words.empty() ? "scalar" : words;
-}
-
 double hdf5_filled_count(hid_t set) {
   constexpr double most_compression = 1100;   // of deflate: bytes of values for one byte in the file
   constexpr double always_allowed = 1 << 20;  // values
@@ -196,20 +190,27 @@ Hdf5Id hdf5_text_type(const std::string& text) {
   return type;
 }
 
+void Hdf5File::Handle::add_attribute(const std::string& object, const std::string& name, hid_t type,
+                                     const void* value) const {
+  if (object != "/") make_groups(object + "/");
+  Hdf5Id at = this->object(object);
+  hdf5_add_attribute(at, name, type, value);
+  at.close();
+}
+
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, const std::string& value) {
   attempt(object, "attribute " + name + " can't be written",
-          [&] { handle_->add_to(object, [&](hid_t at) { hdf5_add_attribute(at, name, value); }); });
+          [&] { handle_->add_attribute(object, name, hdf5_text_type(value), value.c_str()); });
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, double value) {
-  attempt(object, "attribute " + name + " can't be written", [&] {
-    handle_->add_to(object, [&](hid_t at) { hdf5_add_attribute(at, name, H5T_NATIVE_DOUBLE, &value); });
-  });
+  attempt(object, "attribute " + name + " can't be written",
+          [&] { handle_->add_attribute(object, name, H5T_NATIVE_DOUBLE, &value); });
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, int value) {
   attempt(object, "attribute " + name + " can't be written",
-          [&] { handle_->add_to(object, [&](hid_t at) { hdf5_add_attribute(at, name, H5T_NATIVE_INT, &value); }); });
+          [&] { handle_->add_attribute(object, name, H5T_NATIVE_INT, &value); });
 }
 
 std::string Hdf5File::text_attribute(const std::string& object, const std::string& name) const {

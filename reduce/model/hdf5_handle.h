@@ -7,6 +7,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,7 +60,8 @@ class Hdf5Id {
 
 /// h5py's convention for complex numbers, {r, i}.
 template <class Real>
-Hdf5Id hdf5_complex_type(hid_t real) {
+Hdf5Id hdf5_complex_type() {
+  const hid_t real = std::is_same_v<Real, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT;
   Hdf5Id type(H5Tcreate(H5T_COMPOUND, 2 * sizeof(Real)), H5Tclose);
   hdf5_checked(H5Tinsert(type, "r", 0, real));
   hdf5_checked(H5Tinsert(type, "i", sizeof(Real), real));
@@ -67,8 +69,6 @@ Hdf5Id hdf5_complex_type(hid_t real) {
 }
 
 Hdf5Shape hdf5_extents(hid_t space);
-/// "3 x 4", "scalar".
-std::string hdf5_shape_text(const Hdf5Shape& shape);
 /// How many values a dataset has. Raises std::length_error if they are more than the file can hold, because HDF5
 /// returns zeros, maybe terabytes of them, for values that were never written.
 double hdf5_filled_count(hid_t set);
@@ -101,14 +101,8 @@ struct Hdf5File::Handle {
   Hdf5Id object(const std::string& name) const { return {H5Oopen(file, name.c_str(), H5P_DEFAULT), H5Oclose}; }
   Hdf5Id dataset(const std::string& name) const { return {H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose}; }
   void make_groups(const std::string& name) const;
-  /// Lets `body` add to an object, which is made a group if it isn't there.
-  template <class Body>
-  void add_to(const std::string& name, const Body& body) const {
-    if (name != "/") make_groups(name + "/");
-    Hdf5Id at = object(name);
-    body(at);
-    at.close();
-  }
+  /// Adds an attribute to an object, which is made a group if it isn't there.
+  void add_attribute(const std::string& object, const std::string& name, hid_t type, const void* value) const;
   /// The type that the file has under a name; it is added if it isn't there. netCDF ignores compounds without a name.
   Hdf5Id named(const std::string& name, Hdf5Id type) const;
   /// Makes a new dataset without values, and without an attribute for the unit if that is empty.

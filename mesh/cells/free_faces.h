@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace tiprub {
@@ -27,5 +29,16 @@ std::vector<int> surface_patch(const std::vector<FreeFace>& faces, const std::ve
 
 /// The first two cells that have the same nodes, or {-1, -1}. A mesh that is written twice has no free face.
 std::array<int, 2> equal_cells(const std::vector<std::vector<int>>& cells);
+
+/// Lists of cells or nodes by their names.
+using NamedLists = std::map<std::string, std::vector<int>>;
+
+/// Why these lists of cells can't be the parts of a sector; empty if they can. No part is empty, no cell is listed
+/// twice or in two parts, and the nodes of a blade's tip line (`tips`, by the name of the blade's part) belong to
+/// cells of that part, if it is there. What is computed by part (stress, energy) would else be told of another part.
+std::string wrong_parts(const Eigen::MatrixXi& cells, const NamedLists& parts, const NamedLists& tips);
+
+/// A value that a list has twice, or -1.
+int listed_twice(std::vector<int> list);
 
 }  // namespace tiprub

@@ -8,7 +8,6 @@
 #include "cases/program/digest.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/free_faces.h"
-#include "reduce/model/sector_parts.h"
 
 namespace tiprub {
 

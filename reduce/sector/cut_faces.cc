@@ -15,7 +15,6 @@
 
 #include "cases/program/errors.h"
 #include "mesh/cells/free_faces.h"
-#include "reduce/model/sector_parts.h"
 
 namespace tiprub::reduce {
 

@@ -13,7 +13,6 @@
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/free_faces.h"
 #include "mesh/cells/gmsh_file.h"
-#include "reduce/model/sector_parts.h"
 #include "reduce/sector/contact_line.h"
 #include "reduce/sector/cut_faces.h"
 

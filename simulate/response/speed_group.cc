@@ -237,6 +237,22 @@ void read_kept_states(const Hdf5File& file, const std::string& group, const Simu
 
 }  // namespace
 
+const char* name_of(MotionClass motion) {
+  return name_in(motion_names, motion);
+}
+
+const char* name_of(MotionMeasure measure) {
+  return name_in(measure_names, measure);
+}
+
+const char* name_of(Start start) {
+  return name_in(start_names, start);
+}
+
+const char* name_of(Variation variation) {
+  return name_in(variation_names, variation);
+}
+
 bool is_finite(const SpeedResponse& speed) {
   bool finite = speed.displacement.allFinite() && speed.contact_force.allFinite() && speed.clearance.allFinite() &&
                 std::isfinite(speed.audit.orbit.residual) && std::isfinite(speed.audit.orbit.multiplier);

@@ -108,9 +108,9 @@ response.h5: $(call STALE_response,response.h5)
 response_up.h5: $(if $(filter response_up.h5,$(RESPONSES)),$(call STALE_response,response_up.h5))
 response_down.h5: $(if $(filter response_down.h5,$(RESPONSES)),$(call STALE_response,response_down.h5))
 response.h5 response_up.h5 response_down.h5: %.h5: $(call as_prerequisite,$(or $(MODEL),model.h5))
-	@$(CHAIN) require_own $@ $*_full.h5
+	@$(CHAIN) require_own $@ $*_full.h5 $*_plain.h5 $*_one_term.h5
 	$(LAUNCH) tiprub-simulate $(CASE_FILE) $(ROTOR) -o $@ $(patsubst response_%,--set 'simulate.sweep="%"',$(filter response_%,$*)) $(SETTINGS) $(SIMULATE_FLAGS) --times .chain/$*.csv
-	@$(CHAIN) note '$@ $*_full.h5' $(VALUES_simulate) model.h5
+	@$(CHAIN) note '$@ $*_full.h5 $*_plain.h5 $*_one_term.h5' $(VALUES_simulate) model.h5
 
 # The report shows how long those stages took that this make, or that of MODEL_OF, has run. Their notes are looked for when it is made.
 RUNS := $(patsubst %,.chain/%.csv,$(if $(VALUES_mesh),sector) $(if $(VALUES_reduce),model) $(basename $(RESPONSES))) \

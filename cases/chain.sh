@@ -13,6 +13,7 @@
 # .chain/FILE.made_of tells what it was made of: the digest of the values that the stage read, and those of the files.
 PATH=$BIN:$PATH
 from_other_case='sector.msh model.h5 fields.h5'
+responses='_full _plain _one_term'  # that tiprub-simulate may write beside its output
 sweeps='response response_up response_down'
 
 # Prints the digest of all values that the stage reads of its case. A case that the stage refuses has the digest of nothing;
@@ -98,7 +99,7 @@ set_back() { # FILE
 
 # Removes what make has made. The user's own files stay, even if they have the same names.
 clean() { # OWN_FILE...
-  for file in $from_other_case $(for sweep in $sweeps; do echo "$sweep.h5 ${sweep}_full.h5"; done); do
+  for file in $from_other_case $(for sweep in $sweeps; do for more in '' $responses; do echo "$sweep$more.h5"; done; done); do
     for own; do test "$own" != "$file" || continue 2; done
     if is_made "$file"; then
       rm -f "$file"
@@ -107,7 +108,7 @@ clean() { # OWN_FILE...
     fi
   done
   clean_report
-  for sweep in $sweeps; do rm -rf "$sweep.h5.speeds" "${sweep}_full.h5.speeds"; done
+  for sweep in $sweeps; do for more in '' $responses; do rm -rf "$sweep$more.h5.speeds"; done; done
   rm -rf .chain report.tiprub.part ./*.tiprub.part.*
 }
 

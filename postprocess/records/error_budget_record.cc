@@ -27,7 +27,13 @@ std::string change_text(double change) {
          " %";
 }
 
-std::string source_of(const PeakVariation& variation) {
+/// "contact at points" of a model whose contact is of the other kind.
+std::string other_model(ContactKind kind, ContactKind own) {
+  if (kind == own) return "another model";
+  return kind == ContactKind::points ? "contact at points" : "contact on segments";
+}
+
+std::string source_of(const PeakVariation& variation, ContactKind own) {
   constexpr int digits = 3;
   switch (variation.what) {
     case Variation::friction:
@@ -40,14 +46,16 @@ std::string source_of(const PeakVariation& variation) {
       return variation.setting > 1 ? "gap of second order" : "linear gap";
     case Variation::step:
       return "half the time step";
+    case Variation::model:
+      return other_model(variation.setting > 0 ? ContactKind::segments : ContactKind::points, own);
   }
   return name_of(variation.what);
 }
 
 /// `stress` is that of the varied peak, if it was recovered.
 BudgetRow row_of(const PeakVariation& variation, const std::optional<FieldPeak>& stress,
-                 const SpeedResponse& response, const ErrorBudget& budget) {
-  BudgetRow row{source_of(variation), variation.failure};
+                 const SpeedResponse& response, const ErrorBudget& budget, ContactKind own) {
+  BudgetRow row{source_of(variation, own), variation.failure};
   if (!row.failure.empty()) return row;
   row.shift = variation.speed / response.speed - 1;
   row.amplitude = variation.amplitude / response.amplitude - 1;
@@ -117,8 +125,9 @@ std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& f
     ErrorBudget budget{
         &study.critical[i], largest_excursion(response.displacement), stress ? stress->body.vibration : 0, {}};
     for (std::size_t k = 0; k < response.budget.size(); ++k)
-      budget.rows.push_back(row_of(
-          response.budget[k], k < fields.varied[i].size() ? fields.varied[i][k] : std::nullopt, response, budget));
+      budget.rows.push_back(row_of(response.budget[k],
+                                   k < fields.varied[i].size() ? fields.varied[i][k] : std::nullopt, response, budget,
+                                   study.model.contact.kind));
     add_settings(study, response, budget);
     budget.rows.push_back(differing_blades(study.response.scene.sector_count));
     budgets.push_back(std::move(budget));

@@ -71,9 +71,10 @@ enum class Variation {
   clearance,  ///< a change of the clearance of all blades [m]
   gap,        ///< the order of the gap in the displacements [1]
   step,       ///< steps in a revolution, twice those of the speed [1]
+  model,      ///< another model of the wheel; 0: with contact at points, 1: on segments
 };
 
-/// The name in response.h5: "friction", "damping", "clearance", "gap", "step".
+/// The name in response.h5: "friction", "damping", "clearance", "gap", "step", "model".
 const char* name_of(Variation variation);
 
 /// The peak of a critical speed with one thing varied.
@@ -87,7 +88,8 @@ struct PeakVariation {
   MotionClass motion = MotionClass::not_settled;
   int period_beats = 0;
   int samples_per_revolution = 0;
-  std::optional<RotorCycle> cycle;  ///< one period of a motion that repeats, some revolutions of another
+  /// One period of a motion that repeats, some revolutions of another; none of another model, whose dofs differ.
+  std::optional<RotorCycle> cycle;
 };
 
 /// [m] How far a contact node moves from the middle of its path, the largest of all nodes and sectors. `displacement`

@@ -52,12 +52,13 @@ inline constexpr NamedValues<Start, 4> start_names = {{
     {Start::whole_wheel, "whole wheel"},
 }};
 
-inline constexpr NamedValues<Variation, 5> variation_names = {{
+inline constexpr NamedValues<Variation, 6> variation_names = {{
     {Variation::friction, "friction"},
     {Variation::damping, "damping"},
     {Variation::clearance, "clearance"},
     {Variation::gap, "gap"},
     {Variation::step, "step"},
+    {Variation::model, "model"},
 }};
 
 /// The allowed range of a number of a speed that did not fail; ends included.

@@ -43,6 +43,7 @@ struct Scene {
   const Casing& casing;
   const SimulateParameters& parameters;
   const SceneScope& scope;
+  const ReducedModel* other_model = nullptr;  ///< of the same wheel, for error budgets; none if null
 };
 
 /// [m] Amplitude plus clearance, the length with which motions of a scene are compared.

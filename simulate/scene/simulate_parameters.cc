@@ -103,17 +103,39 @@ void read_speed_choice(CaseTable& table, SimulateParameters& parameters) {
 }
 
 void read_budget(CaseTable& table, SimulateParameters& parameters) {
-  parameters.budget = table.choice<BudgetChoice>("budget", BudgetChoice::none,
-                                                 {{"none", BudgetChoice::none},
-                                                  {"largest", BudgetChoice::largest},
-                                                  {"critical_speeds", BudgetChoice::critical_speeds}});
+  parameters.physics =
+      table.choice<PhysicsChoice>("physics", PhysicsChoice::as_given,
+                                  {{"as_given", PhysicsChoice::as_given}, {"as_needed", PhysicsChoice::as_needed}});
+  const bool decides = parameters.physics == PhysicsChoice::as_needed;
+  parameters.budget =
+      table.choice<BudgetChoice>("budget", decides ? BudgetChoice::critical_speeds : BudgetChoice::none,
+                                 {{"none", BudgetChoice::none},
+                                  {"largest", BudgetChoice::largest},
+                                  {"critical_speeds", BudgetChoice::critical_speeds}});
   if (parameters.budget == BudgetChoice::none) return;
   parameters.budget_friction = table.number("budget_friction", 0.1, Range::at_least(0), "of the contact force");
   parameters.budget_damping = table.numbers("budget_damping", std::vector<double>{2e-3, 5e-3}, damping_range,
                                             "of critical, each in turn, of all resolved modes");
   parameters.budget_clearance =
       table.number("budget_clearance", 20e-6, Range::positive(), "m, tolerance of the clearance");
+  parameters.budget_model = table.text("budget_model", "");
   if (parameters.examination == Examination::none) parameters.budget = BudgetChoice::none;
+}
+
+/// The decision rests on error budgets, which only examined critical speeds have.
+void require_budgets_to_decide_by(const CaseTable& table, const SimulateParameters& parameters) {
+  if (parameters.physics == PhysicsChoice::as_given) return;
+  const auto reject = [&](const char* instead) {
+    table.reject("physics", std::string("= \"as_needed\" ") + instead + ", or leave physics out");
+  };
+  if (parameters.sweep != SweepDirection::rest)
+    reject("decides by critical speeds, which only a sweep from rest examines; set sweep = \"rest\"");
+  if (parameters.examination == Examination::none)
+    reject("decides by critical speeds; set examine = \"critical_speeds\"");
+  if (parameters.budget == BudgetChoice::none)
+    reject("decides by error budgets; set budget = \"critical_speeds\" or \"largest\"");
+  if (parameters.contact == ContactRule::paper)
+    reject("needs forces that only push; set contact = \"complementarity\"");
 }
 
 /// The modes at two instants must determine an orbit, which rules out contact laws with memory.
@@ -205,6 +227,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   parameters.sweep = table.choice<SweepDirection>(
       "sweep", SweepDirection::rest,
       {{"rest", SweepDirection::rest}, {"up", SweepDirection::up}, {"down", SweepDirection::down}});
+  require_budgets_to_decide_by(table, parameters);
   parameters.symmetry_check_revolutions =
       table.integer("symmetry_check_revolutions", 24, Range::between(0, count_max), "0: no check");
   parameters.when_symmetry_breaks =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "cases/program/case_file.h"
@@ -34,6 +35,12 @@ enum class Examination {
   none,
   critical_speeds,  ///< other starts, half the step, the whole wheel where symmetry does not clearly hold; the
                     ///< cycle is kept
+};
+
+/// Who decides on the terms of the contact that a case leaves open: friction, and the second order of the gap.
+enum class PhysicsChoice {
+  as_given,   ///< the defaults of their keys
+  as_needed,  ///< they are marched if they move a critical speed or its stress by more than `accuracy`
 };
 
 /// Which speeds get an error budget.
@@ -105,6 +112,8 @@ struct SimulateParameters {
   int branch_steps = 0;     ///< largest number of orbits to either side
   bool unusual = false;     ///< values that are usual for no wheel are meant
   int threads = 0;          ///< 0: as many as the machine has
+  PhysicsChoice physics = PhysicsChoice::as_given;
+  std::string budget_model;  ///< file of another model of the wheel, beside the case, for error budgets; empty: none
 };
 
 /// Reads [simulate]. Raises InputError.

@@ -176,7 +176,8 @@ struct VariedScene {
   double setting;
   Casing casing;
   SimulateParameters parameters;
-  std::string refusal = {};  ///< empty, or why it can't be marched
+  std::string refusal = {};             ///< empty, or why it can't be marched
+  const ReducedModel* model = nullptr;  ///< null: that of the scene
 };
 
 VariedScene with_friction(const Scene& scene, double coefficient) {
@@ -208,6 +209,16 @@ VariedScene with_other_gap(const Scene& scene) {
   return varied;
 }
 
+VariedScene with_other_model(const Scene& scene) {
+  const ContactLine& tips = scene.other_model->contact;
+  VariedScene varied{Variation::model, tips.kind == ContactKind::segments ? 1.0 : 0.0, scene.casing,
+                     scene.parameters};
+  varied.model = scene.other_model;
+  if (scene.parameters.gap == GapOrder::second_order && !tips.second_order)
+    varied.refusal = "the other model does not hold the second order of the gap";
+  return varied;
+}
+
 /// The scenes whose peaks are followed: a row of the budget each.
 std::vector<VariedScene> varied_scenes(const Scene& scene) {
   const SimulateParameters& keys = scene.parameters;
@@ -219,14 +230,19 @@ std::vector<VariedScene> varied_scenes(const Scene& scene) {
   if (scene.model.contact.second_order) scenes.push_back(with_other_gap(scene));
   for (const double ratio : keys.budget_damping) scenes.push_back(with_damping(scene, ratio));
   for (const double sign : {-1.0, 1.0}) scenes.push_back(with_clearance(scene, sign * keys.budget_clearance));
+  if (scene.other_model != nullptr) scenes.push_back(with_other_model(scene));
   return scenes;
 }
 
 PeakVariation followed(const Scene& scene, const VariedScene& varied, const Origin& origin) {
   Attempt<PeakVariation> found{std::nullopt, varied.refusal};
   if (varied.refusal.empty())
-    found = attempt([&] { return peak_near({scene.model, varied.casing, varied.parameters, scene.scope}, origin); });
+    found = attempt([&] {
+      const ReducedModel& model = varied.model == nullptr ? scene.model : *varied.model;
+      return peak_near({model, varied.casing, varied.parameters, scene.scope}, origin);
+    });
   PeakVariation variation = found.result.value_or(PeakVariation{});
+  if (varied.model != nullptr) variation.cycle.reset();
   variation.what = varied.what;
   variation.setting = varied.setting;
   variation.failure = found.failure;

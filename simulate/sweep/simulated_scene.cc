@@ -167,6 +167,7 @@ const std::vector<ExemptKey>& exempt_keys() {
       {"scan_per_interval", "as speed_min_rpm"},
       {"speed_count_max", "as speed_min_rpm"},
       {"peak_prominence", "as speed_min_rpm"},
+      {"physics", "it decides on keys that count themselves"},
       {"examine", "a finished speed tells how deep it was looked at, and is computed again if that is not enough"},
       {"when_symmetry_breaks", "what is done afterwards, into another file"},
       {"branches", "what is done afterwards, of no speed's result"},
@@ -179,11 +180,12 @@ const std::vector<ExemptKey>& exempt_keys() {
 }
 
 std::string run_key(const ReducedModel& model, const SweepSettings& settings, const SimulateParameters& parameters,
-                    const std::string& generator) {
+                    const std::string& generator, const ReducedModel* other_model) {
   Digest hash;
   hash.add(content);
   hash.add(generator);
   hash.add(digest(model));
+  if (other_model != nullptr) hash.add(digest(*other_model));
   add_settings(hash, settings.casing);
   add_settings(hash, settings.simulate);
   if (parameters.sweep != SweepDirection::rest)  // a speed's result depends on those before it

@@ -38,10 +38,11 @@ struct ExemptKey {
 const std::vector<ExemptKey>& exempt_keys();
 
 /// A digest (16 hexadecimal digits) of everything that decides the result of a speed: the numbers of the model,
-/// every setting that is not exempt, and the version of the program; for a sweep that starts each speed from the
-/// one before, also the speeds. A new key counts unless it is listed as exempt: if keys that count were listed
-/// instead, a forgotten one would make the program reuse results that no longer hold.
+/// every setting that is not exempt, the version of the program, and the numbers of the model of the error budgets;
+/// for a sweep that starts each speed from the one before, also the speeds. A new key counts unless it is listed as
+/// exempt: if keys that count were listed instead, a forgotten one would make the program reuse results that no
+/// longer hold.
 std::string run_key(const ReducedModel& model, const SweepSettings& settings, const SimulateParameters& parameters,
-                    const std::string& generator);
+                    const std::string& generator, const ReducedModel* other_model = nullptr);
 
 }  // namespace tiprub::simulate

@@ -140,7 +140,7 @@ void Sweep::open(const SweepSettings& settings, const SceneOrigin& origin) {
   require_memory(scene_, threads_, available_memory());
   const std::string generator = program_version("tiprub-simulate");
   finished_.emplace(arguments_.output, simulated_scene(scene_, origin),
-                    run_key(scene_.model, settings, scene_.parameters, generator), generator,
+                    run_key(scene_.model, settings, scene_.parameters, generator, scene_.other_model), generator,
                     group_.leads() ? FinishedSpeeds::Role::keeper : FinishedSpeeds::Role::contributor);
 }
 
@@ -159,6 +159,8 @@ void Sweep::assemble(SweepOutcome& outcome) {
   for (const double speed : speeds()) {
     const SpeedResponse response = finished_->read(speed, Depth::full);
     outcome.tally.add(response);
+    for (TermEffect& effect : term_effects(response, scene_.scope.nodal_diameters, scene_.model))
+      outcome.effects.push_back(std::move(effect));
     writer.add(response);
   }
   for (const OrbitBranch& branch : branches) writer.add(branch);

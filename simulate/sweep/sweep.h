@@ -7,6 +7,7 @@
 #include "cases/program/command_line.h"
 #include "cases/program/process_group.h"
 #include "simulate/scene/scene.h"
+#include "simulate/sweep/needed_terms.h"
 #include "simulate/sweep/simulated_scene.h"
 #include "simulate/sweep/sweep_tally.h"
 
@@ -15,11 +16,12 @@ namespace tiprub::simulate {
 /// The outcome of a sweep. The counts are those of the leading process.
 struct SweepOutcome {
   SweepTally tally;
-  std::size_t speeds = 0;        ///< in the response
-  std::size_t scanned = 0;       ///< only to find peaks and jumps
-  std::size_t branches = 0;      ///< of orbits
-  std::size_t computed = 0;      ///< speeds, full or scanned, that no former run had finished
-  std::vector<double> breaking;  ///< [rad/s] speeds that break the symmetry; known to all processes
+  std::size_t speeds = 0;           ///< in the response
+  std::size_t scanned = 0;          ///< only to find peaks and jumps
+  std::size_t branches = 0;         ///< of orbits
+  std::size_t computed = 0;         ///< speeds, full or scanned, that no former run had finished
+  std::vector<double> breaking;     ///< [rad/s] speeds that break the symmetry; known to all processes
+  std::vector<TermEffect> effects;  ///< of what the sweep leaves out, by its error budgets
 };
 
 /// Runs a sweep and writes arguments.output. It takes over the speeds that a former run has finished and computes the

@@ -42,6 +42,26 @@ def check_gap(rows, folder, run):
     assert math.isclose(float(found["amplitude [mm]"]), float(row["amplitude [mm]"]), rel_tol=5e-3), (row, found)
 
 
+def check_model(bench, folder, budget):
+    """The peak of another model is that of a sweep with it; a model that is the same moves nothing."""
+    subprocess.run([os.path.join(bench.programs, "tiprub-reduce"), "case.toml", "sector.msh", "-o", "segments.h5", "-q",
+                    "--set", 'reduce.contact="segments"'], cwd=folder.path, check=True)
+    for model, source in (("model.h5", "another model"), ("segments.h5", "contact on segments")):
+        rows = budget("models", "simulate.budget_damping=[0.02]", f'simulate.budget_model="{model}"')
+        row = next(row for row in rows if row["source"] == source)
+        assert row["stress [MPa]"] == "NaN" and float(row["amplitude [mm]"]) > 0, row
+        moved = abs(float(row["change of speed [%]"]))
+        assert moved < 0.05 if model == "model.h5" else moved > 0.05, row
+    subprocess.run([os.path.join(bench.programs, "tiprub-simulate"), "case.toml", "segments.h5", "-o", "segments_response.h5", "-q",
+                    *(word for setting in ('simulate.examine="none"', f"simulate.speeds_rpm=[{row['speed [rpm]']}]",
+                                           "simulate.step_tolerance=0.01", "simulate.max_revolutions=100") for word in ("--set", setting))],
+                   cwd=folder.path, check=True)
+    subprocess.run([os.path.join(bench.programs, "tiprub-postprocess"), "case.toml", "segments.h5", "segments_response.h5", "-o", "alone", "-q"],
+                   cwd=folder.path, check=True)
+    found = next(csv.DictReader(folder.read("alone/speeds.csv").decode().splitlines()))
+    assert math.isclose(float(found["amplitude [mm]"]), float(row["amplitude [mm]"]), rel_tol=5e-3), (row, found)
+
+
 def varied_peaks(bench):
     """A peak that is followed with the case's own damping, and with hardly any friction or change of the clearance, is the peak
     itself; what jams is named."""
@@ -66,6 +86,7 @@ def varied_peaks(bench):
         assert all(abs(float(row[f"change of {what} [%]"])) < 0.1 for what in ("amplitude", "|u|", "stress")), row
     check_settings(rows)
     check_gap(rows, folder, run)
+    check_model(bench, folder, budget)
     rows = budget("other", "simulate.budget_damping=[0.01]", "simulate.budget_friction=5")
     found = {row["source"]: row for row in rows}
     assert float(found["damping 0.01"]["change of amplitude [%]"]) > 5, rows

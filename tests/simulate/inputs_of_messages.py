@@ -30,6 +30,14 @@ def doubtful(file):
     file.create_group("verification").attrs.update(shape_imbalance=0.65, shape_tolerance=1e-4)
 
 
+def seven(file):
+    file.attrs["sector_count"] = 7
+
+
+def slow(file):
+    file.attrs["speed_max"] = 1000.0
+
+
 folder = sys.argv[1]
 os.makedirs(folder, exist_ok=True)
 TEXTS = {"case.toml": CASE, "text.h5": "text", "profile.csv": "angle_deg, 0.0, 1.0\n0, 2e-4, 1e-4\n90, -2e-4, wide\n",
@@ -40,5 +48,5 @@ for name, text in TEXTS.items():
     with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
         file.write(text)
 write_model(os.path.join(folder, "model.h5"))
-for change in (not_finite, other_schema, not_hermitian, unstable, doubtful):
+for change in (not_finite, other_schema, not_hermitian, unstable, doubtful, seven, slow):
     write_model(os.path.join(folder, change.__name__ + ".h5"), change)

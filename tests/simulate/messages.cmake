@@ -49,6 +49,33 @@ expect_message(gap_that_the_model_lacks OLD "damping_ratio" NEW "gap = \"second_
                ERRORS "[simulate] gap = \"second_order\" needs /contact/second_order in the model" "reduce the sector again")
 expect_message(gap_of_third_order OLD "damping_ratio" NEW "gap = \"third_order\"\ndamping_ratio" EXIT_CODE 2
                ERRORS "case.toml:11:7: [simulate] gap = \"third_order\" must be one of: automatic, linear, second_order")
+expect_message(physics_without_budget OLD "damping_ratio" NEW "physics = \"as_needed\"\nbudget = \"none\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "case.toml:11:11: [simulate] physics = \"as_needed\" decides by error budgets; set budget = \"critical_speeds\" or \"largest\"")
+expect_message(physics_without_examination OLD "damping_ratio" NEW "physics = \"as_needed\"\nexamine = \"none\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "[simulate] physics = \"as_needed\" decides by critical speeds; set examine = \"critical_speeds\", or leave physics out")
+expect_message(physics_of_a_sweep_upwards OLD "damping_ratio" NEW "physics = \"as_needed\"\nsweep = \"up\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "only a sweep from rest examines; set sweep = \"rest\"")
+expect_message(physics_that_pulls OLD "damping_ratio" EXIT_CODE 2
+               NEW "physics = \"as_needed\"\ncontact = \"paper\"\nscheme = \"central_differences\"\ndamping_ratio"
+               ERRORS "[simulate] physics = \"as_needed\" needs forces that only push; set contact = \"complementarity\"")
+expect_message(physics_with_nothing_to_decide OLD "lobes = 2" NEW "lobes = 2\nfriction_coefficient = 0" EXIT_CODE 2
+               ARGUMENTS case.toml model.h5 -o response.h5 --set "simulate.physics=\"as_needed\""
+               ERRORS "[simulate] physics = \"as_needed\" finds nothing to decide: the case gives friction_coefficient, and gap or a model"
+                      "leave one of these keys out, or physics")
+expect_message(physics_by_chance OLD "damping_ratio" NEW "physics = \"as_liked\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "[simulate] physics = \"as_liked\" must be one of: as_given, as_needed")
+expect_message(other_model_that_is_absent OLD "damping_ratio" EXIT_CODE 1
+               NEW "budget = \"largest\"\nbudget_model = \"absent.h5\"\ndamping_ratio" ERRORS "absent.h5: no such file")
+expect_message(other_model_of_another_wheel OLD "damping_ratio" EXIT_CODE 2
+               NEW "budget = \"largest\"\nbudget_model = \"seven.h5\"\ndamping_ratio"
+               INPUTS ${made}/case.toml ${made}/model.h5 ${made}/seven.h5
+               ERRORS "case.toml:12:16: [simulate] budget_model is of 7 sectors, and the model of 6; name another model of the same wheel")
+expect_message(other_model_of_lower_speeds OLD "damping_ratio" EXIT_CODE 2
+               NEW "budget = \"largest\"\nbudget_model = \"slow.h5\"\ndamping_ratio"
+               INPUTS ${made}/case.toml ${made}/model.h5 ${made}/slow.h5
+               ERRORS "[simulate] budget_model holds up to 9549.3 rev/min, and the speeds go to 12000; reduce it with a higher speed_max_rpm")
+expect_message(other_model_without_a_budget OLD "damping_ratio" NEW "budget_model = \"model.h5\"\ndamping_ratio" EXIT_CODE 2
+               ERRORS "unknown key \"budget_model\" in [simulate]")
 expect_message(amplitude_in_millimetres OLD "amplitude = 2.0e-4" NEW "amplitude = 0.2" EXIT_CODE 2
                ERRORS "case.toml:5:13: [casing] amplitude has 0.2 m, more than a fiftieth of the tip's radius of "
                       "it is in metres, not in millimetres")

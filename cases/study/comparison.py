@@ -9,6 +9,7 @@ each axis, and all columns of critical_speeds.csv), study.txt with a line for ea
 """
 import csv
 import html
+import json
 import os
 import subprocess
 import sys
@@ -16,6 +17,7 @@ import sys
 import study as studies
 
 SPEED, AMPLITUDE, WAVE, NOTE = "speed [rpm]", "amplitude [mm]", ("engine order", "signed nodal diameter"), "no report"
+STRESS, GOODMAN = "von Mises, both [MPa]", "Goodman utilisation [1]"
 
 
 def rows_of(runs, point, table):
@@ -25,6 +27,12 @@ def rows_of(runs, point, table):
             return list(csv.DictReader(file))
     except FileNotFoundError:
         return None
+
+
+def avoided(runs, point):
+    """The speeds to avoid, as the report of the point has them."""
+    with open(os.path.join(runs, "points", point, "report", "summary.json"), encoding="utf-8") as file:
+        return json.load(file)["verdict"].get("Avoid", "")
 
 
 class Results:
@@ -37,16 +45,19 @@ class Results:
                        for name, (labels, _) in study.points.items()]
 
     def summary(self):
-        """A line for each point: its largest amplitude and its critical speeds."""
-        yield ["point", *self.axes, "speeds", "failed", "largest amplitude [mm]", "at [rpm]", "critical speeds [rpm]"]
+        """A line for each point: its largest amplitude, the largest stress of its critical speeds, these, and what to avoid."""
+        yield ["point", *self.axes, "speeds", "failed", "largest amplitude [mm]", "at [rpm]", "stress with spin [MPa]", "Goodman", "critical speeds [rpm]",
+               "speeds to avoid"]
         for name, labels, critical, speeds in self.points:
             if speeds is None:
-                yield [name, *labels, NOTE, "", "", "", ""]
+                yield [name, *labels, NOTE, *7 * [""]]
                 continue
             computed = [row for row in speeds if not row["failure"]]
             top = max(computed, key=lambda row: float(row[AMPLITUDE]), default={})
             yield [name, *labels, str(len(speeds)), str(len(speeds) - len(computed)), top.get(AMPLITUDE, "")[:6], rounded(top.get(SPEED)),
-                   ", ".join(f"{rounded(row[SPEED])} (EO {float(row[WAVE[0]]):.4g} ND {float(row[WAVE[1]]):+g})" for row in critical)]
+                   largest(critical, STRESS, 0), largest(critical, GOODMAN, 2),
+                   ", ".join(f"{rounded(row[SPEED])} (EO {float(row[WAVE[0]]):.4g} ND {float(row[WAVE[1]]):+g})" for row in critical),
+                   avoided(self.runs, name)]
 
     def joint(self):
         """A line for each critical speed."""
@@ -55,6 +66,12 @@ class Results:
         for name, labels, critical, _ in self.points:
             for row in critical or ():
                 yield [name, *labels, *(row[column] for column in columns)]
+
+
+def largest(rows, column, digits):
+    """Of the rows that have a number there; empty if none has."""
+    numbers = [float(row[column]) for row in rows if row.get(column)]
+    return f"{max(numbers):.{digits}f}" if numbers else ""
 
 
 def rounded(number):
@@ -130,7 +147,7 @@ PAGE = """<!doctype html>
 <html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>{title}</title>
 <style>body {{ font: 15px sans-serif; margin: 2em auto; padding: 0 1em; max-width: 1150px }}
 td, th {{ padding: .2em .7em; text-align: left; border-bottom: 1px solid #ddd }} td:first-child {{ white-space: nowrap }}
-td:last-child {{ min-width: 22em }} table {{ border-collapse: collapse }} .wide, figure {{ margin: 0; overflow-x: auto }}
+td:nth-last-child(-n+2) {{ min-width: 18em }} table {{ border-collapse: collapse }} .wide, figure {{ margin: 0; overflow-x: auto }}
 svg {{ min-width: 640px; max-width: 100%; height: auto }}</style>
 <h1>{title}</h1>
 <p>{counts} All critical speeds with all their labels: <a href="study.csv">study.csv</a>.</p>

@@ -113,6 +113,7 @@ void report(const StageArguments& arguments, const ReportContents& contents) {
     for (const Answer& answer : verdict(study, contents.field_results, contents.needs))
       say(arguments, answer.question + ": " + answer.text);
     for (const std::string& line : summary(study, contents.field_results)) say(arguments, line);
+    for (const Answer& answer : contents.run.in_words()) say(arguments, answer.question + ": " + answer.text);
   }
   say(arguments, (arguments.output / "report.html").lexically_normal().string() + ": " + doubts(study.model) +
                      std::to_string(study.critical.size()) + " critical speeds, " +

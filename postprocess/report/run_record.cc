@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/report/run_record.h"
 
+#include <sys/resource.h>
+
 #include <ctime>
 
 #include "cases/program/command_line.h"
@@ -43,6 +45,13 @@ std::string stage_in_words(const fs::path& note) {
          (numbers[2] == 1 ? " processor" : " processors");
 }
 
+/// [bytes] The most memory that this process has had so far.
+double peak_memory() {
+  constexpr double unit = 1024;  // of ru_maxrss
+  rusage usage{};
+  return getrusage(RUSAGE_SELF, &usage) == 0 ? unit * static_cast<double>(usage.ru_maxrss) : 0;
+}
+
 }  // namespace
 
 RunRecord::RunRecord(std::vector<fs::path> inputs, const std::vector<fs::path>& stages) : inputs_(std::move(inputs)) {
@@ -52,15 +61,18 @@ RunRecord::RunRecord(std::vector<fs::path> inputs, const std::vector<fs::path>& 
 void RunRecord::done(const std::string& part) {
   const auto now = std::chrono::steady_clock::now();
   parts_.emplace_back(part, std::chrono::duration<double>(now - last_).count());
+  memory_ = peak_memory();
   last_ = now;
 }
 
 std::vector<Answer> RunRecord::in_words() const {
+  constexpr double bytes_per_gb = 1e9;
   std::string inputs, times;
   for (const fs::path& file : inputs_)
     inputs += (inputs.empty() ? "" : "; ") + file.filename().string() + " of " + date_of(file);
   for (const auto& [part, seconds] : parts_)
     times += (times.empty() ? "" : ", ") + part + " " + fixed(seconds, 1) + " s";
+  if (memory_ > 0) times += "; at most " + fixed(memory_ / bytes_per_gb, 2) + " GB of memory";
   const std::string commit = TIPRUB_COMMIT;
   std::vector<Answer> answers = {
       {"Program", program_version("tiprub-postprocess") + (commit.empty() ? "" : ", built of commit " + commit)},

@@ -5,9 +5,11 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
 
+#include "embedded/column_list.h"
 #include "embedded/page_files.h"
 #include "embedded/page_scripts.h"
 #include "embedded/page_styles.h"
@@ -84,7 +86,10 @@ std::string class_of(const std::string& value) {
 /// A table with a head; numbers are aligned to the right, texts to the left.
 std::string html_table(const Table& table) {
   std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table><thead><tr>";
-  for (const std::string& name : table.header) text += "<th scope=\"col\">" + escaped(name) + "</th>";
+  for (const std::string& name : table.header) {
+    const std::string help = help_of(name);
+    text += "<th scope=\"col\"" + (help.empty() ? help : " title=\"" + help + "\"") + ">" + escaped(name) + "</th>";
+  }
   text += "</tr></thead><tbody>\n";
   for (const auto& row : table.rows) {
     text += "<tr>";
@@ -96,7 +101,7 @@ std::string html_table(const Table& table) {
     }
     text += "</tr>\n";
   }
-  return text + "</tbody></table></div>\n";
+  return text + "</tbody></table></div>\n" + column_list(table.header);
 }
 
 /// A template without its first line, the licence, which stays with the source.
@@ -149,11 +154,7 @@ std::string stress_note(const FieldResults& fields) {
                                  : "at the recorded sample with the largest contact force (the response holds no "
                                    "whole cycle)"},
                  {"patch", fixed(fields.tip_patch * mm_per_m, 1)},
-                 {"rim", fixed(fields.clamp_rim * mm_per_m, 1)},
-                 {"fatigue", cycles ? " Mean: von Mises stress of the mean tensor over the cycle, spin included; "
-                                      "alternating: the largest of the tensor minus that mean; Goodman: alternating "
-                                      "over the endurance limit plus mean over the ultimate strength, 1 is the limit."
-                                    : ""}});
+                 {"rim", fixed(fields.clamp_rim * mm_per_m, 1)}});
 }
 
 std::string answers(const std::vector<Answer>& list) {

@@ -280,9 +280,30 @@ TEST_F(Page, TellsTheStressAtEveryPeak) {
   }
   for (const char* column : {"vibration [MPa]", "spin [MPa]", "both [MPa]"}) {
     EXPECT_NE(with_.out.find(column), std::string::npos);
-    EXPECT_NE(text_of(folder_ / "with" / "report.html").find(std::string("<th scope=\"col\">") + column),
+    EXPECT_NE(text_of(folder_ / "with" / "report.html").find(std::string("\">") + column + "</th>"),
               std::string::npos);
   }
+}
+
+/// Stress was told at critical speeds only, so that nobody learned that of the speed at which the wheel runs.
+TEST_F(Page, EstimatesTheStressOfEverySpeed) {
+  constexpr const char* column = "von Mises, vibration, estimated [MPa]";
+  int computed = 0;
+  for (const auto& row : rows_of(folder_ / "with" / "speeds.csv")) {
+    if (!row.at("failure").empty()) continue;
+    EXPECT_GT(std::stod(row.at(column)), 0) << row.at("speed [rpm]");
+    ++computed;
+  }
+  EXPECT_EQ(computed, 47);
+  for (const auto& row : rows_of(folder_ / "without" / "speeds.csv")) EXPECT_EQ(row.at(column), "");
+}
+
+/// What a column means stands at its head, and in a list for paper.
+TEST_F(Page, ExplainsItsColumns) {
+  const std::string page = text_of(folder_ / "with" / "report.html");
+  const std::string help = "The amplitude of the wave over that of the peak.";
+  EXPECT_NE(page.find("<th scope=\"col\" title=\"" + help), std::string::npos);
+  EXPECT_NE(page.find("<dt>share [%]</dt><dd>" + help), std::string::npos);
 }
 
 /// Stress was that of the sample with the largest contact force, where this motion's is not the largest. Now it is

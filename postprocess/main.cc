@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
         "stress at every critical speed");
     app.add_option("--compare", options.compared,
                    "another report's folder, or another response of this model, whose response, maps and critical "
-                   "speeds are shown beside these");
+                   "speeds are shown beside these; may be repeated")
+        ->allow_extra_args(false);
     app.add_option("--runs", options.runs,
                    "file that another program wrote with --times, for the page; may be repeated")
         ->allow_extra_args(false);

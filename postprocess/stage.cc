@@ -40,8 +40,8 @@ Inputs read_inputs(const StageArguments& arguments, const PostprocessOptions& op
   CaseTable table = file.table("postprocess");
   Inputs inputs;
   std::vector<fs::path> files = arguments.inputs;
-  for (const fs::path& other : {options.fields_file, options.compared})
-    if (!other.empty()) files.push_back(other);
+  if (!options.fields_file.empty()) files.push_back(options.fields_file);
+  files.insert(files.end(), options.compared.begin(), options.compared.end());
   inputs.run = RunRecord(files, options.runs);
   inputs.parameters = read_postprocess_parameters(table);
   inputs.strength = read_material_strength(file);
@@ -57,7 +57,8 @@ Inputs read_inputs(const StageArguments& arguments, const PostprocessOptions& op
   };
   inputs.sweeps = {beside_case(inputs.parameters.response_up), beside_case(inputs.parameters.response_down)};
   std::vector<fs::path> others = options.runs;
-  others.insert(others.end(), {options.fields_file, inputs.sweeps.up, inputs.sweeps.down, options.compared});
+  others.insert(others.end(), options.compared.begin(), options.compared.end());
+  others.insert(others.end(), {options.fields_file, inputs.sweeps.up, inputs.sweeps.down});
   refuse_overwriting({arguments.output}, others);
   require_gnuplot();
   return inputs;
@@ -76,7 +77,7 @@ void print(const std::string& table) {
 void check(Inputs inputs, const PostprocessOptions& options) {
   if (!options.fields_file.empty()) check_fields(options.fields_file, inputs.model);
   const Study study = study_of(inputs);
-  if (!options.compared.empty()) read_other_report(options.compared, study);
+  for (const fs::path& other : options.compared) read_other_report(other, study);
   print(aligned_text(
       scene_needs_record(scene_needs(study, field_effects(options.fields_file, study.model, study.critical)))));
 }
@@ -93,11 +94,13 @@ ReportContents run(Inputs inputs, const PostprocessOptions& options, Progress::S
   }
   contents.field_results = field_results(contents.fields, contents.study.critical);
   contents.numbers = report_numbers(contents.study, contents.field_results);
-  if (!options.compared.empty()) {
-    contents.other = read_other_report(options.compared, contents.study);
-    compare_cases(*contents.other, options.compared, contents.source.title, contents.source.case_text);
-    contents.figures.push_back(comparison_figure(contents.numbers, *contents.other));
-    contents.figures.push_back(comparison_map_figure(contents.study, contents.numbers, *contents.other));
+  for (const fs::path& other : options.compared) {
+    contents.others.push_back(read_other_report(other, contents.study));
+    compare_cases(contents.others.back(), other, contents.source.title, contents.source.case_text);
+  }
+  if (!contents.others.empty()) {
+    contents.figures.push_back(comparison_figure(contents.numbers, contents.others));
+    contents.figures.push_back(comparison_map_figure(contents.study, contents.numbers, contents.others.front()));
   }
   contents.needs =
       scene_needs(contents.study, field_effects(options.fields_file, contents.study.model, contents.study.critical));

@@ -15,9 +15,9 @@ std::string postprocess_tables(const CaseFile& file);
 
 /// Optional inputs; each may be empty.
 struct PostprocessOptions {
-  std::filesystem::path fields_file;        ///< empty: fields on the whole wheel are left out
-  std::filesystem::path compared;           ///< another report's folder, or another response of the same model
-  std::vector<std::filesystem::path> runs;  ///< notes of the stages before (--times)
+  std::filesystem::path fields_file;            ///< empty: fields on the whole wheel are left out
+  std::vector<std::filesystem::path> compared;  ///< folders of other reports, or other responses of the same model
+  std::vector<std::filesystem::path> runs;      ///< notes of the stages before (--times)
 };
 
 /// Runs the stage: reads case, model and response, computes the study, and writes the report's folder. If a signal

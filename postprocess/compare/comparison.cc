@@ -116,7 +116,30 @@ Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& othe
                             pairs_of(this_one.peaks, other.peaks));
 }
 
+Table comparison_record(const ReportNumbers& this_one, const std::vector<ReportNumbers>& others) {
+  if (others.size() == 1) return comparison_record(this_one, others.front());
+  Table all;
+  for (const ReportNumbers& other : others) {
+    Table one = comparison_record(this_one, other);
+    all.header = std::move(one.header);
+    all.header.insert(all.header.begin(), "report");
+    for (std::vector<Cell>& row : one.rows) {
+      row.insert(row.begin(), other.name);
+      all.rows.push_back(std::move(row));
+    }
+  }
+  return all;
+}
+
 namespace {
+
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text;
+}
 
 const ComparedPeak& worst_of(const std::vector<ComparedPeak>& peaks) {
   return *std::max_element(peaks.begin(), peaks.end(),
@@ -161,6 +184,29 @@ std::string comparison_in_words(const ReportNumbers& here, const ReportNumbers& 
   return text + (other.changes.empty() ? "" : ".") + grids_text(here, other);
 }
 
+Table reports_record(const ReportNumbers& this_one, const std::vector<ReportNumbers>& others) {
+  Table table{{"report", "keys that differ", "critical speeds", "worst [rpm]", "worst wave", "worst amplitude [mm]",
+               "its stress with spin [MPa]", "its Goodman", "speeds to avoid"},
+              {}};
+  const auto add = [&](const ReportNumbers& numbers, const std::string& name) {
+    std::string changes;
+    for (const std::string& change : numbers.changes) changes += (changes.empty() ? "" : "; ") + change;
+    std::vector<Cell> row = {name, changes, static_cast<int>(numbers.peaks.size())};
+    if (numbers.peaks.empty()) {
+      row.insert(row.end(), 5, std::string());
+    } else {
+      const ComparedPeak& worst = worst_of(numbers.peaks);
+      row.insert(row.end(), {worst.speed, wave_of(worst), worst.amplitude, optional_cell(worst.stress),
+                             optional_cell(worst.goodman)});
+    }
+    row.emplace_back(numbers.avoid);
+    table.rows.push_back(std::move(row));
+  };
+  add(this_one, "this report");
+  for (const ReportNumbers& other : others) add(other, other.name);
+  return table;
+}
+
 Figure comparison_map_figure(const Study& study, const ReportNumbers& this_one, const ReportNumbers& other) {
   constexpr int columns = 420, rows = 360;
   const bool leading = study.parameters.edge == TipEdge::leading;
@@ -189,18 +235,30 @@ Figure comparison_map_figure(const Study& study, const ReportNumbers& this_one, 
   return figure;
 }
 
-Figure comparison_figure(const ReportNumbers& this_one, const ReportNumbers& other) {
-  Eigen::MatrixXd here(this_one.speed.size(), 2), there(other.speed.size(), 2);
-  here << this_one.speed, this_one.amplitude;
-  there << other.speed, other.amplitude;
-  Figure figure = listed_figure("comparison", {{"other", other.name}});
-  figure.drawing.values = {{"speed", speed_axis_of_both(this_one, other)},
-                           {"other_name", std::vector<std::string>{other.name}}};
-  figure.drawing.tables = {{"here", {here}}, {"there", {there}}};
+Figure comparison_figure(const ReportNumbers& this_one, const std::vector<ReportNumbers>& others) {
+  const auto curve = [](const ReportNumbers& numbers) {
+    Eigen::MatrixXd rows(numbers.speed.size(), 2);
+    rows << numbers.speed, numbers.amplitude;
+    return rows;
+  };
+  DrawnRange axis = speed_axis_of_both(this_one, this_one);
+  std::vector<std::string> names;
+  std::vector<Eigen::MatrixXd> there;
+  for (const ReportNumbers& other : others) {
+    const DrawnRange both = speed_axis_of_both(this_one, other);
+    axis = {std::min(axis.low, both.low), std::max(axis.high, both.high)};
+    names.push_back(other.name);
+    there.push_back(curve(other));
+  }
+  Figure figure = listed_figure("comparison", {{"other", listed(names)}});
+  figure.drawing.values = {{"speed", axis}, {"other_name", names}, {"others", static_cast<int>(names.size())}};
   figure.data = {{"response", "speed [rpm]", "amplitude [mm]"}, {}};
-  const std::pair<std::string, const Eigen::MatrixXd*> both[] = {{"this", &here}, {"other", &there}};
-  for (const auto& [name, rows] : both)
-    for (const auto& row : rows->rowwise()) figure.data.rows.push_back({name, row[0], row[1]});
+  const auto add = [&](const std::string& name, const Eigen::MatrixXd& rows) {
+    for (const auto& row : rows.rowwise()) figure.data.rows.push_back({name, row[0], row[1]});
+  };
+  add("this", curve(this_one));
+  for (std::size_t k = 0; k < others.size(); ++k) add(others.size() == 1 ? "other" : names[k], there[k]);
+  figure.drawing.tables = {{"here", {curve(this_one)}}, {"there", std::move(there)}};
   return figure;
 }
 

@@ -11,6 +11,7 @@
 #include "cases/program/errors.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/figures/axes.h"
+#include "postprocess/records/speeds_to_avoid.h"
 #include "postprocess/tables/table.h"
 #include "simulate/response/response_file.h"
 
@@ -84,10 +85,12 @@ InteractionMap map_from(const json& columns) {
 }
 
 ComparedPeak peak_from(const json& peak) {
-  const json& stress = peak.at("stress_mpa");
-  return {peak.at("speed_rpm"),    peak.at("amplitude_mm"),
-          peak.at("engine_order"), peak.at("signed_nodal_diameter"),
-          peak.at("family"),       stress.is_null() ? std::nullopt : std::optional(stress.get<double>())};
+  const auto number = [&](const char* name) {  // that a report may have
+    const json value = peak.value(name, json());
+    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+  };
+  return {peak.at("speed_rpm"), peak.at("amplitude_mm"), peak.at("engine_order"), peak.at("signed_nodal_diameter"),
+          peak.at("family"),    number("stress_mpa"),    number("goodman")};
 }
 
 ReportNumbers from_json(const json& numbers) {
@@ -99,7 +102,8 @@ ReportNumbers from_json(const json& numbers) {
                      vector_of(numbers.at("response").at("largest_mm")),
                      {},
                      map_from(numbers.at("maps").at("leading")),
-                     map_from(numbers.at("maps").at("trailing"))};
+                     map_from(numbers.at("maps").at("trailing")),
+                     numbers.value("avoid", std::string())};
   require(read.speed.size() > 0 && read.speed.size() == read.amplitude.size(),
           "speeds and amplitudes differ in number");
   for (const json& peak : numbers.at("critical_speeds")) read.peaks.push_back(peak_from(peak));
@@ -138,13 +142,15 @@ ReportNumbers report_numbers(const Study& study, const FieldResults& fields) {
                         study.amplitudes.largest * mm_per_m,
                         {},
                         up_to(study.waves.leading, orders),
-                        up_to(study.waves.trailing, orders)};
+                        up_to(study.waves.trailing, orders),
+                        bands_in_words(speeds_to_avoid(study, fields), fields)};
   for (std::size_t i = 0; i < study.critical.size(); ++i) {
     const CriticalSpeed& critical = study.critical[i];
     numbers.peaks.push_back(
         {critical.speed * rpm_per_rad_s, critical.amplitude * mm_per_m, critical.rising.engine_order,
          critical.rising.signed_nodal_diameter, critical.rising.family + 1,
-         fields.peaks[i] ? std::optional(fields.peaks[i]->body.both * mpa_per_pa) : std::nullopt});
+         fields.peaks[i] ? std::optional(fields.peaks[i]->body.both * mpa_per_pa) : std::nullopt,
+         fields.peaks[i] && fields.peaks[i]->cycle ? fields.peaks[i]->cycle->goodman : std::nullopt});
   }
   return numbers;
 }
@@ -157,10 +163,12 @@ std::string to_json(const ReportNumbers& numbers) {
                      {"engine_order", peak.engine_order},
                      {"signed_nodal_diameter", peak.signed_nodal_diameter},
                      {"family", peak.family},
-                     {"stress_mpa", peak.stress ? json(*peak.stress) : json()}});
+                     {"stress_mpa", peak.stress ? json(*peak.stress) : json()},
+                     {"goodman", peak.goodman ? json(*peak.goodman) : json()}});
   return json({{"schema", schema},
                {"schema_version", schema_version},
                {"response", {{"speed_rpm", list_of(numbers.speed)}, {"largest_mm", list_of(numbers.amplitude)}}},
+               {"avoid", numbers.avoid},
                {"critical_speeds", std::move(peaks)},
                {"maps", {{"leading", map_json(numbers.leading_map)}, {"trailing", map_json(numbers.trailing_map)}}}})
              .dump() +

@@ -17,8 +17,9 @@ struct ComparedPeak {
   double amplitude = 0;  ///< [mm]
   double engine_order = 0;
   int signed_nodal_diameter = 0;
-  int family = 0;                ///< from 1
-  std::optional<double> stress;  ///< [MPa] von Mises, spin and vibration; where the report has it
+  int family = 0;                      ///< from 1
+  std::optional<double> stress;        ///< [MPa] von Mises, spin and vibration; where the report has it
+  std::optional<double> goodman = {};  ///< [1] utilisation, likewise
 };
 
 /// The numbers with which two reports are compared; their wheels may differ.
@@ -29,6 +30,7 @@ struct ReportNumbers {
   std::vector<ComparedPeak> peaks;   ///< ascending in speed
   /// Parts and totals up to engine_order_max. Of the spectra only the numbers of lines and revolutions are set.
   InteractionMap leading_map, trailing_map;
+  std::string avoid = {};  ///< the speeds to avoid in words; empty if the report does not tell them
 };
 
 ReportNumbers report_numbers(const Study& study, const FieldResults& fields);

@@ -161,18 +161,23 @@ json add_map(PackedArrays& arrays, const InteractionMap& map, const std::string&
   return speeds;
 }
 
-/// The other report, which the page draws beside this one.
-json add_other(PackedArrays& arrays, const ReportNumbers& other) {
-  arrays.add("other/speed", other.speed);
-  arrays.add("other/largest", other.amplitude);
-  return {{"name", other.name},
-          {"leading", add_map(arrays, other.leading_map, "other/leading/")},
-          {"trailing", add_map(arrays, other.trailing_map, "other/trailing/")}};
+/// The other reports, which the page draws beside this one.
+json add_others(PackedArrays& arrays, const std::vector<ReportNumbers>& others) {
+  json list = json::array();
+  for (const ReportNumbers& other : others) {
+    const std::string place = "other/" + std::to_string(list.size()) + "/";
+    arrays.add(place + "speed", other.speed);
+    arrays.add(place + "largest", other.amplitude);
+    list.push_back({{"name", other.name},
+                    {"leading", add_map(arrays, other.leading_map, place + "leading/")},
+                    {"trailing", add_map(arrays, other.trailing_map, place + "trailing/")}});
+  }
+  return list;
 }
 
 }  // namespace
 
-std::string speed_data(const Study& study, const FieldResults& fields, const std::optional<ReportNumbers>& other) {
+std::string speed_data(const Study& study, const FieldResults& fields, const std::vector<ReportNumbers>& others) {
   const SpeedFrame frame = speed_frame(study);
   PackedArrays arrays;
   json speeds = json::array(), failed = json::array();
@@ -187,7 +192,7 @@ std::string speed_data(const Study& study, const FieldResults& fields, const std
                         {"shown", study.shown},
                         {"speeds", std::move(speeds)},
                         {"failed", std::move(failed)},
-                        {"other", other ? add_other(arrays, *other) : json()},
+                        {"others", add_others(arrays, others)},
                         {"critical", critical_of(study.critical, fields)},
                         {"predicted",
                          {{"aliased", speeds_of(frame, study.rules.aliased)},

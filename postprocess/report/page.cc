@@ -83,6 +83,24 @@ std::string class_of(const std::string& value) {
   return value.size() <= short_text ? " class=\"s\"" : "";
 }
 
+/// What a column means; empty if columns.json does not list it.
+std::string help_of(const std::string& column) {
+  static const auto list = nlohmann::json::parse(embedded::column_list::columns_json, nullptr, true, true);
+  return escaped(list.value(column, std::string()));
+}
+
+/// What the columns of a table mean, one after the other, for paper and where no script shows it at the column
+/// itself.
+std::string column_list(const std::vector<std::string>& columns) {
+  std::string text;
+  for (const std::string& name : columns)
+    if (const std::string help = help_of(name); !help.empty())
+      text += "<dt>" + escaped(name) + "</dt><dd>" + help + "</dd>\n";
+  return text.empty()
+             ? text
+             : "<details class=\"columns\"><summary>What the columns mean</summary><dl>" + text + "</dl></details>\n";
+}
+
 /// A table with a head; numbers are aligned to the right, texts to the left.
 std::string html_table(const Table& table) {
   std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table><thead><tr>";
@@ -255,13 +273,21 @@ std::string budget_section(const Study& study, const FieldResults& fields) {
              : filled(without_first_line(embedded::page_files::budget_html), {{"table", html_table(table)}});
 }
 
-/// Critical speeds beside those of another report; empty if none was given.
+/// Bands and worst peaks of this report and of others, and the critical speeds beside those of each; empty if there
+/// are no others.
 std::string comparison_section(const ReportContents& contents) {
-  if (!contents.other) return "";
+  if (contents.others.empty()) return "";
+  std::string names, each;
+  for (const ReportNumbers& other : contents.others) {
+    names += (names.empty() ? "" : ", ") + other.name;
+    each += (contents.others.size() > 1 ? "<h3>" + escaped(other.name) + "</h3>\n" : "") + "<p>" +
+            escaped(comparison_in_words(contents.numbers, other)) + "</p>\n" +
+            html_table(comparison_record(contents.numbers, other));
+  }
   return filled(without_first_line(embedded::page_files::compared_html),
-                {{"other", escaped(contents.other->name)},
-                 {"words", escaped(comparison_in_words(contents.numbers, *contents.other))},
-                 {"table", html_table(comparison_record(contents.numbers, *contents.other))}});
+                {{"others", escaped(names)},
+                 {"reports", html_table(reports_record(contents.numbers, contents.others))},
+                 {"each", each}});
 }
 
 /// The place of the 3-D wheel in the page; empty without full fields.
@@ -293,7 +319,7 @@ std::string wheel_data_section(const ReportContents& contents) {
 }  // namespace
 
 std::string report_page(const ReportContents& contents, const std::filesystem::path& folder) {
-  const auto& [study, source, full_fields, fields, needs, figures, numbers, other, run] = contents;
+  const auto& [study, source, full_fields, fields, needs, figures, numbers, others, run] = contents;
   const bool none = study.critical.empty();
   return filled(
       without_first_line(embedded::page_files::page_html),

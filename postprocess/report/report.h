@@ -30,8 +30,8 @@ struct ReportContents {
   FieldResults field_results{};
   std::vector<SceneNeed> needs{};
   std::vector<Figure> figures{};
-  ReportNumbers numbers{};               ///< of this report, for later comparisons
-  std::optional<ReportNumbers> other{};  ///< to compare with, if one was given
+  ReportNumbers numbers{};              ///< of this report, for later comparisons
+  std::vector<ReportNumbers> others{};  ///< to compare with
   RunRecord run{{}, {}};
 };
 

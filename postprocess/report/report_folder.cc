@@ -57,7 +57,10 @@ std::string json_summary(const ReportContents& contents) {
                           {"scene_needs", rows_of(scene_needs_record(contents.needs))},
                           {"error_budget", rows_of(error_budget_record(study, contents.field_results))},
                           {"linear_rules", rows_of(rule_score_record(study.rules))}};
-  if (contents.other) summary["comparison"] = rows_of(comparison_record(contents.numbers, *contents.other));
+  if (!contents.others.empty()) {
+    summary["comparison"] = rows_of(comparison_record(contents.numbers, contents.others));
+    summary["reports"] = rows_of(reports_record(contents.numbers, contents.others));
+  }
   // Bytes of a case's title that are not UTF-8 are replaced.
   return summary.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
@@ -94,7 +97,10 @@ void write_report_folder(ReportContents& contents, const std::filesystem::path& 
   write_figures(contents.figures, folder / "figures", shown);
   write_tables(contents.study, contents.field_results, folder);
   write_csv(scene_needs_record(contents.needs), folder / "scene_needs.csv");
-  if (contents.other) write_csv(comparison_record(contents.numbers, *contents.other), folder / "comparison.csv");
+  if (!contents.others.empty()) {
+    write_csv(comparison_record(contents.numbers, contents.others), folder / "comparison.csv");
+    write_csv(reports_record(contents.numbers, contents.others), folder / "reports.csv");
+  }
   write_text(contents.source.case_text, folder / "case.toml");
   write_text(json_summary(contents), folder / "summary.json");
   write_text(to_json(contents.numbers), folder / numbers_file);

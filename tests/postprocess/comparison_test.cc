@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -90,11 +91,45 @@ TEST(Comparison, PairsPeaksByTheirWaves) {
   EXPECT_EQ(number(table.rows.back()[8]), 100);
 }
 
+/// Of several reports a table has a row for each, with the worst peak and the bands; the other one says which peaks
+/// are whose.
+TEST(Comparison, TellsWorstPeaksAndBandsOfSeveral) {
+  ReportNumbers here, wide, still;
+  here.peaks = {{10000, 0.2, 6, -4, 1, 400.0, 0.8}, {12000, 0.3, 10, 0, 2, 500.0, 1.2}};
+  here.avoid = "11900 to 12100 rpm (Goodman above 1).";
+  wide.peaks = {{9000, 0.1, 6, -4, 1, std::nullopt}};
+  wide.name = "Wide";
+  wide.changes = {"casing.lobes: 2, there 3", "simulate.gap: \"linear\", there not given"};
+  still.name = "Still";
+  const Table table = reports_record(here, {wide, still});
+  ASSERT_EQ(table.rows.size(), 3U);
+  const auto cell = [&](std::size_t row, const char* name) {
+    const auto column = std::find(table.header.begin(), table.header.end(), name) - table.header.begin();
+    return csv_cell(table.rows[row].at(static_cast<std::size_t>(column)));
+  };
+  EXPECT_EQ(cell(0, "worst [rpm]"), "12000");
+  EXPECT_EQ(cell(0, "its Goodman"), "1.2");
+  EXPECT_EQ(cell(0, "speeds to avoid"), here.avoid);
+  EXPECT_EQ(cell(1, "report"), "Wide");
+  EXPECT_NE(cell(1, "keys that differ").find("casing.lobes: 2, there 3; simulate.gap"), std::string::npos);
+  EXPECT_EQ(cell(1, "its stress with spin [MPa]"), "");
+  EXPECT_EQ(cell(2, "critical speeds"), "0");
+  EXPECT_EQ(cell(2, "worst [rpm]"), "");
+  const Table pairs = comparison_record(here, std::vector{wide, still});
+  ASSERT_EQ(pairs.rows.size(), 4U);
+  EXPECT_EQ(pairs.header.front(), "report");
+  EXPECT_EQ(std::get<std::string>(pairs.rows.front().front()), "Wide");
+  EXPECT_EQ(std::get<std::string>(pairs.rows.back().front()), "Still");
+  EXPECT_EQ(comparison_record(here, std::vector{wide}).header, comparison_record(here, wide).header);
+}
+
 /// All that is compared comes over, up to the engine orders that are drawn.
 TEST(Comparison, ReadsTheNumbersOfAReport) {
   const Study study = made_study();
   ReportNumbers here = report_numbers(study, field_results(std::nullopt, study.critical));
   here.peaks.front().stress = 125;
+  here.peaks.front().goodman = 0.75;
+  here.avoid = "1000 to 1100 rpm (Goodman above 1).";
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir());
   write_text(to_json(here), folder / numbers_file);
   const ReportNumbers there = read_other_report(folder, study);
@@ -102,6 +137,8 @@ TEST(Comparison, ReadsTheNumbersOfAReport) {
   EXPECT_EQ(there.amplitude, here.amplitude);
   ASSERT_EQ(there.peaks.size(), here.peaks.size());
   EXPECT_EQ(there.peaks.front().stress, 125);
+  EXPECT_EQ(there.peaks.front().goodman, 0.75);
+  EXPECT_EQ(there.avoid, here.avoid);
   for (const auto& row : comparison_record(here, there).rows) EXPECT_EQ(number(row[3]), 0);
   ASSERT_EQ(there.leading_map.columns.size(), here.leading_map.columns.size());
   for (std::size_t i = 0; i < there.leading_map.columns.size(); ++i) {

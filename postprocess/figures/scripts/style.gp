@@ -78,7 +78,6 @@ outside_validity = 30; set style line outside_validity pointtype 5 pointsize 0.5
 failed_speed = 25; set style line failed_speed pointtype 2 pointsize 1 linecolor rgb '#c2185b'
 predicted_aliased = 26; set style line predicted_aliased pointtype 8 pointsize 1 linecolor rgb '#555555'
 predicted_linear = 27; set style line predicted_linear pointtype 9 pointsize 1 linecolor rgb green
-other_response = 37; set style line other_response linewidth 2 dashtype 2 linecolor rgb '#7a4fa3'
 contrast_line = 28; set style line contrast_line pointtype 7 pointsize 0.35 linewidth 1.2 linecolor rgb blue
 places_line = 29; set style line places_line linewidth 1.2 linecolor rgb vermilion
 sweep_from_rest = 31; set style line sweep_from_rest pointtype 7 pointsize 0.3 linewidth 1.2 linecolor rgb frame_colour

@@ -20,10 +20,10 @@ function ownMap(data, edge) {
   }};
 }
 
-function otherMap(data, edge) {
-  const speeds = data.other[edge];
+function otherMap(data, k, edge) {
+  const speeds = data.others[k][edge];
   return {speeds, failed: [], amplitude: (index, line, part) => {
-    const name = `other/${edge}/${part}`;
+    const name = `other/${k}/${edge}/${part}`;
     return name in data.arrays ? data.array(name)[speeds[index].first + line] : 0;
   }};
 }
@@ -101,7 +101,7 @@ function mapRows(map, part, {x, y}) {
 }
 
 function mapView(host, selection, edge) {
-  const {data} = selection, maps = {here: ownMap(data, edge), there: data.other && otherMap(data, edge)};
+  const {data} = selection, maps = {here: ownMap(data, edge), ...data.others.map((_, k) => otherMap(data, k, edge))};
   const shown = {whose: 'here'};
   const chart = new Chart(host, {
     name: `Interaction map, ${edge} edge`, height: 380, x: speedRange(data),
@@ -172,7 +172,7 @@ function mapsView(host, selection) {
     selection.part, part => selection.choosePart(part));
   selection.onChange(() => { parts.lastChild.value = selection.part; });
   host.append(make('div', {class: 'tools'}, parts,
-    ...(data.other ? [choice('Maps of', [['here', 'this report'], ['there', data.other.name]], 'here',
+    ...(data.others.length ? [choice('Maps of', [['here', 'this report'], ...data.others.map(({name}, k) => [String(k), name])], 'here',
       whose => maps.forEach(view => view.show({whose})))] : []),
     colourBar('viridis', labels, 'mm, logarithmic')),
     legend(['map-order', 'engine orders'], ['map-mode', 'natural frequencies'], ['critical on-map', 'critical speeds'], ['chosen on-map', 'shown speed'],

@@ -42,7 +42,7 @@ function drawResponse(chart, selection) {
   for (const band of [...data.avoid].reverse()) drawBand(chart, band.low, band.high, `avoid grade-${band.grade}`);
   markSpeeds(chart, selection);
   for (const name of ['largest', 'leading', 'trailing']) chart.line(rpm, speeds.map(speed => speed[name]), name);
-  if (data.other) chart.line(data.array('other/speed'), data.array('other/largest'), 'other');
+  data.others.forEach((_, k) => chart.line(data.array(`other/${k}/speed`), data.array(`other/${k}/largest`), `other other-${k % 6}`));
   for (const speed of speeds) {
     chart.dot(speed.rpm, speed.largest, 2.2, 'largest-dot');
     if (speed.outside) markOutside(chart, speed.rpm);
@@ -63,10 +63,10 @@ function responseView(host, selection) {
     ...[2, 1, 0].flatMap(grade => data.avoid.filter(band => band.grade === grade).slice(0, 1).map(band => [`avoid grade-${grade}`, band.concern])),
     ...(data.operating[1] > 0 ? [['operating', 'operating range']] : []), ['unsteady', 'not periodic'], ...(data.speeds.some(speed => speed.outside) ? [['outside', 'outside validity']] : []), ['chosen', 'shown speed'],
     ...(data.predicted.aliased.length ? [['aliased', 'rule with aliasing']] : []),
-    ...(data.predicted.equation_2.length ? [['equation-2', 'eq. 2']] : []), ...(data.other ? [['other', data.other.name]] : [])));
+    ...(data.predicted.equation_2.length ? [['equation-2', 'eq. 2']] : []), ...data.others.map(({name}, k) => [`other other-${k % 6}`, name])));
   const chart = new Chart(host, {
     name: 'Tip amplitude over speed', height: 380, x: speedRange(data),
-    y: {label: 'amplitude [mm]', range: [0, 1.32 * Math.max(data.axes.amplitude, ...(data.other ? data.array('other/largest') : []))]},
+    y: {label: 'amplitude [mm]', range: [0, 1.32 * Math.max(data.axes.amplitude, ...data.others.flatMap((_, k) => [...data.array(`other/${k}/largest`)]))]},
     shared: selection, rows: () => [['speed [rpm]', 'largest [mm]', 'leading edge [mm]', 'trailing edge [mm]', 'motion'],
       ...data.speeds.map(speed => [speed.rpm, speed.largest, speed.leading, speed.trailing, speed.motion])],
     paint: drawn => drawResponse(drawn, selection),

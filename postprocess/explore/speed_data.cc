@@ -56,7 +56,8 @@ int drawn_lines(const SpeedFrame& frame, const TravellingSpectrum& spectrum, dou
   return std::min(spectrum.lines(), static_cast<int>(orders * spectrum.revolutions) + 1);
 }
 
-json add_speed(PackedArrays& arrays, const Study& study, const SpeedFrame& frame, Eigen::Index i) {
+json add_speed(PackedArrays& arrays, const Study& study, const FieldResults& fields, const SpeedFrame& frame,
+               Eigen::Index i) {
   const SpeedResponse& speed = study.response.speeds[static_cast<std::size_t>(i)];
   const std::vector<Edge> edges = edges_of(study.waves, study.contact);
   const TravellingSpectrum& spectrum = edges[0].map.columns[static_cast<std::size_t>(i)].spectrum;
@@ -75,6 +76,7 @@ json add_speed(PackedArrays& arrays, const Study& study, const SpeedFrame& frame
           {"leading", by_node(0, i) * mm_per_m},
           {"trailing", by_node(study.model.contact.trailing_edge(), i) * mm_per_m},
           {"excursion", largest_excursion(speed.displacement) * mm_per_m},
+          {"stress", fields.over_speed.size() > 0 ? json(fields.over_speed[i] * mpa_per_pa) : json()},
           {"motion", motion_text(speed.motion, speed.period_beats)},
           {"outside", study.gap[static_cast<std::size_t>(i)].beyond()
                           ? json(study.gap[static_cast<std::size_t>(i)].in_words())
@@ -98,7 +100,10 @@ json stress_of(const std::optional<FieldPeak>& peak) {
 json critical_of(const std::vector<CriticalSpeed>& all, const FieldResults& fields) {
   json list = json::array();
   for (std::size_t i = 0; i < all.size(); ++i)
-    list.push_back({{"index", all[i].index}, {"wave", wave_names(all[i])}, {"stress", stress_of(fields.peaks[i])}});
+    list.push_back({{"index", all[i].index},
+                    {"wave", wave_names(all[i])},
+                    {"stress", stress_of(fields.peaks[i])},
+                    {"vibration", fields.peaks[i] ? json(fields.peaks[i]->body.vibration * mpa_per_pa) : json()}});
   return list;
 }
 
@@ -131,6 +136,12 @@ json add_modes(PackedArrays& arrays, const SpeedFrame& frame) {
       list.push_back({{"nodal_diameter", n}, {"family", family + 1}});
     }
   return list;
+}
+
+/// [deg] Where both ends of the main blade's tip line of sector 0 stand in the rotor.
+json tip_angles(const ContactLine& contact) {
+  const auto degrees = [&](int node) { return contact.position(node, 1) / radians_per_degree; };
+  return {{"leading", degrees(0)}, {"trailing", degrees(contact.trailing_edge())}};
 }
 
 json axes_of(const Study& study, const SpeedFrame& frame) {
@@ -182,12 +193,13 @@ std::string speed_data(const Study& study, const FieldResults& fields, const std
   PackedArrays arrays;
   json speeds = json::array(), failed = json::array();
   for (Eigen::Index i = 0; i < study.amplitudes.largest.size(); ++i)
-    speeds.push_back(add_speed(arrays, study, frame, i));
+    speeds.push_back(add_speed(arrays, study, fields, frame, i));
   for (const SpeedResponse& speed : study.failed) failed.push_back(speed.speed * rpm_per_rad_s);
   return arrays.packed({{"sectors", study.model.sector_count},
                         {"held", study.response.scene.independent_sectors},
                         {"lobes", study.response.scene.lobes},
                         {"component", key_of(study.parameters.component)},
+                        {"tip_angle", tip_angles(study.model.contact)},
                         {"edge", study.parameters.edge == TipEdge::leading ? "leading" : "trailing"},
                         {"shown", study.shown},
                         {"speeds", std::move(speeds)},

@@ -107,21 +107,34 @@ double stress_limit(Eigen::VectorXd stress) {
   return std::max(*place * mpa_per_pa, 1e-9);
 }
 
-/// The drawn node that is nearest to each contact node.
+/// The drawn node that is nearest to a place r, theta, z [m, rad, m].
+std::uint32_t nearest_node(const Eigen::Vector3d& place, const Eigen::Matrix3Xd& nodes) {
+  const Eigen::Vector3d there(place[0] * std::cos(place[1]), place[0] * std::sin(place[1]), place[2]);
+  Eigen::Index node = 0;
+  (nodes.colwise() - there).colwise().squaredNorm().minCoeff(&node);
+  return static_cast<std::uint32_t>(node);
+}
+
+/// To each contact node.
 std::vector<std::uint32_t> nearest_nodes(const ContactLine& contact, const Eigen::Matrix3Xd& nodes) {
   std::vector<std::uint32_t> nearest;
-  for (int k = 0; k < contact.size(); ++k) {
-    const Eigen::RowVector3d at = contact.position.row(k);
-    const Eigen::Vector3d there(at[0] * std::cos(at[1]), at[0] * std::sin(at[1]), at[2]);
-    Eigen::Index node = 0;
-    (nodes.colwise() - there).colwise().squaredNorm().minCoeff(&node);
-    nearest.push_back(static_cast<std::uint32_t>(node));
-  }
+  for (int k = 0; k < contact.size(); ++k) nearest.push_back(nearest_node(contact.position.row(k), nodes));
   return nearest;
 }
 
-json add_motion(PackedArrays& arrays, const std::vector<SpeedResponse>& speeds, const MovingWheel& moving,
-                const std::vector<int>& nodes, const std::string& place) {
+/// Where and when the stress of the vibration is largest.
+json worst_of(const FieldPeak& peak, const Eigen::Matrix3Xd& nodes) {
+  return {{"node", nearest_node(peak.place, nodes)},
+          {"sector", peak.sector},
+          {"sample", peak.sample},
+          {"mpa", peak.body.vibration * mpa_per_pa},
+          {"where", peak.where}};
+}
+
+json add_motion(PackedArrays& arrays, const std::vector<SpeedResponse>& speeds, const FieldStudy& fields,
+                const MovingWheel& moving, const std::vector<int>& nodes, const std::string& place) {
+  const auto peak = std::find_if(fields.peaks.begin(), fields.peaks.end(),
+                                 [&](const FieldPeak& one) { return one.speed == moving.speed; });
   const auto at = std::find_if(speeds.begin(), speeds.end(),
                                [&](const SpeedResponse& speed) { return speed.speed == moving.speed; });
   json waves = json::array();
@@ -144,6 +157,7 @@ json add_motion(PackedArrays& arrays, const std::vector<SpeedResponse>& speeds, 
           {"samples_per_revolution", at->samples_per_revolution},
           {"left_out", moving.motion.left_out},
           {"largest", moving.stress.displacement},
+          {"worst", worst_of(*peak, fields.sector.nodes(Eigen::all, nodes))},
           {"stress_limit", stress_limit(moving.stress.both)},
           {"waves", std::move(waves)}};
 }
@@ -167,8 +181,8 @@ std::string wheel_data(const Response& response, const ContactLine& contact, con
   arrays.add("casing/distortion", response.scene.casing_distortion);
   json motions = json::array();
   for (const MovingWheel& moving : fields.moving)
-    motions.push_back(
-        add_motion(arrays, response.speeds, moving, surface.nodes, "motion/" + std::to_string(motions.size())));
+    motions.push_back(add_motion(arrays, response.speeds, fields, moving, surface.nodes,
+                                 "motion/" + std::to_string(motions.size())));
   return arrays.packed({{"has_disc", !disc.empty()},
                         {"sectors", fields.sector.sector_count},
                         {"held", response.scene.independent_sectors},

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "cases/program/errors.h"
 #include "cases/program/signal_cleanup.h"
+#include "postprocess/fields/stress_over_speed.h"
 #include "postprocess/tables/table.h"
 #include "reduce/model/reduced_model.h"
 
@@ -202,6 +204,13 @@ std::vector<std::optional<FieldPeak>> varied_peaks(
   return peaks;
 }
 
+/// A peak with its speed and the samples of its cycle.
+FieldPeak dated(FieldPeak peak, const WheelCycle& cycle, double speed) {
+  peak.speed = speed;
+  peak.samples = cycle.whole ? cycle.recorded_samples : 0;
+  return peak;
+}
+
 /// The whole wheel at the snapshot of a speed.
 void recover_instant(const SpeedResponse& response, const WaveRecovery& recover, const WaveField& spin,
                      FieldStudy& fields) {
@@ -236,21 +245,20 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
   const int block = block_of_samples(study.response.scene, fields.sector);
   const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles), shown);
+  std::set<int> stressed;
   const auto stress_of = [&](const WheelCycle& cycle, double speed) {
     const WaveField spin = spin_field(fields.sector, bricks, speed);
     require_sound_stress(spin, fields_file.string());
     return cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, block, progress);
   };
   const auto peak_of = [&](const CycleStress& stress, const WheelCycle& cycle, double speed) {
-    FieldPeak peak = field_peak(fields.sector, stress, fields.zones, places, strength);
-    peak.speed = speed;
-    peak.samples = cycle.whole ? cycle.recorded_samples : 0;
-    return peak;
+    return dated(field_peak(fields.sector, stress, fields.zones, places, strength), cycle, speed);
   };
   for (const auto& [index, cycle, varied] : cycles) {
     const SpeedResponse& response = study.response.speeds[index];
     const CycleStress stress = stress_of(cycle, response.speed);
     fields.peaks.push_back(peak_of(stress, cycle, response.speed));
+    for (const int node : stressed_nodes(stress, fields.zones)) stressed.insert(node);
     fields.varied.push_back(varied_peaks(varied, response.budget, [&](const WheelCycle& other, double speed) {
       return peak_of(stress_of(other, speed), other, speed);
     }));
@@ -261,6 +269,7 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
     if (index == worst && response.snapshot)
       recover_instant(response, recover, spin_field(fields.sector, bricks, response.speed), fields);
   }
+  fields.over_speed = stress_over_speed(reader, study, {stressed.begin(), stressed.end()});
   return fields;
 }
 
@@ -293,6 +302,7 @@ FieldResults field_results(const std::optional<FieldStudy>& fields, const std::v
   if (!fields) return results;
   results.tip_patch = fields->zones.tip_patch;
   results.clamp_rim = fields->zones.clamp_rim;
+  results.over_speed = fields->over_speed;
   for (std::size_t i = 0; i < critical.size(); ++i)
     for (std::size_t k = 0; k < fields->peaks.size(); ++k) {
       if (fields->peaks[k].speed != critical[i].speed) continue;

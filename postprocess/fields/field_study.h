@@ -37,6 +37,7 @@ struct FieldStudy {
   /// By `peaks`: of each varied peak in SpeedResponse::budget that has a cycle.
   std::vector<std::vector<std::optional<FieldPeak>>> varied;
   std::vector<MovingWheel> moving;  ///< at every critical speed that has a cycle
+  Eigen::VectorXd over_speed;       ///< [Pa] stress_over_speed(); empty if no speed has states
 };
 
 /// Recovers all full fields. Raises InputError if the fields are of another model.
@@ -54,6 +55,9 @@ struct FieldResults {
   /// One list per critical speed, as FieldStudy has them; may be empty.
   std::vector<std::vector<std::optional<FieldPeak>>> varied;
   double tip_patch = 0, clamp_rim = 0;  ///< [m] see StressZones
+  /// [Pa] The largest stress of the vibration at every speed of the response, estimated by stress_over_speed(); empty
+  /// without full fields.
+  Eigen::VectorXd over_speed = {};
 
   bool has_stress() const;
   /// Whether a critical speed's stress is that of a whole cycle.

@@ -122,10 +122,6 @@ WheelCycle wheel_cycle(const PeakVariation& peak, const SimulatedScene& scene, c
   return without_repeats(peak, scene, model);
 }
 
-namespace {
-
-/// The Fourier coefficients of the states of a cycle; model dofs x lines. The phase of line m over R revolutions is
-/// k phi_s = 2 pi m s / S, with s counted from the start of the recording.
 Eigen::MatrixXcd fourier_lines(Eigen::MatrixXcd states, int first_sample) {
   const auto dofs = static_cast<int>(states.rows()), samples = static_cast<int>(states.cols());
   Eigen::MatrixXcd lines(dofs, samples);
@@ -141,6 +137,8 @@ Eigen::MatrixXcd fourier_lines(Eigen::MatrixXcd states, int first_sample) {
   }
   return lines;
 }
+
+namespace {
 
 /// Adds the waves of one nodal diameter. If it stands, its states are real, and both signs of k are one wave.
 void add_waves(std::vector<RotorWave>& waves, const Eigen::MatrixXcd& lines, int nodal_diameter, int revolutions,

@@ -35,6 +35,11 @@ WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scen
 /// The same for a varied peak that has a cycle.
 WheelCycle wheel_cycle(const PeakVariation& peak, const SimulatedScene& scene, const ReducedModel& model);
 
+/// The Fourier coefficients of states at evenly spaced samples of a cycle; dofs x lines. The phase of line m over R
+/// revolutions is k phi_s = 2 pi m s / S, k = m/R, with s counted from the start of the recording; the upper half of
+/// the lines has negative k.
+Eigen::MatrixXcd fourier_lines(Eigen::MatrixXcd states, int first_sample);
+
 /// One travelling wave of the whole rotor: sector j moves by Re(x e^{i (k phi + n j alpha)}), phi the rotor's angle
 /// from the start of the recording, k = engine_order, of either sign.
 struct RotorWave {

@@ -19,7 +19,8 @@ struct SpeedRow {
   const TravellingSpectrum& spectrum;
   const ContactMaps& contact;
   const GapTerms& gap;
-  Eigen::Index index;  ///< in the response's speeds
+  Eigen::Index index;            ///< in the response's speeds
+  std::optional<double> stress;  ///< [Pa] FieldResults::over_speed
 };
 
 using SpeedColumns = std::vector<Column<SpeedRow>>;
@@ -40,6 +41,14 @@ SpeedColumns motion_columns() {
           {"change over the last period", [](const SpeedRow& speed) { return speed.response.change; }},
           {"change factor per revolution", [](const SpeedRow& speed) { return speed.response.change_rate; }},
           {"energy closing error", [](const SpeedRow& speed) { return speed.response.energy.closing_error; }}};
+}
+
+Cell megapascals(const std::optional<double>& stress) {
+  return stress ? Cell(*stress * mpa_per_pa) : Cell(std::string());
+}
+
+SpeedColumns estimated_stress_columns() {
+  return {{"von Mises, vibration, estimated [MPa]", [](const SpeedRow& speed) { return megapascals(speed.stress); }}};
 }
 
 SpeedColumns step_columns() {
@@ -134,15 +143,17 @@ std::string motion_text(MotionClass motion, int period_beats) {
   return name_of(motion) + (motion == MotionClass::subharmonic ? " 1/" + std::to_string(period_beats) : "");
 }
 
-Table speed_record(const Study& study) {
+Table speed_record(const Study& study, const FieldResults& fields) {
   std::vector<SpeedRow> speeds;
   for (const SpeedResponse& response : study.response.speeds) {
     const auto index = static_cast<Eigen::Index>(speeds.size());
     speeds.push_back({response, study.amplitudes.largest[index], study.waves.first().columns[speeds.size()].spectrum,
-                      study.contact, study.gap[speeds.size()], index});
+                      study.contact, study.gap[speeds.size()], index,
+                      fields.over_speed.size() > 0 ? std::optional(fields.over_speed[index]) : std::nullopt});
   }
-  Table table =
-      table_of(joined<SpeedRow>({motion_columns(), step_columns(), audit_columns(), map_columns()}), speeds);
+  Table table = table_of(joined<SpeedRow>({motion_columns(), estimated_stress_columns(), step_columns(),
+                                           audit_columns(), map_columns()}),
+                         speeds);
   for (const SpeedResponse& failed : study.failed) {
     std::vector<Cell> row(table.header.size(), std::string());
     row.front() = failed.speed * rpm_per_rad_s;

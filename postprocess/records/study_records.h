@@ -20,8 +20,8 @@ Table critical_speed_stresses(const Study& study, const FieldResults& fields);
 /// "periodic", "subharmonic 1/3", "broadband", ...
 std::string motion_text(MotionClass motion, int period_beats);
 
-/// One row a speed, failed ones included: how steady, how exact, how much contact; speeds.csv.
-Table speed_record(const Study& study);
+/// One row a speed, failed ones included: stress, how steady, how exact, how much contact; speeds.csv.
+Table speed_record(const Study& study, const FieldResults& fields);
 
 /// Every speed from rest, swept up and swept down: sweeps.csv. Needs sweeps.
 Table sweep_record(const std::vector<SpeedResponse>& speeds, const TipAmplitudes& amplitudes,

@@ -241,13 +241,13 @@ std::string joined(const std::array<std::pair<std::string_view, std::string_view
   return text;
 }
 
-std::string record(const Study& study, const ReportSource& source) {
+std::string record(const Study& study, const FieldResults& fields, const ReportSource& source) {
   const auto folded = [](const std::string& title, const std::string& body, const std::string& file = "") {
     return "<details><summary>" + title + "</summary>" + body +
            (file.empty() ? "" : "<p class=\"sub\">" + named(file) + "</p>") + "</details>\n";
   };
   const auto listing = [](const std::string& text) { return "<pre>" + escaped(text) + "</pre>"; };
-  return folded("Every speed: how steady, how exact", html_table(speed_record(study)), "speeds.csv") +
+  return folded("Every speed: how steady, how exact", html_table(speed_record(study, fields)), "speeds.csv") +
          folded("What the linear rules are worth", html_table(rule_score_record(study.rules)), "linear_rules.csv") +
          folded("What the linear rules list", html_table(linear_criterion_record(study)), "linear_criterion.csv") +
          (study.sweeps.empty()
@@ -343,8 +343,8 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"exactness", html_table(exactness_record(study))},
        {"needs", html_table(scene_needs_record(needs))},
        {"figures", figure_sections(figures, folder)},
-       {"record", record(study, source)},
-       {"speed_data", speed_data(study, fields, other)},
+       {"record", record(study, fields, source)},
+       {"speed_data", speed_data(study, fields, others)},
        {"comparison", comparison_section(contents)},
        {"wheel_section", wheel_section(full_fields)},
        {"wheel_link", full_fields ? "<li class=\"live-only\"><a href=\"#in-motion\">3-D</a></li>" : ""},

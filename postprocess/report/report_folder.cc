@@ -52,7 +52,7 @@ std::string json_summary(const ReportContents& contents) {
                           {"verdict", answers_of(verdict(study, contents.field_results, contents.needs))},
                           {"scene", answers_of(scene_in_brief(study))},
                           {"critical_speeds", rows_of(critical_speed_record(study, contents.field_results))},
-                          {"speeds", rows_of(speed_record(study))},
+                          {"speeds", rows_of(speed_record(study, contents.field_results))},
                           {"exactness", rows_of(exactness_record(study))},
                           {"scene_needs", rows_of(scene_needs_record(contents.needs))},
                           {"error_budget", rows_of(error_budget_record(study, contents.field_results))},
@@ -76,7 +76,7 @@ void write_tables(const Study& study, const FieldResults& fields, const std::fil
   write_text(printed_critical_speeds(study, fields), folder / "critical_speeds.txt");
   write_csv(linear_criterion_record(study), folder / "linear_criterion.csv");
   write_csv(rule_score_record(study.rules), folder / "linear_rules.csv");
-  write_csv(speed_record(study), folder / "speeds.csv");
+  write_csv(speed_record(study, fields), folder / "speeds.csv");
   write_csv(exactness_record(study), folder / "exactness.csv");
   write_csv(drift_record(study.contact, study.model.contact), folder / "contact_drift.csv");
   if (!study.response.branches.empty()) write_csv(branch_record(study.response.branches), folder / "branches.csv");

@@ -11,7 +11,7 @@ const KEY_STEPS = 100;  // of an axis
 // options: name; x, y: {label, range: [low, high], ticks: [[place, words], ...] if not even}; height [px];
 //   paint(chart): appends what is drawn; read(x, y): the words under the pointer; pick(x, y): a click, returns what takes it back;
 //   step(-1 or 1): an arrow key; even: the same length on both axes; rows(): what "CSV" saves, its heads first;
-//   shared: the selection whose window of speeds x shows.
+//   look: a class of its own; shared: the selection whose window of speeds x shows.
 class Chart {
   static margin = {left: 58, right: 14, top: 8, bottom: 42};
 
@@ -19,7 +19,7 @@ class Chart {
     this.options = options;
     this.range = {x: [...options.x.range], y: [...options.y.range]};
     this.readout = make('output', {class: 'readout'});
-    this.svg = makeSvg('svg', {class: 'chart', role: 'img', tabindex: 0, 'aria-label': `${options.name}; the arrow keys tell values`});
+    this.svg = makeSvg('svg', {class: `chart ${options.look ?? ''}`, role: 'img', tabindex: 0, 'aria-label': `${options.name}; the arrow keys tell values`});
     this.tools = make('div', {class: 'tools'});
     const zoom = factor => () => this.zoomBy(factor);
     this.buttons = make('span', {class: 'zoom'}, button('+', `${options.name}: zoom in`, zoom(0.5)),
@@ -71,6 +71,22 @@ class Chart {
     if (at >= left && at <= left + width) this.crossed.append(makeSvg('line', {x1: at, x2: at, y1: top, y2: top + height}));
     if (y !== null) this.crossed.append(makeSvg('line', {x1: left, x2: left + width, y1: this.py(y), y2: this.py(y)}));
     this.svg.append(this.crossed);
+  }
+
+  // A line at x, or a dot at a place, which moves while the rest stays.
+  setNow(x, y = null) {
+    this.now = [x, y];
+    this.drawNow();
+  }
+
+  drawNow() {
+    this.nowMark?.remove();
+    if (!this.now || !this.width) return;
+    const [x, y] = this.now, {left, top, width, height} = this, at = this.px(x);
+    if (!(at >= left && at <= left + width)) return;
+    this.nowMark = y === null ? makeSvg('line', {class: 'now', x1: at, x2: at, y1: top, y2: top + height})
+      : makeSvg('circle', {class: 'now', cx: at, cy: this.py(y), r: 5});
+    this.svg.append(this.nowMark);
   }
 
   point(x, y) {
@@ -195,6 +211,7 @@ class Chart {
     drawAxes(this);
     this.options.paint(this);
     this.svg.append(makeSvg('rect', {x: left, y: top, width: this.width, height: this.height, class: 'frame'}));
+    this.drawNow();
   }
 
   makeEven() {

@@ -15,6 +15,7 @@ async function explore() {
   linkRows(selection);
   mapsView(host, selection);
   const grid = make('div', {class: 'grid'});
+  timeView(host, selection);
   host.append(grid);
   panel(grid, `Motion of all sectors, ${data.component}`, section => sectorsView(section, selection, 'motion', 'mm'));
   panel(grid, 'Contact force on all sectors', section => sectorsView(section, selection, 'force', 'N'));

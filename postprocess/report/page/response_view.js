@@ -78,5 +78,29 @@ function responseView(host, selection) {
     },
   });
   selection.onChange(() => chart.draw());
-  return chart;
+  if (data.speeds.some(speed => speed.stress !== null)) stressView(host, selection);
+}
+
+// The stress of the vibration at every speed by the waves of the tip, and at the critical speeds as the cycle has it.
+function stressView(host, selection) {
+  const {data} = selection, {speeds} = data, recovered = data.critical.filter(peak => peak.vibration !== null);
+  const high = Math.max(...speeds.map(speed => speed.stress), ...recovered.map(peak => peak.vibration));
+  host.append(make('h3', {}, 'Stress of the vibration over speed'), legend(['stress', 'estimated from the waves of the tip'], ['recovered', 'recovered over a cycle'],
+    ['chosen', 'shown speed']));
+  const chart = new Chart(host, {
+    name: 'Stress over speed', look: 'stress', height: 210, x: speedRange(data), y: {label: 'von Mises [MPa]', range: [0, 1.08 * high]}, shared: selection,
+    paint: drawn => {
+      markSpeeds(drawn, selection);
+      drawn.line(speeds.map(speed => speed.rpm), speeds.map(speed => speed.stress), 'stress');
+      for (const peak of recovered) drawn.dot(speeds[peak.index].rpm, peak.vibration, 4.5, 'recovered');
+    },
+    pick: x => pickSpeed(chart, selection, x), step: by => selection.step(by), middle: () => selection.speed.rpm,
+    read: x => {
+      const index = selection.nearest(x), peak = recovered.find(found => found.index === index);
+      return `${speeds[index].rpm.toFixed(0)} rpm: ${digits(speeds[index].stress, 3)} MPa estimated${peak ? `, ${digits(peak.vibration, 3)} MPa recovered` : ''}`;
+    },
+    rows: () => [['speed [rpm]', 'estimated [MPa]', 'recovered [MPa]'],
+      ...speeds.map((speed, index) => [speed.rpm, speed.stress, recovered.find(peak => peak.index === index)?.vibration ?? ''])],
+  });
+  selection.onChange(() => chart.draw());
 }

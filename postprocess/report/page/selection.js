@@ -11,7 +11,7 @@ function nearestIn(speeds, rpm) {
 // changes; and the same in the page's address, so that a link leads to a view, and "back" to the one before.
 class Selection {
   constructor(data) {
-    Object.assign(this, {data, listeners: [], windows: [], hovers: []});
+    Object.assign(this, {data, listeners: [], windows: [], hovers: [], instants: [], sample: 0});
     this.begin();
     this.readAddress();
     addEventListener('popstate', () => {
@@ -88,6 +88,13 @@ class Selection {
   onHover(listener) { this.hovers.push(listener); }
   hover(rpm, chart) { for (const listener of this.hovers) listener(rpm, chart); }
 
+  // The recorded sample at which motion, force, contact and wheel have their cursor; `teller`: who need not hear of it.
+  onSample(listener) { this.instants.push(listener); }
+  setSample(sample, teller = null) {
+    this.sample = sample % shownSamples(this.speed);
+    for (const listener of this.instants) listener(teller);
+  }
+
   get critical() { return this.data.critical.find(peak => peak.index === this.index); }
 
   // [mm] on the straight line between the simulated speeds.
@@ -134,7 +141,8 @@ function answersAt(selection) {
       mmOf(speed.excursion)}; ${speed.motion}; running clearance at the ${edge} edge ${mmOf(speed.clearance[side])}`],
     ['Waves', `at the ${edge} edge ${selection.largestWaves(3).map(([order, n, amplitude]) =>
       `EO ${digits(order)} ND ${n > 0 ? '+' : ''}${n} ${mmOf(amplitude)}`).join(', ')}`],
-    ['Stress', critical?.stress ?? 'recovered at critical speeds only'],
+    ['Stress', critical?.stress ?? (speed.stress === null ? 'recovered at critical speeds only'
+      : `about ${digits(speed.stress, 2)} MPa of the vibration, estimated from the waves of the tip; it is recovered at critical speeds`)],
     ['Avoid', band ? `inside ${band.low.toFixed(0)} to ${band.high.toFixed(0)} rpm: ${band.concern}` : null],
     ['Outside validity', speed.outside],
   ].filter(([, words]) => words);

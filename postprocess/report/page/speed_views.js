@@ -7,6 +7,29 @@ function shownSamples(speed) {
   return speed.samples * Math.min(speed.period || speed.revolutions, speed.revolutions);
 }
 
+// [deg] of the rotor from the start of the recording, at the sample of the cursor.
+function angleOf({sample, speed}) { return 360 * sample / speed.samples; }
+
+// [deg] of the casing that the tip of sector 0 passes then.
+function casingAngle(selection) { return (angleOf(selection) + selection.data.tip_angle[selection.edge]) % 360; }
+
+// The rotor's angle at which motion, force, contact, path and wheel have their cursor, and what sector 0 does there.
+function timeView(host, selection) {
+  const {data} = selection, slider = make('input', {type: 'range', min: 0, step: 1, 'aria-label': 'Rotor angle'});
+  const told = make('output', {class: 'readout', id: 'at-instant'});
+  slider.addEventListener('input', () => selection.setSample(Number(slider.value)));
+  host.append(make('div', {class: 'tools time'}, make('label', {class: 'choice'}, 'Rotor angle ', slider), told));
+  selection.onSample(() => {
+    const {speed, sample, edge} = selection, at = what => digits(selection.array(edge, what)[sample], 3);
+    Object.assign(slider, {max: shownSamples(speed) - 1, value: sample});
+    const angle = `${angleOf(selection).toFixed(0)} deg`;
+    slider.setAttribute('aria-valuetext', angle);
+    told.textContent = `${angle}: sector 0 at the ${edge} edge ${at(data.component)} mm ${data.component}, force ${at('force')} N, ` +
+      `over the casing at ${((casingAngle(selection) + 360) % 360).toFixed(0)} deg`;
+  });
+  selection.onChange(() => selection.setSample(selection.sample));
+}
+
 function half(values) {
   let low = Infinity, high = -Infinity;
   for (const value of values) { low = Math.min(low, value); high = Math.max(high, value); }
@@ -42,6 +65,11 @@ function sectorsView(host, selection, what, unit) {
       const s = Math.min(shownSamples(selection.speed) - 1, Math.max(0, Math.round(x / 360 * samples)));
       return `sector ${j}, ${(360 * s / samples).toFixed(1)} deg: ${digits(values(j)[s])} ${unit}`;
     },
+    pick: x => {
+      const before = selection.sample;
+      selection.setSample(Math.min(shownSamples(selection.speed) - 1, Math.round(x / 360 * selection.speed.samples)));
+      return () => selection.setSample(before);
+    },
     rows: () => {
       const all = Array.from({length: data.sectors}, (_, j) => values(j));
       return [['rotor angle [deg]', ...all.map((_, j) => `sector ${j} [${unit}]`)],
@@ -52,6 +80,7 @@ function sectorsView(host, selection, what, unit) {
     chart.options.y.label = `sector (a step is ${digits(spacing(), 2)} ${unit})`;
     chart.setRanges([0, 360 * shownSamples(selection.speed) / selection.speed.samples], [-1, data.sectors]);
   });
+  selection.onSample(() => chart.setNow(angleOf(selection)));
 }
 
 // Signed nodal diameter of a column of the spectrum.
@@ -108,6 +137,7 @@ function contactView(host, selection) {
       ...Array.from(share('leading'), (value, area) => [360 * (area + 0.5) / share('leading').length, value, share('trailing')[area]])],
   });
   selection.onChange(() => chart.draw());
+  selection.onSample(() => chart.setNow((casingAngle(selection) + 360) % 360));
 }
 
 // Along the normal (towards the casing) against the tangential; sector 0 strong, the others faint.
@@ -140,4 +170,5 @@ function orbitView(host, selection) {
     };
     chart.setRanges(around('tangential'), around('normal'));
   });
+  selection.onSample(() => chart.setNow(...['tangential', 'normal'].map(what => path(selection.edge, what, 0)[selection.sample])));
 }

@@ -3,6 +3,9 @@
 const DRAWN_SHARE = 0.07;  // of the outer radius: how far the largest displacement is drawn
 const MARKED = {sector: '#ed8c24', clamped: '#d91a1f', contact: '#0d4dd9'};
 const DRAWN_CASING = 0.06;  // of it: how far the casing's shape is drawn at most
+const POINTED = {worst: '#e3008c', probed: '#0b5fff'};
+const SLOW_FRAME = 90;  // [ms]
+const COARSEST = 0.5;  // pixels drawn for each of the screen's, along a line
 
 class WheelScene {
   constructor(canvas, data) {
@@ -18,6 +21,7 @@ class WheelScene {
     this.controls.enableKeys = false;
     this.controls.enablePan = false;
     this.casingSize = DRAWN_CASING * data.radius / Math.max(1e-9, ...data.array('casing/distortion').map(Math.abs));
+    this.pixels = Math.min(2, window.devicePixelRatio);
     this.addLights();
     this.addWheel();
   }
@@ -71,8 +75,11 @@ class WheelScene {
     const mesh = new THREE.Mesh(geometry, new THREE.MeshPhongMaterial({vertexColors: THREE.VertexColors, side: THREE.DoubleSide, flatShading: true,
       specular: 0, shininess: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}));
     mesh.frustumCulled = false;
+    geometry.boundingSphere = new THREE.Sphere(new THREE.Vector3(0, 0, this.middle), 3 * data.radius);
+    this.wheel = mesh;
     this.scene.add(mesh);
     this.addMarks();
+    this.addPoints();
   }
 
   // The mesh of sector 0, its clamped and its contact nodes.
@@ -91,8 +98,51 @@ class WheelScene {
     this.scene.add(this.marks);
   }
 
-  // The casing of a motion at its running clearance, both `casingSize` times as large as they are; it turns against the rotor.
-  setCasing(clearance) {
+  // Nodes that stand out, each by its name; null: none.
+  addPoints() {
+    this.points = {};
+    for (const [name, colour] of Object.entries(POINTED)) {
+      const ball = new THREE.Mesh(new THREE.SphereBufferGeometry(0.016 * this.data.radius, 16, 12),
+        new THREE.MeshBasicMaterial({color: colour, depthTest: false, transparent: true, opacity: 0.85}));
+      ball.renderOrder = 2;
+      this.points[name] = ball;
+      this.scene.add(ball);
+    }
+  }
+
+  mark(name, vertex) {
+    const ball = this.points[name];
+    ball.visible = vertex !== null && vertex !== undefined;
+    if (ball.visible) ball.position.fromArray(this.positions.array, 3 * vertex);
+  }
+
+  // The vertex of the wheel that is drawn at a place of the canvas, -1 .. 1 across and up; null: none.
+  vertexAt(across, up) {
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(new THREE.Vector2(across, up), this.camera);
+    const hit = ray.intersectObject(this.wheel).find(({point}) => !this.halved || point.x <= 0);
+    if (!hit) return null;
+    const place = new THREE.Vector3(), far = vertex => place.fromArray(this.positions.array, 3 * vertex).distanceTo(hit.point);
+    return [hit.face.a, hit.face.b, hit.face.c].sort((a, b) => far(a) - far(b))[0];
+  }
+
+  // Only the half with x <= 0 is drawn.
+  halve(halved) {
+    this.halved = halved;
+    this.renderer.clippingPlanes = halved ? [new THREE.Plane(new THREE.Vector3(-1, 0, 0), 0)] : [];
+  }
+
+  // Fewer pixels where frames take long, as without a graphics card; `lasted` [ms].
+  keepPace(lasted) {
+    this.lasting = 0.8 * (this.lasting ?? lasted) + 0.2 * lasted;
+    if (this.lasting < SLOW_FRAME || this.pixels <= COARSEST) return;
+    this.pixels = Math.max(COARSEST, this.pixels / 1.5);
+    this.lasting = this.width = 0;
+  }
+
+  // The casing of a motion at its running clearance, both as many times as large as they are as `size` says, or else so that
+  // they are seen; it turns against the rotor.
+  setCasing(clearance, size) {
     this.scene.remove(this.casing);
     this.casing = null;
     if (!clearance) return;
@@ -101,7 +151,7 @@ class WheelScene {
     const places = [], index = [];
     for (let a = 0; a < angle.length; ++a)
       for (let k = 0; k < nodes; ++k) {
-        const open = this.casingSize * (clearance[k] - distortion[a]), r = position[3 * k] + open * normal[3 * k];
+        const open = (size ?? this.casingSize) * (clearance[k] - distortion[a]), r = position[3 * k] + open * normal[3 * k];
         places.push(r * Math.cos(angle[a]), r * Math.sin(angle[a]), position[3 * k + 2] + open * normal[3 * k + 2]);
         const here = a * nodes + k;
         if (a + 1 < angle.length && k + 1 < nodes) index.push(here, here + 1, here + nodes, here + 1, here + nodes + 1, here + nodes);
@@ -139,10 +189,11 @@ class WheelScene {
   draw() {
     const {clientWidth: width, clientHeight: height} = this.renderer.domElement;
     if (!width) return;
-    if (!this.width) this.home();
+    if (!this.seen) this.home();
+    this.seen = true;
     if (this.width !== width || this.height !== height) {
       Object.assign(this, {width, height});
-      this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+      this.renderer.setPixelRatio(this.pixels);
       this.renderer.setSize(width, height, false);
       this.camera.aspect = width / height;
       this.camera.updateProjectionMatrix();

@@ -101,12 +101,52 @@ def check_zoom_and_keys(browser):
     assert browser.value(VIEWS + "[3].innerHTML") != edge
 
 
+def check_columns(browser):
+    """The keyboard and the pointer learn at a column's head what it means; paper has the list."""
+    heads = browser.value("[...document.querySelectorAll('.decision th[scope=col], #critical ~ div th[scope=col]')].map(head => "
+                          "[head.textContent, head.dataset.help ?? ''])")
+    assert len(heads) > 20 and all(len(help) > 20 for _, help in heads), [name for name, help in heads if not help]
+    seen = browser.value("""(() => { const head = document.querySelector('.decision th button.help'), note = document.querySelector('#column-help');
+      const told = [note.hidden]; head.dispatchEvent(new FocusEvent('focus')); told.push(note.hidden, note.textContent === head.parentElement.dataset.help);
+      document.dispatchEvent(new KeyboardEvent('keydown', {key: 'Escape'})); told.push(note.hidden); return told; })()""")
+    assert seen == [True, False, True, True], seen
+
+
+def check_stress(browser, report):
+    """The curve has what speeds.csv has; at a speed that is not critical the number stands in words."""
+    told = browser.value("(() => { const view = document.querySelector('svg.stress'); return [view.querySelector('path.stress').getAttribute('d').split(/[ML]/).length - 1,"
+                         "view.querySelectorAll('circle.recovered').length]; })()")
+    rows = [row for row in rows_of(os.path.join(report, "speeds.csv")) if not row["failure"]]
+    assert told == [len(rows), len(rows_of(os.path.join(report, "critical_speeds.csv")))], told
+    row = rows[2]
+    browser.value("(typed => { typed.value = '%s'; typed.dispatchEvent(new Event('change')); })(document.querySelector('input.typed'))" % row["speed [rpm]"])
+    words = browser.value("document.querySelector('#shown-answers').textContent")
+    estimated = float(re.search(r"about (\S+) MPa", words)[1])
+    assert abs(estimated - float(row["von Mises, vibration, estimated [MPa]"])) <= 0.06 * estimated, (words, row)
+
+
+def check_instant(browser):
+    """One instant in all views: the slider moves the cursors of motion, force, contact and path, and a click in the motion moves the slider."""
+    places = "[...document.querySelectorAll('svg.chart .now')].map(mark => mark.getAttribute('x1') ?? mark.getAttribute('cx'))"
+    before = browser.value(places)
+    browser.value("(slider => { slider.value = Math.round(slider.max / 3); slider.dispatchEvent(new Event('input')); })"
+                  "(document.querySelector('input[aria-label=\"Rotor angle\"]'))")
+    after = browser.value(places)
+    assert len(before) == len(after) == 4 and all(a != b for a, b in zip(before, after)), (before, after)
+    x, y = browser.value(f"(view => {{ view.scrollIntoView({{block: 'center'}}); const box = view.querySelector('.frame').getBoundingClientRect();"
+                         f"return [box.left + box.width / 2, box.top + box.height / 2]; }})({VIEWS}[3])")
+    browser.click(x, y)
+    time.sleep(0.4)
+    share = browser.value("(slider => slider.value / slider.max)(document.querySelector('input[aria-label=\"Rotor angle\"]'))")
+    assert abs(share - 0.5) < 0.01 and "sector 0" in browser.value("document.querySelector('#at-instant').textContent"), share
+
+
 def check_pictures_and_tables(browser, report):
     images, loaded = browser.value("(images => [images.length, images.filter(i => i.naturalWidth > 0).length])([...document.images])")
     assert images >= 19 and loaded == images, (images, loaded)
     assert browser.value("[...document.images].every(image => image.alt.length > 30)")
     made = browser.value("document.querySelector('#run').textContent")
-    assert re.search(r"tiprub-postprocess \d.*case.toml of \d{4}-\d\d-\d\d.*pictures and tables [\d.]+ s", made, re.S), made
+    assert re.search(r"tiprub-postprocess \d.*case.toml of \d{4}-\d\d-\d\d.*pictures and tables [\d.]+ s; at most \d+.\d\d GB of memory", made, re.S), made
     with open(os.path.join(report, "summary.json"), encoding="utf-8") as file:
         summary = json.load(file)
     assert [peak["speed [rpm]"] for peak in summary["critical_speeds"]] and summary["verdict"]["How bad"] in browser.value(
@@ -185,6 +225,22 @@ def check_hardest_contact(browser, angle):
     assert abs(browser.value(angle) - expected) <= 0.51, (browser.value(angle), expected)
 
 
+def check_probe(browser):
+    """A click tells the values at a node; the largest stress is marked where the tables have it; the instants of the views are the wheel's."""
+    words = "document.querySelector('#probed').textContent"
+    assert re.search(r"largest stress of the vibration, \S+ MPa, .*sector \d", browser.value(words)), browser.value(words)
+    x, y = browser.value("(box => [box.left + box.width / 2, box.top + box.height / 2, box.width])(document.querySelector('canvas.wheel').getBoundingClientRect())")[:2]
+    for across in (0, -60, 60, -120, 120, -180, 180, -240, 240):  # the wheel has a bore
+        browser.click(x + across, y)
+        if "Node marked blue" in browser.value(words):
+            break
+    assert re.search(r"Node marked blue: sector \d, radius \S+ mm.* moves \S+ mm now; .* MPa of the vibration", browser.value(words)), browser.value(words)
+    browser.value("(slider => { slider.value = 250; slider.dispatchEvent(new Event('input')); })(document.querySelector('input[aria-label=\"Instant of the period\"]'))")
+    told, at = browser.value("[document.querySelector('#live-wheel output').textContent, document.querySelector('#at-instant').textContent]")
+    turned = [float(re.search(pattern, text)[1]) for pattern, text in ((r"at (\d+) deg", told), (r"^(\d+) deg", at))]
+    assert abs(turned[0] - turned[1]) <= 1.01, (told, at)
+
+
 def check_wheel(browser, page):
     """Pixels change over a period, and with the colours; nothing moves in a pause; a click on another peak shows its motion."""
     opened(browser, page)
@@ -213,6 +269,7 @@ def check_wheel(browser, page):
     seen.add(browser.value(pixels))
     assert len(seen) >= 6, len(seen)  # the motion chosen may be the one that was there
     check_hardest_contact(browser, angle)
+    check_probe(browser)
     shown_motion = "document.querySelector('select[aria-label=\"Shown\"]').value"
     click_peak(browser, 1)
     assert browser.value(shown_motion) == "motion/1"
@@ -223,19 +280,23 @@ def check_comparison(browser, program, work):
     """With another response of the same model: its curve, its maps, its critical speeds beside these."""
     other = os.path.join(work, "another_study_with_a_name_without_a_space" * 3, "report")  # no window is that wide
     shutil.copytree(os.path.join(work, "report"), other)
-    subprocess.run([program, "-q", "case.toml", "model.h5", "response.h5", "--compare", other, "-o", "compared"], check=True, cwd=work,
-                   stdout=subprocess.DEVNULL)
+    subprocess.run([program, "-q", "case.toml", "model.h5", "response.h5", "--compare", other, "--compare", "report", "-o", "compared"],
+                   check=True, cwd=work, stdout=subprocess.DEVNULL)
     compared = os.path.join(work, "compared")
     rows = rows_of(os.path.join(compared, "comparison.csv"))
-    assert len(rows) == len(rows_of(os.path.join(compared, "critical_speeds.csv")))
+    assert len(rows) == 2 * len(rows_of(os.path.join(compared, "critical_speeds.csv")))
     assert all(abs(float(row["shift [%]"])) < 1e-6 for row in rows), rows
     opened(browser, os.path.join(compared, "report.html"))
-    assert browser.value("document.querySelector('#live-response path.other').getAttribute('d').length > 100")
-    assert browser.value("document.querySelector('#compared + div tbody, #compared ~ div tbody').rows.length") == len(rows)
-    words = browser.value("document.querySelector('#compared + p').textContent")
+    assert browser.value("[...document.querySelectorAll('#live-response path.other')].map(path => path.getAttribute('d').length > 100)") == [True, True]
+    tables = browser.value("[...document.querySelector('#compared').closest('section').querySelectorAll('tbody')].map(body => body.rows.length)")
+    assert tables == [3, len(rows) // 2, len(rows) // 2], tables
+    reports = rows_of(os.path.join(compared, "reports.csv"))
+    assert [row["report"] for row in reports][::2] == ["this report", "report"] and len({row["worst [rpm]"] for row in reports}) == 1, reports
+    assert reports[0]["speeds to avoid"].endswith("Goodman's utilisation is not known (--fields, [material]).") and reports[1]["its stress with spin [MPa]"], reports
+    words = browser.value("document.querySelector('#compared').closest('section').querySelector('h3 + p').textContent")
     assert words.startswith("The worst critical speed is") and "speed +0.0 %, amplitude +0.0 %" in words and "differ" not in words, words
     own = readout(browser, 1, 0.6, 0.5)
-    browser.value("(choice => { choice.value = 'there'; choice.dispatchEvent(new Event('change')); })"
+    browser.value("(choice => { choice.value = '1'; choice.dispatchEvent(new Event('change')); })"
                   "(document.querySelector('select[aria-label=\"Maps of\"]'))")
     assert readout(browser, 1, 0.6, 0.5) == own != ""
     check_sizes(browser, os.path.join(compared, "report.html"))
@@ -278,6 +339,9 @@ def main(program, writer, work):
         check_peaks(browser, report)
         check_values(browser, report)
         check_zoom_and_keys(browser)
+        check_columns(browser)
+        check_stress(browser, report)
+        check_instant(browser)
         check_any_speed(browser, page, report)
         check_shared_speeds(browser, page)
         check_saved_views(browser)

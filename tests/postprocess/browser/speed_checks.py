@@ -54,7 +54,7 @@ def check_shared_speeds(browser, page):
                                 "const box = frame.getBoundingClientRect(); return [box.left, box.top + 40, box.width]; })()")
     crossed = "[...document.querySelectorAll('svg.chart')].filter(view => view.querySelector('.cross line')).length"
     browser.hover(x + 0.5 * width, y)
-    assert browser.value(crossed) == 4
+    assert browser.value(crossed) == 5  # response, stress, two maps, Campbell diagram
     browser.call("Input.dispatchMouseEvent", type="mousePressed", x=x + 0.2 * width, y=y, button="left", clickCount=1)
     for kind, to in (("mouseMoved", 0.5), ("mouseMoved", 2), ("mouseReleased", 2)):  # released outside
         browser.call("Input.dispatchMouseEvent", type=kind, x=x + to * width, y=y + 3, button="left", buttons=1, clickCount=1)
@@ -79,7 +79,7 @@ def check_saved_views(browser):
       for (const name of ['SVG', 'CSV']) for (const view of document.querySelectorAll(`button[aria-label^="${name}: "]`)) view.click();
       URL.createObjectURL = create; return Promise.all(found.map(blob => blob.text())); })()""")
     pictures = [text for text in saved if text.startswith("<svg")]
-    assert len(pictures) == 9 and all("stroke:" in text for text in pictures), len(pictures)
+    assert len(pictures) == 10 and all("stroke:" in text for text in pictures), len(pictures)
     for text in saved:
         if not text.startswith("<svg"):
             columns = [len(row) for row in csv.reader(text.splitlines())]

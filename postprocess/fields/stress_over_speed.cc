@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/fields/stress_over_speed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <set>
+
+#include "cases/program/signal_cleanup.h"
+#include "cases/program/units.h"
+#include "mesh/cells/cell_kind.h"
+#include "postprocess/fields/field_recovery.h"
+#include "postprocess/fields/wheel_cycle.h"
+#include "reduce/model/dense_eigen.h"
+#include "reduce/model/nodal_diameter.h"
+
+namespace tiprub::postprocess {
+
+namespace {
+
+constexpr std::size_t nodes_of_a_speed = 6;
+constexpr Eigen::Index most_blocked_modes = 40;
+constexpr double loss_factor = 0.01;   // [1] eta
+constexpr double small_wave = 1e-3;    // of the fastest one, by velocity
+constexpr double small_stress = 0.01;  // of the most stressed wave
+constexpr double counts_for_time = 0.1;
+constexpr int instants_of_a_period = 16;
+constexpr Eigen::Index most_instants = 4096;
+
+/// The cells at some nodes, and those at their partners on the cuts, as a sector of its own.
+SectorFields cells_around(const SectorFields& sector, const std::vector<int>& nodes, std::vector<int>& used) {
+  std::set<int> wanted(nodes.begin(), nodes.end());
+  const std::vector<int>&low = sector.node_set("cyclic_low"), &high = sector.node_set("cyclic_high");
+  for (std::size_t k = 0; k < low.size(); ++k)
+    if (wanted.contains(low[k]) || wanted.contains(high[k])) wanted.insert({low[k], high[k]});
+  std::vector<int> cells;
+  std::set<int> around;
+  for (int cell = 0; cell < sector.cells.cols(); ++cell) {
+    const auto of_cell = nodes_of(sector.cells, cell);
+    if (std::none_of(of_cell.begin(), of_cell.end(), [&](int node) { return wanted.contains(node); })) continue;
+    cells.push_back(cell);
+    around.insert(of_cell.begin(), of_cell.end());
+  }
+  used.assign(around.begin(), around.end());
+  std::vector<int> place(static_cast<std::size_t>(sector.nodes.cols()), -1);
+  for (std::size_t i = 0; i < used.size(); ++i) place[static_cast<std::size_t>(used[i])] = static_cast<int>(i);
+  SectorFields part;
+  part.sector_count = sector.sector_count;
+  part.young = sector.young;
+  part.poisson = sector.poisson;
+  part.nodes = sector.nodes(Eigen::all, used);
+  part.cells = sector.cells(Eigen::all, cells).unaryExpr([&](int node) {
+    return node < 0 ? node : place[static_cast<std::size_t>(node)];
+  });
+  std::vector<int>&part_low = part.node_sets["cyclic_low"], &part_high = part.node_sets["cyclic_high"];
+  for (std::size_t k = 0; k < low.size(); ++k) {
+    const int first = place[static_cast<std::size_t>(low[k])], second = place[static_cast<std::size_t>(high[k])];
+    if (first < 0 || second < 0) continue;
+    part_low.push_back(first);
+    part_high.push_back(second);
+  }
+  return part;
+}
+
+/// A nodal diameter in its contact dofs and its lowest modes with these blocked.
+struct BlockedModes {
+  int nodal_diameter = 0;
+  SpeedPolynomial<Eigen::MatrixXcd, 0> K;
+  Eigen::MatrixXcd M;
+  Eigen::MatrixXcd stress;  ///< [Pa] of a unit of each of these dofs; (component, node) x dofs
+};
+
+BlockedModes blocked_modes(const NodalDiameterModel& model, int n, Eigen::Index contacts, double speed,
+                           Eigen::MatrixXcd& basis) {
+  const Eigen::Index dofs = model.M.rows(), inner = dofs - contacts, kept = std::min(inner, most_blocked_modes);
+  basis = Eigen::MatrixXcd::Zero(dofs, contacts + kept);
+  basis.topLeftCorner(contacts, contacts).setIdentity();
+  if (inner > 0)
+    basis.bottomRightCorner(inner, kept) =
+        eigenpairs(Eigen::MatrixXcd(model.stiffness(speed).bottomRightCorner(inner, inner)),
+                   Eigen::MatrixXcd(model.M.bottomRightCorner(inner, inner)))
+            .vectors.leftCols(kept);
+  BlockedModes modes{n, {}, basis.adjoint() * model.M * basis, {}};
+  for (const Eigen::MatrixXcd& term : model.K.terms) modes.K.terms.emplace_back(basis.adjoint() * term * basis);
+  return modes;
+}
+
+/// The stress at the nodes for each column of `basis`, from the cells around them.
+Eigen::MatrixXcd basis_stress(const FieldsReader& reader, const SectorFields& part, const CellStress& cells,
+                              const std::vector<int>& used, const std::vector<int>& places, int n,
+                              const Eigen::MatrixXcd& basis) {
+  Eigen::MatrixXcd moved(3 * static_cast<Eigen::Index>(used.size()), basis.rows());
+  for (Eigen::Index dof = 0; dof < basis.rows(); ++dof) {
+    const Eigen::VectorXcd shape = reader.shape(n, dof);
+    for (std::size_t i = 0; i < used.size(); ++i)
+      moved.block<3, 1>(3 * static_cast<Eigen::Index>(i), dof) = shape.segment<3>(3 * used[i]);
+  }
+  moved *= basis;
+  Eigen::MatrixXcd stress(6 * static_cast<Eigen::Index>(places.size()), basis.cols());
+  for (Eigen::Index k = 0; k < basis.cols(); ++k) {
+    WaveField wave{n, cartesian(part, moved.col(k)), {}};
+    add_stress(part, cells, wave);
+    stress.col(k) = wave.stress(Eigen::all, places).reshaped();
+  }
+  return stress;
+}
+
+/// The contact dofs of the travelling wave of a nodal diameter at every sample: x of u_j = Re(x e^{i n j alpha}).
+Eigen::MatrixXcd contact_wave(const SpeedResponse& response, const SimulatedScene& scene, int n) {
+  const int held = scene.independent_sectors;
+  const Eigen::Index dofs = response.displacement.cols() / held;
+  Eigen::MatrixXcd wave = Eigen::MatrixXcd::Zero(dofs, response.displacement.rows());
+  const double both_signs = is_standing(n, scene.sector_count) ? 1 : 2;
+  for (int j = 0; j < held; ++j)
+    wave += both_signs / held * std::conj(sector_phase(n, j, scene.sector_count)) *
+            response.displacement.middleCols(j * dofs, dofs).transpose().cast<std::complex<double>>();
+  return wave;
+}
+
+/// A wave with the stress [Pa] that it makes; (component, node).
+struct StressWave {
+  int nodal_diameter = 0;
+  double engine_order = 0;
+  Eigen::VectorXcd stress;
+};
+
+class SpeedStress {
+ public:
+  SpeedStress(const SimulatedScene& scene, const std::vector<BlockedModes>& modes) : scene_(scene), modes_(modes) {}
+
+  double largest(const SpeedResponse& response) const {
+    const std::vector<StressWave> waves = without_small(waves_of(response));
+    if (waves.empty()) return 0;
+    double highest = 1;
+    for (const StressWave& wave : waves)
+      if (wave.stress.norm() > counts_for_time * waves.front().stress.norm())
+        highest = std::max(highest, std::abs(wave.engine_order));
+    const int revolutions = response.recorded_revolutions;
+    const Eigen::Index instants = std::min<Eigen::Index>(
+        most_instants, static_cast<Eigen::Index>(std::ceil(instants_of_a_period * highest * revolutions)));
+    Eigen::MatrixXd phases(2 * static_cast<Eigen::Index>(waves.size()), instants);
+    for (Eigen::Index s = 0; s < instants; ++s)
+      for (std::size_t w = 0; w < waves.size(); ++w) {
+        const double angle = 2 * std::numbers::pi * revolutions * waves[w].engine_order * static_cast<double>(s) /
+                             static_cast<double>(instants);
+        phases.col(s).segment<2>(2 * static_cast<Eigen::Index>(w)) << std::cos(angle), std::sin(angle);
+      }
+    double largest = 0;
+    for (int j = 0; j < scene_.independent_sectors; ++j) {
+      const Eigen::MatrixXd stress = parts_on(waves, j) * phases;
+      largest = std::max(largest, von_mises(stress.reshaped(6, stress.size() / 6)).maxCoeff());
+    }
+    return largest;
+  }
+
+ private:
+  /// The most stressed first.
+  static std::vector<StressWave> without_small(std::vector<StressWave> waves) {
+    std::stable_sort(waves.begin(), waves.end(), [](const StressWave& a, const StressWave& b) {
+      return a.stress.squaredNorm() > b.stress.squaredNorm();
+    });
+    std::erase_if(waves, [least = waves.empty() ? 0 : small_stress * waves.front().stress.norm()](
+                             const StressWave& wave) { return wave.stress.norm() <= least; });
+    return waves;
+  }
+
+  /// The factors of cosine and sine of each wave on a sector.
+  Eigen::MatrixXd parts_on(const std::vector<StressWave>& waves, int sector) const {
+    Eigen::MatrixXd parts(waves.front().stress.size(), 2 * static_cast<Eigen::Index>(waves.size()));
+    for (std::size_t w = 0; w < waves.size(); ++w) {
+      const Eigen::VectorXcd here =
+          sector_phase(waves[w].nodal_diameter, sector, scene_.sector_count) * waves[w].stress;
+      parts.col(2 * static_cast<Eigen::Index>(w)) = here.real();
+      parts.col(2 * static_cast<Eigen::Index>(w) + 1) = -here.imag();
+    }
+    return parts;
+  }
+
+  std::vector<StressWave> waves_of(const SpeedResponse& response) const {
+    std::vector<StressWave> waves;
+    const double highest = scene_.resolved_frequency / (response.speed * hz_per_rad_s);
+    std::vector<Eigen::MatrixXcd> lines;
+    double fastest = 0;
+    const auto order_of = [&](Eigen::Index line, Eigen::Index samples) {
+      return static_cast<double>(2 * line > samples ? line - samples : line) / response.recorded_revolutions;
+    };
+    const auto velocity = [](double order, double size) { return (1 + std::abs(order)) * size; };
+    for (const BlockedModes& modes : modes_) {
+      lines.push_back(fourier_lines(contact_wave(response, scene_, modes.nodal_diameter), 0));
+      for (Eigen::Index m = 0; m < lines.back().cols(); ++m)
+        fastest = std::max(fastest, velocity(order_of(m, lines.back().cols()), lines.back().col(m).norm()));
+    }
+    for (std::size_t i = 0; i < modes_.size(); ++i)
+      for (Eigen::Index m = 0; m < lines[i].cols(); ++m) {
+        const double order = order_of(m, lines[i].cols());
+        if (std::abs(order) <= highest && velocity(order, lines[i].col(m).norm()) > small_wave * fastest)
+          waves.push_back({modes_[i].nodal_diameter, order,
+                           modes_[i].stress * condensed(modes_[i], response.speed, order, lines[i].col(m))});
+      }
+    return waves;
+  }
+
+  /// All dofs of a wave from its contact dofs.
+  static Eigen::VectorXcd condensed(const BlockedModes& modes, double speed, double order,
+                                    const Eigen::VectorXcd& contact) {
+    const Eigen::Index inner = modes.M.rows() - contact.size();
+    const double omega = order * speed;
+    const Eigen::MatrixXcd K = modes.K(speed), dynamic = K - omega * omega * modes.M;
+    Eigen::VectorXcd all(modes.M.rows());
+    all.head(contact.size()) = contact;
+    const std::complex<double> loss(0, order < 0 ? -loss_factor : loss_factor);
+    all.tail(inner) =
+        -Eigen::MatrixXcd(dynamic.bottomRightCorner(inner, inner) + loss * K.bottomRightCorner(inner, inner))
+             .partialPivLu()
+             .solve(dynamic.bottomLeftCorner(inner, contact.size()) * contact);
+    return all;
+  }
+
+  const SimulatedScene& scene_;
+  const std::vector<BlockedModes>& modes_;
+};
+
+}  // namespace
+
+std::vector<int> stressed_nodes(const CycleStress& stress, const StressZones& zones) {
+  std::vector<int> body;
+  for (int node = 0; node < stress.vibration.size(); ++node)
+    if (zones.at_node[static_cast<std::size_t>(node)] == StressZone::body) body.push_back(node);
+  const auto count = static_cast<std::ptrdiff_t>(std::min(nodes_of_a_speed, body.size()));
+  std::partial_sort(body.begin(), body.begin() + count, body.end(),
+                    [&](int a, int b) { return stress.vibration[a] > stress.vibration[b]; });
+  body.resize(static_cast<std::size_t>(count));
+  return body;
+}
+
+Eigen::VectorXd stress_over_speed(const FieldsReader& reader, const Study& study, const std::vector<int>& nodes) {
+  if (nodes.empty()) return {};
+  const std::vector<SpeedResponse>& speeds = study.response.speeds;
+  std::vector<int> used, places;
+  const SectorFields part = cells_around(reader.sector(), nodes, used);
+  const CellStress cells(part);
+  for (const int node : nodes)
+    places.push_back(static_cast<int>(std::lower_bound(used.begin(), used.end(), node) - used.begin()));
+  std::vector<BlockedModes> modes;
+  for (const int n : study.response.scene.nodal_diameters) {
+    Eigen::MatrixXcd basis;
+    modes.push_back(blocked_modes(study.model.nodal_diameters[static_cast<std::size_t>(n)], n,
+                                  study.model.contact_dofs(), study.range.high, basis));
+    modes.back().stress = basis_stress(reader, part, cells, used, places, n, basis);
+  }
+  const SpeedStress stress(study.response.scene, modes);
+  Eigen::VectorXd largest(static_cast<Eigen::Index>(speeds.size()));
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    stop_if_interrupted();
+    largest[static_cast<Eigen::Index>(i)] = stress.largest(speeds[i]);
+  }
+  return largest;
+}
+
+}  // namespace tiprub::postprocess

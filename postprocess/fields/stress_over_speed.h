@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "postprocess/analysis/study.h"
+#include "postprocess/fields/field_peak.h"
+#include "reduce/model/fields_file.h"
+
+namespace tiprub::postprocess {
+
+/// The nodes of the body with the largest stress of the vibration.
+std::vector<int> stressed_nodes(const CycleStress& stress, const StressZones& zones);
+
+/// [Pa] The largest von Mises stress of the vibration at some nodes, for every speed of the response, in its order.
+///
+/// The response holds the states of the whole rotor only at critical speeds, but the motion of the contact dofs at
+/// all of them. That motion is a sum of waves c e^{i (k Omega t + n j alpha)}. The generalized dofs g of each wave
+/// follow by dynamic condensation, with the blocks of the nodal diameter's matrices and omega = k Omega,
+///
+///     ((1 + i eta) K_gg - omega^2 M_gg) g = -(K_gc - omega^2 M_gc) c,
+///
+/// where g is sought in the lowest modes of the rotor with blocked contact dofs. The loss factor eta bounds g where
+/// omega meets one of their frequencies; elsewhere it hardly matters. Waves above the resolved frequency, and those
+/// that hardly move, are left out. The stress of the sum is exact at the instants that are looked at: some for each
+/// period of the highest wave, over the recorded revolutions.
+///
+/// The estimate is low where the largest stress lies at another node. `nodes`: ascending, each once; without any, the
+/// result is empty. Costs some milliseconds a speed.
+Eigen::VectorXd stress_over_speed(const FieldsReader& reader, const Study& study, const std::vector<int>& nodes);
+
+}  // namespace tiprub::postprocess

@@ -120,7 +120,7 @@ function campbellView(host, selection) {
   const {data} = selection, rpm = data.speeds.map(speed => speed.rpm), moving = movingParts(data);
   const colourOf = n => `var(--series-${n % 8})`, curves = data.modes.map((mode, k) => ({...mode, hertz: data.array(`mode/${k}`)}));
   const shown = curves.filter(curve => moving.includes(curve.nodal_diameter)), high = Math.max(...shown.flatMap(curve => [...curve.hertz]), 1);
-  const order = peak => Number.parseFloat(peak.wave.replace(/^EO /, ''));
+  const order = peak => Number.parseFloat(/EO ([\d.]+)/.exec(peak.wave)[1]);  // of "mixed: EO 10 ND 0 48 %, ..." too
   host.append(legend(...moving.map(n => [`series-${n % 8}`, `ND ${n}`]), ['map-order', 'engine orders'], ['met', 'critical speeds'], ['chosen', 'shown speed']));
   const chart = new Chart(host, {
     name: 'Campbell diagram', height: 380, x: speedRange(data), y: {label: 'frequency [Hz]', range: [0, 1.05 * high]}, shared: selection,

@@ -3,9 +3,6 @@
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3 3.4 NO_MODULE)
 find_dependency(Threads)
-find_dependency(CLI11 2.1)
-find_dependency(PkgConfig)
-pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 # FindHDF5 compiles a C program to look at the library.
 enable_language(C)
 set(HDF5_PREFER_PARALLEL OFF)

@@ -28,7 +28,14 @@ name_values() { # STAGE CASE OPTION...
 look() { # STAGE CASE OPTION...
   stage=$1
   shift
+  command -v "tiprub-$stage" > /dev/null || { missing "$stage" >&2; exit 1; }
   "tiprub-$stage" "$@" --tables > /dev/null
+}
+
+missing() { # STAGE
+  package=tiprub
+  test "$1" != reduce || package=tiprub-reduce
+  echo "tiprub-$1 is neither in $BIN nor on the PATH; on Debian it is in the package $package"
 }
 
 # The user's own files have no digests here: make looks at their age.

@@ -5,24 +5,18 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <mutex>
 #ifdef TIPRUB_SANITIZED
 #include <sanitizer/lsan_interface.h>
 #endif
+
+#include "cases/program/mpirun.h"
 
 namespace tiprub {
 
 namespace {
 
 constexpr long long beyond_any_list = 1LL << 40;
-
-/// Open MPI, MPICH and Intel MPI, Slurm's PMIx.
-bool started_together() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
-    if (std::getenv(name) != nullptr) return true;
-  return false;
-}
 
 // Components of MPI lose memory, and are no longer loaded when leaks are looked for: no suppression can name them.
 #ifdef TIPRUB_SANITIZED

@@ -218,9 +218,4 @@ Multiplier largest_multiplier(const LinearMap& map, Eigen::Index size, double to
   return size <= dense ? of_dense(map, size) : of_krylov(map, size, tolerance);
 }
 
-Growth per_revolution(const Multiplier& multiplier, double maps) {
-  const double magnitude = std::abs(multiplier.value), factor = std::pow(magnitude, maps);
-  return {factor, magnitude > 0 ? maps * factor * multiplier.uncertainty / magnitude : multiplier.uncertainty};
-}
-
 }  // namespace tiprub::simulate

@@ -30,6 +30,11 @@ Multiplier clear_multiplier(const LinearMap& map, Eigen::Index size, double tole
 
 }  // namespace
 
+Growth per_revolution(const Multiplier& multiplier, double maps) {
+  const double magnitude = std::abs(multiplier.value), factor = std::pow(magnitude, maps);
+  return {factor, magnitude > 0 ? maps * factor * multiplier.uncertainty / magnitude : multiplier.uncertainty};
+}
+
 bool has_symmetric_map(const Scene& scene) {
   return maps_states(scene.parameters.scheme, scene.parameters.contact) &&
          scene.scope.symmetry == std::gcd(scene.model.sector_count, scene.casing.lobes);

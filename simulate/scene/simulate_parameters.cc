@@ -138,6 +138,18 @@ void require_budgets_to_decide_by(const CaseTable& table, const SimulateParamete
     reject("needs forces that only push; set contact = \"complementarity\"");
 }
 
+/// Packagers may leave out Trilinos, which finds periodic motions.
+void require_orbits_in_this_build([[maybe_unused]] const CaseTable& table,
+                                  [[maybe_unused]] const SimulateParameters& parameters) {
+#ifdef TIPRUB_WITHOUT_ORBITS
+  const std::string what = " needs a build with TIPRUB_ORBITS=ON; set ";
+  if (parameters.steady_state == SteadyStateMethod::orbit)
+    table.reject("steady_state", "= \"orbit\"" + what + "steady_state = \"march\"");
+  if (parameters.branches == BranchChoice::critical_speeds)
+    table.reject("branches", "= \"critical_speeds\"" + what + "branches = \"none\"");
+#endif
+}
+
 /// The modes at two instants must determine an orbit, which rules out contact laws with memory.
 void require_law_without_memory(CaseTable& table, const SimulateParameters& parameters) {
   if (maps_states(parameters.scheme, parameters.contact)) return;
@@ -221,6 +233,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
       table.integer("samples_per_revolution", 240, Range::between(2, count_max), "at least");
   read_revolutions(table, parameters);
   read_branches(table, parameters);
+  require_orbits_in_this_build(table, parameters);
   require_law_without_memory(table, parameters);
   parameters.casing_areas = table.integer("casing_areas", 200, Range::between(1, count_max), "around the casing");
   parameters.threads = table.integer("threads", 0, Range::between(0, 1024), "0: as many as the machine has");

@@ -85,7 +85,37 @@ def python(prefix, folder, work):
     assert place.startswith(prefix) and speeds == "4", (place, speeds)
 
 
+def make_without_reduce(prefix, work):
+    """What make says where tiprub-reduce is not installed."""
+    folder = os.path.join(work, "without reduce")
+    shutil.copytree(os.path.join(prefix, "share/tiprub/cases/impeller_quick"), folder)
+    done = subprocess.run(["make", f"TIPRUB={prefix}/share/tiprub"], cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          env={"PATH": "/usr/bin:/bin", "HOME": work}, check=False)
+    assert done.returncode != 0 and not os.path.exists(os.path.join(folder, "model.h5")), done
+    return done.stdout
+
+
+def components(cmake, build, work):
+    """Only one of them holds tiprub-reduce, which needs deal.II: its program, its manual and its completion."""
+    held = {}
+    for component in ("programs", "reduce", "python", "development"):
+        prefix = os.path.join(work, "components", component)
+        run(cmake, "--install", build, "--prefix", prefix, "--component", component)
+        held[component] = {os.path.relpath(os.path.join(folder, name), prefix) for folder, _, names in os.walk(prefix) for name in names}
+    of_reduce = {"bin/tiprub-reduce", "share/man/man1/tiprub-reduce.1", "share/bash-completion/completions/tiprub-reduce"}
+    assert held["reduce"] == of_reduce, held["reduce"]
+    assert {f"bin/tiprub-{stage}" for stage in STAGES} - of_reduce == {name for name in held["programs"] if name.startswith("bin/")}
+    said = make_without_reduce(os.path.join(work, "components", "programs"), work)
+    assert "tiprub-reduce is neither in" in said and "on Debian it is in the package tiprub-reduce" in said, said
+    libraries = {os.path.basename(name) for name in held["development"] if name.endswith(".a")}
+    assert libraries == {f"libtiprub_{part}.a" for part in ("files", "cells", "model_file", "response_file")}, libraries
+
+
 def reader(cmake, prefix, source, folder, work):
+    """Of other libraries, it needs Eigen and HDF5 alone."""
+    with open(os.path.join(prefix, "lib/cmake/Tiprub/TiprubTargets.cmake"), encoding="utf-8") as file:
+        targets = file.read()
+    assert "hdf5" in targets and not re.search("CLI11|tomlplusplus", targets), targets
     built = os.path.join(work, "reader")
     run(cmake, "-S", source, "-B", built, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Debug")
     run(cmake, "--build", built)
@@ -105,6 +135,7 @@ def main(cmake, build, case, source, work):
     completion(prefix, folder)
     python(prefix, folder, work)
     reader(cmake, prefix, source, folder, work)
+    components(cmake, build, work)
 
 
 if __name__ == "__main__":

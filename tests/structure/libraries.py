@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Only tiprub-reduce loads deal.II: the other programs start in milliseconds.
+"""Only tiprub-reduce loads deal.II: the other programs start in milliseconds. No program loads a library that it does not use.
 
 usage: libraries.py FOLDER_OF_THE_PROGRAMS
 """
@@ -20,6 +20,8 @@ def main(folder):
         loaded = subprocess.run(["ldd", os.path.join(folder, program)], stdout=subprocess.PIPE, text=True, check=True).stdout
         if (LIBRARY in loaded) != wanted:
             faults.append(f"{program}: {'does not load' if wanted else 'loads'} {LIBRARY}")
+        unused = subprocess.run(["ldd", "-u", os.path.join(folder, program)], stdout=subprocess.PIPE, text=True, check=False).stdout
+        faults += [f"{program}: uses nothing of {line.strip()}" for line in unused.splitlines() if line.startswith("\t")]
     source_tree.report(faults, f"of the programs, tiprub-reduce loads {LIBRARY}")
 
 

@@ -21,14 +21,18 @@ all: programs
 packages:
 	@.ci/install-packages
 
+# A new build folder is for the programs alone, until `make tests` adds the tests, which need more packages.
+CONFIGURE = @cmake -G Ninja -S . -B $(BUILD) $1 > $(BUILD).configure.log 2>&1 || { cat $(BUILD).configure.log; exit 1; }; rm -f $(BUILD).configure.log
+
 configure: packages
-	@cmake -G Ninja -S . -B $(BUILD) > $(BUILD).configure.log 2>&1 || { cat $(BUILD).configure.log; exit 1; }
-	@rm -f $(BUILD).configure.log
+	$(call CONFIGURE,$(if $(wildcard $(BUILD)/CMakeCache.txt),,-DBUILD_TESTING=OFF))
 
 programs: configure
 	ninja -C $(BUILD) -j $(JOBS) programs
 
-manual: programs
+manual: packages
+	@.ci/install-packages packages-install.txt
+	+@$(MAKE) --no-print-directory programs
 	ninja -C $(BUILD) -j $(JOBS) manual
 
 install: manual
@@ -36,10 +40,11 @@ install: manual
 
 deb: manual
 	cd $(BUILD) && cpack
-	@echo "As root: apt-get install $(abspath $(BUILD))/tiprub_*.deb"
+	@echo "As root: apt-get install $(abspath $(BUILD))/tiprub_*.deb $(abspath $(BUILD))/tiprub-reduce_*.deb"
 
-tests: configure
-	@.ci/install-packages packages-test.txt
+tests: packages
+	@.ci/install-packages packages-install.txt packages-test.txt
+	$(call CONFIGURE,-DBUILD_TESTING=ON)
 	ninja -C $(BUILD) -j $(JOBS)
 
 demo: programs
@@ -64,7 +69,7 @@ SANITIZED := programs write-synthetic-scene gmsh_sector cases_test mesh_test mod
   split_sector simulate_test postprocess-test postprocess-program-test planted_fault convert_sector tiprub_fuzz
 
 tests-sanitized:
-	@.ci/install-packages packages-gate.txt
+	@.ci/install-packages packages-install.txt packages-test.txt packages-gate.txt
 	cmake -G Ninja -S . -B $(BUILD)-sanitized -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DTIPRUB_SANITIZE=ON > $(BUILD)-sanitized.configure.log
 	ninja -C $(BUILD)-sanitized -j $(JOBS) $(SANITIZED)
 
@@ -72,7 +77,9 @@ test-sanitized: tests-sanitized
 	$(SANITIZERS) ctest --test-dir $(BUILD)-sanitized --output-on-failure -j $(JOBS) -R '^(cases|mesh|reduce|simulate|postprocess|fuzz|structure)\.' \
 	    -LE slow -E 'GmshsOrder|interrupted|too_little_memory|no_room|in_browser|anasazi|Branch.*(ConvergeTo|ReferencesThat)'
 
-fuzz: programs
+fuzz: packages
+	@.ci/install-packages packages-install.txt packages-test.txt
+	$(call CONFIGURE,-DBUILD_TESTING=ON)
 	ninja -C $(BUILD) -j $(JOBS) tiprub_fuzz convert_sector
 	FUZZ_SEED=$(or $(FUZZ_SEED),$(shell date +%s)) FUZZ_INPUTS=$(FUZZ_INPUTS) $(SANITIZERS) \
 	  ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -R '^fuzz\.'; code=$$?; \

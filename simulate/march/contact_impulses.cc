@@ -127,12 +127,11 @@ void ContactImpulses::factorize() {
   if (constant && closed_ == factorized_) return;
   factorized_.clear();
   const std::size_t size = closed_.size();
+  compliance_->block(closed_, lower_.data());
   for (std::size_t column = 0; column < size; ++column) {
-    const double* from = compliance_->data() + stride_ * closed_[column];
-    double* to = lower_.data() + stride_ * column;
-    for (std::size_t row = symmetric ? column : 0; row < size; ++row) to[row] = from[closed_[row]];
-    std::fill(to + size, to + kernels::whole_vectors(size), 0.0);
-    to[column] *= 1 + diagonal_shift;
+    double* const values = lower_.data() + stride_ * column;
+    std::fill(values + size, values + kernels::whole_vectors(size), 0.0);
+    values[column] *= 1 + diagonal_shift;
   }
   if (!(symmetric ? kernels::factorize(factor(), size) : kernels::factorize_unsymmetric(factor(), size)))
     throw NoMotion("the contact compliance of " + std::to_string(size) +
@@ -169,14 +168,14 @@ void ContactImpulses::solve_by_factor() {
   std::fill(closed_forces_.data() + size, closed_forces_.data() + kernels::whole_vectors(size), 0.0);
   if (size > 0) kernels::solve(factor(), size, closed_forces_.data());
   for (std::size_t i = 0; i < size; ++i) multipliers_[closed_[i]] = closed_forces_[i];
-  kernels::combine_columns(columns(), closed_.data(), closed_forces_.data(), size, padded_correction_.data());
+  compliance_->respond(closed_forces_.data(), closed_);
+  std::copy_n(compliance_->opened(), stride_, padded_correction_.data());
 }
 
 /// eq. 15: lambda on the closed set from W_cc lambda_c = -g_c, so that eq. 14 holds there, and its effect W lambda on
 /// all gaps.
 void ContactImpulses::solve_closed() {
   multipliers_.setZero();
-  compliance_->refresh(closed_);
   if (!compliance_->is_constant() || !solve_by_inverse()) solve_by_factor();
   std::copy_n(padded_correction_.data(), correction_.size(), correction_.data());
 }

@@ -131,6 +131,38 @@ void combine_columns(const Columns& matrix, const int* columns, const double* we
 }
 
 TIPRUB_CLONES
+void turned_block(const Parts& parts, const ClosedNodes& closed, double* into, std::size_t stride) {
+  const std::size_t p = parts.coordinates, nodes = parts.nodes, tall = parts.tall;
+  for (std::size_t j = 0; j < closed.count; ++j) {
+    const std::size_t node = static_cast<std::size_t>(closed.node[j]), first = closed.sector[j] * p;
+    const double *pushed = parts.values + tall * node, *slid = parts.values + tall * (nodes + 2 * node),
+                 *bent = parts.values + tall * (3 * nodes + first), *slopes = closed.slopes + j * p;
+    const bool slides = closed.drag != nullptr;
+    const double along = slides ? closed.drag[2 * node] : 0, across = slides ? closed.drag[2 * node + 1] : 0;
+    for (std::size_t i = slides ? 0 : j; i < closed.count; ++i) {
+      const int to = closed.node[i];
+      into[stride * j + i] = slides ? pushed[to] + along * slid[to] + across * slid[tall + to] : pushed[to];
+    }
+    for (std::size_t a = 0; a < p; a += 4) {
+      Lanes4 y = {};  // what the force moves of the coordinates of the sector of node i
+      int sector = -1;
+      for (std::size_t i = slides ? 0 : j; i < closed.count; ++i) {
+        if (closed.sector[i] != sector) {
+          sector = closed.sector[i];
+          const std::size_t place = nodes + sector * p + a;
+          y = lanes4(pushed + place);
+          if (slides) y += along * lanes4(slid + place) + across * lanes4(slid + tall + place);
+          for (std::size_t b = 0; b < p; ++b) y += slopes[b] * lanes4(bent + tall * b + place);
+        }
+        const double* from = parts.values + tall * closed.node[i] + nodes + first + a;
+        const Lanes4 narrowed = lanes4(closed.slopes + i * p + a) * y + lanes4(slopes + a) * lanes4(from);
+        into[stride * j + i] += (narrowed[0] + narrowed[1]) + (narrowed[2] + narrowed[3]);
+      }
+    }
+  }
+}
+
+TIPRUB_CLONES
 void add_columns(const Columns& matrix, const double* weights, std::size_t count, double* sum) {
   for (std::size_t i = 0; i < matrix.rows; i += 4) {
     Lanes4 rows = lanes4(sum + i);

@@ -25,6 +25,23 @@ void combine_columns(const Columns& matrix, const int* columns, const double* we
 /// sum += matrix(:, 0 .. count - 1) weights over the first `rows` rows, a whole number of vectors of four.
 void add_columns(const Columns& matrix, const double* weights, std::size_t count, double* sum);
 
+/// What unit forces do to `nodes` contact nodes and then to the coordinates of the blades, `coordinates` a sector (a
+/// whole number of vectors of four), in columns of `tall` values: forces along the normal of each node, then along
+/// the two directions of sliding of each, then on each coordinate. Without coordinates or friction there are none.
+struct Parts {
+  const double* values;
+  std::size_t tall, nodes, coordinates;
+};
+/// Closed nodes, ascending, the slopes of the gap of each, and the drag of all nodes, two values each, or null.
+struct ClosedNodes {
+  const int *node, *sector;
+  const double *slopes, *drag;
+  std::size_t count;
+};
+/// The block of W (ContactCompliance) of some nodes; without friction its lower triangle. The forces on coordinates
+/// do to the nodes what those along normals do to the coordinates.
+void turned_block(const Parts& parts, const ClosedNodes& closed, double* into, std::size_t stride);
+
 /// matrix += factor u u^T over `size` rows and columns; u is zero from `size` to the end of its last vector.
 void add_dyad(double* matrix, std::size_t stride, std::size_t size, const double* u, double factor);
 

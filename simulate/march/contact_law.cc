@@ -77,12 +77,12 @@ class VelocityContact final : public ContactLaw {
  private:
   /// `share` of the forces acts in this step.
   void add_forces(double share, const Eigen::VectorXd& forces, Eigen::VectorXd& gap) {
-    for (Eigen::Index i = 0; i < forces.size(); ++i) {
-      if (forces[i] == 0 || share == 0) continue;
-      multipliers_[i] += share * forces[i];
-      correction_.noalias() += share * forces[i] * compliance_->fresh_column(static_cast<int>(i));
-      gap.noalias() += share * forces[i] * compliance_->fresh_column(static_cast<int>(i));
-    }
+    forced_.clear();
+    for (Eigen::Index i = 0; i < forces.size() && share != 0; ++i)
+      if (forces[i] != 0) forced_.push_back(static_cast<int>(i));
+    for (const int i : forced_) multipliers_[i] += share * forces[i];
+    compliance_->open(share, forces, forced_, correction_);
+    compliance_->open(share, forces, forced_, gap);
   }
   /// Updates rate_free_ to G+. The rate of an open node is not constrained and counts as infinite.
   bool close_approaching(const Eigen::VectorXd& gap_before) {
@@ -107,7 +107,7 @@ class VelocityContact final : public ContactLaw {
   ContactImpulses impulses_;
   Eigen::VectorXd lambda_, multipliers_, correction_;
   Eigen::VectorXd rate_, rate_free_, constrained_;  ///< [m] G, by node
-  std::vector<int> closed_;
+  std::vector<int> closed_, forced_;
 };
 
 /// lambda = kappa max(0, -g), kappa [N/m]. The law is explicit: the force of a step is known before the step, and
@@ -128,9 +128,9 @@ class PenaltyContact final : public ContactLaw {
     for (Eigen::Index i = 0; i < gap.size(); ++i) {
       if (!(gap_before[i] < 0)) continue;
       multipliers_[i] = -stiffness_ * gap_before[i];
-      correction_.noalias() += multipliers_[i] * compliance_->fresh_column(static_cast<int>(i));
       closed_.push_back(static_cast<int>(i));
     }
+    compliance_->open(1, multipliers_, closed_, correction_);
     gap += correction_;
     return !closed_.empty();
   }

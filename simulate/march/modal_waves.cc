@@ -41,6 +41,19 @@ kernels::Lines lay_out_shapes(const Eigen::MatrixXcd& rows, Eigen::Index modes, 
   return shapes;
 }
 
+/// The same in the order of to_rows, with `width` rows.
+kernels::Lines lay_out_by_mode(const Eigen::MatrixXcd& rows, std::size_t width, WaveKind kind) {
+  const std::size_t parts = kind == WaveKind::travelling ? 2 : 1;
+  kernels::Lines shapes(parts * width * static_cast<std::size_t>(rows.cols()));
+  for (Eigen::Index m = 0; m < rows.cols(); ++m)
+    for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+      const std::size_t place = static_cast<std::size_t>(m) * parts * width + static_cast<std::size_t>(k);
+      shapes[place] = rows(k, m).real();
+      if (parts == 2) shapes[place + width] = rows(k, m).imag();
+    }
+  return shapes;
+}
+
 MarchedWave marched(const WaveModes& from, const SchemeOptions& scheme, double step, int sector_count) {
   const Eigen::Index modes = padded(from.omega.size(), kernels::mode_block);
   MarchedWave wave;
@@ -102,8 +115,14 @@ ModalWaves::Memory ModalWaves::lay_out(const WaveModes& from, const MarchedWave&
     memory.sine[j] = phase.imag();
   }
   memory.normal.shapes = lay_out_shapes(from.normal_rows, wave.modes(), wave.kind);
-  if (sliding_.count > 0) memory.sliding.shapes = lay_out_shapes(from.sliding_rows, wave.sliding, wave.kind);
-  if (blades_.count > 0) memory.blades.shapes = lay_out_shapes(from.blade_rows, wave.sliding, wave.kind);
+  const auto lay_out_few = [&](Rows& rows, const Eigen::MatrixXcd& values, const Directions& directions) {
+    if (directions.count == 0) return;
+    rows.shapes = lay_out_shapes(values, wave.sliding, wave.kind);
+    rows.by_mode = lay_out_by_mode(values, directions.width, wave.kind);
+    rows.modes = static_cast<std::size_t>(values.cols());
+  };
+  lay_out_few(memory.sliding, from.sliding_rows, sliding_);
+  lay_out_few(memory.blades, from.blade_rows, blades_);
   return memory;
 }
 
@@ -222,25 +241,31 @@ void ModalWaves::map_to_sectors(TipMotion& motion, TipMotion& before) {
 
 void ModalWaves::slide(Eigen::VectorXd& displacement) {
   for (std::size_t i = 0; i < waves_.size(); ++i)
-    map_to_rows(i, memory_[i].sliding, memory_[i].increment_before, waves_[i].sliding, sliding_);
+    map_to_rows(i, memory_[i].sliding, memory_[i].increment_before, sliding_);
   add_sectors(sliding_, displacement);
 }
 
 void ModalWaves::map_to_tips(std::size_t index, const Eigen::VectorXd& q) {
-  map_to_rows(index, memory_[index].normal, q, waves_[index].moving, normal_);
-  if (blades_.count > 0) map_to_rows(index, memory_[index].blades, q, waves_[index].sliding, blades_);
+  const MarchedWave& wave = waves_[index];
+  const auto moving = static_cast<std::size_t>(wave.moving);
+  const double* shapes = memory_[index].normal.shapes.data();
+  double* p = normal_.p.data() + 2 * index * normal_.width;
+  if (wave.kind == WaveKind::travelling)
+    kernels::to_nodes_travelling(shapes, q.data(), q.data() + wave.modes(), moving, normal_.count, p,
+                                 p + normal_.width);
+  else
+    kernels::to_nodes_standing(shapes, q.data(), moving, normal_.count, p);
+  if (blades_.count > 0) map_to_rows(index, memory_[index].blades, q, blades_);
 }
 
-void ModalWaves::map_to_rows(std::size_t index, const Rows& rows, const Eigen::VectorXd& q, Eigen::Index modes,
-                             Directions& directions) {
+void ModalWaves::map_to_rows(std::size_t index, const Rows& rows, const Eigen::VectorXd& q, Directions& directions) {
   const MarchedWave& wave = waves_[index];
-  const auto mapped = static_cast<std::size_t>(modes);
   double* p = directions.p.data() + 2 * index * directions.width;
   if (wave.kind == WaveKind::travelling)
-    kernels::to_nodes_travelling(rows.shapes.data(), q.data(), q.data() + wave.modes(), mapped, directions.count, p,
-                                 p + directions.width);
+    kernels::to_rows_travelling(rows.by_mode.data(), q.data(), q.data() + wave.modes(), rows.modes, directions.width,
+                                p, p + directions.width);
   else
-    kernels::to_nodes_standing(rows.shapes.data(), q.data(), mapped, directions.count, p);
+    kernels::to_rows_standing(rows.by_mode.data(), q.data(), rows.modes, directions.width, p);
 }
 
 void ModalWaves::add_sectors(const Directions& directions, Eigen::VectorXd& displacement) const {

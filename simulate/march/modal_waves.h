@@ -106,6 +106,8 @@ class ModalWaves {
   /// The displacements of the contact nodes in some directions, or the coordinates y, in one nodal diameter.
   struct Rows {
     kernels::Lines shapes;   ///< in the order of wave_kernels.h
+    kernels::Lines by_mode;  ///< the same for to_rows; of sliding and of blades only
+    std::size_t modes = 0;   ///< those of by_mode, without padding
     Eigen::VectorXd forces;  ///< Lambda_n, real parts, then imaginary parts
   };
   /// What the rows of all nodal diameters share.
@@ -125,9 +127,8 @@ class ModalWaves {
   /// Computes the share of one wave in normal_.p and blades_.p from its modes.
   void map_to_tips(std::size_t wave, const Eigen::VectorXd& modes);
   void add_sectors(TipMotion& motion) const;
-  /// The same for the first `modes` modes and any directions.
-  void map_to_rows(std::size_t wave, const Rows& rows, const Eigen::VectorXd& q, Eigen::Index modes,
-                   Directions& directions);
+  /// The same for sliding or blades.
+  void map_to_rows(std::size_t wave, const Rows& rows, const Eigen::VectorXd& q, Directions& directions);
   ModalCoordinates view(std::size_t wave, Eigen::VectorXd Memory::*parts) const;
   void add_sectors(const Directions& directions, Eigen::VectorXd& displacement) const;
   /// The rows of a rotor that a march puts into vectors with `width` values a sector.

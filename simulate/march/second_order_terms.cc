@@ -22,7 +22,8 @@ struct Terms {
 
 TIPRUB_CLONES bool narrow_gaps(const Terms& terms, const double* y, double grown, double* gap) {
   const std::size_t p = terms.coordinates, width = terms.width;
-  bool penetrates = false;
+  using Signs [[gnu::vector_size(lanes * sizeof(long long))]] = long long;
+  Signs negative = {};
   for (std::size_t k = 0; k < width; k += lanes) {
     Lanes4 narrowed = {}, turn = {};
     const double* doubled = terms.doubled + k;
@@ -35,9 +36,9 @@ TIPRUB_CLONES bool narrow_gaps(const Terms& terms, const double* y, double grown
     narrowed += grown * turn * (lanes4(terms.first + k) + 0.5 * turn * lanes4(terms.second + k));
     Lanes4& left = lanes4(gap + k);
     left -= narrowed;
-    for (std::size_t i = 0; i < lanes; ++i) penetrates |= left[i] < 0;
+    negative |= left < 0;
   }
-  return penetrates;
+  return (negative[0] | negative[1] | negative[2] | negative[3]) != 0;
 }
 
 TIPRUB_CLONES void slopes_of_gaps(const Terms& terms, const double* y, double grown, double* columns,

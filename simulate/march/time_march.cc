@@ -126,9 +126,8 @@ bool TimeMarch::predict() {
 }
 
 void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& nodes, const TurnedForces& more) {
-  of_step_->refresh(nodes);
   move(motion_[0], forces, nodes, 1);
-  for (int index : nodes) gap_.noalias() += forces[index] * of_step_->column(index);
+  of_step_->open(1, forces, nodes, gap_);
   drag_of(forces, nodes);
   blade_forces(forces, nodes);
   add(more, motion_[0], gap_, 1);
@@ -136,9 +135,8 @@ void TimeMarch::correct(const Eigen::VectorXd& forces, const std::vector<int>& n
 }
 
 void TimeMarch::jump(const Eigen::VectorXd& impulses, const std::vector<int>& nodes, const TurnedForces& more) {
-  of_step_->refresh(nodes);
   move(motion_[1], impulses, nodes, -1);
-  for (int index : nodes) gap_before_.noalias() -= impulses[index] * of_step_->column(index);
+  of_step_->open(-1, impulses, nodes, gap_before_);
   drag_of(impulses, nodes);
   blade_forces(impulses, nodes);
   add(more, motion_[1], gap_before_, -1);
@@ -168,15 +166,15 @@ Eigen::VectorXd TimeMarch::opened_by(const TurnedForces& more) const {
 }
 
 Eigen::MatrixXd TimeMarch::compliance(const std::vector<int>& nodes) {
-  of_step_->refresh(nodes);
-  Eigen::MatrixXd block(nodes.size(), nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    block.col(static_cast<Eigen::Index>(i)) = of_step_->column(nodes[i])(nodes);
+  const auto size = static_cast<Eigen::Index>(nodes.size()), stride = static_cast<Eigen::Index>(of_step_->stride());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(stride, size);
+  of_step_->block(nodes, columns.data());
+  Eigen::MatrixXd block = columns.topRows(size);
+  if (!has_friction()) block = block.selfadjointView<Eigen::Lower>();
   return block;
 }
 
 Eigen::VectorXd TimeMarch::blade_response(const Eigen::VectorXd& forces, const std::vector<int>& nodes) {
-  of_step_->refresh(nodes);
   of_step_->respond(forces, nodes);
   return of_step_->blade_response();
 }
@@ -184,7 +182,7 @@ Eigen::VectorXd TimeMarch::blade_response(const Eigen::VectorXd& forces, const s
 void TimeMarch::move(TipMotion& motion, const Eigen::VectorXd& forces, const std::vector<int>& nodes,
                      double direction) {
   if (!second_order_) {
-    for (const int index : nodes) motion.normal.noalias() -= direction * forces[index] * of_step_->column(index);
+    of_step_->open(-direction, forces, nodes, motion.normal);
     return;
   }
   of_step_->respond(forces, nodes);

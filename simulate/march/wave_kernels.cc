@@ -253,6 +253,33 @@ void add_force_standing(const double* shapes, const double* c, const double* f, 
   in_eights<AddForceStanding>(shapes, c, f, forced, modes, re);
 }
 
+/// Four sums for each vector of rows, which keeps the chains of additions short.
+TIPRUB_CLONES
+void to_rows_travelling(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
+                        std::size_t width, double* p_re, double* p_im) {
+  for (std::size_t k = 0; k < width; k += lane_count) {
+    Lanes4 rr = {}, ii = {}, ri = {}, ir = {};
+    const double* own = shapes + k;
+    for (std::size_t m = 0; m < modes; ++m, own += 2 * width) {
+      rr += lanes4(own) * q_re[m];
+      ii += lanes4(own + width) * q_im[m];
+      ri += lanes4(own) * q_im[m];
+      ir += lanes4(own + width) * q_re[m];
+    }
+    lanes4(p_re + k) = rr - ii;
+    lanes4(p_im + k) = ri + ir;
+  }
+}
+
+TIPRUB_CLONES
+void to_rows_standing(const double* shapes, const double* q, std::size_t modes, std::size_t width, double* p) {
+  for (std::size_t k = 0; k < width; k += lane_count) {
+    Lanes4 sum = {};
+    for (std::size_t m = 0; m < modes; ++m) sum += lanes4(shapes + m * width + k) * q[m];
+    lanes4(p + k) = sum;
+  }
+}
+
 TIPRUB_CLONES
 bool gap_of_sector(const double* clearance, const double* distortion, double ramp, const double* displacement,
                    std::size_t width, double* gap) {

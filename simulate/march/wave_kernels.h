@@ -23,6 +23,12 @@ void to_nodes_travelling(const double* shapes, const double* q_re, const double*
                          std::size_t nodes, double* p_re, double* p_im);
 void to_nodes_standing(const double* shapes, const double* q, std::size_t modes, std::size_t nodes, double* p);
 
+/// The same for a few modes and any rows. `shapes` holds for each mode the real parts of its rows, padded to `width`,
+/// then (for travelling waves) the imaginary parts.
+void to_rows_travelling(const double* shapes, const double* q_re, const double* q_im, std::size_t modes,
+                        std::size_t width, double* p_re, double* p_im);
+void to_rows_standing(const double* shapes, const double* q, std::size_t modes, std::size_t width, double* p);
+
 /// The nodes that have a force, of `nodes` in all.
 struct ForcedNodes {
   const int* index;

@@ -162,30 +162,33 @@ TEST(SecondOrder, OnlyTakesEnergyInARoundCasing) {
   }
 }
 
-/// Two sectors of four nodes and one coordinate: W of forces along n + G y, from rows of the displacements in some
+/// Two sectors of four nodes and four coordinates: W of forces along n + G y, from rows of the displacements in some
 /// modes.
 TEST(SecondOrder, HasTheComplianceOfForcesAlongItsSlopes) {
   std::mt19937 source(11);
   const auto random = [&] { return 2.0 * source() / std::mt19937::max() - 1.0; };
   const Eigen::Index nodes = 8, modes = 12;
   const Eigen::MatrixXd Y = Eigen::MatrixXd::NullaryExpr(nodes, modes, random),
-                        B = Eigen::MatrixXd::NullaryExpr(2, modes, random);
-  Eigen::MatrixXd both(nodes + 2, modes);
+                        B = Eigen::MatrixXd::NullaryExpr(8, modes, random);
+  Eigen::MatrixXd both(nodes + 8, modes);
   both << Y, B;
   ContactCompliance compliance(ContactCompliance::Responses{both * Y.transpose(), {}, both * B.transpose(), {}, 2});
   EXPECT_FALSE(compliance.is_constant());
   for (int step = 0; step < 2; ++step) {
     Eigen::MatrixXd& slopes = compliance.tilt();
-    slopes = Eigen::MatrixXd::NullaryExpr(nodes, 1, random);
+    slopes = Eigen::MatrixXd::NullaryExpr(nodes, 4, random);
     Eigen::MatrixXd directions = Y;
-    for (Eigen::Index i = 0; i < nodes; ++i) directions.row(i) += slopes(i, 0) * B.row(i / 4);
+    for (Eigen::Index i = 0; i < nodes; ++i) directions.row(i) += slopes.row(i) * B.middleRows(i / 4 * 4, 4);
     const std::vector<int> closed = {0, 2, 7};
-    compliance.refresh(closed);
-    for (const int i : closed)
-      EXPECT_LT((compliance.column(i) - directions * directions.row(i).transpose()).norm(), 1e-13);
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(nodes, 3);  // whole vectors of eight
+    compliance.block(closed, columns.data());
+    const Eigen::MatrixXd of_closed = directions(closed, Eigen::all), block = of_closed * of_closed.transpose();
+    EXPECT_LT((columns.topRows(3) - block).triangularView<Eigen::Lower>().toDenseMatrix().norm(), 1e-12);
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(nodes);
     forces(closed) = Eigen::Vector3d(3, 2, 5);
     compliance.respond(forces, closed);
+    const Eigen::Map<const Eigen::VectorXd> opened(compliance.opened(), nodes);
+    EXPECT_LT((opened - directions * directions.transpose() * forces).norm(), 1e-12);
     EXPECT_LT((compliance.normal_response() - Y * directions.transpose() * forces).norm(), 1e-12);
     EXPECT_LT((compliance.blade_response() - B * directions.transpose() * forces).norm(), 1e-12);
   }

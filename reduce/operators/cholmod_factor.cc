@@ -42,7 +42,7 @@ class CholmodFactor : public FactorEngine, private CholmodMemory {
  public:
   CholmodFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs);
 
-  Eigen::MatrixXd take_schur_complement() override;
+  StoredMatrix take_schur_complement() override;
   Eliminated eliminate(const Eigen::MatrixXd& interior_load) const override;
   Eliminated unloaded(Eigen::Index columns) const override;
   Eigen::MatrixXd back_substitute(Eliminated&& eliminated, const Eigen::MatrixXd& moved) const override;
@@ -177,8 +177,8 @@ Eigen::MatrixXd CholmodFactor::multiply_interface_transposed(const Eigen::Matrix
   return product;
 }
 
-Eigen::MatrixXd CholmodFactor::take_schur_complement() {
-  if (interface_ == 0) return {};  // one blade with contact by segments
+StoredMatrix CholmodFactor::take_schur_complement() {
+  if (interface_ == 0) return StoredMatrix(Eigen::MatrixXd());  // one blade with contact by segments
   Eigen::MatrixXd schur = interface_product();
   schur.diagonal().array() -= shift_;
   const Eigen::VectorXi place =  // in this product
@@ -186,7 +186,7 @@ Eigen::MatrixXd CholmodFactor::take_schur_complement() {
       Eigen::Map<const Eigen::VectorXi>(position_.data() + interior_, interface_).array();
   for (auto column : schur.colwise()) column = Eigen::VectorXd(column)(place).eval();
   schur = schur * Eigen::PermutationMatrix<Eigen::Dynamic>(place);  // Eigen exchanges columns in place
-  return schur;
+  return StoredMatrix(std::move(schur));
 }
 
 Eliminated CholmodFactor::eliminate(const Eigen::MatrixXd& interior_load) const {

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "cases/program/errors.h"
+#include "reduce/operators/stored_matrix.h"
 
 namespace tiprub::reduce {
 
@@ -28,8 +29,9 @@ class FactorEngine {
   FactorEngine& operator=(const FactorEngine&) = delete;
   virtual ~FactorEngine() = default;
 
-  /// S, in the order of SectorDofs; both triangles. Called once, right after the factorization.
-  virtual Eigen::MatrixXd take_schur_complement() = 0;
+  /// S, in the order of SectorDofs; both triangles. It is where the factor is. Called once, right after the
+  /// factorization.
+  virtual StoredMatrix take_schur_complement() = 0;
   virtual Eliminated eliminate(const Eigen::MatrixXd& interior_load) const = 0;
   /// eliminate() without a load.
   virtual Eliminated unloaded(Eigen::Index columns) const = 0;

@@ -99,12 +99,13 @@ double MemoryNeed::factor_by(FactorMethod method) const {
   if (method == FactorMethod::cholmod || factors == 0) return factor;
   const double factorizing = mumps_front * sparse_factor + mumps_interfaces * interface;
   if (method == FactorMethod::mumps_on_disk)  // both factors are made before there are bases
-    return factor - factors * sparse_factor + std::max(factorizing - bases, mumps_buffers * sparse_factor);
+    return std::max(factorizing - bases,
+                    factor - factors * (sparse_factor + interface) + mumps_buffers * sparse_factor);
   return factor + factors * ((mumps_factor - 1) * sparse_factor + mumps_interfaces * interface);
 }
 
 double MemoryNeed::on_disk(FactorMethod method) const {
-  return method == FactorMethod::mumps_on_disk ? factors * sparse_factor : 0;
+  return method == FactorMethod::mumps_on_disk ? factors * (sparse_factor + interface) : 0;
 }
 
 MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Holdings& held) {

@@ -27,8 +27,8 @@ struct MemoryNeed {
   double interface = 0;      ///< one dense matrix of interface dofs
   int factors = 0;
 
-  /// `factor` by this method: MUMPS also holds its workspace, with two matrices of interface dofs; with factors on
-  /// disk only while it factorizes, and then buffers.
+  /// `factor` by this method: MUMPS also holds its workspace, with two matrices of interface dofs; with factors and S
+  /// on disk only while it factorizes, and then buffers.
   double factor_by(FactorMethod method) const;
   double total(FactorMethod method = FactorMethod::cholmod) const { return factor_by(method) + bases + matrices; }
   /// That MUMPS writes.

@@ -59,7 +59,7 @@ class MumpsFactor : public FactorEngine {
     run(end);
   }
 
-  Eigen::MatrixXd take_schur_complement() override;
+  StoredMatrix take_schur_complement() override;
   Eliminated eliminate(const Eigen::MatrixXd& interior_load) const override;
   Eliminated unloaded(Eigen::Index columns) const override {
     return eliminate(Eigen::MatrixXd::Zero(interior_, columns));
@@ -166,9 +166,11 @@ void MumpsFactor::factorize_with_room() {
   require_mumps(mumps_.infog[0], mumps_.infog[1], mumps_.n);
 }
 
-Eigen::MatrixXd MumpsFactor::take_schur_complement() {
+StoredMatrix MumpsFactor::take_schur_complement() {
   schur_.triangularView<Eigen::StrictlyLower>() = schur_.transpose();  // MUMPS fills one triangle
-  return std::move(schur_);
+  Eigen::MatrixXd schur = std::move(schur_);
+  schur_.resize(0, 0);
+  return folder_ ? StoredMatrix(schur, folder_->path() / "schur") : StoredMatrix(std::move(schur));
 }
 
 /// Condensation of the interior (1) or expansion (2).

@@ -14,7 +14,7 @@ namespace tiprub::reduce {
 enum class FactorMethod {
   cholmod,        ///< in memory, the fastest
   mumps,          ///< in memory
-  mumps_on_disk,  ///< out of core: the memory holds what the factorization is at work on
+  mumps_on_disk,  ///< out of core, with S: the memory holds what the factorization is at work on
 };
 
 struct FactorChoice {
@@ -36,7 +36,7 @@ class SectorFactor {
   SectorFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs, const FactorChoice& choice = {});
 
   /// S [N/m], symmetric; interface x interface, in the order of SectorDofs.
-  const Eigen::MatrixXd& schur_complement() const { return schur_; }
+  const StoredMatrix& schur_complement() const { return schur_; }
 
   /// First half of a solve: from a load on the interior (rows 0 .. interior-1 of `interior_load`), the load that
   /// reaches the interface, -K_FI K_II^-1 b_I, and what back_substitute() needs of it. With MUMPS other threads wait
@@ -50,7 +50,7 @@ class SectorFactor {
 
  private:
   std::unique_ptr<FactorEngine> engine_;
-  Eigen::MatrixXd schur_;
+  StoredMatrix schur_;
 };
 
 }  // namespace tiprub::reduce

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "reduce/operators/cholmod_factor.h"
 #include "reduce/operators/mumps_factor.h"
+#include "reduce/operators/scratch_folder.h"
 #include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
@@ -26,6 +29,12 @@ struct Blocks {
   }
   Eigen::MatrixXd II, FI, FF;
 };
+
+Eigen::MatrixXd whole(const StoredMatrix& stored) {
+  Eigen::MatrixXd matrix(stored.column(0).size(), stored.columns());
+  for (Eigen::Index k = 0; k < matrix.cols(); ++k) matrix.col(k) = stored.column(k);
+  return matrix;
+}
 
 /// By each library, in memory and on disk.
 class SectorFactorBy : public testing::TestWithParam<FactorMethod> {
@@ -50,7 +59,7 @@ TEST_P(SectorFactorBy, LeavesTheSchurComplementOfTheInterface) {
       const SymmetricMatrix stiffness = rotor.at_speed(speed, Prestress::linear);
       const Blocks K(stiffness, rotor.dofs());
       const Eigen::MatrixXd schur = K.FF - K.FI * K.II.llt().solve(K.FI.transpose());
-      EXPECT_LT(difference(factorize(stiffness, rotor.dofs()).schur_complement(), schur), 1e-11);
+      EXPECT_LT(difference(whole(factorize(stiffness, rotor.dofs()).schur_complement()), schur), 1e-11);
     }
   }
 }
@@ -58,7 +67,8 @@ TEST_P(SectorFactorBy, LeavesTheSchurComplementOfTheInterface) {
 TEST_P(SectorFactorBy, IsExactlySymmetric) {
   TestRotor rotor = test::tip_rotor(test::skewed_annulus(5));
   const SectorFactor factor = factorize(rotor.at_rest(), rotor.dofs());
-  EXPECT_EQ(factor.schur_complement(), factor.schur_complement().transpose());
+  const Eigen::MatrixXd schur = whole(factor.schur_complement());
+  EXPECT_EQ(schur, schur.transpose());
 }
 
 TEST_P(SectorFactorBy, EliminatesAndSubstitutesBack) {
@@ -76,6 +86,24 @@ TEST_P(SectorFactorBy, EliminatesAndSubstitutesBack) {
     EXPECT_LT(difference(x.bottomRows(rotor.dofs().interface()), moved), 1e-11);
     EXPECT_LT(difference(K.II * x.topRows(rotor.dofs().interior), b - K.FI.transpose() * moved), 1e-11);
   }
+}
+
+TEST(StoredMatrix, IsReadAsItWasWritten) {
+  const Eigen::MatrixXd matrix = test::arbitrary(700, 300).real();
+  const ScratchFolder folder(testing::TempDir());
+  const std::filesystem::path file = folder.path() / "matrix";
+  EXPECT_EQ(whole(StoredMatrix(matrix)), matrix);
+  EXPECT_EQ(whole(StoredMatrix(matrix, file)), matrix);
+  EXPECT_EQ(std::filesystem::file_size(file), 8 * 700 * 300);
+  EXPECT_EQ(complaint<RunError>([&] { StoredMatrix(matrix, file); }),
+            file.string() + ": can't be written: File exists");
+  EXPECT_EQ(complaint<RunError>([&] { StoredMatrix(matrix, "/dev/full/matrix"); }),
+            "/dev/full/matrix: can't be written: Not a directory");
+  const StoredMatrix cut(matrix, folder.path() / "cut");
+  std::filesystem::resize_file(folder.path() / "cut", 8 * 700 * 10 + 80);
+  EXPECT_EQ(cut.column(9), matrix.col(9));
+  EXPECT_EQ(complaint<RunError>([&] { cut.column(10); }),
+            (folder.path() / "cut").string() + ": can't be read: Input/output error");
 }
 
 /// Symptom: CHOLMOD's CHOLMOD_TOO_LARGE was called a lack of memory, whatever the memory.

@@ -2,12 +2,14 @@
 #include "postprocess/fields/stress_over_speed.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <complex>
 #include <filesystem>
 #include <numbers>
 #include <numeric>
+#include <string>
 
 #include "postprocess/fields/field_recovery.h"
 #include "reduce/model/nodal_diameter.h"
@@ -29,13 +31,15 @@ struct RotorMotion {
 class StressOverSpeed : public ::testing::Test {
  protected:
   StressOverSpeed()
-      : path_(std::filesystem::path(testing::TempDir()) / "stress_over_speed.h5"),
+      : path_(std::filesystem::path(testing::TempDir()) / ("stress_" + std::to_string(getpid()) + ".h5")),
         study_(make_study({}, synthetic::model(), synthetic::resonant_sweep(synthetic::model()), {})) {
     synthetic::write_fields(study_.model, path_);
     reader_.emplace(path_);
     nodes_.resize(static_cast<std::size_t>(reader_->sector().nodes.cols()));
     std::iota(nodes_.begin(), nodes_.end(), 0);
   }
+
+  ~StressOverSpeed() override { std::filesystem::remove(path_); }
 
   SpeedResponse& speed() { return study_.response.speeds[7]; }
 

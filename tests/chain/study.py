@@ -116,7 +116,8 @@ def table_and_page(bench):
     with open(os.path.join(bench.work, "report", "study.html"), encoding="utf-8") as file:
         page = file.read()
     assert "Small &lt;study&gt;" in page and "3 of 3 points" in page and page.count("<svg") == 2, page[:2000]
-    assert 'name="viewport"' in page and page.count('scope="col"') == 7 and page.count('role="img"') == 2, page[:2000]
+    assert 'name="viewport"' in page and page.count('scope="col"') == 10 and page.count('role="img"') == 2, page[:2000]
+    assert all(name in page for name in ("stress with spin [MPa]", "Goodman", "speeds to avoid")), page[:2000]
     assert 'href="../runs/points/heavy/report/report.html"' in page and "http://" not in page.replace("http://www.w3.org", "")
 
 

@@ -27,7 +27,7 @@ std::vector<int> stressed_nodes(const CycleStress& stress, const StressZones& zo
 /// period of the highest wave, over the recorded revolutions.
 ///
 /// The estimate is low where the largest stress lies at another node. `nodes`: ascending, each once; without any, the
-/// result is empty. Costs some milliseconds a speed.
+/// result is empty.
 Eigen::VectorXd stress_over_speed(const FieldsReader& reader, const Study& study, const std::vector<int>& nodes);
 
 }  // namespace tiprub::postprocess

@@ -50,7 +50,7 @@ function drawResponse(chart, selection) {
   }
   for (const peak of data.critical) {
     const {rpm: x, largest} = speeds[peak.index];
-    chart.text(x, largest, peak.wave, {class: 'wave-name', transform: `rotate(-90 ${chart.px(x)} ${chart.py(largest)})`, dx: 9, dy: -4});
+    chart.text(x, largest, peak.wave.split(':')[0], {class: 'wave-name', transform: `rotate(-90 ${chart.px(x)} ${chart.py(largest)})`, dx: 9, dy: -4});
   }
   for (const [rule, rpms] of Object.entries(data.predicted))
     for (const x of rpms) chart.triangle(x, rule === 'equation_2');

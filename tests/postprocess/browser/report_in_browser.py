@@ -49,7 +49,7 @@ def check_peaks(browser, report):
     for number, peak in enumerate(rows_of(os.path.join(report, "critical_speeds.csv"))):
         before = browser.value(VIEWS + ".map(view => view.innerHTML)")
         click_peak(browser, number)
-        assert shown(browser).startswith(f"{float(peak['speed [rpm]']):.0f} rpm, critical: EO"), (shown(browser), peak)
+        assert shown(browser).startswith(f"{float(peak['speed [rpm]']):.0f} rpm, critical: {peak['wave']}"), (shown(browser), peak)
         after = browser.value(VIEWS + ".map(view => view.innerHTML)")
         assert number == 0 or all(a != b for a, b in zip(before, after)), [a != b for a, b in zip(before, after)]
 

@@ -51,8 +51,8 @@ class StressOverSpeed : public ::testing::Test {
     const Eigen::MatrixXcd dynamic = model.stiffness(speed().speed) - omega * omega * model.M;
     RotorMotion motion{nodal_diameter, engine_order, Eigen::VectorXcd(model.M.rows())};
     for (Eigen::Index k = 0; k < contacts; ++k)
-      motion.state[k] = size * std::polar(std::cos(1.3 * static_cast<double>(k)),
-                                          is_standing(nodal_diameter, 10) ? 0.0 : 0.7 * static_cast<double>(k));
+      motion.state[k] = size * std::cos(1.3 * static_cast<double>(k)) *
+                        std::polar(1.0, is_standing(nodal_diameter, 10) ? 0.0 : 0.7 * static_cast<double>(k));
     motion.state.tail(inner) = -dynamic.bottomRightCorner(inner, inner)
                                     .fullPivLu()
                                     .solve(dynamic.bottomLeftCorner(inner, contacts) * motion.state.head(contacts));

@@ -5,37 +5,22 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <functional>
-#include <iterator>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
 
 #include "simulate/motion/attempt.h"
-#include "simulate/response/peaks.h"
 #include "simulate/scene/friction_limit.h"
+#include "simulate/speed/followed_peak.h"
 
 namespace tiprub::simulate {
 
 namespace {
 
 constexpr double least_half_width = 2e-3, most_half_width = 1e-2;  // of the speed
-constexpr int first_steps[] = {-4, -2, -1, 0, 1, 2, 4};            // half-widths from the critical speed
-constexpr double stride = 2;                                       // half-widths, where the response still rises
-constexpr double farthest = 0.1;  // of the speed: a peak beyond is taken for another one
-constexpr double fineness = 0.2;  // of a half-width: the gaps beside a located top
-constexpr double fallen = 0.8;    // of the scanned height: the motion at the top is another one, beyond a jump
-constexpr int retreats = 3;       // from a jump
-
-/// The top of a scanned curve and its neighbours.
-struct Top {
-  SampledSpeed left, top, right;
-
-  double left_gap() const { return top.speed - left.speed; }
-  double right_gap() const { return right.speed - top.speed; }
-  bool jumps() const { return std::min(left.amplitude, right.amplitude) < fallen * top.amplitude; }
-};
+constexpr double gap_beside = 0.2;   // of a half-width: the speeds at which two steps are compared
+constexpr double still_there = 0.8;  // of the scanned height: the motion at the top is another one, beyond a jump
+constexpr int retreats = 3;          // from a jump
 
 /// The engine order with the largest mean square, over all contact nodes and directions.
 int largest_order(const Recorded& motion) {
@@ -53,8 +38,8 @@ int largest_order(const Recorded& motion) {
 
 /// The critical speed from which a peak is followed.
 struct Origin {
-  double speed;  ///< [rad/s]
-  int order;     ///< the largest engine order there
+  SampledSpeed top;
+  int order;  ///< the largest engine order there
 };
 
 /// [rad/s] Of the narrowest resonance, within reason.
@@ -62,70 +47,16 @@ double half_width_at(const Scene& scene, double speed) {
   return speed * std::clamp(scene.parameters.damping.smallest(), least_half_width, most_half_width);
 }
 
-/// Climbs a response from a speed to a peak near it, with a coarse step. Where another engine order is the largest,
-/// the response belongs to another peak and counts as zero.
-class Climb {
- public:
-  Climb(const Scene& scene, const Origin& origin) : scene_(scene), origin_(origin) {
-    half_width_ = half_width_at(scene, origin.speed);
-    for (const int steps : first_steps) look(origin.speed + steps * half_width_);
-    while (reach_out()) continue;
-  }
-
-  /// Raises NoMotion if the response rises to the end of what was looked at.
-  Top located() {
-    while (true) {
-      const auto top = highest();
-      if (curve_.empty() || top == curve_.begin() || std::next(top) == curve_.end() || !(top->second > 0))
-        throw NoMotion("no peak of engine order " + std::to_string(origin_.order) + " within a tenth of the speed");
-      const Top found{sample(std::prev(top)), sample(top), sample(std::next(top))};
-      if (std::max(found.left_gap(), found.right_gap()) <= fineness * half_width_) return found;
-      look(found.left_gap() > found.right_gap() ? found.top.speed - found.left_gap() / 2
-                                                : found.top.speed + found.right_gap() / 2);
-    }
-  }
-
- private:
-  using Curve = std::map<double, double>;  // [m] over [rad/s]
-
-  static SampledSpeed sample(Curve::const_iterator at) { return {at->first, at->second}; }
-  Curve::const_iterator highest() const {
-    return std::max_element(curve_.begin(), curve_.end(),
-                            [](const auto& a, const auto& b) { return a.second < b.second; });
-  }
-
-  void look(double speed) {
-    if (speed <= 0 || speed > scene_.model.speed_max) return;
+/// The amplitude with a coarse step; zero where another engine order is the largest, which is that of another peak.
+AmplitudeAt scanned(const Scene& scene, int order) {
+  return [&scene, order](double speed) -> std::optional<double> {
+    if (speed <= 0 || speed > scene.model.speed_max) return std::nullopt;
     const auto motion =
-        attempt([&] { return settle_roughly(scene_, rotor_of(scene_, speed, OtherDiameters::unknown)); });
-    if (!motion.result) return;
+        attempt([&] { return settle_roughly(scene, rotor_of(scene, speed, OtherDiameters::unknown)); });
+    if (!motion.result) return std::nullopt;
     const Recorded& recorded = motion.result->recorded;
-    curve_[speed] = largest_order(recorded) == origin_.order ? recorded.amplitude : 0;
-  }
-
-  /// Looks beyond the end towards which the response rises. Returns whether there was anything to look at.
-  bool reach_out() {
-    const std::size_t before = curve_.size();
-    if (before == 0) return false;
-    const auto top = highest();
-    const bool at_low_end = top == curve_.begin();
-    if (!at_low_end && std::next(top) != curve_.end()) return false;
-    const double next = top->first + (at_low_end ? -stride : stride) * half_width_;
-    if (std::abs(next / origin_.speed - 1) <= farthest) look(next);
-    return curve_.size() > before;
-  }
-
-  const Scene& scene_;
-  Origin origin_;
-  double half_width_ = 0;
-  Curve curve_;
-};
-
-/// The vertex of the parabola through the top and its neighbours.
-double vertex(const Top& top) {
-  return top.top.speed + parabola_top({top.left.speed, top.top.speed, top.right.speed},
-                                      {top.left.amplitude, top.top.amplitude, top.right.amplitude})
-                             .offset;
+    return largest_order(recorded) == order ? recorded.amplitude : 0;
+  };
 }
 
 /// The states from which stress is computed: one period of a motion that repeats, all that was kept of another one.
@@ -158,14 +89,14 @@ PeakVariation marched_peak(const Scene& scene, double speed) {
 /// The peak near a speed, marched within the tolerances. Where the response jumps beside the top, the finer step may
 /// have jumped already; a speed a little farther from the jump is taken then.
 PeakVariation peak_near(const Scene& scene, const Origin& origin) {
-  const Top top = Climb(scene, origin).located();
+  const PeakTop top = follow_peak({origin.top, half_width_at(scene, origin.top.speed)}, scanned(scene, origin.order));
   const double away = top.left.amplitude < top.right.amplitude ? top.right_gap() : -top.left_gap();
   PeakVariation peak;
   for (int i = 0; i <= (top.jumps() ? retreats : 0); ++i) {
-    const double speed = top.jumps() ? top.top.speed + i * away : vertex(top);
+    const double speed = top.jumps() ? top.top.speed + i * away : top.vertex();
     const PeakVariation found = marched_peak(scene, speed);
     if (found.amplitude > peak.amplitude) peak = found;
-    if (peak.amplitude >= fallen * top.top.amplitude) break;
+    if (peak.amplitude >= still_there * top.top.amplitude) break;
   }
   return peak;
 }
@@ -262,9 +193,9 @@ std::array<PeakVariation, 3> marched_beside(const Scene& scene, double speed, do
 /// The vertex of the parabola through three speeds, or the highest of them beside a jump.
 double top_of(const std::array<PeakVariation, 3>& at) {
   const auto sample = [&](std::size_t i) { return SampledSpeed{at[i].speed, at[i].amplitude}; };
-  const Top top{sample(0), sample(1), sample(2)};
+  const PeakTop top{sample(0), sample(1), sample(2)};
   const bool encloses = top.top.amplitude > std::max(top.left.amplitude, top.right.amplitude);
-  if (encloses && !top.jumps()) return vertex(top);
+  if (encloses && !top.jumps()) return top.vertex();
   return std::max_element(at.begin(), at.end(),
                           [](const PeakVariation& a, const PeakVariation& b) { return a.amplitude < b.amplitude; })
       ->speed;
@@ -273,7 +204,7 @@ double top_of(const std::array<PeakVariation, 3>& at) {
 /// The peak with half the step. The step moves a peak by far less than the speeds that find it are apart; the three
 /// speeds at and beside the peak are therefore marched with both steps, and the tops of both curves compared.
 PeakVariation with_half_step(const Scene& scene, double speed, int steps_per_revolution) {
-  const double gap = fineness * half_width_at(scene, speed);
+  const double gap = gap_beside * half_width_at(scene, speed);
   const auto found = attempt([&] {
     const auto whole = marched_beside(scene, speed, gap, steps_per_revolution);
     const auto half = marched_beside(scene, speed, gap, 2 * steps_per_revolution);
@@ -291,7 +222,7 @@ PeakVariation with_half_step(const Scene& scene, double speed, int steps_per_rev
 }  // namespace
 
 std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const SettledMotion& motion) {
-  const Origin origin{speed, largest_order(motion.recorded)};
+  const Origin origin{{speed, motion.recorded.amplitude}, largest_order(motion.recorded)};
   std::vector<PeakVariation> rows;
   for (const VariedScene& varied : varied_scenes(scene)) rows.push_back(followed(scene, varied, origin));
   if (repeats(motion.reading.motion))  // others have no peak that is sharp enough

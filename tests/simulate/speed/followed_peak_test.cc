@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/speed/followed_peak.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "simulate/motion/attempt.h"
+
+namespace tiprub::simulate {
+namespace {
+
+constexpr double half_width = 100;
+
+double resonance(double speed, double top, double height) {
+  return height / std::hypot(1, (speed - top) / half_width);
+}
+
+PeakTop followed(double origin, double height, const AmplitudeAt& amplitude_at) {
+  return follow_peak({{origin, height}, half_width}, amplitude_at);
+}
+
+TEST(FollowedPeak, IsLocatedNearItsTop) {
+  const PeakTop found = followed(20000, 1, [](double speed) { return resonance(speed, 20130, 1.1); });
+  EXPECT_NEAR(found.vertex(), 20130, 2);
+  EXPECT_LE(found.left_gap(), 0.2 * half_width);
+  EXPECT_LE(found.right_gap(), 0.2 * half_width);
+  EXPECT_FALSE(found.jumps());
+}
+
+/// Symptom: with friction the largest peak of an impeller went from 19,806 to 19,200 rpm (0.237 of 0.269 mm). The
+/// budget said 20,200 rpm and half of the tip's motion: the search climbed to a smaller peak of the same engine
+/// order, which stands on the other side, because the response rose there first.
+TEST(FollowedPeak, IsNotTheNeighbourOnTheOtherSide) {
+  const auto with_friction = [](double speed) {
+    return std::max(resonance(speed, 19210, 0.24), resonance(speed, 20230, 0.17));
+  };
+  const double left_end = 19806 - 4 * half_width, right_end = 19806 + 4 * half_width;
+  ASSERT_GT(with_friction(right_end), with_friction(left_end));
+  EXPECT_NEAR(followed(19806, 0.269, with_friction).vertex(), 19210, 5);
+  EXPECT_NEAR(followed(20260, 0.15, with_friction).vertex(), 20230, 5);  // the smaller peak stays itself
+}
+
+TEST(FollowedPeak, TellsAJump) {
+  const auto falls = [](double speed) { return speed < 20050 ? 0.5 + (speed - 20000) / 1000 : 0.1; };
+  const PeakTop found = followed(20000, 0.5, falls);
+  EXPECT_TRUE(found.jumps());
+  EXPECT_LT(found.top.speed, 20050);
+  EXPECT_GT(found.top.speed, 20050 - 0.2 * half_width);
+}
+
+/// Nothing to follow: it rises on, belongs to another engine order, or no speed has a motion.
+TEST(FollowedPeak, IsRefusedWhereThereIsNone) {
+  EXPECT_THROW(followed(20000, 1, [](double speed) { return speed / 20000; }), NoMotion);
+  EXPECT_THROW(followed(20000, 1, [](double) { return 0.0; }), NoMotion);
+  EXPECT_THROW(followed(20000, 1, [](double) { return std::optional<double>(); }), NoMotion);
+}
+
+}  // namespace
+}  // namespace tiprub::simulate

@@ -2,27 +2,65 @@
 #include "postprocess/fields/field_peak.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <mutex>
 #include <set>
+#include <thread>
 
 #include "cases/program/errors.h"
+#include "cases/program/machine.h"
 #include "postprocess/fields/blade_place.h"
 #include "postprocess/fields/wheel_surface.h"
+#include "reduce/model/nodal_diameter.h"
 
 namespace tiprub::postprocess {
 
 namespace {
 
-/// The waves of each of some samples.
-std::vector<std::vector<WaveField>> recovered(const WheelCycle& cycle, int first, int count,
-                                              const WaveRecovery& recover) {
-  std::vector<std::vector<WaveField>> by_sample(static_cast<std::size_t>(count));
-  for (std::size_t i = 0; i < cycle.states.size(); ++i) {
-    std::vector<WaveField> waves = recover(i, cycle.states[i].middleCols(first, count));
-    for (std::size_t s = 0; s < waves.size(); ++s) by_sample[s].push_back(std::move(waves[s]));
+/// The states of a nodal diameter at some samples, as sums of a few states: a motion has far fewer than its model has
+/// dofs or its cycle has samples.
+struct FewStates {
+  Eigen::MatrixXcd basis;         ///< dofs x few
+  Eigen::MatrixXcd coefficients;  ///< few x samples
+};
+
+FewStates few_states(const Eigen::MatrixXcd& states) {
+  constexpr double left_out = 1e-7;  // of the largest one: fields.h5 has single precision
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> qr(states);
+  qr.setThreshold(left_out);
+  const Eigen::Index few = std::max<Eigen::Index>(qr.rank(), 1);
+  const Eigen::MatrixXcd first_rows = qr.matrixR().topRows(few).template triangularView<Eigen::Upper>();
+  return {qr.householderQ() * Eigen::MatrixXcd::Identity(states.rows(), few),
+          first_rows * qr.colsPermutation().transpose()};
+}
+
+/// Waves of a nodal diameter at some samples: sums of a few fields.
+struct SampledWaves {
+  int nodal_diameter = 0;
+  std::vector<WaveField> fields;
+  Eigen::MatrixXcd coefficients;  ///< fields x samples
+};
+
+/// By nodal diameter; empty if these samples take more than `most_fields`, and are more than one.
+std::vector<SampledWaves> recovered(const WheelCycle& cycle, int first, int count, const WaveRecovery& recover,
+                                    int most_fields) {
+  std::vector<FewStates> few;
+  Eigen::Index needed = 0;
+  for (const Eigen::MatrixXcd& states : cycle.states) {
+    few.push_back(few_states(states.middleCols(first, count)));
+    needed += few.back().basis.cols();
   }
-  return by_sample;
+  std::vector<SampledWaves> waves;
+  if (needed > most_fields && count > 1) return waves;
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    std::vector<WaveField> fields = recover(i, few[i].basis);
+    const int nodal_diameter = fields.front().nodal_diameter;
+    waves.push_back({nodal_diameter, std::move(fields), few[i].coefficients});
+  }
+  return waves;
 }
 
 /// [Pa] The mean stress, spin included, by blades with different histories. A blade's mean is that of all sectors
@@ -40,7 +78,60 @@ std::vector<Tensors> mean_stress(const WheelCycle& cycle, const Tensors& spin, i
   return stress;
 }
 
-constexpr Eigen::Index nodes_at_once = 256;  // their waves fit into a processor's second cache
+constexpr Eigen::Index nodes_at_once = 64;  // their components at one sample fit into a processor's first cache
+
+/// A column for each component, a row for each node: sums and products then run along the memory, several at once.
+using Components = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic>;
+
+Components by_component(const Tensors& tensors, Eigen::Index first, Eigen::Index count) {
+  return tensors.middleCols(first, count).transpose();
+}
+
+/// [Pa^2] The square of the von Mises stress of the six columns from `first` on.
+Eigen::ArrayXd von_mises_square(const Components& stress, Eigen::Index first = 0) {
+  const auto s = [&](Eigen::Index k) { return stress.col(first + k); };
+  return 0.5 * ((s(0) - s(1)).square() + (s(1) - s(2)).square() + (s(2) - s(0)).square()) +
+         3 * (s(3).square() + s(4).square() + s(5).square());
+}
+
+/// Some nodes at all samples: x, y, z of the displacement, then the stress, a row for each component and node.
+class Block {
+ public:
+  Block(const std::vector<SampledWaves>& waves, Eigen::Index first, Eigen::Index count) : count_(count) {
+    for (const auto& [nodal_diameter, fields, coefficients] : waves) {
+      const auto few = static_cast<Eigen::Index>(fields.size());
+      Eigen::MatrixXcd shapes(components * count, few);
+      for (Eigen::Index k = 0; k < few; ++k) {
+        const WaveField& field = fields[static_cast<std::size_t>(k)];
+        shapes.col(k).head(3 * count) = field.displacement.middleCols(first, count).transpose().reshaped();
+        shapes.col(k).tail(6 * count) = field.stress.middleCols(first, count).transpose().reshaped();
+      }
+      // Real and imaginary parts beside each other: Eigen multiplies real numbers faster than complex ones.
+      Eigen::MatrixXd both(shapes.rows(), 2 * few), turned(2 * few, 2 * coefficients.cols());
+      both << shapes.real(), shapes.imag();
+      turned << coefficients.real(), coefficients.imag(), -coefficients.imag(), coefficients.real();
+      waves_.push_back({nodal_diameter, both * turned});
+    }
+  }
+
+  /// The sum of the waves on a sector at a sample.
+  void sum(Eigen::Index sample, int sector, int sector_count, Components& now) const {
+    now.setZero(count_, components);
+    for (const auto& [nodal_diameter, parts] : waves_) {
+      const std::complex<double> here = sector_phase(nodal_diameter, sector, sector_count);
+      now.matrix().reshaped() += here.real() * parts.col(sample) - here.imag() * parts.col(parts.cols() / 2 + sample);
+    }
+  }
+
+ private:
+  static constexpr Eigen::Index components = 9;
+  struct Wave {
+    int nodal_diameter;
+    Eigen::MatrixXd parts;  ///< real parts at all samples, then imaginary ones
+  };
+  Eigen::Index count_;
+  std::vector<Wave> waves_;
+};
 
 /// Goes through the states and keeps the largest values.
 class Maxima {
@@ -48,64 +139,96 @@ class Maxima {
   /// `mean` by blades with different histories; if it is empty, there is no alternating part.
   Maxima(const Tensors& spin, std::vector<Tensors> mean) : spin_(spin), mean_(std::move(mean)) {
     const Eigen::Index nodes = spin.cols();
-    found.vibration = found.both = Eigen::VectorXd::Zero(nodes);
-    found.spin = von_mises(spin);
-    found.sector = found.sample = Eigen::VectorXi::Zero(nodes);
-    found.mean.resize(nodes, static_cast<Eigen::Index>(mean_.size()));
-    found.alternating = Eigen::MatrixXd::Zero(nodes, found.mean.cols());
-    for (Eigen::Index h = 0; h < found.mean.cols(); ++h)
-      found.mean.col(h) = von_mises(mean_[static_cast<std::size_t>(h)]);
+    found_.vibration = found_.both = Eigen::VectorXd::Zero(nodes);
+    found_.spin = von_mises(spin);
+    found_.sector = found_.sample = Eigen::VectorXi::Zero(nodes);
+    found_.mean.resize(nodes, static_cast<Eigen::Index>(mean_.size()));
+    found_.alternating = Eigen::MatrixXd::Zero(nodes, found_.mean.cols());
+    for (Eigen::Index h = 0; h < found_.mean.cols(); ++h)
+      found_.mean.col(h) = von_mises(mean_[static_cast<std::size_t>(h)]);
   }
 
-  /// All sectors at some samples.
-  void add(const std::vector<std::vector<WaveField>>& by_sample, int first_sample, int sectors, int sector_count) {
-    for (Eigen::Index first = 0; first < spin_.cols(); first += nodes_at_once) {
-      const Eigen::Index count = std::min(nodes_at_once, spin_.cols() - first);
-      for (std::size_t s = 0; s < by_sample.size(); ++s)
-        for (int j = 0; j < sectors; ++j)
-          add(on_sector(by_sample[s], j, sector_count, first, count), first, j, first_sample + static_cast<int>(s));
-    }
+  /// All sectors at some samples. Threads share the nodes, so that the result does not depend on their number.
+  void add(const std::vector<SampledWaves>& waves, int first_sample, int sectors, int sector_count) {
+    std::atomic<Eigen::Index> next = 0;
+    std::mutex mutex;
+    work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
+      double farthest = 0;
+      for (Eigen::Index first = 0; (first = next.fetch_add(nodes_at_once)) < spin_.cols();)
+        farthest = std::max(farthest, add(waves, first, first_sample, sectors, sector_count));
+      const std::lock_guard lock(mutex);
+      found_.displacement = std::max(found_.displacement, farthest);
+    });
   }
 
-  CycleStress found;
+  /// The largest values; nothing may be added later.
+  CycleStress found() && {
+    for (Eigen::VectorXd* const square : {&found_.vibration, &found_.both}) *square = square->cwiseSqrt();
+    found_.alternating = found_.alternating.cwiseSqrt();
+    return std::move(found_);
+  }
 
  private:
-  /// The nodes from `first` on.
-  void add(const SectorField& now, Eigen::Index first, int sector, int sample) {
-    found.displacement = std::max(found.displacement, now.displacement.colwise().norm().maxCoeff());
-    const Eigen::VectorXd vibration = von_mises(now.stress);
-    const Eigen::Index count = vibration.size();
-    for (Eigen::Index k = 0; k < count; ++k) {
-      if (vibration[k] <= found.vibration[first + k]) continue;
-      found.vibration[first + k] = vibration[k];
-      found.sector[first + k] = sector;
-      found.sample[first + k] = sample;
+  /// The nodes from `first` on; returns how far one of them moves.
+  double add(const std::vector<SampledWaves>& waves, Eigen::Index first, int first_sample, int sectors,
+             int sector_count) {
+    const Eigen::Index count = std::min(nodes_at_once, spin_.cols() - first);
+    const Components spin = by_component(spin_, first, count);
+    std::vector<Components> spin_less_mean;
+    for (const Tensors& mean : mean_) spin_less_mean.push_back(spin - by_component(mean, first, count));
+    Components now;
+    double farthest = 0;
+    const Block block(waves, first, count);
+    for (Eigen::Index s = 0; s < waves.front().coefficients.cols(); ++s)
+      for (int j = 0; j < sectors; ++j) {
+        block.sum(s, j, sector_count, now);
+        farthest = std::max(farthest, now.leftCols<3>().square().rowwise().sum().maxCoeff());
+        keep_vibration(von_mises_square(now, 3), first, j, first_sample + static_cast<int>(s));
+        keep(von_mises_square(now.rightCols<6>() + spin), found_.both.segment(first, count));
+        if (mean_.empty()) continue;
+        const std::size_t history = static_cast<std::size_t>(j) % mean_.size();
+        keep(von_mises_square(now.rightCols<6>() + spin_less_mean[history]),
+             found_.alternating.col(static_cast<Eigen::Index>(history)).segment(first, count));
+      }
+    return std::sqrt(farthest);
+  }
+
+  void keep_vibration(const Eigen::ArrayXd& square, Eigen::Index first, int sector, int sample) {
+    for (Eigen::Index k = 0; k < square.size(); ++k) {
+      if (square[k] <= found_.vibration[first + k]) continue;
+      found_.vibration[first + k] = square[k];
+      found_.sector[first + k] = sector;
+      found_.sample[first + k] = sample;
     }
-    const Tensors both = now.stress + spin_.middleCols(first, count);
-    auto largest = found.both.segment(first, count);
-    largest = largest.cwiseMax(von_mises(both));
-    if (mean_.empty()) return;
-    const std::size_t history = static_cast<std::size_t>(sector) % mean_.size();
-    auto alternating = found.alternating.col(static_cast<Eigen::Index>(history)).segment(first, count);
-    alternating = alternating.cwiseMax(von_mises(both - mean_[history].middleCols(first, count)));
+  }
+
+  template <class Segment>
+  static void keep(const Eigen::ArrayXd& square, Segment largest) {
+    largest = largest.cwiseMax(square.matrix());
   }
 
   const Tensors& spin_;
   std::vector<Tensors> mean_;
+  CycleStress found_;  ///< until found(): squares of the vibration's, both's and the alternating stress
 };
 
 }  // namespace
 
 CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int sector_count, const WaveRecovery& recover,
-                         int block, Progress& progress) {
+                         int most_fields, Progress& progress) {
   Maxima maxima(spin, cycle.whole ? mean_stress(cycle, spin, sector_count, recover) : std::vector<Tensors>());
-  for (int first = 0; first < cycle.samples(); first += block) {
-    const int count = std::min(block, cycle.samples() - first);
-    const std::vector<std::vector<WaveField>> waves = recovered(cycle, first, count, recover);
+  for (int first = 0, count = cycle.samples(); first < cycle.samples();
+       count = std::min(count, cycle.samples() - first)) {
+    const std::vector<SampledWaves> waves = recovered(cycle, first, count, recover, most_fields);
+    if (waves.empty()) {
+      count /= 2;
+      continue;
+    }
     maxima.add(waves, cycle.first_sample + first, cycle.sectors, sector_count);
     for (int s = 0; s < count; ++s) progress.advance();
+    first += count;
   }
-  return std::move(maxima.found);
+  return std::move(maxima).found();
 }
 
 namespace {

@@ -31,10 +31,10 @@ struct CycleStress {
 /// Recovers waves with their stress, one for each column of states; `diameter` is an index into SimulatedScene's.
 using WaveRecovery = std::function<std::vector<WaveField>(std::size_t diameter, const Eigen::MatrixXcd& states)>;
 
-/// Recovers each of the cycle's samples once, `block` (at least one) at a time to bound the memory. `progress`
-/// advances with each sample.
+/// Recovers the cycle's samples as sums of a few fields, at most `most_fields` (or one sample's) at a time to bound
+/// the memory. `progress` advances with each sample.
 CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int sector_count, const WaveRecovery& recover,
-                         int block, Progress& progress);
+                         int most_fields, Progress& progress);
 
 /// Where a sector's stress can be read, and where the exact stress is unbounded, so that the computed one grows as
 /// the mesh is refined.

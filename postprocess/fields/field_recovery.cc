@@ -60,20 +60,13 @@ WaveField spin_field(const SectorFields& sector, const CellStress& bricks, doubl
 }
 
 SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count) {
-  return on_sector(waves, j, sector_count, 0, waves.front().displacement.cols());
-}
-
-SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count, Eigen::Index first_node,
-                      Eigen::Index nodes) {
+  const Eigen::Index nodes = waves.front().displacement.cols();
   const bool stressed = waves.front().stress.cols() > 0;
   SectorField sector{Eigen::Matrix3Xd::Zero(3, nodes), Tensors::Zero(6, stressed ? nodes : 0)};
   for (const WaveField& wave : waves) {
     const std::complex<double> here = sector_phase(wave.nodal_diameter, j, sector_count);
-    const auto displacement = wave.displacement.middleCols(first_node, nodes);
-    sector.displacement += here.real() * displacement.real() - here.imag() * displacement.imag();
-    if (!stressed) continue;
-    const auto stress = wave.stress.middleCols(first_node, nodes);
-    sector.stress += here.real() * stress.real() - here.imag() * stress.imag();
+    sector.displacement += here.real() * wave.displacement.real() - here.imag() * wave.displacement.imag();
+    if (stressed) sector.stress += here.real() * wave.stress.real() - here.imag() * wave.stress.imag();
   }
   return sector;
 }

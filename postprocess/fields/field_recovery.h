@@ -42,10 +42,6 @@ WaveField spin_field(const SectorFields& sector, const CellStress& bricks, doubl
 /// A sum of waves on sector j.
 SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count);
 
-/// The same at some of its nodes.
-SectorField on_sector(const std::vector<WaveField>& waves, int j, int sector_count, Eigen::Index first_node,
-                      Eigen::Index nodes);
-
 /// A sum of waves on all N sectors.
 WheelField on_wheel(const std::vector<WaveField>& waves, int sector_count);
 

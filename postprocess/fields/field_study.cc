@@ -20,7 +20,7 @@ namespace {
 
 constexpr double same_place = 1e-6;                            // of the largest radius
 constexpr double near_segment = 0.2;                           // of it; its nodes surround a segment's centre
-constexpr std::size_t recovery_memory = std::size_t{1} << 26;  // [bytes]
+constexpr std::size_t recovery_memory = std::size_t{1} << 28;  // [bytes]
 constexpr double left_out_waves = 0.002;                       // [1] of the mean square of a motion
 constexpr std::size_t most_waves = 6;                          // of a motion, that are recovered
 constexpr double m_per_mm = 1e-3;
@@ -148,12 +148,12 @@ std::size_t worst_of(const std::vector<std::size_t>& speeds, const Eigen::Vector
   });
 }
 
-/// How many samples of recovered waves fit into `recovery_memory`.
-int block_of_samples(const SimulatedScene& scene, const SectorFields& sector) {
+/// How many fields of a wave, with their stress, the memory is used for.
+int fields_at_once(const SectorFields& sector) {
   const std::size_t numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
-  const std::size_t sample = sizeof(std::complex<double>) * numbers_at_node *
-                             static_cast<std::size_t>(sector.nodes.cols()) * scene.nodal_diameters.size();
-  return static_cast<int>(std::max<std::size_t>(1, recovery_memory / sample));
+  const std::size_t field =
+      sizeof(std::complex<double>) * numbers_at_node * static_cast<std::size_t>(sector.nodes.cols());
+  return static_cast<int>(std::max<std::size_t>(1, recovery_memory / field));
 }
 
 WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,
@@ -242,14 +242,14 @@ FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study&
   const BladePlaces places(fields.sector);
   const WaveRecovery recover =
       wave_recovery(reader, bricks, study.response.scene.nodal_diameters, fields_file.string());
-  const int block = block_of_samples(study.response.scene, fields.sector);
+  const int most_fields = fields_at_once(fields.sector);
   const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles), shown);
   std::set<int> stressed;
   const auto stress_of = [&](const WheelCycle& cycle, double speed) {
     const WaveField spin = spin_field(fields.sector, bricks, speed);
     require_sound_stress(spin, fields_file.string());
-    return cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, block, progress);
+    return cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, most_fields, progress);
   };
   const auto peak_of = [&](const CycleStress& stress, const WheelCycle& cycle, double speed) {
     return dated(field_peak(fields.sector, stress, fields.zones, places, strength), cycle, speed);

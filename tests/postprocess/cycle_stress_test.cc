@@ -61,11 +61,11 @@ class Cycle : public ::testing::Test {
  protected:
   Cycle() : model_(synthetic::model()), scene_(synthetic::two_lobes()) {}
 
-  CycleStress stress_of(const WheelCycle& cycle, int block = 1000) const {
+  CycleStress stress_of(const WheelCycle& cycle, int most_fields = 1000) const {
     Tensors spin(6, nodes);
     for (Eigen::Index k = 0; k < spin.size(); ++k) spin.data()[k] = 20 * std::sin(0.7 * static_cast<double>(k));
     Progress progress("", 0, Progress::Shown::never);
-    return cycle_stress(cycle, spin, sector_count, made_recovery(scene_.nodal_diameters), block, progress);
+    return cycle_stress(cycle, spin, sector_count, made_recovery(scene_.nodal_diameters), most_fields, progress);
   }
 
   ReducedModel model_;
@@ -92,8 +92,8 @@ TEST_F(Cycle, OfAMotionThatTravelsWithTheCasingIsOneBeat) {
                   1e-10 * of_whole.alternating(node, blade));
     }
   }
-  EXPECT_EQ(in_blocks.vibration, of_cut.vibration);
-  EXPECT_EQ(in_blocks.alternating, of_cut.alternating);
+  EXPECT_LT((in_blocks.vibration - of_cut.vibration).norm(), 1e-10 * of_cut.vibration.norm());
+  EXPECT_LT((in_blocks.alternating - of_cut.alternating).norm(), 1e-10 * of_cut.alternating.norm());
   EXPECT_EQ(in_blocks.sample, of_cut.sample);
 }
 

@@ -51,13 +51,19 @@ def version_of(programs):
     return {"version": version.split()[-1], "commit": commit + ("+" if changed else ""), "date": datetime.date.today().isoformat()}
 
 
+def seen(row):
+    """The motion of the whole wheel, where the symmetric one is not clearly stable; |u| [mm] of its blades: least, median, largest."""
+    sizes = [number(row, f"tip |u| of the whole wheel, {which} of the blades [mm]", ".2f") for which in ("least", "median", "largest")]
+    return f"{row['motion of the whole wheel']}, {' / '.join(sizes)} mm" if row["motion of the whole wheel"] else ""
+
+
 def peak_line(row):
     """A line of critical_speeds.tsv."""
     return {"speed [rpm]": number(row, "speed [rpm]", ".0f"),
             "between [rpm]": number(row, "speed low [rpm]", ".0f") + " and " + number(row, "speed high [rpm]", ".0f"),
             "tip |u| [mm]": number(row, "tip |u| [mm]", ".2f"), "stress of the vibration [MPa]": number(row, "von Mises, vibration [MPa]", ".0f"),
             "Goodman": number(row, "Goodman utilisation [1]", ".2f"), "along the normal [mm]": number(row, "amplitude [mm]", ".3f"),
-            "wave": row["wave"], "share": percent(row, "wave share [1]"), "symmetric motion": row["motion"],
+            "wave": row["wave"], "share": percent(row, "wave share [1]"), "motion": row["motion"], "seen on the whole wheel": seen(row),
             "from other starts": row["motions from other starts"]}
 
 

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 
 #include "cases/program/case_file.h"
 #include "cases/program/output_file.h"
@@ -93,6 +94,8 @@ ReportContents run(Inputs inputs, const PostprocessOptions& options, Progress::S
                                                          contents.study.response.scene.clearance));
   }
   contents.field_results = field_results(contents.fields, contents.study.critical);
+  if (const auto budgets = error_budgets(contents.study, contents.field_results); !budgets.empty())
+    contents.figures.insert(std::next(contents.figures.begin()), error_budget_figure(worst_budget(budgets)));
   contents.numbers = report_numbers(contents.study, contents.field_results);
   for (const fs::path& other : options.compared) {
     contents.others.push_back(read_other_report(other, contents.study));

@@ -192,8 +192,6 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
     critical.amplitude = amplitudes.largest[peak.index];
     critical.prominence = peak.prominence;
     critical.node = amplitudes.node[peak.index];
-    critical.motion = peak_response.motion;
-    critical.period_beats = peak_response.period_beats;
     reader.name_waves(critical, peak);
     locate(critical, samples);
     all.push_back(critical);

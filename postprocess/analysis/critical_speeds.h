@@ -55,8 +55,6 @@ struct CriticalSpeed {
   WaveLabel largest;  ///< the largest wave there; often the same
   /// At most four other waves there, the largest first, each with at least a fifth of the largest one's amplitude.
   std::vector<WaveLabel> others;
-  MotionClass motion = MotionClass::not_settled;
-  int period_beats = 0;
   bool by_equation_2 = false;  ///< predicted by the linear rule
   bool by_aliasing = false;    ///< predicted by the rule with aliasing
 

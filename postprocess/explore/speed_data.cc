@@ -77,7 +77,7 @@ json add_speed(PackedArrays& arrays, const Study& study, const FieldResults& fie
           {"trailing", by_node(study.model.contact.trailing_edge(), i) * mm_per_m},
           {"excursion", largest_excursion(speed.displacement) * mm_per_m},
           {"stress", fields.over_speed.size() > 0 ? json(fields.over_speed[i] * mpa_per_pa) : json()},
-          {"motion", motion_text(speed.motion, speed.period_beats)},
+          {"motion", motion_text(speed)},
           {"outside", study.gap[static_cast<std::size_t>(i)].beyond()
                           ? json(study.gap[static_cast<std::size_t>(i)].in_words())
                           : json()},

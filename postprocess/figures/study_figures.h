@@ -8,6 +8,7 @@
 #include "postprocess/fields/wheel_surface.h"
 #include "postprocess/figures/axes.h"
 #include "postprocess/figures/figure.h"
+#include "postprocess/records/error_budget_record.h"
 #include "reduce/model/reduced_model.h"
 
 namespace tiprub::postprocess {
@@ -40,6 +41,10 @@ Figure engine_order_tracking_figure(const SpeedFrame& frame, const InteractionMa
 Figure campbell_figure(const SpeedFrame& frame, const LinearRules& rules);  ///< paper, fig. 8
 /// At rest, at the shown speed and at the lowest critical one (paper, figs. 4, 13).
 Figure interference_figure(const SpeedFrame& frame, double shown_speed, int asked_families);
+
+// error_budget.cc
+/// Of one critical speed, in its own units.
+Figure error_budget_figure(const ErrorBudget& budget);
 
 // motion.cc
 /// A signal of all sectors at the speed that is shown.

@@ -88,6 +88,14 @@ std::string other_motions(const SpeedResponse& response) {
   return text.empty() && !response.other_starts.empty() ? "none found" : text;
 }
 
+/// [mm]
+Column<PeakRow> blade_column(const char* name, double BladeExcursions::*of_blades) {
+  return {name, [of_blades](const PeakRow& peak) {
+            const OtherStart* whole = whole_wheel(peak.study.speed_at(peak.critical.index));
+            return whole ? Cell((*whole->blades).*of_blades * mm_per_m) : Cell(std::string());
+          }};
+}
+
 /// [m] The motion of the tip in all directions together.
 double excursion(const PeakRow& peak) {
   return largest_excursion(peak.study.speed_at(peak.critical.index).displacement);
@@ -178,39 +186,45 @@ PeakColumns validity_columns() {
 }
 
 PeakColumns prediction_columns() {
-  return {
-      {"motion", [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
-      {"motions from other starts",
-       [](const PeakRow& peak) {
-         return other_motions(peak.study.response.speeds[static_cast<std::size_t>(peak.critical.index)]);
-       }},
-      {"predicted by eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
-      {"predicted with aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
+  return {{"motion", [](const PeakRow& peak) { return motion_text(peak.study.speed_at(peak.critical.index)); }},
+          {"motions from other starts",
+           [](const PeakRow& peak) { return other_motions(peak.study.speed_at(peak.critical.index)); }},
+          {"motion of the whole wheel",
+           [](const PeakRow& peak) {
+             const OtherStart* whole = whole_wheel(peak.study.speed_at(peak.critical.index));
+             return whole ? motion_text(whole->motion, whole->period_beats) : std::string();
+           }},
+          blade_column("tip |u| of the whole wheel, least of the blades [mm]", &BladeExcursions::least),
+          blade_column("tip |u| of the whole wheel, median of the blades [mm]", &BladeExcursions::median),
+          blade_column("tip |u| of the whole wheel, largest of the blades [mm]", &BladeExcursions::largest),
+          {"predicted by eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
+          {"predicted with aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
 }
 
 PeakColumns rounded_columns() {
   constexpr std::size_t shown_others = 2;
-  return {
-      {"speed [rpm]", [](const PeakRow& peak) { return fixed(peak.critical.speed * rpm_per_rad_s, 0); }},
-      {"located [rpm]", [](const PeakRow& peak) { return located(peak.critical); }},
-      {"amplitude [mm]", [](const PeakRow& peak) { return fixed(peak.critical.amplitude * mm_per_m, 4); }},
-      {"tip |u| [mm]", [](const PeakRow& peak) { return fixed(excursion(peak) * mm_per_m, 3); }},
-      {"within [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.amplitude_slack(), 1); }},
-      {"node", [](const PeakRow& peak) { return std::to_string(peak.critical.node); }},
-      {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.rising.family + 1); }},
-      {"wave", [](const PeakRow& peak) { return wave_names(peak.critical); }},
-      {"runs", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
-      {"share [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.wave_share(), 0); }},
-      {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.rising.detuning); }},
-      {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, shown_others); }},
-      {"areas LE/TE",
-       [](const PeakRow& peak) {
-         return std::to_string(places(peak, peak.study.contact.leading)) + "/" +
-                std::to_string(places(peak, peak.study.contact.trailing));
-       }},
-      {"motion", [](const PeakRow& peak) { return motion_text(peak.critical.motion, peak.critical.period_beats); }},
-      {"eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
-      {"aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
+  return {{"speed [rpm]", [](const PeakRow& peak) { return fixed(peak.critical.speed * rpm_per_rad_s, 0); }},
+          {"located [rpm]", [](const PeakRow& peak) { return located(peak.critical); }},
+          {"amplitude [mm]", [](const PeakRow& peak) { return fixed(peak.critical.amplitude * mm_per_m, 4); }},
+          {"tip |u| [mm]", [](const PeakRow& peak) { return fixed(excursion(peak) * mm_per_m, 3); }},
+          {"within [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.amplitude_slack(), 1); }},
+          {"node", [](const PeakRow& peak) { return std::to_string(peak.critical.node); }},
+          {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.rising.family + 1); }},
+          {"wave", [](const PeakRow& peak) { return wave_names(peak.critical); }},
+          {"runs", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
+          {"share [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.wave_share(), 0); }},
+          {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.rising.detuning); }},
+          {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, shown_others); }},
+          {"areas LE/TE",
+           [](const PeakRow& peak) {
+             return std::to_string(places(peak, peak.study.contact.leading)) + "/" +
+                    std::to_string(places(peak, peak.study.contact.trailing));
+           }},
+          {"motion", [](const PeakRow& peak) { return motion_text(peak.study.speed_at(peak.critical.index)); }},
+          {"whole wheel: motion, |u| of blades [mm]",
+           [](const PeakRow& peak) { return whole_wheel_text(peak.study.speed_at(peak.critical.index)); }},
+          {"eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
+          {"aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
 }
 
 std::string rounded_mpa(double stress) {
@@ -254,12 +268,15 @@ Table critical_speed_overview(const Study& study, const FieldResults& fields) {
 
 Table critical_speed_motions(const Study& study) {
   // A page has room for words, and for the ends of the interval in place of the distances to them.
-  const std::map<std::string_view, const char*> words = {{"located [rpm]", "peak lies between [rpm]"},
-                                                         {"within [%]", "amplitude \xC2\xB1 [%]"},
-                                                         {"runs", "direction"},
-                                                         {"areas LE/TE", "places rubbed, leading / trailing edge"},
-                                                         {"eq. 2", "predicted by eq. 2"},
-                                                         {"aliasing", "predicted with aliasing"}};
+  const std::map<std::string_view, const char*> words = {
+      {"located [rpm]", "peak lies between [rpm]"},
+      {"within [%]", "amplitude \xC2\xB1 [%]"},
+      {"runs", "direction"},
+      {"areas LE/TE", "places rubbed, leading / trailing edge"},
+      {"whole wheel: motion, |u| of blades [mm]",
+       "seen on the whole wheel: motion, tip |u| of its blades, least / median / largest [mm]"},
+      {"eq. 2", "predicted by eq. 2"},
+      {"aliasing", "predicted with aliasing"}};
   PeakColumns columns = rounded_columns();
   columns[1].cell = [](const PeakRow& peak) { return interval(peak.critical); };
   for (auto& column : columns)

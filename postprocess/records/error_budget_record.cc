@@ -62,6 +62,7 @@ BudgetRow row_of(const PeakVariation& variation, const std::optional<FieldPeak>&
   row.excursion = variation.excursion / budget.excursion - 1;
   if (stress && budget.stress > 0) row.stress = stress->body.vibration / budget.stress - 1;
   row.motion = motion_text(variation.motion, variation.period_beats);
+  row.is_setting = variation.what == Variation::step;
   return row;
 }
 
@@ -99,8 +100,6 @@ const BudgetRow& largest(const ErrorBudget& budget, Value value) {
   });
 }
 
-/// The larger of two rows of one source, such as a clearance smaller and larger; over the sources the root of the sum
-/// of squares, as if these were independent.
 template <class Value>
 double sum_over_sources(const ErrorBudget& budget, Value value) {
   std::map<std::string, double> by_source;
@@ -128,11 +127,22 @@ std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& f
       budget.rows.push_back(row_of(response.budget[k],
                                    k < fields.varied[i].size() ? fields.varied[i][k] : std::nullopt, response, budget,
                                    study.model.contact.kind));
+    const std::size_t varied = budget.rows.size();
     add_settings(study, response, budget);
+    for (std::size_t k = varied; k < budget.rows.size(); ++k) budget.rows[k].is_setting = true;
     budget.rows.push_back(differing_blades(study.response.scene.sector_count));
     budgets.push_back(std::move(budget));
   }
   return budgets;
+}
+
+const ErrorBudget& worst_budget(const std::vector<ErrorBudget>& budgets) {
+  return *std::ranges::max_element(budgets, {}, [](const ErrorBudget& budget) { return budget.critical->amplitude; });
+}
+
+BudgetSum sum_of(const ErrorBudget& budget) {
+  return {sum_over_sources(budget, &BudgetRow::shift), sum_over_sources(budget, &BudgetRow::amplitude),
+          sum_over_sources(budget, &BudgetRow::excursion), sum_over_sources(budget, stress_change)};
 }
 
 namespace {
@@ -187,17 +197,17 @@ Table critical_speed_budgets(const Study& study, const FieldResults& fields) {
 std::string largest_errors(const Study& study, const FieldResults& fields) {
   const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
   if (budgets.empty()) return "";
-  const ErrorBudget& worst = *std::max_element(
-      budgets.begin(), budgets.end(),
-      [](const ErrorBudget& a, const ErrorBudget& b) { return a.critical->amplitude < b.critical->amplitude; });
-  const auto part = [&](const char* of, auto value) {
-    return std::string(of) + ": " + largest_text(&worst, value) + ", all together " +
-           fixed(percent * sum_over_sources(worst, value), 1) + " %";
+  const ErrorBudget& worst = worst_budget(budgets);
+  const BudgetSum sum = sum_of(worst);
+  const auto part = [&](const char* of, auto value, double together) {
+    return std::string(of) + ": " + largest_text(&worst, value) + ", all together " + fixed(percent * together, 1) +
+           " %";
   };
   return "At " + rpm_text(worst.critical->speed) + ", of all that was varied, the most for " +
-         part("the speed", &BudgetRow::shift) + "; " + part("the amplitude", &BudgetRow::amplitude) + "; " +
-         part("the motion of the tip in all directions", &BudgetRow::excursion) +
-         (worst.stress > 0 ? "; " + part("the stress of the vibration", stress_change) : "") + ".";
+         part("the speed", &BudgetRow::shift, sum.shift) + "; " +
+         part("the amplitude", &BudgetRow::amplitude, sum.amplitude) + "; " +
+         part("the motion of the tip in all directions", &BudgetRow::excursion, sum.excursion) +
+         (worst.stress > 0 ? "; " + part("the stress of the vibration", stress_change, sum.stress) : "") + ".";
 }
 
 std::string largest_moves(const Study& study, const FieldResults& fields) {
@@ -235,9 +245,8 @@ Table error_budget_record(const Study& study, const FieldResults& fields) {
     const SpeedResponse& response = study.speed_at(critical.index);
     add({"as computed", "", 0, 0, 0, 0, motion_text(response.motion, response.period_beats)});
     for (const BudgetRow& row : budget.rows) add(row);
-    add({"root of the sum of squares", "", sum_over_sources(budget, &BudgetRow::shift),
-         sum_over_sources(budget, &BudgetRow::amplitude), sum_over_sources(budget, &BudgetRow::excursion),
-         sum_over_sources(budget, stress_change)});
+    const BudgetSum sum = sum_of(budget);
+    add({"root of the sum of squares", "", sum.shift, sum.amplitude, sum.excursion, sum.stress});
   }
   return table;
 }

@@ -22,6 +22,7 @@ struct BudgetRow {
   std::optional<double> stress = {};
   std::string motion = {};  ///< class of the motion there; empty where it was not marched
   bool is_bound = false;    ///< the most that is possible, far above what is likely
+  bool is_setting = false;  ///< an error of the settings, which costs time to remove; others are data and physics
 };
 
 /// The error budget of one critical speed: what tiprub-simulate varied, and the errors of its own settings.
@@ -37,6 +38,16 @@ Table critical_speed_budgets(const Study& study, const FieldResults& fields);
 
 /// One for each critical speed for which the response has variations; empty without any.
 std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& fields);
+
+/// The one with the largest amplitude; there must be one.
+const ErrorBudget& worst_budget(const std::vector<ErrorBudget>& budgets);
+
+/// The larger of two rows of one source, such as a clearance smaller and larger; over the sources the root of the sum
+/// of squares, as if these were independent. Bounds are left out.
+struct BudgetSum {
+  double shift = 0, amplitude = 0, excursion = 0, stress = 0;  ///< [1] as BudgetRow has them
+};
+BudgetSum sum_of(const ErrorBudget& budget);
 
 /// "At 19537 rpm, of all that was varied, the most for the speed: friction 0.1 (-2.9 %), all together 3.7 %; ...":
 /// the largest row and the sum of each, of the budget with the largest amplitude; or empty.

@@ -143,6 +143,31 @@ std::string motion_text(MotionClass motion, int period_beats) {
   return name_of(motion) + (motion == MotionClass::subharmonic ? " 1/" + std::to_string(period_beats) : "");
 }
 
+std::string motion_text(const SpeedResponse& speed) {
+  const std::string motion = motion_text(speed.motion, speed.period_beats);
+  switch (speed.audit.symmetry) {
+    case SymmetryVerdict::breaking:
+      return "symmetric, unstable (" + motion + ")";
+    case SymmetryVerdict::undecided:
+      return "symmetric, stability open (" + motion + ")";
+    default:
+      return motion;
+  }
+}
+
+const OtherStart* whole_wheel(const SpeedResponse& speed) {
+  const auto whole = std::ranges::find(speed.other_starts, Start::whole_wheel, &OtherStart::start);
+  return whole == speed.other_starts.end() || !whole->failure.empty() || !whole->blades ? nullptr : &*whole;
+}
+
+std::string whole_wheel_text(const SpeedResponse& speed) {
+  const OtherStart* whole = whole_wheel(speed);
+  if (!whole) return "";
+  const auto mm = [](double motion) { return fixed(motion * mm_per_m, 2); };
+  return motion_text(whole->motion, whole->period_beats) + ", |u| " + mm(whole->blades->least) + " / " +
+         mm(whole->blades->median) + " / " + mm(whole->blades->largest);
+}
+
 Table speed_record(const Study& study, const FieldResults& fields) {
   std::vector<SpeedRow> speeds;
   for (const SpeedResponse& response : study.response.speeds) {

@@ -19,6 +19,15 @@ Table critical_speed_stresses(const Study& study, const FieldResults& fields);
 
 /// "periodic", "subharmonic 1/3", "broadband", ...
 std::string motion_text(MotionClass motion, int period_beats);
+/// The same of a speed. A motion of equal sectors that is not stable on the whole wheel is "symmetric, unstable
+/// (periodic)"; where that is open, "symmetric, stability open (periodic)".
+std::string motion_text(const SpeedResponse& speed);
+/// The motion from rest with all nodal diameters, which is what would be seen; null unless the speed was examined and
+/// symmetry does not clearly hold there.
+const OtherStart* whole_wheel(const SpeedResponse& speed);
+/// "modulated, |u| 2.91 / 3.30 / 4.12": that motion, and [mm] the least, median and largest motion of its blades'
+/// tips.
+std::string whole_wheel_text(const SpeedResponse& speed);
 
 /// One row a speed, failed ones included: stress, how steady, how exact, how much contact; speeds.csv.
 Table speed_record(const Study& study, const FieldResults& fields);

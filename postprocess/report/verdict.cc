@@ -173,17 +173,16 @@ std::string worst_peak_text(const Study& study, const FieldResults& fields, cons
   if (!worst) return "";
   const CriticalSpeed& peak = study.critical[*worst];
   const SpeedResponse& response = study.speed_at(peak.index);
+  const std::string seen = whole_wheel_text(response);
   const std::string moves = largest_moves(study, fields), outside = outside_validity(study, *worst, fields);
   return "The worst peak: numerics " + significant(percent * peak.amplitude_slack(), 2) + " %, place -" +
          fixed((peak.speed - peak.speed_low) * rpm_per_rad_s, 0) + " +" +
-         fixed((peak.speed_high - peak.speed) * rpm_per_rad_s, 0) + " rpm, " +
-         motion_text(response.motion, response.period_beats) +
+         fixed((peak.speed_high - peak.speed) * rpm_per_rad_s, 0) + " rpm, " + motion_text(response) +
          (outside.empty() ? "" : "; but it is outside validity: " + outside) +
          (moves.empty() ? "; what friction, damping and clearance change is not known (simulate.budget = "
                           "\"critical_speeds\")"
                         : "; " + moves) +
-         (response.audit.symmetry == SymmetryVerdict::breaking ? "; nodal diameters that were left out grow there"
-                                                               : "") +
+         (seen.empty() ? "" : "; seen on the whole wheel: " + seen + " mm (least, median, largest of the blades)") +
          wear_text(needs) + ". ";
 }
 

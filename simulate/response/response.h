@@ -54,11 +54,21 @@ enum class Start {
 /// The name in response.h5: "up", "down", "disturbed", "whole wheel".
 const char* name_of(Start start);
 
+/// [m] How far the contact nodes of each blade move from the middle of their paths, over the blades of the wheel.
+struct BladeExcursions {
+  double least = 0, median = 0, largest = 0;
+  bool operator==(const BladeExcursions&) const = default;
+};
+
+/// `displacement` as SpeedResponse has it, of this number of sectors.
+BladeExcursions blade_excursions(const Eigen::MatrixXd& displacement, int sectors);
+
 /// The motion of a critical speed from another start.
 struct OtherStart {
   Start start = Start::up;
-  std::string failure;   ///< empty, or why there is no motion; then the other numbers mean nothing
-  double amplitude = 0;  ///< [m] as SpeedResponse::amplitude
+  std::string failure;                    ///< empty, or why there is no motion; then the other numbers mean nothing
+  double amplitude = 0;                   ///< [m] as SpeedResponse::amplitude
+  std::optional<BladeExcursions> blades;  ///< files of older programs have none
   MotionClass motion = MotionClass::not_settled;
   int period_beats = 0;
   double difference = 0;  ///< [1] relative difference to the motion of the speed itself

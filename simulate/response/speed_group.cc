@@ -110,6 +110,10 @@ void write_other_start(Hdf5File& file, const std::string& group, const OtherStar
   file.set_attribute(group, "amplitude", start.amplitude);
   file.set_attribute(group, "period_beats", start.period_beats);
   file.set_attribute(group, "difference", start.difference);
+  if (!start.blades) return;
+  file.set_attribute(group, "excursion_least", start.blades->least);
+  file.set_attribute(group, "excursion_median", start.blades->median);
+  file.set_attribute(group, "excursion_largest", start.blades->largest);
 }
 
 OtherStart read_other_start(const Hdf5File& file, const std::string& group) {
@@ -121,6 +125,9 @@ OtherStart read_other_start(const Hdf5File& file, const std::string& group) {
   start.amplitude = file.number_attribute(group, "amplitude");
   start.period_beats = file.integer_attribute(group, "period_beats");
   start.difference = file.number_attribute(group, "difference");
+  if (file.has_attribute(group, "excursion_median"))
+    start.blades = {file.number_attribute(group, "excursion_least"), file.number_attribute(group, "excursion_median"),
+                    file.number_attribute(group, "excursion_largest")};
   return start;
 }
 

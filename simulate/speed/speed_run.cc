@@ -43,18 +43,21 @@ SettledMotion of_whole_wheel(const Scene& scene, double speed, int steps_per_rev
 }
 
 /// The motion from another start, compared with the motion found.
-OtherStart compared(Start start, const Attempt<SettledMotion>& other, const SettledMotion& found, int lobes) {
+OtherStart compared(const Scene& scene, Start start, const Attempt<SettledMotion>& other,
+                    const SettledMotion& found) {
   OtherStart compared;
   compared.start = start;
   compared.failure = other.failure;
   if (!other.result) return compared;
   const SampledMotion here = found.sampled(), there = other.result->sampled();
   compared.amplitude = other.result->recorded.amplitude;
+  compared.blades =
+      blade_excursions(there.displacement, static_cast<int>(there.displacement.cols() / scene.model.contact_dofs()));
   compared.motion = other.result->reading.motion;
   compared.period_beats = other.result->reading.period_beats;
   const bool comparable = here.samples_per_revolution == there.samples_per_revolution &&
                           here.displacement.cols() == there.displacement.cols();
-  if (comparable) compared.difference = difference(there, here, lobes).value;
+  if (comparable) compared.difference = difference(there, here, scene.casing.lobes).value;
   return compared;
 }
 
@@ -146,18 +149,18 @@ SpeedResponse response_of(SettledMotion motion) {
 /// the last state of `found`. Costs three or four marches.
 std::vector<OtherStart> other_starts(const Scene& scene, const SharedRotor& rotor, const RotorState& end,
                                      const SettledMotion& found, SymmetryVerdict symmetry) {
-  const int lobes = scene.casing.lobes, steps = found.march->steps_per_revolution();
+  const int steps = found.march->steps_per_revolution();
   std::vector<OtherStart> starts;
   for (const auto& [start, speed] : {std::pair(Start::up, rotor->speed * (1 - neighbour)),
                                      std::pair(Start::down, rotor->speed * (1 + neighbour))}) {
     const auto other = attempt([&, at = speed] { return settled_from(scene, rotor, state_at(scene, at), steps); });
-    starts.push_back(compared(start, other, found, lobes));
+    starts.push_back(compared(scene, start, other, found));
   }
   const auto swung = attempt([&] { return settled_from(scene, rotor, disturbed(end), steps); });
-  starts.push_back(compared(Start::disturbed, swung, found, lobes));
+  starts.push_back(compared(scene, Start::disturbed, swung, found));
   if (symmetry != SymmetryVerdict::breaking && symmetry != SymmetryVerdict::undecided) return starts;
   const auto whole = attempt([&] { return of_whole_wheel(scene, rotor->speed, steps); });
-  starts.push_back(compared(Start::whole_wheel, whole, found, lobes));
+  starts.push_back(compared(scene, Start::whole_wheel, whole, found));
   return starts;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "postprocess/records/study_records.h"
 #include "synthetic_scene.h"
 
 namespace tiprub::postprocess {
@@ -96,6 +97,24 @@ TEST(CriticalSpeeds, CallAMotionMixedThatNoWaveHoldsHalfOf) {
   EXPECT_EQ(wave_names(critical), "mixed: EO 10 ND 0 48 %, EO 6 ND -4 30 %, EO 2 ND +2 21 %");
   critical.rising.amplitude = 5e-5;
   EXPECT_EQ(wave_names(critical), "EO 10 ND 0");
+}
+
+/// Symptom: the largest peaks were called periodic where blades that part from each other leave that motion.
+TEST(MotionText, SaysWhatSymmetryHides) {
+  SpeedResponse speed;
+  speed.motion = MotionClass::periodic;
+  speed.other_starts = {{Start::up, "", 1e-4, {}, MotionClass::periodic, 1, 0}};
+  EXPECT_EQ(motion_text(speed), "periodic");
+  EXPECT_EQ(whole_wheel_text(speed), "");
+  speed.audit.symmetry = SymmetryVerdict::undecided;
+  EXPECT_EQ(motion_text(speed), "symmetric, stability open (periodic)");
+  speed.audit.symmetry = SymmetryVerdict::breaking;
+  EXPECT_EQ(motion_text(speed), "symmetric, unstable (periodic)");
+  speed.other_starts.push_back(
+      {Start::whole_wheel, "", 2e-4, BladeExcursions{2.9e-3, 3.3e-3, 4.12e-3}, MotionClass::subharmonic, 5, 0});
+  EXPECT_EQ(whole_wheel_text(speed), "subharmonic 1/5, |u| 2.90 / 3.30 / 4.12");
+  speed.other_starts.back().failure = "too many steps";
+  EXPECT_EQ(whole_wheel_text(speed), "");
 }
 
 std::vector<CriticalSpeed> peaks_at(const std::vector<std::pair<double, double>>& speeds_and_amplitudes) {

@@ -124,3 +124,4 @@ section_trailing = 68; set style line section_trailing pointtype 5 pointsize 1.3
 section_clamped = 65; set style line section_clamped pointtype 7 pointsize 0.45 linecolor rgb clamped_colour
 section_contact = 66; set style line section_contact pointtype 7 pointsize 0.9 linecolor rgb contact_colour
 zero_colour = '#777777'
+array budget_colours[3] = [vermilion, blue, '#999999']  # data and physics, settings, their sum

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 #include "reduce/model/hdf5_file.h"
@@ -103,7 +104,8 @@ TEST_F(ResponseFile, GivesBackWhatTheSceneChose) {
   response.scene.effects = {{Effect::friction, Treatment::left_out, "along the normal alone"},
                             {Effect::blade_clearance, Treatment::modelled, "", 1e-4}};
   response.speeds[0].audit.halving_failure = "too many steps";
-  response.speeds[0].other_starts = {{Start::whole_wheel, "", 1e-4, MotionClass::periodic, 1, 0}};
+  response.speeds[0].other_starts = {
+      {Start::whole_wheel, "", 1e-4, BladeExcursions{1e-3, 2e-3, 4e-3}, MotionClass::periodic, 1, 0}};
   const Response back = written_and_read(response);
   EXPECT_EQ(back.scene.scheme, Scheme::central_differences);
   EXPECT_EQ(back.scene.contact, ContactRule::paper);
@@ -112,6 +114,7 @@ TEST_F(ResponseFile, GivesBackWhatTheSceneChose) {
   EXPECT_EQ(back.speeds[0].audit.halving_failure, "too many steps");
   ASSERT_EQ(back.speeds[0].other_starts.size(), 1u);
   EXPECT_EQ(back.speeds[0].other_starts[0].start, Start::whole_wheel);
+  EXPECT_EQ(back.speeds[0].other_starts[0].blades, (BladeExcursions{1e-3, 2e-3, 4e-3}));
 }
 
 TEST_F(ResponseFile, SaysThatTheDiskIsFull) {
@@ -139,6 +142,26 @@ TEST(SpeedResponse, TellsWhetherItIsFinite) {
     spoil(speed);
     EXPECT_FALSE(is_finite(speed));
   }
+}
+
+/// Blades of one contact node, whose paths have different radii and middles.
+TEST(SpeedResponse, TellsHowFarEachBladeMoves) {
+  const std::vector<double> radii = {4e-3, 1e-3, 2e-3, 3e-3};
+  constexpr int samples = 12;
+  Eigen::MatrixXd displacement = Eigen::MatrixXd::Constant(samples, 12, 0.1);
+  for (int s = 0; s < samples; ++s)
+    for (std::size_t j = 0; j < radii.size(); ++j) {
+      const double turn = 2 * std::numbers::pi * s / samples;
+      displacement.block<1, 2>(s, 3 * static_cast<int>(j)) += radii[j] * Eigen::RowVector2d(cos(turn), sin(turn));
+    }
+  const BladeExcursions four = blade_excursions(displacement, 4),
+                        three = blade_excursions(displacement.leftCols(9), 3);
+  constexpr double rounding = 1e-12;
+  EXPECT_NEAR(four.least, 1e-3, rounding);
+  EXPECT_NEAR(four.median, 2.5e-3, rounding);
+  EXPECT_NEAR(four.largest, 4e-3, rounding);
+  EXPECT_NEAR(three.median, 2e-3, rounding);
+  EXPECT_NEAR(largest_excursion(displacement), four.largest, rounding);
 }
 
 TEST_F(ResponseFile, RefusesAByteThatChanged) {

@@ -72,11 +72,12 @@ std::string interval(const CriticalSpeed& critical) {
 }
 
 /// "up: modulated 0.045 mm; ...": motions from other starts that clearly differ from the speed's own; "none found",
-/// or empty if no other start was tried.
+/// or empty if no other start was tried. The whole wheel has columns of its own.
 std::string other_motions(const SpeedResponse& response) {
   constexpr double another = 0.02;  // of the motion's norm
   std::string text;
   for (const OtherStart& start : response.other_starts) {
+    if (&start == whole_wheel(response)) continue;
     const bool differs =
         start.failure.empty() &&
         (start.difference > another || std::abs(start.amplitude - response.amplitude) > another * response.amplitude);
@@ -86,6 +87,12 @@ std::string other_motions(const SpeedResponse& response) {
               " mm";
   }
   return text.empty() && !response.other_starts.empty() ? "none found" : text;
+}
+
+/// "symmetric, unstable (periodic); whole wheel: modulated, |u| 2.91 / 3.30 / 4.12 mm"
+std::string motion_and_what_is_seen(const SpeedResponse& speed) {
+  const std::string seen = whole_wheel_text(speed);
+  return motion_text(speed) + (seen.empty() ? "" : "; whole wheel: " + seen + " mm");
 }
 
 /// [mm]
@@ -220,9 +227,8 @@ PeakColumns rounded_columns() {
              return std::to_string(places(peak, peak.study.contact.leading)) + "/" +
                     std::to_string(places(peak, peak.study.contact.trailing));
            }},
-          {"motion", [](const PeakRow& peak) { return motion_text(peak.study.speed_at(peak.critical.index)); }},
-          {"whole wheel: motion, |u| of blades [mm]",
-           [](const PeakRow& peak) { return whole_wheel_text(peak.study.speed_at(peak.critical.index)); }},
+          {"motion",
+           [](const PeakRow& peak) { return motion_and_what_is_seen(peak.study.speed_at(peak.critical.index)); }},
           {"eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
           {"aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
 }
@@ -268,15 +274,12 @@ Table critical_speed_overview(const Study& study, const FieldResults& fields) {
 
 Table critical_speed_motions(const Study& study) {
   // A page has room for words, and for the ends of the interval in place of the distances to them.
-  const std::map<std::string_view, const char*> words = {
-      {"located [rpm]", "peak lies between [rpm]"},
-      {"within [%]", "amplitude \xC2\xB1 [%]"},
-      {"runs", "direction"},
-      {"areas LE/TE", "places rubbed, leading / trailing edge"},
-      {"whole wheel: motion, |u| of blades [mm]",
-       "seen on the whole wheel: motion, tip |u| of its blades, least / median / largest [mm]"},
-      {"eq. 2", "predicted by eq. 2"},
-      {"aliasing", "predicted with aliasing"}};
+  const std::map<std::string_view, const char*> words = {{"located [rpm]", "peak lies between [rpm]"},
+                                                         {"within [%]", "amplitude \xC2\xB1 [%]"},
+                                                         {"runs", "direction"},
+                                                         {"areas LE/TE", "places rubbed, leading / trailing edge"},
+                                                         {"eq. 2", "predicted by eq. 2"},
+                                                         {"aliasing", "predicted with aliasing"}};
   PeakColumns columns = rounded_columns();
   columns[1].cell = [](const PeakRow& peak) { return interval(peak.critical); };
   for (auto& column : columns)

@@ -147,7 +147,7 @@ TEST(CriticalSpeeds, AreFoundAndNamed) {
     EXPECT_TRUE(critical.by_aliasing);
     EXPECT_FALSE(critical.by_equation_2);
   }
-  EXPECT_EQ(study.critical[2].motion, MotionClass::subharmonic);
+  EXPECT_EQ(study.speed_at(study.critical[2].index).motion, MotionClass::subharmonic);
   EXPECT_EQ(study.rules.equation_2_score.misses, 4);
   EXPECT_EQ(study.rules.aliasing_score.hits, 4);
 }

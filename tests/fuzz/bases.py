@@ -21,7 +21,7 @@ RICH_SETTINGS = ["mesh.element=\"hex27\"", "reduce.prestress=\"nonlinear\"", "re
                  "simulate.sweep=\"up\"", "simulate.speeds=\"adaptive\""]
 IMPELLER = os.path.join(os.path.dirname(__file__), "..", "..", "cases", "impeller_quick", "case.toml")
 FEW_ELEMENTS = {"along_chord": 3, "along_bore": 1, "along_span": 1, "through_blade": 2, "through_splitter": 2, "through_disc": 1, "between_blades": 2}
-BOTH_BLADES = ["mesh.contact_blades=\"both\"", *(f"mesh.elements_{where}={count}" for where, count in FEW_ELEMENTS.items()),
+BOTH_BLADES = ["mesh.contact_blades=\"both\"", "mesh.fillet_radius=0", "reduce.contact=\"points\"", *(f"mesh.elements_{where}={count}" for where, count in FEW_ELEMENTS.items()),
                "reduce.fixed_interface_modes=6", "reduce.modes_at_speed=6", "reduce.verification_speeds=[0.0, 1.0]",
                "reduce.verification_modes=2", "simulate.speeds=\"given\"", "simulate.speed_count=2", "simulate.max_revolutions=20"]
 
@@ -46,7 +46,7 @@ def make_bases(programs, case, work):
     plain, rich, opened, splitters = (os.path.join(work, scene) for scene in SCENES)
     make_scene(programs, text, plain, [])
     make_scene(programs, text + RICH_TABLE, rich, RICH_SETTINGS)
-    make_scene(programs, text_of(IMPELLER).replace("[reduce]", "[reduce]\ncontact_nodes = 2"), splitters, BOTH_BLADES)
+    make_scene(programs, text_of(IMPELLER).replace("contact_nodes = 14", "contact_nodes = 2"), splitters, BOTH_BLADES)
     shutil.copytree(plain, opened)
     sector = os.path.join(opened, "sector.msh")
     for name, form in MESH_FORMATS.items():

@@ -76,7 +76,8 @@ FAULTS = [
 
 def copy_of(root, copy):
     shutil.rmtree(copy, ignore_errors=True)
-    documents = ["README.md", "cases/equations.md", "cases/paper/expected/check_numbers.tsv", "CMakeLists.txt", ".github/CHANGELOG.md", ".github/CITATION.cff"]
+    documents = ["README.md", "cases/equations.md", "cases/paper/expected/check_numbers.tsv",
+                 "cases/impeller_quick/expected/numbers.tsv", "CMakeLists.txt", ".github/CHANGELOG.md", ".github/CITATION.cff"]
     for path in source_tree.files(root) + documents:
         if os.path.isfile(os.path.join(root, path)):
             os.makedirs(os.path.join(copy, os.path.dirname(path)), exist_ok=True)

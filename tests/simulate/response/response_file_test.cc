@@ -103,17 +103,16 @@ TEST_F(ResponseFile, GivesBackWhatTheSceneChose) {
   response.scene.effects = {{Effect::friction, Treatment::left_out, "along the normal alone"},
                             {Effect::blade_clearance, Treatment::modelled, "", 1e-4}};
   response.speeds[0].audit.halving_failure = "too many steps";
-  response.speeds[0].other_starts = {
-      {Start::whole_wheel, "", 1e-4, BladeExcursions{1e-3, 2e-3, 4e-3}, MotionClass::periodic, 1, 0}};
+  constexpr BladeExcursions blades = {1e-3, 2e-3, 4e-3};
+  response.speeds[0].other_starts = {{Start::whole_wheel, "", 1e-4, blades, MotionClass::periodic, 1, 0}};
   const Response back = written_and_read(response);
   EXPECT_EQ(back.scene.scheme, Scheme::central_differences);
   EXPECT_EQ(back.scene.contact, ContactRule::paper);
   EXPECT_EQ(back.scene.effects, response.scene.effects);
   EXPECT_EQ(back.scene.clearance_state, ClearanceState::cold);
   EXPECT_EQ(back.speeds[0].audit.halving_failure, "too many steps");
-  ASSERT_EQ(back.speeds[0].other_starts.size(), 1u);
-  EXPECT_EQ(back.speeds[0].other_starts[0].start, Start::whole_wheel);
-  EXPECT_EQ(back.speeds[0].other_starts[0].blades, (BladeExcursions{1e-3, 2e-3, 4e-3}));
+  EXPECT_EQ(back.speeds[0].other_starts.at(0).start, Start::whole_wheel);
+  EXPECT_EQ(back.speeds[0].other_starts.at(0).blades, blades);
 }
 
 TEST_F(ResponseFile, SaysThatTheDiskIsFull) {

@@ -103,8 +103,7 @@ TEST_F(ResponseFile, GivesBackWhatTheSceneChose) {
   response.scene.effects = {{Effect::friction, Treatment::left_out, "along the normal alone"},
                             {Effect::blade_clearance, Treatment::modelled, "", 1e-4}};
   response.speeds[0].audit.halving_failure = "too many steps";
-  constexpr BladeExcursions blades = {1e-3, 2e-3, 4e-3};
-  response.speeds[0].other_starts = {{Start::whole_wheel, "", 1e-4, blades, MotionClass::periodic, 1, 0}};
+  response.speeds[0].other_starts = {{Start::whole_wheel, "", 1e-4, {{1, 2, 4}}, MotionClass::periodic, 1, 0}};
   const Response back = written_and_read(response);
   EXPECT_EQ(back.scene.scheme, Scheme::central_differences);
   EXPECT_EQ(back.scene.contact, ContactRule::paper);
@@ -112,7 +111,7 @@ TEST_F(ResponseFile, GivesBackWhatTheSceneChose) {
   EXPECT_EQ(back.scene.clearance_state, ClearanceState::cold);
   EXPECT_EQ(back.speeds[0].audit.halving_failure, "too many steps");
   EXPECT_EQ(back.speeds[0].other_starts.at(0).start, Start::whole_wheel);
-  EXPECT_EQ(back.speeds[0].other_starts.at(0).blades, blades);
+  EXPECT_EQ(back.speeds[0].other_starts.at(0).blades, (BladeExcursions{1, 2, 4}));
 }
 
 TEST_F(ResponseFile, SaysThatTheDiskIsFull) {

@@ -208,6 +208,12 @@ PeakColumns prediction_columns() {
           {"predicted with aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
 }
 
+/// "eq. 2, aliasing", or "no rule".
+std::string predicting_rules(const CriticalSpeed& critical) {
+  if (!critical.by_equation_2) return critical.by_aliasing ? "aliasing" : "no rule";
+  return critical.by_aliasing ? "eq. 2, aliasing" : "eq. 2";
+}
+
 PeakColumns rounded_columns() {
   constexpr std::size_t shown_others = 2;
   return {{"speed [rpm]", [](const PeakRow& peak) { return fixed(peak.critical.speed * rpm_per_rad_s, 0); }},
@@ -277,10 +283,10 @@ Table critical_speed_motions(const Study& study) {
   const std::map<std::string_view, const char*> words = {{"located [rpm]", "peak lies between [rpm]"},
                                                          {"within [%]", "amplitude \xC2\xB1 [%]"},
                                                          {"runs", "direction"},
-                                                         {"areas LE/TE", "places rubbed, leading / trailing edge"},
-                                                         {"eq. 2", "predicted by eq. 2"},
-                                                         {"aliasing", "predicted with aliasing"}};
+                                                         {"areas LE/TE", "places rubbed, leading / trailing edge"}};
   PeakColumns columns = rounded_columns();
+  columns.resize(columns.size() - 2);
+  columns.push_back({"predicted by", [](const PeakRow& peak) { return predicting_rules(peak.critical); }});
   columns[1].cell = [](const PeakRow& peak) { return interval(peak.critical); };
   for (auto& column : columns)
     if (const auto found = words.find(column.name); found != words.end()) column.name = found->second;

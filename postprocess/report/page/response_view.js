@@ -46,7 +46,7 @@ function drawResponse(chart, selection) {
   for (const speed of speeds) {
     chart.dot(speed.rpm, speed.largest, 2.2, 'largest-dot');
     if (speed.outside) markOutside(chart, speed.rpm);
-    if (speed.motion !== 'periodic') chart.dot(speed.rpm, speed.largest, 5.5, 'unsteady');
+    if (!/\bperiodic\b/.test(speed.motion)) chart.dot(speed.rpm, speed.largest, 5.5, 'unsteady');
   }
   for (const peak of data.critical) {
     const {rpm: x, largest} = speeds[peak.index];

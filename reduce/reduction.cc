@@ -58,6 +58,12 @@ void fit_polynomial(const SampledStiffness& stiffness, const SpeedSamples& sampl
     model.verification.polynomial_misfit = misfit(stiffness, samples, parameters, model);
 }
 
+/// A mesh that the quadrature of its own cells makes softer than the larger space is has no error in this sense. Of a
+/// sound mesh no estimate is below zero.
+bool is_known(const MeshError& error) {
+  return (error.frequency.array() >= 0).all() && (error.compliance.array() >= 0).all();
+}
+
 /// Those of some nodes that the file has.
 std::vector<int> in_file(const SectorMesh& mesh, std::vector<int> nodes) {
   std::erase_if(nodes, [&](int node) { return node >= mesh.file_node_count(); });
@@ -159,6 +165,8 @@ class Reducer {
     });
     timed(report, "modes, bases, verification");
     if (!leads()) return model;
+    report.mesh_error_unknown = model.mesh_error && !is_known(*model.mesh_error);
+    if (report.mesh_error_unknown) model.mesh_error.reset();
     fit_polynomial(stiffness, sector.samples(), parameters_, model);  // eq. 7
     find_reduced_frequencies(model);
     timed(report, "model");
@@ -180,7 +188,7 @@ class Reducer {
                        {.factors = 2,
                         .stiffnesses = static_cast<int>(samples.fractions().size()),
                         .columns = columns_at_once(),
-                        .cubic_cells = estimates_mesh_error() ? mesh_.cell_count() : 0,
+                        .mesh_error = estimates_mesh_error() ? MeshErrorEstimate::memory(mesh_) : 0,
                         .threads = parameters_.threads});
   }
 

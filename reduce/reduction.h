@@ -36,6 +36,7 @@ struct ReductionReport {
   std::vector<int> dropped;           ///< by nodal diameter
   std::vector<int> corrections;       ///< number of shapes added for modes between the speeds, by nodal diameter
   int shape_terms = 0;                ///< of the shape under spin; see SpinShape
+  bool mesh_error_unknown = false;    ///< the mesh is too coarse to estimate it; see is_known()
   std::vector<PartOfWork> parts;
 };
 

@@ -238,8 +238,12 @@ std::string percent(double share) {
   return text.str();
 }
 
-std::string mesh_error_in_words(const ReducedModel& model, const ReductionParameters& parameters) {
+std::string mesh_error_in_words(const ReducedModel& model, const ReductionParameters& parameters,
+                                const ReductionReport& report) {
   if (!parameters.mesh_error || model.prestress == Prestress::given) return "";  // matrices have no mesh
+  if (report.mesh_error_unknown)
+    return "; the error of the mesh is not estimated, because the mesh is too coarse: the integration of its cells "
+           "makes it softer than cubic cells would be";
   if (!model.mesh_error) return "; the error of the mesh is not estimated for these cells";
   const Eigen::MatrixXd& frequency = model.mesh_error->frequency;
   return "; the mesh makes the first frequency of each nodal diameter up to " + percent(frequency.col(0).maxCoeff()) +
@@ -280,7 +284,7 @@ void report(const StageArguments& arguments, const ReductionParameters& paramete
             const ReductionReport& report, const std::string& matrix_market_folder) {
   if (arguments.verbosity == Verbosity::verbose) tell_details(arguments, report);
   tell(arguments, arguments.output.string() + ": " + doubts(model) + summary(model, report) +
-                      mesh_error_in_words(model, parameters) + factors_in_words(parameters, report));
+                      mesh_error_in_words(model, parameters, report) + factors_in_words(parameters, report));
   if (!matrix_market_folder.empty())
     tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
                         " nodal diameters in Matrix Market");

@@ -31,8 +31,7 @@ constexpr int interface_matrices = 1;                         // of real numbers
 constexpr int columns_on_their_way = 24 * 5;  // complex vectors a thread: a block of right sides, as it is reordered
 // Of MUMPS, over L by CHOLMOD and over a matrix of interface dofs.
 constexpr double mumps_factor = 1.5, mumps_front = 0.5, mumps_buffers = 0.1, mumps_interfaces = 2;
-constexpr double cubic_cell_bytes = 95 * bytes_per_kib;  // see MeshErrorEstimate
-constexpr double program_bytes = 0.3 * bytes_per_gib;    // with its libraries, before it has read anything
+constexpr double program_bytes = 0.3 * bytes_per_gib;  // with its libraries, before it has read anything
 
 /// Lower triangle of the graph of free nodes in the factor's order: column starts and rows.
 struct Graph {
@@ -117,7 +116,7 @@ MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Hol
   need.threads = mapped_by_threads(held.threads);
   // Each thread makes one more than those that are held.
   const double sparse_matrices = other_matrices + held.stiffnesses + at_once;
-  need.matrices = program_bytes + held.cubic_cells * cubic_cell_bytes +
+  need.matrices = program_bytes + held.mesh_error +
                   sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size());
   need.bases = complex_bytes * independent * (held.columns + columns_on_their_way) * at_once;
   need.factors = held.factors;

@@ -10,11 +10,11 @@ namespace tiprub::reduce {
 
 /// The numbers of large objects that a reduction holds at the same time.
 struct Holdings {
-  int factors = 0;      ///< of the sector's K
-  int stiffnesses = 0;  ///< sparse K of the sector
-  int columns = 0;      ///< complex vectors of a nodal diameter
-  int cubic_cells = 0;  ///< whose error is estimated
-  int threads = 1;      ///< nodal diameters at work
+  int factors = 0;        ///< of the sector's K
+  int stiffnesses = 0;    ///< sparse K of the sector
+  int columns = 0;        ///< complex vectors of a nodal diameter
+  double mesh_error = 0;  ///< [bytes] of a MeshErrorEstimate
+  int threads = 1;        ///< nodal diameters at work
 };
 
 /// What a reduction will hold at its peak [bytes], before it starts.

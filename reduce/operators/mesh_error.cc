@@ -2,6 +2,7 @@
 #include "reduce/operators/mesh_error.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -30,7 +31,7 @@ RealRows rows_of(const Rows& all, const std::vector<int>& firsts) {
 }
 
 template <class Rows>
-void add_rows(const RealRows& rows, const std::vector<int>& firsts, Rows& all) {
+void add_rows(const Eigen::Ref<const RealRows>& rows, const std::vector<int>& firsts, Rows& all) {
   Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> real(
       reinterpret_cast<double*>(all.data()), all.rows(), 2 * all.cols());
   for (std::size_t k = 0; k < firsts.size(); ++k)
@@ -42,9 +43,10 @@ Eigen::RowVectorXd inner_products(const Rows& a, const Rows& b) {
   return a.conjugate().cwiseProduct(b).colwise().sum().real();
 }
 
-/// Zero where a residual vanishes, or where rounding left no energy.
+/// Zero where a residual vanishes; not a number where rounding made an energy negative.
 Eigen::RowVectorXd ratios(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
-  return (b.array() > 0).select(a.array() / b.array(), 0.0);
+  const Eigen::RowVectorXd positive = (b.array() > 0).select(b, std::numeric_limits<double>::quiet_NaN());
+  return (b.array() == 0).select(0.0, a.array() / positive.array());
 }
 
 }  // namespace
@@ -158,13 +160,15 @@ class MeshErrorEstimate::Patches {
     return result;
   }
 
-  static void add(const Eigen::MatrixXd& of_cell, const std::vector<Eigen::Index>& rows,
+  template <class Matrix>
+  static void add(const Matrix& of_cell, const std::vector<Eigen::Index>& rows,
                   const std::vector<Eigen::Index>& columns, Eigen::MatrixXd& K) {
     for (std::size_t b = 0; b < columns.size(); ++b)
       for (std::size_t a = 0; a < rows.size(); ++a)
         if (rows[a] >= 0 && columns[b] >= 0)
           K.block<3, 3>(3 * rows[a], 3 * columns[b]) +=
-              of_cell.block<3, 3>(3 * static_cast<Eigen::Index>(a), 3 * static_cast<Eigen::Index>(b));
+              of_cell.template block<3, 3>(3 * static_cast<Eigen::Index>(a), 3 * static_cast<Eigen::Index>(b))
+                  .template cast<double>();
   }
 
   const SectorMesh& mesh_;
@@ -174,21 +178,28 @@ class MeshErrorEstimate::Patches {
   std::map<int, Cells> around_function_, around_node_;  // by independent dof
 };
 
+double MeshErrorEstimate::memory(const SectorMesh& mesh) {
+  constexpr double patch = 30e3, patch_of_complete_bricks = 110e3;  // a cell
+  constexpr int complete = 27;
+  return AddedFunctions::memory(mesh) +
+         (mesh.cells.rows() == complete ? patch_of_complete_bricks : patch) * mesh.cell_count();
+}
+
 MeshErrorEstimate::MeshErrorEstimate(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material,
                                      int threads)
     : node_dofs_(dofs), functions_(mesh), cells_(mesh.cell_count()) {
   parallel_for(mesh.cell_count(), threads,
                [&](int cell) { cells_[cell] = functions_.integrate(cell, dofs, material); });
   patches_ = Patches(mesh, dofs, functions_.dofs(), cells_).find(threads);
-  for (AddedCell& cell : cells_) cell.of_nodes = {};
 }
 
 Eigen::VectorXd MeshErrorEstimate::of_frequencies(const CyclicSolver& at_rest, const Eigen::VectorXd& eigenvalues,
                                                   const Eigen::MatrixXcd& shapes) const {
-  const Rows moved = at_rest.transform().expand(shapes);
-  const Rows force = residual(moved, moved * (-eigenvalues).asDiagonal());
-  const CyclicTransformation cubic = at_rest.transform().with(functions_.dofs());
-  return (1 + energies(at_rest, cubic.gather(force), steps_for_modes).array() / eigenvalues.array()).sqrt() - 1;
+  const Pair inertia = apply_mass(at_rest, shapes);
+  const Eigen::ArrayXd mass = inner_products(Rows(shapes), inertia.nodes).transpose();
+  const Eigen::ArrayXd growth = growths(
+      at_rest, {inertia.cubic * eigenvalues.asDiagonal(), inertia.nodes * eigenvalues.asDiagonal()}, steps_for_modes);
+  return (mass * (1 + growth)).sqrt() - 1;
 }
 
 Eigen::VectorXd MeshErrorEstimate::of_compliances(const CyclicSolver& at_rest, const ContactUnknowns& contact) const {
@@ -197,63 +208,99 @@ Eigen::VectorXd MeshErrorEstimate::of_compliances(const CyclicSolver& at_rest, c
   Eigen::MatrixXd along_normals = Eigen::MatrixXd::Zero(3 * count, count);
   for (Eigen::Index k = 0; k < count; ++k)
     along_normals.block<3, 1>(3 * k, k) = contact.line.normal.row(k).transpose();
-  const Eigen::MatrixXcd load = nodes.gather((node_dofs_.contact_loads * along_normals).cast<std::complex<double>>());
-  const Eigen::MatrixXcd moved = at_rest.solve(load, ContactNodes::free);
-  const Eigen::VectorXd compliance = inner_products(load, moved).transpose();
-  const Rows expanded = nodes.expand(moved);
-  Rows force = residual(expanded, Rows::Zero(expanded.rows(), count));
-  force += (functions_.contact_loads(contact.added_weights, contact.line.size()) * along_normals)
-               .cast<std::complex<double>>();
-  const Eigen::ArrayXd growth = energies(at_rest, cubic.gather(force), steps_for_forces).array() / compliance.array();
+  const auto complex = [](const Eigen::MatrixXd& loads) { return loads.cast<std::complex<double>>().eval(); };
+  const Eigen::ArrayXd growth = growths(
+      at_rest,
+      {cubic.gather(complex(functions_.contact_loads(contact.added_weights, contact.line.size()) * along_normals)),
+       nodes.gather(complex(node_dofs_.contact_loads * along_normals))},
+      steps_for_forces);
   return growth / (1 + growth);
 }
 
-/// -M_wu a - K_wu u; sector x columns.
-MeshErrorEstimate::Rows MeshErrorEstimate::residual(const Rows& displacement, const Rows& acceleration) const {
-  Rows force = Rows::Zero(functions_.dofs().sector(), displacement.cols());
-  for (const AddedCell& cell : cells_)
-    add_rows(-(cell.mass.cast<double>() * rows_of(acceleration, cell.nodes)) -
-                 cell.coupling * rows_of(displacement, cell.nodes),
-             cell.functions, force);
-  return force;
+/// (f'A^-1 f - f_u'u)/f_u'u with K u = f_u.
+Eigen::VectorXd MeshErrorEstimate::growths(const CyclicSolver& at_rest, const Pair& load, int steps) const {
+  const Rows moved = at_rest.solve(load.nodes, ContactNodes::free);
+  const Pair held = apply_stiffness(at_rest, {Rows::Zero(load.cubic.rows(), load.cubic.cols()), moved});
+  const Pair residual = {load.cubic - held.cubic, load.nodes - held.nodes};
+  const Eigen::RowVectorXd work = inner_products(load.nodes, moved);
+  const Eigen::RowVectorXd by_quadrature = inner_products(moved, residual.nodes);
+  return ((by_quadrature + energies(at_rest, residual, steps)).array() / work.array()).transpose();
 }
 
-/// r' S^-1 r, from below.
-Eigen::VectorXd MeshErrorEstimate::energies(const CyclicSolver& at_rest, Rows r, int steps) const {
-  Rows z = precondition(at_rest, r), p = z;
-  Eigen::RowVectorXd rz = inner_products(r, z), energy = Eigen::RowVectorXd::Zero(r.cols());
+/// r'A^-1 r, from below.
+Eigen::RowVectorXd MeshErrorEstimate::energies(const CyclicSolver& at_rest, Pair r, int steps) const {
+  const auto products = [](const Pair& a, const Pair& b) {
+    return Eigen::RowVectorXd(inner_products(a.cubic, b.cubic) + inner_products(a.nodes, b.nodes));
+  };
+  Pair z = precondition(at_rest, r), p = z;
+  Eigen::RowVectorXd rz = products(r, z), energy = Eigen::RowVectorXd::Zero(r.nodes.cols());
   for (int k = 0; k < steps; ++k) {
-    const Rows Sp = apply_schur_complement(at_rest, p);
-    const Eigen::RowVectorXd step = ratios(rz, inner_products(p, Sp));
+    const Pair Ap = apply_stiffness(at_rest, p);
+    const Eigen::RowVectorXd step = ratios(rz, products(p, Ap));
     energy += step.cwiseProduct(rz);
     if (k + 1 == steps) break;
-    r -= Sp * step.asDiagonal();
+    r.cubic -= Ap.cubic * step.asDiagonal();
+    r.nodes -= Ap.nodes * step.asDiagonal();
     z = precondition(at_rest, r);
-    const Eigen::RowVectorXd next = inner_products(r, z);
-    p = z + p * ratios(next, rz).asDiagonal();
+    const Eigen::RowVectorXd next = products(r, z), part = ratios(next, rz);
+    p.cubic = z.cubic + p.cubic * part.asDiagonal();
+    p.nodes = z.nodes + p.nodes * part.asDiagonal();
     rz = next;
   }
-  return energy.transpose();
+  return energy;
 }
 
-MeshErrorEstimate::Rows MeshErrorEstimate::apply_schur_complement(const CyclicSolver& at_rest,
-                                                                  const Rows& cubic) const {
+MeshErrorEstimate::Pair MeshErrorEstimate::apply_stiffness(const CyclicSolver& at_rest,
+                                                           const Pair& displacement) const {
   const CyclicTransformation& nodes = at_rest.transform();
   const CyclicTransformation functions = nodes.with(functions_.dofs());
-  const Rows moved = functions.expand(cubic);
-  Rows force = Rows::Zero(moved.rows(), moved.cols()), load = Rows::Zero(node_dofs_.sector(), moved.cols());
+  const Rows cubic_moved = functions.expand(displacement.cubic), nodes_moved = nodes.expand(displacement.nodes);
+  Rows cubic_force = Rows::Zero(cubic_moved.rows(), cubic_moved.cols());
+  Rows nodes_force = Rows::Zero(nodes_moved.rows(), nodes_moved.cols());
   for (const AddedCell& cell : cells_) {
-    const RealRows w = rows_of(moved, cell.functions);
-    add_rows(cell.stiffness * w, cell.functions, force);
-    add_rows(cell.coupling.transpose() * w, cell.nodes, load);
+    const RealRows w = rows_of(cubic_moved, cell.functions), u = rows_of(nodes_moved, cell.nodes);
+    add_rows(cell.stiffness.cast<double>() * w + cell.coupling * u, cell.functions, cubic_force);
+    add_rows(cell.coupling.transpose() * w + cell.of_nodes * u, cell.nodes, nodes_force);
   }
-  const Rows follow = nodes.expand(at_rest.solve(nodes.gather(load), ContactNodes::free));
-  for (const AddedCell& cell : cells_)
-    add_rows(-(cell.coupling * rows_of(follow, cell.nodes)), cell.functions, force);
-  return functions.gather(force);
+  return {functions.gather(cubic_force), nodes.gather(nodes_force)};
 }
 
-MeshErrorEstimate::Rows MeshErrorEstimate::precondition(const CyclicSolver& at_rest, const Rows& residual) const {
+/// Forces of inertia under an acceleration of the nodes.
+MeshErrorEstimate::Pair MeshErrorEstimate::apply_mass(const CyclicSolver& at_rest,
+                                                      const Eigen::MatrixXcd& acceleration) const {
+  const CyclicTransformation& nodes = at_rest.transform();
+  const CyclicTransformation functions = nodes.with(functions_.dofs());
+  const Rows accelerated = nodes.expand(acceleration);
+  Rows cubic_force = Rows::Zero(functions_.dofs().sector(), accelerated.cols());
+  Rows nodes_force = Rows::Zero(accelerated.rows(), accelerated.cols());
+  for (const AddedCell& cell : cells_) {
+    const RealRows force = cell.mass.cast<double>() * rows_of(accelerated, cell.nodes);
+    const auto cubic = 3 * static_cast<Eigen::Index>(cell.functions.size());
+    add_rows(force.topRows(cubic), cell.functions, cubic_force);
+    add_rows(force.bottomRows(force.rows() - cubic), cell.nodes, nodes_force);
+  }
+  return {functions.gather(cubic_force), nodes.gather(nodes_force)};
+}
+
+/// The nodes by K, then the cubic functions by the patches, then the nodes that follow these.
+MeshErrorEstimate::Pair MeshErrorEstimate::precondition(const CyclicSolver& at_rest, const Pair& residual) const {
+  const CyclicTransformation& nodes = at_rest.transform();
+  const CyclicTransformation functions = nodes.with(functions_.dofs());
+  Pair result = {Rows(), at_rest.solve(residual.nodes, ContactNodes::free)};
+  const Rows start = nodes.expand(result.nodes);
+  Rows cubic_force = Rows::Zero(functions_.dofs().sector(), start.cols());
+  for (const AddedCell& cell : cells_)
+    add_rows(cell.coupling * rows_of(start, cell.nodes), cell.functions, cubic_force);
+  result.cubic = solve_patches(at_rest, residual.cubic - Rows(functions.gather(cubic_force)));
+  const Rows moved = functions.expand(result.cubic);
+  Rows force = Rows::Zero(node_dofs_.sector(), moved.cols());
+  for (const AddedCell& cell : cells_)
+    add_rows(cell.coupling.transpose() * rows_of(moved, cell.functions), cell.nodes, force);
+  result.nodes -= at_rest.solve(nodes.gather(force), ContactNodes::free);
+  return result;
+}
+
+MeshErrorEstimate::Rows MeshErrorEstimate::solve_patches(const CyclicSolver& at_rest, const Rows& residual) const {
   const std::complex<double> phase = at_rest.transform().phase();
   // A function of the sector before, -1, moves in the frame of the patch by e^{-i n alpha} times its motion here.
   const auto factor = [&](int sectors) { return sectors == 0 ? 1.0 : sectors > 0 ? phase : std::conj(phase); };

@@ -2,8 +2,12 @@
 #include "reduce/sector/added_functions.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
 #include <map>
-#include <span>
+#include <set>
+#include <unsupported/Eigen/AutoDiff>
 
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/gauss_points.h"
@@ -12,105 +16,176 @@ namespace tiprub::reduce {
 
 namespace {
 
-constexpr int brick_nodes = 20;
-
-/// The functions of one coordinate that make those of a cell, as products.
-enum class Factor { down, up, quadratic, cubic };
-
-/// Value and slope.
-std::array<double, 2> evaluate(Factor factor, double x) {
-  switch (factor) {
-    case Factor::down:
-      return {(1 - x) / 2, -0.5};
-    case Factor::up:
-      return {(1 + x) / 2, 0.5};
-    case Factor::quadratic:
-      return {1 - x * x, -2 * x};
-    case Factor::cubic:
-      break;
-  }
-  return {x * (1 - x * x), 1 - 3 * x * x};
-}
-
-/// A function of the reference cell.
-struct CellFunction {
-  std::array<Factor, 3> factors;
-  std::vector<int> middles;          ///< nodes in the middles of its edges: one of an edge, four of a face
-  std::array<int, 2> ends = {0, 0};  ///< of an edge, in the direction of the coordinate
+/// The numbers of their corners.
+struct Corners {
+  enum { tetrahedron = 4, pyramid = 5, wedge = 6, brick = 8 };
 };
+constexpr int complete_brick_nodes = 27;
 
-CellFunction function_between(const CellKind& kind, const std::vector<int>& corners, Factor bubble) {
-  CellFunction function;
-  for (int d = 0; d < 3; ++d) {
-    const auto [low, high] = std::minmax_element(corners.begin(), corners.end(),
-                                                 [&](int a, int b) { return kind.places[a][d] < kind.places[b][d]; });
-    const bool along = kind.places[*low][d] < kind.places[*high][d];
-    function.factors[d] = along ? bubble : kind.places[*low][d] < 0 ? Factor::down : Factor::up;
-    if (along) function.ends = {*low, *high};
+/// A number with its slopes in the reference cell.
+using Varying = Eigen::AutoDiffScalar<Eigen::Vector3d>;
+
+/// The linear functions of the corners, each of which is 1 at one corner and 0 at the others.
+std::vector<Varying> corner_functions(const CellKind& kind, const Eigen::Vector3d& at) {
+  const Varying x(at[0], 3, 0), y(at[1], 3, 1), z(at[2], 3, 2);
+  const std::vector<Varying> triangle = {1 - x - y, x, y};
+  if (kind.corners == Corners::tetrahedron) return {1 - x - y - z, x, y, z};
+  std::vector<Varying> functions;
+  for (int k = 0; k < kind.corners; ++k) {
+    const Eigen::Vector3d& side = kind.places[k];
+    if (kind.corners == Corners::wedge) functions.emplace_back(triangle[k % 3] * (1 + side[2] * z) / 2);
+    if (kind.corners == Corners::brick)
+      functions.emplace_back((1 + side[0] * x) / 2 * ((1 + side[1] * y) / 2) * ((1 + side[2] * z) / 2));
+    if (kind.corners == Corners::pyramid)
+      functions.emplace_back(k == Corners::pyramid - 1 ? Varying(1 + z)
+                                                       : Varying((side[0] * x - z) * (side[1] * y - z) / (-4 * z)));
   }
-  const auto has = [&](int corner) { return std::find(corners.begin(), corners.end(), corner) != corners.end(); };
-  for (std::size_t e = 0; e < kind.edges.size(); ++e)
-    if (has(kind.edges[e][0]) && has(kind.edges[e][1]))
-      function.middles.push_back(kind.corners + static_cast<int>(e));
-  return function;
-}
-
-std::vector<CellFunction> functions_of_brick() {
-  const CellKind& kind = cell_kind(brick_nodes);
-  std::vector<CellFunction> functions;
-  for (const auto& [a, b] : kind.edges) functions.push_back(function_between(kind, {a, b}, Factor::cubic));
-  for (const std::vector<int>& face : kind.faces)
-    functions.push_back(function_between(kind, face, Factor::quadratic));
-  functions.push_back(function_between(kind, {0, 1, 2, 3, 4, 5, 6, 7}, Factor::quadratic));
   return functions;
 }
 
-/// Cubic functions and those of the nodes at integration points of the reference cell.
+/// A function of an edge (two corners), a face or a cell.
+struct CellFunction {
+  std::vector<int> corners;
+  /// Those from which and to which it goes, if it is odd along an axis.
+  std::array<std::vector<int>, 2> sides = {};
+  std::vector<int> middles = {};  ///< nodes in the middles of its edges: one of an edge, three or four of a face
+  std::vector<int> key = {};      ///< of these, if it is odd, those of the edges along its axis
+
+  bool is_edge() const { return corners.size() == 2; }
+};
+
+/// s of AddedFunctions: the sum of the linear functions that are not zero on the edge or face where quadrangles go on
+/// from all of it.
+Varying across(const CellKind& kind, const CellFunction& function, const std::vector<Varying>& linear) {
+  const auto sum = [&](const std::vector<int>& corners) {
+    Varying total(0.0, Eigen::Vector3d::Zero());
+    for (const int corner : corners) total += linear[corner];
+    return total;
+  };
+  const auto level = [&](int corner) { return kind.places[corner][2]; };
+  const bool flat = level(function.corners.front()) == level(function.corners.back());
+  if (kind.corners == Corners::brick) return sum(function.corners);
+  if (kind.corners == Corners::wedge && function.corners.size() < 4)
+    return !flat ? sum(function.corners) : level(function.corners[0]) < 0 ? sum({0, 1, 2}) : sum({3, 4, 5});
+  if (kind.corners == Corners::pyramid && function.is_edge() && flat)
+    return sum(function.corners) / sum({0, 1, 2, 3});
+  return sum({}) + 1;
+}
+
+Varying value_of(const CellKind& kind, const CellFunction& function, const std::vector<Varying>& linear) {
+  const auto N = [&](std::size_t k) -> const Varying& { return linear[function.corners[k]]; };
+  const Varying s = across(kind, function, linear);
+  const auto even = [&]() -> Varying {
+    if (function.is_edge()) return 4 * N(0) * N(1) / s;
+    if (function.corners.size() == 3) return 27 * N(0) * N(1) * N(2) / (s * s);
+    if (function.corners.size() == 4) return 16 * N(0) * N(2) / s;
+    return 64 * N(0) * N(6);
+  };
+  if (function.sides[0].empty()) return even();
+  Varying along(0.0, Eigen::Vector3d::Zero());
+  for (const int corner : function.sides[0]) along -= linear[corner];
+  for (const int corner : function.sides[1]) along += linear[corner];
+  return even() * along / s;
+}
+
+void list_middles(const CellKind& kind, CellFunction& function) {
+  const auto has = [](const std::vector<int>& corners, int corner) {
+    return std::find(corners.begin(), corners.end(), corner) != corners.end();
+  };
+  for (std::size_t e = 0; e < kind.edges.size(); ++e) {
+    const auto [a, b] = kind.edges[e];
+    if (!has(function.corners, a) || !has(function.corners, b)) continue;
+    function.middles.push_back(kind.corners + static_cast<int>(e));
+    if (has(function.sides[0], a) == has(function.sides[0], b) && !function.sides[0].empty()) continue;
+    function.key.push_back(function.middles.back());
+  }
+}
+
+std::vector<CellFunction> functions_of(const CellKind& kind) {
+  std::vector<CellFunction> functions;
+  for (const auto& [a, b] : kind.edges) functions.push_back({{a, b}, {{{a}, {b}}}});
+  const bool complete = kind.nodes() == complete_brick_nodes;
+  for (const std::vector<int>& f : kind.faces) {
+    if (!complete) functions.push_back({f});
+    if (complete) functions.push_back({f, {{{f[0], f[3]}, {f[1], f[2]}}}});
+    if (complete) functions.push_back({f, {{{f[0], f[1]}, {f[3], f[2]}}}});
+  }
+  const std::vector<int> all = {0, 1, 2, 3, 4, 5, 6, 7};
+  if (kind.corners == Corners::brick && !complete) functions.push_back({all});
+  for (int axis = 0; axis < 3 && complete; ++axis) {
+    functions.push_back({all});
+    for (const int corner : all) functions.back().sides[kind.places[corner][axis] < 0 ? 0 : 1].push_back(corner);
+  }
+  for (CellFunction& function : functions) list_middles(kind, function);
+  return functions;
+}
+
+/// Four points along each direction. In a cell with triangles they are those of a brick of which sides are drawn
+/// together, exact to the fifth degree.
+std::vector<ReferencePoint> precise_points(const CellKind& kind) {
+  const auto from_zero = [](double x) { return (1 + x) / 2; };
+  std::vector<ReferencePoint> points;
+  for (const auto& [c, wc] : gauss_points(4))
+    for (const auto& [b, wb] : gauss_points(4))
+      for (const auto& [a, wa] : gauss_points(4)) {
+        const double weight = wa * wb * wc, u = from_zero(a), v = from_zero(b), w = from_zero(c);
+        if (kind.corners == Corners::brick) points.push_back({{a, b, c}, weight});
+        if (kind.corners == Corners::wedge) points.push_back({{u, (1 - u) * v, c}, weight / 4 * (1 - u)});
+        if (kind.corners == Corners::pyramid) points.push_back({{w * a, w * b, -w}, weight / 2 * w * w});
+        if (kind.corners == Corners::tetrahedron)
+          points.push_back({{u, (1 - u) * v, (1 - u) * (1 - v) * w}, weight / 8 * (1 - u) * (1 - u) * (1 - v)});
+      }
+  return points;
+}
+
+/// Some functions and those of the nodes at integration points of the reference cell.
 struct FunctionTable {
-  FunctionTable(const std::vector<CellFunction>& functions, int points_a_direction);
+  FunctionTable(const CellKind& kind, const std::vector<CellFunction>& functions,
+                const std::vector<ReferencePoint>& points);
+  int nodes;
   Eigen::VectorXd weight;
-  Eigen::MatrixXd value;                 ///< points x (cubic functions, then nodes)
+  Eigen::MatrixXd value;                 ///< points x (functions, then nodes)
   std::array<Eigen::MatrixXd, 3> slope;  ///< likewise
 };
 
-FunctionTable::FunctionTable(const std::vector<CellFunction>& functions, int points_a_direction) {
-  const CellKind& kind = cell_kind(brick_nodes);
-  const std::span<const GaussPoint> line = gauss_points(points_a_direction);
-  const auto n = static_cast<Eigen::Index>(line.size()), cubic = static_cast<Eigen::Index>(functions.size());
-  weight.resize(n * n * n);
-  value.resize(n * n * n, cubic + brick_nodes);
+FunctionTable::FunctionTable(const CellKind& kind, const std::vector<CellFunction>& functions,
+                             const std::vector<ReferencePoint>& points)
+    : nodes(kind.nodes()), weight(points.size()), value(points.size(), functions.size() + kind.nodes()) {
   slope.fill(value);
   for (Eigen::Index q = 0; q < weight.size(); ++q) {
-    const GaussPoint &x = line[q % n], &y = line[q / n % n], &z = line[q / n / n];
-    const Eigen::Vector3d at(x.x, y.x, z.x);
-    weight[q] = x.weight * y.weight * z.weight;
-    value.row(q).tail<brick_nodes>() = kind.shape(at).transpose();
-    const Eigen::MatrixX3d gradient = kind.gradient(at);
-    for (int d = 0; d < 3; ++d) slope[d].row(q).tail<brick_nodes>() = gradient.col(d).transpose();
-    for (Eigen::Index f = 0; f < cubic; ++f) {
-      std::array<std::array<double, 2>, 3> factor;
-      for (int d = 0; d < 3; ++d) factor[d] = evaluate(functions[f].factors[d], at[d]);
-      value(q, f) = factor[0][0] * factor[1][0] * factor[2][0];
-      slope[0](q, f) = factor[0][1] * factor[1][0] * factor[2][0];
-      slope[1](q, f) = factor[0][0] * factor[1][1] * factor[2][0];
-      slope[2](q, f) = factor[0][0] * factor[1][0] * factor[2][1];
+    const ReferencePoint& point = points[static_cast<std::size_t>(q)];
+    weight[q] = point.weight;
+    value.row(q).tail(nodes) = kind.shape(point.at).transpose();
+    const Eigen::MatrixX3d gradient = kind.gradient(point.at);
+    for (int d = 0; d < 3; ++d) slope[d].row(q).tail(nodes) = gradient.col(d).transpose();
+    const std::vector<Varying> linear = corner_functions(kind, point.at);
+    for (std::size_t f = 0; f < functions.size(); ++f) {
+      const Varying found = value_of(kind, functions[f], linear);
+      value(q, static_cast<Eigen::Index>(f)) = found.value();
+      for (int d = 0; d < 3; ++d) slope[d](q, static_cast<Eigen::Index>(f)) = found.derivatives()[d];
     }
   }
 }
 
-struct Brick {
-  std::vector<CellFunction> functions = functions_of_brick();
-  FunctionTable own{functions, 3};      ///< at the points that integrate the brick itself
-  FunctionTable precise{functions, 4};  ///< exact for the squares of cubic functions
+/// A kind of cell with its functions.
+struct Element {
+  explicit Element(const CellKind& kind)
+      : functions(functions_of(kind)), table(kind, functions, precise_points(kind)) {}
+  std::vector<CellFunction> functions;
+  FunctionTable table;  ///< exact for the stiffness of cubic functions in a straight cell
 };
 
-const Brick& brick() {
-  static const Brick known;
-  return known;
+const Element& element_of(Eigen::Index nodes) {
+  static const std::map<Eigen::Index, Element> known = [] {
+    std::map<Eigen::Index, Element> elements;
+    for (const CellKind& kind : all_cell_kinds()) elements.try_emplace(kind.nodes(), kind);
+    return elements;
+  }();
+  return known.at(nodes);
 }
 
 /// The integrals of the products of values and of slopes (d/dx_i of the row's, d/dx_j of the column's function) of
-/// all functions, cubic ones and those of the nodes.
+/// all functions of a table.
 struct Products {
   Products(const FunctionTable& table, const Eigen::Matrix3Xd& places);
   Eigen::Matrix3d stiffness(const Material& material, Eigen::Index row, Eigen::Index column) const;
@@ -124,7 +199,7 @@ Products::Products(const FunctionTable& table, const Eigen::Matrix3Xd& places) {
   Eigen::VectorXd volume(table.weight.size());
   for (Eigen::Index q = 0; q < volume.size(); ++q) {
     Eigen::Matrix3d jacobian;  // dx/dxi
-    for (int d = 0; d < 3; ++d) jacobian.col(d) = places * table.slope[d].row(q).tail<brick_nodes>().transpose();
+    for (int d = 0; d < 3; ++d) jacobian.col(d) = places * table.slope[d].row(q).tail(table.nodes).transpose();
     const Eigen::Matrix3d inverse = jacobian.inverse();
     volume[q] = table.weight[q] * jacobian.determinant();
     for (int d = 0; d < 3; ++d)
@@ -149,64 +224,136 @@ Eigen::Matrix3d Products::stiffness(const Material& material, Eigen::Index row, 
   return K;
 }
 
-}  // namespace
-
-std::array<double, AddedFunctions::on_a_face> AddedFunctions::on_face(double s, double t) {
-  const double along_s = evaluate(Factor::cubic, s)[0], along_t = evaluate(Factor::cubic, t)[0];
-  return {along_s * (1 - t) / 2, along_t * (1 + s) / 2, -along_s * (1 + t) / 2, -along_t * (1 - s) / 2,
-          (1 - s * s) * (1 - t * t)};
+/// Blocks of 3 x 3 between the functions of two lists, in the frames of each.
+template <class Block>
+Eigen::MatrixXd assemble(const Block& block, const std::vector<Eigen::Index>& rows,
+                         const std::vector<Eigen::Matrix3d>& row_frames, const std::vector<Eigen::Index>& columns,
+                         const std::vector<Eigen::Matrix3d>& column_frames) {
+  Eigen::MatrixXd matrix(3 * rows.size(), 3 * columns.size());
+  for (std::size_t b = 0; b < columns.size(); ++b)
+    for (std::size_t a = 0; a < rows.size(); ++a)
+      matrix.block<3, 3>(3 * a, 3 * b) = (row_frames[a].transpose() * block(rows[a], columns[b]) * column_frames[b]);
+  return matrix;
 }
 
+}  // namespace
+
+std::vector<AddedFunctions::OfFace> AddedFunctions::of_face(int nodes) {
+  constexpr int triangle = 6, complete = 9;
+  if (nodes == triangle) return {{{{{0}, {1}}}, {0}}, {{{{1}, {2}}}, {1}}, {{{{2}, {0}}}, {2}}, {{}, {0, 1, 2}}};
+  std::vector<OfFace> functions = {
+      {{{{0}, {1}}}, {0}}, {{{{1}, {2}}}, {1}}, {{{{2}, {3}}}, {2}}, {{{{3}, {0}}}, {3}}};
+  if (nodes != complete) functions.push_back({{}, {0, 1, 2, 3}});
+  if (nodes == complete) functions.push_back({{{{0, 3}, {1, 2}}}, {0, 2}});
+  if (nodes == complete) functions.push_back({{{{0, 1}, {3, 2}}}, {1, 3}});
+  return functions;
+}
+
+std::vector<double> AddedFunctions::on_face(int nodes, double s, double t) {
+  constexpr int triangle = 6;
+  const CellKind& kind = cell_kind(nodes == triangle ? 15 : 20);  // the face is its lower side
+  const std::vector<Varying> linear = corner_functions(kind, {s, t, -1});
+  const std::vector<int> all = nodes == triangle ? std::vector{0, 1, 2} : std::vector{0, 1, 2, 3};
+  std::vector<double> values;
+  for (const OfFace& function : of_face(nodes)) {
+    const auto& [from, to] = function.sides;
+    const bool is_edge = from.size() == 1;
+    values.push_back(value_of(kind, {is_edge ? std::vector{from[0], to[0]} : all, function.sides}, linear).value());
+  }
+  return values;
+}
+
+namespace {
+
+/// The corners of the faces that lie on one of the cuts, in the places of their partners on the lower one.
+std::set<std::vector<int>> cut_faces(const SectorMesh& mesh, const std::vector<int>& cut) {
+  std::map<int, int> lower;
+  for (std::size_t k = 0; k < cut.size(); ++k) lower[cut[k]] = mesh.cyclic_low[k];
+  std::set<std::vector<int>> found;
+  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = nodes_of(mesh.cells, cell);
+    for (const std::vector<int>& face : cell_kind(static_cast<int>(nodes.size())).faces) {
+      std::vector<int> corners;
+      for (const int corner : face)
+        if (const auto known = lower.find(nodes[corner]); known != lower.end()) corners.push_back(known->second);
+      std::sort(corners.begin(), corners.end());
+      if (corners.size() == face.size()) found.insert(corners);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
 bool AddedFunctions::serve(const SectorMesh& mesh) {
-  if (mesh.cubic != nullptr) return false;
+  if (mesh.cubic != nullptr || mesh.cell_count() == 0) return false;
+  int complete = 0;
   for (int cell = 0; cell < mesh.cell_count(); ++cell)
-    if (nodes_of(mesh.cells, cell).size() != brick_nodes) return false;
-  return mesh.cell_count() > 0;
+    complete += nodes_of(mesh.cells, cell).size() == complete_brick_nodes;
+  if (complete > 0 && complete < mesh.cell_count()) return false;
+  return cut_faces(mesh, mesh.cyclic_low) == cut_faces(mesh, mesh.cyclic_high);
+}
+
+double AddedFunctions::memory(const SectorMesh& mesh) {
+  double bytes = 0;
+  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    const Eigen::Index nodes = nodes_of(mesh.cells, cell).size();
+    const auto n = static_cast<double>(nodes), w = static_cast<double>(element_of(nodes).functions.size());
+    bytes += 9 * (sizeof(double) * (w * n + n * n) + sizeof(float) * (w * w + (w + n) * n));
+  }
+  return bytes;
 }
 
 AddedFunctions::AddedFunctions(const SectorMesh& mesh)
     : mesh_(mesh), lower_(mesh.node_count(), -1), cells_(mesh.cell_count()) {
   for (std::size_t k = 0; k < mesh.cyclic_low.size(); ++k) lower_[mesh.cyclic_high[k]] = mesh.cyclic_low[k];
+  std::vector<std::vector<int>> middles;
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
     const auto nodes = nodes_of(mesh.cells, cell);
-    // Of two partners on the cuts, both have the direction that the lower one has.
-    const auto rank = [&](int corner) {
-      const int node = nodes[corner];
-      return std::pair(lower_[node] < 0 ? node : lower_[node], node);
+    const auto listed = [&](const std::vector<int>& of_cell) {
+      std::vector<int> found;
+      for (const int k : of_cell) found.push_back(nodes[k]);
+      std::sort(found.begin(), found.end());
+      return found;
     };
-    for (const CellFunction& function : brick().functions) {
-      std::vector<int> key;
-      for (const int middle : function.middles) key.push_back(nodes[middle]);
-      std::sort(key.begin(), key.end());
-      const auto known = numbers_.try_emplace(key, static_cast<int>(numbers_.size())).first;
-      const bool reversed = function.middles.size() == 1 && rank(function.ends[1]) < rank(function.ends[0]);
+    // Of two partners on the cuts, both have the direction that the lower one has.
+    const auto rank = [&](const std::vector<int>& corners) {
+      std::pair<int, int> least(std::numeric_limits<int>::max(), 0);
+      for (const int corner : corners)
+        least = std::min(least,
+                         std::pair(lower_[nodes[corner]] < 0 ? nodes[corner] : lower_[nodes[corner]], nodes[corner]));
+      return least;
+    };
+    for (const CellFunction& function : element_of(nodes.size()).functions) {
+      const auto [known, is_new] = numbers_.try_emplace(listed(function.key), static_cast<int>(numbers_.size()));
+      if (is_new) middles.push_back(listed(function.middles));
+      const bool reversed = rank(function.sides[1]) < rank(function.sides[0]);
       cells_[cell].push_back({known->second, reversed ? -1.0 : 1.0});
     }
   }
-  number();
+  number(middles);
 }
 
-void AddedFunctions::number() {
+void AddedFunctions::number(const std::vector<std::vector<int>>& middles) {
   std::vector<bool> clamped(mesh_.node_count()), low(mesh_.node_count());
   for (const int node : mesh_.clamped) clamped[node] = true;
   for (const int node : mesh_.cyclic_low) low[node] = true;
-  const auto all = [](const std::vector<int>& nodes, const auto& test) {
-    return std::all_of(nodes.begin(), nodes.end(), test);
-  };
+  const auto all = [&](int f, const auto& test) { return std::all_of(middles[f].begin(), middles[f].end(), test); };
   functions_.resize(numbers_.size());
   std::vector<int> interior, face;
-  std::vector<std::pair<int, std::vector<int>>> high;  // with the middles of the partner's edges
-  for (const auto& [middles, f] : numbers_) {
-    const Eigen::Matrix3Xd places = mesh_.nodes(Eigen::all, middles);
+  std::vector<std::pair<int, std::vector<int>>> high;  // with the key of the partner
+  for (const auto& [key, f] : numbers_) {
+    const Eigen::Matrix3Xd places = mesh_.nodes(Eigen::all, middles[f]);
     functions_[f].frame = cylindrical_frame(places.rowwise().mean());
-    if (all(middles, [&](int node) { return clamped[node]; })) continue;
-    std::vector<int> partner;
-    for (const int node : middles) partner.push_back(lower_[node]);
-    std::sort(partner.begin(), partner.end());
-    if (partner.front() >= 0)
+    if (all(f, [&](int node) { return clamped[node]; })) continue;
+    if (all(f, [&](int node) { return lower_[node] >= 0; })) {
+      std::vector<int> partner;
+      for (const int node : key) partner.push_back(lower_[node]);
+      std::sort(partner.begin(), partner.end());
       high.emplace_back(f, partner);
-    else
-      (all(middles, [&](int node) { return low[node]; }) ? face : interior).push_back(f);
+    } else {
+      (all(f, [&](int node) { return low[node]; }) ? face : interior).push_back(f);
+    }
   }
   dofs_.interior = static_cast<int>(3 * interior.size());
   dofs_.face = static_cast<int>(3 * face.size());
@@ -220,19 +367,21 @@ void AddedFunctions::number() {
 Eigen::MatrixXd AddedFunctions::contact_loads(const std::map<std::vector<int>, Eigen::VectorXd>& weights,
                                               int contacts) const {
   Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(dofs_.sector(), 3 * contacts);
-  for (const auto& [middles, of_contacts] : weights)
+  for (const auto& [middles, of_contacts] : weights) {
+    const auto known = numbers_.find(middles);
+    if (known == numbers_.end()) continue;  // a face of the group that is no cell's
     for (int k = 0; k < contacts; ++k)
-      for (int d = 0; d < 3; ++d) loads(functions_[numbers_.at(middles)].first + d, 3 * k + d) = of_contacts[k];
+      for (int d = 0; d < 3; ++d) loads(functions_[known->second].first + d, 3 * k + d) = of_contacts[k];
+  }
   return loads;
 }
 
 AddedCell AddedFunctions::integrate(int cell, const SectorDofs& node_dofs, const Material& material) const {
   const auto listed = nodes_of(mesh_.cells, cell);
-  const Eigen::Matrix3Xd places = mesh_.nodes(Eigen::all, listed);
-  const Products own(brick().own, places), precise(brick().precise, places);
+  const Products products(element_of(listed.size()).table, mesh_.nodes(Eigen::all, listed));
   AddedCell result;
-  std::vector<Eigen::Index> moving, nodes;  // in the tables
-  std::vector<Eigen::Matrix3d> frames, node_frames;
+  std::vector<Eigen::Index> moving, nodes, all;  // in the table
+  std::vector<Eigen::Matrix3d> frames, node_frames, all_frames;
   for (const InCell& at : cells_[cell]) {
     const Function& function = functions_[at.function];
     if (function.first < 0) continue;
@@ -245,25 +394,16 @@ AddedCell AddedFunctions::integrate(int cell, const SectorDofs& node_dofs, const
     node_frames.push_back(cylindrical_frame(mesh_.nodes.col(node)));
     result.nodes.push_back(node_dofs.first[node]);
   }
-  const auto assemble = [](const auto& block, const auto& rows, const auto& row_frames, const auto& columns,
-                           const auto& column_frames) {
-    Eigen::MatrixXd matrix(3 * rows.size(), 3 * columns.size());
-    for (std::size_t b = 0; b < columns.size(); ++b)
-      for (std::size_t a = 0; a < rows.size(); ++a)
-        matrix.block<3, 3>(3 * a, 3 * b) =
-            (row_frames[a].transpose() * block(rows[a], columns[b]) * column_frames[b]);
-    return matrix;
-  };
-  const auto stiffness = [&](const Products& of) {
-    return [&](Eigen::Index a, Eigen::Index b) { return of.stiffness(material, a, b); };
-  };
+  std::copy(nodes.begin(), nodes.end(), std::back_inserter(all = moving));
+  std::copy(node_frames.begin(), node_frames.end(), std::back_inserter(all_frames = frames));
+  const auto stiffness = [&](Eigen::Index a, Eigen::Index b) { return products.stiffness(material, a, b); };
   const auto mass = [&](Eigen::Index a, Eigen::Index b) {
-    return Eigen::Matrix3d(material.density * own.values(a, b) * Eigen::Matrix3d::Identity());
+    return Eigen::Matrix3d(material.density * products.values(a, b) * Eigen::Matrix3d::Identity());
   };
-  result.stiffness = assemble(stiffness(precise), moving, frames, moving, frames);
-  result.coupling = assemble(stiffness(own), moving, frames, nodes, node_frames);
-  result.of_nodes = assemble(stiffness(own), nodes, node_frames, nodes, node_frames);
-  result.mass = assemble(mass, moving, frames, nodes, node_frames).cast<float>();
+  result.stiffness = assemble(stiffness, moving, frames, moving, frames).cast<float>();
+  result.coupling = assemble(stiffness, moving, frames, nodes, node_frames);
+  result.of_nodes = assemble(stiffness, nodes, node_frames, nodes, node_frames);
+  result.mass = assemble(mass, all, all_frames, nodes, node_frames).cast<float>();
   return result;
 }
 

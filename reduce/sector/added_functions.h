@@ -12,33 +12,51 @@
 
 namespace tiprub::reduce {
 
-/// One cell's stiffness and mass between cubic functions and nodes, for displacements in cylindrical components.
-/// Stiffness is in double precision, because nodes move far and strain little.
+/// One cell's stiffness and mass between cubic functions and nodes, for displacements in cylindrical components, all
+/// by the same quadrature. Stiffness of nodes is in double precision, because they move far and strain little.
 struct AddedCell {
   std::vector<int> functions;  ///< first dof of each cubic function that moves: r; theta and z follow
   std::vector<int> nodes;      ///< first sector dof of each node, or -1
-  Eigen::MatrixXd stiffness;   ///< [N/m] cubic x cubic dofs
+  Eigen::MatrixXf stiffness;   ///< [N/m] cubic x cubic dofs
   Eigen::MatrixXd coupling;    ///< [N/m] cubic x node dofs
   Eigen::MatrixXd of_nodes;    ///< [N/m] node x node dofs
-  Eigen::MatrixXf mass;        ///< [kg] cubic x node dofs
+  Eigen::MatrixXf mass;        ///< [kg] (cubic, then node dofs) x node dofs
 };
 
-/// What a brick of 20 nodes lacks: cubic functions of its edges, quadratic ones in the middles of its faces and in
-/// its middle. With the bubbles b2 = 1 - x^2 and b3 = x (1 - x^2) of each direction of the reference cell,
-///     edge      b3 along it, linear across,
-///     face      b2 b2 on it, linear across,
-///     middle    b2 b2 b2.
-/// With them a brick holds all polynomials of the third degree, and those of the brick of 27 nodes. All vanish at the
-/// nodes. They are numbered as the nodes are (see SectorDofs), interior | low cut face | high cut face, in the
-/// cylindrical frame at the middle of the edge or face, so that a CyclicTransformation applies.
+/// What quadratic cells lack: cubic functions of their edges, and functions of their faces and of bricks that vanish
+/// around them. With the linear functions N_a of the corners a, b, c, ... around,
+///     edge          4 N_a N_b (N_b - N_a)/s^2,   x (1 - x^2) along it,
+///     triangle      27 N_a N_b N_c/s^2,
+///     quadrangle    16 N_a N_c/s,                (1 - x^2)(1 - y^2) on it,
+///     brick         64 N_a N_g of opposite corners, likewise.
+/// s is 1 on triangles; where a cell goes on beyond an edge or face by quadrangles, s falls linearly over them, from
+/// 1 to 0 at the other end, and the function with it. A brick of 27 nodes has the last two already; they are replaced
+/// by themselves times x, y and z. Without these, displacements near a point force would hardly be richer. So
+/// neighbours of any kind have the same functions on a face that they share, unless one has a node in its middle.
+/// With them a straight cell holds all polynomials of the third degree (except a pyramid, which has rational
+/// functions). All vanish at the nodes. They are numbered as the nodes are (see SectorDofs), interior | low cut face
+/// | high cut face, in the cylindrical frame at the middle of the edge, face or cell, so that a CyclicTransformation
+/// applies.
 class AddedFunctions {
  public:
-  static constexpr int on_a_face = 5;
-  /// The functions that a brick has on a face: those of the edges from corner k to k + 1, then that of the face.
-  static std::array<double, on_a_face> on_face(double s, double t);
+  /// A function on a face.
+  struct OfFace {
+    /// Corners from which and to which it goes, if it is odd along an axis: from the side with the lowest number on.
+    std::array<std::vector<int>, 2> sides;
+    /// The edges, k from corner k to k + 1, that it is known by: those along its axis, or all of the face. Their
+    /// middles, ascending, are its key.
+    std::vector<int> edges;
+  };
+  /// The functions on a face of so many nodes (see face_shape()).
+  static std::vector<OfFace> of_face(int nodes);
+  /// Their values, likewise.
+  static std::vector<double> on_face(int nodes, double s, double t);
 
-  /// Whether all cells are bricks of 20 nodes with quadratic displacements.
+  /// Not for cubic displacements, nor where bricks of 27 nodes have neighbours of another kind, nor where the cells
+  /// divide the cuts differently.
   static bool serve(const SectorMesh& mesh);
+  /// [bytes] of the AddedCells of a mesh.
+  static double memory(const SectorMesh& mesh);
 
   /// The mesh must outlive this object.
   explicit AddedFunctions(const SectorMesh& mesh);
@@ -60,13 +78,13 @@ class AddedFunctions {
     double sign = 1;  ///< of an edge that the cell has against the function's direction
   };
 
-  void number();
+  void number(const std::vector<std::vector<int>>& middles);
 
   const SectorMesh& mesh_;
   SectorDofs dofs_;
   std::vector<int> lower_;  ///< of each node of the high cut face, its partner; -1 of the others
   std::vector<Function> functions_;
-  std::map<std::vector<int>, int> numbers_;  ///< of functions, by the nodes in the middles of their edges, ascending
+  std::map<std::vector<int>, int> numbers_;  ///< of functions, by their keys (see OfFace)
   std::vector<std::vector<InCell>> cells_;
 };
 

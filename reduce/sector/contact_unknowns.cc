@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <string>
@@ -23,11 +24,11 @@ struct FacePoint {
   FacePoint(int nodes, double s, double t, double share)
       : shape(face_shape(nodes, s, t)),
         cubic(cubic_shape(Eigen::Vector2d(s, t))),
-        added(AddedFunctions::on_face(s, t)),
+        added(AddedFunctions::on_face(nodes, s, t)),
         weight(share) {}
-  Eigen::MatrixX3d shape;  // N, dN/ds, dN/dt; nodes x 3
-  Eigen::VectorXd cubic;   // the functions of a cubic brick's face
-  std::array<double, AddedFunctions::on_a_face> added;
+  Eigen::MatrixX3d shape;     // N, dN/ds, dN/dt; nodes x 3
+  Eigen::VectorXd cubic;      // the functions of a cubic brick's face
+  std::vector<double> added;  // see AddedFunctions::on_face()
   double weight;
 };
 
@@ -84,7 +85,7 @@ class TipIntegrals {
   Eigen::Index points = 0;
   Eigen::VectorXd arc_length;                               ///< [m] of each node, along the blade's own line
   Eigen::MatrixXd loads;                                    ///< [m^2] segments x nodes
-  std::map<std::vector<int>, Eigen::VectorXd> added_loads;  ///< [m^2] likewise of the functions that bricks lack
+  std::map<std::vector<int>, Eigen::VectorXd> added_loads;  ///< [m^2] likewise of the functions that the cells lack
 
  private:
   /// w_k dA at a point of a face, of the two segments that are not zero there.
@@ -115,22 +116,27 @@ class TipIntegrals {
   }
 
   struct AddedToFace {
-    double sign;  // of an edge, whose function increases from the node of lower number to the other
+    double sign;
     Eigen::VectorXd* loads;
   };
 
-  /// In the order of AddedFunctions::on_face().
+  /// In the order of AddedFunctions::of_face().
   std::vector<AddedToFace> added_to(const Eigen::VectorXi& face) {
-    constexpr int corners = 4, face_nodes = 8;
-    if (face.size() != face_nodes) return {};
-    std::vector<int> middles(face.begin() + corners, face.end());
-    std::vector<AddedToFace> found;
-    const auto add = [&](double sign, const std::vector<int>& key) {
-      found.push_back({sign, &added_loads.try_emplace(key, Eigen::VectorXd::Zero(count_)).first->second});
+    constexpr int triangle_nodes = 6;
+    const int corners = face.size() == triangle_nodes ? 3 : 4;
+    const auto least = [&](const std::vector<int>& side) {
+      int number = std::numeric_limits<int>::max();
+      for (const int corner : side) number = std::min(number, face[corner]);
+      return number;
     };
-    for (int k = 0; k < corners; ++k) add(face[k] < face[(k + 1) % corners] ? 1 : -1, {middles[k]});
-    std::sort(middles.begin(), middles.end());
-    add(1, middles);
+    std::vector<AddedToFace> found;
+    for (const AddedFunctions::OfFace& function : AddedFunctions::of_face(static_cast<int>(face.size()))) {
+      std::vector<int> key;
+      for (const int edge : function.edges) key.push_back(face[corners + edge]);
+      std::sort(key.begin(), key.end());
+      found.push_back({least(function.sides[1]) < least(function.sides[0]) ? -1.0 : 1.0,
+                       &added_loads.try_emplace(key, Eigen::VectorXd::Zero(count_)).first->second});
+    }
     return found;
   }
 

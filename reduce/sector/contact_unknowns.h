@@ -17,7 +17,7 @@ struct ContactUnknowns {
   ContactLine line;        ///< static shifts are left zero
   std::vector<int> tip = {};     ///< the nodes that segments spread over; none with points
   Eigen::MatrixXd weights = {};  ///< [1] W, of each node of the tip in a segment; each row's sum over points is one
-  /// [1] W of the functions that a tip of bricks lacks (see added_functions.h), by the nodes in the middles of a
+  /// [1] W of the functions that the cells of a tip lack (see added_functions.h), by the nodes in the middles of a
   /// function's edges, ascending; one weight for each segment.
   std::map<std::vector<int>, Eigen::VectorXd> added_weights = {};
 };

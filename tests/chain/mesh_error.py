@@ -1,13 +1,17 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The error of a mesh as tiprub-reduce estimates it, against the model of the refined mesh (`[reduce] refine = 1`).
+"""The error of a mesh as tiprub-reduce estimates it, against the models of finer discretisations of the same sector.
 
-usage: mesh_error.py TIPRUB_MESH TIPRUB_REDUCE CASE WORK_FOLDER [KEY=VALUE]...
+usage: mesh_error.py TIPRUB_MESH TIPRUB_REDUCE CASE WORK_FOLDER [--sector FILE] [--finer KEY=VALUE]... [KEY=VALUE]...
+
+A finer discretisation is `reduce.refine=1`, the default, or `reduce.element_order=3`. The case's own mesh is made unless a
+file has it.
 
 Prints the effectivity index, estimated over measured error, of the first modes of each nodal diameter and of the
 compliances of the contact unknowns along their normals. It must be between 0.5 and 2. Modes are paired in the order that
 they have without their estimated errors.
 """
+import argparse
 import os
 import subprocess
 import sys
@@ -20,10 +24,10 @@ MORE = 3
 RANGE = 0.5, 2.0
 
 
-def reduced(tools, case, folder, name, keys):
-    model = os.path.join(folder, name + ".h5")
+def reduced(arguments, sector, name, keys):
+    model = os.path.join(arguments.folder, name + ".h5")
     settings = [word for key in keys for word in ("--set", key)]
-    subprocess.run([tools[1], case, os.path.join(folder, "sector.msh"), "-o", model, *settings], check=True)
+    subprocess.run([arguments.reduce, arguments.case, sector, "-o", model, *settings], check=True)
     return h5py.File(model)
 
 
@@ -54,16 +58,30 @@ def tell(what, estimated, measured):
 
 
 def main():
-    *tools, case, folder = sys.argv[1:5]
-    os.makedirs(folder, exist_ok=True)
-    keys = ["reduce.verification_speeds=[0.0]", f"reduce.verification_modes={MODES + MORE}", *sys.argv[5:]]
-    settings = [word for key in keys for word in ("--set", key)]
-    subprocess.run([tools[0], case, "-o", os.path.join(folder, "sector.msh"), *settings], check=True)
-    coarse = reduced(tools, case, folder, "coarse", keys)
-    fine = reduced(tools, case, folder, "fine", [*keys, "reduce.refine=1", "reduce.mesh_error=false"])
-    good = [tell(f"nodal diameter {n}", *frequency_errors(coarse, fine, n))
-            for n in range(len(coarse["mesh_error/frequency"]))]
-    good.append(tell("compliances", coarse["mesh_error/compliance"][:], 1 - compliances(coarse) / compliances(fine)))
+    parser = argparse.ArgumentParser()
+    for name in ("mesh", "reduce", "case", "folder"):
+        parser.add_argument(name)
+    parser.add_argument("--sector")
+    parser.add_argument("--finer", action="append")
+    arguments, given = parser.parse_known_args()
+    if arguments.sector and not os.path.exists(arguments.sector):
+        print(f"SKIPPED: there is no {arguments.sector}")
+        return 77
+    os.makedirs(arguments.folder, exist_ok=True)
+    keys = ["reduce.verification_speeds=[0.0]", f"reduce.verification_modes={MODES + MORE}", *given]
+    sector = arguments.sector or os.path.join(arguments.folder, "sector.msh")
+    if not arguments.sector:
+        settings = [word for key in keys for word in ("--set", key)]
+        subprocess.run([arguments.mesh, arguments.case, "-o", sector, *settings], check=True)
+    coarse = reduced(arguments, sector, "coarse", keys)
+    good = []
+    for finer in arguments.finer or ["reduce.refine=1"]:
+        fine = reduced(arguments, sector, "fine", [*keys, finer, "reduce.mesh_error=false"])
+        good += [tell(f"{finer}, nodal diameter {n}", *frequency_errors(coarse, fine, n))
+                 for n in range(len(coarse["mesh_error/frequency"]))]
+        good.append(tell(f"{finer}, compliances", coarse["mesh_error/compliance"][:],
+                         1 - compliances(coarse) / compliances(fine)))
+        fine.close()
     return 0 if all(good) else 1
 
 

@@ -9,6 +9,7 @@
 #include "reduce/sector/contact_line.h"
 #include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
+#include "tests/reduce/split_cells.h"
 #include "tests/reduce/test_rotor.h"
 
 namespace tiprub::reduce {
@@ -51,6 +52,21 @@ TEST(Reduction, MakesAModelThatPassesItsOwnCheck) {
     EXPECT_EQ(model.nodal_diameters[n].M.rows(), model.contact_dofs() + report.generalized_dofs[n]);
     EXPECT_EQ(report.generalized_dofs[n] + report.dropped[n], 16 + 16 + model.contact_dofs() + report.corrections[n]);
   }
+}
+
+TEST(Reduction, EstimatesTheErrorOfTheMeshOrSaysThatItCant) {
+  ReductionReport report;
+  EXPECT_TRUE(reduced(parameters(), report).mesh_error.has_value());
+  EXPECT_FALSE(report.mesh_error_unknown);
+  // Four wedges, whose few integration points make one of the modes softer than cubic wedges do.
+  test::Annulus annulus;
+  annulus.nodes_per_brick = 27;
+  annulus.bricks = {1, 2, 1};
+  ReductionParameters of = parameters();
+  of.verification_modes = 8;
+  const SectorMesh wedges = test::split(annulus.sector(), test::Split::wedge15);
+  EXPECT_FALSE(reduce(wedges, of, Progress::Shown::never, report).mesh_error.has_value());
+  EXPECT_TRUE(report.mesh_error_unknown);
 }
 
 TEST(Reduction, TabulatesTheUnreducedSectorsFrequencies) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/reduce/split_cells.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -122,6 +123,17 @@ class Splitting {
 
 SectorMesh split(const SectorMesh& bricks, Split into) {
   return Splitting(bricks).run(into);
+}
+
+void turn_axes(SectorMesh& mesh, int cell, int quarters) {
+  const std::vector<Eigen::Vector3d>& places = cell_kind(static_cast<int>(mesh.cells.rows())).places;
+  const Eigen::VectorXi given = mesh.cells.col(cell);
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    Eigen::Vector3d at(places[n][1], places[n][2], places[n][0]);
+    for (int k = 0; k < quarters; ++k) at = Eigen::Vector3d(-at[1], at[0], at[2]);
+    const auto same = std::find_if(places.begin(), places.end(), [&](const auto& other) { return other == at; });
+    mesh.cells(static_cast<Eigen::Index>(n), cell) = given[same - places.begin()];
+  }
 }
 
 }  // namespace tiprub::reduce::test

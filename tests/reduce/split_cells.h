@@ -11,4 +11,8 @@ namespace tiprub::reduce::test {
 enum class Split { tet10, wedge15, pyramid13, hex20, mixed, bricks_and_wedges };
 SectorMesh split(const SectorMesh& bricks, Split into);
 
+/// Turns a brick's axes, by a third of a turn about a diagonal and quarters of one about an axis. The cell stays as
+/// it is, but neighbours then see their edges and faces in different directions.
+void turn_axes(SectorMesh& mesh, int cell, int quarters);
+
 }  // namespace tiprub::reduce::test

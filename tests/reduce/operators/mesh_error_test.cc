@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <numbers>
+#include <optional>
 
 #include "reduce/basis/cyclic_modes.h"
+#include "reduce/sector/cubic_bricks.h"
 #include "reduce/sector/refinement.h"
 #include "tests/reduce/split_cells.h"
 #include "tests/reduce/test_rotor.h"
@@ -87,19 +89,56 @@ void expect_effective(const RestingSector::Frequencies& coarse, const Eigen::Vec
   expect_effective(estimated, measured, what);
 }
 
-/// The first three modes of each nodal diameter and the compliances.
-void compare_with_refined(const SectorMesh& mesh, ContactKind kind, const std::string& what) {
+/// The first three modes of each nodal diameter, and the compliances of contact of these kinds.
+void compare(const SectorMesh& mesh, const SectorMesh& finer, const std::vector<ContactKind>& kinds,
+             const std::string& what) {
   constexpr int modes = 3, more = 2;  // which the mesh may have put behind the first
-  const SectorMesh split = refined(mesh);
-  const RestingSector coarse(mesh, choose_contact(mesh, kind, 2)), fine(split, choose_contact(split, kind, 2));
-  for (int n = 0; n <= mesh.sector_count / 2; ++n)
-    expect_effective(coarse.frequencies(n, modes + more), fine.frequencies(n, modes).found,
-                     what + ", nodal diameter " + std::to_string(n));
-  expect_effective(coarse.compliance_errors(), 1 - coarse.compliances().cwiseQuotient(fine.compliances()).array(),
-                   what + ", compliances");
+  for (const ContactKind kind : kinds) {
+    const RestingSector coarse(mesh, choose_contact(mesh, kind, 2)), fine(finer, choose_contact(finer, kind, 2));
+    for (int n = 0; n <= mesh.sector_count / 2 && kind == kinds.front(); ++n)
+      expect_effective(coarse.frequencies(n, modes + more), fine.frequencies(n, modes).found,
+                       what + ", nodal diameter " + std::to_string(n));
+    expect_effective(coarse.compliance_errors(), 1 - coarse.compliances().cwiseQuotient(fine.compliances()).array(),
+                     what + (kind == ContactKind::points ? ", points" : ", segments"));
+  }
 }
 
-TEST(MeshError, OfTorsionIsThatAgainstTheClosedForm) {
+class OfBricks : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(MeshError, OfBricks, testing::Values(20, 27));
+
+TEST_P(OfBricks, IsThatAgainstFinerMeshes) {
+  const std::vector<ContactKind> both = {ContactKind::segments, ContactKind::points};
+  test::Annulus annulus;
+  annulus.sector_count = 12;
+  annulus.nodes_per_brick = GetParam();
+  annulus.bricks = {4, 4, 1};
+  const SectorMesh even = annulus.sector();
+  compare(even, refined(even), both, "annulus, refined");
+  annulus = test::skewed_annulus(5);
+  annulus.nodes_per_brick = GetParam();
+  annulus.bricks = {4, 4, 1};
+  const SectorMesh skewed = annulus.sector();
+  compare(skewed, refined(skewed), {ContactKind::segments}, "skewed annulus, refined");
+  compare(skewed, with_cubic_bricks(skewed), both, "skewed annulus, cubic");
+}
+
+struct Cells {
+  const char* name;
+  std::optional<test::Split> split;  ///< of bricks of 27 nodes
+
+  SectorMesh of(const SectorMesh& bricks) const { return split ? test::split(bricks, *split) : bricks; }
+};
+
+class OfEveryKind : public testing::TestWithParam<Cells> {};
+INSTANTIATE_TEST_SUITE_P(MeshError, OfEveryKind,
+                         testing::Values(Cells{"hex20", test::Split::hex20}, Cells{"hex27", {}},
+                                         Cells{"tet10", test::Split::tet10}, Cells{"wedge15", test::Split::wedge15},
+                                         Cells{"pyramid13", test::Split::pyramid13},
+                                         Cells{"bricks_and_pyramids", test::Split::mixed},
+                                         Cells{"bricks_and_wedges", test::Split::bricks_and_wedges}),
+                         [](const auto& given) { return given.param.name; });
+
+TEST_P(OfEveryKind, TorsionIsThatAgainstTheClosedForm) {
   // u_theta = J1(kr) Y1(ka) - Y1(kr) J1(ka) is held at a = 0.1 m; its shear stress vanishes at b = 0.2 m where k is a
   // root of J2(kb) Y1(ka) - Y2(kb) J1(ka).
   constexpr double wave_number = 9.8658264;
@@ -111,34 +150,35 @@ TEST(MeshError, OfTorsionIsThatAgainstTheClosedForm) {
   const double exact =
       wave_number * std::sqrt(test::steel().young / 2.6 / test::steel().density) / (2 * std::numbers::pi);
   test::Annulus annulus;
+  annulus.nodes_per_brick = 27;
   annulus.sector_count = 12;
   annulus.bricks = {4, 4, 1};
-  const SectorMesh mesh = annulus.sector();
-  const auto [found, error] = RestingSector(mesh, choose_contact(mesh, {}, 1)).frequencies(0, 5);
+  const SectorMesh mesh = GetParam().of(annulus.sector());
+  const auto [found, error] = RestingSector(mesh, choose_contact(mesh, ContactKind::points, 1)).frequencies(0, 5);
   Eigen::Index torsion = 0;
   (found.array() / exact - 1).abs().minCoeff(&torsion);
-  expect_effective(error.segment<1>(torsion), found.segment<1>(torsion).array() / exact - 1, "torsion of an annulus");
+  expect_effective(error.segment<1>(torsion), found.segment<1>(torsion).array() / exact - 1,
+                   std::string(GetParam().name) + ", torsion of an annulus");
 }
 
-TEST(MeshError, OfPlatesIsThatAgainstTheRefinedMesh) {
-  test::Annulus annulus;
-  annulus.sector_count = 12;
-  annulus.bricks = {4, 4, 1};
-  compare_with_refined(annulus.sector(), ContactKind::segments, "annulus with segments");
-  compare_with_refined(annulus.sector(), ContactKind::points, "annulus with points");
-  annulus = test::skewed_annulus(5);
-  annulus.bricks = {4, 4, 1};
-  compare_with_refined(annulus.sector(), ContactKind::segments, "skewed annulus");
+TEST_P(OfEveryKind, PlateIsThatAgainstTheRefinedMesh) {
+  test::Annulus annulus = test::skewed_annulus(5);
+  annulus.nodes_per_brick = 27;
+  annulus.bricks = {2, 2, 1};
+  const SectorMesh bricks = annulus.sector();
+  // Pyramids can't be split; those of bricks that are split are a finer mesh.
+  compare(GetParam().of(bricks), GetParam().of(refined(bricks)), {ContactKind::points},
+          std::string(GetParam().name) + ", skewed annulus");
 }
 
-TEST(MeshError, OfASectorIsThatOfTheWheel) {
+TEST_P(OfEveryKind, SectorIsThatOfTheWheel) {
   // The wheel as one mesh has no cut faces and no phases. With one brick around, patches meet both cuts.
   for (const int around : {1, 2}) {
     test::Annulus annulus = test::skewed_annulus(5);
+    annulus.nodes_per_brick = 27;
     annulus.bricks = {2, around, 1};
-    const RestingSector wheel(annulus.wheel(), {});
-    const SectorMesh mesh = annulus.sector();
-    const RestingSector sector(mesh, {mesh.contact_line, {}});
+    const SectorMesh wheel_mesh = GetParam().of(annulus.wheel()), mesh = GetParam().of(annulus.sector());
+    const RestingSector wheel(wheel_mesh, {}), sector(mesh, {mesh.contact_line, {}});
     const auto [found, error] = wheel.frequencies(0, 7);
     std::vector<std::pair<double, double>> joined;
     for (const int n : {0, 1, 1, 2, 2}) {
@@ -151,14 +191,6 @@ TEST(MeshError, OfASectorIsThatOfTheWheel) {
       EXPECT_NEAR(error[k] / joined[static_cast<std::size_t>(k)].second, 1.0, 1e-3);
     }
   }
-}
-
-TEST(MeshError, IsEstimatedForBricksOf20Nodes) {
-  test::Annulus annulus = test::skewed_annulus(5);
-  EXPECT_TRUE(AddedFunctions::serve(annulus.sector()));
-  annulus.nodes_per_brick = 27;
-  EXPECT_FALSE(AddedFunctions::serve(annulus.sector()));
-  EXPECT_FALSE(AddedFunctions::serve(test::split(annulus.sector(), test::Split::bricks_and_wedges)));
 }
 
 }  // namespace

@@ -24,19 +24,6 @@ namespace {
 using test::dense;
 using test::TestRotor;
 
-/// Turns a brick's axes, by a third of a turn about a diagonal and quarters of one about an axis. The cell stays as
-/// it is, but neighbours then see their edges and faces in different directions.
-void turn_axes(SectorMesh& mesh, int cell, int quarters) {
-  const std::vector<Eigen::Vector3d>& places = cell_kind(static_cast<int>(mesh.cells.rows())).places;
-  const Eigen::VectorXi given = mesh.cells.col(cell);
-  for (std::size_t n = 0; n < places.size(); ++n) {
-    Eigen::Vector3d at(places[n][1], places[n][2], places[n][0]);
-    for (int k = 0; k < quarters; ++k) at = Eigen::Vector3d(-at[1], at[0], at[2]);
-    const auto same = std::find_if(places.begin(), places.end(), [&](const auto& other) { return other == at; });
-    mesh.cells(static_cast<Eigen::Index>(n), cell) = given[same - places.begin()];
-  }
-}
-
 /// Bricks that are parallelepipeds, with axes in all directions.
 class CubicBricks : public ::testing::TestWithParam<int> {
  protected:
@@ -47,7 +34,7 @@ class CubicBricks : public ::testing::TestWithParam<int> {
     });
     mesh.tip_faces = grid.outer_faces(0, 3);
     for (int k = 0; k <= 4; ++k) mesh.contact_line.push_back(grid.node(4, 2, k));
-    for (int cell = 0; cell < mesh.cell_count(); ++cell) turn_axes(mesh, cell, cell % 4);
+    for (int cell = 0; cell < mesh.cell_count(); ++cell) test::turn_axes(mesh, cell, cell % 4);
     mesh_ = with_cubic_bricks(mesh);
   }
 

@@ -16,6 +16,7 @@
 #include "reduce/operators/spinning_sector.h"
 #include "reduce/sector/contact_unknowns.h"
 #include "reduce/sector/parallel_for.h"
+#include "reduce/sector_fields.h"
 #include "reduce/shared_diameters.h"
 
 namespace tiprub::reduce {
@@ -62,40 +63,6 @@ void fit_polynomial(const SampledStiffness& stiffness, const SpeedSamples& sampl
 /// sound mesh no estimate is below zero.
 bool is_known(const MeshError& error) {
   return (error.frequency.array() >= 0).all() && (error.compliance.array() >= 0).all();
-}
-
-/// Those of some nodes that the file has.
-std::vector<int> in_file(const SectorMesh& mesh, std::vector<int> nodes) {
-  std::erase_if(nodes, [&](int node) { return node >= mesh.file_node_count(); });
-  return nodes;
-}
-
-/// A sector as fields.h5 holds it, but for its shape under spin.
-SectorFields describe_sector(const SectorMesh& mesh, const std::vector<int>& contact, const Material& material) {
-  SectorFields sector;
-  sector.sector_count = mesh.sector_count;
-  sector.nodes = mesh.nodes.leftCols(mesh.file_node_count());
-  sector.cells = mesh.cells;
-  sector.node_sets = {{"clamped", in_file(mesh, mesh.clamped)},
-                      {"contact", contact},
-                      {"contact_line", mesh.contact_line},
-                      {"cyclic_low", in_file(mesh, mesh.cyclic_low)},
-                      {"cyclic_high", in_file(mesh, mesh.cyclic_high)}};
-  sector.parts = mesh.parts;
-  sector.mesh_digest = digest(mesh);
-  sector.young = material.young;
-  sector.poisson = material.poisson;
-  sector.density = material.density;
-  return sector;
-}
-
-/// One vector of sector dofs on all nodes of the file: r, theta, z of node 0, then of node 1, ...; zero where
-/// clamped.
-Eigen::VectorXcd on_nodes(const SectorMesh& mesh, const SectorDofs& dofs, const Eigen::VectorXcd& sector_vector) {
-  Eigen::VectorXcd values = Eigen::VectorXcd::Zero(3 * mesh.file_node_count());
-  for (int node = 0; node < mesh.file_node_count(); ++node)
-    if (dofs.first[node] >= 0) values.segment<3>(3 * node) = sector_vector.segment<3>(dofs.first[node]);
-  return values;
 }
 
 /// The work of one reduction. Two factors, of rest and of full speed, serve all nodal diameters; these are reduced
@@ -165,8 +132,6 @@ class Reducer {
     });
     timed(report, "modes, bases, verification");
     if (!leads()) return model;
-    report.mesh_error_unknown = model.mesh_error && !is_known(*model.mesh_error);
-    if (report.mesh_error_unknown) model.mesh_error.reset();
     fit_polynomial(stiffness, sector.samples(), parameters_, model);  // eq. 7
     find_reduced_frequencies(model);
     timed(report, "model");
@@ -283,6 +248,21 @@ class Reducer {
                          [&](Eigen::Index k) { return on_nodes(mesh_, dofs_, transforms_[n].expand(shape(k))); });
   }
 
+  /// What cells contribute to the error of the mesh; empty unless fields.h5 takes it.
+  struct CellErrors {
+    CellErrors(Eigen::Index cells, std::size_t diameters) : frequency(cells, static_cast<Eigen::Index>(diameters)) {}
+    void keep(int n, DiameterResult& result) {
+      if (frequency.size() == 0) return;
+      frequency.col(n) = result.frequency_cells;
+      if (n == 0) compliance = std::move(result.compliance_cells);
+    }
+    void write(FieldsWriter* fields) const {
+      if (frequency.size() > 0) fields->write_mesh_error(frequency.rowwise().mean(), compliance);
+    }
+    Eigen::MatrixXd frequency;   ///< cells x nodal diameters
+    Eigen::VectorXd compliance;  ///< of nodal diameter 0
+  };
+
   /// Every nodal diameter's M, basis and unreduced frequencies; returns their K at the samples.
   SampledStiffness reduce_diameters(const Shared& shared, ReducedModel& model, ReductionReport& report) {
     const std::size_t diameters = transforms_.size();
@@ -295,8 +275,9 @@ class Reducer {
     model.verification.unreduced.resize(diameters);
     model.nodal_diameters.resize(diameters);
     if (shared.mesh_error != nullptr)
-      model.mesh_error =
-          MeshError{Eigen::MatrixXd(static_cast<Eigen::Index>(diameters), parameters_.verification_modes), {}};
+      model.mesh_error.emplace().frequency.resize(static_cast<Eigen::Index>(diameters),
+                                                  parameters_.verification_modes);
+    CellErrors of_cells(model.mesh_error && fields_ != nullptr ? mesh_.cell_count() : 0, diameters);
     SampledStiffness stiffness(diameters);
     const auto keep = [&](int n, DiameterResult result, const ShapeOfBasis& shapes) {
       if (fields_ != nullptr) write_basis(n, result.mass.cols(), shapes);
@@ -308,6 +289,7 @@ class Reducer {
       model.verification.unreduced[n] = std::move(result.unreduced);
       if (model.mesh_error) model.mesh_error->frequency.row(n) = result.frequency_errors.transpose();
       if (model.mesh_error && n == 0) model.mesh_error->compliance = std::move(result.compliance_errors);
+      of_cells.keep(n, result);
     };
     if (group_ == nullptr || group_->size() == 1)
       parallel_for(static_cast<int>(diameters), parameters_.threads, [&](int n) {
@@ -319,6 +301,10 @@ class Reducer {
       share_diameters(
           *group_, static_cast<int>(diameters), parameters_.threads,
           [&](int n) { return reduce_diameter(shared, n); }, keep);
+    if (model.mesh_error && leads()) {
+      report.mesh_error_unknown = !is_known(*model.mesh_error);
+      report.mesh_error_unknown ? model.mesh_error.reset() : of_cells.write(fields_);
+    }
     return stiffness;
   }
 
@@ -335,12 +321,21 @@ class Reducer {
     result.stiffness = diameter.sampled_stiffness(basis);
     result.mass = basis.mass();
     result.unreduced = diameter.unreduced_frequencies(basis);
-    if (shared.mesh_error != nullptr) result.frequency_errors = diameter.frequency_errors(*shared.mesh_error, basis);
-    if (shared.mesh_error != nullptr && n == 0)
-      result.compliance_errors = diameter.compliance_errors(*shared.mesh_error, contact_);
+    if (shared.mesh_error != nullptr) estimate_errors(diameter, *shared.mesh_error, n, basis, result);
     progress_.advance();
     if (with_fields_) result.shapes = basis.shapes();
     return result;
+  }
+
+  void estimate_errors(const DiameterReduction& diameter, const MeshErrorEstimate& mesh, int n,
+                       const CraigBamptonBasis& basis, DiameterResult& result) const {
+    MeshErrorEstimate::Errors frequency = diameter.frequency_errors(mesh, basis), compliance;
+    if (n == 0) compliance = diameter.compliance_errors(mesh, contact_);
+    result.frequency_errors = std::move(frequency.of_each);
+    result.compliance_errors = std::move(compliance.of_each);
+    if (!with_fields_) return;
+    result.frequency_cells = std::move(frequency.of_cells);
+    result.compliance_cells = std::move(compliance.of_cells);
   }
 
   /// The model's own frequencies beside the unreduced ones, with as many dofs as it has at any one speed.

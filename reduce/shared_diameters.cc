@@ -69,6 +69,8 @@ void visit(Result& result, Visitor& visitor) {
   visitor(result.unreduced);
   visitor(result.frequency_errors);
   visitor(result.compliance_errors);
+  visitor(result.frequency_cells);
+  visitor(result.compliance_cells);
 }
 
 /// All but the shapes.

@@ -19,6 +19,8 @@ struct DiameterResult {
   Eigen::MatrixXd unreduced;                ///< [Hz] n_s x n_f
   Eigen::VectorXd frequency_errors;         ///< [1] of the mesh; empty: not estimated
   Eigen::VectorXd compliance_errors;        ///< [1] of the mesh; of nodal diameter 0 only
+  Eigen::VectorXd frequency_cells;          ///< [1] see MeshErrorEstimate::Errors; empty without fields.h5
+  Eigen::VectorXd compliance_cells;         ///< [1] likewise
   Eigen::MatrixXcd shapes;                  ///< of the basis, independent x model dofs; empty without fields.h5
 };
 

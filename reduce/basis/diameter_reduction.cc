@@ -68,15 +68,15 @@ Eigen::MatrixXd DiameterReduction::unreduced_frequencies(const CraigBamptonBasis
   return table;
 }
 
-Eigen::VectorXd DiameterReduction::frequency_errors(const MeshErrorEstimate& mesh,
-                                                    const CraigBamptonBasis& basis) const {
+MeshErrorEstimate::Errors DiameterReduction::frequency_errors(const MeshErrorEstimate& mesh,
+                                                              const CraigBamptonBasis& basis) const {
   const auto [squares, vectors] = eigenpairs(basis.stiffness(0), basis.mass());
   const int count = parameters_.verification_modes;
   return mesh.of_frequencies(at_rest_, squares.head(count), basis.combine(vectors.leftCols(count)));
 }
 
-Eigen::VectorXd DiameterReduction::compliance_errors(const MeshErrorEstimate& mesh,
-                                                     const ContactUnknowns& contact) const {
+MeshErrorEstimate::Errors DiameterReduction::compliance_errors(const MeshErrorEstimate& mesh,
+                                                               const ContactUnknowns& contact) const {
   return mesh.of_compliances(at_rest_, contact);
 }
 

@@ -31,10 +31,10 @@ class DiameterReduction {
   /// [Hz] The unreduced sector's lowest frequencies at the verification speeds, followed from the modes of the basis;
   /// n_s x n_f.
   Eigen::MatrixXd unreduced_frequencies(const CraigBamptonBasis& basis) const;
-  /// [1] by which the mesh makes the frequencies at rest too high; as many as `verification_modes`.
-  Eigen::VectorXd frequency_errors(const MeshErrorEstimate& mesh, const CraigBamptonBasis& basis) const;
-  /// [1] by which the mesh makes the compliance at rest of each contact unknown along its normal too small.
-  Eigen::VectorXd compliance_errors(const MeshErrorEstimate& mesh, const ContactUnknowns& contact) const;
+  /// By how much the mesh makes the frequencies at rest too high; as many as `verification_modes`.
+  MeshErrorEstimate::Errors frequency_errors(const MeshErrorEstimate& mesh, const CraigBamptonBasis& basis) const;
+  /// By how much the mesh makes the compliance at rest of each contact unknown along its normal too small.
+  MeshErrorEstimate::Errors compliance_errors(const MeshErrorEstimate& mesh, const ContactUnknowns& contact) const;
   /// The model's K at the samples (eq. 10).
   std::vector<Eigen::MatrixXcd> sampled_stiffness(const CraigBamptonBasis& basis) const;
 

@@ -17,6 +17,7 @@ constexpr const char* fields_schema = "tiprub-fields";
 constexpr int fields_schema_version = 2;
 constexpr Eigen::Index slices_at_once = 16;  // columns of a product
 constexpr double widest_mismatch = 0.01;     // of the radius, between partners: the most that reduce allows
+constexpr const char* cell_errors_group = "/mesh_error";
 constexpr const char* required_sets[] = {"clamped", "contact", "cyclic_low", "cyclic_high"};
 
 std::string basis_of(int nodal_diameter) {
@@ -138,6 +139,13 @@ SectorFields read_sector(const Hdf5File& file) {
   return sector;
 }
 
+Eigen::VectorXd read_cell_errors(const Hdf5File& file, const std::string& of, Eigen::Index cells) {
+  const std::string name = cell_errors_group + of;
+  Eigen::VectorXd errors = file.read_vector(name);
+  if (errors.size() != cells) refuse(file, name, "must have a number for each cell");
+  return errors;
+}
+
 template <class Values>
 void add(Digest& digest, const Values& values) {
   digest.add(values.data(), static_cast<std::size_t>(values.size()));
@@ -208,10 +216,19 @@ void FieldsWriter::write_basis(int nodal_diameter, Eigen::Index dofs, bool stand
   }
 }
 
+void FieldsWriter::write_mesh_error(const Eigen::VectorXd& frequency, const Eigen::VectorXd& compliance) {
+  file_.write(std::string(cell_errors_group) + "/frequency", frequency, "1");
+  file_.write(std::string(cell_errors_group) + "/compliance", compliance, "1");
+}
+
 FieldsReader::FieldsReader(const std::filesystem::path& path) : file_(Hdf5File::open(path)) {
   file_.require_schema(fields_schema, fields_schema_version);
   sector_ = read_sector(file_);
   model_digest_ = file_.text_attribute("/", "model_digest");
+  if (file_.exists(cell_errors_group)) {
+    frequency_errors_ = read_cell_errors(file_, "/frequency", sector_.cells.cols());
+    compliance_errors_ = read_cell_errors(file_, "/compliance", sector_.cells.cols());
+  }
   for (int n = 0; n <= sector_.sector_count / 2; ++n) dofs(n);
   check_groups(file_, sector_);
   require_digest(file_, sector_);

@@ -40,6 +40,8 @@ class FieldsWriter {
   using Shape = std::function<Eigen::VectorXcd(Eigen::Index k)>;
   /// The basis of one nodal diameter in single precision; a standing wave's shapes are real.
   void write_basis(int nodal_diameter, Eigen::Index dofs, bool standing, const Shape& shape);
+  /// [1] what each cell contributes to the means of the model's /mesh_error/frequency and /mesh_error/compliance.
+  void write_mesh_error(const Eigen::VectorXd& frequency, const Eigen::VectorXd& compliance);
   /// The last step, with the digest() of the model whose dofs these are. Raises RunError if the disk has not taken
   /// all of it.
   void close(const std::string& model_digest);
@@ -56,6 +58,10 @@ class FieldsReader {
   explicit FieldsReader(const std::filesystem::path& path);
 
   const SectorFields& sector() const { return sector_; }
+  /// [1] what each cell contributes to the mean error of the model's frequencies; empty if that isn't estimated.
+  const Eigen::VectorXd& cell_errors_of_frequencies() const { return frequency_errors_; }
+  /// [1] likewise of its contact compliances.
+  const Eigen::VectorXd& cell_errors_of_compliances() const { return compliance_errors_; }
   /// The digest() of the model that the fields were written with.
   const std::string& model_digest() const { return model_digest_; }
   /// How many dofs the model has at a nodal diameter 0 .. floor(N/2).
@@ -70,6 +76,7 @@ class FieldsReader {
   Hdf5File file_;
   SectorFields sector_;
   std::string model_digest_;
+  Eigen::VectorXd frequency_errors_, compliance_errors_;
 };
 
 }  // namespace tiprub

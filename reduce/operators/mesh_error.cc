@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "mesh/cells/cell_kind.h"
 #include "reduce/sector/parallel_for.h"
@@ -47,6 +48,13 @@ Eigen::RowVectorXd inner_products(const Rows& a, const Rows& b) {
 Eigen::RowVectorXd ratios(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
   const Eigen::RowVectorXd positive = (b.array() > 0).select(b, std::numeric_limits<double>::quiet_NaN());
   return (b.array() == 0).select(0.0, a.array() / positive.array());
+}
+
+/// What each cell contributes to the mean of some errors, by its part of their energies.
+MeshErrorEstimate::Errors shared_out(const Eigen::VectorXd& errors, const Eigen::MatrixXd& energies_of_cells) {
+  const Eigen::RowVectorXd totals = energies_of_cells.colwise().sum();
+  const Eigen::RowVectorXd share = ratios(errors.transpose(), totals) / static_cast<double>(errors.size());
+  return {errors, energies_of_cells * share.transpose()};
 }
 
 }  // namespace
@@ -193,59 +201,86 @@ MeshErrorEstimate::MeshErrorEstimate(const SectorMesh& mesh, const SectorDofs& d
   patches_ = Patches(mesh, dofs, functions_.dofs(), cells_).find(threads);
 }
 
-Eigen::VectorXd MeshErrorEstimate::of_frequencies(const CyclicSolver& at_rest, const Eigen::VectorXd& eigenvalues,
-                                                  const Eigen::MatrixXcd& shapes) const {
+MeshErrorEstimate::Errors MeshErrorEstimate::of_frequencies(const CyclicSolver& at_rest,
+                                                            const Eigen::VectorXd& eigenvalues,
+                                                            const Eigen::MatrixXcd& shapes) const {
   const Pair inertia = apply_mass(at_rest, shapes);
   const Eigen::ArrayXd mass = inner_products(Rows(shapes), inertia.nodes).transpose();
-  const Eigen::ArrayXd growth = growths(
+  const Growths found = growths(
       at_rest, {inertia.cubic * eigenvalues.asDiagonal(), inertia.nodes * eigenvalues.asDiagonal()}, steps_for_modes);
-  return (mass * (1 + growth)).sqrt() - 1;
+  return shared_out((mass * (1 + found.of_each)).sqrt() - 1, found.of_cells);
 }
 
-Eigen::VectorXd MeshErrorEstimate::of_compliances(const CyclicSolver& at_rest, const ContactUnknowns& contact) const {
+MeshErrorEstimate::Errors MeshErrorEstimate::of_compliances(const CyclicSolver& at_rest,
+                                                            const ContactUnknowns& contact) const {
   const CyclicTransformation &nodes = at_rest.transform(), cubic = nodes.with(functions_.dofs());
   const Eigen::Index count = contact.line.size();
   Eigen::MatrixXd along_normals = Eigen::MatrixXd::Zero(3 * count, count);
   for (Eigen::Index k = 0; k < count; ++k)
     along_normals.block<3, 1>(3 * k, k) = contact.line.normal.row(k).transpose();
   const auto complex = [](const Eigen::MatrixXd& loads) { return loads.cast<std::complex<double>>().eval(); };
-  const Eigen::ArrayXd growth = growths(
+  const Growths found = growths(
       at_rest,
       {cubic.gather(complex(functions_.contact_loads(contact.added_weights, contact.line.size()) * along_normals)),
        nodes.gather(complex(node_dofs_.contact_loads * along_normals))},
       steps_for_forces);
-  return growth / (1 + growth);
+  return shared_out(found.of_each / (1 + found.of_each), found.of_cells);
 }
 
-/// (f'A^-1 f - f_u'u)/f_u'u with K u = f_u.
-Eigen::VectorXd MeshErrorEstimate::growths(const CyclicSolver& at_rest, const Pair& load, int steps) const {
+MeshErrorEstimate::Growths MeshErrorEstimate::growths(const CyclicSolver& at_rest, const Pair& load,
+                                                      int steps) const {
   const Rows moved = at_rest.solve(load.nodes, ContactNodes::free);
   const Pair held = apply_stiffness(at_rest, {Rows::Zero(load.cubic.rows(), load.cubic.cols()), moved});
   const Pair residual = {load.cubic - held.cubic, load.nodes - held.nodes};
   const Eigen::RowVectorXd work = inner_products(load.nodes, moved);
   const Eigen::RowVectorXd by_quadrature = inner_products(moved, residual.nodes);
-  return ((by_quadrature + energies(at_rest, residual, steps)).array() / work.array()).transpose();
+  const Change found = change(at_rest, residual, steps);
+  return {((by_quadrature + found.energy).array() / work.array()).transpose(),
+          energies_of_cells(at_rest, found.displacement)};
 }
 
-/// r'A^-1 r, from below.
-Eigen::RowVectorXd MeshErrorEstimate::energies(const CyclicSolver& at_rest, Pair r, int steps) const {
+/// By conjugate gradients, whose energy is that of A^-1 r from below.
+MeshErrorEstimate::Change MeshErrorEstimate::change(const CyclicSolver& at_rest, Pair r, int steps) const {
   const auto products = [](const Pair& a, const Pair& b) {
     return Eigen::RowVectorXd(inner_products(a.cubic, b.cubic) + inner_products(a.nodes, b.nodes));
   };
+  const auto add = [](Pair& to, const Pair& more, const Eigen::RowVectorXd& factor) {
+    to.cubic += more.cubic * factor.asDiagonal();
+    to.nodes += more.nodes * factor.asDiagonal();
+  };
   Pair z = precondition(at_rest, r), p = z;
-  Eigen::RowVectorXd rz = products(r, z), energy = Eigen::RowVectorXd::Zero(r.nodes.cols());
+  Change found = {{Rows::Zero(z.cubic.rows(), z.cubic.cols()), Rows::Zero(z.nodes.rows(), z.nodes.cols())},
+                  Eigen::RowVectorXd::Zero(z.nodes.cols())};
+  Eigen::RowVectorXd rz = products(r, z);
   for (int k = 0; k < steps; ++k) {
     const Pair Ap = apply_stiffness(at_rest, p);
     const Eigen::RowVectorXd step = ratios(rz, products(p, Ap));
-    energy += step.cwiseProduct(rz);
+    found.energy += step.cwiseProduct(rz);
+    add(found.displacement, p, step);
     if (k + 1 == steps) break;
-    r.cubic -= Ap.cubic * step.asDiagonal();
-    r.nodes -= Ap.nodes * step.asDiagonal();
+    add(r, Ap, -step);
     z = precondition(at_rest, r);
     const Eigen::RowVectorXd next = products(r, z), part = ratios(next, rz);
-    p.cubic = z.cubic + p.cubic * part.asDiagonal();
-    p.nodes = z.nodes + p.nodes * part.asDiagonal();
+    add(z, p, part);
+    std::swap(p, z);
     rz = next;
+  }
+  return found;
+}
+
+Eigen::MatrixXd MeshErrorEstimate::energies_of_cells(const CyclicSolver& at_rest, const Pair& displacement) const {
+  const CyclicTransformation& nodes = at_rest.transform();
+  const Rows cubic_moved = nodes.with(functions_.dofs()).expand(displacement.cubic);
+  const Rows nodes_moved = nodes.expand(displacement.nodes);
+  Eigen::MatrixXd energy(static_cast<Eigen::Index>(cells_.size()), cubic_moved.cols());
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const AddedCell& cell = cells_[c];
+    const RealRows w = rows_of(cubic_moved, cell.functions), u = rows_of(nodes_moved, cell.nodes);
+    const Eigen::RowVectorXd parts =  // real and imaginary ones by turns
+        w.cwiseProduct(cell.stiffness.cast<double>() * w + 2 * (cell.coupling * u)).colwise().sum() +
+        u.cwiseProduct(cell.of_nodes * u).colwise().sum();
+    for (Eigen::Index k = 0; k < energy.cols(); ++k)
+      energy(static_cast<Eigen::Index>(c), k) = parts[2 * k] + parts[2 * k + 1];
   }
   return energy;
 }

@@ -38,18 +38,24 @@ namespace tiprub::reduce {
 /// take 30 kB a cell, for bricks of 27 nodes 110 kB.
 class MeshErrorEstimate {
  public:
+  /// Of some results.
+  struct Errors {
+    Eigen::VectorXd of_each;   ///< [1] relative error of each
+    Eigen::VectorXd of_cells;  ///< [1] what each cell contributes to the mean of these; their sum is that mean
+  };
+
   /// [bytes] that one takes.
   static double memory(const SectorMesh& mesh);
   /// The mesh, which AddedFunctions must serve, and its dofs must outlive this object.
   MeshErrorEstimate(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material, int threads);
 
-  /// [1] by which the mesh makes each frequency too high; `shapes` are modes at rest of unit modal mass, independent
-  /// x modes, and `eigenvalues` [rad^2/s^2] their omega^2.
-  Eigen::VectorXd of_frequencies(const CyclicSolver& at_rest, const Eigen::VectorXd& eigenvalues,
-                                 const Eigen::MatrixXcd& shapes) const;
-  /// [1] by which the mesh makes the static displacement of each contact unknown under a unit force along its normal
+  /// By how much the mesh makes each frequency too high; `shapes` are modes at rest of unit modal mass, independent x
+  /// modes, and `eigenvalues` [rad^2/s^2] their omega^2.
+  Errors of_frequencies(const CyclicSolver& at_rest, const Eigen::VectorXd& eigenvalues,
+                        const Eigen::MatrixXcd& shapes) const;
+  /// By how much the mesh makes the static displacement of each contact unknown under a unit force along its normal
   /// too small.
-  Eigen::VectorXd of_compliances(const CyclicSolver& at_rest, const ContactUnknowns& contact) const;
+  Errors of_compliances(const CyclicSolver& at_rest, const ContactUnknowns& contact) const;
 
  private:
   /// Real matrices act on rows of complex numbers as on twice as many real ones.
@@ -73,8 +79,20 @@ class MeshErrorEstimate {
     Rows cubic, nodes;
   };
 
-  Eigen::VectorXd growths(const CyclicSolver& at_rest, const Pair& load, int steps) const;
-  Eigen::RowVectorXd energies(const CyclicSolver& at_rest, Pair residual, int steps) const;
+  /// The change e = A^-1 r of some displacements, and its energy.
+  struct Change {
+    Pair displacement;
+    Eigen::RowVectorXd energy;  ///< [J] e'A e
+  };
+  /// (f'A^-1 f - J)/J of some loads, and the energies e'A e [J] of the cells.
+  struct Growths {
+    Eigen::ArrayXd of_each;
+    Eigen::MatrixXd of_cells;  ///< cells x loads
+  };
+
+  Growths growths(const CyclicSolver& at_rest, const Pair& load, int steps) const;
+  Change change(const CyclicSolver& at_rest, Pair residual, int steps) const;
+  Eigen::MatrixXd energies_of_cells(const CyclicSolver& at_rest, const Pair& displacement) const;
   Pair apply_stiffness(const CyclicSolver& at_rest, const Pair& displacement) const;
   Pair apply_mass(const CyclicSolver& at_rest, const Eigen::MatrixXcd& acceleration) const;
   Pair precondition(const CyclicSolver& at_rest, const Pair& residual) const;

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "mesh/cells/cell_kind.h"
+#include "reduce/model/fields_file.h"
 #include "reduce/model/reduced_model_file.h"
 #include "tests/cases/complaint.h"
 #include "tests/reduce/model/some_model.h"
@@ -50,6 +52,46 @@ TEST_F(MeshErrorFile, IsRefusedWhereItDoesNotFitTheModel) {
   expect(complaint_about(frequency_, compliance_.replicate(2, 1)),
          "/mesh_error/compliance holds 2 values, must hold 1, one for each contact unknown");
   expect(complaint_about(-frequency_, compliance_), "/mesh_error holds an error below 0");
+}
+
+class CellErrorsFile : public MeshErrorFile {
+ protected:
+  /// Fields of one brick, with the errors of so many cells.
+  void write(Eigen::Index cells) const {
+    SectorFields sector;
+    sector.sector_count = 1;
+    sector.young = sector.density = 1;
+    sector.cells = Eigen::VectorXi::LinSpaced(20, 0, 19);
+    sector.nodes.resize(3, 20);
+    for (int k = 0; k < 20; ++k)
+      sector.nodes.col(k) = cell_kind(20).places[static_cast<std::size_t>(k)] + Eigen::Vector3d(5, 0, 0);
+    for (const char* name : {"clamped", "contact", "cyclic_low", "cyclic_high"}) sector.node_sets[name] = {};
+    sector.static_displacement.terms = {Eigen::Matrix3Xd::Zero(3, 20), Eigen::Matrix3Xd::Zero(3, 20)};
+    FieldsWriter writer(path_, "test");
+    writer.write_sector(sector);
+    writer.write_basis(0, 1, true, [](Eigen::Index) { return Eigen::VectorXcd(Eigen::VectorXcd::Zero(60)); });
+    if (cells > 0)
+      writer.write_mesh_error(Eigen::VectorXd::Constant(cells, 0.25), Eigen::VectorXd::Constant(cells, 0.5));
+    writer.close("digest");
+  }
+};
+
+TEST_F(CellErrorsFile, AreReadAsTheyWereWritten) {
+  write(1);
+  const FieldsReader reader(path_);
+  EXPECT_EQ(reader.cell_errors_of_frequencies(), Eigen::VectorXd::Constant(1, 0.25));
+  EXPECT_EQ(reader.cell_errors_of_compliances(), Eigen::VectorXd::Constant(1, 0.5));
+}
+
+TEST_F(CellErrorsFile, MayBeAbsent) {
+  write(0);
+  EXPECT_EQ(FieldsReader(path_).cell_errors_of_frequencies().size(), 0);
+}
+
+TEST_F(CellErrorsFile, AreRefusedIfTheyAreNotOneForEachCell) {
+  write(2);
+  EXPECT_EQ(complaint<RunError>([&] { FieldsReader reader(path_); }),
+            path_.string() + ": /mesh_error/frequency must have a number for each cell");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "mesh/cells/cell_kind.h"
 #include "reduce/basis/cyclic_modes.h"
 #include "reduce/sector/cubic_bricks.h"
 #include "reduce/sector/refinement.h"
@@ -34,11 +35,13 @@ class RestingSector {
   /// Frequencies [Hz] of a nodal diameter, and their estimated errors [1].
   struct Frequencies {
     Eigen::VectorXd found, error;
+    Eigen::VectorXd of_cells;  ///< [1] see MeshErrorEstimate::Errors
   };
   Frequencies frequencies(int n, int count) const {
     const CyclicSolver at_rest = solver(n);
     const CyclicModes modes = lowest_modes(at_rest, mass_, ContactNodes::free, count, 1e-8);
-    return {modes.frequencies(), estimate_.of_frequencies(at_rest, modes.eigenvalue, modes.shape)};
+    const auto [of_each, of_cells] = estimate_.of_frequencies(at_rest, modes.eigenvalue, modes.shape);
+    return {modes.frequencies(), of_each, of_cells};
   }
   /// [m/N] along the normals, nodal diameter 0.
   Eigen::VectorXd compliances() const {
@@ -51,7 +54,7 @@ class RestingSector {
     }
     return found;
   }
-  Eigen::VectorXd compliance_errors() const { return estimate_.of_compliances(solver(0), contact_); }
+  MeshErrorEstimate::Errors compliance_errors() const { return estimate_.of_compliances(solver(0), contact_); }
 
  private:
   CyclicSolver solver(int n) const { return {factor_, {dofs_, mesh_.sector_count, n}}; }
@@ -98,7 +101,8 @@ void compare(const SectorMesh& mesh, const SectorMesh& finer, const std::vector<
     for (int n = 0; n <= mesh.sector_count / 2 && kind == kinds.front(); ++n)
       expect_effective(coarse.frequencies(n, modes + more), fine.frequencies(n, modes).found,
                        what + ", nodal diameter " + std::to_string(n));
-    expect_effective(coarse.compliance_errors(), 1 - coarse.compliances().cwiseQuotient(fine.compliances()).array(),
+    expect_effective(coarse.compliance_errors().of_each,
+                     1 - coarse.compliances().cwiseQuotient(fine.compliances()).array(),
                      what + (kind == ContactKind::points ? ", points" : ", segments"));
   }
 }
@@ -154,7 +158,8 @@ TEST_P(OfEveryKind, TorsionIsThatAgainstTheClosedForm) {
   annulus.sector_count = 12;
   annulus.bricks = {4, 4, 1};
   const SectorMesh mesh = GetParam().of(annulus.sector());
-  const auto [found, error] = RestingSector(mesh, choose_contact(mesh, ContactKind::points, 1)).frequencies(0, 5);
+  const auto [found, error, of_cells] =
+      RestingSector(mesh, choose_contact(mesh, ContactKind::points, 1)).frequencies(0, 5);
   Eigen::Index torsion = 0;
   (found.array() / exact - 1).abs().minCoeff(&torsion);
   expect_effective(error.segment<1>(torsion), found.segment<1>(torsion).array() / exact - 1,
@@ -179,7 +184,7 @@ TEST_P(OfEveryKind, SectorIsThatOfTheWheel) {
     annulus.bricks = {2, around, 1};
     const SectorMesh wheel_mesh = GetParam().of(annulus.wheel()), mesh = GetParam().of(annulus.sector());
     const RestingSector wheel(wheel_mesh, {}), sector(mesh, {mesh.contact_line, {}});
-    const auto [found, error] = wheel.frequencies(0, 7);
+    const auto [found, error, of_cells] = wheel.frequencies(0, 7);
     std::vector<std::pair<double, double>> joined;
     for (const int n : {0, 1, 1, 2, 2}) {
       const auto of_sector = sector.frequencies(n, 3);
@@ -191,6 +196,35 @@ TEST_P(OfEveryKind, SectorIsThatOfTheWheel) {
       EXPECT_NEAR(error[k] / joined[static_cast<std::size_t>(k)].second, 1.0, 1e-3);
     }
   }
+}
+
+TEST_P(OfEveryKind, IsSharedOutToTheCells) {
+  // Cells at the bore are large, where the first mode bends most, and those at the rim are small. The error of a
+  // point's compliance is that of the cells around it, which are the smaller the more of them a brick is split into.
+  test::Annulus annulus;
+  annulus.nodes_per_brick = 27;
+  annulus.bricks = {4, 2, 1};
+  annulus.grading = -0.7;
+  const SectorMesh mesh = GetParam().of(annulus.sector());
+  const ContactUnknowns contact = choose_contact(mesh, ContactKind::points, 1);
+  const RestingSector sector(mesh, contact);
+  const auto found = sector.frequencies(0, 1);
+  const MeshErrorEstimate::Errors compliances = sector.compliance_errors();
+  for (const auto& [each, cells] :
+       {std::pair(found.error, found.of_cells), {compliances.of_each, compliances.of_cells}}) {
+    EXPECT_GE(cells.minCoeff(), 0.0);
+    EXPECT_NEAR(cells.sum(), each.mean(), 1e-12 * each.mean());
+  }
+  double at_bore = 0, at_tip = 0;
+  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = nodes_of(mesh.cells, cell);
+    const Eigen::Vector3d centre = mesh.nodes(Eigen::all, nodes).rowwise().mean();
+    if (centre.head<2>().norm() < 0.5 * (annulus.inner + annulus.outer)) at_bore += found.of_cells[cell];
+    if (std::find(nodes.begin(), nodes.end(), contact.nodes.front()) != nodes.end())
+      at_tip += compliances.of_cells[cell];
+  }
+  EXPECT_GT(at_bore, 0.7 * found.of_cells.sum());
+  EXPECT_GT(at_tip, 0.5 * compliances.of_cells.sum());
 }
 
 }  // namespace

@@ -188,6 +188,8 @@ MovingWheel moving_wheel(const FieldsReader& reader, WheelMotion motion, double 
 FieldStudy without_motion(const FieldsReader& reader, const Study& study, double speed) {
   FieldStudy fields;
   fields.sector = reader.sector();
+  fields.mesh_error_of_frequencies = reader.cell_errors_of_frequencies();
+  fields.mesh_error_of_compliances = reader.cell_errors_of_compliances();
   fields.zones = stress_zones(fields.sector, m_per_mm * study.parameters.tip_patch_mm);
   fields.speed = speed;
   fields.modes = natural_modes(reader, study.model, study.response.scene.lobes, study.parameters.families, speed);

@@ -38,6 +38,8 @@ struct FieldStudy {
   std::vector<std::vector<std::optional<FieldPeak>>> varied;
   std::vector<MovingWheel> moving;  ///< at every critical speed that has a cycle
   Eigen::VectorXd over_speed;       ///< [Pa] stress_over_speed(); empty if no speed has states
+  /// [1] what each cell contributes to the mean errors that the mesh makes; empty if they are not estimated.
+  Eigen::VectorXd mesh_error_of_frequencies, mesh_error_of_compliances;
 };
 
 /// Recovers all full fields. Raises InputError if the fields are of another model.

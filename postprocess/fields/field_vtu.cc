@@ -68,8 +68,15 @@ void write_numbers(std::ostream& out, const std::vector<VtuNumber>& numbers) {
   out << "</FieldData>\n";
 }
 
+void write_fields(std::ostream& out, const char* element, const std::vector<VtuArray>& arrays) {
+  out << "<" << element << ">\n";
+  for (const VtuArray& array : arrays)
+    write_array(out, array.name, "Float32", static_cast<int>(array.values.rows()), single(array.values));
+  out << "</" << element << ">\n";
+}
+
 void write_document(std::ostream& out, const VtuMesh& mesh, const std::vector<VtuArray>& arrays,
-                    const std::vector<VtuNumber>& numbers) {
+                    const std::vector<VtuNumber>& numbers, const std::vector<VtuArray>& of_cells) {
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n";
@@ -79,17 +86,16 @@ void write_document(std::ostream& out, const VtuMesh& mesh, const std::vector<Vt
   write_array(out, "Points", "Float32", 3, single(mesh.points));
   out << "</Points>\n";
   write_cells(out, mesh.cells);
-  out << "<PointData>\n";
-  for (const VtuArray& array : arrays)
-    write_array(out, array.name, "Float32", static_cast<int>(array.values.rows()), single(array.values));
-  out << "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  write_fields(out, "PointData", arrays);
+  if (!of_cells.empty()) write_fields(out, "CellData", of_cells);
+  out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 }  // namespace
 
 void write_vtu(const VtuMesh& mesh, const std::vector<VtuArray>& arrays, const std::vector<VtuNumber>& numbers,
-               const std::filesystem::path& path) {
-  write_file(path, [&](std::ostream& out) { write_document(out, mesh, arrays, numbers); });
+               const std::filesystem::path& path, const std::vector<VtuArray>& of_cells) {
+  write_file(path, [&](std::ostream& out) { write_document(out, mesh, arrays, numbers, of_cells); });
 }
 
 void write_pvd(const std::vector<VtuFrame>& frames, const std::filesystem::path& path) {
@@ -178,7 +184,12 @@ void write_modes(const FieldStudy& fields, const std::filesystem::path& folder) 
         {name_of(mode) + "_quarter", joined(on_wheel({quarter_later(mode.wave)}, sectors).displacement)});
     numbers.push_back({name_of(mode) + "_frequency", mode.frequency});
   }
-  write_vtu({fields.sector.nodes, fields.sector.cells}, sector_arrays, numbers, folder / "modes_sector.vtu");
+  std::vector<VtuArray> of_cells;
+  if (fields.mesh_error_of_frequencies.size() > 0)
+    of_cells = {{"mesh_error_of_frequencies", fields.mesh_error_of_frequencies.transpose()},
+                {"mesh_error_of_compliances", fields.mesh_error_of_compliances.transpose()}};
+  write_vtu({fields.sector.nodes, fields.sector.cells}, sector_arrays, numbers, folder / "modes_sector.vtu",
+            of_cells);
   write_vtu(wheel_mesh(fields.sector), wheel_arrays, numbers, folder / "modes_wheel.vtu");
 }
 

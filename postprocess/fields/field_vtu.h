@@ -16,7 +16,7 @@ struct VtuMesh {
   Eigen::MatrixXi cells;    ///< in VTK's order, then -1 (see nodes_of())
 };
 
-/// A field at the points: 1 (number), 3 (vector) or 6 (symmetric tensor: xx, yy, zz, xy, yz, zx) x points.
+/// A field at the points: 1 (number), 3 (vector) or 6 (symmetric tensor: xx, yy, zz, xy, yz, zx) x points; or cells.
 struct VtuArray {
   std::string name;
   Eigen::MatrixXd values;
@@ -28,11 +28,11 @@ struct VtuNumber {
   double value = 0;
 };
 
-/// Writes a VTK XML file of an unstructured grid. Arrays are single-precision, little-endian, compressed, in base 64;
-/// the numbers for the whole file are decimal. The DataOut of deal.II 9.4 writes neither quadratic wedges nor
-/// pyramids.
+/// Writes a VTK XML file of an unstructured grid; `of_cells` are fields at the cells. Arrays are single-precision,
+/// little-endian, compressed, in base 64; the numbers for the whole file are decimal. The DataOut of deal.II 9.4
+/// writes neither quadratic wedges nor pyramids.
 void write_vtu(const VtuMesh& mesh, const std::vector<VtuArray>& arrays, const std::vector<VtuNumber>& numbers,
-               const std::filesystem::path& path);
+               const std::filesystem::path& path, const std::vector<VtuArray>& of_cells = {});
 
 /// A file of an animation, by its path relative to the collection.
 struct VtuFrame {

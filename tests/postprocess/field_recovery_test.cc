@@ -264,6 +264,11 @@ TEST(VtuFile, NamesItsArraysAndCells) {
   EXPECT_NE(text.find("<DataArray Name=\"speed\" type=\"Float64\" NumberOfTuples=\"1\" format=\"ascii\">0.1"),
             std::string::npos);
   EXPECT_EQ(count(text, "<DataArray"), count(text, "</DataArray>"));
+  EXPECT_EQ(text.find("<CellData>"), std::string::npos);
+  write_vtu({sector.nodes, sector.cells}, {}, {}, path, {{"error", Eigen::RowVector2d(1, 2)}});
+  EXPECT_NE(read_text(path).find("<CellData>\n<DataArray Name=\"error\" type=\"Float32\" NumberOfComponents=\"1\""),
+            std::string::npos);
+  std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 /// Steps of conjugate gradients. Four find three quarters and more of the energy for modes; forces on a tip, whose
 /// displacements are less smooth, take more.
-constexpr int steps_for_modes = 4, steps_for_forces = 6;
+constexpr int steps_for_modes = 4, steps_for_forces = 12;
 
 using RealRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

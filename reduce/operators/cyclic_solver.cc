@@ -72,7 +72,8 @@ void CyclicSolver::find_segment_modes() {
   const Eigen::MatrixXd loads = dofs.contact_loads.topRows(dofs.independent());
   segment_modes_ = solve(loads.cast<std::complex<double>>(), ContactNodes::free);
   const Eigen::MatrixXcd flexibility = segment_displacements(segment_modes_);
-  segment_modes_ *= flexibility.llt().solve(Eigen::MatrixXcd::Identity(loads.cols(), loads.cols()));
+  const Eigen::MatrixXcd stiffness = flexibility.llt().solve(Eigen::MatrixXcd::Identity(loads.cols(), loads.cols()));
+  segment_modes_ *= stiffness;
 }
 
 /// B' x

@@ -125,7 +125,7 @@ std::string shift(const SectorMesh& mesh, int sector_count, double tolerance) {
   for (const int node : mesh.cyclic_high) other.nodes.col(node) -= by;
   if (!pair(other, tolerance, angle).holds(other)) return "";
   const Eigen::Vector2d axis =
-      (Eigen::Matrix2d::Identity() - Eigen::Rotation2Dd(angle).toRotationMatrix()).partialPivLu().solve(by.head<2>());
+      (Eigen::Matrix2d::Identity() - Eigen::Rotation2Dd(angle).toRotationMatrix()).inverse() * by.head<2>();
   std::ostringstream text;
   text << "cyclic_high is cyclic_low turned by 360/" << sector_count << " degrees about z and then shifted by x "
        << by.x() << ", y " << by.y() << ", z " << by.z()

@@ -92,8 +92,11 @@ Eigen::MatrixXd pairs_at(const CellPoints& points, Eigen::Index q, const std::ve
   return rows;
 }
 
+// Here and below, a product of three matrices is taken in two steps: as one expression, Eigen's product of a product
+// takes seconds to compile for each kind of factors.
 Eigen::MatrixXd consistent_mass(const CellPoints& points, double density) {
-  return density * points.shape * points.weight.asDiagonal() * points.shape.transpose();
+  const Eigen::MatrixXd weighted = density * points.shape * points.weight.asDiagonal();
+  return weighted * points.shape.transpose();
 }
 
 }  // namespace
@@ -197,8 +200,8 @@ SymmetricMatrix RotatingElasticity::stiffness(double speed, const Eigen::Matrix3
       if (prestress != Prestress::stress_only) F += H;
       strain_operator(points.gradient[q], F, B);
       roots.middleRows<6>(6 * q) = std::sqrt(points.weight[q]) * root * B;
-      stress_stiffness +=
-          points.weight[q] * points.gradient[q] * stress(H, material_, prestress) * points.gradient[q].transpose();
+      const Eigen::MatrixX3d pulled = points.weight[q] * points.gradient[q] * stress(H, material_, prestress);
+      stress_stiffness += pulled * points.gradient[q].transpose();
     }
     Eigen::MatrixXd matrix = square_of(roots);                                 // material stiffness, int B' C B
     add_blocks(stress_stiffness, Eigen::Vector3d::Ones(), matrix);             // K_sigma
@@ -226,7 +229,8 @@ Eigen::VectorXd RotatingElasticity::centrifugal_load(const Eigen::Matrix3Xd& dis
   return assemble_forces([&](const CellPoints& points) -> Eigen::MatrixXd {
     Eigen::Matrix3Xd radius = points.position + displacement(Eigen::all, points.nodes) * points.shape;
     radius.row(2).setZero();
-    return material_.density * radius * points.weight.asDiagonal() * points.shape.transpose();
+    const Eigen::Matrix3Xd weighted = material_.density * radius * points.weight.asDiagonal();
+    return weighted * points.shape.transpose();
   });
 }
 
@@ -237,8 +241,9 @@ Eigen::VectorXd RotatingElasticity::internal_force(const Eigen::Matrix3Xd& displ
     for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
       const Eigen::Matrix3d H = moved * points.gradient[q];
       // F S dN/dX: the first Piola-Kirchhoff stress on the shape functions' gradients.
-      forces += points.weight[q] * (Eigen::Matrix3d::Identity() + H) * stress(H, material_, Prestress::nonlinear) *
-                points.gradient[q].transpose();
+      const Eigen::Matrix3d piola =
+          points.weight[q] * (Eigen::Matrix3d::Identity() + H) * stress(H, material_, Prestress::nonlinear);
+      forces += piola * points.gradient[q].transpose();
     }
     return forces;
   });
@@ -268,7 +273,8 @@ SymmetricMatrix RotatingElasticity::stiffness_of(const std::vector<int>& cells) 
     Strain B(6, 3 * points.shape.rows());
     for (Eigen::Index q = 0; q < points.weight.size(); ++q) {
       strain_operator(points.gradient[q], Eigen::Matrix3d::Identity(), B);
-      matrix += B.transpose() * (points.weight[q] * C * B);
+      const Strain stresses = points.weight[q] * C * B;
+      matrix += B.transpose() * stresses;
     }
     return matrix;
   });

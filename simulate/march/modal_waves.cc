@@ -164,9 +164,10 @@ Eigen::MatrixXd ModalWaves::compliance(const RotorAtSpeed& rotor, const RowsOf& 
     const Eigen::MatrixXcd &moves = rotor.waves[i].*moved.rows, &pushes = rotor.waves[i].*pushed.rows;
     const Eigen::Index modes = std::min(moves.cols(), pushes.cols());
     // eq. 15: C_N^T [M_r/h^2 + D_r/(2h)]^-1 C_N in modes, for the scheme's own c
-    const Eigen::MatrixXcd own = moves.leftCols(modes) * waves_[i].coefficients.c.head(modes).matrix().asDiagonal() *
-                                 pushes.leftCols(modes).adjoint() *
-                                 (waves_[i].weight * nodes_.symmetry / nodes_.sector_count);
+    const Eigen::MatrixXcd moved_by =
+        moves.leftCols(modes) * waves_[i].coefficients.c.head(modes).matrix().asDiagonal();
+    Eigen::MatrixXcd own = moved_by * pushes.leftCols(modes).adjoint();
+    own *= waves_[i].weight * nodes_.symmetry / nodes_.sector_count;
     for (int row = 0; row < nodes_.sectors; ++row)
       for (int column = 0; column < nodes_.sectors; ++column) {
         const int apart = (row - column + nodes_.sector_count) % nodes_.sector_count;

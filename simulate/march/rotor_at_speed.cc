@@ -69,7 +69,8 @@ Eigen::Index sliding_modes(const Eigen::ArrayXd& omega, const ModeChoice& choice
 /// Y omega^-2 Y^H over the last `count` modes.
 Eigen::MatrixXcd static_compliance(const Eigen::MatrixXcd& rows, const Eigen::ArrayXd& omega, Eigen::Index count) {
   const Eigen::MatrixXcd last = rows.rightCols(count);
-  return last * omega.tail(count).square().inverse().matrix().asDiagonal() * last.adjoint();
+  const Eigen::MatrixXcd flexible = last * omega.tail(count).square().inverse().matrix().asDiagonal();
+  return flexible * last.adjoint();
 }
 
 WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kind, const Spectrum& spectrum,

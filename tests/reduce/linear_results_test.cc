@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "reduce/model/dense_eigen.h"
 #include "reduce/model/hdf5_file.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
@@ -70,10 +71,10 @@ TEST_F(Results, ShareAllOfTheStrainEnergy) {
   const Eigen::MatrixXcd K = test::cyclic(rotor.elasticity().stiffness_of({0, 1}), rotor.dofs(), sectors, 1);
   const Eigen::MatrixXcd all = test::cyclic(rotor.at_rest(), rotor.dofs(), sectors, 1);
   const Eigen::MatrixXcd M = test::cyclic(rotor.mass(), rotor.dofs(), sectors, 1);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(all, M);
+  const ComplexEigenpairs solved = eigenpairs(all, M);
   for (int k = 0; k < modes; ++k) {
-    const Eigen::VectorXcd shape = solver.eigenvectors().col(k);
-    const double share = shape.dot(K * shape).real() / solver.eigenvalues()[k];
+    const Eigen::VectorXcd shape = solved.vectors.col(k);
+    const double share = shape.dot(K * shape).real() / solved.values[k];
     EXPECT_NEAR(results_->nodal_diameters[1].energy_share[0](0, k), share, 1e-6);
   }
 }

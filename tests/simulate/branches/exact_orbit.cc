@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/simulate/branches/exact_orbit.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+
+#include "reduce/model/dense_eigen.h"
 
 namespace tiprub::simulate::testing {
 
@@ -178,7 +179,7 @@ ExactOrbit exact_orbit(const OneSidedSpring& plan, double speed, const Eigen::Ve
     high = std::max(high, oscillator.free_end(z, t));
   });
   orbit.amplitude = (high - low) / 2;
-  orbit.multiplier = Eigen::EigenSolver<Eigen::Matrix2d>(monodromy).eigenvalues().cwiseAbs().maxCoeff();
+  orbit.multiplier = general_eigenvalues(monodromy).cwiseAbs().maxCoeff();
   return orbit;
 }
 

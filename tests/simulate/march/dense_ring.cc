@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/simulate/march/dense_ring.h"
 
-#include <Eigen/Eigenvalues>
 #include <complex>
 #include <numbers>
+
+#include "reduce/model/dense_eigen.h"
 
 namespace tiprub::simulate::testing {
 
@@ -42,9 +43,9 @@ DenseRing::DenseRing(const ReducedModel& model, const Casing& casing, double spe
     M_n.push_back(at.M);
   }
   const Eigen::MatrixXd K = ring(K_n, N), M = ring(M_n, N);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(K, M);
-  const Eigen::MatrixXd MPhi = M * modes.eigenvectors();
-  const Eigen::VectorXd omega = modes.eigenvalues().cwiseSqrt();
+  const RealEigenpairs modes = eigenpairs(K, M);
+  const Eigen::MatrixXd MPhi = M * modes.vectors;
+  const Eigen::VectorXd omega = modes.values.cwiseSqrt();
   const Eigen::MatrixXd D = MPhi * (2 * damping_ratio * omega).asDiagonal() * MPhi.transpose();  // modal damping
   const Eigen::MatrixXd inverse =
       (M / (h * h) + D / (2 * h)).llt().solve(Eigen::MatrixXd::Identity(M.rows(), M.rows()));

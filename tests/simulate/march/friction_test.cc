@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "reduce/model/dense_eigen.h"
 #include "simulate/motion/attempt.h"
 #include "simulate/orbits/energy_audit.h"
 #include "simulate/scene/friction_limit.h"
@@ -126,10 +127,10 @@ TEST(Friction, LetsTwoModesFlutterWhereTheirFrequenciesCoalesce) {
   const double limit = ((k11 - k22) * (k11 - k22) + 4 * k12 * k12) / (-4 * k12 * k3);
   EXPECT_NEAR(limit, 0.472, 5e-4);
   const Eigen::Matrix2d own = (Eigen::Matrix2d() << k11, k12, k12, k22 - k3).finished();  // theta, normal
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(own);
+  const RealEigenpairs modes = eigenpairs(Eigen::MatrixXd(own));
   std::vector<Mode> free;
   for (int m = 0; m < 2; ++m)
-    free.push_back({std::sqrt(modes.eigenvalues()[m]), modes.eigenvectors()(1, m), modes.eigenvectors()(0, m), 0});
+    free.push_back({std::sqrt(modes.values[m]), modes.vectors(1, m), modes.vectors(0, m), 0});
   const int steps = 2400, revolutions = 20;
   const double pressed = 10;  // N
   for (const double mu : {0.98 * limit, 1.02 * limit}) {
@@ -138,7 +139,7 @@ TEST(Friction, LetsTwoModesFlutterWhereTheirFrequenciesCoalesce) {
     setup.penalty_stiffness = k3;
     TimeMarch march =
         blade(rotor_of_modes(free, 1000), testing::lobed_casing(1, 0, 0), rest[1] - pressed / k3, setup);
-    const Eigen::Vector2d at_rest = modes.eigenvectors().transpose() * rest;
+    const Eigen::Vector2d at_rest = modes.vectors.transpose() * rest;
     march.set_state(0, (at_rest * (1 + 1e-7)).cast<std::complex<double>>(), Eigen::Vector2cd(0, 0));
     double early = 0, late = 0;  // largest distances from rest in revolutions 8 and 20
     for (int i = 0; i < revolutions * steps; ++i) {

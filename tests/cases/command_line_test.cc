@@ -15,7 +15,7 @@
 #include "cases/program/case_file.h"
 #include "cases/program/errors.h"
 
-namespace tiprub {
+namespace tiprub::command_line_test {
 namespace {
 
 /// A tiny stage and what a run of it does.
@@ -199,4 +199,4 @@ TEST(CommandLine, SpeaksOnStderrUnlessQuiet) {
 }
 
 }  // namespace
-}  // namespace tiprub
+}  // namespace tiprub::command_line_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tiprub::mesh {
+namespace tiprub::mesh::blade_surface_test {
 namespace {
 
 const MeridionalCurve hub({0.0, 0.03}, {0.06, 0.12}, {0.5, 0.5});
@@ -51,4 +51,4 @@ TEST(BladeSurface, WrapFollowsTheBladeAngle) {
 }
 
 }  // namespace
-}  // namespace tiprub::mesh
+}  // namespace tiprub::mesh::blade_surface_test

@@ -6,7 +6,7 @@
 #include <functional>
 #include <ostream>
 
-namespace tiprub::mesh {
+namespace tiprub::mesh::curve_files_test {
 namespace {
 
 const std::string hub = "0.1 0 -1\n0.1 0 1\n", shroud = "# outside\n0 0.2 -1\n0 0.2 1\n";
@@ -85,4 +85,4 @@ TEST(CurveFiles, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace tiprub::mesh
+}  // namespace tiprub::mesh::curve_files_test

@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-namespace tiprub::mesh {
+namespace tiprub::mesh::meanline_file_test {
 namespace {
 
 const std::string sound =
@@ -65,4 +65,4 @@ INSTANTIATE_TEST_SUITE_P(
               "that far off: is [mesh] length_unit right?"}));
 
 }  // namespace
-}  // namespace tiprub::mesh
+}  // namespace tiprub::mesh::meanline_file_test

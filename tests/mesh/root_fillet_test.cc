@@ -10,7 +10,7 @@
 #include "mesh/sector/sector_check.h"
 #include "tests/mesh/mesh_cases.h"
 
-namespace tiprub::mesh {
+namespace tiprub::mesh::root_fillet_test {
 namespace {
 
 using test::complaint;
@@ -126,4 +126,4 @@ TEST(RootFillet, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace tiprub::mesh
+}  // namespace tiprub::mesh::root_fillet_test

@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-namespace tiprub::mesh {
+namespace tiprub::mesh::section_table_test {
 namespace {
 
 constexpr FileUnits centimetres{0.01, 1.0};
@@ -111,4 +111,4 @@ INSTANTIATE_TEST_SUITE_P(
               "blade.txt: section 2 of 2 runs against section 1; all must run from leading to trailing edge"}));
 
 }  // namespace
-}  // namespace tiprub::mesh
+}  // namespace tiprub::mesh::section_table_test

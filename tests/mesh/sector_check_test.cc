@@ -5,7 +5,7 @@
 
 #include "tests/mesh/mesh_cases.h"
 
-namespace tiprub::mesh {
+namespace tiprub::mesh::sector_check_test {
 namespace {
 
 using test::case_text;
@@ -98,4 +98,4 @@ TEST(SectorCheck, RefusesAnInvertedElementAndNamesWhatShapesIt) {
 }
 
 }  // namespace
-}  // namespace tiprub::mesh
+}  // namespace tiprub::mesh::sector_check_test

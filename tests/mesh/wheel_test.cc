@@ -7,7 +7,7 @@
 
 #include "tests/mesh/mesh_cases.h"
 
-namespace tiprub::mesh {
+namespace tiprub::mesh::wheel_test {
 namespace {
 
 using test::case_text;
@@ -69,4 +69,4 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"axial_length", "nan", "must be a finite number"}));
 
 }  // namespace
-}  // namespace tiprub::mesh
+}  // namespace tiprub::mesh::wheel_test

@@ -12,7 +12,7 @@
 #include "postprocess/fields/cell_stress.h"
 #include "postprocess/fields/field_peak.h"
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::blade_place_test {
 namespace {
 
 constexpr double length = 0.1, height = 0.05, hub = 0.1;  // [m] axial chord, blade height, hub radius
@@ -114,4 +114,4 @@ TEST(StressZones, AreNearTheTipLineAndTheClampsEdge) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::blade_place_test

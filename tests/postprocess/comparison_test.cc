@@ -11,7 +11,7 @@
 #include "cases/program/errors.h"
 #include "synthetic_scene.h"
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::comparison_test {
 namespace {
 
 Study made_study() {
@@ -175,4 +175,4 @@ TEST(Comparison, RefusesWhatIsNoReport) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::comparison_test

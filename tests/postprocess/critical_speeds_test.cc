@@ -6,7 +6,7 @@
 #include "postprocess/records/study_records.h"
 #include "synthetic_scene.h"
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::critical_speeds_test {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -153,4 +153,4 @@ TEST(OperatingMargin, LeavesSmallOnesOut) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::critical_speeds_test

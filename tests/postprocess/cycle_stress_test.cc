@@ -9,7 +9,7 @@
 #include "postprocess/fields/field_peak.h"
 #include "synthetic_scene.h"
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::cycle_stress_test {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -184,4 +184,4 @@ TEST_F(Tension, InAnExcludedPatchIsNotTheHeadline) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::cycle_stress_test

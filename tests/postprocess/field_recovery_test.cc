@@ -14,7 +14,7 @@
 #include "postprocess/tables/table.h"
 #include "reduce/model/nodal_diameter.h"
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::field_recovery_test {
 namespace {
 
 constexpr int sector_count = 6;
@@ -272,4 +272,4 @@ TEST(VtuFile, NamesItsArraysAndCells) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::field_recovery_test

@@ -11,7 +11,7 @@
 
 #include "synthetic_scene.h"
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::linear_criterion_test {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -72,4 +72,4 @@ TEST(FrequencyCurves, FollowTheClosedFormBetweenTheirSamples) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::linear_criterion_test

@@ -6,7 +6,7 @@
 #include "postprocess/analysis/study.h"
 #include "synthetic_scene.h"
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::rule_score_test {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -89,4 +89,4 @@ TEST(RuleScore, WeighsAHitByItsAmplitude) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::rule_score_test

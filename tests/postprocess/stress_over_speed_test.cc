@@ -16,7 +16,7 @@
 #include "synthetic_fields.h"
 #include "synthetic_scene.h"
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::stress_over_speed_test {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -147,4 +147,4 @@ TEST_F(StressOverSpeed, ReadsTheMostStressedNodesOfTheBody) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::stress_over_speed_test

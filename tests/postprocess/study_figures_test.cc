@@ -9,7 +9,7 @@
 #include "postprocess/figures/study_figures.h"
 #include "synthetic_scene.h"
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::study_figures_test {
 namespace {
 
 struct Made {
@@ -97,4 +97,4 @@ TEST(Waterfall, ShowsTheLargestLineOfSpeedsThatAreApart) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::study_figures_test

@@ -14,7 +14,7 @@
 
 namespace fs = std::filesystem;
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::sweep_comparison_test {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -122,4 +122,4 @@ TEST_F(Sweeps, AreNoneUnlessAskedFor) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::sweep_comparison_test

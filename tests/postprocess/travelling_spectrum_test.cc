@@ -9,7 +9,7 @@
 #include "postprocess/waves/aliasing.h"
 #include "synthetic_scene.h"
 
-namespace tiprub::postprocess {
+namespace tiprub::postprocess::travelling_spectrum_test {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -133,4 +133,4 @@ TEST(TipMotion, ExpandsTheIndependentSectors) {
 }
 
 }  // namespace
-}  // namespace tiprub::postprocess
+}  // namespace tiprub::postprocess::travelling_spectrum_test

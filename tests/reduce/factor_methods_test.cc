@@ -9,7 +9,7 @@
 #include "tests/reduce/split_cells.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::factor_methods_test {
 namespace {
 
 constexpr double tolerance = 1e-10;
@@ -86,4 +86,4 @@ TEST(FactorMethodsTogether, GiveTheSameModelOnThreads) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::factor_methods_test

@@ -12,7 +12,7 @@
 #include "tests/reduce/split_cells.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::reduction_test {
 namespace {
 
 using test::cyclic;
@@ -270,4 +270,4 @@ TEST(VerificationError, CountsTravellingWavesTwice) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::reduction_test

@@ -14,7 +14,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::segments_test {
 namespace {
 
 using test::cyclic;
@@ -182,4 +182,4 @@ TEST(Segments, StretchABarAsItsUniformPressureDoes) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::segments_test

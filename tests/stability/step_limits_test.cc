@@ -9,7 +9,7 @@
 #include "simulate/orbits/energy_audit.h"
 #include "tests/stability/bench_scene.h"
 
-namespace tiprub::simulate {
+namespace tiprub::simulate::step_limits_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -166,4 +166,4 @@ TEST(MoreauJeanLimit, DampsFreeMotionBeyondOneHalf) {
 }
 
 }  // namespace
-}  // namespace tiprub::simulate
+}  // namespace tiprub::simulate::step_limits_test

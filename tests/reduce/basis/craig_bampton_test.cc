@@ -7,7 +7,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::craig_bampton_test {
 namespace {
 
 using test::cyclic;
@@ -178,4 +178,4 @@ TEST_P(CraigBampton, ASpeedThatChangesNothingAddsNothing) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::craig_bampton_test

@@ -9,7 +9,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::cyclic_modes_test {
 namespace {
 
 using test::cyclic;
@@ -128,4 +128,4 @@ TEST(LowestModes, FindBothOfADoubleEigenvalue) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::cyclic_modes_test

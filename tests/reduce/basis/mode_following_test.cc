@@ -8,7 +8,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::mode_following_test {
 namespace {
 
 using test::cyclic;
@@ -130,4 +130,4 @@ TEST_P(ModeFollowingTest, RefusesAStiffnessThatIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::mode_following_test

@@ -8,7 +8,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::second_order_gap_test {
 namespace {
 
 /// So slender that shear changes the fourth digit only, and without Poisson's ratio, so that the clamp doesn't stress
@@ -100,4 +100,4 @@ TEST(SecondOrderGap, HasCoordinatesThatAreDisplacements) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::second_order_gap_test

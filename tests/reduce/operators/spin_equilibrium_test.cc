@@ -8,7 +8,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::spin_equilibrium_test {
 namespace {
 
 using test::dense;
@@ -178,4 +178,4 @@ TEST(SpinSoftening, LowersFrequenciesAndCanBeLeftOut) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::spin_equilibrium_test

@@ -7,7 +7,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::spin_shape_test {
 namespace {
 
 using test::dense;
@@ -88,4 +88,4 @@ TEST_F(SpinningShape, GoesWithTheSquareOfSpeedIfItIsLinear) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::spin_shape_test

@@ -10,7 +10,7 @@
 #include "tests/cases/complaint.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::contact_unknowns_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -187,4 +187,4 @@ TEST(ContactSegments, RefuseALineOfOneNode) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::contact_unknowns_test

@@ -11,7 +11,7 @@
 #include "tests/cases/complaint.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::cut_faces_test {
 namespace {
 
 constexpr double tolerance = 1e-6;
@@ -104,4 +104,4 @@ TEST(CutFaces, SayThatOneIsShifted) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::cut_faces_test

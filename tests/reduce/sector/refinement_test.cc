@@ -10,7 +10,7 @@
 #include "tests/reduce/split_cells.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::refinement_test {
 namespace {
 
 using test::Annulus;
@@ -98,4 +98,4 @@ TEST(Refinement, RefusesPyramids) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::refinement_test

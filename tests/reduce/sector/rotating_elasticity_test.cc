@@ -6,7 +6,7 @@
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"
 
-namespace tiprub::reduce {
+namespace tiprub::reduce::rotating_elasticity_test {
 namespace {
 
 using test::dense;
@@ -232,4 +232,4 @@ TEST(RotatingElasticity, ChangesWithSpeedAsThePolynomialSays) {
 }
 
 }  // namespace
-}  // namespace tiprub::reduce
+}  // namespace tiprub::reduce::rotating_elasticity_test

@@ -55,7 +55,7 @@ TEST(SectorDofs, EachIsNumberedOnceAndInItsPart) {
 
 TEST(SectorDofs, TheClampWinsOnCutFacesAndIsCounted) {
   const SectorMesh mesh = Annulus().sector();
-  const SectorDofs dofs = number_dofs(mesh, {});
+  const SectorDofs dofs = number_dofs(mesh, std::vector<int>{});
   EXPECT_EQ(dofs.clamped_face_nodes, 3);  // bottom, middle and top of the lower face's bore
   for (const int node : mesh.clamped) EXPECT_EQ(dofs.first[node], -1);
 }
@@ -64,7 +64,7 @@ TEST(SectorDofs, AClampOnOneCutFaceHoldsThePartner) {
   SectorMesh mesh = Annulus().sector();
   const int free_pair = static_cast<int>(mesh.cyclic_low.size()) - 1;
   mesh.clamped.push_back(mesh.cyclic_high[free_pair]);
-  const SectorDofs dofs = number_dofs(mesh, {});
+  const SectorDofs dofs = number_dofs(mesh, std::vector<int>{});
   EXPECT_EQ(dofs.first[mesh.cyclic_low[free_pair]], -1);
   EXPECT_EQ(dofs.first[mesh.cyclic_high[free_pair]], -1);
   EXPECT_EQ(dofs.clamped_face_nodes, 4);
@@ -73,7 +73,7 @@ TEST(SectorDofs, AClampOnOneCutFaceHoldsThePartner) {
 TEST(SectorDofs, RefusesContactOnACutFace) {
   const SectorMesh mesh = Annulus().sector();
   for (const int node : {mesh.cyclic_low.back(), mesh.cyclic_high.back()}) {
-    const std::string message = complaint<InputError>([&] { number_dofs(mesh, {node}); });
+    const std::string message = complaint<InputError>([&] { number_dofs(mesh, std::vector<int>{node}); });
     EXPECT_EQ(message, "the sector: the contact node at " + mesh.place_of(node) +
                            " lies on a cyclic face; a contact node must be inside the sector");
   }
@@ -87,7 +87,7 @@ TEST(SectorDofs, RefusesAClampedContactNode) {
            0;
   });
   ASSERT_NE(inside, mesh.clamped.end());
-  EXPECT_EQ(complaint<InputError>([&] { number_dofs(mesh, {*inside}); }),
+  EXPECT_EQ(complaint<InputError>([&] { number_dofs(mesh, std::vector<int>{*inside}); }),
             "the sector: the contact node at " + mesh.place_of(*inside) + " is clamped; a contact node must be free");
 }
 
@@ -95,7 +95,7 @@ TEST(SectorDofs, RefusesAFreeNodeOnTheAxis) {
   SectorMesh mesh = Annulus().sector();
   const int node = mesh.contact_line.front();
   mesh.nodes.col(node).head<2>().setZero();
-  EXPECT_EQ(complaint<InputError>([&] { number_dofs(mesh, {}); }),
+  EXPECT_EQ(complaint<InputError>([&] { number_dofs(mesh, std::vector<int>{}); }),
             "the sector: the node at " + mesh.place_of(node) +
                 " lies on the axis and is free; clamp it, or bore the wheel");
 }

@@ -14,7 +14,7 @@
 #include "tests/simulate/one_sector.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::simulate {
+namespace tiprub::simulate::second_order_test {
 namespace {
 
 constexpr double radius = 0.1;  // m, of one_sector()
@@ -236,4 +236,4 @@ TEST(SecondOrder, KeepsTheSymmetryOfTheWheel) {
 }
 
 }  // namespace
-}  // namespace tiprub::simulate
+}  // namespace tiprub::simulate::second_order_test

@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-namespace tiprub::simulate {
+namespace tiprub::simulate::step_coefficients_test {
 namespace {
 
 struct Mode {
@@ -120,4 +120,4 @@ TEST(CentralDifferences, HoldJustBelowTheirLimitAndNotAbove) {
 }
 
 }  // namespace
-}  // namespace tiprub::simulate
+}  // namespace tiprub::simulate::step_coefficients_test

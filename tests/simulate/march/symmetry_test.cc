@@ -5,7 +5,7 @@
 
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::simulate {
+namespace tiprub::simulate::symmetry_test {
 namespace {
 
 using testing::Bench;
@@ -83,4 +83,4 @@ TEST(Symmetry, ScalesInLengthAndInMatrices) {
 }
 
 }  // namespace
-}  // namespace tiprub::simulate
+}  // namespace tiprub::simulate::symmetry_test

@@ -10,7 +10,7 @@
 
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::simulate {
+namespace tiprub::simulate::time_march_test {
 namespace {
 
 using testing::Bench;
@@ -143,4 +143,4 @@ TEST(TimeMarch, StopsAtAWallAtRestAndSwingsOnFromThere) {
 }
 
 }  // namespace
-}  // namespace tiprub::simulate
+}  // namespace tiprub::simulate::time_march_test

@@ -9,7 +9,7 @@
 
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::simulate {
+namespace tiprub::simulate::excluded_growth_test {
 namespace {
 
 constexpr double speed = 900;
@@ -76,4 +76,4 @@ TEST(ExcludedGrowth, ProvesNoDecayAlongAMotionWithoutPeriod) {
 }
 
 }  // namespace
-}  // namespace tiprub::simulate
+}  // namespace tiprub::simulate::excluded_growth_test

@@ -9,7 +9,7 @@
 #include "simulate/motion/casing_areas.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::simulate {
+namespace tiprub::simulate::recording_test {
 namespace {
 
 constexpr int samples = 60;
@@ -115,4 +115,4 @@ TEST(Recording, CountsTheStepsThatAnAreaHas) {
 }
 
 }  // namespace
-}  // namespace tiprub::simulate
+}  // namespace tiprub::simulate::recording_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace tiprub::simulate {
+namespace tiprub::simulate::steady_state_test {
 namespace {
 
 constexpr double tolerance = 1e-3;
@@ -95,4 +95,4 @@ TEST(SteadyState, TakesAMotionBelowTheQuietNormForNone) {
 }
 
 }  // namespace
-}  // namespace tiprub::simulate
+}  // namespace tiprub::simulate::steady_state_test

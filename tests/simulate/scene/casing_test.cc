@@ -9,7 +9,7 @@
 
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::simulate {
+namespace tiprub::simulate::casing_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -107,4 +107,4 @@ TEST(PeriodicTable, OfOnePointIsAConstant) {
 }
 
 }  // namespace
-}  // namespace tiprub::simulate
+}  // namespace tiprub::simulate::casing_test

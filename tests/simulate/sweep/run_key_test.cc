@@ -12,7 +12,7 @@
 #include "simulate/scene/casing.h"
 #include "tests/simulate/synthetic_wheel.h"
 
-namespace tiprub::simulate {
+namespace tiprub::simulate::run_key_test {
 namespace {
 
 const std::string range = "speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40\n";
@@ -118,4 +118,4 @@ TEST(RunKey, ExemptsOnlyKeysThatExistAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace tiprub::simulate
+}  // namespace tiprub::simulate::run_key_test

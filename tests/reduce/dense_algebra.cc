@@ -29,6 +29,17 @@ Eigen::MatrixXcd cyclic(const SymmetricMatrix& matrix, const SectorDofs& dofs, i
   return T.adjoint() * dense(matrix) * T;
 }
 
+Eigen::MatrixXd solved(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b) {
+  return A.llt().solve(b);
+}
+Eigen::MatrixXcd solved(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& b) {
+  return A.llt().solve(b);
+}
+
+bool is_positive_definite(const Eigen::MatrixXcd& A) {
+  return A.llt().info() == Eigen::Success;
+}
+
 Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXcd& K, const Eigen::MatrixXcd& M) {
   return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd>(K, M, Eigen::EigenvaluesOnly).eigenvalues();
 }

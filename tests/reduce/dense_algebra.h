@@ -16,6 +16,12 @@ Eigen::MatrixXcd phase_matrix(const SectorDofs& dofs, int sector_count, int noda
 /// T^H Y T written out.
 Eigen::MatrixXcd cyclic(const SymmetricMatrix& matrix, const SectorDofs& dofs, int sector_count, int nodal_diameter);
 
+/// A^-1 b of a Hermitian positive definite A.
+Eigen::MatrixXd solved(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);
+Eigen::MatrixXcd solved(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& b);
+
+bool is_positive_definite(const Eigen::MatrixXcd& A);
+
 /// Of K x = lambda M x, ascending.
 Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXcd& K, const Eigen::MatrixXcd& M);
 

@@ -120,7 +120,7 @@ TEST_P(CraigBampton, ProjectionsAreHermitianAndTheMassIsPositive) {
     EXPECT_LT(difference(reduced, found.shapes().adjoint() * unreduced(*matrix) * found.shapes()), 1e-12);
     EXPECT_EQ(reduced.imag().cwiseAbs().maxCoeff() == 0.0, wave_.is_real());
   }
-  EXPECT_EQ(project(wave_, mass_, found.shapes()).llt().info(), Eigen::Success);
+  EXPECT_TRUE(test::is_positive_definite(project(wave_, mass_, found.shapes())));
 }
 
 TEST_P(CraigBampton, FollowsContactLoadsExactlyWithOneMode) {
@@ -131,11 +131,11 @@ TEST_P(CraigBampton, FollowsContactLoadsExactlyWithOneMode) {
   for (const SymmetricMatrix* matrix : {&at_rest_, &at_top_}) {
     Eigen::MatrixXcd full = Eigen::MatrixXcd::Zero(rotor_.dofs().independent(), 2);
     full.bottomRows(boundary) = load;
-    const Eigen::MatrixXcd exact = unreduced(*matrix).llt().solve(full).bottomRows(boundary);
+    const Eigen::MatrixXcd exact = test::solved(unreduced(*matrix), full).bottomRows(boundary);
     const Eigen::MatrixXcd K = project(wave_, *matrix, found.shapes());
     Eigen::MatrixXcd reduced = Eigen::MatrixXcd::Zero(K.rows(), 2);
     reduced.topRows(boundary) = load;
-    EXPECT_LT(difference(K.llt().solve(reduced).topRows(boundary), exact), 1e-8);
+    EXPECT_LT(difference(test::solved(K, reduced).topRows(boundary), exact), 1e-8);
   }
 }
 

@@ -41,7 +41,7 @@ TEST(SecondOrderGap, ShortensABarThatATipLoadBends) {
   test::TestRotor rotor(mesh, {middle}, parameters().material);
   // Static shapes of unit forces on the middle of the tip: along the bar, and across it.
   const Eigen::MatrixXd flexibility =
-      test::dense(rotor.at_rest()).llt().solve(Eigen::MatrixXd(rotor.dofs().contact_loads));
+      test::solved(test::dense(rotor.at_rest()), Eigen::MatrixXd(rotor.dofs().contact_loads));
   const double bend = (rotor.dofs().contact_loads.transpose() * flexibility)(2, 2);
   const double shortening = -second_order_displacement(rotor.elasticity(), mesh, rotor.dofs(),
                                                        {flexibility.col(2) / bend, flexibility.col(0)})[0](0, 0);
@@ -60,10 +60,10 @@ TEST(SecondOrderGap, ContractedWithTheSpinLoadGivesTheStiffeningByTension) {
   // Omega^2.
   const SectorMesh mesh = bar();
   test::TestRotor rotor(mesh, {mesh.contact_line[2]}, parameters().material);
-  const auto factor = test::dense(rotor.at_rest()).llt();
-  const Eigen::VectorXd bent = factor.solve(Eigen::MatrixXd(rotor.dofs().contact_loads).col(2).eval());
+  const Eigen::MatrixXd K = test::dense(rotor.at_rest());
+  const Eigen::VectorXd bent = test::solved(K, Eigen::MatrixXd(rotor.dofs().contact_loads).col(2));
   const double deflection = (rotor.dofs().contact_loads.transpose() * bent)(2);
-  const Eigen::VectorXd spun = factor.solve(rotor.elasticity().centrifugal_load());
+  const Eigen::VectorXd spun = test::solved(K, rotor.elasticity().centrifugal_load());
   const double Q =
       second_order_displacement(rotor.elasticity(), mesh, rotor.dofs(), {bent / deflection, spun})[0](0, 0);
   const double tension = 9.0 / 8 * (8.0 / 3 - 3 + 2.0 / 5 + 1.0 / 2 - 1.0 / 7) * parameters().material.density *

@@ -66,7 +66,7 @@ TEST_P(EverySectorCount, OneFactorSolvesForAllNodalDiameters) {
     const Eigen::MatrixXcd b = columns(n, rotor_.dofs().independent());
     const Eigen::MatrixXcd x = cyclic_stiffness.solve(b, ContactNodes::free);
     EXPECT_LT(difference(K(n) * x, b), 1e-10) << n;
-    EXPECT_LT(difference(x, K(n).llt().solve(b)), 1e-10) << n;
+    EXPECT_LT(difference(x, test::solved(K(n), b)), 1e-10) << n;
   }
 }
 
@@ -113,7 +113,7 @@ TEST(CyclicSolver, RefusesARotorThatOnlyOneNodalDiameterMakesUnstable) {
     bool indefinite = false;
     for (int n = 0; n <= 2; ++n) {
       const SymmetricMatrix K = rotor.elasticity().stiffness(speed, still, Prestress::linear);
-      indefinite |= cyclic(K, rotor.dofs(), 5, n).llt().info() != Eigen::Success;
+      indefinite |= !test::is_positive_definite(cyclic(K, rotor.dofs(), 5, n));
     }
     EXPECT_EQ(indefinite, !message.empty()) << speed;
   }

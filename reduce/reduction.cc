@@ -263,20 +263,24 @@ class Reducer {
     Eigen::VectorXd compliance;  ///< of nodal diameter 0
   };
 
+  void make_room(ReducedModel& model, ReductionReport& report, bool with_mesh_error) const {
+    const auto rows = static_cast<Eigen::Index>(parameters_.verification_speeds.size());
+    report.generalized_dofs.resize(transforms_.size());
+    report.dropped.resize(transforms_.size());
+    report.corrections.resize(transforms_.size());
+    model.verification.speeds =
+        parameters_.speed_max * Eigen::Map<const Eigen::VectorXd>(parameters_.verification_speeds.data(), rows);
+    model.verification.unreduced.resize(transforms_.size());
+    model.nodal_diameters.resize(transforms_.size());
+    if (with_mesh_error)
+      model.mesh_error.emplace().frequency.resize(static_cast<Eigen::Index>(transforms_.size()),
+                                                  parameters_.verification_modes);
+  }
+
   /// Every nodal diameter's M, basis and unreduced frequencies; returns their K at the samples.
   SampledStiffness reduce_diameters(const Shared& shared, ReducedModel& model, ReductionReport& report) {
     const std::size_t diameters = transforms_.size();
-    const auto rows = static_cast<Eigen::Index>(parameters_.verification_speeds.size());
-    report.generalized_dofs.resize(diameters);
-    report.dropped.resize(diameters);
-    report.corrections.resize(diameters);
-    model.verification.speeds =
-        parameters_.speed_max * Eigen::Map<const Eigen::VectorXd>(parameters_.verification_speeds.data(), rows);
-    model.verification.unreduced.resize(diameters);
-    model.nodal_diameters.resize(diameters);
-    if (shared.mesh_error != nullptr)
-      model.mesh_error.emplace().frequency.resize(static_cast<Eigen::Index>(diameters),
-                                                  parameters_.verification_modes);
+    make_room(model, report, shared.mesh_error != nullptr);
     CellErrors of_cells(model.mesh_error && fields_ != nullptr ? mesh_.cell_count() : 0, diameters);
     SampledStiffness stiffness(diameters);
     const auto keep = [&](int n, DiameterResult result, const ShapeOfBasis& shapes) {

@@ -6,11 +6,11 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <set>
 #include <unsupported/Eigen/AutoDiff>
 
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/gauss_points.h"
+#include "reduce/sector/cut_faces.h"
 
 namespace tiprub::reduce {
 
@@ -263,35 +263,13 @@ std::vector<double> AddedFunctions::on_face(int nodes, double s, double t) {
   return values;
 }
 
-namespace {
-
-/// The corners of the faces that lie on one of the cuts, in the places of their partners on the lower one.
-std::set<std::vector<int>> cut_faces(const SectorMesh& mesh, const std::vector<int>& cut) {
-  std::map<int, int> lower;
-  for (std::size_t k = 0; k < cut.size(); ++k) lower[cut[k]] = mesh.cyclic_low[k];
-  std::set<std::vector<int>> found;
-  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
-    const auto nodes = nodes_of(mesh.cells, cell);
-    for (const std::vector<int>& face : cell_kind(static_cast<int>(nodes.size())).faces) {
-      std::vector<int> corners;
-      for (const int corner : face)
-        if (const auto known = lower.find(nodes[corner]); known != lower.end()) corners.push_back(known->second);
-      std::sort(corners.begin(), corners.end());
-      if (corners.size() == face.size()) found.insert(corners);
-    }
-  }
-  return found;
-}
-
-}  // namespace
-
 bool AddedFunctions::serve(const SectorMesh& mesh) {
   if (mesh.cubic != nullptr || mesh.cell_count() == 0) return false;
   int complete = 0;
   for (int cell = 0; cell < mesh.cell_count(); ++cell)
     complete += nodes_of(mesh.cells, cell).size() == complete_brick_nodes;
   if (complete > 0 && complete < mesh.cell_count()) return false;
-  return cut_faces(mesh, mesh.cyclic_low) == cut_faces(mesh, mesh.cyclic_high);
+  return cut_faces_are_equal(mesh);
 }
 
 double AddedFunctions::memory(const SectorMesh& mesh) {

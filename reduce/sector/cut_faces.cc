@@ -12,8 +12,10 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cases/program/errors.h"
+#include "mesh/cells/cell_kind.h"
 #include "mesh/cells/free_faces.h"
 
 namespace tiprub::reduce {
@@ -225,6 +227,32 @@ void require_whole_cuts(const SectorMesh& mesh) {
           " faces of its surface; a cut is all of it: mesh both cuts alike (gmsh: Periodic Surface), and "
           "name all of their faces; where a slit continues it, cut the sector beside the slit");
   }
+}
+
+namespace {
+
+/// The corners of the faces that lie on one of the cuts, in the places of their partners on the lower one.
+std::set<std::vector<int>> corners_of_faces(const SectorMesh& mesh, const std::vector<int>& cut) {
+  std::map<int, int> lower;
+  for (std::size_t k = 0; k < cut.size(); ++k) lower[cut[k]] = mesh.cyclic_low[k];
+  std::set<std::vector<int>> found;
+  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = nodes_of(mesh.cells, cell);
+    for (const std::vector<int>& face : cell_kind(static_cast<int>(nodes.size())).faces) {
+      std::vector<int> corners;
+      for (const int corner : face)
+        if (const auto known = lower.find(nodes[corner]); known != lower.end()) corners.push_back(known->second);
+      std::sort(corners.begin(), corners.end());
+      if (corners.size() == face.size()) found.insert(corners);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+bool cut_faces_are_equal(const SectorMesh& mesh) {
+  return corners_of_faces(mesh, mesh.cyclic_low) == corners_of_faces(mesh, mesh.cyclic_high);
 }
 
 }  // namespace tiprub::reduce

@@ -14,4 +14,8 @@ void pair_cut_faces(SectorMesh& mesh, double tolerance);
 /// sectors are joined by a part of their cuts has frequencies that are wrong by percents.
 void require_whole_cuts(const SectorMesh& mesh);
 
+/// Whether the cells have a face on one cut for each on the other, with the partners of its corners. The cuts must be
+/// paired.
+bool cut_faces_are_equal(const SectorMesh& mesh);
+
 }  // namespace tiprub::reduce

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double same_place = 1e-6;                            // of the largest radius
 constexpr double near_segment = 0.2;                           // of it; its nodes surround a segment's centre
-constexpr std::size_t recovery_memory = std::size_t{1} << 28;  // [bytes]
+constexpr std::size_t recovery_memory = std::size_t{1} << 30;  // [bytes]
 constexpr double left_out_waves = 0.002;                       // [1] of the mean square of a motion
 constexpr std::size_t most_waves = 6;                          // of a motion, that are recovered
 constexpr double m_per_mm = 1e-3;

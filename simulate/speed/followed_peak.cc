@@ -64,7 +64,8 @@ class SampledResponse {
 
   Curve::const_iterator likeliest() const {
     const auto unlikeness = [&](Curve::const_iterator at) {
-      return std::abs(std::log(at->second / origin_.top.amplitude));
+      return std::abs(std::log(at->second / origin_.top.amplitude)) +
+             std::abs(at->first / origin_.top.speed - 1) / farthest;
     };
     auto best = curve_.end();
     for (auto at = curve_.begin(); at != curve_.end(); ++at) {

@@ -6,7 +6,7 @@ usage: fill_pages.py           writes README.md of all cases, and the project's 
        fill_pages.py --check   fails if a page differs from its tables
 
 A case's expected/*numbers.tsv hold a key and its value in a line. A KEY that names a table of expected/, NAME.tsv or NAME.csv, stands for
-the whole table. On the first page keys begin with the name of the case: impeller_quick/largest.rpm.
+the whole table. A key of another case, and each on the first page, begins with the name of the case: impeller_quick/largest.rpm.
 """
 import csv
 import glob
@@ -49,7 +49,7 @@ def value_of(key, folder, numbers, page):
 def filled(text, page):
     """The text of a page with the values that its tables have now."""
     def cell(match):
-        folder, _, key = match[1].rpartition("/") if page == FIRST_PAGE else ("", "", match[1])
+        folder, _, key = match[1].rpartition("/")
         folder = os.path.join(CASES, folder) if folder else os.path.dirname(page)
         return f"<!-- {match[1]} -->{value_of(key, folder, numbers_of(folder), os.path.relpath(page, CASES))}<!---->"
 

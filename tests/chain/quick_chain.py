@@ -203,9 +203,12 @@ def expect_motion(folder, fields, response):
         assert abs(sample - round(sample)) < 1e-6
         drawn.append(read_vtu(path)["displacement"][contact])
         recorded.append(turned_about_z(group["displacement"][round(sample) % len(group["displacement"]), sector % held], angles))
-    error = numpy.linalg.norm(numpy.subtract(drawn, recorded)) / numpy.linalg.norm(recorded)
-    print(f"{len(frames)} instants of sector {sector}: contact nodes differ by {error:.1e}")
-    assert len(frames) == 24 and error < 0.1
+    # Small waves are left out, so that the largest one is compared: its engine order over the instants.
+    drawn, recorded = (numpy.fft.rfft(motion, axis=0) for motion in (drawn, recorded))
+    order = 1 + numpy.argmax(numpy.linalg.norm(recorded[1:], axis=(1, 2)))
+    error = numpy.linalg.norm(drawn[order] - recorded[order]) / numpy.linalg.norm(recorded[order])
+    print(f"{len(frames)} instants of sector {sector}: engine order {order} of the contact nodes differs by {error:.1e}")
+    assert len(frames) == 24 and error < 0.05
 
 
 def full_fields(programs, cases, work):

@@ -56,9 +56,8 @@ class SampledResponse {
            reach(curve_.begin()->first - stride * origin_.half_width);
   }
   bool reach_up() {
-    const auto last = std::prev(curve_.end());
-    return curve_.size() > 1 && last->second > std::prev(last)->second &&
-           reach(last->first + stride * origin_.half_width);
+    return curve_.size() > 1 && curve_.rbegin()->second > std::next(curve_.rbegin())->second &&
+           reach(curve_.rbegin()->first + stride * origin_.half_width);
   }
   bool reach(double speed) { return std::abs(speed / origin_.top.speed - 1) <= farthest && look(speed); }
 

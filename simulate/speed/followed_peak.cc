@@ -27,7 +27,7 @@ class SampledResponse {
   }
 
   PeakTop located() {
-    auto top = likeliest();
+    auto top = highest();
     while (true) {
       const PeakTop found{sample(std::prev(top)), sample(top), sample(std::next(top))};
       if (std::max(found.left_gap(), found.right_gap()) <= fineness * origin_.half_width) return found;
@@ -61,16 +61,12 @@ class SampledResponse {
   }
   bool reach(double speed) { return std::abs(speed / origin_.top.speed - 1) <= farthest && look(speed); }
 
-  Curve::const_iterator likeliest() const {
-    const auto unlikeness = [&](Curve::const_iterator at) {
-      return std::abs(std::log(at->second / origin_.top.amplitude)) +
-             std::abs(at->first / origin_.top.speed - 1) / farthest;
-    };
+  Curve::const_iterator highest() const {
     auto best = curve_.end();
     for (auto at = curve_.begin(); at != curve_.end(); ++at) {
       if (at == curve_.begin() || std::next(at) == curve_.end()) continue;
       const bool is_top = at->second > std::prev(at)->second && at->second >= std::next(at)->second;
-      if (is_top && (best == curve_.end() || unlikeness(at) < unlikeness(best))) best = at;
+      if (is_top && (best == curve_.end() || at->second > best->second)) best = at;
     }
     if (best == curve_.end()) throw NoMotion("no peak of the same engine order within a tenth of the speed");
     return best;

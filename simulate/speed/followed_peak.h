@@ -30,9 +30,8 @@ struct PeakTop {
 using AmplitudeAt = std::function<std::optional<double>(double speed)>;
 
 /// Finds where a peak has gone. The response is sampled around the old top, and beyond an end towards which it rises,
-/// up to a tenth of the speed, because a change may move a peak so far that it lies beside another one. Of the maxima
-/// found, the peak is the one nearest in height (by ratio) and in speed (over that tenth). Its top is then located to
-/// a fifth of a half-width. Raises NoMotion if there is none.
+/// up to a tenth of the speed, because a change may move a peak so far that it lies beside a smaller one. The highest
+/// maximum found is the peak. Its top is then located to a fifth of a half-width. Raises NoMotion if there is none.
 PeakTop follow_peak(const PeakOrigin& origin, const AmplitudeAt& amplitude_at);
 
 }  // namespace tiprub::simulate

@@ -32,7 +32,7 @@ FewStates few_states(const Eigen::MatrixXcd& states) {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> qr(states);
   qr.setThreshold(left_out);
   const Eigen::Index few = std::max<Eigen::Index>(qr.rank(), 1);
-  const Eigen::MatrixXcd first_rows = qr.matrixR().topRows(few).template triangularView<Eigen::Upper>();
+  const Eigen::MatrixXcd first_rows = qr.matrixR().topRows(few).triangularView<Eigen::Upper>();
   return {qr.householderQ() * Eigen::MatrixXcd::Identity(states.rows(), few),
           first_rows * qr.colsPermutation().transpose()};
 }

@@ -38,8 +38,8 @@ int largest_order(const Recorded& motion) {
 
 /// The critical speed from which a peak is followed.
 struct Origin {
-  SampledSpeed top;
-  int order;  ///< the largest engine order there
+  double speed;  ///< [rad/s]
+  int order;     ///< the largest engine order there
 };
 
 /// [rad/s] Of the narrowest resonance, within reason.
@@ -89,7 +89,7 @@ PeakVariation marched_peak(const Scene& scene, double speed) {
 /// The peak near a speed, marched within the tolerances. Where the response jumps beside the top, the finer step may
 /// have jumped already; a speed a little farther from the jump is taken then.
 PeakVariation peak_near(const Scene& scene, const Origin& origin) {
-  const PeakTop top = follow_peak({origin.top, half_width_at(scene, origin.top.speed)}, scanned(scene, origin.order));
+  const PeakTop top = follow_peak({origin.speed, half_width_at(scene, origin.speed)}, scanned(scene, origin.order));
   const double away = top.left.amplitude < top.right.amplitude ? top.right_gap() : -top.left_gap();
   PeakVariation peak;
   for (int i = 0; i <= (top.jumps() ? retreats : 0); ++i) {
@@ -222,7 +222,7 @@ PeakVariation with_half_step(const Scene& scene, double speed, int steps_per_rev
 }  // namespace
 
 std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const SettledMotion& motion) {
-  const Origin origin{{speed, motion.recorded.amplitude}, largest_order(motion.recorded)};
+  const Origin origin{speed, largest_order(motion.recorded)};
   std::vector<PeakVariation> rows;
   for (const VariedScene& varied : varied_scenes(scene)) rows.push_back(followed(scene, varied, origin));
   if (repeats(motion.reading.motion))  // others have no peak that is sharp enough

@@ -22,7 +22,7 @@ class SampledResponse {
  public:
   SampledResponse(const PeakOrigin& origin, const AmplitudeAt& amplitude_at)
       : origin_(origin), amplitude_at_(amplitude_at) {
-    for (const int steps : first_steps) look(origin.top.speed + steps * origin.half_width);
+    for (const int steps : first_steps) look(origin.speed + steps * origin.half_width);
     while (reach_down() || reach_up()) continue;
   }
 
@@ -59,7 +59,7 @@ class SampledResponse {
     return curve_.size() > 1 && curve_.rbegin()->second > std::next(curve_.rbegin())->second &&
            reach(curve_.rbegin()->first + stride * origin_.half_width);
   }
-  bool reach(double speed) { return std::abs(speed / origin_.top.speed - 1) <= farthest && look(speed); }
+  bool reach(double speed) { return std::abs(speed / origin_.speed - 1) <= farthest && look(speed); }
 
   Curve::const_iterator highest() const {
     auto best = curve_.end();

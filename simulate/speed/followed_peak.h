@@ -10,7 +10,7 @@ namespace tiprub::simulate {
 
 /// The peak that is followed, before something about the wheel or the casing changes.
 struct PeakOrigin {
-  SampledSpeed top;
+  double speed = 0;       ///< [rad/s] of its top
   double half_width = 0;  ///< [rad/s] of the narrowest resonance there
 };
 

@@ -17,12 +17,12 @@ double resonance(double speed, double top, double height, double width = half_wi
   return height / std::hypot(1, (speed - top) / width);
 }
 
-PeakTop followed(double origin, double height, const AmplitudeAt& amplitude_at) {
-  return follow_peak({{origin, height}, half_width}, amplitude_at);
+PeakTop followed(double origin, const AmplitudeAt& amplitude_at) {
+  return follow_peak({origin, half_width}, amplitude_at);
 }
 
 TEST(FollowedPeak, IsLocatedNearItsTop) {
-  const PeakTop found = followed(20000, 1, [](double speed) { return resonance(speed, 20130, 1.1); });
+  const PeakTop found = followed(20000, [](double speed) { return resonance(speed, 20130, 1.1); });
   EXPECT_NEAR(found.vertex(), 20130, 2);
   EXPECT_LE(found.left_gap(), 0.2 * half_width);
   EXPECT_LE(found.right_gap(), 0.2 * half_width);
@@ -38,8 +38,8 @@ TEST(FollowedPeak, IsNotTheNeighbourOnTheOtherSide) {
   };
   const double left_end = 19806 - 4 * half_width, right_end = 19806 + 4 * half_width;
   ASSERT_GT(with_friction(right_end), with_friction(left_end));
-  EXPECT_NEAR(followed(19806, 0.269, with_friction).vertex(), 19210, 5);
-  EXPECT_NEAR(followed(20260, 0.15, with_friction).vertex(), 20230, 5);  // the smaller peak stays itself
+  EXPECT_NEAR(followed(19806, with_friction).vertex(), 19210, 5);
+  EXPECT_NEAR(followed(20260, with_friction).vertex(), 20230, 5);  // the smaller peak stays itself
 }
 
 /// Symptom: with less damping the largest peak of a finer impeller rose from 0.279 to 0.34 mm at 19,560 rpm. The
@@ -48,12 +48,12 @@ TEST(FollowedPeak, IsNotTheNeighbourOfNearerHeight) {
   const auto damped_less = [](double speed) {
     return std::max(resonance(speed, 19560, 0.345, 60), resonance(speed, 19790, 0.237, 100));
   };
-  EXPECT_NEAR(follow_peak({{19556, 0.279}, 39}, damped_less).vertex(), 19560, 2);
+  EXPECT_NEAR(follow_peak({19556, 39}, damped_less).vertex(), 19560, 2);
 }
 
 TEST(FollowedPeak, TellsAJump) {
   const auto falls = [](double speed) { return speed < 20050 ? 0.5 + (speed - 20000) / 1000 : 0.1; };
-  const PeakTop found = followed(20000, 0.5, falls);
+  const PeakTop found = followed(20000, falls);
   EXPECT_TRUE(found.jumps());
   EXPECT_LT(found.top.speed, 20050);
   EXPECT_GT(found.top.speed, 20050 - 0.2 * half_width);
@@ -61,9 +61,9 @@ TEST(FollowedPeak, TellsAJump) {
 
 /// Nothing to follow: it rises on, belongs to another engine order, or no speed has a motion.
 TEST(FollowedPeak, IsRefusedWhereThereIsNone) {
-  EXPECT_THROW(followed(20000, 1, [](double speed) { return speed / 20000; }), NoMotion);
-  EXPECT_THROW(followed(20000, 1, [](double) { return 0.0; }), NoMotion);
-  EXPECT_THROW(followed(20000, 1, [](double) { return std::optional<double>(); }), NoMotion);
+  EXPECT_THROW(followed(20000, [](double speed) { return speed / 20000; }), NoMotion);
+  EXPECT_THROW(followed(20000, [](double) { return 0.0; }), NoMotion);
+  EXPECT_THROW(followed(20000, [](double) { return std::optional<double>(); }), NoMotion);
 }
 
 }  // namespace

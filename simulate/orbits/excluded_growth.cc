@@ -37,22 +37,7 @@ class WholeWheel {
     march_.set_step(settled.step_count());
   }
 
-  /// A pseudo-random start, always the same, in which lower modes have more weight than higher ones.
-  Eigen::VectorXd seed() const {
-    std::mt19937 source(1);
-    Eigen::VectorXd state(excluded_.layout().size());
-    Eigen::Index place = 0;
-    for (std::size_t i = first_; i < march_.wave_count(); ++i) {
-      const Eigen::Index modes = march_.wave(i).moving;
-      for (Eigen::Index k = 0; k < 4 * modes; ++k) {
-        const double mode = 1 + static_cast<double>(k % modes);
-        const double random = 2.0 * source() / std::mt19937::max() - 1.0;
-        if (march_.wave(i).kind == WaveKind::standing && k / modes % 2 == 1) continue;  // no imaginary parts
-        state[place++] = march_.wave(i).omega[k % modes] > 0 ? random / (mode * mode) : 0.0;
-      }
-    }
-    return state.normalized();
-  }
+  Eigen::VectorXd seed() const { return seeded_disturbance(march_, first_); }
 
   /// The image of a state of any size after some revolutions.
   Eigen::VectorXd advanced(const Eigen::VectorXd& state, int revolutions) {
@@ -85,31 +70,6 @@ Growth largest_ritz_value(const Eigen::MatrixXd& hessenberg, double next) {
   return {factor, next * std::abs(vector[vector.size() - 1])};
 }
 
-Growth by_arnoldi(WholeWheel& wheel, int period, int revolutions) {
-  const int most = std::max(revolutions / period, 1);
-  std::vector<Eigen::VectorXd> basis{wheel.seed()};
-  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most + 1, most);
-  Growth growth;
-  for (int m = 0; m < most; ++m) {
-    Eigen::VectorXd next = wheel.advanced(basis.back(), period);
-    for (int twice = 0; twice < 2; ++twice)
-      for (int i = 0; i <= m; ++i) {
-        const double share = basis[static_cast<std::size_t>(i)].dot(next);
-        hessenberg(i, m) += share;
-        next -= share * basis[static_cast<std::size_t>(i)];
-      }
-    hessenberg(m + 1, m) = next.norm();
-    growth = largest_ritz_value(hessenberg.topLeftCorner(m + 1, m + 1), hessenberg(m + 1, m));
-    if (hessenberg(m + 1, m) == 0 ||
-        (m + 1 >= fewest_states &&
-         growth.uncertainty < std::max(small_residual * growth.factor, clear_residual * std::abs(1 - growth.factor))))
-      break;
-    basis.push_back(next / hessenberg(m + 1, m));
-  }
-  const double root = std::pow(growth.factor, 1.0 / period);
-  return {root, growth.factor > 0 ? root / period * growth.uncertainty / growth.factor : growth.uncertainty};
-}
-
 Growth by_mean(WholeWheel& wheel, int revolutions) {
   Eigen::VectorXd state = wheel.seed();
   std::vector<double> logarithms;
@@ -128,9 +88,52 @@ Growth by_mean(WholeWheel& wheel, int revolutions) {
 
 }  // namespace
 
+Eigen::VectorXd seeded_disturbance(const TimeMarch& march, std::size_t first_wave) {
+  std::mt19937 source(1);
+  Eigen::VectorXd state(EnergyState(march, first_wave).layout().size());
+  Eigen::Index place = 0;
+  for (std::size_t i = first_wave; i < march.wave_count(); ++i) {
+    const Eigen::Index modes = march.wave(i).moving;
+    for (Eigen::Index k = 0; k < 4 * modes; ++k) {
+      const double mode = 1 + static_cast<double>(k % modes);
+      const double random = 2.0 * source() / std::mt19937::max() - 1.0;
+      if (march.wave(i).kind == WaveKind::standing && k / modes % 2 == 1) continue;  // no imaginary parts
+      state[place++] = march.wave(i).omega[k % modes] > 0 ? random / (mode * mode) : 0.0;
+    }
+  }
+  return state.normalized();
+}
+
+Growth largest_growth(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& map, const Eigen::VectorXd& seed,
+                      int most, double maps) {
+  std::vector<Eigen::VectorXd> basis{seed};
+  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most + 1, most);
+  Growth growth;
+  for (int m = 0; m < most; ++m) {
+    Eigen::VectorXd next = map(basis.back());
+    for (int twice = 0; twice < 2; ++twice)
+      for (int i = 0; i <= m; ++i) {
+        const double share = basis[static_cast<std::size_t>(i)].dot(next);
+        hessenberg(i, m) += share;
+        next -= share * basis[static_cast<std::size_t>(i)];
+      }
+    hessenberg(m + 1, m) = next.norm();
+    growth = largest_ritz_value(hessenberg.topLeftCorner(m + 1, m + 1), hessenberg(m + 1, m));
+    if (hessenberg(m + 1, m) == 0 ||
+        (m + 1 >= fewest_states &&
+         growth.uncertainty < std::max(small_residual * growth.factor, clear_residual * std::abs(1 - growth.factor))))
+      break;
+    basis.push_back(next / hessenberg(m + 1, m));
+  }
+  const double power = std::pow(growth.factor, maps);
+  return {power, growth.factor > 0 ? power * maps * growth.uncertainty / growth.factor : growth.uncertainty};
+}
+
 Growth excluded_growth(const TimeMarch& settled, int period, int revolutions) {
   WholeWheel wheel(settled);
-  return period > 0 ? by_arnoldi(wheel, period, revolutions) : by_mean(wheel, revolutions);
+  if (period == 0) return by_mean(wheel, revolutions);
+  const auto map = [&](const Eigen::VectorXd& state) { return wheel.advanced(state, period); };
+  return largest_growth(map, wheel.seed(), std::max(revolutions / period, 1), 1.0 / period);
 }
 
 SymmetryVerdict judge(const Growth& growth) {

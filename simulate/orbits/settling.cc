@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -50,9 +52,20 @@ EvenLine fit_even_line(const std::vector<double>& values) {
   return line;
 }
 
-constexpr double quiet_motion = 1e-3;     // of the casing's amplitude: a smaller motion counts as rest
-constexpr double boundless_motion = 1e6;  // times amplitude and clearance: a larger motion has diverged
-constexpr std::size_t remembered = 24;    // revolutions, for the class of a motion that does not settle
+/// A line through the logarithms of the last `count` changes.
+EvenLine trend(const std::vector<double>& changes, int count) {
+  std::vector<double> logarithms;
+  const auto fitted = std::min<std::ptrdiff_t>(count, std::ssize(changes));
+  for (auto change = changes.end() - fitted; change != changes.end(); ++change)
+    logarithms.push_back(std::log(std::max(*change, rounding_floor)));
+  return fit_even_line(logarithms);
+}
+
+constexpr double quiet_motion = 1e-3;      // of the casing's amplitude: a smaller motion counts as rest
+constexpr double boundless_motion = 1e6;   // times amplitude and clearance: a larger motion has diverged
+constexpr int patience = 7, standing = 3;  // times min_revolutions: marched before wanders(), and judged by it
+constexpr int fewest_revolutions = 10;     // in place of min_revolutions there, so that the slope has a meaning
+constexpr std::size_t remembered = 24;     // revolutions, for the class of a motion that does not settle
 
 SteadyState make_judge(const Scene& scene, const TimeMarch& march) {
   const double size =
@@ -75,22 +88,13 @@ void SteadyState::add(Eigen::VectorXd revolution) {
   if (last_.size() > longest_period) last_.pop_back();
 }
 
-/// exp of the slope of a line through the logarithms of the last changes (least squares).
-double SteadyState::decay_rate(const std::vector<double>& changes) const {
-  const std::size_t count = std::min<std::size_t>(changes.size(), window);
-  std::vector<double> logarithms;
-  for (std::size_t i = changes.size() - count; i < changes.size(); ++i)
-    logarithms.push_back(std::log(std::max(changes[i], rounding_floor)));
-  return std::exp(fit_even_line(logarithms).slope);
-}
-
 SettlingState SteadyState::judge() const {
   SettlingState state;
   for (int period = 1; period <= longest_period; ++period) {
     const std::vector<double>& changes = changes_[period - 1];
     if (changes.empty()) break;
     const double change = changes.back();
-    const double rate = decay_rate(changes);
+    const double rate = std::exp(trend(changes, window).slope);
     if (period == 1) {
       state.change = change;
       state.rate = rate;
@@ -107,14 +111,14 @@ SettlingState SteadyState::judge() const {
 }
 
 bool SteadyState::decays() const {
-  const std::vector<double>& changes = changes_.front();
-  if (changes.size() < window) return false;
-  const std::size_t count = std::min<std::size_t>(changes.size(), decay_window);
-  std::vector<double> logarithms;
-  for (std::size_t i = changes.size() - count; i < changes.size(); ++i)
-    logarithms.push_back(std::log(std::max(changes[i], rounding_floor)));
-  const EvenLine line = fit_even_line(logarithms);
+  if (changes_.front().size() < window) return false;
+  const EvenLine line = trend(changes_.front(), decay_window);
   return line.slope + 2 * line.uncertainty < 0;
+}
+
+bool SteadyState::stands(int count) const {
+  const EvenLine line = trend(changes_.front(), count);
+  return std::abs(line.slope) <= 2 * line.uncertainty;
 }
 
 Settling::Settling(const Scene& scene, TimeMarch& march, int min_revolutions)
@@ -154,6 +158,11 @@ MotionReading Settling::reading() const {
 
 bool Settling::settled() const {
   return orbit_ || (revolutions_ >= min_revolutions_ && state_.judge().settled == SettlingState::Settled::yes);
+}
+
+bool Settling::wanders() const {
+  const int unit = std::max(min_revolutions_, fewest_revolutions);
+  return !settled() && revolutions_ >= patience * unit && state_.stands(standing * unit);
 }
 
 void Settling::advance() {

@@ -45,10 +45,11 @@ class SteadyState {
   /// Whether the change from revolution to revolution clearly falls: the slope of a line through the logarithms of
   /// the last changes is negative by more than twice its uncertainty.
   bool decays() const;
+  /// Whether the change from revolution to revolution neither falls nor rises clearly over the last `count` ones: the
+  /// slope of that line is within twice its uncertainty.
+  bool stands(int count) const;
 
  private:
-  double decay_rate(const std::vector<double>& changes) const;
-
   double tolerance_;
   double quiet_norm_;
   std::deque<Eigen::VectorXd> last_;  ///< newest first
@@ -66,6 +67,10 @@ class Settling {
   void add(Eigen::VectorXd motion);
   /// Whether the motion has settled; never before the smallest allowed number of revolutions.
   bool settled() const;
+  /// Whether marching on is of no use: the motion has not settled after seven times the smallest allowed number of
+  /// revolutions (at least 70), and its change from revolution to revolution stands. A change that grows tells of a
+  /// motion that leaves an orbit, and will come to another.
+  bool wanders() const;
   SettlingState state() const { return orbit_ ? *orbit_ : state_.judge(); }
   /// The class of the motion, from one period of a settled motion, or else from up to 24 last revolutions.
   MotionReading reading() const;

@@ -8,6 +8,7 @@
 
 #include "simulate/march/march_state.h"
 #include "simulate/march/time_march.h"
+#include "simulate/orbits/excluded_growth.h"
 #include "simulate/periodic/periodic_map.h"
 
 namespace tiprub::simulate {
@@ -60,6 +61,8 @@ class TangentMarch {
   TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int power);
 
   Eigen::Index size() const { return map_.state().size(); }
+  /// A disturbance to start from, as seeded_disturbance().
+  Eigen::VectorXd seed() const { return seeded_disturbance(march_, 0); }
   double maps_per_revolution() const { return map_.maps_per_revolution(); }
   /// DF times a change of a state of SymmetricMap. Raises NoMotion if the compliance of nodes that the pattern closes
   /// together is singular.

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int tries[] = {12, 24, 48};  // revolutions after the casing has grown
 constexpr double come_back = 0.2;      // of the largest distance within the longest period: the march nearly returns
+constexpr double returned = 1e-3;      // of the state: a settled march is this near to where it was
 constexpr double newton_step = 10;    // of settle_tolerance: bound of the last step, whose error is a hundredth of it
 constexpr double clear_distance = 5;  // of a multiplier from 1, in uncertainties: nearer ones are found more exactly
 constexpr double rough = 2e-3, common = 2e-4, exact = 2e-5;  // of a multiplier
@@ -26,6 +27,31 @@ Multiplier clear_multiplier(const LinearMap& map, Eigen::Index size, double tole
   const Multiplier first = largest_multiplier(map, size, tolerance);
   const double distance = std::abs(std::abs(first.value) - 1);
   return distance > clear_distance * first.uncertainty ? first : largest_multiplier(map, size, exact);
+}
+
+/// The growth of excluded disturbances while a pattern of contact is held.
+Growth excluded_growth_held(const TimeMarch& orbit, const std::shared_ptr<const ContactPattern>& pattern, int power,
+                            int revolutions) {
+  TangentMarch tangent(orbit, Disturbance::excluded, power);
+  const double maps = tangent.maps_per_revolution();
+  const auto map = [&](const Eigen::VectorXd& change) { return tangent(pattern, change); };
+  return largest_growth(map, tangent.seed(), std::max(static_cast<int>(revolutions * maps), 1), maps);
+}
+
+/// The number of maps, at most `most`, after which a settled march is where it was.
+int maps_in_period(TimeMarch& settled, int most) {
+  const SymmetricMap one(settled);
+  const Eigen::VectorXd start = one.state();
+  const MarchState before(settled);
+  int maps = 0;
+  double away = 0;
+  do {
+    for (int i = 0; i < one.steps(); ++i) settled.step();
+    ++maps;
+    away = (SymmetricMap(settled, maps).image() - start).norm();
+  } while (maps < most && away > returned * start.norm());
+  before.restore(settled);
+  return maps;
 }
 
 }  // namespace
@@ -38,6 +64,16 @@ Growth per_revolution(const Multiplier& multiplier, double maps) {
 bool has_symmetric_map(const Scene& scene) {
   return maps_states(scene.parameters.scheme, scene.parameters.contact) &&
          scene.scope.symmetry == std::gcd(scene.model.sector_count, scene.casing.lobes);
+}
+
+Growth excluded_growth_along(TimeMarch& settled, int period_revolutions, int revolutions) {
+  const int maps = symmetric_maps_per_revolution(settled.sector_count(), settled.scene().obstacle.lobes());
+  const int power = maps_in_period(settled, maps * period_revolutions);
+  const MarchState before(settled);
+  MarchedMap map(settled, power);
+  const MapImage image = map.image(map.symmetric().state());
+  before.restore(settled);
+  return excluded_growth_held(settled, image.pattern, power, revolutions);
 }
 
 bool OrbitSearch::approach(TimeMarch& coarse) {
@@ -137,10 +173,9 @@ bool OrbitSearch::attracts(MarchedMap& map, const NewtonResult& orbit, double to
 }
 
 void OrbitSearch::follow_excluded(const TimeMarch& march, const NewtonResult& orbit) {
-  if (march.rotor().others.empty() || scene_.parameters.symmetry_check_revolutions == 0) return;
-  TangentMarch tangent(march, Disturbance::excluded, report_.maps);
-  const LinearMap map = [&](const Eigen::VectorXd& change) { return tangent(orbit.pattern, change); };
-  excluded_ = per_revolution(clear_multiplier(map, tangent.size(), common), tangent.maps_per_revolution());
+  const int revolutions = scene_.parameters.symmetry_check_revolutions;
+  if (march.rotor().others.empty() || revolutions == 0) return;
+  excluded_ = excluded_growth_held(march, orbit.pattern, report_.maps, revolutions);
 }
 
 double OrbitSearch::drift(TimeMarch& march) const {

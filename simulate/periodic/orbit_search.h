@@ -18,6 +18,11 @@ namespace tiprub::simulate {
 /// memory, and only the nodal diameters that symmetry needs are marched.
 bool has_symmetric_map(const Scene& scene);
 
+/// The growth of the nodal diameters that symmetry leaves out, along a march that has settled with this period: the
+/// largest multiplier of the linearised symmetric map, at most `revolutions` long. Leaves the march unchanged. Raises
+/// NoMotion if the motion can't be followed.
+Growth excluded_growth_along(TimeMarch& settled, int period_revolutions, int revolutions);
+
 /// Finds the steady motion that a march from rest approaches, without marching all the way. Newton's method seeks a
 /// fixed point of the symmetric map, with a coarse step first and then with finer steps from the orbit before. If no
 /// fixed point attracts, it seeks one of the power of the map after which the march nearly returns. Orbits that repel

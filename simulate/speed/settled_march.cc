@@ -85,7 +85,7 @@ int revolutions_to_record(const SimulateParameters& parameters, const SettlingSt
 void come_to_rest(OrbitSearch* search, int last_start, TimeMarch& march, Settling& settling) {
   if (search && search->jump(march))
     settling.stand_on_orbit(search->period_revolutions(), search->report().multiplier);
-  while (settling.revolutions() < last_start && !settling.settled()) settling.advance();
+  while (settling.revolutions() < last_start && !settling.settled() && !settling.wanders()) settling.advance();
 }
 
 /// Whether the recorded revolutions confirm the orbit onto which the march was put, if any.
@@ -117,7 +117,7 @@ SettledMotion march_and_record(const Scene& scene, const MarchPlan& plan, std::u
     for (int i = 0; i < grid.revolutions; ++i) settling.add(recording.revolution(*march));
     if (!is_confirmed(scene, plan.search, *march, settling)) continue;
     const bool same = settling.settled() && revolutions_to_record(parameters, settling.state()) <= grid.revolutions;
-    if (!same && settling.revolutions() <= last_start) continue;
+    if (!same && settling.revolutions() <= last_start && !settling.wanders()) continue;
     SettledMotion settled;
     settled.recorded = recording.finish(*march);
     settled.reading = settling.reading();

@@ -77,8 +77,11 @@ SymmetryCheck check_symmetry(const Scene& scene, const RefinedMotion& found) {
   if (motion.march->rotor().others.empty()) return {};
   const int revolutions = scene.parameters.symmetry_check_revolutions;
   if (revolutions == 0 || motion.recorded.displacement.isZero(0)) return {SymmetryVerdict::unchecked, {}};
-  const auto growth =
-      attempt([&] { return excluded_growth(*motion.march, motion.state.period_revolutions, revolutions); });
+  const int period = motion.state.period_revolutions;
+  const auto growth = attempt([&] {
+    return period > 0 && has_symmetric_map(scene) ? excluded_growth_along(*motion.march, period, revolutions)
+                                                  : excluded_growth(*motion.march, period, revolutions);
+  });
   if (!growth.result) return {SymmetryVerdict::unchecked, {}};
   return {judge(*growth.result, motion.state.period_revolutions), growth.result};
 }

@@ -89,7 +89,7 @@ ModelledEffect impact_instants(const SimulateParameters& parameters) {
 
 constexpr int casing_points = 721;  // of the casing's shape in the response: every half degree
 
-constexpr int content = 5;  // version of a speed's result: to be raised when its content or meaning changes
+constexpr int content = 6;  // version of a speed's result: to be raised when its content or meaning changes
 
 bool is_exempt(const std::string& key) {
   return std::any_of(exempt_keys().begin(), exempt_keys().end(),
@@ -124,7 +124,8 @@ std::vector<ModelledEffect> effects_of(const Scene& scene) {
           {Effect::settling, Treatment::simplified,
            "marching ends within " + text_of(parameters.settle_tolerance) + " of the settled motion"},
           {Effect::unsettled_motions, Treatment::simplified,
-           "marching ends after " + std::to_string(parameters.max_revolutions) + " revolutions"},
+           "marching ends after " + std::to_string(parameters.max_revolutions) +
+               " revolutions, or earlier where the change from one to the next stands"},
           {Effect::chatter, Treatment::simplified, "motion above the resolved frequency is an artefact of the mesh"},
           {Effect::heat, Treatment::left_out, "temperatures are not computed"},
           {Effect::gas, Treatment::left_out, "the gas exerts no forces"}};

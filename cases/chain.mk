@@ -2,6 +2,7 @@
 # Takes a case to its report by the four programs. The folder of a case holds case.toml and a Makefile that includes this file.
 #   make             makes everything that is out of date, and prints the critical speeds
 #   make model.h5    makes one file and what it needs;  make -B model.h5 makes it in any case
+#   make look        checks everything that the stages read of the case, and computes nothing
 #   make clean       removes what make has made, and nothing else
 # A stage is out of date if the values that it reads of case.toml have changed, or a file that it reads; comments and spelling do not
 # count. Everything that the stages read of the case is checked before the first of them starts.
@@ -52,6 +53,7 @@ VALUES_postprocess := $(call values,postprocess)
 LOOKS := $(patsubst %,look_%,$(if $(VALUES_mesh),mesh) $(if $(VALUES_reduce),reduce) simulate postprocess)
 look_mesh look_reduce look_simulate look_postprocess: look_%:
 	@$(CHAIN) look $* $(CASE_FILE) $(SETTINGS) $(FLAGS_$*)
+look: $(LOOKS)
 
 # look_STAGE if a file was made of other values or other files than there are now. Their dates do not suffice: clocks may be set back.
 stale = $(if $(VALUES_$1),$(if $(shell $(CHAIN) is_made_of $2 $(VALUES_$1) $3),,look_$1))

@@ -88,6 +88,21 @@ TEST(SteadyState, LeavesTheRestUnsettled) {
   EXPECT_EQ(found.period_revolutions, 0);
 }
 
+/// Marching ends early only where the change neither falls, as towards a settled motion, nor grows, as away from an
+/// orbit that repels.
+TEST(SteadyState, TellsAChangeThatStandsFromOneThatMoves) {
+  const auto stands = [](double rate) {
+    SteadyState state(tolerance, 0.0);
+    for (int r = 0; r < 70; ++r) {
+      const double scatter = 1 + 0.3 * std::sin(2.39996 * r), sign = r % 2 == 0 ? 1 : -1;
+      state.add(revolution(1e-3 * std::pow(rate, r - 35) * scatter * sign));
+    }
+    return state.stands(30);
+  };
+  EXPECT_TRUE(stands(1));
+  for (const double rate : {0.9, 0.96, 1.04, 1.1}) EXPECT_FALSE(stands(rate)) << rate;
+}
+
 TEST(SteadyState, TakesAMotionBelowTheQuietNormForNone) {
   SteadyState state(tolerance, 1.0);
   for (int r = 0; r < 12; ++r) state.add(1e-6 * revolution(std::sin(r)));

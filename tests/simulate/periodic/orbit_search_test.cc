@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "simulate/march/marched_scene.h"
+#include "simulate/orbits/excluded_growth.h"
 #include "simulate/periodic/marched_map.h"
+#include "simulate/periodic/orbit_search.h"
+#include "simulate/speed/settled_march.h"
 #include "simulate/speed/speed_run.h"
 #include "tests/simulate/compared_responses.h"
 #include "tests/simulate/synthetic_wheel.h"
@@ -42,25 +47,33 @@ struct Kept {
   int revolutions;
 };
 
-SpeedResponse run(const ReducedModel& model, const Casing& casing, double speed, SteadyStateMethod method,
-                  Scheme scheme = Scheme::trigonometric, Kept kept = {2}) {
+/// One step for all: motions are compared.
+SimulateParameters parameters_for(const ReducedModel& model, const Casing& casing, double speed) {
   SimulateParameters parameters;
-  parameters.scheme = scheme;
   parameters.damping = {0.005};
   parameters.samples_per_revolution = 120;
-  parameters.recorded_revolutions = kept.revolutions;
+  parameters.recorded_revolutions = 2;
   parameters.min_revolutions = 10;
   parameters.max_revolutions = 80;
   parameters.settle_tolerance = 1e-5;
   parameters.casing_areas = 1;
   parameters.symmetry_check_revolutions = 24;
-  parameters.steady_state = method;
   parameters.steps_per_period = 400;
   const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
   const Scene scene{model, casing, parameters, scope};
-  parameters.steps_per_revolution =  // one step for all: two motions are compared
+  parameters.steps_per_revolution =
       steps_per_revolution(scope, parameters, rotor_of(scene, speed)->first_frequency, speed);
-  return simulate_speed(scene, speed).response;
+  return parameters;
+}
+
+SpeedResponse run(const ReducedModel& model, const Casing& casing, double speed, SteadyStateMethod method,
+                  Scheme scheme = Scheme::trigonometric, Kept kept = {2}) {
+  SimulateParameters parameters = parameters_for(model, casing, speed);
+  parameters.scheme = scheme;
+  parameters.recorded_revolutions = kept.revolutions;
+  parameters.steady_state = method;
+  const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
+  return simulate_speed({model, casing, parameters, scope}, speed).response;
 }
 
 TEST(OrbitSearch, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
@@ -80,8 +93,28 @@ TEST(OrbitSearch, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
   EXPECT_GT(fast.audit.orbit.multiplier, 0.5);
 }
 
-/// Of what symmetry leaves out, by the linearised march and by a small disturbance of the whole wheel.
+/// Of what symmetry leaves out, by the linearised march along a settled motion and by a small disturbance of the
+/// whole wheel; along the last motion, which repeats after three revolutions, too. The settled march stays as it was.
 TEST(OrbitSearch, TellsHowExcludedDisturbancesGrowAsTheirMarchDoes) {
+  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
+  const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
+  for (const auto& [speed, period] : {std::pair(1300.0, 1), std::pair(2000.0, 1), std::pair(1660.0, 3)}) {
+    const SimulateParameters parameters = parameters_for(model, casing, speed);
+    const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
+    const Scene scene{model, casing, parameters, scope};
+    const SettledMotion settled = settle(scene, rotor_of(scene, speed), {}, {parameters.steps_per_revolution, 10});
+    ASSERT_EQ(settled.state.period_revolutions, period) << speed;
+    const Eigen::VectorXd before = settled.march->displacement();
+    const Growth held = excluded_growth_along(*settled.march, period, 24);
+    EXPECT_LT((settled.march->displacement() - before).norm(), 1e-12 * before.norm());
+    const Growth marched = excluded_growth(*settled.march, period, 24);
+    EXPECT_NEAR(held.factor, marched.factor, held.uncertainty + marched.uncertainty) << speed;
+    EXPECT_LE(held.uncertainty, std::max(0.2 * std::abs(1 - held.factor), 1e-3)) << speed;
+  }
+}
+
+/// By marching to the settled motion, and by the search.
+TEST(OrbitSearch, JudgesSymmetryAsAfterAMarch) {
   const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
   const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
   for (const double speed : {1300.0, 2000.0}) {
@@ -126,6 +159,20 @@ TEST(OrbitSearch, FindsOrbitsOfManyMaps) {
   EXPECT_EQ(found.motion, plain.motion);
   EXPECT_EQ(found.period_beats, plain.period_beats);
   EXPECT_LT(testing::difference(found, plain, casing.lobes).value, 1e-4);
+}
+
+/// The motion at 2880 rad/s never repeats: marching on would not change what can be said of it.
+TEST(SettledMarch, LeavesAMotionThatWandersBeforeAllRevolutionsAreMarched) {
+  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
+  const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
+  SimulateParameters parameters = parameters_for(model, casing, 2880);
+  parameters.max_revolutions = 400;
+  const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
+  const Scene scene{model, casing, parameters, scope};
+  const SettledMotion left = settle(scene, rotor_of(scene, 2880), {}, {parameters.steps_per_revolution, 10});
+  EXPECT_EQ(left.state.period_revolutions, 0);
+  EXPECT_GE(left.revolutions, 70);
+  EXPECT_LT(left.revolutions, 200);
 }
 
 /// A wheel that reaches no casing comes to rest: nothing is divided by its motion.

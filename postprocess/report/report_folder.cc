@@ -2,6 +2,7 @@
 #include "postprocess/report/report.h"
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cases/program/command_line.h"
 #include "postprocess/compare/comparison.h"
@@ -41,6 +42,13 @@ ordered_json answers_of(const std::vector<Answer>& answers) {
   return entries;
 }
 
+ordered_json lines_of(const std::string& text) {
+  ordered_json lines = ordered_json::array();
+  std::istringstream source(text);
+  for (std::string line; std::getline(source, line);) lines.push_back(line);
+  return lines;
+}
+
 /// The page's tables and first screen for programs: JSON, schema "tiprub-summary". A row is an object with the
 /// columns' names, which have the units.
 std::string json_summary(const ReportContents& contents) {
@@ -51,6 +59,7 @@ std::string json_summary(const ReportContents& contents) {
                           {"title", contents.source.title},
                           {"verdict", answers_of(verdict(study, contents.field_results, contents.needs))},
                           {"scene", answers_of(scene_in_brief(study))},
+                          {"scope", lines_of(study.response.scene.scope)},
                           {"critical_speeds", rows_of(critical_speed_record(study, contents.field_results))},
                           {"speeds", rows_of(speed_record(study, contents.field_results))},
                           {"exactness", rows_of(exactness_record(study))},

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """physics = "as_needed" on a small disc. usage: needed_physics.py PROGRAMS_FOLDER CASES_FOLDER SMALL_CASE WORK_FOLDER (made by small_chain.py)"""
+import json
 import os
 import re
 import subprocess
@@ -77,7 +78,9 @@ def needed_physics(bench):
 
     subprocess.run([os.path.join(bench.programs, "tiprub-postprocess"), "case.toml", "model.h5", "needed.h5", "-o", "needed", "-q"],
                    cwd=folder.path, check=True)
-    assert "physics as needed: friction of 0.1 is on: at " in folder.read("needed/report.html").decode()
+    decided = "physics as needed: friction of 0.1 is on: at "
+    assert decided in folder.read("needed/report.html").decode()
+    assert any(line.startswith(decided) for line in json.loads(folder.read("needed/summary.json"))["scope"])
 
 
 if __name__ == "__main__":

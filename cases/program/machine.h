@@ -31,12 +31,10 @@ void work_together(int threads, const std::function<void()>& work);
 
 /// The first step in the main of a program that uses OpenBLAS. OpenBLAS reads its environment variables when it is
 /// loaded, before main. If they should be different, this sets them and runs the program again, which takes 0.2 s.
-/// - OPENBLAS_CORETYPE: OpenBLAS 0.3.21 does not know some Intel processors (family 6, models 183 and 207 among
-/// them), and
-///   may use generic kernels there, which are half as fast as others that the processor can run.
-/// - OPENBLAS_NUM_THREADS: OpenBLAS starts an idle thread for each processor. If memory is limited, they would take
-/// all
-///   of it. The program asks for its threads later, when it knows how many there is memory for.
+/// OPENBLAS_CORETYPE: OpenBLAS 0.3.21 does not know some Intel processors (family 6, models 183 and 207 among them),
+/// and may use generic kernels there, which are half as fast as others that the processor can run.
+/// OPENBLAS_NUM_THREADS: OpenBLAS starts an idle thread for each processor. If memory is limited, they would take all
+/// of it. The program asks for its threads later, when it knows how many there is memory for.
 /// Variables that the user has set stay as they are.
 void prepare_blas(char** argv);
 

@@ -92,6 +92,8 @@ ReportContents run(Inputs inputs, const PostprocessOptions& options, Progress::S
     contents.fields = recover_fields(options.fields_file, contents.study, inputs.strength, shown);
     contents.figures.push_back(meridional_section_figure(contents.fields->sector, contents.study.model.contact,
                                                          contents.study.response.scene.clearance));
+    if (contents.fields->mesh_error_of_frequencies.size() > 0)
+      contents.figures.push_back(mesh_error_figure(*contents.fields));
   }
   contents.field_results = field_results(contents.fields, contents.study.critical);
   if (const auto budgets = error_budgets(contents.study, contents.field_results); !budgets.empty())

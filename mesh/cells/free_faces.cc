@@ -47,10 +47,12 @@ std::vector<std::vector<int>> listed_cells(const Eigen::MatrixXi& columns) {
 
 std::vector<FreeFace> free_faces(const Eigen::Matrix3Xd& nodes, const std::vector<std::vector<int>>& cells) {
   std::map<std::vector<int>, std::pair<FreeFace, int>> faces;  // by their corners
-  for (const std::vector<int>& cell : cells) {
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const std::vector<int>& cell = cells[c];
     const CellKind& kind = cell_kind(static_cast<int>(cell.size()));
     for (const std::vector<int>& around : kind.faces) {
       FreeFace face;
+      face.cell = static_cast<int>(c);
       for (const int corner : around) face.nodes.push_back(cell[corner]);
       std::vector<int> key = face.nodes;
       std::sort(key.begin(), key.end());

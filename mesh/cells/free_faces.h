@@ -13,6 +13,7 @@ namespace tiprub {
 struct FreeFace {
   std::vector<int> nodes;  ///< corners around, seen from outside, then the mid-sides between them
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, outward, of its corners
+  int cell = 0;                                      ///< that it belongs to
 
   std::size_t corners() const { return nodes.size() / 2; }
 };

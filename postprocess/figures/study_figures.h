@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "postprocess/fields/field_study.h"
 #include "postprocess/fields/wheel_surface.h"
 #include "postprocess/figures/axes.h"
 #include "postprocess/figures/figure.h"
@@ -21,6 +22,9 @@ std::vector<Eigen::Matrix2Xd> meridional_outline(const Eigen::Matrix3Xd& nodes,
 /// Paper, fig. 2; `clearance` [m] as the case gives it, by contact node.
 Figure meridional_section_figure(const SectorFields& sector, const ContactLine& line,
                                  const Eigen::VectorXd& clearance);
+
+/// What each cell contributes to the error of the mesh, on the sector's surface; needs these numbers.
+Figure mesh_error_figure(const FieldStudy& fields);
 
 // One builder for each figure; the captions in figures.json say what is drawn and how. Those of maps are in maps.h.
 

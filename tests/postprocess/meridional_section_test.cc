@@ -57,5 +57,33 @@ TEST(MeridionalOutline, JoinsWhatOverlapsAndPartsWhatDoesNot) {
   EXPECT_EQ(outline(ring_of({1, 4}, 0.3)).size(), 2U);
 }
 
+TEST(MeshErrorFigure, ColoursTheSurfaceByTheSharesOfTheCells) {
+  FieldStudy fields;
+  fields.sector = ring_of({1, 4}, 0.3);  // two bricks apart
+  fields.sector.node_sets["contact"] = {20};
+  fields.mesh_error_of_frequencies = Eigen::Vector2d(1e-3, 3e-3);
+  fields.mesh_error_of_compliances = Eigen::Vector2d(0.2, 0.0);
+  const Figure figure = mesh_error_figure(fields);
+  ASSERT_EQ(figure.pixels.size(), 1U);
+  const Eigen::MatrixXf& pixels = figure.pixels[0].values;
+  const Eigen::Index half = pixels.rows() / 2;
+  const auto expect_values = [&](const Eigen::MatrixXf& panel, float one, float other) {
+    Eigen::Index ones = 0, others = 0;
+    for (const float value : panel.reshaped()) {
+      ones += value == one;
+      others += value == other;
+      EXPECT_TRUE(std::isnan(value) || value == one || value == other) << value;
+    }
+    EXPECT_GT(ones, panel.size() / 100);
+    EXPECT_GT(others, panel.size() / 100);
+  };
+  for (const Eigen::Index column : {Eigen::Index(0), half}) {
+    expect_values(pixels.block(half, column, half, half), 25.0F, 75.0F);
+    expect_values(pixels.block(0, column, half, half), 100.0F, 0.01F);  // the least that is drawn
+  }
+  ASSERT_EQ(figure.data.rows.size(), 2U);
+  EXPECT_NE(figure.caption.find("75 %, lies at the radius 4"), std::string::npos) << figure.caption;
+}
+
 }  // namespace
 }  // namespace tiprub::postprocess

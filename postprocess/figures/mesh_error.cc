@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "mesh/cells/cell_kind.h"
 #include "postprocess/figures/axes.h"

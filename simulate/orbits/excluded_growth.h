@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <functional>
 
-#include "simulate/march/march_state.h"
 #include "simulate/march/time_march.h"
 #include "simulate/motion/motion.h"
 

@@ -47,6 +47,12 @@ std::string listed(const std::vector<Value>& values, const Shown& shown) {
   return "[" + joined(words) + "]";
 }
 
+/// What a list with this many numbers in a row holds.
+std::string items_of(std::size_t columns) {
+  if (columns == 1) return "numbers";
+  return columns == 2 ? "[x, y] pairs" : "lists of " + std::to_string(columns) + " numbers";
+}
+
 toml::table parse_case(const std::string& text, const std::string& file) {
   require_short_keys(text, file);
   try {
@@ -143,7 +149,7 @@ struct CaseTable::Node {
     for (const toml::node& item : list) {
       const toml::array* pair = item.as_array();
       if (columns > 1 && (pair == nullptr || pair->size() != columns))
-        refuse(item, key, " must be a list of [x, y] pairs");
+        refuse(item, key, " must be a list of " + items_of(columns));
       Row row{where(&item), where(columns > 1 ? pair->get(columns - 1) : &item), {}};
       for (std::size_t i = 0; i < columns; ++i)
         row.numbers.push_back(number_at(columns > 1 ? *pair->get(i) : item, key, Range::any(), ""));
@@ -157,11 +163,9 @@ struct CaseTable::Node {
     const toml::array* list = node.as_array();
     if (node.is_string())
       found =
-          rows_of_file(node.value<std::string>().value(), columns, std::string(key) + (columns > 1 ? ": x, y" : ""));
+          rows_of_file(node.value<std::string>().value(), columns, std::string(key) + (columns == 2 ? ": x, y" : ""));
     else if (list == nullptr || list->empty())
-      refuse(node, key,
-             std::string(" must be a list of ") + (columns > 1 ? "[x, y] pairs" : "numbers") +
-                 ", or the name of a file");
+      refuse(node, key, " must be a list of " + items_of(columns) + ", or the name of a file");
     else
       found = rows_of_list(*list, key, columns);
     std::vector<std::string>& places = rows[std::string(key)];
@@ -271,6 +275,17 @@ std::vector<std::array<double, 2>> CaseTable::points(std::string_view key,
     }
   const auto shown = [](const auto& point) { return "[" + shortest(point[0]) + ", " + shortest(point[1]) + "]"; };
   node_->note(key, listed(values, shown), unit);
+  return values;
+}
+
+std::vector<std::vector<double>> CaseTable::rows(std::string_view key, std::size_t columns, const Range& last,
+                                                 std::string_view unit) {
+  std::vector<std::vector<double>> values;
+  for (const Node::Row& row : node_->rows_of(*node_->ask(key, true), key, columns)) {
+    node_->checked(row.numbers.back(), row.at_last, key, last, unit);
+    values.push_back(row.numbers);
+  }
+  node_->note(key, listed(values, [](const std::vector<double>& row) { return listed(row, shortest); }), unit);
   return values;
 }
 

@@ -242,6 +242,9 @@ std::string damping_text(const SimulatedScene& scene) {
   if (text.empty()) return "not told by the response";
   text = (damping.by_family.size() == 1 ? "ratio " : "ratios ") + text + " of critical";
   if (damping.by_family.size() > 1) text += ", the first family's, the second's, ...";
+  for (const ModeDamping& mode : damping.by_mode)
+    text += "; " + significant(mode.ratio, digits) + " for family " + std::to_string(mode.family + 1) +
+            " on nodal diameter " + std::to_string(mode.nodal_diameter);
   if (!std::isfinite(scene.resolved_frequency)) return text;
   return text + "; " + significant(damping.beyond, digits) + " above " + fixed(scene.resolved_frequency, 0) + " Hz";
 }

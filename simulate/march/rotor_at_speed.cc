@@ -86,7 +86,7 @@ WaveModes wave_modes(const ReducedModel& model, int nodal_diameter, WaveKind kin
   wave.damping_ratio.resize(held);
   for (Eigen::Index mode = 0; mode < held; ++mode)
     wave.damping_ratio[mode] =
-        damping.ratio(static_cast<std::size_t>(mode), wave.omega[mode] / (2 * std::numbers::pi));
+        damping.ratio(nodal_diameter, static_cast<int>(mode), wave.omega[mode] / (2 * std::numbers::pi));
   wave.shapes = spectrum.modes.leftCols(held);
   wave.contact_rows = wave.shapes.topRows(model.contact_dofs());
   const Eigen::MatrixXcd rows = normal_rows(model, spectrum);
@@ -183,7 +183,7 @@ FrequencyTable frequency_table(const ReducedModel& model, const Damping& damping
     Eigen::MatrixXd& ratios = table.damping_ratio.emplace_back(curves.rows(), curves.cols());
     for (Eigen::Index mode = 0; mode < curves.cols(); ++mode)
       ratios.col(mode) = curves.col(mode).unaryExpr(
-          [&](double frequency) { return damping.ratio(static_cast<std::size_t>(mode), frequency); });
+          [&](double frequency) { return damping.ratio(n, static_cast<int>(mode), frequency); });
   }
   return table;
 }

@@ -69,13 +69,22 @@ constexpr bool finds_impacts(Scheme scheme, ContactRule rule) {
   return rule == ContactRule::complementarity && traits_of(scheme).inner_impacts;
 }
 
+/// The damping of one mode of a travelling wave, as a test on the wheel measures it.
+struct ModeDamping {
+  int nodal_diameter = 0, family = 0;  ///< family from 0
+  double ratio = 0;                    ///< [1] of critical
+
+  bool operator==(const ModeDamping&) const = default;
+};
+
 /// The modal damping of the march, as ratios of critical [1].
 struct DampingRatios {
   /// The ratio of the first family, of the second, and so on; the last one holds for all further families.
   std::vector<double> by_family = {};
   /// [Hz, 1] ascending in frequency, for all families; linear between the points, constant outside. Empty: by family.
   std::vector<std::array<double, 2>> by_frequency = {};
-  double beyond = 0;  ///< ratio of modes above the resolved frequency
+  std::vector<ModeDamping> by_mode = {};  ///< of single modes, instead of the above
+  double beyond = 0;                      ///< ratio of modes above the resolved frequency
 };
 
 /// The speed for which the case gives its clearance.

@@ -21,6 +21,9 @@ const std::string damping_group = "/damping", family_axis = damping_group + "/fa
                   ratio_by_family = damping_group + "/ratio_by_family",
                   damping_frequency = damping_group + "/frequency",
                   ratio_by_frequency = damping_group + "/ratio_by_frequency";
+// Of single modes, along mode_axis.
+const std::string mode_axis = damping_group + "/mode", diameter_of_mode = damping_group + "/nodal_diameter_of_mode",
+                  family_of_mode = damping_group + "/family_of_mode", ratio_of_mode = damping_group + "/ratio_of_mode";
 
 /// Raises FileError with the violated condition.
 void require(bool holds, const Hdf5File& file, const std::string& must) {
@@ -50,9 +53,26 @@ void require_ratios(const Hdf5File& file, const std::string& name, const Eigen::
   require(ratios.minCoeff() >= 0 && ratios.maxCoeff() <= 1, file, name + " must be within 0 .. 1");
 }
 
+std::vector<ModeDamping> read_modes(const Hdf5File& file, NamedAxes& axes) {
+  std::vector<ModeDamping> modes;
+  if (!file.exists(ratio_of_mode)) return modes;
+  for (const std::string& name : {diameter_of_mode, family_of_mode, ratio_of_mode})
+    axes.require(name, {"modes of the damping"});
+  const Eigen::VectorXd diameters = file.read_vector(diameter_of_mode), families = file.read_vector(family_of_mode);
+  const Eigen::VectorXd ratios = file.read_vector(ratio_of_mode);
+  constexpr double most = 1e6;
+  for (const auto& [name, numbers] : {std::pair{diameter_of_mode, &diameters}, std::pair{family_of_mode, &families}})
+    require(numbers->minCoeff() >= 0 && numbers->maxCoeff() <= most, file, name + " must be within 0 .. 1e6");
+  require_ratios(file, ratio_of_mode, ratios);
+  for (Eigen::Index i = 0; i < ratios.size(); ++i)
+    modes.push_back({static_cast<int>(diameters[i]), static_cast<int>(families[i]), ratios[i]});
+  return modes;
+}
+
 DampingRatios read_damping(const Hdf5File& file, NamedAxes& axes) {
   DampingRatios damping;
   if (!file.exists(damping_group)) return damping;
+  damping.by_mode = read_modes(file, axes);
   damping.beyond = file.number_attribute(damping_group, "ratio_beyond");
   require(damping.beyond >= 0 && damping.beyond <= 1, file,
           damping_group + ": attribute ratio_beyond must be within 0 .. 1");
@@ -98,9 +118,29 @@ std::string damping_at(std::size_t nodal_diameter) {
   return damping_of_modes + "/" + std::to_string(nodal_diameter);
 }
 
+void write_modes(Hdf5File& file, const std::vector<ModeDamping>& modes) {
+  if (modes.empty()) return;
+  const auto count = static_cast<Eigen::Index>(modes.size());
+  Eigen::VectorXd diameters(count), families(count), ratios(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const ModeDamping& mode = modes[static_cast<std::size_t>(i)];
+    diameters[i] = mode.nodal_diameter;
+    families[i] = mode.family;
+    ratios[i] = mode.ratio;
+  }
+  write_counting_axis(file, mode_axis, count, "mode with damping of its own, from 0");
+  file.write(diameter_of_mode, diameters, "1");
+  file.describe(diameter_of_mode, "nodal diameter of the mode", {mode_axis});
+  file.write(family_of_mode, families, "1");
+  file.describe(family_of_mode, "family of the mode, from 0", {mode_axis});
+  file.write(ratio_of_mode, ratios, "1");
+  file.describe(ratio_of_mode, "damping of critical, if the mode is below the resolved frequency", {mode_axis});
+}
+
 void write_damping(Hdf5File& file, const DampingRatios& damping) {
   if (damping.by_family.empty() && damping.by_frequency.empty()) return;
   file.set_attribute(damping_group, "ratio_beyond", damping.beyond);
+  write_modes(file, damping.by_mode);
   if (damping.by_frequency.empty()) {
     const auto families = static_cast<Eigen::Index>(damping.by_family.size());
     write_counting_axis(file, family_axis, families, "family of modes, from 0; the last one stands for all further");

@@ -2,7 +2,9 @@
 #include "simulate/scene/damping.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <string>
 
 namespace tiprub::simulate {
 
@@ -12,10 +14,42 @@ constexpr double beyond_verified = 2;  // times the highest verified frequency
 
 /// Of resolved modes.
 std::vector<double> all_given(const DampingRatios& ratios) {
-  if (ratios.by_frequency.empty()) return ratios.by_family;
-  std::vector<double> given;
+  std::vector<double> given = ratios.by_family;
   for (const auto& [frequency, ratio] : ratios.by_frequency) given.push_back(ratio);
+  for (const ModeDamping& mode : ratios.by_mode) given.push_back(mode.ratio);
   return given;
+}
+
+constexpr const char* modes_key = "damping_by_mode";
+
+std::vector<ModeDamping> read_modes(CaseTable& table) {
+  constexpr int count_max = 1'000'000;
+  std::vector<ModeDamping> modes;
+  const auto rows = table.rows(modes_key, 3, damping_range, "nodal diameter, family from 1, of critical");
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const double n = rows[row][0], family = rows[row][1];
+    if (!(n >= 0 && n < count_max && n == std::floor(n)))
+      table.reject(modes_key, "must begin with a nodal diameter, a whole number from 0 on", row);
+    if (!(family >= 1 && family < count_max && family == std::floor(family)))
+      table.reject(modes_key, "must have a family second, a whole number from 1 on", row);
+    const ModeDamping mode{static_cast<int>(n), static_cast<int>(family) - 1, rows[row][2]};
+    for (const ModeDamping& other : modes)
+      if (other.nodal_diameter == mode.nodal_diameter && other.family == mode.family)
+        table.reject(modes_key, "has this mode twice; drop one", row);
+    modes.push_back(mode);
+  }
+  return modes;
+}
+
+Damping read_damping_of_the_rest(CaseTable& table) {
+  const bool by_frequency = table.has("damping_table"), by_family = table.has("damping_ratio_by_family");
+  if (by_frequency && by_family)
+    table.reject("damping_table", "and damping_ratio_by_family exclude each other; drop one");
+  if (by_frequency) return Damping(table.points("damping_table", std::nullopt, damping_range, "Hz, of critical"));
+  if (by_family)
+    return Damping(
+        table.numbers("damping_ratio_by_family", std::nullopt, damping_range, "of critical, first family on"));
+  return {table.number("damping_ratio", 0.005, damping_range, "of critical, every resolved mode")};
 }
 
 }  // namespace
@@ -34,10 +68,12 @@ void Damping::set_beyond(double frequency, double ratio) {
   ratios_.beyond = ratio;
 }
 
-double Damping::ratio(std::size_t family, double frequency) const {
+double Damping::ratio(int nodal_diameter, int family, double frequency) const {
   if (frequency > resolved_) return ratios_.beyond;
-  if (ratios_.by_frequency.empty()) return ratios_.by_family[std::min(family, ratios_.by_family.size() - 1)];
-  return linear_between(ratios_.by_frequency, frequency);
+  for (const ModeDamping& mode : ratios_.by_mode)
+    if (mode.nodal_diameter == nodal_diameter && mode.family == family) return mode.ratio;
+  if (!ratios_.by_frequency.empty()) return linear_between(ratios_.by_frequency, frequency);
+  return ratios_.by_family[std::min(static_cast<std::size_t>(family), ratios_.by_family.size() - 1)];
 }
 
 double Damping::largest() const {
@@ -51,14 +87,19 @@ double Damping::smallest() const {
 }
 
 Damping read_damping(CaseTable& table) {
-  const bool by_frequency = table.has("damping_table"), by_family = table.has("damping_ratio_by_family");
-  if (by_frequency && by_family)
-    table.reject("damping_table", "and damping_ratio_by_family exclude each other; drop one");
-  if (by_frequency) return Damping(table.points("damping_table", std::nullopt, damping_range, "Hz, of critical"));
-  if (by_family)
-    return Damping(
-        table.numbers("damping_ratio_by_family", std::nullopt, damping_range, "of critical, first family on"));
-  return {table.number("damping_ratio", 0.005, damping_range, "of critical, every resolved mode")};
+  Damping damping = read_damping_of_the_rest(table);
+  if (table.has(modes_key)) damping.set_modes(read_modes(table));
+  return damping;
+}
+
+void require_modes_of_wheel(const CaseTable& table, const Damping& damping, int sector_count) {
+  const std::vector<ModeDamping>& modes = damping.ratios().by_mode;
+  for (std::size_t row = 0; row < modes.size(); ++row)
+    if (modes[row].nodal_diameter > sector_count / 2)
+      table.reject(modes_key,
+                   "has nodal diameter " + std::to_string(modes[row].nodal_diameter) + ", and a wheel of " +
+                       std::to_string(sector_count) + " sectors has 0 to " + std::to_string(sector_count / 2),
+                   row);
 }
 
 }  // namespace tiprub::simulate

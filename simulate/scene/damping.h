@@ -45,10 +45,12 @@ class Damping {
   /// Linear between the points, constant outside.
   explicit Damping(Table by_frequency) : ratios_{.by_frequency = std::move(by_frequency)} {}
 
+  /// Single modes get ratios of their own.
+  void set_modes(std::vector<ModeDamping> modes) { ratios_.by_mode = std::move(modes); }
   /// Modes above `frequency` [Hz] get `ratio`.
   void set_beyond(double frequency, double ratio);
   /// [1] of critical, for mode `family` (from 0) of a nodal diameter at its frequency [Hz].
-  double ratio(std::size_t family, double frequency) const;
+  double ratio(int nodal_diameter, int family, double frequency) const;
   /// [1] The largest ratio of resolved modes.
   double largest() const;
   /// [1] the smallest of them.
@@ -66,5 +68,8 @@ extern const Range damping_range;
 
 /// Reads the keys of [simulate] that give the damping of resolved modes. Raises InputError.
 Damping read_damping(CaseTable& table);
+
+/// Refuses the damping of a mode that a wheel of `sector_count` sectors does not have. Raises InputError at its row.
+void require_modes_of_wheel(const CaseTable& table, const Damping& damping, int sector_count);
 
 }  // namespace tiprub::simulate

@@ -50,7 +50,10 @@ std::vector<double> read_speeds(CaseTable& table) {
 /// A ratio in percent is mostly beyond this range.
 const Range usual_damping = Range::between(0, 0.05);
 
-const char* damping_key(const CaseTable& table) {
+/// The key that gives the largest ratio.
+const char* damping_key(const CaseTable& table, const Damping& damping) {
+  for (const ModeDamping& mode : damping.ratios().by_mode)
+    if (mode.ratio == damping.largest()) return "damping_by_mode";
   for (const char* key : {"damping_table", "damping_ratio_by_family"})
     if (table.has(key)) return key;
   return "damping_ratio";
@@ -62,7 +65,7 @@ void read_damping_and_band(CaseTable& table, SimulateParameters& parameters) {
   parameters.damping = read_damping(table);
   parameters.unusual = table.flag("unusual", false);
   if (!parameters.unusual)
-    require_usual(table, damping_key(table), parameters.damping.largest(), usual_damping, "of critical");
+    require_usual(table, damping_key(table, parameters.damping), parameters.damping.largest(), usual_damping, "of critical");
   parameters.resolved_frequency = table.number("resolved_frequency_hz", 0, Range::at_least(0),
                                                "Hz; 0: twice the highest at which the model was verified");
   parameters.damping_ratio_beyond =

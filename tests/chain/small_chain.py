@@ -187,13 +187,12 @@ def hostile_names(bench):
     orders = ["response.h5 ; touch P", "`touch P`", "$(touch P)", "$(shell touch P)", "${shell touch P}", "$$(touch P)", "' ; touch P ; '",
               '\\" ; touch P ; \\"', "response_up.h5\\ntouch P", "|touch P", "x.h5: ; touch P", "response_up.h5\\\"\\nresponse_down = \\\"; touch P",
               "$(eval $(shell touch P))", "&& touch P", "> P", "-o P", "response_$(shell touch P).h5", "response_`touch${IFS}P`.h5"]
-    for order in orders:
-        for key in ("response_up", "response_down"):
-            folder.write("case.toml", bench.case + f'{key} = "{order}"\n')
-            folder.make()
-            folder.make("-n")
-            folder.make("clean", "-n")
-            assert not os.path.exists(folder.file("P")), f"{key} = {order}"
+    for up, down in zip(orders, orders[1:] + orders[:1]):
+        folder.write("case.toml", bench.case + f'response_up = "{up}"\nresponse_down = "{down}"\n')
+        folder.make()
+        folder.make("-n")
+        folder.make("clean", "-n")
+        assert not os.path.exists(folder.file("P")), f"response_up = {up}, response_down = {down}"
     for order in orders:
         folder.write("case.toml", bench.case.replace('title = "Small disc"', f'title = "{order}"').replace(
             'shape = "cosine"', f'shape = "{order}"'))

@@ -120,7 +120,7 @@ void read_profile(const fs::path& file, const fs::path&) {
 void read_pairs(const fs::path& file, const fs::path& beside) {
   const std::string setting = "simulate.damping_table = '" + fs::absolute(file).string() + "'";
   CaseTable table = CaseFile(beside / "case.toml", {setting}).table("simulate");
-  read_damping(table).ratio(0, 1000.0);
+  read_damping(table).ratio(0, 0, 1000.0);
 }
 
 /// With selections that don't fit every damaged mesh, too.

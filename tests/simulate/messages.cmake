@@ -93,7 +93,7 @@ expect_message(table_beyond_a_lobe OLD "shape = \"cosine\"\nlobes = 2\namplitude
 expect_message(amplitude_of_a_table OLD "shape = \"cosine\""
                NEW "shape = \"table\"\ndistortion_table = [[0, 0], [90, 1e-4]]" EXIT_CODE 2
                ERRORS "unknown key \"amplitude\" in [casing]")
-foreach(file profile long damping overdamped speeds clearance distortion)
+foreach(file profile long damping overdamped modes modes_twice speeds clearance distortion)
   set(with_${file} INPUTS ${made}/case.toml ${made}/model.h5 ${made}/${file}.csv)
 endforeach()
 expect_message(word_in_a_profile ${with_profile} OLD "shape = \"cosine\"" NEW "shape = \"profile\"\nprofile = \"profile.csv\""
@@ -110,6 +110,20 @@ expect_message(lists_from_files ${with_damping} OLD "damping_ratio = 0.005" NEW 
                ARGUMENTS case.toml --tables OUTPUTS "damping_table = [[100, 0.001], [2000, 0.002]]")
 expect_message(overdamped_in_a_file ${with_overdamped} OLD "damping_ratio = 0.005" NEW "damping_table = \"overdamped.csv\"" EXIT_CODE 2
                ERRORS "overdamped.csv:2: [simulate] damping_table = 2 must be at least 0 and at most 0.9 [Hz, of critical]")
+expect_message(damping_of_modes ${with_modes} OLD "damping_ratio = 0.005" NEW "damping_ratio = 0.005\ndamping_by_mode = \"modes.csv\""
+               ARGUMENTS case.toml --tables OUTPUTS "damping_by_mode = [[0, 1, 0.001], [2, 1, 0.003]]" "damping_ratio = 0.005")
+expect_message(damping_of_a_mode_twice ${with_modes_twice} OLD "damping_ratio = 0.005" NEW "damping_by_mode = \"modes_twice.csv\"" EXIT_CODE 2
+               ERRORS "modes_twice.csv:2: [simulate] damping_by_mode has this mode twice; drop one")
+expect_message(damping_of_a_mode_of_another_wheel OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[4, 1, 0.001]]" EXIT_CODE 2
+               ERRORS "damping_by_mode has nodal diameter 4, and a wheel of 6 sectors has 0 to 3")
+expect_message(damping_of_half_a_mode OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[1.5, 1, 0.001]]" EXIT_CODE 2
+               ERRORS "damping_by_mode must begin with a nodal diameter, a whole number from 0 on")
+expect_message(damping_of_family_zero OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[1, 0, 0.001]]" EXIT_CODE 2
+               ERRORS "damping_by_mode must have a family second, a whole number from 1 on")
+expect_message(damping_of_a_mode_in_pairs OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[1, 0.001]]" EXIT_CODE 2
+               ERRORS "damping_by_mode must be a list of lists of 3 numbers")
+expect_message(damping_of_a_mode_in_percent OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[1, 1, 0.2]]" EXIT_CODE 2
+               ERRORS "damping_by_mode = 0.2 is unusual: expected at least 0 and at most 0.05")
 expect_message(speeds_from_a_file ${with_speeds} OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40"
                NEW "speeds_rpm = \"speeds.csv\"" ARGUMENTS case.toml --tables OUTPUTS "speeds_rpm = [9000, 10000, 9500]")
 expect_message(clearance_in_millimetres_in_a_file ${with_clearance}

@@ -94,6 +94,9 @@ TEST_F(ResponseFile, GivesBackTheDamping) {
   back = written_and_read(response);
   EXPECT_TRUE(back.scene.damping.by_family.empty());
   EXPECT_EQ(back.scene.damping.by_frequency, response.scene.damping.by_frequency);
+  EXPECT_TRUE(back.scene.damping.by_mode.empty());
+  response.scene.damping.by_mode = {{2, 0, 0.001}, {0, 3, 0.004}};
+  EXPECT_EQ(written_and_read(response).scene.damping.by_mode, response.scene.damping.by_mode);
 }
 
 TEST_F(ResponseFile, GivesBackWhatTheSceneChose) {
@@ -269,6 +272,10 @@ const std::vector<Wrong> wrong_scenes = {
      "/casing: attribute clearance_state \"\" is not known"},
     {"a damping above critical", [](Response& r) { r.scene.damping.by_family[1] = 2; },
      "/damping/ratio_by_family must be within 0 .. 1"},
+    {"a mode damped above critical", [](Response& r) { r.scene.damping.by_mode = {{1, 0, 2}}; },
+     "/damping/ratio_of_mode must be within 0 .. 1"},
+    {"a negative family", [](Response& r) { r.scene.damping.by_mode = {{1, -1, 0.1}}; },
+     "/damping/family_of_mode must be within 0 .. 1e6"},
     {"a negative damping beyond", [](Response& r) { r.scene.damping.beyond = -1; },
      "/damping: attribute ratio_beyond must be within 0 .. 1"},
     {"damping at frequencies that fall",

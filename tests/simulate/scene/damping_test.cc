@@ -10,25 +10,39 @@ namespace {
 
 TEST(Damping, IsByFamilyAndTheLastOneHolds) {
   const Damping damping{0.01, 0.002};
-  EXPECT_EQ(damping.ratio(0, 100), 0.01);
-  EXPECT_EQ(damping.ratio(1, 100), 0.002);
-  EXPECT_EQ(damping.ratio(7, 1e6), 0.002);
+  EXPECT_EQ(damping.ratio(2, 0, 100), 0.01);
+  EXPECT_EQ(damping.ratio(2, 1, 100), 0.002);
+  EXPECT_EQ(damping.ratio(2, 7, 1e6), 0.002);
   EXPECT_EQ(damping.largest(), 0.01);
 }
 
 TEST(Damping, IsByFrequencyLinearBetweenPoints) {
   const Damping damping(Damping::Table{{1000, 0.002}, {3000, 0.006}});
-  EXPECT_EQ(damping.ratio(0, 10), 0.002);
-  EXPECT_DOUBLE_EQ(damping.ratio(3, 2000), 0.004);
-  EXPECT_EQ(damping.ratio(0, 9000), 0.006);
+  EXPECT_EQ(damping.ratio(2, 0, 10), 0.002);
+  EXPECT_DOUBLE_EQ(damping.ratio(2, 3, 2000), 0.004);
+  EXPECT_EQ(damping.ratio(2, 0, 9000), 0.006);
   EXPECT_EQ(damping.largest(), 0.006);
 }
 
 TEST(Damping, IsAnotherOneBeyondTheResolvedFrequency) {
   Damping damping{0.002};
   damping.set_beyond(8000, 0.02);
-  EXPECT_EQ(damping.ratio(0, 8000), 0.002);
-  EXPECT_EQ(damping.ratio(40, 8001), 0.02);
+  EXPECT_EQ(damping.ratio(2, 0, 8000), 0.002);
+  EXPECT_EQ(damping.ratio(2, 40, 8001), 0.02);
+}
+
+// A test on a wheel gives the damping of single modes; all others keep that of their family.
+TEST(Damping, IsThatOfASingleModeIfGiven) {
+  Damping damping{0.002, 0.004};
+  damping.set_modes({{3, 1, 0.001}, {0, 0, 0.008}});
+  damping.set_beyond(8000, 0.02);
+  EXPECT_EQ(damping.ratio(3, 1, 1000), 0.001);
+  EXPECT_EQ(damping.ratio(3, 0, 1000), 0.002);
+  EXPECT_EQ(damping.ratio(2, 1, 1000), 0.004);
+  EXPECT_EQ(damping.ratio(0, 0, 1000), 0.008);
+  EXPECT_EQ(damping.ratio(3, 1, 8001), 0.02);
+  EXPECT_EQ(damping.largest(), 0.008);
+  EXPECT_EQ(damping.smallest(), 0.001);
 }
 
 TEST(ResolvedFrequency, IsTwiceTheLowestOfTheLastVerifiedOnes) {

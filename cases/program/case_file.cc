@@ -162,8 +162,7 @@ struct CaseTable::Node {
     std::vector<Row> found;
     const toml::array* list = node.as_array();
     if (node.is_string())
-      found =
-          rows_of_file(node.value<std::string>().value(), columns, std::string(key) + (columns == 2 ? ": x, y" : ""));
+      found = rows_of_file(*node.value<std::string>(), columns, std::string(key) + (columns == 2 ? ": x, y" : ""));
     else if (list == nullptr || list->empty())
       refuse(node, key, " must be a list of " + items_of(columns) + ", or the name of a file");
     else
@@ -261,9 +260,8 @@ std::vector<double> CaseTable::numbers(std::string_view key, std::optional<std::
 std::vector<std::array<double, 2>> CaseTable::points(std::string_view key,
                                                      std::optional<std::vector<std::array<double, 2>>> fallback,
                                                      const Range& range, std::string_view unit) {
-  using Points = std::vector<std::array<double, 2>>;
   const toml::node* node = node_->ask(key, !fallback);
-  Points values = node == nullptr ? std::move(*fallback) : Points{};
+  auto values = node == nullptr ? std::move(*fallback) : std::vector<std::array<double, 2>>{};
   if (node != nullptr)
     for (const Node::Row& row : node_->rows_of(*node, key, 2)) {
       const double x = row.numbers[0];
@@ -273,8 +271,8 @@ std::vector<std::array<double, 2>> CaseTable::points(std::string_view key,
                           shortest(values.back()[0]));
       values.push_back({x, node_->checked(row.numbers[1], row.at_last, key, range, unit)});
     }
-  const auto shown = [](const auto& point) { return "[" + shortest(point[0]) + ", " + shortest(point[1]) + "]"; };
-  node_->note(key, listed(values, shown), unit);
+  node_->note(key, listed(values, [](const auto& p) { return "[" + shortest(p[0]) + ", " + shortest(p[1]) + "]"; }),
+              unit);
   return values;
 }
 
@@ -282,8 +280,8 @@ std::vector<std::vector<double>> CaseTable::rows(std::string_view key, std::size
                                                  std::string_view unit) {
   std::vector<std::vector<double>> values;
   for (const Node::Row& row : node_->rows_of(*node_->ask(key, true), key, columns)) {
-    node_->checked(row.numbers.back(), row.at_last, key, last, unit);
     values.push_back(row.numbers);
+    node_->checked(values.back().back(), row.at_last, key, last, unit);
   }
   node_->note(key, listed(values, [](const std::vector<double>& row) { return listed(row, shortest); }), unit);
   return values;

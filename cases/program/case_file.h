@@ -66,8 +66,8 @@ class CaseTable {
   std::vector<std::array<double, 2>> points(std::string_view key,
                                             std::optional<std::vector<std::array<double, 2>>> fallback,
                                             const Range& range, std::string_view unit);
-  /// An array of rows of `columns` numbers each, or the name of such a file; the range is that of the last one. It has
-  /// no default.
+  /// An array of rows of `columns` numbers each, or the name of such a file; the range is that of the last one. It
+  /// has no default.
   std::vector<std::vector<double>> rows(std::string_view key, std::size_t columns, const Range& last,
                                         std::string_view unit);
   template <class Enum>

@@ -23,7 +23,8 @@ const std::string damping_group = "/damping", family_axis = damping_group + "/fa
                   ratio_by_frequency = damping_group + "/ratio_by_frequency";
 // Of single modes, along mode_axis.
 const std::string mode_axis = damping_group + "/mode", diameter_of_mode = damping_group + "/nodal_diameter_of_mode",
-                  family_of_mode = damping_group + "/family_of_mode", ratio_of_mode = damping_group + "/ratio_of_mode";
+                  family_of_mode = damping_group + "/family_of_mode",
+                  ratio_of_mode = damping_group + "/ratio_of_mode";
 
 /// Raises FileError with the violated condition.
 void require(bool holds, const Hdf5File& file, const std::string& must) {

@@ -65,7 +65,8 @@ void read_damping_and_band(CaseTable& table, SimulateParameters& parameters) {
   parameters.damping = read_damping(table);
   parameters.unusual = table.flag("unusual", false);
   if (!parameters.unusual)
-    require_usual(table, damping_key(table, parameters.damping), parameters.damping.largest(), usual_damping, "of critical");
+    require_usual(table, damping_key(table, parameters.damping), parameters.damping.largest(), usual_damping,
+                  "of critical");
   parameters.resolved_frequency = table.number("resolved_frequency_hz", 0, Range::at_least(0),
                                                "Hz; 0: twice the highest at which the model was verified");
   parameters.damping_ratio_beyond =

@@ -34,9 +34,9 @@ def counts(tables):
 
 def page_of_checks(tables, numbers):
     lines = ["# The 81 checks", "",
-             f"`make paper-checks` asks on both wheels of [this page](README.md) what a reproduction of the paper must show. {numbers['checks.paper_like']} "
-             f"of the 81 checks hold on the paper-like wheel, {numbers['checks.flying']} on the flying wheel and {numbers['checks.either']} on at least one of them. "
-             "`expected/checks_*.tsv` tell what was measured.", "",
+             "`make paper-checks` checks on both wheels of [this page](README.md) what a reproduction of the",
+             f"paper must show. {numbers['checks.paper_like']} checks hold on the paper-like wheel, {numbers['checks.flying']} on the flying wheel and "
+             f"{numbers['checks.either']} on at least", "one of them. `expected/checks_*.tsv` has the measured values.", "",
              "| | in the paper | check | " + " | ".join(WHEELS.values()) + " |", "|---|---|---|---|---|"]
     bar = "\\|"
     for both in zip(*tables.values()):

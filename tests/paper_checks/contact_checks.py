@@ -11,7 +11,7 @@ from scene import read_vtu, signed
 
 # --- 3.5 contact algorithm ---------------------------------------------------------------------------------------------------
 
-by_test(34, "the predictor is eq. 13; order two", ("simulate_test", "CentralDifferences.AreThePapersEquation13:Schemes.AreOfOrderTwo:TimeMarch.DecaysFreely*"))
+by_test(34, "the predictor is eq. 13, of order two", ("simulate_test", "CentralDifferences.AreThePapersEquation13:Schemes.AreOfOrderTwo:TimeMarch.DecaysFreely*"))
 
 
 @check(35, "after each step active gaps are zero, and no inactive node is in the casing")
@@ -22,7 +22,7 @@ def _(c):
     return left == 0 and deepest < 1e-9 * scale, f"{left:.0f} steps leave a node in the casing; deepest {deepest:.1e} m"
 
 
-@check(36, "the casing never pulls")
+@check(36, "the contact force is never tensile")
 def _(c):
     least = min(min(case.attribute("smallest_multiplier").min(), min(at.smallest_force for at in case.speeds)) for case in c.cases)
     return least >= 0, f"smallest multiplier {least:.3g} N over {sum(len(case.speeds) for case in c.cases)} speeds"
@@ -33,7 +33,7 @@ def _(c):
     raise ByConstruction("the march knows one multiplier a node, along the node's normal; response.h5 has no other force")
 
 
-@check(38, "the contact operator is symmetric, positive definite; its condition number")
+@check(38, "the contact operator is symmetric and positive definite; its condition number is reported")
 def _(c):
     condition = numpy.concatenate([case.attribute("compliance_condition") for case in c.cases])
     good, text = c.tests.run(("simulate_test", "Complementarity.*"))
@@ -46,14 +46,14 @@ def _(c):
     return worst < 1e-9, f"closes to {worst:.1e} at every speed"
 
 
-by_test(40, "the limit of the step is printed, and a run beyond it refused",
+by_test(40, "the limit of the time step is printed, and a larger step is refused",
         ("stability_test", "CentralDifferencesLimit.*"))
-by_test(41, "without contact the response is the linear one", ("simulate_test", "TimeMarch.MovesNothingWithoutContact:TimeMarch.DecaysFreely*"))
+by_test(41, "without contact the response is linear", ("simulate_test", "TimeMarch.MovesNothingWithoutContact:TimeMarch.DecaysFreely*"))
 
 
 # --- 3.6 aliasing ------------------------------------------------------------------------------------------------------------
 
-@check(42, "the contact force's fundamental frequency is N_l Omega (median over the periodic speeds, 99 % of its variance)")
+@check(42, "the contact force's fundamental frequency is N_l Omega (median over periodic speeds, 99 % of its variance)")
 def _(c):
     words, good = [], True
     for case in c.cases:
@@ -80,33 +80,33 @@ def on_the_zig_zag(case, orders):
         f"{case.name}: " + ", ".join(f"EO {k} on {n} ({percent(share)})" for k, (n, share) in strongest.items())
 
 
-@check(43, "on ten blades cos 6 theta is cos 4 theta, cos 8 theta is cos 2 theta: where the marched motion holds EO 6 and EO 8")
+@check(43, "on ten blades cos 6 theta is cos 4 theta and cos 8 theta is cos 2 theta, also for EO 6 and EO 8 of the computed motion")
 def _(c):
     good, text = c.tests.run(("postprocess-test", "Aliasing.TenBladesCannotTellSixFromFour"))
     same, measured = on_the_zig_zag(c.lobed(2), (6, 8))
     return good and same, f"{measured}; {text}"
 
 
-@check(44, "engine order to nodal diameter is the zig-zag of ten sectors, in the marched motion up to EO 12")
+@check(44, "engine orders lie on the nodal diameters of the zig-zag of ten sectors, in the computed motion up to EO 12")
 def _(c):
     good, text = c.tests.run(("postprocess-test", "Aliasing.*"))
     found = [on_the_zig_zag(case, range(case.lobes, 13, case.lobes)) for case in c.cases]
     return good and all(same for same, _ in found), "; ".join([*(measured for _, measured in found), text])
 
 
-@check(45, "two lobes: 2, 4, 6, 8, 10, 12 on 2, 4, 4, 2, 0, 2; 1, 3, 5 empty though they may move")
+@check(45, "two lobes: EO 2, 4, 6, 8, 10, 12 lie on 2, 4, 4, 2, 0, 2; 1, 3 and 5 are free to respond and do not")
 def _(c):
     same, measured = on_the_zig_zag(c.lobed(2), (2, 4, 6, 8, 10, 12))
     empty, odd = c.free_ring.verdict(odd_share)
     return same and empty, f"{measured}; power on 1, 3, 5 {odd}"
 
 
-@check(46, "three lobes: 3, 6, ... 30 on 3, 4, 1, 2, 5, 2, 1, 4, 3, 0")
+@check(46, "three lobes: EO 3, 6, ... 30 lie on 3, 4, 1, 2, 5, 2, 1, 4, 3, 0")
 def _(c):
     return on_the_zig_zag(c.lobed(3), range(3, 31, 3))
 
 
-@check(47, "eq. 17: the smallest k for each nodal diameter and number of lobes")
+@check(47, "eq. 17 gives the smallest k for each nodal diameter and number of lobes")
 def _(c):
     good, text = c.tests.run(("postprocess-test", "Aliasing.TheNodalDiameterSolvesEquation17"))
     words = []
@@ -120,7 +120,7 @@ def _(c):
     return good, "; ".join([*words, text])
 
 
-@check(48, "table 1, by closed form and by marching ten oscillators; other coefficients zero to 1e-10")
+@check(48, "ten oscillators give table 1 in closed form and in time; other coefficients are zero to 1e-10")
 def _(c):
     rows = c.aliasing.table_1()
     good, text = c.tests.run(("simulate_test", "TimeMarch.ReproducesTheAliasingTable*"))
@@ -144,7 +144,7 @@ def _(c):
     return here < 0.01, f"{here:.1e} of the motion at {two.rpm[two.example]:.0f} rpm; " + "; ".join(words)
 
 
-@check(50, "two lobes: odd nodal diameters hold less than 1 %")
+@check(50, "two lobes: odd nodal diameters have less than 1 % of the power")
 def _(c):
     empty, odd = c.free_ring.verdict(odd_share)
     two = c.lobed(2)
@@ -152,11 +152,11 @@ def _(c):
     return empty, f"power {odd}; at {breaking} of {len(two.speeds)} speeds a disturbance of the odd ones would grow"
 
 
-by_test(51, "two signals, close in frequency, on two nodal diameters: one peak over time, two in the two-way spectrum",
+by_test(51, "two signals of close frequencies on two nodal diameters have one peak in time, and two in the two-way spectrum",
         ("postprocess-test", "TravellingSpectrum.SeparatesCloseFrequencies*"))
 
 
-@check(52, "leading-edge force: never negative, periodic, peaks at multiples of N_l Omega only (99 %)")
+@check(52, "the leading edge's force is never negative, is periodic, and has peaks at multiples of N_l Omega only (99 %)")
 def _(c):
     two = c.lobed(2)
     at = two.speeds[two.example]
@@ -169,12 +169,12 @@ def _(c):
     return force.min() >= 0 and share > 0.99, f"{two.rpm[two.example]:.0f} rpm: {pulses} pulses a revolution of sector 0, {percent(share)} on even orders"
 
 
-@check(53, "force of all leading edges: even nodal diameters only")
+@check(53, "the forces of all leading edges have even nodal diameters only")
 def _(c):
     return c.free_ring.verdict(odd_force_share)
 
 
-@check(54, "direction: orders 1-4 backward, 6-9 forward, 0 and 5 standing; EO 4 and EO 6 on nodal diameter 4 run apart")
+@check(54, "EO 1 to 4 travel backward, 6 to 9 forward, 0 and 5 stand; EO 4 and EO 6 on nodal diameter 4 run in opposite directions")
 def _(c):
     good, text = c.tests.run(("postprocess-test", "Aliasing.DirectionOfTheEngineOrders:TravellingSpectrum.NamesTheDirection*"))
     index = [signed(p, 10) for p in (3, 6, 9, 12)]
@@ -188,7 +188,7 @@ def _(c):
 
 # --- 3.7 post-processing -----------------------------------------------------------------------------------------------------
 
-@check(55, "evenly spaced speeds (and more between them), each marched until steady by a criterion, transformed over whole revolutions")
+@check(55, "at evenly spaced speeds and some between them, motions are computed until steady, and transformed over whole revolutions")
 def _(c):
     even = max(abs(numpy.diff(case.first_speeds, 2)).max() / numpy.diff(case.first_speeds).mean() for case in c.cases)
     whole = all(at.whole for case in c.cases for at in case.speeds)
@@ -197,7 +197,7 @@ def _(c):
     return even < 1e-6 and whole, f"steps equal to {even:.0e}; {steady}"
 
 
-@check(56, "waterfall and interaction map of the same data, engine orders and modal lines on them; crossings listed")
+@check(56, "waterfall and interaction map show the same data, with engine orders and modal lines; crossings are listed")
 def _(c):
     case = c.any_case
     waterfall, total = case.figure("waterfall"), case.figure("interaction_map_leading_edge")
@@ -207,7 +207,7 @@ def _(c):
     return same and len(shared) > 0 and bool(case.report("linear_criterion.csv")), f"{len(shared)} points in both, equal: {same}; {len(case.report('linear_criterion.csv'))} crossings"
 
 
-@check(57, "contact map: 200 areas, a column a speed, both edges")
+@check(57, "the contact map has 200 areas and a column per speed, for both edges")
 def _(c):
     shapes = [case.contact_map(edge)[2].shape for case in c.cases for edge in ("leading", "trailing")]
     return all(shape[1] == 200 for shape in shapes), f"speeds x areas: {shapes}"
@@ -226,7 +226,7 @@ def _(c):
     return good and kept == nodes, f"{kept} of {nodes} nodes lie between their samples under force and all of those samples' steps; {text}"
 
 
-@check(59, "contrast tells speeds whose motion repeats from others; contrast and places printed for each")
+@check(59, "contrast distinguishes speeds whose motion repeats from others; contrast and places are printed for each")
 def _(c):
     words, good = [], True
     for case in c.cases:
@@ -241,7 +241,7 @@ def _(c):
     return good, "; ".join(words)
 
 
-@check(60, "trackings can be computed again from the stored motion")
+@check(60, "trackings follow again from the stored motion")
 def _(c):
     worst = 0.0
     for case in c.cases:
@@ -258,12 +258,12 @@ def _(c):
     return worst < 1e-6 * scale, f"largest difference {worst / scale:.1e} of the largest amplitude"
 
 
-@check(61, "bars at one speed: all nodal diameters at one engine order, all engine orders on one nodal diameter")
+@check(61, "bars at one speed show all nodal diameters at one engine order, and all engine orders on one nodal diameter")
 def _(c):
     return c.figures_exist(c.any_case, "harmonic_bars")
 
 
-@check(62, "displacement and stress recovered on the wheel; half a turn leaves a two-lobe field as it is")
+@check(62, "displacement and stress are recovered on the wheel; half a turn leaves a two-lobe field unchanged")
 def _(c):
     two = c.lobed(2)
     path = two.path("report", "fields", "contact_wheel.vtu")

@@ -18,7 +18,7 @@ def turned(place, angle):
     return numpy.stack([numpy.cos(angle) * x - numpy.sin(angle) * y, numpy.sin(angle) * x + numpy.cos(angle) * y, z], axis=1)
 
 
-@check(1, "ten sectors close the circle; cut faces match node by node to 1e-9 of the radius")
+@check(1, "ten sectors form the wheel; the cut faces match node by node within 1e-9 of the radius")
 def _(c):
     mesh, sectors = c.mesh, c.model.sectors
     low, high = mesh.place[mesh.nodes("cyclic_low")], mesh.place[mesh.nodes("cyclic_high")]
@@ -28,7 +28,7 @@ def _(c):
     return len(low) == len(high) and sectors == 10 and worst < 1e-9, f"{sectors} sectors, {len(low)} pairs, worst {worst:.1e} R"
 
 
-@check(2, "one main and one splitter blade; contact nodes on the main blade's tip only")
+@check(2, "a sector has one main and one splitter blade, and contact nodes on the main blade's tip only")
 def _(c):
     contact, main = c.mesh.nodes("contact"), c.mesh.nodes("main_blade")
     splitter = c.mesh.nodes("splitter")
@@ -36,7 +36,7 @@ def _(c):
     return bool(on_main and not on_splitter), f"{len(contact)} nodes on the tip line, all on the main blade, none on the splitter"
 
 
-@check(3, "ten contact nodes, leading to trailing edge, on a meridional curve that turns by about 90 degrees")
+@check(3, "ten contact nodes lie from leading to trailing edge on a meridional curve that turns by about 90 degrees")
 def _(c):
     r, _, z = c.model.position.T
     ways = numpy.degrees(numpy.unwrap(numpy.arctan2(numpy.diff(r), numpy.diff(z))))
@@ -52,7 +52,7 @@ def _(c):
     return angles[0] < 30 and angles[-1] > 60, f"{angles[0]:.1f} and {angles[-1]:.1f} degrees from radial"
 
 
-@check(5, "at least 2 elements through the blade, 3 along its root, 3 through the disc")
+@check(5, "there are at least 2 elements through the blade, 3 along its root and 3 through the disc")
 def _(c):
     said = c.run_program("tiprub-mesh", os.path.join(c.wheel, "case.toml"), "--check", "-v")
     chord, disc, blade = (int(re.search(rf"(\d+) (?:elements )?{words}", said).group(1))
@@ -60,14 +60,14 @@ def _(c):
     return blade >= 2 and chord >= 3 and disc >= 3, f"{blade} through the blade, {chord} along its root, {disc} through the disc"
 
 
-@check(6, "quadratic bricks, about 120,000 dofs a sector, about a million in the ring", WHEEL)
+@check(6, "quadratic bricks give about 120,000 dofs per sector and a million in the wheel", WHEEL)
 def _(c):
     dofs = 3 * len(c.mesh.place)
     bricks = c.mesh.types <= {12, 17}
     return bricks and 60e3 <= dofs <= 240e3, f"20-node bricks: {c.mesh.types == {17}}, {dofs} dofs a sector, {dofs * c.model.sectors / 1e6:.2f} million"
 
 
-@check(7, "the nodes of the bore, and only those, are clamped; conflicts with cut faces counted")
+@check(7, "the nodes of the bore and no others are clamped; conflicts with cut faces are counted")
 def _(c):
     clamped, radius = c.mesh.nodes("clamped"), numpy.hypot(*c.mesh.place[:, :2].T)
     bore = radius[clamped].mean()
@@ -76,7 +76,7 @@ def _(c):
     return numpy.array_equal(clamped, on_bore), f"{len(clamped)} nodes at r = {1e3 * bore:.2f} mm, {both} of them on cut faces"
 
 
-@check(8, "internal, boundary and cyclic nodes sum to the sector")
+@check(8, "internal, boundary and cyclic nodes sum to the sector's nodes")
 def _(c):
     held, low, high = (c.mesh.nodes(name) for name in ("clamped", "cyclic_low", "cyclic_high"))
     contact = [int(numpy.linalg.norm(numpy.stack([numpy.hypot(*c.mesh.place[:, :2].T) - r, c.mesh.place[:, 2] - z], axis=1)
@@ -92,7 +92,7 @@ def _(c):
                             f"{len(c.mesh.place)} nodes; {text}")
 
 
-@check(9, "the wheel, and the sector with clamp, contact and cut faces")
+@check(9, "figures show the wheel, and the sector with clamp, contact nodes and cut faces")
 def _(c):
     path = c.any_case.path("report", "fields", "modes_sector.vtu")
     if not os.path.exists(path):
@@ -104,7 +104,7 @@ def _(c):
 
 # --- 3.2 linear criterion ----------------------------------------------------------------------------------------------------
 
-by_test(10, "every root of f = n Omega, and of f = |n Omega - f_c|",
+by_test(10, "every root of f = n Omega and of f = |n Omega - f_c| is found",
         ("postprocess-test", "LinearCriterion.*"))
 
 
@@ -141,7 +141,7 @@ def rule_scores(case):
     return scores, len(case.critical)
 
 
-@check(12, "the rule's list stands beside the nonlinear one; misses and false alarms counted")
+@check(12, "the rule is compared with the nonlinear results; its misses and false alarms are counted")
 def _(c):
     words, good = [], True
     for case in c.cases:
@@ -158,12 +158,12 @@ def _(c):
 
 # --- 3.3 cyclic symmetry -----------------------------------------------------------------------------------------------------
 
-by_test(13, "the assembled ring is block-circulant, neighbours only, to 1e-10", ("reduce_test", "Sectors/Wheel.MatricesAreBlockCirculant*"))
+by_test(13, "the assembled wheel is block-circulant, and couples neighbours only, to 1e-10", ("reduce_test", "Sectors/Wheel.MatricesAreBlockCirculant*"))
 by_test(14, "the Fourier transform block-diagonalises it to 1e-10", ("reduce_test", "Sectors/Wheel.FourierTransformLeavesTheSectorsOwnBlocks*"),
         ("reduce_test", "Sectors/EverySectorCount.WavesExpandAndGather*"))
 
 
-@check(15, "six blocks, of real size n for 0 and 5, 2n else; in all 10 n (at any one speed)")
+@check(15, "six blocks have the real size n for nodal diameters 0 and 5 and 2n otherwise, 10 n in all (at any one speed)")
 def _(c):
     # The file holds what several speeds need, more on some nodal diameters; each speed takes modes_at_speed of it.
     contact, held = 3 * len(c.model.arc_length), [len(m["M"]) for m in c.model.matrices]
@@ -173,9 +173,9 @@ def _(c):
     return len(sizes) == 6 and sum(sizes) == c.model.sectors * one and standing == 0, f"sizes {sizes}, together {sum(sizes)} = 10 x {one}; the file holds {held}"
 
 
-by_test(16, "the blocks of eq. 6 equal the transformed ring for each nodal diameter, and are symmetric",
+by_test(16, "the blocks of eq. 6 equal the transformed wheel at each nodal diameter, and are symmetric",
         ("reduce_test", "Sectors/Wheel.FourierTransformLeavesTheSectorsOwnBlocks*"), ("reduce_test", "NodalDiameter/CraigBampton.ProjectionsAreHermitian*"))
-by_test(17, "the blocks' eigenvalues are the ring's, with their multiplicity", ("reduce_test", "Sectors/Wheel.EigenvaluesAreTheUnion*"))
+by_test(17, "the blocks have the wheel's eigenvalues, with their multiplicity", ("reduce_test", "Sectors/Wheel.EigenvaluesAreTheUnion*"))
 
 
 @check(18, "each family has ten members, 1 + 2x4 + 1")
@@ -190,7 +190,7 @@ def _(c):
         f"{members} members; the {len(union)} frequencies of the assembled reduced ring are those of the blocks, single and double, to {worst:.1e}"
 
 
-@check(19, "the first five families over the nodal diameter, drawn at rest")
+@check(19, "the first five families at rest are drawn over the nodal diameter")
 def _(c):
     rows = c.any_case.figure("interference")
     families = [key for key in rows[0] if key.startswith("family")]
@@ -209,7 +209,7 @@ def energy_shares(c):
         return {part: numpy.array([group[part][0] for group in groups]) for part in groups[0]}
 
 
-@check(20, "the first family bends the main blade, with little motion of the splitter", WHEEL)
+@check(20, "the first family bends the main blade and hardly moves the splitter", WHEEL)
 def _(c):
     shares = energy_shares(c)
     return shares["main_blade"][:, 0].min() > 0.8 and shares["splitter"][:, 0].max() < 0.1, \
@@ -226,10 +226,10 @@ def _(c):
 
 # --- 3.4 reduction -----------------------------------------------------------------------------------------------------------
 
-by_test(22, "eq. 7 gives back its three matrices to 1e-12", ("reduce_test", "PolynomialFit.*"))
+by_test(22, "eq. 7 returns its three matrices to 1e-12", ("reduce_test", "PolynomialFit.*"))
 
 
-@check(23, "at a speed that the basis never saw, frequencies within 0.1 % (first 50; model against unreduced sector)")
+@check(23, "at a speed that the basis was not built from, the first 50 frequencies are within 0.1 % of the unreduced sector's")
 def _(c):
     errors = c.model.reduction_error(50)
     unseen = {share: error for share, error in errors.items() if share not in (0.0, 0.25, 0.5, 0.75, 1.0)}
@@ -240,12 +240,12 @@ def _(c):
                                                 for share, error in unseen.items())
 
 
-by_test(24, "static modes at rest unchanged, the rest orthonormal; rank and drops counted", ("reduce_test", "NodalDiameter/CraigBampton.*"))
-by_test(25, "reduced matrices symmetric, mass positive, contact dofs physical",
+by_test(24, "static modes at rest are unchanged, the others orthonormal; rank and dropped vectors are counted", ("reduce_test", "NodalDiameter/CraigBampton.*"))
+by_test(25, "reduced matrices are symmetric, the mass is positive definite, and contact dofs are physical",
         ("reduce_test", "NodalDiameter/CraigBampton.KeepsContactDofsPhysical*:NodalDiameter/CraigBampton.ProjectionsAreHermitian*"))
 
 
-@check(26, "back in sectors, the reduced ring is block-circulant")
+@check(26, "transformed back to sectors, the reduced wheel is block-circulant")
 def _(c):
     ring, size = c.model.ring("K0"), c.model.size
     rolled = numpy.roll(numpy.roll(ring, size, axis=0), size, axis=1)
@@ -253,7 +253,7 @@ def _(c):
     return symmetric < 1e-12 and circulant < 1e-12, f"from itself turned by a sector {circulant:.1e}, from its transpose {symmetric:.1e}"
 
 
-@check(27, "300 physical and 600 generalized dofs, 0.09 % of the full model")
+@check(27, "the model has 300 physical and 600 generalized dofs, 0.09 % of the full model")
 def _(c):
     physical = 3 * len(c.model.arc_length) * c.model.sectors
     size = len(c.model.matrices[0]["M"]) * c.model.sectors
@@ -263,13 +263,13 @@ def _(c):
         f"{physical} + {generalized} at any one speed, {percent((physical + generalized) / full)} of {full} (the file holds {size})"
 
 
-@check(28, "first 50 frequencies at rest within 1 % of the unreduced model")
+@check(28, "the first 50 frequencies at rest are within 1 % of the unreduced model's")
 def _(c):
     error = c.model.reduction_error(50)[0.0]
     return error < 0.01, percent(error)
 
 
-@check(29, "the same at every speed, also at those the basis never saw")
+@check(29, "the same holds at every speed, also where the basis was not built")
 def _(c):
     errors = c.model.reduction_error(50)
     return max(errors.values()) < 0.01, ", ".join(f"{percent(error)} at {share}" for share, error in errors.items()) + " of full speed"
@@ -281,7 +281,7 @@ def convergence(c, over):
             for rpm in dict.fromkeys(row["speed [rpm]"] for row in rows)}
 
 
-@check(30, "tip motion converges with the number of modes: from eta = 150 on within 5 % of the finest, and ever nearer")
+@check(30, "tip motion converges monotonically with the number of modes, within 5 % of the finest from eta = 150 on")
 def _(c):
     words, good = [], True
     for rpm, points in convergence(c, "eta").items():
@@ -293,7 +293,7 @@ def _(c):
     return good, "; ".join(words) + f" from all modes, eta = {points[-1][0]}; 150 is 600 component modes of the wheel"
 
 
-@check(31, "halving the step changes the settled motion by less than 1 %")
+@check(31, "halving the time step changes the settled motion by less than 1 %")
 def _(c):
     halved = [at for case in c.cases for at in case.speeds if numpy.isfinite(at.attributes.get("halving_difference", numpy.nan))]
     settled = [at for at in halved if at.attributes["period_revolutions"] > 0]
@@ -306,7 +306,7 @@ def _(c):
          f"{worst.rpm:.0f} rpm)" + (f"; averaged spectra of the {len(others)} others, at most {percent(max(others))}" if others else ""))
 
 
-@check(32, "a sweep computes with the reduced matrices only")
+@check(32, "a sweep uses the reduced matrices only")
 def _(c):
     def linked(program):
         path = os.path.join(c.tests.build, "bin", program)
@@ -320,7 +320,7 @@ def _(c):
     return not found and bool(of_reduce), f"finite elements, meshers and sparse solvers in tiprub-simulate: {found}; in tiprub-reduce: {of_reduce}"
 
 
-@check(33, "Campbell diagram: frequencies rise with speed; the first family is narrow against the second", WHEEL)
+@check(33, "in the Campbell diagram frequencies rise with speed, and the first family is narrow against the second", WHEEL)
 def _(c):
     c.any_case.figure("campbell")
     rest, full = c.model.families[0.0][:, :2], c.model.families[1.0][:, :2]

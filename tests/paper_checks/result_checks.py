@@ -25,7 +25,7 @@ def _(c):
     return good, "; ".join(words)
 
 
-@check(64, "the map is the sum of its six parts to 1e-12")
+@check(64, "the interaction map is the sum of its six parts to 1e-12")
 def _(c):
     good, text = c.tests.run(("postprocess-test", "InteractionMap.TotalIsTheSumOfItsParts"))
     worst = top = 0.0
@@ -42,7 +42,7 @@ def _(c):
     return negligible, f"largest odd over largest even, {ratio}"
 
 
-@check(66, "two lobes: nodal diameters 2 and 4 carry most of the motion")
+@check(66, "two lobes: nodal diameters 2 and 4 have most of the motion")
 def _(c):
     two = c.lobed(2)
     power = (two.by_diameter()[two.even, 1:] ** 2).sum(axis=(0, 1))
@@ -61,7 +61,7 @@ def _(c):
     return k + 1 != 2, f"EO {k + 1}, nodal diameter {n}, {two.rpm[i]:.0f} rpm; highest by engine order: {best}"
 
 
-@check(68, "two lobes: EO 2 shows nodal diameter 2, EO 4 shows 4, others small (95 % of the power)")
+@check(68, "two lobes: EO 2 has 95 % of its power on nodal diameter 2, and EO 4 on 4")
 def _(c):
     two = c.lobed(2)
     power = (two.by_diameter() ** 2)
@@ -70,7 +70,7 @@ def _(c):
     return min(shares.values()) > 0.95, "; ".join(f"EO {k}: {percent(shares[k])} (periodic speeds {percent(steady[k])})" for k in shares)
 
 
-@check(69, "two lobes: within EO 1-6 nodal diameter 2 answers EO 2 only (95 % of the power); EO 8 beside it")
+@check(69, "two lobes: within EO 1 to 6, nodal diameter 2 has 95 % of its power on EO 2; EO 8 is reported")
 def _(c):
     two = c.lobed(2)
     power = two.by_diameter()[:, :, 2] ** 2
@@ -79,7 +79,7 @@ def _(c):
     return share > 0.95, f"{percent(share)} of the power within 1-6 (periodic speeds {percent(steady)}); EO 8 reaches {percent(eight)} of EO 2's amplitude"
 
 
-@check(70, "two lobes: nodal diameter 4 holds EO 4 and EO 6 at all speeds; EO 6 above EO 4 where speeds are critical")
+@check(70, "two lobes: nodal diameter 4 has EO 4 and EO 6 at all speeds, and EO 6 exceeds EO 4 at most critical speeds")
 def _(c):
     two = c.lobed(2)
     amplitude = two.by_diameter()[:, :, 4]
@@ -93,7 +93,7 @@ def _(c):
          f"of the even ones, at {above[critical].sum()} of {len(critical)} critical ones")
 
 
-@check(71, "two lobes: about four places rubbed by the leading edge at most speeds", WHEEL)
+@check(71, "two lobes: the leading edge touches at about four places at most speeds", WHEEL)
 def _(c):
     two = c.lobed(2)
     places = two.contact_map("leading")[1][two.even]
@@ -106,7 +106,7 @@ def extra_places(case):
     return places, places > case.lobes
 
 
-@check(72, "two lobes: two places rubbed by the trailing edge at most speeds; bands of more lie on amplitude peaks")
+@check(72, "two lobes: the trailing edge touches at two places at most speeds, and at more in bands at the peaks")
 def _(c):
     two = c.lobed(2)
     places, extra = extra_places(two)
@@ -119,7 +119,7 @@ def _(c):
          f"of the speeds within 2 % of a critical one and at {percent(outside)} of the others")
 
 
-@check(73, "two lobes: in bands of more places, EO 6 meets families above the first")
+@check(73, "two lobes: in these bands EO 6 meets families above the first")
 def _(c):
     two = c.lobed(2)
     _, extra = extra_places(two)
@@ -129,7 +129,7 @@ def _(c):
     return bool(above.size and above.mean() > 0.5), f"6 Omega lies above the first family at {percent(above.mean() if above.size else 0)} of the {above.size} speeds with extra places"
 
 
-@check(74, "the tighter trailing edge touches first: at speeds at which only one of the edges touches, it is this one")
+@check(74, "the trailing edge, with the smaller clearance, touches first: where only one edge touches, it is this one")
 def _(c):
     words, alone = [], numpy.zeros(2, dtype=int)
     for case in c.cases:
@@ -142,7 +142,7 @@ def _(c):
     return alone[0] == 0, "; ".join(words)
 
 
-@check(75, "the leading edge's contact drifts linearly with speed; the slope against chord over wave speed")
+@check(75, "the leading edge's contact drifts linearly with speed; the slope is compared with chord over wave speed")
 def _(c):
     two = c.lobed(2)
     middle, _, lag = two.report("contact_drift.csv")  # the middle of an edge's contact turns over at resonances; the edges' lag doesn't
@@ -159,7 +159,7 @@ def _(c):
 
 # --- three lobes -------------------------------------------------------------------------------------------------------------
 
-@check(76, "three lobes: EO 3 on nodal diameter 3, EO 6 on 4, EO 9 on 1 (most of each order's power)")
+@check(76, "three lobes: EO 3 has most of its power on nodal diameter 3, EO 6 on 4, EO 9 on 1")
 def _(c):
     three = c.lobed(3)
     even, settled = (three.by_diameter()[rows] ** 2 for rows in (three.even, three.steady))
@@ -169,7 +169,7 @@ def _(c):
         "; ".join(f"EO {k}: nodal diameter {n}, {percent(share)} (periodic speeds {percent(steady[k])})" for k, (n, share) in shares.items())
 
 
-@check(77, "three lobes: large peaks on EO 3, EO 6 and EO 9 (each above a quarter of the largest)")
+@check(77, "three lobes: peaks on EO 3, EO 6 and EO 9 are large (each above a quarter of the largest)")
 def _(c):
     three = c.lobed(3)
     top = {order: three.by_diameter()[:, order].sum(axis=1).max() for order in (3, 6, 9)}
@@ -184,7 +184,7 @@ def _(c):
     return edges["trailing"] > edges["leading"], ", ".join(f"{edge} {value:.3f}" for edge, value in edges.items()) + " (medians)"
 
 
-@check(79, "an abrupt change of contact pattern between neighbouring speeds, on either edge; sweeps up and down there")
+@check(79, "the contact pattern of an edge changes abruptly between neighbouring speeds; sweeps up and down are compared there")
 def _(c):
     case = c.lobed(3)
     words, outlier, where = [], False, set()
@@ -221,7 +221,7 @@ def _(c):
     return good, "; ".join(words)
 
 
-@check(81, "subharmonics (energy off the multiples of N_l Omega) are negligible (1 % at the median speed); speeds above are flagged")
+@check(81, "subharmonics (energy off the multiples of N_l Omega) are below 1 % at the median speed; speeds above are flagged")
 def _(c):
     words, good = [], True
     for case in c.cases:

@@ -9,30 +9,33 @@
 
 namespace tiprub::simulate {
 
-/// W [m/N] of a step: its column i holds what a contact force of 1 N at node i adds to the gaps,
+/// The contact compliance W [m/N] of a step. Column i holds the changes of the gaps due to a contact force of 1 N at
+/// node i,
 ///   W(:, i) = W_N(:, i) + mu (tau_theta W_theta(:, i) + tau_m W_m(:, i)),
-/// where (tau_theta, tau_m) is the direction in which the node slides over the casing, and friction pushes against it
-/// with mu times the contact force. Without friction W = W_N is constant, symmetric, and positive semidefinite.
-/// With friction it is unsymmetric.
+/// where (tau_theta, tau_m) is the direction in which the node slides over the casing. Friction acts against it with
+/// mu times the contact force. Without friction W = W_N is constant, symmetric and positive semidefinite; with
+/// friction it is unsymmetric.
 ///
-/// With a gap of second order, the force also acts on the coordinates y of the node's own blades with the slopes
-/// G = ds/dy of its gap, and gaps move with G y beside the displacements along the normals (SecondOrderTerms): with
-/// the rows Y, B and S of the normal displacements, of y, and of sliding,
-///   W = (Y + G B) c (Y + G B + mu tau S)'.
-/// A W that turns from step to step is never formed: a step needs the block of its closed nodes, and what its forces
-/// do to all gaps.
+/// With a gap of second order (SecondOrderTerms), a contact force also acts on the coordinates y of the node's
+/// sector, with the slopes G = ds/dy of its gap, and a gap follows the displacement along the normal and G y. With
+/// the rows Y of the normal displacements, B of y and S of sliding in the modes,
+///   W = (Y + G B) c (Y + G B + mu tau S)^T.
+/// A W that changes from step to step is never formed as a whole: a step needs only the block of its closed nodes,
+/// and the effect of its forces on all gaps.
 class ContactCompliance {
  public:
-  /// What a unit force does to the normal displacements, node by node, and to the coordinates y, sector by sector.
+  /// The displacements due to unit forces: rows are the n displacements along the normals, node by node, and, with a
+  /// gap of second order, the m coordinates y, sector by sector.
   struct Responses {
-    Eigen::MatrixXd normal;   ///< to forces along the normals; n x n, or (n + m) x n
-    Eigen::MatrixXd sliding;  ///< to forces along theta and along the tip line in turn; as many rows, x 2n; or empty
-    Eigen::MatrixXd blades;   ///< to forces on y, whole vectors of four a sector; (n + m) x m, or empty
-    Eigen::VectorXd friction = {};  ///< [1] mu, node by node; with sliding only
-    int sectors = 1;                ///< with a gap of second order, of whole vectors of four nodes
+    Eigen::MatrixXd normal;  ///< due to forces along the normals; n x n, or (n + m) x n
+    Eigen::MatrixXd
+        sliding;  ///< due to forces along theta and the tip line, alternately; as many rows, 2n columns; or empty
+    Eigen::MatrixXd blades;  ///< due to forces on y, padded to multiples of four per sector; (n + m) x m, or empty
+    Eigen::VectorXd friction = {};  ///< [1] mu by node; only with friction
+    int sectors = 1;  ///< number of sectors; with a gap of second order, each has a multiple of four nodes
   };
 
-  /// Without friction, and with a gap of first order; n x n.
+  /// The constant W of a march without friction and with a linear gap; n x n.
   explicit ContactCompliance(const Eigen::MatrixXd& normal) : ContactCompliance(Responses{normal, {}, {}}) {}
   explicit ContactCompliance(Responses responses);
 
@@ -42,33 +45,36 @@ class ContactCompliance {
   bool is_curved() const { return responses_.blades.size() > 0; }
   Eigen::Index size() const { return size_; }
   const Responses& responses() const { return responses_; }
-  /// Begins a step with friction: the ways of all nodes over the casing, of any length, along theta and along the tip
-  /// line in turn; 2n. Refers to them.
+  /// Begins a step with friction. `way` holds the path of each node over the casing, of any length, along theta and
+  /// along the tip line alternately; 2n values. The object keeps a reference to it.
   void slide(const Eigen::VectorXd& way);
-  /// Begins a step with a gap of second order, and gives the place for its slopes: a row for each node, a column for
-  /// each coordinate of a sector.
+  /// Begins a step with a gap of second order. The caller writes the slopes into the returned matrix: a row for each
+  /// node, a column for each coordinate of a sector.
   Eigen::MatrixXd& tilt();
-  /// [1] mu tau_theta and mu tau_m in turn, of the nodes that block() or respond() had in this step; 2n.
+  /// [1] mu tau_theta and mu tau_m, alternately, of the nodes that were passed to block() or respond() in this step;
+  /// 2n values.
   const Eigen::VectorXd& drag_ratio() const { return drag_ratio_; }
   const Eigen::MatrixXd& slopes() const { return slopes_; }
-  /// Without friction and second order: the whole matrix in columns of stride() values, a whole number of vectors.
+  /// The whole W in columns of stride() values, zero-padded. Only if is_constant().
   const double* data() const { return columns_.data(); }
   Eigen::Map<const Eigen::VectorXd> column(int node) const {
     return {columns_.data() + stride_ * static_cast<std::size_t>(node), size()};
   }
   std::size_t stride() const { return stride_; }
-  /// Writes the block of some nodes, ascending, in columns of stride() values; without friction its lower triangle.
+  /// Writes the block of W of some nodes (ascending indices) in columns of stride() values; without friction its
+  /// lower triangle only.
   void block(const std::vector<int>& nodes, double* into);
-  /// Adds a share of what contact forces [N] on some nodes do to the gaps.
+  /// Adds to the gaps [m] a share of W times contact forces [N] on some nodes.
   void open(double share, const Eigen::VectorXd& forces, const std::vector<int>& nodes, Eigen::VectorXd& gap);
-  /// What forces along theta and along the tip line in turn [N], and forces on y [N], take from the normal
-  /// displacements, and with a gap of second order from y; each may be empty.
+  /// [m] By how much forces along theta and the tip line, alternately [N], and forces on y [N] reduce the normal
+  /// displacements and, with a gap of second order, y. Either argument may be empty.
   Eigen::VectorXd response(const Eigen::VectorXd& sliding, const Eigen::VectorXd& blades) const;
-  /// Finds what contact forces [N] on some nodes, ascending, do to the gaps, and what they take from the normal
-  /// displacements and from y. Without a gap of second order the gaps and the normal displacements move alike.
+  /// Computes the effect of contact forces [N] on some nodes (ascending indices): on the gaps, opened(), and on the
+  /// normal displacements and y, normal_response() and blade_response(). With a linear gap, gaps and normal
+  /// displacements change by the same amounts.
   void respond(const double* forces, const std::vector<int>& nodes);
   void respond(const Eigen::VectorXd& forces, const std::vector<int>& nodes);
-  /// [m] n values, then zeros up to a whole vector.
+  /// [m] The opening of the gaps; n values, zero-padded.
   const double* opened() const { return is_curved() ? opened_.data() : response_.data(); }
   Eigen::Map<const Eigen::VectorXd> normal_response() const { return {response_.data(), size()}; }
   Eigen::Map<const Eigen::VectorXd> blade_response() const {
@@ -77,11 +83,11 @@ class ContactCompliance {
 
  private:
   void point_drag(const std::vector<int>& nodes);
-  /// Collects the columns of parts_ that forces on nodes move, with their weights.
+  /// Collects the columns of parts_ on which forces on these nodes act, and their weights.
   void weigh(const double* forces, const std::vector<int>& nodes);
   void add_narrowing();
   int sector_of(int node) const { return node / static_cast<int>(size_ / responses_.sectors); }
-  /// Of a sector.
+  /// The number of coordinates y in a sector.
   std::size_t coordinates() const { return static_cast<std::size_t>(slopes_.cols()); }
 
   Eigen::Index size_;
@@ -89,14 +95,13 @@ class ContactCompliance {
   const double* way_ = nullptr;
   Eigen::VectorXd drag_ratio_;
   Eigen::MatrixXd slopes_;
-  std::size_t stride_, tall_;  ///< whole vectors of n and of n + m
-  kernels::Lines columns_;     ///< if W is constant
-  kernels::Lines
-      parts_;  ///< what responses_ hold node after node, then coordinate after coordinate, in columns of tall_
-  kernels::Lines response_, opened_;       ///< of respond()
-  std::vector<int> places_, sectors_;      ///< of the parts that forces move, and of nodes
-  std::vector<double> weights_, rows_;     ///< of these parts, and the slopes and the drag of nodes
-  std::vector<double> forces_, on_nodes_;  ///< [N] of the last respond(), on nodes_, and of the next
+  std::size_t stride_, tall_;              ///< n and n + m, padded to whole vectors
+  kernels::Lines columns_;                 ///< W, if it is constant
+  kernels::Lines parts_;                   ///< the columns of responses_, of length tall_: normal, sliding, blades
+  kernels::Lines response_, opened_;       ///< [m] results of respond()
+  std::vector<int> places_, sectors_;      ///< columns of parts_ in use; sectors of the closed nodes
+  std::vector<double> weights_, rows_;     ///< weights of these columns; slopes of the closed nodes
+  std::vector<double> forces_, on_nodes_;  ///< [N] of the last respond(), on nodes_; of the next one
   std::vector<int> nodes_;
 };
 

@@ -11,35 +11,41 @@
 
 namespace tiprub::simulate {
 
-/// What narrows the gaps beside n.u, to second order in the coordinates y = V'u of a sector's blades. For node k,
-///   s_k = y' Q_k y + (c_1 u_theta^2 + c_2 u_m^2)/2 + d' delta + d'' delta^2/2,   delta = u_theta/r,
-/// with the bending of the blade and the curvatures of the casing (SecondOrderGap), and with the distortion d of the
-/// casing read where the tip is. The displacements u are those that y tells, V (V'V)^-1 y.
+/// The terms s by which gaps are narrower than with the displacement along the normal alone, to second order in the
+/// coordinates y = V^T u of the blades of a sector. For contact node k at the radius r_k,
+///   s_k = y^T Q_k y + (c_1 u_theta^2 + c_2 u_m^2)/2 + d' beta + d'' beta^2/2,   beta = u_theta/r_k,
+/// with the shortening of the bent blade (Q_k) and the curvatures of the casing (c_1, c_2), both from SecondOrderGap,
+/// and with the distortion d of the casing, which is read where the tip is. The displacements follow from y as u = V
+/// (V^T V)^-1 y.
 ///
-/// A gap that is a function of the modes gives the force its direction, -lambda (n + ds/du), so that contact does no
-/// work but that of its gap.
+/// The contact force acts along the gradient of the gap, -lambda (nu + ds/du), so that contact does no work but that
+/// of the gap. Terms of third order are left out, and so are products of the slope of the distortion and u_r u_theta.
 class SecondOrderTerms {
  public:
-  /// The tips must hold SecondOrderGap. `width`: values a sector in vectors of contact nodes, whole vectors of four.
+  /// Requires tips with SecondOrderGap. `width` is the number of values per sector in vectors over contact nodes, a
+  /// multiple of four.
   SecondOrderTerms(const ContactLine& tips, const Obstacle& obstacle, int steps_per_revolution, std::size_t width);
 
-  /// p, the coordinates of a sector.
+  /// The number p of coordinates in a sector.
   std::size_t coordinates() const { return coordinates_; }
-  /// The place of the casing over a sector: the step within a lobe, and the factor by which the distortion has grown.
+  /// The part of the casing that faces a sector: the step within a lobe, and the factor 0 .. 1 by which the
+  /// distortion has grown.
   struct Place {
     std::int64_t phase;
     double grown;
   };
-  /// Takes s [m] of a sector with the coordinates y [m] from its gaps. Returns whether any gap is negative then.
+  /// Subtracts s [m] from the gaps of a sector whose coordinates are y [m]. Returns whether any gap is negative
+  /// afterwards.
   bool narrow(const double* y, const Place& place, double* gap) const;
-  /// [1] ds/dy: for each coordinate a column over the nodes of the sector, the next one `stride` values later.
+  /// [1] The slopes ds/dy: for each coordinate a column over the nodes of the sector; columns are `stride` values
+  /// apart.
   void slopes(const double* y, const Place& place, double* columns, std::size_t stride) const;
 
  private:
   std::size_t coordinates_, width_;
-  std::vector<double> doubled_;  ///< [1/m] d2s/dy2 without the casing's: for each pair a, b over the nodes
-  std::vector<double> turns_;    ///< [1/m] delta over y, for each coordinate over the nodes
-  std::vector<double> tilt_;     ///< [m] d' of each phase over the nodes, then d''
+  std::vector<double> doubled_;  ///< [1/m] d^2 s/dy_a dy_b without the terms of d; for each pair a, b, over the nodes
+  std::vector<double> turns_;    ///< [1/m] d beta/dy_a; for each coordinate, over the nodes
+  std::vector<double> tilt_;     ///< [m] for each phase d' over the nodes, then d''
 };
 
 }  // namespace tiprub::simulate

@@ -7,29 +7,31 @@
 
 namespace tiprub::simulate {
 
-/// One step of a modal coordinate q and of its increment d = q - q-, f the modal force at the middle instant:
-///   d+ = d - r d - k q + c f,   q+ = q + d+.   Arrays over modes.
-/// This is q+ = a q - b q- + c f with a = 2 - r - k and b = 1 - r. That form would lose the digits of the velocity,
-/// of which q+ - q holds a share omega h only, and those of k and r, which are of the order (omega h)^2 and omega h.
-/// For any member of this family a step is, with the modified mass mu = h^2 (2 - r) / (2 c) and the damping
-/// eta = h r / c,
-///   mu (q+ - 2 q + q-)/h^2 + eta (q+ - q-)/(2 h) + omega^2 q = f,   omega^2 = k/c,
-/// from which EnergyAudit derives its balance.
+/// The coefficients of one step of a modal coordinate q and of its increment d = q - q-, with the modal force f at
+/// the middle instant:
+///   d+ = d - r d - k q + c f,   q+ = q + d+.
+/// The equivalent form q+ = a q - b q- + c f, with a = 2 - r - k and b = 1 - r, would lose digits: those of the
+/// velocity, because q+ - q is only of the order omega h of q, and those of r and k, which are of the orders omega h
+/// and (omega h)^2.
+///
+/// Any step of this family is a central difference with the modified mass m_h = h^2 (2 - r)/(2 c) and the damping eta
+/// = h r/c,
+///   m_h (q+ - 2 q + q-)/h^2 + eta (q+ - q-)/(2 h) + omega^2 q = f,   omega^2 = k/c,
+/// from which EnergyAudit derives its balance. Arrays are over modes.
 struct StepCoefficients {
-  Eigen::ArrayXd r;  ///< [1] lost of the increment
+  Eigen::ArrayXd r;  ///< [1] share of the increment that damping takes
   Eigen::ArrayXd k;  ///< [1] omega^2 c
   Eigen::ArrayXd c;  ///< [s^2], never negative
 };
 
-/// The options of a scheme beside the modes and the step.
+/// The options of a scheme other than modes and step.
 struct SchemeOptions {
   Scheme scheme = Scheme::trigonometric;
-  double theta = 0.5;  ///< [1] of Moreau-Jean, 1/2 .. 1: 1/2 conserves energy, more damps
+  double theta = 0.5;  ///< [1] of Moreau-Jean, 1/2 .. 1: 1/2 conserves energy, larger values damp
 };
 
-/// The arrays over modes are omega [rad/s] >= 0 and damping_ratio [1] >= 0; `step` is h [s]. The first `moving` modes
-/// have mass. The others have none, which only residual flexibility uses; it raises NoMotion if one of these has no
-/// stiffness.
+/// `omega` [rad/s] >= 0 and `damping_ratio` [1] >= 0 are arrays over modes; `step` is h [s]. The first `moving` modes
+/// have mass. Only residual flexibility has modes without mass; it raises NoMotion if one of them has no stiffness.
 StepCoefficients step_coefficients(const SchemeOptions& options, const Eigen::ArrayXd& omega,
                                    const Eigen::ArrayXd& damping_ratio, double step, Eigen::Index moving);
 

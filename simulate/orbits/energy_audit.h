@@ -9,33 +9,36 @@
 
 namespace tiprub::simulate {
 
-/// The energy of the whole wheel in the discrete sense of the scheme (see StepCoefficients): multiplied with
-/// (q+ - q-)/2, a step is the exact balance
-///   E(q+, q) - E(q, q-) = sum_j,k -lambda ((p+ - p-) + mu tau . (s+ - s-))/2 - eta |q+ - q-|^2/(4 h),
-///   E(q+, q) = 1/2 mu |q+ - q|^2/h^2 + 1/2 omega^2 Re(q+ conj q),
-/// with the normal displacement p and, if there is friction, the displacement s along the casing. The work is summed
-/// at the contact nodes and the other terms in modes. The closing error is therefore rounding, and also tests the
-/// maps between nodes and modes. On a wall at rest with complementarity the normal force's work is -lambda g-/2 <= 0:
-/// without friction, contact never adds energy. Friction can, because the rotation drives it. The impulse of an
-/// impact within a step (InnerImpact) changes the increment at t_{q+1}; the change of E is work. Beside another node
-/// that rebounds, this step and the next may gain energy; less than 1e-6 of it has been seen.
+/// The energy of the whole wheel in the discrete sense of the scheme. A step (StepCoefficients, with the modified
+/// mass m_h), multiplied by (q+ - q-)/2, is the exact balance
+///   E(q+, q) - E(q, q-) = -sum_j,k lambda ((p+ - p-) + mu tau . (u+ - u-))/2 - eta |q+ - q-|^2/(4 h),
+///   E(q+, q) = m_h |q+ - q|^2/(2 h^2) + omega^2 Re(q+ conj q)/2,
+/// with the normal displacement p and, with friction of the coefficient mu, the displacement u along the casing. With
+/// a gap of second order, p gains G y (SecondOrderTerms). The work is summed over the contact nodes and the other
+/// terms over the modes. The closing error is therefore due to rounding only, and tests the maps between nodes and
+/// modes.
+///
+/// On a wall at rest with complementarity and a linear gap, the work of the normal force is -lambda g-/2 <= 0, so
+/// that contact without friction never adds energy. Friction can add energy, because rotation drives it. The impulse
+/// of an impact within a step (InnerImpact) changes the increment at t_{q+1}, and the change of E counts as work. If
+/// another node rebounds beside it, this step and the next may gain energy; less than 1e-6 of it has been seen.
 class EnergyAudit {
  public:
   /// Starts the ledger at the present state of the march.
   explicit EnergyAudit(const TimeMarch& march);
-  /// To be called after each step.
+  /// Adds the last step to the ledger; to be called after each step.
   void observe(const TimeMarch& march);
   EnergyLedger ledger(const TimeMarch& march) const;
-  /// [1] the elastic energy of the modes that have no mass or are dropped over that of all modes, from means over the
-  /// observed steps.
+  /// [1] The elastic energy of the modes that have no mass or are dropped, over that of all modes; from means over
+  /// the observed steps.
   double left_out_share() const;
-  /// [J] between the last two instants.
+  /// [J] The energy E between the last two instants.
   double energy(const TimeMarch& march) const;
 
  private:
   struct Terms {
-    double ring;                ///< N / w_n: modal energy to that of the wheel
-    Eigen::ArrayXd inertia;     ///< mu / (2 h^2) [1/s^2]; zero for padding
+    double ring;                ///< N / w_n, the factor from modal energy to that of the wheel
+    Eigen::ArrayXd inertia;     ///< m_h / (2 h^2) [1/s^2]; zero for padding
     Eigen::ArrayXd stiffness;   ///< omega^2 / 2 [1/s^2]
     Eigen::ArrayXd damping;     ///< eta / (4 h) [1/s^2]
     Eigen::MatrixXcd residual;  ///< [m/N] compliance of the modes without mass or dropped; may be empty

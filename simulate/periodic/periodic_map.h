@@ -17,10 +17,10 @@ namespace tiprub::simulate {
 /// The product A x of an operator A that is not available as a matrix.
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-/// How the contact nodes slide in a step; by node.
+/// How the contact nodes slide in a step; arrays by node.
 struct Sliding {
-  Eigen::VectorXd way;       ///< [m] s over the casing in the step before, along theta and along the tip line in turn
-  Eigen::VectorXd turning;   ///< [N/m] mu lambda/|s|, by which a turn of s changes the drag
+  Eigen::VectorXd way;  ///< [m] path s over the casing in the step before, along theta and the tip line alternately
+  Eigen::VectorXd turning;   ///< [N/m] mu lambda/|s|: change of the drag for each change of s across s
   Eigen::VectorXd striking;  ///< [N/m] the same for the impulses of impacts within the step
 };
 
@@ -28,19 +28,19 @@ struct Sliding {
 /// act along its slopes.
 struct BladeStep {
   Eigen::VectorXd start, free;                  ///< at t_q, and at t_{q+1} without the forces of the step
-  Eigen::VectorXd ahead;                        ///< after a further step without forces; empty without impacts
-  Eigen::VectorXd forces, taken;                ///< [N] by node, and what they take from y at t_{q+1}
-  Eigen::VectorXd impulses, taken_by_impulses;  ///< of impacts; empty without
+  Eigen::VectorXd ahead;                        ///< after one more step without forces; empty without impacts
+  Eigen::VectorXd forces, taken;                ///< [N] by node, and the reduction of y at t_{q+1} by them
+  Eigen::VectorXd impulses, taken_by_impulses;  ///< the same for impulses of impacts; empty without impacts
 };
 
-/// The sets of closed nodes in consecutive steps of a march, and the impacts within steps. With these sets held
-/// fixed, the march is an affine map but for the instants of the impacts, the directions of sliding, and the slopes
-/// of a gap of second order.
+/// The sets of closed nodes in consecutive steps of a march, and the impacts within steps. If the sets are held
+/// fixed, the march is an affine map except for the instants of impacts, the directions of sliding, and the slopes of
+/// a gap of second order.
 class ContactPattern {
  public:
   static constexpr int open = -1;
 
-  /// Adds a step. `closed`: the indices of the closed nodes, ascending.
+  /// Adds a step. `closed` are the indices of the closed nodes, ascending.
   void add(const std::vector<int>& closed, const std::vector<InnerImpact>& impacts) {
     if (!impacts.empty()) impacts_.emplace_back(steps_.size(), impacts);
     if (closed.empty()) {
@@ -52,11 +52,11 @@ class ContactPattern {
     steps_.push_back(place->second);
   }
 
-  /// Adds the sliding of the step added last, which has closed nodes.
+  /// Adds the sliding in the step that was added last, which must have closed nodes.
   void add(Sliding sliding) { sliding_.push_back(std::move(sliding)); }
-  /// Adds the blades of the step added last.
+  /// Adds the motion of the blades in the step that was added last.
   void add(BladeStep blades) { blades_.push_back(std::move(blades)); }
-  /// The steps since the start of the march, at the first step of this pattern.
+  /// The number of steps from the start of the march to the first step of this pattern.
   std::int64_t first_step = 0;
   Eigen::VectorXd blades_before;  ///< [m] y one step before the first one; empty if the gap is linear
 
@@ -66,9 +66,9 @@ class ContactPattern {
   const std::vector<std::vector<int>>& sets() const { return sets_; }
   /// The steps with impacts in them, ascending.
   const std::vector<std::pair<std::size_t, std::vector<InnerImpact>>>& impacts() const { return impacts_; }
-  /// Of the steps with closed nodes, in their order; empty without friction.
+  /// The sliding in the steps with closed nodes, in their order; empty without friction.
   const std::vector<Sliding>& sliding() const { return sliding_; }
-  /// Of all steps; empty if the gap is linear.
+  /// The motion of the blades in all steps; empty if the gap is linear.
   const std::vector<BladeStep>& blades() const { return blades_; }
 
  private:
@@ -80,23 +80,23 @@ class ContactPattern {
   std::vector<std::pair<std::size_t, std::vector<InnerImpact>>> impacts_;
 };
 
-/// The image of a state, and the contact pattern of the way there.
+/// The image of a state, and the contact pattern of the march between the two.
 struct MapImage {
   Eigen::VectorXd state;
   std::shared_ptr<const ContactPattern> pattern;
 };
 
-/// A map whose fixed points x = F(x) are steady motions. It is continuous, and affine as long as the contact pattern
-/// does not change, but for what ContactPattern names. Newton's method, multipliers and branches know a march by this
-/// interface only.
+/// A map F whose fixed points x = F(x) are steady motions. It is continuous and, as long as the contact pattern does
+/// not change, affine except for what ContactPattern names. Newton's method, the multipliers and the branches use a
+/// march only through this interface.
 class PeriodicMap {
  public:
   virtual ~PeriodicMap() = default;
 
   /// F(x). Raises NoMotion if a contact problem has no solution.
   virtual MapImage image(const Eigen::VectorXd& state) = 0;
-  /// DF times a change of the state, for a fixed contact pattern; exact as long as the pattern does not change and
-  /// has no impacts.
+  /// The derivative DF, for a fixed contact pattern, times a change of the state; exact as long as the pattern does
+  /// not change and has no impacts.
   virtual Eigen::VectorXd tangent(const std::shared_ptr<const ContactPattern>& pattern,
                                   const Eigen::VectorXd& change) = 0;
   /// A fixed linear map near (1 - DF)^-1, for linear solvers.

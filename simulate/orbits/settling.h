@@ -23,30 +23,30 @@ struct SettlingState {
   double rate = 0;             ///< [1] factor of that change per revolution
 };
 
-/// Judges from revolution to revolution whether a motion has settled, and with which period. The change over L
-/// revolutions,
-///   delta_L = |x(r) - x(r - L)| / |x(r)|,  L = 1 .. 6,
-/// must be small and must decay. With its factor rho per revolution, fitted to the last changes, the remaining
-/// distance from the settled motion is delta_L rho^L / (1 - rho^L). A threshold on the change itself would not do:
-/// near critical speeds the change falls and grows again. The period is the smallest L that meets the tolerance.
-/// Periods beyond 1 are accepted only while delta_1 does not decay, because a motion that approaches a periodic one
-/// with alternating signs meets the tolerance with L = 2 first.
+/// Judges after each revolution whether a motion has settled, and with which period. The change over L revolutions,
+///   epsilon_L = |z(R) - z(R - L)|/|z(R)|,   L = 1 .. 6,
+/// with the motion z(R) of revolution R, must be small and must decay. If rho is its factor per revolution, fitted to
+/// the last changes, the remaining distance from the settled motion is epsilon_L rho^L/(1 - rho^L). A threshold on
+/// the change alone does not suffice, because near critical speeds the change decreases and grows again.
+///
+/// The period is the smallest L that meets the tolerance. Periods beyond 1 are accepted only while epsilon_1 does not
+/// decay: a motion that approaches a periodic one with alternating signs meets the tolerance with L = 2 first.
 class SteadyState {
  public:
   static constexpr int longest_period = 6;
 
-  /// `tolerance` [1]: the allowed distance from the settled motion. Motions of a norm below `quiet_norm` count as
+  /// `tolerance` [1] is the allowed distance from the settled motion. Motions with a norm below `quiet_norm` count as
   /// rest.
   SteadyState(double tolerance, double quiet_norm) : tolerance_(tolerance), quiet_norm_(quiet_norm) {}
 
-  /// Adds the samples of one whole revolution.
+  /// Adds the samples of one revolution.
   void add(Eigen::VectorXd revolution);
   SettlingState judge() const;
-  /// Whether the change from revolution to revolution clearly falls: the slope of a line through the logarithms of
-  /// the last changes is negative by more than twice its uncertainty.
+  /// Whether the change per revolution clearly decreases: the slope of a line through the logarithms of the last
+  /// changes is negative by more than twice its uncertainty.
   bool decays() const;
-  /// Whether the change from revolution to revolution neither falls nor rises clearly over the last `count` ones: the
-  /// slope of that line is within twice its uncertainty.
+  /// Whether the change per revolution neither decreases nor increases clearly over the last `count` revolutions: the
+  /// slope of this line is within twice its uncertainty.
   bool stands(int count) const;
 
  private:
@@ -60,19 +60,20 @@ class SteadyState {
 /// that grows without bound.
 class Settling {
  public:
-  /// `min_revolutions` are marched before settling is judged.
+  /// `min_revolutions` is the number of revolutions before settling is judged.
   Settling(const Scene& scene, TimeMarch& march, int min_revolutions);
 
   /// Adds a marched revolution. Raises NoMotion if the motion has grown without bound.
   void add(Eigen::VectorXd motion);
-  /// Whether the motion has settled; never before the smallest allowed number of revolutions.
+  /// Whether the motion has settled; false before the smallest allowed number of revolutions.
   bool settled() const;
-  /// Whether marching on is of no use: the motion has not settled after seven times the smallest allowed number of
-  /// revolutions (at least 70), and its change from revolution to revolution stands. A change that grows tells of a
-  /// motion that leaves an orbit, and will come to another.
+  /// Whether further marching is useless: the motion has not settled after seven times the smallest allowed number of
+  /// revolutions (at least 70), and its change per revolution neither decreases nor increases. An increasing change
+  /// shows that the motion leaves an orbit, and it will then approach another one.
   bool wanders() const;
   SettlingState state() const { return orbit_ ? *orbit_ : state_.judge(); }
-  /// The class of the motion, from one period of a settled motion, or else from up to 24 last revolutions.
+  /// The class of the motion, from one period of a settled motion or, otherwise, from at most the last 24
+  /// revolutions.
   MotionReading reading() const;
   int revolutions() const { return revolutions_; }
   /// The highest engine order of the band.
@@ -80,13 +81,13 @@ class Settling {
 
   /// Marches and adds one revolution.
   void advance();
-  /// Declares the motion settled: the march has been put onto an orbit that repeats itself after
-  /// `period_revolutions`, and whose disturbances change by the factor `rate` per revolution.
+  /// Declares the motion settled. The march must have been put onto an orbit that repeats after `period_revolutions`,
+  /// and whose disturbances change by the factor `rate` per revolution.
   void stand_on_orbit(int period_revolutions, double rate);
   bool stands_on_orbit() const { return orbit_.has_value(); }
-  /// `drift` [1]: the relative distance of the march from the orbit after the recording.
+  /// `drift` [1] is the relative distance of the march from the orbit after the recording.
   void confirm_orbit(double drift);
-  /// Withdraws the orbit. From here on the revolutions added decide again.
+  /// Withdraws the orbit. The revolutions that are added from now on decide again.
   void leave_orbit();
 
  private:

@@ -16,22 +16,22 @@ namespace tiprub::simulate {
 /// The march over 1/lcm(N, lobes) of a revolution, followed by a shift of sectors. Its fixed points are the orbits
 /// that travel with the casing,
 ///   u_j(t + T/lcm(N, lobes)) = u_{j+s}(t).
-/// Orbits that do so after k such intervals are fixed points of its k-th power. The map costs lcm(N, lobes) times
-/// less than a revolution. For nodal diameter n the shift is the phase e^{-i n s alpha}. The number of steps in a
-/// revolution must be a multiple of lcm(N, lobes), and the casing must be fully grown. Only for contact laws without
-/// memory, for which the modes at two instants are the whole state.
+/// Orbits that do so only after k such intervals are fixed points of its k-th power. The map costs lcm(N, lobes)
+/// times less than a revolution. For nodal diameter n the shift is the phase e^{-i n s alpha}. The number of steps in
+/// a revolution must be a multiple of lcm(N, lobes), and the distortion of the casing must be fully grown. The
+/// contact law must have no memory, so that the modes at two instants are the whole state.
 class SymmetricMap {
  public:
   explicit SymmetricMap(TimeMarch& march, int power = 1);
 
-  /// The modes as in EnergyState; of a standing wave only the real parts.
+  /// The modes in the order of EnergyState; of a standing wave only the real parts.
   Eigen::VectorXd state() const { return energy_state_.of(march_); }
   void put(const Eigen::VectorXd& state) { energy_state_.put(state, march_); }
-  /// The state after the shift of sectors: the image of the map once the march has done its steps.
+  /// The state after the shift of sectors. It is the image of the map once the march has done steps() steps.
   Eigen::VectorXd image() const { return energy_state_.of(march_, phases_); }
 
   const StateLayout& layout() const { return energy_state_.layout(); }
-  /// Steps of the march in one map.
+  /// The number of steps of the march in one map.
   int steps() const { return steps_; }
   double maps_per_revolution() const { return static_cast<double>(march_.steps_per_revolution()) / steps_; }
 
@@ -39,57 +39,60 @@ class SymmetricMap {
   TimeMarch& march_;
   int steps_;
   EnergyState energy_state_;
-  std::vector<std::complex<double>> phases_;  ///< of the shift of sectors, by wave
+  std::vector<std::complex<double>> phases_;  ///< factors of the shift of sectors, by wave
 };
 
-/// Which disturbances of a wheel are followed along an orbit.
+/// The disturbances of a wheel that are followed along an orbit.
 enum class Disturbance {
   symmetric,  ///< those of the nodal diameters of the orbit
-  excluded,   ///< those of the nodal diameters left out; the two kinds do not couple in first order
+  excluded,   ///< those of the nodal diameters that the orbit leaves out; to first order the two kinds do not couple
 };
 
-/// The march linearised along the contact pattern of an orbit: nodes that the orbit closes stay in place, no force
-/// acts on the others, the instants of impacts within steps move with the disturbance, and so do the directions of
-/// the forces. Those of sliding: with the way s over the casing, p the unit vector across it, and its change s',
-/// friction changes by mu lambda/|s| (p . s') p. Those of a gap of second order: its slopes G at t_q change by
-/// G' = (d2s/dy2) y', so that the forces on y gain G'^T lambda, and the gaps G' r, r being what lambda takes from y.
-/// Costs as much as the march, without the search for the pattern.
+/// The march linearised along the contact pattern of an orbit. Nodes that the orbit closes stay in place, and no
+/// force acts on the others. The instants of impacts within steps and the directions of the forces change with the
+/// disturbance:
+///   friction, with the path s over the casing in a step, its change ds and the unit vector e across s:
+///     the drag changes by mu lambda (e . ds) e/|s|;
+///   gap of second order, with the change dy of the coordinates at t_q: the slopes G change by dG = (d^2 s/dy^2) dy,
+///     the forces on y by dG^T lambda, and the gaps by dG y_lambda, where y_lambda is the reduction of y by lambda.
+/// A product costs as much as the march, without the search for the pattern.
 class TangentMarch {
  public:
-  /// `orbit` is the march of the orbit, which must outlive this object. Excluded disturbances are those of
+  /// `orbit` is the march of the orbit and must outlive this object. Excluded disturbances are those of
   /// RotorAtSpeed::others, on all N sectors. `power` is that of the symmetric map whose pattern is followed.
   TangentMarch(const TimeMarch& orbit, Disturbance disturbance, int power);
 
   Eigen::Index size() const { return map_.state().size(); }
-  /// A disturbance to start from, as seeded_disturbance().
+  /// A disturbance with which an iteration may start, as seeded_disturbance() makes it.
   Eigen::VectorXd seed() const { return seeded_disturbance(march_, 0); }
   double maps_per_revolution() const { return map_.maps_per_revolution(); }
-  /// DF times a change of a state of SymmetricMap. Raises NoMotion if the compliance of nodes that the pattern closes
-  /// together is singular.
+  /// The derivative DF times a change of a state of SymmetricMap. Raises NoMotion if the compliance of nodes that the
+  /// pattern closes together is singular.
   Eigen::VectorXd operator()(const std::shared_ptr<const ContactPattern>& pattern, const Eigen::VectorXd& change);
-  /// The same without any contact.
+  /// The same for a motion without contact.
   Eigen::VectorXd in_free_flight(const Eigen::VectorXd& change);
 
  private:
   void hold(const std::shared_ptr<const ContactPattern>& pattern);
   std::vector<int> on_all_sectors(const std::vector<int>& nodes) const;
-  /// Whether the directions of the forces turn with the motion.
+  /// Whether the directions of the forces change with the motion.
   bool turns() const { return march_.has_friction() || march_.is_curved(); }
-  /// Gives the forces of a step the directions that they have in the orbit.
+  /// Sets the directions of the forces in a step to those of the orbit.
   void direct(std::size_t step, std::size_t contact);
-  /// The factor of a set for these directions.
+  /// The factor of the block of W of some nodes, for these directions.
   Eigen::PartialPivLU<Eigen::MatrixXd> factor_of(const std::vector<int>& nodes);
-  /// What the slopes of an orbit whose blades are at y take from the gaps of a disturbance, in a step.
+  /// [m] The narrowing of the gaps of a disturbance with the coordinates `blades`, by the slopes of the orbit at the
+  /// coordinates y in a step.
   Eigen::VectorXd narrowed(const Eigen::VectorXd& y, const Eigen::VectorXd& blades, std::int64_t step) const;
-  /// Takes this from the gaps at the start of the map, and from those of a step.
+  /// Subtracts this narrowing from the gaps at the start of the map, or from those of a step.
   void narrow_start();
   void narrow(std::size_t step);
-  /// Finds turned_slopes_ of a step.
+  /// Computes turned_slopes_ for a step.
   void turn_slopes(std::size_t step);
-  /// A step with contact, the `contact`-th one of the pattern.
+  /// Completes a step with contact, which is number `contact` among those of the pattern.
   void close(std::size_t step, std::size_t contact, const std::vector<InnerImpact>& impacts);
-  /// The change of forces of the orbit as their directions turn: with the forces over the ways of the nodes that they
-  /// push, the forces, and what they take from y.
+  /// The change of the forces of the orbit due to the change of their directions: from mu lambda over the length of
+  /// the path of each node, from the forces, and from the reduction of y by them.
   TurnedForces turned(const Eigen::VectorXd& over_way, const Eigen::VectorXd& forces,
                       const Eigen::VectorXd& taken) const;
   /// The changes of the impacts by the gaps of the free step, one for each copy of the sectors.
@@ -100,39 +103,39 @@ class TangentMarch {
   const TimeMarch& orbit_;
   TimeMarch march_;
   SymmetricMap map_;
-  int copies_, nodes_a_copy_;   ///< how often this march repeats the sectors of the orbit; values in each
+  int copies_, nodes_a_copy_;   ///< copies of the sectors of the orbit in this march; values per copy
   Eigen::MatrixXd compliance_;  ///< [m/N] W, of full rank
   std::shared_ptr<const ContactPattern> pattern_;
   std::vector<std::vector<int>> closed_;                               ///< the sets of the pattern, on all sectors
-  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;                   ///< of the sets, if directions don't turn
-  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> turning_factors_;  ///< of the steps with contact, if they do
+  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;                   ///< of the sets, if directions do not change
+  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> turning_factors_;  ///< of the steps with contact, otherwise
   Eigen::VectorXd forces_, target_, of_set_;
   Eigen::VectorXd slide_, way_;    ///< [m] TimeMarch::slide() of a step, and TimeMarch::way() of the orbit
   Eigen::MatrixXd turned_slopes_;  ///< the change of TimeMarch::slopes() at the start of a step
 };
 
-/// The symmetric map of a march, or a power of it, and its derivative.
+/// The symmetric map of a march, or a power of this map, with its derivative.
 class MarchedMap final : public PeriodicMap {
  public:
-  /// Refers to the march, and leaves its clock unchanged.
+  /// Keeps a reference to the march, and leaves its clock unchanged.
   explicit MarchedMap(TimeMarch& march, int power = 1);
 
   const SymmetricMap& symmetric() const { return map_; }
-  /// Puts the march onto an orbit. The state does not hold the modes without mass, which follow the forces: if there
+  /// Puts the march onto an orbit. The state does not contain modes without mass, which follow the forces; if there
   /// are any, a whole revolution is marched.
   void put(const Eigen::VectorXd& state);
 
   MapImage image(const Eigen::VectorXd& state) override;
   Eigen::VectorXd tangent(const std::shared_ptr<const ContactPattern>& pattern,
                           const Eigen::VectorXd& change) override;
-  /// (1 - F')^-1 for a motion that never touches, in which the modes do not couple. The contact of an orbit changes
-  /// the slow modes, whose number decides how many steps GMRES takes, by little.
+  /// (1 - DF)^-1 of a motion without contact, in which the modes do not couple. The contact of an orbit hardly
+  /// changes the slow modes, whose number determines how many steps GMRES takes.
   Eigen::VectorXd precondition(const Eigen::VectorXd& change) override;
-  /// Calls of tangent() so far.
+  /// The number of calls of tangent() so far.
   int tangents() const { return tangents_; }
 
  private:
-  /// The inverse of a 2 x 2 matrix for each mode of a wave, on its position and velocity.
+  /// The inverse of a 2 x 2 matrix for each mode of a wave, which acts on its position and velocity.
   struct Inverse {
     Eigen::ArrayXcd position_from_position, position_from_velocity, velocity_from_position, velocity_from_velocity;
   };

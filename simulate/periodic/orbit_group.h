@@ -17,17 +17,18 @@
 
 namespace tiprub::simulate {
 
-/// The map at a parameter (a speed in rad/s).
+/// The map at a value of the parameter, a speed in rad/s.
 using MapFamily = std::function<std::shared_ptr<PeriodicMap>(double)>;
 
 /// The numbers of a NOX vector.
 Eigen::Map<const Eigen::VectorXd> numbers(const NOX::Abstract::Vector& vector);
 Eigen::Map<Eigen::VectorXd> numbers(NOX::Abstract::Vector& vector);
 
-/// Silences NOX by its list "Printing": it would report failures on standard output at any level of verbosity.
+/// Switches off the output of NOX through its parameter list "Printing"; otherwise it reports failures on standard
+/// output at any level of verbosity.
 void be_quiet(Teuchos::ParameterList& printing);
 
-/// Ends an iteration of NOX or LOCA once a condition on its solver holds.
+/// Ends an iteration of NOX or LOCA as soon as a condition on its solver holds.
 class StopsWhen final : public NOX::StatusTest::Generic {
  public:
   using Condition = std::function<bool(const NOX::Solver::Generic&)>;
@@ -45,8 +46,8 @@ class StopsWhen final : public NOX::StatusTest::Generic {
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 
-/// F(x; p) - x = 0 for NOX and LOCA: a state, its residual, and solves with the Jacobian DF - 1. Copies share the
-/// family. Exceptions of the map pass through.
+/// The equation F(x; p) - x = 0 as NOX and LOCA see it: a state x, its residual, and solutions with the Jacobian DF -
+/// 1. Copies share the family of maps. Exceptions of the map are passed on.
 class OrbitGroup final : public LOCA::Abstract::Group {
  public:
   static constexpr const char* parameter = "speed";
@@ -57,7 +58,7 @@ class OrbitGroup final : public LOCA::Abstract::Group {
              const Eigen::VectorXd& start);
   OrbitGroup(const OrbitGroup& other, NOX::CopyType type);
 
-  /// Is called with the speed and the state of each orbit that LOCA finds.
+  /// This function is called with the speed and the state of each orbit that LOCA finds.
   using Listener = std::function<void(double, const Eigen::VectorXd&)>;
   void call_at_solutions(Listener listener) { listener_ = std::move(listener); }
 
@@ -97,7 +98,7 @@ class OrbitGroup final : public LOCA::Abstract::Group {
   double getParam(int id) const override { return parameters_.getValue(id); }
   double getParam(std::string name) const override { return parameters_.getValue(name); }
   void printSolution(double speed) const override;
-  /// Scaled by the size of the first state, so that the steps in state and in speed are comparable.
+  /// The scalar product is scaled by the size of the first state, so that steps in state and in speed are comparable.
   double computeScaledDotProduct(const NOX::Abstract::Vector& one, const NOX::Abstract::Vector& other) const override;
 
  private:

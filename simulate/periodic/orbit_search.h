@@ -18,33 +18,33 @@ namespace tiprub::simulate {
 /// memory, and only the nodal diameters that symmetry needs are marched.
 bool has_symmetric_map(const Scene& scene);
 
-/// The growth of the nodal diameters that symmetry leaves out, along a march that has settled with this period: the
-/// largest multiplier of the linearised symmetric map, at most `revolutions` long. Leaves the march unchanged. Raises
-/// NoMotion if the motion can't be followed.
+/// The growth of the nodal diameters that symmetry leaves out, along a march that has settled with this period. It is
+/// the largest multiplier of the linearised symmetric map, found within `revolutions`. The march stays unchanged.
+/// Raises NoMotion if the motion cannot be followed.
 Growth excluded_growth_along(TimeMarch& settled, int period_revolutions, int revolutions);
 
-/// Finds the steady motion that a march from rest approaches, without marching all the way. Newton's method seeks a
-/// fixed point of the symmetric map, with a coarse step first and then with finer steps from the orbit before. If no
-/// fixed point attracts, it seeks one of the power of the map after which the march nearly returns. Orbits that repel
-/// are recognised by their multiplier and rejected.
+/// Finds the steady motion that a march from rest approaches, without marching all the way. Newton's method looks for
+/// a fixed point of the symmetric map, first with a coarse step, then from the orbit found with finer steps. If no
+/// fixed point attracts, it looks for one of the power of the map after which the march nearly returns to its state.
+/// Repelling orbits are recognised by their multiplier and rejected.
 class OrbitSearch {
  public:
-  /// Refers to the scene.
+  /// Keeps a reference to the scene.
   explicit OrbitSearch(const Scene& scene) : scene_(scene) {}
 
-  /// Marches from rest with a coarse step until the casing has grown, and some revolutions further. Then puts the
-  /// march onto a stable orbit nearby; if there is none, tries again after more revolutions. Returns whether one was
-  /// found.
+  /// Marches from rest with a coarse step until the distortion of the casing has grown, and some revolutions more.
+  /// Then puts the march onto a stable orbit nearby; if there is none, marches on and tries again. Returns whether an
+  /// orbit was found.
   bool approach(TimeMarch& coarse);
-  /// Puts a march that continues from the last orbit onto its own orbit. If there is none, leaves the march
-  /// unchanged, to the bit, and gives up.
+  /// Puts a march that continues from the last orbit onto the orbit of its own step. If there is none, leaves the
+  /// march unchanged to the last bit and ends the search.
   bool jump(TimeMarch& march);
   /// [1] The distance of the march from its orbit after whole revolutions, relative to the orbit.
   double drift(TimeMarch& march) const;
-  /// Whether the orbit of the march attracts with the step of this march, since an orbit that attracts with a coarse
-  /// step may repel with a finer one. Also computes excluded(). False if the search has given up.
+  /// Whether the orbit attracts with the step of this march: an orbit that attracts with a coarse step may repel with
+  /// a finer one. Also computes excluded(). False if the search has ended.
   bool stands(TimeMarch& march);
-  /// Ends the search: the march did not confirm the last orbit, or none was found.
+  /// Ends the search, because the march did not confirm the last orbit or no orbit was found.
   void give_up();
 
   const OrbitReport& report() const { return report_; }
@@ -57,7 +57,7 @@ class OrbitSearch {
  private:
   bool has_given_up() const { return report_.outcome == OrbitReport::Outcome::marched; }
   int recurrence(TimeMarch& march) const;
-  /// Marches on from rest until jump() finds an orbit. Raises what the march raises.
+  /// Marches on until jump() finds an orbit. Raises what the march raises.
   bool look_along(TimeMarch& coarse);
   bool find(TimeMarch& march);
   bool attracts(MarchedMap& map, const NewtonResult& orbit, double tolerance);

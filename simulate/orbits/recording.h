@@ -13,8 +13,8 @@
 
 namespace tiprub::simulate {
 
-/// Measures how much of the normal motion of the tips lies above the band of resolved frequencies. That is chatter of
-/// modes that the mesh does not resolve.
+/// Measures chatter: the share of the normal motion of the tips above the band of resolved frequencies, in modes that
+/// the mesh does not resolve.
 class ChatterAudit {
  public:
   struct Share {
@@ -23,9 +23,9 @@ class ChatterAudit {
   };
 
   ChatterAudit(const TimeMarch& march, const EngineOrderBand& band);
-  /// To be called at each instant.
+  /// Adds the displacements at an instant; to be called at each instant.
   void observe(const Eigen::VectorXd& displacement);
-  /// To be called with the means over the intervals of the samples of each revolution.
+  /// Adds a revolution: the means over the intervals of its samples.
   void add_revolution(const Eigen::VectorXd& motion);
   Share share() const;
 
@@ -33,11 +33,11 @@ class ChatterAudit {
   EngineOrderBand band_;
   int width_;
   double instants_ = 0, samples_ = 0;
-  Eigen::ArrayXd sum_, squares_;  ///< [m], [m^2] over instants, by channel
-  Eigen::ArrayXd band_squares_;   ///< [m^2] over samples
+  Eigen::ArrayXd sum_, squares_;  ///< [m], [m^2] sums over instants, by channel
+  Eigen::ArrayXd band_squares_;   ///< [m^2] sum over samples
 };
 
-/// Some revolutions of a march, sample by sample, with the numbers collected on the way.
+/// Some revolutions of a march, sample by sample, and the numbers that were collected with them.
 struct Recorded {
   int samples_per_revolution = 0;
   int revolutions = 0;
@@ -47,14 +47,14 @@ struct Recorded {
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic> contact_count;
   RotorSnapshot snapshot;           ///< of the sample with the largest contact force
   std::optional<RotorCycle> cycle;  ///< if it was asked for
-  double amplitude = 0;             ///< [m] half of the peak-to-peak normal displacement, the largest
+  double amplitude = 0;  ///< [m] half of the peak-to-peak normal displacement, largest of all nodes and sectors
   double largest_penetration = 0;   ///< [m] 0 if there is none
-  double smallest_multiplier = 0;   ///< [N] below zero where the casing pulled
-  std::int64_t contact_steps = 0;   ///< with at least one closed node
-  std::int64_t tension_steps = 0;   ///< with a negative multiplier
-  std::int64_t leftover_steps = 0;  ///< that leave a node clearly in the casing
-  double tension_share = 0;         ///< [1] of the sum of the forces' magnitudes
-  double left_out_energy = 0;       ///< [1] elastic energy of the modes without mass or dropped, of all of it
+  double smallest_multiplier = 0;   ///< [N] negative if the casing pulled
+  std::int64_t contact_steps = 0;   ///< number of steps with at least one closed node
+  std::int64_t tension_steps = 0;   ///< number of steps with a negative multiplier
+  std::int64_t leftover_steps = 0;  ///< number of steps that leave a node clearly in the casing
+  double tension_share = 0;         ///< [1] share of tensile forces in the sum of the forces' magnitudes
+  double left_out_energy = 0;       ///< [1] share of the elastic energy in modes that have no mass or are dropped
   EnergyLedger energy;
   FrictionLoad friction;
   ChatterAudit::Share chatter;
@@ -67,9 +67,9 @@ class Recording {
     int samples_per_revolution;
     int revolutions;
     int casing_areas;
-    double leftover;            ///< [m] larger penetrations after a step are counted
+    double leftover;            ///< [m] steps with a larger penetration are counted
     double orders;              ///< highest engine order of the band of resolved frequencies
-    int cycle_revolutions = 0;  ///< in this many last revolutions every sample of the whole rotor is kept
+    int cycle_revolutions = 0;  ///< number of last revolutions in which all samples of the whole rotor are kept
   };
   Recording(const TimeMarch& march, const Grid& grid);
 
@@ -81,7 +81,7 @@ class Recording {
  private:
   void take_states(const TimeMarch& march, int sample);
   void observe(const TimeMarch& march, int sample);
-  /// Adds the drag of a contact force.
+  /// Adds the drag due to a contact force [N] to the sample.
   void add_drag(const TimeMarch& march, int sample, int index, double force);
   FrictionLoad friction_load(const TimeMarch& march) const;
   void recover_displacements(int first_sample);
@@ -107,8 +107,9 @@ class Recording {
   double pushing_ = 0, pulling_ = 0;  ///< [N] sums of the forces' magnitudes
 };
 
-/// Marches one revolution and returns its normal displacements, each the mean over the interval of a sample, so that
-/// motion faster than the samples is not aliased. Sample after sample, as TimeMarch::displacement().
+/// Marches one revolution and returns its normal displacements, sample after sample, in the order of
+/// TimeMarch::displacement(). Each value is the mean over the interval of its sample, so that motion faster than the
+/// samples is not aliased.
 Eigen::VectorXd march_revolution(TimeMarch& march, int samples_per_revolution);
 
 }  // namespace tiprub::simulate

@@ -10,27 +10,31 @@
 
 namespace tiprub::simulate {
 
-/// The coefficient of friction from which on a contact node jams: under a slowly growing contact force that slides,
-/// lambda (nu + mu e_theta), it moves by -lambda (C_NN + mu C_NT) along its normal, with the static compliance C of
-/// the wheel. Where this changes its sign, at mu = -C_NN/C_NT, the force pushes the node into the casing, and contact
-/// ends only when the blade has deformed beyond what a linear model can say.
+/// The coefficient of friction from which on a contact node jams. Under a slowly growing force of sliding contact,
+/// -lambda (nu + mu e_theta), the node moves by -lambda (C_NN + mu C_NT) along its normal, where C_NN and C_NT are
+/// its static displacements along the normal under unit forces along nu and e_theta. From mu = -C_NN/C_NT on, if C_NT
+/// < 0, the force pushes the node into the casing, and contact ends only when the blade has deformed beyond the range
+/// of a linear model.
+///
+/// Assumes a single loaded node that slides along e_theta, and all modes of the model. The march applies friction to
+/// the resolved modes only (WaveModes::sliding_rows).
 struct FrictionLimit {
-  double coefficient = std::numeric_limits<double>::infinity();  ///< [1] infinite: no node jams
+  double coefficient = std::numeric_limits<double>::infinity();  ///< [1] infinite if no node jams
   int node = 0;                                                  ///< the node that jams first
-  double speed = 0;                                              ///< [rad/s] at which it does
+  double speed = 0;                                              ///< [rad/s] the speed at which it jams
 
-  /// "from a friction coefficient of 0.256 on, contact node 1 jams at 1900 rad/s", or that none does.
+  /// "from a friction coefficient of 0.256 on, contact node 1 (from 0) jams at ...", or that no node jams.
   std::string text() const;
 };
 
-/// The limit at a speed [rad/s]; none if the rotor is statically unstable there. Solves one Hermitian system for each
-/// nodal diameter.
+/// The lowest limit of all nodes at a speed [rad/s]; none if the rotor is statically unstable there. Solves one
+/// Hermitian system for each nodal diameter.
 FrictionLimit friction_limit(const ReducedModel& model, double speed);
-/// The lower one of the limits at standstill and at the model's highest speed.
+/// The lower of the limits at standstill and at the highest speed of the model.
 FrictionLimit friction_limit(const ReducedModel& model);
 
-/// Refuses friction from the limit of a contact node on, and with the paper's contact rule, which pulls. Raises
-/// InputError at the key.
+/// Refuses a coefficient of friction at or above the limit of its contact node, and friction with the paper's contact
+/// rule, whose forces may pull. Raises InputError at the key.
 void require_friction_that_slides(const CaseTable& table, const Casing& casing, const SimulateParameters& parameters,
                                   const ReducedModel& model);
 

@@ -9,12 +9,19 @@
 
 namespace tiprub::simulate {
 
-/// Where the peak of a critical speed [rad/s] stands, and how large its motion is, if one thing that a designer does
-/// not know exactly has another value: friction at the tips, the order of the gap, each ratio of [simulate]
-/// budget_damping, a clearance smaller and larger by budget_clearance, and another model of the wheel. Each peak is
-/// followed with a coarse step from the critical speed (followed_peak.h), among motions whose largest engine order is
-/// that of `motion`; the new top is then marched within the tolerances, and its states are kept, so that its stress
-/// can be computed. The last row has half the step of `motion`, if that repeats. Costs some five speeds a row.
+/// The error budget of a critical speed [rad/s]: the place and the size of its peak if one thing that a designer does
+/// not know exactly has another value. Varied are friction at the tips, the order of the gap, each ratio of
+/// [simulate] budget_damping, the clearance (smaller and larger by budget_clearance), and the model of the wheel.
+///
+/// Each peak is followed from the critical speed with a coarse step (followed_peak.h), among motions with the same
+/// largest engine order as `motion`. The half-width of the search is the smallest damping ratio, within 0.2 and 1 %,
+/// times the speed; this assumes a frequency that does not depend on the speed. The new top is marched within the
+/// tolerances, and its states are kept, so that its stress can be computed. If the response jumps beside the top, up
+/// to three speeds farther from the jump are marched.
+///
+/// If `motion` repeats, the last row compares the vertices of parabolas through three speeds with the step of
+/// `motion` and with half of it. Each row costs some five speeds. A row whose peak is not found has its `failure`
+/// set; nothing is raised for it.
 std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const SettledMotion& motion);
 
 }  // namespace tiprub::simulate

@@ -8,32 +8,34 @@
 
 namespace tiprub::mesh {
 
-/// Free faces that a key of [mesh] selects, by number in CellMesh::faces: those all of whose corners are in the set
-/// of that name, lie on "cylinder RADIUS" or "plane x|y|z PLACE" [m] to 1e-4 of the largest radius, or whose normal
-/// is "normal X Y Z" to 5 degrees. Raises InputError, which lists the sets that there are.
+/// The free faces that a key of [mesh] selects, as numbers in CellMesh::faces. `selection` is one of
+///   the name of a set                       all corners of the face are in the set;
+///   "cylinder RADIUS", "plane x|y|z PLACE"  [m] all corners lie on it, to 1e-4 of the largest radius;
+///   "normal X Y Z"                          the normal of the face has this direction, to 5 degrees.
+/// Raises InputError, which lists the available sets.
 std::vector<int> select_faces(const CellMesh& mesh, const std::string& key, const std::string& selection);
 
-/// The nodes of a set. Raises InputError, which lists the sets that there are.
+/// The nodes of a set. Raises InputError, which lists the available sets.
 const std::vector<int>& select_nodes(const CellMesh& mesh, const std::string& key, const std::string& name);
 
-/// The solids of a set. Raises InputError, which lists the sets that there are.
+/// The solids of a set. Raises InputError, which lists the available sets.
 const std::vector<int>& select_cells(const CellMesh& mesh, const std::string& key, const std::string& name);
 
-/// The sets that hold nodes of solids, for messages: "BORE, TIP", or "none".
+/// The names of the sets that contain nodes of solids, for messages: "BORE, TIP", or "none".
 std::string names_of_sets(const CellMesh& mesh);
 
-/// At which end of the tip the leading edge is.
+/// The end of the tip at which the leading edge lies.
 enum class LeadingEdge { low_z, high_z };
 
-/// Nodes of a line in order from leading to trailing edge: by distance in the meridional plane from the end with the
-/// lowest (highest) z, of the smallest radius among equal ones. Nodes that come no farther than those before them are
-/// left out.
+/// The nodes of a line from leading to trailing edge, ordered by their distance in the meridional plane from the
+/// first node: that with the lowest (or highest) z and, among equal ones, the smallest radius. Nodes that are no
+/// farther away than the node before them are left out.
 std::vector<int> ordered_line(const CellMesh& mesh, std::vector<int> nodes, LeadingEdge leading);
 
-/// A line along a tip of which only the faces are known. Two paths lead along their outer edge from leading to
-/// trailing edge. Where one begins or ends at the far corner of a blunt end, it goes across this end: that stretch,
-/// beyond a corner of 60 degrees, is left out. Of what remains, the path with more nodes is taken. Raises InputError,
-/// which names `key`, if the faces have no single outer edge.
+/// The nodes of a line along a tip of which only the faces are known. Two paths along the outer edge of the faces
+/// lead from leading to trailing edge. Where such a path begins or ends at the far corner of a blunt end, it also
+/// runs across that end; this stretch, beyond a corner of 60 degrees, is left out. The path with more remaining nodes
+/// is taken. Raises InputError, which names `key`, if the faces do not have a single outer edge.
 std::vector<int> line_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key,
                                 LeadingEdge leading);
 

@@ -10,38 +10,40 @@
 
 namespace tiprub::postprocess {
 
-/// [1] of the interference: terms of second order beyond it decide where and how hard a tip touches.
+/// [1] The share of the interference up to which terms of second order count as negligible. Larger terms determine
+/// where and how hard a tip touches.
 inline constexpr double allowed_gap_terms = 0.1;
 
-/// [m] The terms of second order in the vibration u that the linear gap, clearance - distortion - nu . u, leaves
-/// out. Each is the largest over contact nodes, sectors and samples of one speed.
+/// [m] The terms of second order in the vibration u that the linear gap, clearance - distortion - nu . u, leaves out.
+/// Each is the largest of all contact nodes, sectors and samples of one speed.
 struct GapTerms {
-  /// (c_1 u_theta^2 + c_2 u_m^2)/2 with the casing's curvatures of the model, or nu_r u_theta^2/(2 r) without them: a
-  /// tip that moves along the tangent leaves its circle outwards, and comes nearer to a round casing.
+  /// The curvature of the casing: (c_1 u_theta^2 + c_2 u_m^2)/2 with the curvatures of the model, or nu_r
+  /// u_theta^2/(2 r) without them. A tip that moves along its tangent comes nearer to a round casing.
   double curvature = 0;
-  /// |d'| |u_theta|/r, with d' the steepest slope of the distortion over the angle [m/rad]: the program reads the
-  /// casing's shape at the angle of the tip without vibration.
+  /// The slope of the casing: |d'| |u_theta|/r with the steepest slope d' of the distortion over the angle [m/rad].
+  /// The linear gap reads the distortion at the angle of the tip at rest.
   double distortion = 0;
-  /// y' Q y of the model. Without it (6/5) w^2/(2 L): the shortening of a beam of length L that a force at its tip
-  /// bends by w (half the integral of the squared slope of w (3 x^2 L - x^3)/(2 L^3)). w is the part of u across the
-  /// normal, L the span at the node. Nothing if neither is known.
+  /// The foreshortening of the blade: y' Q y of the model. Without Q it is (6/5) w^2/(2 L), the shortening of a beam
+  /// of the length L that a force at its tip bends by w (half the integral of the squared slope of w (3 x^2 L -
+  /// x^3)/(2 L^3)); w is the part of u across the normal, L the span at the node. Empty if neither is known.
   std::optional<double> foreshortening;
-  /// Curvature and foreshortening together, with their signs if the model has both; else the larger one.
+  /// Curvature and foreshortening together: the largest magnitude of their sum if the model has both, otherwise the
+  /// larger of the two.
   double together = 0;
-  /// How far a tip that does not vibrate reaches into the casing: crest minus clearance, spin included; below zero if
-  /// it does not.
+  /// The interference: how far a tip that does not vibrate reaches into the casing, the crest of the distortion minus
+  /// the smallest clearance, spin included. Negative if it does not reach it.
   double interference = 0;
-  bool modelled = false;  ///< the march has these terms
+  bool modelled = false;  ///< whether the march contains these terms
 
-  /// [m] The largest size of a term that hardly matters.
+  /// [m] The largest size of a negligible term.
   double allowed() const;
-  /// Whether the motion leaves what a linear gap can say.
+  /// Whether the motion is outside the range in which the linear gap of its march holds.
   bool beyond() const { return !modelled && together > allowed(); }
   /// "second order of the gap 0.12 mm, at an interference of 0.037 mm".
   std::string in_words() const;
 };
 
-/// `span` [m] at the contact nodes, or empty.
+/// `span` [m] is that of the blade at the contact nodes; it may be empty.
 GapTerms gap_terms(const SpeedResponse& response, const SimulatedScene& scene, const ContactLine& contact,
                    const Eigen::VectorXd& span = {});
 

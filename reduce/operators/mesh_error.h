@@ -13,58 +13,58 @@ namespace tiprub::reduce {
 
 /// Estimates the error that a mesh causes in frequencies and compliances at rest, without a finer mesh.
 ///
-/// A mesh with the stiffness K answers the load f_u with K u = f_u and the work J = f_u'u. If its space is enlarged
-/// by cubic functions w (see AddedFunctions), the stiffness A of both, of a quadrature that is exact in straight
-/// cells, answers the load f = (f_w, f_u) with the work f'A^-1 f. From u on, with the residual r = f - A (0, u),
-///     f'A^-1 f - J = u'r_u + r'A^-1 r.
-/// r_u = (K - A_uu) u is due to the quadrature by which the cells themselves are integrated. A is positive definite,
-/// whatever K is. A Schur complement of it with K^-1 in place of A_uu^-1 is not, where the points of a cell are few:
-/// K of wedges of 9 points is smaller than A_uu by more than is left.
+/// A mesh with the stiffness K responds to the load f_u with K u = f_u and the work J = f_u'u. Let A be the stiffness
+/// of the larger space that also contains cubic functions w (see AddedFunctions), integrated by points that are exact
+/// in straight cells. It responds to the load f = (f_w, f_u) with the work f'A^-1 f. With the residual r = f - A (0,
+/// u) of the known solution u,
+///     f'A^-1 f - J = u'r_u + r'A^-1 r,    r_u = (K - A_uu) u.
+/// r_u is due to the integration points of the mesh. A is positive definite, whatever K is. If K took the place of
+/// A_uu in A, this would not hold for cells with few points: K of wedges with 9 points is smaller than A_uu by more
+/// than the Schur complement.
 ///
 /// A compliance is the work of a unit force. A mode (omega^2, u) with u' M u = 1 has the load omega^2 B u, where B is
-/// the mass of that quadrature. Its squared frequency is to the exact one as
+/// the mass by the points of A. Its squared frequency relates to the exact one as
 ///     omega^2 : omega_exact^2 = u' B_uu u f'A^-1 f : J.
 ///
-/// Some steps of the conjugate gradient method find r'A^-1 r from below. Their preconditioner is the block
-/// elimination of A, with K in place of A_uu. In place of the Schur complement of w it solves the problem of the
-/// functions, cubic ones and those of the nodes, that vanish outside the cells around a corner, for each corner
-/// (additive Schwarz). In the frame of a patch on the cuts all factors e^{i n alpha} cancel, so that its matrix is
-/// real and serves all nodal diameters. A problem for each cell alone (Bank and Weiser 1985) is cheaper, but locks in
-/// shear where a single brick spans a thin plate, and misses most of the error there. A step costs two solutions with
-/// K. One of them, that for the nodes' residual, changes nothing for straight bricks; without it the steps stall for
-/// wedges.
+/// Some steps of the conjugate gradient method find r'A^-1 r from below. The preconditioner is the block elimination
+/// of A with K in place of A_uu. In place of the Schur complement on w, it solves for each corner the problem of the
+/// functions, cubic and nodal ones, that vanish outside the cells around this corner (additive Schwarz). For a patch
+/// on the cuts, the factors e^{i n alpha} cancel in a frame of its own, so that its matrix is real and serves all
+/// nodal diameters. A problem for each cell alone (Bank and Weiser 1985) is cheaper, but locks in shear where a
+/// single brick spans a thin plate, and misses most of the error there. A step costs two solutions with K. The one
+/// for the residual of the nodes changes nothing for straight bricks; without it the iteration stalls for wedges.
 ///
-/// A brick of 20 nodes takes 95 kB, one of 27 nodes 190 kB, a tetrahedron 25 kB; the patches, in single precision,
-/// take 30 kB a cell, for bricks of 27 nodes 110 kB.
+/// Memory: a brick of 20 nodes takes 95 kB, one of 27 nodes 190 kB, a tetrahedron 25 kB. The patches, in single
+/// precision, take 30 kB per cell, or 110 kB for bricks of 27 nodes.
 class MeshErrorEstimate {
  public:
-  /// Of some results.
+  /// The relative errors of some results.
   struct Errors {
-    Eigen::VectorXd of_each;   ///< [1] relative error of each
-    Eigen::VectorXd of_cells;  ///< [1] what each cell contributes to the mean of these; their sum is that mean
+    Eigen::VectorXd of_each;   ///< [1] relative error of each result
+    Eigen::VectorXd of_cells;  ///< [1] contribution of each cell to the mean error; their sum is this mean
   };
 
-  /// [bytes] that one takes.
+  /// [bytes] The memory that an object takes.
   static double memory(const SectorMesh& mesh);
-  /// The mesh, which AddedFunctions must serve, and its dofs must outlive this object.
+  /// The mesh must be one that AddedFunctions accepts. The mesh and its dofs must outlive this object.
   MeshErrorEstimate(const SectorMesh& mesh, const SectorDofs& dofs, const Material& material, int threads);
 
-  /// By how much the mesh makes each frequency too high; `shapes` are modes at rest of unit modal mass, independent x
+  /// By how much the mesh makes each frequency too high. `shapes` are modes at rest of unit modal mass, independent x
   /// modes, and `eigenvalues` [rad^2/s^2] their omega^2.
   Errors of_frequencies(const CyclicSolver& at_rest, const Eigen::VectorXd& eigenvalues,
                         const Eigen::MatrixXcd& shapes) const;
-  /// By how much the mesh makes the static displacement of each contact unknown under a unit force along its normal
-  /// too small.
+  /// By how much the mesh makes each compliance too small: the static displacement of a contact unknown under a unit
+  /// force along its normal.
   Errors of_compliances(const CyclicSolver& at_rest, const ContactUnknowns& contact) const;
 
  private:
-  /// Real matrices act on rows of complex numbers as on twice as many real ones.
+  /// Rows of complex numbers, on which a real matrix acts as on twice as many real numbers.
   using Rows = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// A function seen from a patch on a cut, which continues into the sector before: `sectors` are counted from the
-  /// patch to the sector of the function.
+  /// A function in the frame of a patch on a cut, which continues into the sector before. `sectors` counts from the
+  /// sector of the patch to that of the function.
   struct Seen {
-    int dof = 0;  ///< independent, the first of three
+    int dof = 0;  ///< independent dof, the first of three
     int sectors = 0;
     auto operator<=>(const Seen&) const = default;
   };
@@ -79,12 +79,12 @@ class MeshErrorEstimate {
     Rows cubic, nodes;
   };
 
-  /// The change e = A^-1 r of some displacements, and its energy.
+  /// The changes e = A^-1 r of some displacements, and their energies.
   struct Change {
     Pair displacement;
     Eigen::RowVectorXd energy;  ///< [J] e'A e
   };
-  /// (f'A^-1 f - J)/J of some loads, and the energies e'A e [J] of the cells.
+  /// The growth (f'A^-1 f - J)/J of the work of some loads, and the energies e'A e [J] of the cells.
   struct Growths {
     Eigen::ArrayXd of_each;
     Eigen::MatrixXd of_cells;  ///< cells x loads

@@ -9,6 +9,7 @@
 #
 # A Makefile may set these variables before the include:
 #   MESH := wheel.msh       a mesh of your own, which make neither writes nor removes
+#   MADE := wheel.msh       files that rules of the Makefile make, by $(call make_own,COMMAND), before the stages read the case
 #   MODEL := wheel.h5       a model of your own, likewise;  FIELDS := wheel_fields.h5 if it has full fields
 #   MODEL_OF := ../<case>   takes sector.msh, model.h5 and fields.h5 of another case, for one wheel in many casings
 #   CASE := ../case.toml    takes the case file of another folder
@@ -33,7 +34,7 @@ all: report/report.html
 blank := $() $()
 in_shell = '$(subst ','\'',$1)'
 as_prerequisite = $(subst $(blank),\ ,$1)
-CHAIN := BIN=$(call in_shell,$(BIN)) MODEL_OF=$(call in_shell,$(MODEL_OF)) sh $(call in_shell,$(CHAIN_FOLDER)/chain.sh)
+CHAIN := BIN=$(call in_shell,$(BIN)) MODEL_OF=$(call in_shell,$(MODEL_OF)) MADE=$(call in_shell,$(MADE)) sh $(call in_shell,$(CHAIN_FOLDER)/chain.sh)
 CASE_FILE := $(if $(CASE),$(call in_shell,$(CASE)),case.toml)
 MODEL_FILES := sector.msh model.h5 fields.h5
 ifneq ($(words $(MODEL_OF)),$(if $(MODEL_OF),1,0))
@@ -43,6 +44,14 @@ clean:
 	@$(CHAIN) clean $(foreach own,MESH MODEL FIELDS,$(call in_shell,$($(own))))
 
 ifneq ($(MAKECMDGOALS),clean)
+make_own = @$(CHAIN) require_made $@ $< && echo '$1' && $1 && $(CHAIN) note $@ ''
+ifdef MADE
+# The stages read these files with the case, before any rule runs. make makes the files that a Makefile includes first, and starts again.
+include .chain/made.mk
+.chain/made.mk: $(MADE)
+	@mkdir -p .chain && touch $@
+endif
+
 # What each stage reads of the case, as a digest; none for a stage that this case leaves out.
 values = $(shell $(CHAIN) name_values $1 $(CASE_FILE) $(SETTINGS) $(FLAGS_$1))
 FLAGS_simulate = $(SIMULATE_FLAGS)

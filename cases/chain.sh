@@ -5,6 +5,7 @@
 # It takes from the environment
 #   BIN       the folder of the programs
 #   MODEL_OF  the folder of the case whose model this one links to; empty if there is none
+#   MADE      the files that rules of the case's own Makefile make; empty if there are none
 # A case may come from a stranger, and make runs what it finds in a text that it is given. Therefore no text of a case is
 # printed here, only digests and fixed names.
 #
@@ -81,6 +82,12 @@ require_own() { # FILE...
   done
 }
 
+# Fails if FILE, which a rule of the case's own Makefile would make of SOURCE, is the user's.
+require_made() { # FILE SOURCE
+  mkdir -p .chain
+  test ! -e "$1" || is_made "$1" || { echo "$1: make did not make it, and does not overwrite it; to use it, remove $2" >&2; exit 1; }
+}
+
 hint() {
   echo "make did not make it, and does not overwrite it; move it away, or name your own files as MESH and MODEL in the Makefile"
 }
@@ -106,7 +113,7 @@ set_back() { # FILE
 
 # Removes what make has made. The user's own files stay, even if they have the same names.
 clean() { # OWN_FILE...
-  for file in $from_other_case $(for sweep in $sweeps; do for more in '' $responses; do echo "$sweep$more.h5"; done; done); do
+  for file in $MADE $from_other_case $(for sweep in $sweeps; do for more in '' $responses; do echo "$sweep$more.h5"; done; done); do
     for own; do test "$own" != "$file" || continue 2; done
     if is_made "$file"; then
       rm -f "$file"

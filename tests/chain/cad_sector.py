@@ -8,6 +8,7 @@ import filecmp
 import os
 import re
 import shutil
+import subprocess
 import sys
 
 import tutorial
@@ -34,6 +35,26 @@ def main(programs, source, work):
     assert filecmp.cmp(f"{by_hand}/sector.msh", f"{by_make}/sector.msh", shallow=False)
     tutorial.run(f"make TIPRUB='{source}' clean\n", programs, source, by_make)
     assert sorted(os.listdir(by_make)) == ["Makefile", "case.toml", "wheel.geo"], os.listdir(by_make)
+    keeps_a_mesh_of_the_user(source, programs, by_make)
+
+
+def keeps_a_mesh_of_the_user(source, programs, folder):
+    """make neither overwrites nor removes wheel.msh that it has not made, and reads it where there is no wheel.geo."""
+    mesh = os.path.join(folder, "wheel.msh")
+    with open(mesh, "w", encoding="utf-8") as file:
+        file.write("mine")
+    os.utime(mesh, (1, 1))  # older than wheel.geo
+
+    def said(*goals):
+        return subprocess.run(["make", f"TIPRUB={source}", f"BIN={programs}", *goals], cwd=folder, capture_output=True, text=True, check=False).stderr
+
+    for goals in (("sector.msh",), ("-n",)):
+        assert "wheel.msh: make did not make it, and does not overwrite it; to use it, remove wheel.geo" in said(*goals)
+    os.remove(os.path.join(folder, "wheel.geo"))
+    assert "wheel.msh: is no mesh in gmsh's format" in said("sector.msh")
+    said("clean")
+    with open(mesh, encoding="utf-8") as file:
+        assert file.read() == "mine"
 
 
 if __name__ == "__main__":

@@ -2,13 +2,16 @@
 #include "postprocess/fields/field_study.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "cases/program/errors.h"
+#include "cases/program/machine.h"
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/fields/stress_over_speed.h"
 #include "postprocess/tables/table.h"
@@ -162,12 +165,15 @@ WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,
     stop_if_interrupted();
     const int n = nodal_diameters[diameter];
     const Eigen::MatrixXcd found = reader.expand(n, states);
-    std::vector<WaveField> waves;
-    for (Eigen::Index i = 0; i < found.cols(); ++i) {
-      waves.push_back({n, cartesian(reader.sector(), found.col(i)), {}});
-      add_stress(reader.sector(), bricks, waves.back());
-      require_sound_stress(waves.back(), name);
-    }
+    std::vector<WaveField> waves(static_cast<std::size_t>(found.cols()));
+    std::atomic<std::size_t> next = 0;
+    work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
+      for (std::size_t i = 0; (i = next++) < waves.size();) {
+        waves[i] = {n, cartesian(reader.sector(), found.col(static_cast<Eigen::Index>(i))), {}};
+        add_stress(reader.sector(), bricks, waves[i]);
+        require_sound_stress(waves[i], name);
+      }
+    });
     return waves;
   };
 }

@@ -87,7 +87,7 @@ std::string bands_in_words(const std::vector<AvoidedBand>& bands, const FieldRes
   if (text.empty()) text = "No speed at which a tip moves beyond the clearance";
   const bool rated = std::any_of(fields.peaks.begin(), fields.peaks.end(),
                                  [](const auto& peak) { return peak && peak->cycle && peak->cycle->goodman; });
-  return text + (rated ? "." : "; Goodman's utilisation is not known (--fields, [material]).");
+  return text + (rated ? "." : "; Goodman's utilisation is not known without --fields and [material].");
 }
 
 }  // namespace tiprub::postprocess

@@ -239,7 +239,7 @@ std::vector<Answer> without_empty(std::vector<Answer> answers) {
 
 std::string given_words(ClearanceState state) {
   if (state == ClearanceState::cold) return "cold";
-  return state == ClearanceState::at_speed ? "at one speed" : "at speed";
+  return state == ClearanceState::at_speed ? "at one speed" : "for all speeds";
 }
 
 }  // namespace

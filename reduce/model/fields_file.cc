@@ -3,9 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <numbers>
+#include <thread>
 
 #include "cases/program/digest.h"
+#include "cases/program/machine.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/free_faces.h"
 
@@ -15,7 +18,8 @@ namespace {
 
 constexpr const char* fields_schema = "tiprub-fields";
 constexpr int fields_schema_version = 2;
-constexpr Eigen::Index slices_at_once = 16;  // columns of a product
+constexpr Eigen::Index slices_at_once = 64;  // columns of a product
+constexpr Eigen::Index rows_at_once = 1024;  // of a product: its numbers fit into a processor's second cache
 constexpr double widest_mismatch = 0.01;     // of the radius, between partners: the most that reduce allows
 constexpr const char* cell_errors_group = "/mesh_error";
 constexpr const char* required_sets[] = {"clamped", "contact", "cyclic_low", "cyclic_high"};
@@ -248,6 +252,22 @@ Eigen::VectorXcd FieldsReader::shape(int nodal_diameter, Eigen::Index dof) const
   return Eigen::Map<const Eigen::VectorXcf>(slice.data(), 3 * sector_.nodes.cols()).cast<std::complex<double>>();
 }
 
+namespace {
+
+/// sum += shapes both. Threads share blocks of rows, so that the result does not depend on their number.
+void add_product(const Eigen::Ref<const Eigen::MatrixXf>& shapes, const Eigen::MatrixXd& both, Eigen::MatrixXd& sum) {
+  std::atomic<Eigen::Index> next = 0;
+  work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
+    for (Eigen::Index first = 0; (first = next.fetch_add(rows_at_once)) < sum.rows();) {
+      const Eigen::Index count = std::min(rows_at_once, sum.rows() - first);
+      const Eigen::MatrixXd block = shapes.middleRows(first, count).cast<double>();
+      sum.middleRows(first, count).noalias() += block * both;
+    }
+  });
+}
+
+}  // namespace
+
 Eigen::MatrixXcd FieldsReader::expand(int nodal_diameter, const Eigen::MatrixXcd& amplitudes) const {
   const std::string name = basis_of(nodal_diameter);
   if (amplitudes.rows() != dofs(nodal_diameter))
@@ -256,19 +276,20 @@ Eigen::MatrixXcd FieldsReader::expand(int nodal_diameter, const Eigen::MatrixXcd
                std::to_string(amplitudes.rows()) + "; give the fields that were written with the model");
   // Real and imaginary parts beside each other: Eigen multiplies real numbers faster than complex ones.
   const Eigen::Index size = 3 * sector_.nodes.cols(), columns = amplitudes.cols();
-  Eigen::MatrixXd fields = Eigen::MatrixXd::Zero(size, 2 * columns), shapes(size, 2 * slices_at_once);
+  Eigen::MatrixXd fields = Eigen::MatrixXd::Zero(size, 2 * columns);
+  Eigen::MatrixXf shapes(size, 2 * slices_at_once);
   for (Eigen::Index first = 0; first < amplitudes.rows(); first += slices_at_once) {
     const Eigen::Index count = std::min(slices_at_once, amplitudes.rows() - first);
     for (Eigen::Index k = 0; k < count; ++k) {
       const std::vector<std::complex<float>> slice = file_.read_slice(name, static_cast<std::size_t>(first + k));
       const Eigen::Map<const Eigen::VectorXcf> shape(slice.data(), size);
-      shapes.col(k) = shape.real().cast<double>();
-      shapes.col(count + k) = shape.imag().cast<double>();
+      shapes.col(k) = shape.real();
+      shapes.col(count + k) = shape.imag();
     }
     const auto factors = amplitudes.middleRows(first, count);
     Eigen::MatrixXd both(2 * count, 2 * columns);
     both << factors.real(), factors.imag(), -factors.imag(), factors.real();
-    fields.noalias() += shapes.leftCols(2 * count) * both;
+    add_product(shapes.leftCols(2 * count), both, fields);
   }
   Eigen::MatrixXcd whole(size, columns);
   whole.real() = fields.leftCols(columns);

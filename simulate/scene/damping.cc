@@ -42,14 +42,19 @@ std::vector<ModeDamping> read_modes(CaseTable& table) {
 }
 
 Damping read_damping_of_the_rest(CaseTable& table) {
-  const bool by_frequency = table.has("damping_table"), by_family = table.has("damping_ratio_by_family");
-  if (by_frequency && by_family)
-    table.reject("damping_table", "and damping_ratio_by_family exclude each other; drop one");
-  if (by_frequency) return Damping(table.points("damping_table", std::nullopt, damping_range, "Hz, of critical"));
-  if (by_family)
+  std::vector<std::string> given;
+  for (const char* key : {"damping_ratio", "damping_ratio_by_family", "damping_table"})
+    if (table.has(key)) given.emplace_back(key);
+  if (given.size() > 1)
+    table.reject(given[1],
+                 "and " + given[0] + " exclude each other; drop one (--set simulate." + given[0] + "= drops it)");
+  const std::string key = given.empty() ? "damping_ratio" : given.front();
+  if (key == "damping_table")
+    return Damping(table.points("damping_table", std::nullopt, damping_range, "Hz, of critical"));
+  if (key == "damping_ratio_by_family")
     return Damping(
         table.numbers("damping_ratio_by_family", std::nullopt, damping_range, "of critical, first family on"));
-  return {table.number("damping_ratio", 0.005, damping_range, "of critical, every resolved mode")};
+  return {table.number(key, 0.005, damping_range, "of critical, every resolved mode")};
 }
 
 }  // namespace

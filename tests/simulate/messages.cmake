@@ -110,6 +110,8 @@ expect_message(lists_from_files ${with_damping} OLD "damping_ratio = 0.005" NEW 
                ARGUMENTS case.toml --tables OUTPUTS "damping_table = [[100, 0.001], [2000, 0.002]]")
 expect_message(overdamped_in_a_file ${with_overdamped} OLD "damping_ratio = 0.005" NEW "damping_table = \"overdamped.csv\"" EXIT_CODE 2
                ERRORS "overdamped.csv:2: [simulate] damping_table = 2 must be at least 0 and at most 0.9 [Hz, of critical]")
+expect_message(two_dampings ${with_damping} OLD "damping_ratio = 0.005" NEW "damping_ratio = 0.005\ndamping_table = \"damping.csv\"" EXIT_CODE 2
+               ERRORS "[simulate] damping_table and damping_ratio exclude each other; drop one (--set simulate.damping_ratio= drops it)")
 expect_message(damping_of_modes ${with_modes} OLD "damping_ratio = 0.005" NEW "damping_ratio = 0.005\ndamping_by_mode = \"modes.csv\""
                ARGUMENTS case.toml --tables OUTPUTS "damping_by_mode = [[0, 1, 0.001], [2, 1, 0.003]]" "damping_ratio = 0.005")
 expect_message(damping_of_a_mode_twice ${with_modes_twice} OLD "damping_ratio = 0.005" NEW "damping_by_mode = \"modes_twice.csv\"" EXIT_CODE 2

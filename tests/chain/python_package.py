@@ -4,8 +4,10 @@
 
 usage: python_package.py SOURCE_FOLDER PROGRAMS_FOLDER FOLDER_WITH_FILES WORK_FOLDER
 """
+import csv
 import doctest
 import importlib
+import itertools
 import os
 import shutil
 import subprocess
@@ -111,6 +113,55 @@ def refusals(tiprub, programs):
         assert "simulate with" in str(error)
 
 
+TRUSS = """[reduce]
+speed_max_rpm = 20000
+contact_nodes = 4
+fixed_interface_modes = 3
+"""
+
+
+def truss():
+    """K [N/m], M [kg] and nodes of a free blade, with bars between all nodes. Its tip from z = 0 to 0.03 is 9, 2, 11, 4."""
+    nodes = np.array([[0.10, -0.01, 0.00], [0.10, 0.01, 0.00], [0.15, 0.004, 0.01], [0.10, -0.01, 0.03],
+                      [0.15, 0.005, 0.03], [0.10, 0.01, 0.03], [0.12, -0.01, 0.00], [0.12, 0.01, 0.01],
+                      [0.13, -0.01, 0.02], [0.15, -0.005, 0.00], [0.13, 0.01, 0.03], [0.15, -0.004, 0.02]])
+    K = np.zeros((36, 36))
+    for (a, start), (b, end) in itertools.combinations(enumerate(nodes), 2):
+        bar = np.zeros(36)
+        bar[3 * b:3 * b + 3] = (end - start) / np.linalg.norm(end - start)
+        bar[3 * a:3 * a + 3] = -bar[3 * b:3 * b + 3]
+        K += 1e6 * np.outer(bar, bar)
+    return K, np.kron(np.diag(np.arange(1, 13)), 1e-3 * np.eye(3)), nodes
+
+
+def order_of_contact(tiprub, programs):
+    """Symptom: nodes.csv held the contact nodes by their numbers, so that the given order from leading to trailing edge was
+    lost: the edges were exchanged, or tiprub-reduce refused a line that turned back. The given order is that of the file."""
+    from scipy import io
+    K, M, nodes = truss()
+    for order in ([9, 2, 11, 4], [4, 11, 2, 9]):
+        folder = f"truss_{order[0]}"
+        os.makedirs(folder)
+        arguments = tiprub.matrices(K, M, nodes, {"clamped": [0, 1, 3, 5], "contact": order}, folder, at={20000: 1.1 * K})
+        with open(os.path.join(folder, "nodes.csv"), newline="", encoding="ascii") as file:
+            rows = list(csv.DictReader(file))
+        places = np.array([[float(row[axis]) for axis in "xyz"] for row in rows])
+        node = [int(np.argmin(np.linalg.norm(nodes - place, axis=1))) for place in places]
+        assert [node[k] for k, row in enumerate(rows) if row["set"] == "contact"] == order, rows
+        assert all(node[k] == k for k in range(12) if k not in order), "the other nodes stay"
+        assert [k for k, row in enumerate(rows) if row["set"] == "clamped"] == [0, 1, 3, 5], rows
+        dofs = (3 * np.array(node)[:, None] + np.arange(3)).ravel()
+        for path, matrix in zip((*arguments[1:3], arguments[-1]), (K, M, 1.1 * K)):
+            written = io.mmread(path).toarray()
+            assert np.allclose(written, matrix[np.ix_(dofs, dofs)], rtol=1e-14), path
+            assert np.allclose(np.linalg.eigvalsh(written), np.linalg.eigvalsh(matrix), rtol=1e-9, atol=1e-6), path
+        with open(os.path.join(folder, "case.toml"), "w", encoding="ascii") as file:
+            file.write(TRUSS)
+        model = os.path.join(folder, "model.h5")
+        subprocess.run([os.path.join(programs, "tiprub-reduce"), "-q", os.path.join(folder, "case.toml"), *arguments, "-o", model], check=True)
+        assert np.allclose(tiprub.Model.read(model).position[:, 2], nodes[order, 2])
+
+
 def gallery(scripts):
     """Each script draws its picture; that of a blade compares its frequency with the closed form."""
     names = ("interaction_map", "campbell", "travelling_wave", "own_blade")
@@ -143,6 +194,7 @@ def main(source, programs, made, work):
     for check in (doctests, frequencies, motion, units):
         check(tiprub)
     refusals(tiprub, programs)
+    order_of_contact(tiprub, programs)
     gallery(os.path.join(source, "cases", "reading"))
     wheel(source)
 

@@ -162,6 +162,43 @@ def order_of_contact(tiprub, programs):
         assert np.allclose(tiprub.Model.read(model).position[:, 2], nodes[order, 2])
 
 
+def told(call, kind=ValueError):
+    """What an error of this kind says."""
+    try:
+        call()
+    except kind as error:
+        return str(error)
+    raise AssertionError("nothing is refused")
+
+
+def wrong_matrices(tiprub):
+    """They are refused before anything is written, in the caller's own numbers."""
+    from scipy import sparse
+    K, M, nodes = truss()
+    uneven, endless = K.copy(), K.copy()
+    uneven[30, 7] += 100
+    uneven[3, 8] += 200
+    endless[5, 5] = np.nan
+    triangle = "only one triangle is filled: pass "
+    for k, (matrices, contact, phrase) in enumerate((
+            ({"K": uneven}, [9, 2], "K is not symmetric: K[3, 8] = -189481.3"),
+            ({"K": np.tril(K)}, [9, 2], "K: " + triangle + "K + scipy.sparse.tril(K, -1).T"),
+            ({"K": sparse.triu(K)}, [9, 2], "K: " + triangle + "K + scipy.sparse.triu(K, 1).T"),
+            ({"M": M + np.triu(np.ones(M.shape), 1)}, [9, 2], "M: " + triangle + "M + scipy.sparse.triu(M, 1).T"),
+            ({"at": {20000: np.tril(K)}}, [9, 2], "at[20000]: " + triangle + "at[20000] + scipy.sparse.tril(at[20000], -1).T"),
+            ({"K": endless}, [9, 2], "K[5, 5] = nan is not finite"),
+            ({"M": 1j * M}, [9, 2], "M is complex"),
+            ({"M": M[1:, 1:]}, [9, 2], "M has the shape (35, 35); the nodes need 36 rows"),
+            ({}, [9, 12], "sets['contact']: there is no node 12; the 12 nodes count from 0"))):
+        folder = f"wrong_{k}"
+        os.makedirs(folder)
+        said = told(lambda given=matrices, line=contact, to=folder: tiprub.matrices(nodes=nodes, sets={"contact": line}, folder=to, **{"K": K, "M": M, **given}))
+        assert phrase in said, (phrase, said)
+        assert not os.listdir(folder), phrase
+    rounded = K * (1 + 1e-12 * np.triu(np.ones(K.shape), 1))
+    tiprub.matrices(rounded, M, nodes, {"contact": [9, 2]})  # as the programs allow
+
+
 def gallery(scripts):
     """Each script draws its picture; that of a blade compares its frequency with the closed form."""
     names = ("interaction_map", "campbell", "travelling_wave", "own_blade")
@@ -195,6 +232,7 @@ def main(source, programs, made, work):
         check(tiprub)
     refusals(tiprub, programs)
     order_of_contact(tiprub, programs)
+    wrong_matrices(tiprub)
     gallery(os.path.join(source, "cases", "reading"))
     wheel(source)
 

@@ -55,16 +55,18 @@ def text_of(table, key, default=""):
 
 
 def setting(place, key, value):
-    """One --set of all programs; JSON writes numbers, texts and lists as TOML does."""
+    """One --set of all programs; JSON writes numbers, texts and lists as TOML does. An empty table removes the key."""
     if not KEY.fullmatch(key):
         raise Wrong(f"{place}: {key!r} must be TABLE.KEY of a case, in quotes")
+    if value == {}:
+        return f"{key}="
     try:
         text = f"{key}={json.dumps(value, ensure_ascii=False, allow_nan=False)}"
         if not isinstance(value, dict) and text.isprintable():
             return text
     except (TypeError, ValueError):
         pass
-    raise Wrong(f"{place}: {key} = {reprlib.repr(value)} must be a number, a text of one line, a truth or a list of these")
+    raise Wrong(f"{place}: {key} = {reprlib.repr(value)} must be a number, a text of one line, a truth, a list of these, or {{}}, which removes the key")
 
 
 def axis_values(name, axis):

@@ -199,6 +199,23 @@ def wrong_matrices(tiprub):
     tiprub.matrices(rounded, M, nodes, {"contact": [9, 2]})  # as the programs allow
 
 
+def removed_keys(tiprub):
+    """Symptom: None made the setting KEY=null, which is no TOML. It removes the key, so that its default holds: a ratio of 0.005."""
+    def damping(response):
+        return response.summary["scene"]["Damping"]
+
+    assert damping(tiprub.open_response("response.h5")).startswith("ratio 0.02 of critical")
+    files = {"model": "model.h5", "fields": "fields.h5"}
+    without = tiprub.run("case.toml", set={"simulate.damping_ratio": None}, folder="without", progress=False, **{key.upper(): file for key, file in files.items()})
+    assert damping(without).startswith("ratio 0.005 of critical"), damping(without)
+    ratio = {"key": "simulate.damping_ratio", "values": {"default": None, "high": 0.03}}
+    tiprub.study({"case": "case.toml", **files, "settings": {"simulate.step_tolerance": None}, "grid": {"ratio": ratio}}, folder="removed", progress=False)
+    for label, expected in (("default", "0.005"), ("high", "0.03")):
+        point = tiprub.open_response(f"removed/runs/points/ratio_{label}/response.h5")
+        assert damping(point).startswith(f"ratio {expected} of critical"), damping(point)
+        assert point.file.attrs["step_tolerance"] != 0.1
+
+
 def gallery(scripts):
     """Each script draws its picture; that of a blade compares its frequency with the closed form."""
     names = ("interaction_map", "campbell", "travelling_wave", "own_blade")
@@ -228,7 +245,7 @@ def main(source, programs, made, work):
     os.environ.update(PYTHONPATH=package, PATH=programs + os.pathsep + os.environ["PATH"], MPLBACKEND="agg")
     sys.path.insert(0, package)
     import tiprub
-    for check in (doctests, frequencies, motion, units):
+    for check in (doctests, frequencies, motion, units, removed_keys):
         check(tiprub)
     refusals(tiprub, programs)
     order_of_contact(tiprub, programs)

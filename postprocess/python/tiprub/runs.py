@@ -58,7 +58,8 @@ def _read(terminal):
 def run(case, set=None, folder=None, progress=True, **variables):  # pylint: disable=redefined-builtin
     """Runs a case to its report, as far as it is out of date, and returns its Response.
 
-    `set` maps keys to values: {"casing.lobes": 3}. The files stand in `folder`; by default each set has one below `runs`.
+    `set` maps keys to values: {"casing.lobes": 3}. None removes a key from the case, so that its default holds. The files
+    stand in `folder`; by default each set has one below `runs`.
     `variables` are those of a case's Makefile: MODEL="model.h5" and FIELDS="fields.h5" take a model, LAUNCH="mpirun -n 4"
     starts the sweep in four processes, SIMULATE_FLAGS="--threads 2" are options. `progress` shows what the programs print.
 
@@ -67,7 +68,7 @@ def run(case, set=None, folder=None, progress=True, **variables):  # pylint: dis
     (6, 3)
     """
     case = os.path.abspath(case)
-    settings = " ".join(f"--set {shlex.quote(f'{key}={json.dumps(value)}')}" for key, value in (set or {}).items())
+    settings = " ".join(f"--set {shlex.quote(f'{key}={_value(value)}')}" for key, value in (set or {}).items())
     folder = folder or os.path.join("runs", hashlib.sha256(f"{case}\0{settings}".encode()).hexdigest()[:12])
     os.makedirs(folder, exist_ok=True)
     files = {name: os.path.abspath(value) for name, value in variables.items() if name in ("MESH", "MODEL", "FIELDS")}
@@ -77,11 +78,17 @@ def run(case, set=None, folder=None, progress=True, **variables):  # pylint: dis
     return open_response(os.path.join(folder, "response.h5"))
 
 
+def _value(value):
+    """As --set takes it, which removes a key without a value."""
+    return "" if value is None else json.dumps(value)
+
+
 def study(study_file, folder=None, jobs=None, progress=True, **variables):
     """Runs the points of a study, and returns its table of critical speeds as a pandas.DataFrame.
 
-    `study_file` is the path of a study.toml, or a dictionary of the same form, with `case` as a path. The results stand in
-    `folder`: by default that of the file, or `study` for a dictionary. `jobs` points run at once, by default one.
+    `study_file` is the path of a study.toml, or a dictionary of the same form, with `case` as a path; there None as the
+    value of a key removes it from the case. The results stand in `folder`: by default that of the file, or `study` for a
+    dictionary. `jobs` points run at once, by default one.
 
     >>> table = study({"case": "case.toml", "model": "model.h5", "grid": {"lobes": {"key": "casing.lobes", "values": [2]}}}, progress=False)
     >>> table[["point", "lobes", "engine order"]]
@@ -108,7 +115,9 @@ def _written(table, path):
 
 
 def _toml(value):
-    """JSON writes all values but tables as TOML does."""
+    """JSON writes all values but tables as TOML does. A study removes a key by an empty table."""
+    if value is None:
+        return "{}"
     if isinstance(value, dict):
         return "{" + ", ".join(f"{json.dumps(str(key))} = {_toml(inner)}" for key, inner in value.items()) + "}"
     return json.dumps(value, ensure_ascii=False)

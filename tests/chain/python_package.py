@@ -63,6 +63,15 @@ def units(tiprub):
         assert theirs.amplitude.units == ours.amplitude.units == "m" and tiprub.mm(ours.amplitude).units == "mm"
 
 
+def message_of(call, kind=ValueError):
+    """What an error of this kind says."""
+    try:
+        call()
+    except kind as error:
+        return str(error)
+    raise AssertionError("nothing is refused")
+
+
 def broken_models(tiprub):
     """What Model refuses is refused by tiprub-simulate too, and what it takes is taken."""
     def spoil(n, name, change):
@@ -101,16 +110,10 @@ def refusals(tiprub, programs):
             model.write("changed.h5")
         told = subprocess.run([simulate, "case.toml", "changed.h5", "--check"], text=True, stderr=subprocess.PIPE, stdout=subprocess.PIPE)
         assert told.returncode == (2 if change else 0), (k, told.stderr)
-    try:
-        tiprub.run("case.toml", set={"casing.lobs": 3}, progress=False)
-        raise AssertionError("a wrong key is not refused")
-    except tiprub.RunError as error:
-        assert 'unknown key "lobs"' in str(error) and "make:" not in str(error), error
-    try:
-        tiprub.plots.budget(tiprub.open_response("response.h5"))
-        raise AssertionError("a picture of no budget")
-    except ValueError as error:
-        assert "simulate with" in str(error)
+    said = message_of(lambda: tiprub.run("case.toml", set={"casing.lobs": 3}, progress=False), tiprub.RunError)
+    assert 'unknown key "lobs"' in said and "make:" not in said, said
+    said = message_of(lambda: tiprub.plots.budget(tiprub.open_response("response.h5")))
+    assert "simulate with" in said, said
 
 
 TRUSS = """[reduce]
@@ -162,15 +165,6 @@ def order_of_contact(tiprub, programs):
         assert np.allclose(tiprub.Model.read(model).position[:, 2], nodes[order, 2])
 
 
-def told(call, kind=ValueError):
-    """What an error of this kind says."""
-    try:
-        call()
-    except kind as error:
-        return str(error)
-    raise AssertionError("nothing is refused")
-
-
 def wrong_matrices(tiprub):
     """They are refused before anything is written, in the caller's own numbers."""
     from scipy import sparse
@@ -192,11 +186,27 @@ def wrong_matrices(tiprub):
             ({}, [9, 12], "sets['contact']: there is no node 12; the 12 nodes count from 0"))):
         folder = f"wrong_{k}"
         os.makedirs(folder)
-        said = told(lambda given=matrices, line=contact, to=folder: tiprub.matrices(nodes=nodes, sets={"contact": line}, folder=to, **{"K": K, "M": M, **given}))
+        said = message_of(lambda given=matrices, line=contact, to=folder: tiprub.matrices(nodes=nodes, sets={"contact": line}, folder=to, **{"K": K, "M": M, **given}))
         assert phrase in said, (phrase, said)
         assert not os.listdir(folder), phrase
     rounded = K * (1 + 1e-12 * np.triu(np.ones(K.shape), 1))
     tiprub.matrices(rounded, M, nodes, {"contact": [9, 2]})  # as the programs allow
+
+
+def missing_files(tiprub):
+    """What is not there is named together with what makes it. Symptom: "[Errno 2]" of none/summary.json, or an empty table."""
+    response, alone = tiprub.open_response("response.h5"), tiprub.open_response("response.h5", report="none")
+    for call in (lambda: alone.critical_speeds, lambda: alone.table("speeds"), lambda: tiprub.plots.interaction_map(alone)):
+        said = message_of(call, FileNotFoundError)
+        assert "none/" in said and "tiprub-postprocess" in said and "report=" in said and "Errno" not in said, said
+    said = message_of(lambda: response.field(27000, "no_fields.h5"), FileNotFoundError)
+    assert said.startswith("no_fields.h5: ") and "tiprub-reduce --fields" in said and "fields=" in said, said
+    said = message_of(lambda: response.normal_motion(27000, "no_model.h5"), FileNotFoundError)
+    assert said.startswith("no_model.h5: ") and "model=" in said, said
+    for name in ("nonsense", "title", "scope"):
+        said = message_of(lambda name=name: response.table(name))
+        assert repr(name) in said and "critical_speeds, speeds, exactness" in said and "verdict" not in said, said
+    assert len(response.table("speeds")) == 4 and response.table("error_budget").empty
 
 
 def removed_keys(tiprub):
@@ -245,7 +255,7 @@ def main(source, programs, made, work):
     os.environ.update(PYTHONPATH=package, PATH=programs + os.pathsep + os.environ["PATH"], MPLBACKEND="agg")
     sys.path.insert(0, package)
     import tiprub
-    for check in (doctests, frequencies, motion, units, removed_keys):
+    for check in (doctests, frequencies, motion, units, missing_files, removed_keys):
         check(tiprub)
     refusals(tiprub, programs)
     order_of_contact(tiprub, programs)

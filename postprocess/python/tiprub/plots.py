@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures of a Response by matplotlib. Each function draws into the axes that it is given, or into new ones, and returns them."""
-import os
-
 import numpy as np
 
 
@@ -21,7 +19,7 @@ def interaction_map(response, edge="leading", axes=None, floor=3e-3):
     import pandas
     from matplotlib.colors import LogNorm
     axes = _axes(axes)
-    table = pandas.read_csv(os.path.join(response.report, "figures", f"interaction_map_{edge}_edge.csv"))
+    table = pandas.read_csv(response.report_file("figures", f"interaction_map_{edge}_edge.csv"))
     lines = [(speed, own["frequency [Hz]"].to_numpy(), own["total [mm]"].to_numpy()) for speed, own in table.groupby("speed [rpm]")]
     speeds, largest = np.array([speed for speed, _, _ in lines]), table["total [mm]"].max()
     norm = LogNorm(floor * largest, largest)

@@ -23,6 +23,12 @@ def _values(dataset):
     return np.array([text_of(value) for value in dataset[:]], dtype=object) if h5py.check_string_dtype(dataset.dtype) else dataset[:]
 
 
+def _existing(path, advice):
+    if not os.path.exists(path):
+        raise FileNotFoundError(f"{path}: there is no such file; {advice}")
+    return path
+
+
 class Response:
     """A response of tiprub-simulate. The numbers of all speeds stand in `sweep`, and `at` gives the motion at one speed.
 
@@ -103,6 +109,9 @@ class Response:
         sectors = np.arange(self.sector_count)
         return data.isel(sector=sectors % self.independent_sectors).assign_coords(sector=sectors)
 
+    def _beside(self, name, advice):
+        return _existing(os.path.join(os.path.dirname(self.path), name), advice)
+
     def normal_motion(self, speed, model="model.h5"):
         """[m] displacement towards the casing, angle x sector x contact_node, at the speed nearest to `speed` [rpm].
 
@@ -114,7 +123,7 @@ class Response:
         """
         import xarray
         if not isinstance(model, Model):
-            model = Model.read(os.path.join(os.path.dirname(self.path), model))
+            model = Model.read(self._beside(model, "name the model of the response by model="))
         normal = xarray.DataArray(model.normal, dims=("contact_node", "component"))
         motion = (self.at(speed).displacement * normal).sum("component")
         return motion.assign_attrs(units="m", long_name="displacement towards the casing")
@@ -128,7 +137,8 @@ class Response:
         """
         import xarray
         turns = 2 * np.pi * np.arange(self.sector_count) / self.sector_count
-        with h5py.File(os.path.join(os.path.dirname(self.path), fields)) as file:
+        advice = "write it by tiprub-reduce --fields with the model, or name it by fields=; a model from matrices has none"
+        with h5py.File(self._beside(fields, advice)) as file:
             x, y, z = file["nodes"][:].T
             displacement = 0.0
             for n, waves in self._group(speed)["snapshot"].items():
@@ -158,13 +168,24 @@ class Response:
     @property
     def summary(self):
         """summary.json of the report: texts and lists of rows."""
-        with open(os.path.join(self.report, "summary.json"), encoding="utf-8") as file:
+        with open(self.report_file("summary.json"), encoding="utf-8") as file:
             return json.load(file)
 
+    def report_file(self, *names):
+        """Path of a file of the report, such as report_file("figures", "response.csv")."""
+        return _existing(os.path.join(self.report, *names),
+                         "write the report by tiprub-postprocess, or name its folder by open_response(..., report=FOLDER)")
+
     def table(self, name):
-        """pandas.DataFrame of a table of summary.json: "speeds", "exactness", "scene_needs", "error_budget", ..."""
+        """pandas.DataFrame of a table of summary.json: "speeds", "exactness", "scene_needs", "error_budget", ...
+
+        A table without rows is an empty DataFrame. "comparison" and "reports" are there if the report compares others.
+        """
         import pandas
-        return pandas.DataFrame(self.summary.get(name, []))
+        tables = {key: rows for key, rows in self.summary.items() if isinstance(rows, list) and all(isinstance(row, dict) for row in rows)}
+        if name not in tables:
+            raise ValueError(f"{self.report}: has no table {name!r}; it has {', '.join(tables)}")
+        return pandas.DataFrame(tables[name])
 
     @property
     def critical_speeds(self):

@@ -183,12 +183,18 @@ def wrong_matrices(tiprub):
             ({"K": endless}, [9, 2], "K[5, 5] = nan is not finite"),
             ({"M": 1j * M}, [9, 2], "M is complex"),
             ({"M": M[1:, 1:]}, [9, 2], "M has the shape (35, 35); the nodes need 36 rows"),
+            ({}, {9, 2}, "sets['contact'] has no order"),
             ({}, [9, 12], "sets['contact']: there is no node 12; the 12 nodes count from 0"))):
         folder = f"wrong_{k}"
         os.makedirs(folder)
         said = message_of(lambda given=matrices, line=contact, to=folder: tiprub.matrices(nodes=nodes, sets={"contact": line}, folder=to, **{"K": K, "M": M, **given}))
         assert phrase in said, (phrase, said)
         assert not os.listdir(folder), phrase
+    installed = {name: module for name, module in sys.modules.items() if name.split(".")[0] == "scipy"}
+    sys.modules.update({name: None for name in installed})
+    said = message_of(lambda: tiprub.matrices(K, M, nodes, {"contact": [9, 2]}, folder), ModuleNotFoundError)
+    sys.modules.update(installed)
+    assert "python3-scipy" in said and not os.listdir(folder), said
     rounded = K * (1 + 1e-12 * np.triu(np.ones(K.shape), 1))
     tiprub.matrices(rounded, M, nodes, {"contact": [9, 2]})  # as the programs allow
 

@@ -32,22 +32,25 @@ def matrices(K, M, nodes, sets, folder=".", at=None):
     """
     nodes = np.asarray(nodes, float)
     of_node, order = _set_of_each(sets, len(nodes)), _order(sets, len(nodes))
-    given = {"K": K, "M": M, **{f"at[{speed:g}]": matrix for speed, matrix in (at or {}).items()}}
+    speeds = {f"{speed:.12g}": matrix for speed, matrix in (at or {}).items()}
+    given = {"K": K, "M": M, **{f"at[{speed}]": matrix for speed, matrix in speeds.items()}}
     sound = {name: _checked(name, matrix, 3 * len(nodes)) for name, matrix in given.items()}
-    paths = [os.path.join(folder, name + ".mtx") for name in ("K", "M", *(f"K_{speed:g}rpm" for speed in at or {}))]
+    paths = [os.path.join(folder, name + ".mtx") for name in ("K", "M", *(f"K_{speed}rpm" for speed in speeds))]
     for path, matrix in zip(paths, sound.values()):
         _write(path, matrix, order)
     listing = os.path.join(folder, "nodes.csv")
     with open(listing, "w", newline="", encoding="ascii") as file:
         csv.writer(file, lineterminator="\n").writerows([["x", "y", "z", "set"], *([*nodes[k].tolist(), of_node[k]] for k in order)])
-    further = [word for speed, path in zip(at or {}, paths[2:]) for word in ("--matrix-at", f"{speed:g}", path)]
+    further = [word for speed, path in zip(speeds, paths[2:]) for word in ("--matrix-at", speed, path)]
     return ["--matrices", *paths[:2], listing, *further]
 
 
 def _order(sets, count):
     """The node in each row of nodes.csv: the places that contact nodes have take them in the order of the set."""
-    order = np.arange(count)
-    contact = order[np.asarray(sets.get("contact", []), int)]
+    order, given = np.arange(count), sets.get("contact", [])
+    if isinstance(given, (set, frozenset)):
+        raise ValueError("sets['contact'] has no order; give a list from leading to trailing edge")
+    contact = order[np.array(list(given), int)]
     order[np.sort(contact)] = contact
     return order
 
@@ -66,9 +69,18 @@ def _set_of_each(sets, count):
     return names
 
 
+def _scipy():
+    try:
+        import scipy.io
+        import scipy.sparse
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError("tiprub.matrices needs scipy: install the Debian package python3-scipy", name=error.name) from None
+    return scipy
+
+
 def _checked(name, matrix, size):
     """The matrix as a sparse one of scipy's."""
-    from scipy import sparse
+    sparse = _scipy().sparse
     matrix = sparse.csr_matrix(matrix)
     if matrix.shape != (size, size):
         raise ValueError(f"{name} has the shape {matrix.shape}; the nodes need {size} rows, x, y, z of each")
@@ -85,7 +97,7 @@ def _checked(name, matrix, size):
 
 
 def _refuse_unsymmetric(name, matrix, difference):
-    from scipy import sparse
+    sparse = _scipy().sparse
     lower, upper = sparse.tril(matrix, -1).count_nonzero(), sparse.triu(matrix, 1).count_nonzero()
     if not lower or not upper:
         half = f"tril({name}, -1)" if lower else f"triu({name}, 1)"
@@ -97,7 +109,7 @@ def _refuse_unsymmetric(name, matrix, difference):
 
 
 def _write(path, matrix, order):
-    from scipy import io
+    io = _scipy().io
     rows = (3 * order[:, None] + np.arange(3)).ravel()
     matrix = matrix[rows][:, rows]
     io.mmwrite(path, matrix, precision=17, symmetry="symmetric" if (matrix != matrix.T).nnz == 0 else "general")

@@ -123,25 +123,28 @@ fixed_interface_modes = 3
 """
 
 
-def truss():
-    """K [N/m], M [kg] and nodes of a free blade, with bars between all nodes. Its tip from z = 0 to 0.03 is 9, 2, 11, 4."""
-    nodes = np.array([[0.10, -0.01, 0.00], [0.10, 0.01, 0.00], [0.15, 0.004, 0.01], [0.10, -0.01, 0.03],
-                      [0.15, 0.005, 0.03], [0.10, 0.01, 0.03], [0.12, -0.01, 0.00], [0.12, 0.01, 0.01],
-                      [0.13, -0.01, 0.02], [0.15, -0.005, 0.00], [0.13, 0.01, 0.03], [0.15, -0.004, 0.02]])
-    K = np.zeros((36, 36))
+BLADE = np.array([[0.10, -0.01, 0.00], [0.10, 0.01, 0.00], [0.15, 0.004, 0.01], [0.10, -0.01, 0.03],
+                  [0.15, 0.005, 0.03], [0.10, 0.01, 0.03], [0.12, -0.01, 0.00], [0.12, 0.01, 0.01],
+                  [0.13, -0.01, 0.02], [0.15, -0.005, 0.00], [0.13, 0.01, 0.03], [0.15, -0.004, 0.02]])
+
+
+def truss(nodes):
+    """K [N/m] and M [kg] of bars between all nodes, which nothing holds."""
+    K = np.zeros((nodes.size, nodes.size))
     for (a, start), (b, end) in itertools.combinations(enumerate(nodes), 2):
-        bar = np.zeros(36)
+        bar = np.zeros(nodes.size)
         bar[3 * b:3 * b + 3] = (end - start) / np.linalg.norm(end - start)
         bar[3 * a:3 * a + 3] = -bar[3 * b:3 * b + 3]
         K += 1e6 * np.outer(bar, bar)
-    return K, np.kron(np.diag(np.arange(1, 13)), 1e-3 * np.eye(3)), nodes
+    return K, 1e-3 * np.kron(np.diag(1 + np.arange(len(nodes))), np.eye(3))
 
 
 def order_of_contact(tiprub, programs):
     """Symptom: nodes.csv held the contact nodes by their numbers, so that the given order from leading to trailing edge was
     lost: the edges were exchanged, or tiprub-reduce refused a line that turned back. The given order is that of the file."""
     from scipy import io
-    K, M, nodes = truss()
+    nodes = BLADE  # its tip from z = 0 to 0.03 is 9, 2, 11, 4
+    K, M = truss(nodes)
     for order in ([9, 2, 11, 4], [4, 11, 2, 9]):
         folder = f"truss_{order[0]}"
         os.makedirs(folder)
@@ -168,7 +171,7 @@ def order_of_contact(tiprub, programs):
 def wrong_matrices(tiprub):
     """They are refused before anything is written, in the caller's own numbers."""
     from scipy import sparse
-    K, M, nodes = truss()
+    (K, M), nodes = truss(BLADE), BLADE
     uneven, endless = K.copy(), K.copy()
     uneven[30, 7] += 100
     uneven[3, 8] += 200
@@ -232,6 +235,26 @@ def removed_keys(tiprub):
         assert point.file.attrs["step_tolerance"] != 0.1
 
 
+def example_of_the_page(tiprub, source):
+    """The page's example makes a wheel of six from a sector whose cuts meet the clamped bore."""
+    with open(os.path.join(source, "reduce", "format.md"), encoding="utf-8") as page:
+        example = page.read().split("## A sector by its matrices")[1].split("```python\n")[1].split("```")[0]
+    polar = [(radius, side * np.pi / 6, z) for radius in (0.03, 0.06) for side in (-1, 0, 1) for z in (0, 0.02)]
+    polar += [(0.1, 0.05, 0.02), (0.1, 0.02, 0), (0.08, 0, 0.005), (0.1, 0.03, 0.01), (0.1, 0.06, 0.03)]
+    nodes = np.array([[r * np.cos(angle), r * np.sin(angle), z] for r, angle, z in polar])
+    (K, M), tip = truss(nodes), [13, 15, 12, 16]
+    os.makedirs("page")
+    with open("page/case.toml", "w", encoding="ascii") as file:
+        file.write(TRUSS)
+    np.savez("page/sector.npz", K=K, M=M, nodes=nodes, tip=tip)
+    with open("page/example.py", "w", encoding="ascii") as file:
+        file.write('import subprocess, numpy as np, tiprub\nglobals().update(np.load("sector.npz"))\n' + example)
+    subprocess.run([sys.executable, "-B", "example.py"], cwd="page", check=True)
+    model = tiprub.Model.read("page/model.h5")
+    assert model.sector_count == 6 and sorted(model.matrices) == [0, 1, 2, 3]
+    assert np.allclose(model.position[:, 2], nodes[tip, 2])
+
+
 def gallery(scripts):
     """Each script draws its picture; that of a blade compares its frequency with the closed form."""
     names = ("interaction_map", "campbell", "travelling_wave", "own_blade")
@@ -266,6 +289,7 @@ def main(source, programs, made, work):
     refusals(tiprub, programs)
     order_of_contact(tiprub, programs)
     wrong_matrices(tiprub)
+    example_of_the_page(tiprub, source)
     gallery(os.path.join(source, "cases", "reading"))
     wheel(source)
 

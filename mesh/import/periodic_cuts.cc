@@ -9,6 +9,8 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <sstream>
+#include <utility>
 
 #include "cases/program/errors.h"
 
@@ -20,11 +22,48 @@ constexpr double tolerance = 1e-5;    // of the largest radius
 constexpr double least_share = 0.02;  // of a unit normal, along the circle
 constexpr int fewest_faces = 2;
 constexpr double whole_number_tolerance = 1e-4;
+constexpr double most_faces = 0.9;          // of the smaller cut
+constexpr double unlike_cuts_agree = 0.01;  // of the largest radius, their centres
+constexpr double unlike_pitch = 0.005;      // of the angle between cuts that are meshed differently
 
 Eigen::Vector3d centre(const CellMesh& mesh, const FreeFace& face) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < face.corners(); ++k) sum += mesh.nodes.col(face.nodes[k]);
   return sum / static_cast<double>(face.corners());
+}
+
+double area(const CellMesh& mesh, const FreeFace& face) {
+  const auto edge = [&](std::size_t k) -> Eigen::Vector3d {
+    return mesh.nodes.col(face.nodes[k]) - mesh.nodes.col(face.nodes[0]);
+  };
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t k = 2; k < face.corners(); ++k) sum += edge(k - 1).cross(edge(k));
+  return 0.5 * sum.norm();
+}
+
+/// The centre of area of a cut: differently meshed cuts of the same shape have the same one.
+Eigen::Vector3d centre(const CellMesh& mesh, const std::vector<int>& cut) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double whole = 0;
+  for (const int f : cut) {
+    const FreeFace& face = mesh.faces[static_cast<std::size_t>(f)];
+    sum += area(mesh, face) * centre(mesh, face);
+    whole += area(mesh, face);
+  }
+  return sum / whole;
+}
+
+/// From the centre of one cut to that of the other, from -pi to pi.
+double angle_between(const CellMesh& mesh, const PeriodicCuts& cuts) {
+  const Eigen::Vector3d low = centre(mesh, cuts.low), high = centre(mesh, cuts.high);
+  return std::remainder(std::atan2(high.y(), high.x()) - std::atan2(low.y(), low.x()), 2 * std::numbers::pi);
+}
+
+/// Whether the centres of both cuts have the same r and z.
+bool at_one_place(const CellMesh& mesh, const PeriodicCuts& cuts) {
+  const Eigen::Vector3d low = centre(mesh, cuts.low), high = centre(mesh, cuts.high);
+  const double apart = std::hypot(low.head<2>().norm() - high.head<2>().norm(), low.z() - high.z());
+  return apart <= unlike_cuts_agree * mesh.largest_radius();
 }
 
 /// The component of a face's normal along the circle through its centre.
@@ -53,9 +92,15 @@ class Search {
 
   /// The faces that have a partner for this number of sectors.
   PeriodicCuts of(int sector_count) const {
-    PeriodicCuts cuts;
+    PeriodicCuts cuts = turned_by(2 * std::numbers::pi / sector_count);
     cuts.sector_count = sector_count;
-    const Eigen::AngleAxisd turn(2 * std::numbers::pi / sector_count, Eigen::Vector3d::UnitZ());
+    return cuts;
+  }
+
+  /// The faces that have a partner at this angle [rad].
+  PeriodicCuts turned_by(double angle) const {
+    PeriodicCuts cuts;
+    const Eigen::AngleAxisd turn(angle, Eigen::Vector3d::UnitZ());
     for (const Face& face : low_)
       if (const auto partner = face_at(turn * face.at)) {
         cuts.low.push_back(face.number);
@@ -109,7 +154,53 @@ class Search {
                    " degrees, are faces of the other; mesh both cuts alike (gmsh: Periodic Surface)");
 }
 
+bool are_most(const PeriodicCuts& pairs, const PeriodicCuts& cuts) {
+  const std::size_t smaller = std::min(cuts.low.size(), cuts.high.size());
+  return smaller > 0 && static_cast<double>(pairs.low.size()) >= most_faces * static_cast<double>(smaller);
+}
+
+/// What is wrong with the angle between two cuts; empty if it is 2 pi/N, as far as can be seen.
+std::string wrong_pitch(const CellMesh& mesh, const PeriodicCuts& cuts) {
+  const double angle = std::abs(angle_between(mesh, cuts)), count = 2 * std::numbers::pi / angle;
+  if (!(count <= most_sectors)) return "the cuts are at the same angle about the axis; is axis right?";
+  const bool alike = are_most(Search(mesh, cuts).turned_by(angle), cuts);
+  if (!alike && std::abs(count - std::round(count)) <= unlike_pitch * count) return "";
+  std::ostringstream text;
+  text << "the cuts are " << angle * 180 / std::numbers::pi << " degrees apart, which is 360/" << count
+       << "; a sector needs 360/N";
+  return text.str();
+}
+
 }  // namespace
+
+PeriodicCuts named_cuts(const CellMesh& mesh, const std::vector<int>& low, const std::vector<int>& high,
+                        int sector_count) {
+  PeriodicCuts cuts = {sector_count, low, high};
+  const double angle = angle_between(mesh, cuts), least = 2 * std::numbers::pi / most_sectors;
+  if (angle < 0) std::swap(cuts.low, cuts.high);
+  if (sector_count == 0)
+    cuts.sector_count = static_cast<int>(std::lround(2 * std::numbers::pi / std::max(std::abs(angle), least)));
+  return cuts;
+}
+
+PeriodicCuts whole_cuts(const CellMesh& mesh, const PeriodicCuts& pairs) {
+  return {pairs.sector_count, surface_patch(mesh.faces, pairs.low), surface_patch(mesh.faces, pairs.high)};
+}
+
+PeriodicCuts pairs_of(const CellMesh& mesh, const PeriodicCuts& cuts) {
+  return Search(mesh, cuts).of(cuts.sector_count);
+}
+
+bool mostly_pair(const CellMesh& mesh, const PeriodicCuts& cuts) {
+  return are_most(pairs_of(mesh, cuts), cuts);
+}
+
+std::string why_unpaired(const CellMesh& mesh, const PeriodicCuts& cuts) {
+  if (!at_one_place(mesh, cuts))
+    return "their centres differ in r or z; is each name that of a whole cut, and is axis right?";
+  const std::string pitch = wrong_pitch(mesh, cuts);
+  return pitch.empty() ? "mesh both cuts alike (gmsh: Periodic Surface)" : pitch;
+}
 
 PeriodicCuts find_cuts(const CellMesh& mesh, int sector_count) {
   if (sector_count == 1) return {};
@@ -128,7 +219,7 @@ void require_whole(const CellMesh& mesh, const PeriodicCuts& cuts) {
 }
 
 void require_pairs(const CellMesh& mesh, const PeriodicCuts& cuts) {
-  const std::size_t paired = Search(mesh, cuts).of(cuts.sector_count).low.size();
+  const std::size_t paired = pairs_of(mesh, cuts).low.size();
   const std::size_t all = std::max(cuts.low.size(), cuts.high.size());
   if (paired < all) refuse_part(mesh, cuts.sector_count, paired, all);
 }

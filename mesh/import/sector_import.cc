@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -105,44 +105,66 @@ NamedMesh::Entity surface(const CellMesh& mesh, const std::string& name, const s
   return entity;
 }
 
-/// For a message: the axis and the number of sectors with which cuts would pair. Empty if there are none.
-std::string where_cuts_pair(const ImportParameters& parameters) {
+using CutsIn = std::function<PeriodicCuts(const CellMesh&, int sector_count)>;
+
+/// For a message: the axis and the number of sectors with which most faces of the cuts pair. Empty if there are none.
+std::string where_cuts_pair(const ImportParameters& parameters, const CutsIn& cuts_in) {
   constexpr int any_count = 0;
+  constexpr std::size_t by_chance = 1;
   const ForeignMesh given = read(parameters);
   for (const int count : {parameters.sector_count, any_count})
-    for (const auto& [axis, name] : {std::pair{Axis::z, "z"}, {Axis::y, "y"}, {Axis::x, "x"}})
-      if (const PeriodicCuts cuts = find_cuts(in_our_terms(given, parameters.length, axis), count); !cuts.low.empty())
+    for (const auto& [axis, name] : {std::pair{Axis::z, "z"}, {Axis::y, "y"}, {Axis::x, "x"}}) {
+      const CellMesh mesh = in_our_terms(given, parameters.length, axis);
+      const PeriodicCuts cuts = cuts_in(mesh, count);
+      if (const std::size_t paired = pairs_of(mesh, cuts).low.size(); paired > by_chance && mostly_pair(mesh, cuts))
         return "with axis = \"" + std::string(name) + "\" and sector_count = " + std::to_string(cuts.sector_count) +
-               " " + std::to_string(cuts.low.size()) + " faces are";
+               ", " + std::to_string(paired) + " faces are";
+    }
   return "";
 }
 
 [[noreturn]] void refuse_cuts(const CellMesh& mesh, const ImportParameters& parameters) {
-  const std::string count = std::to_string(parameters.sector_count), other = where_cuts_pair(parameters);
-  throw InputError(mesh.file + ": no face, turned " +
-                   (parameters.sector_count > 1 ? "by 360/" + count + " degrees " : "") +
-                   "about the axis, is another one; " +
+  const std::string other = where_cuts_pair(
+      parameters, [](const CellMesh& given, int count) { return whole_cuts(given, find_cuts(given, count)); });
+  throw InputError(mesh.file + ": no face, turned by 360/" + std::to_string(parameters.sector_count) +
+                   " degrees about the axis, is another one; " +
                    (other.empty() ? "is axis right, is the mesh on both cuts the same (gmsh: Periodic Surface), and "
                                     "sector_count the wheel's?"
                                   : other));
 }
 
+/// The cuts that a search finds.
+PeriodicCuts found_cuts(const CellMesh& mesh, const ImportParameters& parameters) {
+  const PeriodicCuts cuts = find_cuts(mesh, parameters.sector_count);
+  if (cuts.low.empty() && parameters.sector_count > 1) refuse_cuts(mesh, parameters);
+  require_whole(mesh, cuts);
+  return cuts;
+}
+
+/// The cuts that the case names.
+PeriodicCuts cuts_by_name(const CellMesh& mesh, const ImportParameters& parameters) {
+  const std::string &low_name = parameters.selection.at("cyclic_low"),
+                    &high_name = parameters.selection.at("cyclic_high");
+  const std::vector<int> low = select_faces(mesh, "cyclic_low", low_name),
+                         high = select_faces(mesh, "cyclic_high", high_name);
+  const CutsIn cuts_in = [&](const CellMesh& given, int count) { return named_cuts(given, low, high, count); };
+  const PeriodicCuts cuts = cuts_in(mesh, parameters.sector_count);
+  if (mostly_pair(mesh, cuts)) return cuts;
+  const std::string other = where_cuts_pair(parameters, cuts_in);
+  const std::size_t paired = pairs_of(mesh, cuts).low.size();
+  const auto faces_of = [](const std::vector<int>& faces, const std::string& name) {
+    return " " + std::to_string(faces.size()) + " faces of \"" + name + "\"";
+  };
+  throw InputError(mesh.file + ": " + (paired == 0 ? "none" : std::to_string(paired)) + " of the" +
+                   faces_of(low, low_name) + ", turned by 360/" + std::to_string(cuts.sector_count) + " degrees, " +
+                   (paired <= 1 ? "is" : "are") + " among the" + faces_of(high, high_name) + "; " +
+                   (other.empty() ? why_unpaired(mesh, cuts) : other));
+}
+
 /// The cuts that the case names, or those that are found.
 PeriodicCuts cuts_of(const CellMesh& mesh, const ImportParameters& parameters) {
-  const std::string &low = parameters.selection.at("cyclic_low"), &high = parameters.selection.at("cyclic_high");
-  const bool named = !low.empty();
-  const PeriodicCuts found = find_cuts(mesh, parameters.sector_count);
-  if (found.low.empty() && (named || parameters.sector_count > 1)) refuse_cuts(mesh, parameters);
-  if (!named) {
-    require_whole(mesh, found);
-    return found;
-  }
-  PeriodicCuts cuts = {found.sector_count, select_faces(mesh, "cyclic_low", low),
-                       select_faces(mesh, "cyclic_high", high)};
-  const std::set<int> on_high(cuts.high.begin(), cuts.high.end());
-  const bool exchanged =
-      std::all_of(found.low.begin(), found.low.end(), [&](int face) { return on_high.contains(face); });
-  if (exchanged) std::swap(cuts.low, cuts.high);
+  if (parameters.selection.at("cyclic_low").empty()) return found_cuts(mesh, parameters);
+  const PeriodicCuts cuts = cuts_by_name(mesh, parameters);
   require_pairs(mesh, cuts);
   return cuts;
 }

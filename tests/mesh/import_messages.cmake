@@ -31,6 +31,13 @@ expect_message(import_no_tip OLD "NSET=contact" NEW "NSET=tip" ARGUMENTS case.to
                ERRORS "brick.inp: [mesh] needs blade_tip, the faces of the main blade's tip, or contact" "there are the sets: all, clamped, solid, tip")
 expect_message(import_no_such_sectors FILE case.toml OLD "contact = " NEW "sector_count = 6\ncontact = " EXIT_CODE 2
                ERRORS "brick.inp: no face, turned by 360/6 degrees about the axis, is another one; is axis right")
+set(named FILE case.toml OLD "contact = " EXIT_CODE 2)
+expect_message(import_cuts_of_no_pitch ${named} NEW "cyclic_low = \"plane y -0.01\"\ncyclic_high = \"plane y 0.01\"\ncontact = "
+               ERRORS "brick.inp: none of the 1 faces of \"plane y -0.01\", turned by 360/16 degrees, is among the 1 faces of \"plane y 0.01\"; the cuts are 22.6199 degrees apart, which is 360/15.9152; a sector needs 360/N")
+expect_message(import_cuts_that_are_none ${named} NEW "cyclic_low = \"plane y -0.01\"\ncyclic_high = \"plane x 0.06\"\nsector_count = 12\ncontact = "
+               ERRORS "turned by 360/12 degrees, is among the 1 faces of \"plane x 0.06\"; their centres differ in r or z; is each name that of a whole cut, and is axis right?")
+expect_message(import_cuts_at_one_angle ${named} NEW "cyclic_low = \"plane x 0.04\"\ncyclic_high = \"plane x 0.04\"\ncontact = "
+               ERRORS "the cuts are at the same angle about the axis; is axis right?")
 expect_message(import_tip_without_an_edge ARGUMENTS case.toml --import brick.bdf --set "mesh.clamped='SPC 1'" --set "mesh.contact=" --set "mesh.blade_tip='PID 3'"
                EXIT_CODE 2 ERRORS "brick.bdf: [mesh] blade_tip selects faces that have no single edge round them")
 expect_message(import_of_corners_only OLD "type=C3D20R" NEW "type=C3D8" EXIT_CODE 2

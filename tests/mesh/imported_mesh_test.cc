@@ -90,5 +90,29 @@ TEST(ImportedMesh, RefusesAPartOfACut) {
             complaint<InputError>([&] { require_whole(part, find_cuts(part, sectors)); }));
 }
 
+/// Symptom: of two named cuts that were meshed apart the message spoke of another axis, about which 6 faces of the
+/// surface coincided by chance.
+TEST(ImportedMesh, SaysThatNamedCutsAreMeshedApart) {
+  constexpr int around = 4;
+  const auto ring = [&](double pitch, bool apart) {
+    return in_metres(bricks({2, around, 3}, [&](double i, double j, double k) {
+      const double angle = pitch * j / around, radius = 1 + 0.1 * i;
+      const double z = 0.1 * k + (apart && j == around ? 0.01 * k * (3 - k) : 0.0);
+      return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), z);
+    }));
+  };
+  const double pitch = 2 * std::numbers::pi / 12;
+  const CellMesh alike = ring(pitch, false), apart = ring(pitch, true), wrong = ring(pitch * 29 / 30, false);
+  const PeriodicCuts cuts = find_cuts(alike, 0);  // the faces have the same numbers in all of them
+  EXPECT_EQ(named_cuts(apart, cuts.low, cuts.high, 0).sector_count, 12);
+  EXPECT_EQ(named_cuts(alike, cuts.high, cuts.low, 0).low, cuts.low);
+  EXPECT_TRUE(mostly_pair(alike, named_cuts(alike, cuts.high, cuts.low, 0)));
+  EXPECT_FALSE(mostly_pair(apart, named_cuts(apart, cuts.low, cuts.high, 0)));
+  EXPECT_EQ(why_unpaired(apart, named_cuts(apart, cuts.low, cuts.high, 0)),
+            "mesh both cuts alike (gmsh: Periodic Surface)");
+  EXPECT_EQ(why_unpaired(wrong, named_cuts(wrong, cuts.low, cuts.high, 0)),
+            "the cuts are 29 degrees apart, which is 360/12.4138; a sector needs 360/N");
+}
+
 }  // namespace
 }  // namespace tiprub::mesh

@@ -45,7 +45,7 @@ def results(reduce, case, sector):
 
 
 # Keys of [mesh] and what is said where no cuts pair by them; of a sector of 6 about x.
-WRONG = [('axis = "z"\nsector_count = 6', 'with axis = "x" and sector_count = 6 '), ('axis = "x"\nsector_count = 5', 'with axis = "x" and sector_count = 6 ')]
+WRONG = [('axis = "z"\nsector_count = 6', 'with axis = "x" and sector_count = 6, '), ('axis = "x"\nsector_count = 5', 'with axis = "x" and sector_count = 6, ')]
 
 
 def refused(mesh, rest, keys, phrase, source, work):

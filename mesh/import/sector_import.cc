@@ -14,6 +14,7 @@
 #include "mesh/cells/cell_kind.h"
 #include "mesh/curves/wheel_keys.h"
 #include "mesh/import/foreign_mesh.h"
+#include "mesh/import/import_check.h"
 #include "mesh/import/periodic_cuts.h"
 #include "mesh/import/selection.h"
 
@@ -273,6 +274,8 @@ ImportedSector import_sector(const ImportParameters& given) {
   const PeriodicCuts cuts = cuts_of(mesh, parameters);
   const std::array<Tip, 2> tips = {tip_of(mesh, parameters, {"blade_tip", "contact", {}, {}}),
                                    tip_of(mesh, parameters, {"splitter_tip", "contact_splitter", {}, {}})};
+  const std::vector<int> clamped = select_faces(mesh, "clamped", parameters.selection.at("clamped"));
+  require_held(mesh, pairs_of(mesh, cuts), clamped);
   ImportedSector sector;
   for (const auto& node : mesh.nodes.colwise()) sector.mesh.nodes.emplace_back(node);
   sector.mesh.entities = Parts(mesh, parameters).entities(mesh);
@@ -281,7 +284,7 @@ ImportedSector import_sector(const ImportParameters& given) {
   };
   add("cyclic_low", cuts.low);
   add("cyclic_high", cuts.high);
-  add("clamped", select_faces(mesh, "clamped", parameters.selection.at("clamped")));
+  add("clamped", clamped);
   for (const Tip& tip : tips) add(tip.faces_key, tip.faces);
   for (const Tip& tip : tips)
     if (!tip.line.empty())

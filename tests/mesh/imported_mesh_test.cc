@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "mesh/import/import_check.h"
 #include "mesh/import/periodic_cuts.h"
 #include "mesh/import/selection.h"
 #include "tests/cases/complaint.h"
@@ -112,6 +113,23 @@ TEST(ImportedMesh, SaysThatNamedCutsAreMeshedApart) {
             "mesh both cuts alike (gmsh: Periodic Surface)");
   EXPECT_EQ(why_unpaired(wrong, named_cuts(wrong, cuts.low, cuts.high, 0)),
             "the cuts are 29 degrees apart, which is 360/12.4138; a sector needs 360/N");
+}
+
+/// Symptom: a blade that was not joined to its disc passed, and long after the stiffness was not positive definite.
+TEST(ImportedMesh, RefusesABodyThatNothingHolds) {
+  ForeignMesh row = bricks({4, 1, 1}, [](double i, double j, double k) { return Eigen::Vector3d(1 + i, j, k); });
+  const auto clamping = [](const CellMesh& mesh, const std::string& where, const PeriodicCuts& pairs) {
+    return complaint<InputError>([&] { require_held(mesh, pairs, select_faces(mesh, "clamped", where)); });
+  };
+  EXPECT_EQ(clamping(in_metres(row), "plane x 1", {}), "");
+  row.cells.erase(row.cells.begin() + 1);
+  const CellMesh parted = in_metres(row);
+  EXPECT_EQ(clamping(parted, "plane x 1", {}),
+            "bricks: the cells form 2 bodies that share no node: one of 2 cells, with r from 3 to 5.09902 m, touches "
+            "nothing that is clamped; join the volumes before meshing (gmsh: BooleanFragments)");
+  EXPECT_EQ(clamping(parted, "plane y 0", {}), "") << "each body is clamped";
+  const PeriodicCuts pairs = {2, select_faces(parted, "", "plane x 2"), select_faces(parted, "", "plane x 3")};
+  EXPECT_EQ(clamping(parted, "plane x 1", pairs), "") << "through a cut";
 }
 
 }  // namespace

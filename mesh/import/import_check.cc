@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/import/import_check.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+#include "cases/program/errors.h"
+
+namespace tiprub::mesh {
+
+namespace {
+
+/// Which nodes hang together, each body by one of its nodes.
+class Bodies {
+ public:
+  Bodies(const CellMesh& mesh, const PeriodicCuts& pairs) : next_(static_cast<std::size_t>(mesh.nodes.cols())) {
+    std::iota(next_.begin(), next_.end(), 0);
+    for (const std::vector<int>& cell : mesh.cells)
+      for (const int node : cell) join(node, cell.front());
+    const auto node_of = [&](int face) { return mesh.faces[static_cast<std::size_t>(face)].nodes.front(); };
+    for (std::size_t k = 0; k < pairs.low.size(); ++k) join(node_of(pairs.low[k]), node_of(pairs.high[k]));
+  }
+
+  int of(int node) {
+    while (next(node) != node) node = next(node) = next(next(node));
+    return node;
+  }
+
+ private:
+  int& next(int node) { return next_[static_cast<std::size_t>(node)]; }
+  void join(int one, int other) { next(of(one)) = of(other); }
+
+  std::vector<int> next_;  // by node; the one that stands for the body is its own
+};
+
+}  // namespace
+
+void require_held(const CellMesh& mesh, const PeriodicCuts& pairs, const std::vector<int>& clamped) {
+  Bodies bodies(mesh, pairs);
+  std::set<int> all, held;
+  for (const std::vector<int>& cell : mesh.cells) all.insert(bodies.of(cell.front()));
+  for (const int face : clamped) held.insert(bodies.of(mesh.faces[static_cast<std::size_t>(face)].nodes.front()));
+  const auto loose = std::find_if(all.begin(), all.end(), [&](int body) { return !held.contains(body); });
+  if (loose == all.end()) return;
+  double low = mesh.largest_radius(), high = 0;
+  for (int node = 0; node < mesh.nodes.cols(); ++node)
+    if (bodies.of(node) == *loose) {
+      low = std::min(low, mesh.nodes.col(node).head<2>().norm());
+      high = std::max(high, mesh.nodes.col(node).head<2>().norm());
+    }
+  const auto cells = std::count_if(mesh.cells.begin(), mesh.cells.end(),
+                                   [&](const auto& cell) { return bodies.of(cell.front()) == *loose; });
+  std::ostringstream text;
+  text << mesh.file << ": the cells form " << all.size() << " bodies that share no node: one of " << cells
+       << " cells, with r from " << low << " to " << high
+       << " m, touches nothing that is clamped; join the volumes before meshing (gmsh: BooleanFragments)";
+  throw InputError(text.str());
+}
+
+}  // namespace tiprub::mesh

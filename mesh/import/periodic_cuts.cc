@@ -20,7 +20,7 @@ namespace {
 
 constexpr double tolerance = 1e-5;    // of the largest radius
 constexpr double least_share = 0.02;  // of a unit normal, along the circle
-constexpr int fewest_faces = 2;
+constexpr std::size_t fewest_faces = 2;
 constexpr double whole_number_tolerance = 1e-4;
 constexpr double most_faces = 0.9;          // of the smaller cut
 constexpr double unlike_cuts_agree = 0.01;  // of the largest radius, their centres
@@ -116,7 +116,7 @@ class Search {
            ++at)
         if (const int count = sectors_between(face.at, at->second.at); count > 1) ++counts[count];
     for (const auto& [count, faces] : counts)
-      if (faces >= fewest_faces) return of(count);
+      if (static_cast<std::size_t>(faces) >= fewest_faces) return of(count);
     return {};
   }
 
@@ -193,6 +193,11 @@ PeriodicCuts pairs_of(const CellMesh& mesh, const PeriodicCuts& cuts) {
 
 bool mostly_pair(const CellMesh& mesh, const PeriodicCuts& cuts) {
   return are_most(pairs_of(mesh, cuts), cuts);
+}
+
+bool could_be_meant(const CellMesh& mesh, const PeriodicCuts& cuts) {
+  constexpr int half_turn = 2;
+  return cuts.low.size() >= fewest_faces && cuts.sector_count > half_turn && mostly_pair(mesh, cuts);
 }
 
 std::string why_unpaired(const CellMesh& mesh, const PeriodicCuts& cuts) {

@@ -35,6 +35,10 @@ PeriodicCuts pairs_of(const CellMesh& mesh, const PeriodicCuts& cuts);
 /// Whether at least 90 % of the faces of the smaller cut pair.
 bool mostly_pair(const CellMesh& mesh, const PeriodicCuts& cuts);
 
+/// Whether an axis and a number of sectors other than the case's are worth a suggestion: the cuts have at least two
+/// faces, most of them pair, and not by a half turn, which exchanges the cuts of every symmetric sector.
+bool could_be_meant(const CellMesh& mesh, const PeriodicCuts& cuts);
+
 /// For a message, why the faces of two named cuts do not pair, or what to do: the angle between them is not 2 pi/N,
 /// they are not at the same r and z, or they are meshed differently.
 std::string why_unpaired(const CellMesh& mesh, const PeriodicCuts& cuts);

@@ -111,15 +111,14 @@ using CutsIn = std::function<PeriodicCuts(const CellMesh&, int sector_count)>;
 /// For a message: the axis and the number of sectors with which most faces of the cuts pair. Empty if there are none.
 std::string where_cuts_pair(const ImportParameters& parameters, const CutsIn& cuts_in) {
   constexpr int any_count = 0;
-  constexpr std::size_t by_chance = 1;
   const ForeignMesh given = read(parameters);
   for (const int count : {parameters.sector_count, any_count})
     for (const auto& [axis, name] : {std::pair{Axis::z, "z"}, {Axis::y, "y"}, {Axis::x, "x"}}) {
       const CellMesh mesh = in_our_terms(given, parameters.length, axis);
       const PeriodicCuts cuts = cuts_in(mesh, count);
-      if (const std::size_t paired = pairs_of(mesh, cuts).low.size(); paired > by_chance && mostly_pair(mesh, cuts))
+      if (could_be_meant(mesh, cuts))
         return "with axis = \"" + std::string(name) + "\" and sector_count = " + std::to_string(cuts.sector_count) +
-               ", " + std::to_string(paired) + " faces are";
+               ", " + std::to_string(pairs_of(mesh, cuts).low.size()) + " faces are";
     }
   return "";
 }

@@ -113,6 +113,20 @@ TEST(ImportedMesh, SaysThatNamedCutsAreMeshedApart) {
             "mesh both cuts alike (gmsh: Periodic Surface)");
   EXPECT_EQ(why_unpaired(wrong, named_cuts(wrong, cuts.low, cuts.high, 0)),
             "the cuts are 29 degrees apart, which is 360/12.4138; a sector needs 360/N");
+  EXPECT_TRUE(could_be_meant(alike, named_cuts(alike, cuts.low, cuts.high, 0)));
+}
+
+/// Symptom: of a sector of six about x the message named y with two sectors, where a half turn exchanges the cuts.
+TEST(ImportedMesh, SuggestsNoHalfTurnAboutTheMiddleOfASector) {
+  const ForeignMesh sector = bricks({2, 4, 1}, [](double i, double j, double k) {
+    const double angle = 2 * std::numbers::pi / 6 * (j / 4 - 0.5), radius = 1 + 0.1 * i;
+    return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0.1 * (k - 0.5));
+  });
+  const CellMesh about_z = in_metres(sector), about_x = in_our_terms(sector, 1.0, Axis::x);
+  const PeriodicCuts cuts = find_cuts(about_z, 6), half_turn = named_cuts(about_x, cuts.low, cuts.high, 2);
+  EXPECT_TRUE(could_be_meant(about_z, named_cuts(about_z, cuts.low, cuts.high, 0)));
+  EXPECT_TRUE(mostly_pair(about_x, half_turn));
+  EXPECT_FALSE(could_be_meant(about_x, half_turn));
 }
 
 /// Symptom: a blade that was not joined to its disc passed, and long after the stiffness was not positive definite.

@@ -2,6 +2,8 @@
 #include "mesh/import/import_check.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -35,7 +37,26 @@ class Bodies {
   std::vector<int> next_;  // by node; the one that stands for the body is its own
 };
 
+/// The largest angle about the axis [rad] without a node.
+double largest_gap(const CellMesh& mesh) {
+  constexpr double on_the_axis = 1e-6;  // of the largest radius
+  const double least = on_the_axis * mesh.largest_radius();
+  std::vector<double> angles;
+  for (const auto& node : mesh.nodes.colwise())
+    if (node.head<2>().norm() > least) angles.push_back(std::atan2(node.y(), node.x()));
+  std::sort(angles.begin(), angles.end());
+  double gap = angles.front() + 2 * std::numbers::pi - angles.back();
+  for (std::size_t k = 1; k < angles.size(); ++k) gap = std::max(gap, angles[k] - angles[k - 1]);
+  return gap;
+}
+
 }  // namespace
+
+std::string doubt_about_one_body(const CellMesh& mesh) {
+  if (largest_gap(mesh) < std::numbers::pi / 2) return "";
+  return "no face, turned about the axis, is another one, so that this is one body without neighbours; if it is a "
+         "sector, mesh both cuts alike (gmsh: Periodic Surface), else set [mesh] sector_count = 1";
+}
 
 void require_held(const CellMesh& mesh, const PeriodicCuts& pairs, const std::vector<int>& clamped) {
   Bodies bodies(mesh, pairs);

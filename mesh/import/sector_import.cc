@@ -273,6 +273,9 @@ ImportedSector import_sector(const ImportParameters& given) {
   const PeriodicCuts cuts = cuts_of(mesh, parameters);
   const std::array<Tip, 2> tips = {tip_of(mesh, parameters, {"blade_tip", "contact", {}, {}}),
                                    tip_of(mesh, parameters, {"splitter_tip", "contact_splitter", {}, {}})};
+  const bool unsure = cuts.low.empty() && parameters.sector_count == 0;
+  const std::string doubt = unsure ? doubt_about_one_body(mesh) : "";
+  if (!doubt.empty() && !parameters.selection.at("disc").empty()) throw InputError(mesh.file + ": " + doubt);
   const std::vector<int> clamped = select_faces(mesh, "clamped", parameters.selection.at("clamped"));
   require_held(mesh, pairs_of(mesh, cuts), clamped);
   ImportedSector sector;
@@ -288,7 +291,7 @@ ImportedSector import_sector(const ImportParameters& given) {
   for (const Tip& tip : tips)
     if (!tip.line.empty())
       sector.mesh.entities.push_back({1, {tip.line_key}, {{line2, pieces_of({tip.line.begin(), tip.line.end()})}}});
-  sector.description = described(mesh, cuts, tips);
+  sector.description = described(mesh, cuts, tips) + (doubt.empty() ? "" : "\nwarning: " + doubt);
   return sector;
 }
 

@@ -38,6 +38,11 @@ expect_message(import_cuts_that_are_none ${named} NEW "cyclic_low = \"plane y -0
                ERRORS "turned by 360/12 degrees, is among the 1 faces of \"plane x 0.06\"; their centres differ in r or z; is each name that of a whole cut, and is axis right?")
 expect_message(import_cuts_at_one_angle ${named} NEW "cyclic_low = \"plane x 0.04\"\ncyclic_high = \"plane x 0.04\"\ncontact = "
                ERRORS "the cuts are at the same angle about the axis; is axis right?")
+set(alone "warning: no face, turned about the axis, is another one, so that this is one body without neighbours; if it is a sector, mesh both cuts alike")
+expect_message(import_of_one_body ERRORS "no cuts: one body" ${alone} "else set [mesh] sector_count = 1" WRITES sector.msh)
+expect_message(import_of_a_disc_without_cuts FILE case.toml OLD "contact = " NEW "disc = \"solid\"\ncontact = " EXIT_CODE 2
+               ERRORS "brick.inp: no face, turned about the axis, is another one, so that this is one body without neighbours")
+expect_message(import_of_a_disc_that_is_whole FILE case.toml OLD "contact = " NEW "disc = \"solid\"\nsector_count = 1\ncontact = " ERRORS "no cuts: one body" WRITES sector.msh)
 expect_message(import_tip_without_an_edge ARGUMENTS case.toml --import brick.bdf --set "mesh.clamped='SPC 1'" --set "mesh.contact=" --set "mesh.blade_tip='PID 3'"
                EXIT_CODE 2 ERRORS "brick.bdf: [mesh] blade_tip selects faces that have no single edge round them")
 expect_message(import_of_corners_only OLD "type=C3D20R" NEW "type=C3D8" EXIT_CODE 2

@@ -146,5 +146,16 @@ TEST(ImportedMesh, RefusesABodyThatNothingHolds) {
   EXPECT_EQ(clamping(parted, "plane x 1", pairs), "") << "through a cut";
 }
 
+TEST(ImportedMesh, DoubtsOneBodyThatDoesNotGoRoundTheAxis) {
+  const auto ring = [](double turn) {
+    return in_metres(bricks({1, 8, 1}, [&](double i, double j, double k) {
+      const double angle = turn * j / 8;
+      return Eigen::Vector3d((1 + i) * std::cos(angle), (1 + i) * std::sin(angle), k);
+    }));
+  };
+  EXPECT_EQ(doubt_about_one_body(ring(2 * std::numbers::pi)), "");
+  EXPECT_NE(doubt_about_one_body(ring(std::numbers::pi)), "");
+}
+
 }  // namespace
 }  // namespace tiprub::mesh

@@ -75,6 +75,7 @@ class Translation {
 
   void add_cell_set(const std::string& name, const std::vector<long>& numbers) {
     std::vector<long> nodes;
+    bool solids_only = true;
     for (const long number : numbers) {
       if (const auto cell = cell_of_.find(number); cell != cell_of_.end()) {
         made_.cell_sets[name].push_back(cell->second);
@@ -82,9 +83,11 @@ class Translation {
         nodes.insert(nodes.end(), of_cell.begin(), of_cell.end());
       } else if (const auto other = from_.others.find(number); other != from_.others.end()) {
         nodes.insert(nodes.end(), other->second.begin(), other->second.end());
+        solids_only = false;
       }
     }
-    made_.node_sets.try_emplace(name, known(nodes));
+    const bool is_new = made_.node_sets.try_emplace(name, known(nodes)).second;
+    if (is_new && solids_only && !made_.node_sets[name].empty()) made_.sets_of_solids.insert(name);
   }
 
   const ForeignMesh& from_;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct CellMesh {
   std::vector<FreeFace> faces;
   std::map<std::string, std::vector<int>> node_sets;  ///< nodes of sets of nodes, or of elements, in the file's order
   std::map<std::string, std::vector<int>> cell_sets;  ///< solids of sets of elements
+  std::set<std::string> sets_of_solids;               ///< the node sets that stand for solids only
 
   /// [m] from the axis.
   double largest_radius() const { return nodes.topRows<2>().colwise().norm().maxCoeff(); }

@@ -52,6 +52,21 @@ double largest_gap(const CellMesh& mesh) {
 
 }  // namespace
 
+std::string extent_of(const CellMesh& mesh, const std::vector<int>& faces) {
+  constexpr double one_radius = 1e-4;  // of the largest radius
+  double low = mesh.largest_radius(), high = 0;
+  for (const int face : faces)
+    for (const int node : mesh.faces[static_cast<std::size_t>(face)].nodes) {
+      low = std::min(low, mesh.nodes.col(node).head<2>().norm());
+      high = std::max(high, mesh.nodes.col(node).head<2>().norm());
+    }
+  std::ostringstream text;
+  text << faces.size() << (faces.size() == 1 ? " face" : " faces") << ", r " << low;
+  if (high - low > one_radius * mesh.largest_radius()) text << " to " << high;
+  text << " m";
+  return text.str();
+}
+
 std::string doubt_about_one_body(const CellMesh& mesh) {
   if (largest_gap(mesh) < std::numbers::pi / 2) return "";
   return "no face, turned about the axis, is another one, so that this is one body without neighbours; if it is a "

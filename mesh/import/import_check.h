@@ -16,4 +16,7 @@ void require_held(const CellMesh& mesh, const PeriodicCuts& pairs, const std::ve
 /// nodes. Empty if nothing is.
 std::string doubt_about_one_body(const CellMesh& mesh);
 
+/// How many free faces these are, and from which to which radius: "26 faces, r 0.178 to 0.18 m".
+std::string extent_of(const CellMesh& mesh, const std::vector<int>& faces);
+
 }  // namespace tiprub::mesh

@@ -215,7 +215,8 @@ ImportParameters with_own_names(ImportParameters p, const CellMesh& mesh) {
   return p;
 }
 
-std::string described(const CellMesh& mesh, const PeriodicCuts& cuts, const std::array<Tip, 2>& tips) {
+std::string described(const CellMesh& mesh, const PeriodicCuts& cuts, const std::array<Tip, 2>& tips,
+                      const std::vector<int>& clamped) {
   std::map<std::string, int> kinds;
   for (const std::vector<int>& cell : mesh.cells) ++kinds[cell_kind(static_cast<int>(cell.size())).name];
   std::ostringstream text;
@@ -233,6 +234,9 @@ std::string described(const CellMesh& mesh, const PeriodicCuts& cuts, const std:
       text << "\n"
            << tip.line_key << ": " << tip.line.size() << " nodes, from " << mesh.place_of(tip.line.front()) << " to "
            << mesh.place_of(tip.line.back());
+  for (const Tip& tip : tips)
+    if (!tip.faces.empty()) text << "\n" << tip.faces_key << ": " << extent_of(mesh, tip.faces);
+  text << "\nclamped: " << extent_of(mesh, clamped);
   return text.str();
 }
 
@@ -291,7 +295,7 @@ ImportedSector import_sector(const ImportParameters& given) {
   for (const Tip& tip : tips)
     if (!tip.line.empty())
       sector.mesh.entities.push_back({1, {tip.line_key}, {{line2, pieces_of({tip.line.begin(), tip.line.end()})}}});
-  sector.description = described(mesh, cuts, tips) + (doubt.empty() ? "" : "\nwarning: " + doubt);
+  sector.description = described(mesh, cuts, tips, clamped) + (doubt.empty() ? "" : "\nwarning: " + doubt);
   return sector;
 }
 

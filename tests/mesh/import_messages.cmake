@@ -43,8 +43,14 @@ expect_message(import_of_one_body ERRORS "no cuts: one body" ${alone} "else set 
 expect_message(import_of_a_disc_without_cuts FILE case.toml OLD "contact = " NEW "disc = \"solid\"\ncontact = " EXIT_CODE 2
                ERRORS "brick.inp: no face, turned about the axis, is another one, so that this is one body without neighbours")
 expect_message(import_of_a_disc_that_is_whole FILE case.toml OLD "contact = " NEW "disc = \"solid\"\nsector_count = 1\ncontact = " ERRORS "no cuts: one body" WRITES sector.msh)
-expect_message(import_tip_without_an_edge ARGUMENTS case.toml --import brick.bdf --set "mesh.clamped='SPC 1'" --set "mesh.contact=" --set "mesh.blade_tip='PID 3'"
-               EXIT_CODE 2 ERRORS "brick.bdf: [mesh] blade_tip selects faces that have no single edge round them")
+expect_message(import_says_what_is_selected ARGUMENTS case.toml --set "mesh.contact=" --set "mesh.blade_tip='plane x 0.06'" --check
+               ERRORS "blade_tip: 1 face, r 0.06 to 0.0608276 m" "clamped: 1 face, r 0.04 to 0.0412311 m")
+expect_message(import_tip_of_solids ARGUMENTS case.toml --import brick.bdf --set "mesh.clamped='SPC 1'" --set "mesh.contact=" --set "mesh.blade_tip='PID 3'"
+               EXIT_CODE 2 ERRORS "brick.bdf: [mesh] blade_tip = \"PID 3\" is a set of solids, not of faces; name the set of the faces or of their nodes, or select them by cylinder, plane or normal")
+expect_message(import_clamp_of_solids FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"solid\"" EXIT_CODE 2
+               ERRORS "brick.inp: [mesh] clamped = \"solid\" is a set of solids, not of faces")
+expect_message(import_tip_without_an_edge OLD "NSET=contact" NEW "NSET=tip" ARGUMENTS case.toml --set "mesh.contact=" --set "mesh.blade_tip='all'"
+               EXIT_CODE 2 ERRORS "brick.inp: [mesh] blade_tip selects faces that have no single edge round them")
 expect_message(import_of_corners_only OLD "type=C3D20R" NEW "type=C3D8" EXIT_CODE 2
                ERRORS "brick.inp:25: C3D8: elements that have corners only bend too stiffly; mesh again with quadratic ones")
 expect_message(import_of_27_nodes OLD "type=C3D20R" NEW "type=C3D27" EXIT_CODE 2 ERRORS "brick.inp:25: elements of type C3D27 are not known; C3D10")

@@ -74,7 +74,9 @@ CellTags read_cells(const GmshFile& file, SectorMesh& mesh) {
     mesh.cell_tags.insert(mesh.cell_tags.end(), elements.tags.begin(), elements.tags.end());
   }
   if (cells.empty())
-    throw InputError(mesh.file + ": has no volume group \"sector\" with cells; name it in the mesher");
+    throw InputError(mesh.file +
+                     ": has no volume group \"sector\" with cells; name it in the mesher, or import the mesh first: "
+                     "tiprub-mesh with [mesh] mesh_file");
   constexpr int lagrange = 27;
   if (kinds.contains(lagrange) && kinds.size() > 1)
     throw InputError(mesh.file +

@@ -63,7 +63,7 @@ expect_message(a_node_astray_within_tolerance KEY contact_nodes LINE "contact_no
                FILE sector.msh OLD "0.1732050807568877 0.1 0.005" NEW "0.1732050807568877 0.1 0.0051" ERRORS "6 sectors" WRITES model.h5)
 expect_message(no_clamp FILE sector.msh OLD "\"clamped\"" NEW "\"bore\"" EXIT_CODE 2 ERRORS "has no surface group \"clamped\"")
 expect_message(no_contact FILE sector.msh OLD "\"contact\"" NEW "\"tip\"" EXIT_CODE 2 ERRORS "has no curve or points named \"contact\"")
-expect_message(no_sector FILE sector.msh OLD "\"sector\"" NEW "\"wheel\"" EXIT_CODE 2 ERRORS "has no volume group \"sector\"")
+expect_message(no_sector FILE sector.msh OLD "\"sector\"" NEW "\"wheel\"" EXIT_CODE 2 ERRORS "has no volume group \"sector\" with cells; name it in the mesher, or import the mesh first: tiprub-mesh with [mesh] mesh_file")
 expect_message(unstable_at_top_speed KEY young_modulus LINE "young_modulus = 1e5\nunusual = true\nprestress = \"stress_only\"" EXIT_CODE 1
                ERRORS "at 5000 rpm: the stiffness is not positive definite: the rotor is unstable")
 expect_message(matrix_market ARGUMENTS case.toml sector.msh --export-matrix-market matrices

@@ -30,6 +30,7 @@ NamedMesh import_mesh(const StageArguments& arguments, CaseTable& table) {
   const ImportParameters parameters = read_import_parameters(table);
   if (arguments.verbosity == Verbosity::verbose) say(arguments, table.resolved());
   ImportedSector sector = import_sector(parameters);
+  require_usual_radius(table, parameters, sector.largest_radius);
   say(arguments, sector.description);
   return std::move(sector.mesh);
 }

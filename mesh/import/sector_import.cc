@@ -267,8 +267,18 @@ ImportParameters read_import_parameters(CaseTable& table) {
   if (low != high) table.reject(low ? "cyclic_high" : "cyclic_low", "needs the other cut beside it");
   parameters.leading_edge = table.choice<LeadingEdge>(
       "leading_edge", LeadingEdge::low_z, {{"low_z", LeadingEdge::low_z}, {"high_z", LeadingEdge::high_z}});
+  parameters.unusual = table.flag("unusual", false);
   table.close();
   return parameters;
+}
+
+void require_usual_radius(const CaseTable& table, const ImportParameters& parameters, double largest_radius) {
+  constexpr double largest_usual = 5;  // [m]
+  if (parameters.unusual || largest_radius <= largest_usual) return;
+  std::ostringstream text;
+  text << "makes this a wheel of " << largest_radius << " m radius, which is unusual: expected at most "
+       << largest_usual << " [m]; is the file in another unit? If it is meant, add unusual = true to this table";
+  table.reject("length_unit", text.str());
 }
 
 ImportedSector import_sector(const ImportParameters& given) {
@@ -283,6 +293,7 @@ ImportedSector import_sector(const ImportParameters& given) {
   const std::vector<int> clamped = select_faces(mesh, "clamped", parameters.selection.at("clamped"));
   require_held(mesh, pairs_of(mesh, cuts), clamped);
   ImportedSector sector;
+  sector.largest_radius = mesh.largest_radius();
   for (const auto& node : mesh.nodes.colwise()) sector.mesh.nodes.emplace_back(node);
   sector.mesh.entities = Parts(mesh, parameters).entities(mesh);
   const auto add = [&](const std::string& name, const std::vector<int>& faces) {

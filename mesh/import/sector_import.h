@@ -24,6 +24,7 @@ struct ImportParameters {
   /// contact_splitter), of solids (disc, main_blade, splitter). Empty or absent: the set of the key's name, if any.
   std::map<std::string, std::string> selection;
   LeadingEdge leading_edge = LeadingEdge::low_z;
+  bool unusual = false;  ///< a radius that is usual for no wheel is meant
 };
 
 /// Whether [mesh] asks for a mesh of another code.
@@ -35,8 +36,12 @@ ImportParameters read_import_parameters(CaseTable& table);
 /// An imported mesh with the groups of sector.msh, and a description of what was found.
 struct ImportedSector {
   NamedMesh mesh;
+  double largest_radius;    ///< [m]
   std::string description;  ///< lines
 };
+
+/// Raises InputError at length_unit if the wheel has a radius above 5 m that is not said to be meant.
+void require_usual_radius(const CaseTable& table, const ImportParameters& parameters, double largest_radius);
 
 /// Reads the file and names the groups of sector.msh. Raises InputError.
 ImportedSector import_sector(const ImportParameters& parameters);

@@ -63,7 +63,9 @@ expect_message(import_of_an_include OLD "*NSET, NSET=clamped" NEW "*INCLUDE, INP
                ERRORS "brick.inp:28: *INCLUDE leads to another file; give the file that holds the mesh")
 expect_message(import_cut_off_inp OLD ",\n12, 13, 14, 15, 16, 17, 18, 19, 20" NEW ", 12" EXIT_CODE 2
                ERRORS "the last element of type C3D20R lacks nodes; is the file cut off?")
-expect_message(import_in_metres FILE case.toml OLD "\"mm\"" NEW "\"m\"" ERRORS "radius up to 60" WRITES sector.msh)
+expect_message(import_in_another_unit FILE case.toml OLD "\"mm\"" NEW "\"m\"" EXIT_CODE 2
+               ERRORS "[mesh] length_unit makes this a wheel of 60.8276 m radius, which is unusual: expected at most 5 [m]; is the file in another unit?" "add unusual = true to this table")
+expect_message(import_in_metres FILE case.toml OLD "\"mm\"" NEW "\"m\"\nunusual = true" ERRORS "radius up to 60" WRITES sector.msh)
 expect_message(import_of_a_node_far_away OLD "20, 40.0, 10.0, 0.0" NEW "20, 4e7, 10.0, 0.0" EXIT_CODE 2
                ERRORS "brick.inp: node 20 stands more than 1000 m from the origin; is length_unit right?")
 expect_message(import_of_nothing OLD "*ELEMENT" NEW "*OTHER" EXIT_CODE 2 ERRORS "brick.inp: holds no quadratic solid elements; is it the file of the mesh?")

@@ -27,17 +27,13 @@ struct FewStates {
   Eigen::MatrixXcd coefficients;  ///< few x samples
 };
 
-/// The part of a state that is left out, of the largest state of the wheel. The highest modes are the stiffest, by
-/// less than a hundred times, so that the stress lacks less than 1e-4 of its largest value.
-constexpr double left_out = 1e-6;
-
-using PivotedQr = Eigen::ColPivHouseholderQR<Eigen::MatrixXcd>;
-
-FewStates few_states(const PivotedQr& qr, double largest) {
-  const Eigen::Index few =
-      std::max<Eigen::Index>((qr.matrixR().diagonal().array().abs() > left_out * largest).count(), 1);
+FewStates few_states(const Eigen::MatrixXcd& states) {
+  constexpr double left_out = 1e-7;  // of the largest one: fields.h5 has single precision
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> qr(states);
+  qr.setThreshold(left_out);
+  const Eigen::Index few = std::max<Eigen::Index>(qr.rank(), 1);
   const Eigen::MatrixXcd first_rows = qr.matrixR().topRows(few).triangularView<Eigen::Upper>();
-  return {qr.householderQ() * Eigen::MatrixXcd::Identity(qr.rows(), few),
+  return {qr.householderQ() * Eigen::MatrixXcd::Identity(states.rows(), few),
           first_rows * qr.colsPermutation().transpose()};
 }
 
@@ -51,16 +47,10 @@ struct SampledWaves {
 /// By nodal diameter; empty if these samples take more than `most_fields`, and are more than one.
 std::vector<SampledWaves> recovered(const WheelCycle& cycle, int first, int count, const WaveRecovery& recover,
                                     int most_fields) {
-  std::vector<PivotedQr> factors;
-  double largest = 0;
-  for (const Eigen::MatrixXcd& states : cycle.states) {
-    factors.emplace_back(states.middleCols(first, count));
-    largest = std::max(largest, factors.back().maxPivot());
-  }
   std::vector<FewStates> few;
   Eigen::Index needed = 0;
-  for (const PivotedQr& qr : factors) {
-    few.push_back(few_states(qr, largest));
+  for (const Eigen::MatrixXcd& states : cycle.states) {
+    few.push_back(few_states(states.middleCols(first, count)));
     needed += few.back().basis.cols();
   }
   std::vector<SampledWaves> waves;
@@ -331,7 +321,8 @@ StressCycle worst_cycle(const CycleStress& stress, const StressZones& zones, con
     const Eigen::Index node = largest_in(StressZone::body, zones, severity);
     if (severity[node] <= most) continue;
     most = severity[node];
-    worst = {stress.mean(node, h), stress.alternating(node, h), places.words(static_cast<int>(node)), std::nullopt};
+    worst = {stress.mean(node, h), stress.alternating(node, h), places.words(static_cast<int>(node)), std::nullopt,
+             strength};
   }
   if (strength) worst.goodman = most;
   return worst;

@@ -71,6 +71,7 @@ struct StressCycle {
   double alternating = 0;         ///< [Pa] the largest von Mises stress of the tensor minus its mean
   std::string where;              ///< in words
   std::optional<double> goodman;  ///< [1] utilisation, where the case gives strengths
+  std::optional<MaterialStrength> strength;
 };
 
 /// The stress of one speed, over its cycle, or at its snapshot where the response has no cycle.

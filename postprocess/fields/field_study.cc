@@ -21,11 +21,11 @@ namespace tiprub::postprocess {
 
 namespace {
 
-constexpr double same_place = 1e-6;       // of the largest radius
-constexpr double near_segment = 0.2;      // of it; its nodes surround a segment's centre
-constexpr double recovery_memory = 4e9;   // [bytes] at most, and a quarter of what is free
-constexpr double left_out_waves = 0.002;  // [1] of the mean square of a motion
-constexpr std::size_t most_waves = 6;     // of a motion, that are recovered
+constexpr double same_place = 1e-6;                            // of the largest radius
+constexpr double near_segment = 0.2;                           // of it; its nodes surround a segment's centre
+constexpr std::size_t recovery_memory = std::size_t{1} << 30;  // [bytes]
+constexpr double left_out_waves = 0.002;                       // [1] of the mean square of a motion
+constexpr std::size_t most_waves = 6;                          // of a motion, that are recovered
 constexpr double m_per_mm = 1e-3;
 constexpr double largest_radius = 1e3;  // [m] of any wheel
 constexpr double unit_error = 1e-3;     // of the motion of a contact node, which is exact to single precision
@@ -153,9 +153,10 @@ std::size_t worst_of(const std::vector<std::size_t>& speeds, const Eigen::Vector
 
 /// How many fields of a wave, with their stress, the memory is used for.
 int fields_at_once(const SectorFields& sector) {
-  constexpr double numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
-  const double field = sizeof(std::complex<double>) * numbers_at_node * static_cast<double>(sector.nodes.cols());
-  return static_cast<int>(std::max(1.0, std::min(recovery_memory, available_memory() / 4) / field));
+  const std::size_t numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
+  const std::size_t field =
+      sizeof(std::complex<double>) * numbers_at_node * static_cast<std::size_t>(sector.nodes.cols());
+  return static_cast<int>(std::max<std::size_t>(1, recovery_memory / field));
 }
 
 WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,

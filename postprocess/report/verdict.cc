@@ -31,10 +31,13 @@ std::string stress_text(const Study& study, const std::optional<FieldPeak>& peak
   if (!peak) return "";
   std::string text = " The vibration stress is " + mpa_text(peak->body.vibration) + ", and " +
                      mpa_text(peak->body.both) + " with spin";
-  if (peak->cycle && peak->cycle->goodman)
-    text += "; Goodman's utilisation is " + fixed(*peak->cycle->goodman, 2) +
-            (*peak->cycle->goodman > 1 ? ", above the limit of 1" : "") + speeds_caveat(study);
-  return text + ".";
+  const auto& cycle = peak->cycle;
+  if (!cycle || !cycle->goodman) return text + ".";
+  if (cycle->strength->yield) text += " (yield strength " + mpa_text(*cycle->strength->yield) + ")";
+  return text + "; Goodman's utilisation is " + fixed(*cycle->goodman, 2) +
+         (*cycle->goodman > 1 ? ", above the limit of 1" : "") + " (" + mpa_text(cycle->alternating) +
+         " alternating, endurance limit " + mpa_text(cycle->strength->endurance) + "; " + mpa_text(cycle->mean) +
+         " mean, ultimate strength " + mpa_text(cycle->strength->ultimate) + ")" + speeds_caveat(study) + ".";
 }
 
 /// " Friction takes 380 kW of the wheel's power, at most 700 kW."; empty without friction.
@@ -101,6 +104,22 @@ std::string where(const Study& study, const FieldResults& fields) {
   return text + ".";
 }
 
+/// " Engine order 6 is harmonic 3 of the 2 lobes of the casing; 10 sectors see it as 4 nodal diameters, since
+/// 6 = 10 - 4."
+std::string origin_text(const WaveLabel& wave, const SimulatedScene& scene) {
+  const int order = wave.engine_order, turns = order - wave.signed_nodal_diameter;
+  std::string text;
+  if (order > 0 && scene.lobes > 0 && order % scene.lobes == 0)
+    text = " Engine order " + std::to_string(order) + " is harmonic " + std::to_string(order / scene.lobes) +
+           " of the " + counted(static_cast<std::size_t>(scene.lobes), "lobe") + " of the casing";
+  if (text.empty() || turns <= 0 || turns % scene.sector_count != 0) return text.empty() ? text : text + ".";
+  const int count = turns / scene.sector_count, n = wave.signed_nodal_diameter;
+  return text + "; " + std::to_string(scene.sector_count) + " sectors see it as " +
+         counted(static_cast<std::size_t>(std::abs(n)), "nodal diameter") + ", since " + std::to_string(order) +
+         " = " + (count > 1 ? std::to_string(count) + " x " : "") + std::to_string(scene.sector_count) +
+         (n == 0 ? "" : (n < 0 ? " - " : " + ") + std::to_string(std::abs(n))) + ".";
+}
+
 std::string why(const Study& study) {
   const std::optional<std::size_t> worst = worst_critical(study.critical);
   if (!worst) return "";
@@ -111,7 +130,7 @@ std::string why(const Study& study) {
                      name_of(wave.direction) + " wave (" + wave_name(wave) + "): " + mm(wave.amplitude) + ", " +
                      fixed(percent * peak.wave_share(), 0) + " % of the amplitude, " +
                      fixed(percent * std::abs(wave.detuning), 1) + (wave.detuning < 0 ? " % below" : " % above") +
-                     " that mode's frequency.";
+                     " that mode's frequency." + origin_text(wave, study.response.scene);
   if (peak.has_larger_wave())
     text += " That wave rises most; the largest is " + wave_name(peak.largest) + " with " +
             mm(peak.largest.amplitude) + ".";

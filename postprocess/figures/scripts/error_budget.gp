@@ -20,7 +20,7 @@ do for [p=1:panels] {
   stats figure_table skip 1 using (abs(column(p+2))) nooutput
   largest[p] = STATS_max > 0 ? STATS_max : 1
 }
-set multiplot layout 1,panels margins screen 0.2,0.98,0.13,0.83 spacing screen 0.02,0.1
+set multiplot layout 1,panels margins screen 0.2,0.98,0.17,0.83 spacing screen 0.02,0.1
 do for [k=1:3] {
   set label k "■ ".kind_titles[k] at screen 0.2 + 0.25*(k - 1),0.95 font key_font textcolor rgb budget_colours[k]
 }

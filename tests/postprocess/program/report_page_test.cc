@@ -239,6 +239,8 @@ TEST_F(Page, BeginsWithTheVerdict) {
             " mm in all, and towards the casing by " + rounded("amplitude [mm]", 3) + " mm",
         std::string("The worst peak: numerics "), std::string("contact node 0 of 0 .. 3 (leading edge)"),
         std::string("EO 6 drives family 1 on nodal diameter 4 as a forward wave"),
+        std::string(
+            "harmonic 3 of the 2 lobes of the casing; 10 sectors see it as 4 nodal diameters, since 6 = 10 - 4."),
         fixed(100 * std::stod(worst.at("wave share [1]")), 0) + " % of the amplitude",
         "the next above, " + rounded("speed [rpm]", 0) + " rpm, is " + above + " % away",
         std::string("Checks that fail: accuracy ("),

@@ -17,6 +17,7 @@ import sys
 CASES = os.path.dirname(os.path.abspath(__file__))
 FIRST_PAGE = os.path.join(CASES, "..", "README.md")
 CELL = re.compile(r"<!-- (\S+) -->(.*?)<!---->", re.S)
+HTML = re.compile(r"^<!-- (\S+) -->[^\n]", re.M)  # Markdown takes the line for HTML, and ends the paragraph
 SEPARATORS = {".tsv": "\t", ".csv": ","}
 
 
@@ -62,6 +63,8 @@ def main(check):
     for page in filter(os.path.exists, pages):  # an installation keeps the first page elsewhere
         with open(page, encoding="utf-8") as file:
             text = file.read()
+        if breaks := HTML.findall(text):
+            sys.exit(f"{os.path.relpath(page, CASES)}: the cell {breaks[0]} begins a line; put a word before it")
         new = filled(text, page)
         if new != text:
             stale.append(os.path.relpath(page, CASES))

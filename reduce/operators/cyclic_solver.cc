@@ -43,7 +43,7 @@ Eigen::MatrixXcd join(const Eigen::MatrixXd& parts, bool standing) {
 
 CyclicSolver::CyclicSolver(const SectorFactor& factor, const CyclicTransformation& transform)
     : factor_(factor), transform_(transform) {
-  const StoredMatrix& S = factor.schur_complement();
+  const auto& S = factor.schur_complement().values();
   const Eigen::Index face = transform_.dofs().face, boundary = transform_.dofs().boundary();
   const std::complex<double> phase = transform_.phase();
   // eq. 6 on the interface: the lower triangle of T^H S T, Hermitian. Both faces on themselves, then one on the
@@ -51,14 +51,14 @@ CyclicSolver::CyclicSolver(const SectorFactor& factor, const CyclicTransformatio
   cholesky_.resize(face + boundary, face + boundary);
   for (Eigen::Index column = 0; column < face; ++column) {
     const Eigen::Index below = face - column;
-    const Eigen::VectorXd low = S.column(column), high = S.column(face + column);
+    const auto low = S.col(column), high = S.col(face + column);
     cholesky_.col(column).segment(column, below) = (low.segment(column, below) + high.segment(face + column, below)) +
                                                    phase * high.segment(column, below) +
                                                    std::conj(phase) * low.segment(face + column, below);
     cholesky_.col(column).tail(boundary) = low.tail(boundary) + phase * high.tail(boundary);
   }
   for (Eigen::Index k = 0; k < boundary; ++k)
-    cholesky_.col(face + k).tail(boundary) = S.column(2 * face + k).tail(boundary).cast<std::complex<double>>();
+    cholesky_.col(face + k).tail(boundary) = S.col(2 * face + k).tail(boundary).cast<std::complex<double>>();
   const int size = static_cast<int>(cholesky_.rows());
   int info = 0;
   if (size > 0) zpotrf_("L", &size, cholesky_.data(), &size, &info);

@@ -29,8 +29,10 @@ constexpr double block_entries = 9;                           // of a pair of no
 constexpr int other_matrices = 3;                             // sparse: M, the pattern, the copy that is factorized
 constexpr int interface_matrices = 1;                         // of real numbers: S
 constexpr int columns_on_their_way = 24 * 5;  // complex vectors a thread: a block of right sides, as it is reordered
-// Of MUMPS, over L by CHOLMOD and over a matrix of interface dofs.
-constexpr double mumps_factor = 1.5, mumps_front = 0.5, mumps_buffers = 0.1, mumps_interfaces = 2;
+// Of MUMPS, over L by CHOLMOD: with its workspace; its fronts, without L; its buffers.
+constexpr double mumps_factor = 1.5, mumps_fronts = 0.4, mumps_buffers = 0.1;
+// The front of S in MUMPS, and its copy, which is mapped from a file where the factors are on disk.
+constexpr double mumps_interfaces = 2, mumps_interfaces_mapped = 1;
 constexpr double program_bytes = 0.3 * bytes_per_gib;  // with its libraries, before it has read anything
 
 /// Lower triangle of the graph of free nodes in the factor's order: column starts and rows.
@@ -96,7 +98,7 @@ std::string gib(double bytes) {
 
 double MemoryNeed::factor_by(FactorMethod method) const {
   if (method == FactorMethod::cholmod || factors == 0) return factor;
-  const double factorizing = mumps_front * sparse_factor + mumps_interfaces * interface;
+  const double factorizing = mumps_fronts * sparse_factor + mumps_interfaces_mapped * interface;
   if (method == FactorMethod::mumps_on_disk)  // both factors are made before there are bases
     return std::max(factorizing - bases,
                     factor - factors * (sparse_factor + interface) + mumps_buffers * sparse_factor);

@@ -28,7 +28,7 @@ struct MemoryNeed {
   int factors = 0;
 
   /// `factor` for a method of factorization. MUMPS also holds its workspace, which includes two matrices of interface
-  /// dofs; with factors and S on disk it holds these only while it factorizes, and buffers afterwards.
+  /// dofs; with factors and S on disk it includes one, is held only while it factorizes, and leaves buffers.
   double factor_by(FactorMethod method) const;
   double total(FactorMethod method = FactorMethod::cholmod) const { return factor_by(method) + bases + matrices; }
   /// [bytes] The size of the files that MUMPS writes.

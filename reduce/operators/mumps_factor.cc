@@ -7,9 +7,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <numeric>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/program/errors.h"
@@ -77,15 +78,18 @@ class MumpsFactor : public FactorEngine {
   void solve_half(MUMPS_INT half, Eigen::MatrixXd& sector, Eigen::MatrixXd& on_interface) const;
 
   int interior_, interface_;
-  std::optional<ScratchFolder> folder_;
-  Eigen::MatrixXd schur_;
+  std::unique_ptr<ScratchFolder> folder_;  ///< none if all is in memory
+  StoredMatrix schur_;
   mutable DMUMPS_STRUC_C mumps_{};  ///< changes with each solve
 };
 
 MumpsFactor::MumpsFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs, FactorPlace place,
                          const std::filesystem::path& scratch_folder)
-    : interior_(dofs.interior), interface_(dofs.interface()) {
-  if (place == FactorPlace::disk) folder_.emplace(scratch_folder);
+    : interior_(dofs.interior),
+      interface_(dofs.interface()),
+      folder_(place == FactorPlace::disk ? std::make_unique<ScratchFolder>(scratch_folder) : nullptr),
+      schur_(folder_ != nullptr && interface_ > 0 ? StoredMatrix(interface_, interface_, folder_->path() / "schur")
+                                                  : StoredMatrix(Eigen::MatrixXd::Zero(interface_, interface_))) {
   require_mpi();
   const std::lock_guard lock(one_at_a_time());
   mumps_.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
@@ -138,7 +142,6 @@ void MumpsFactor::factorize(const SymmetricMatrix& stiffness) {
     }
   std::iota(order.begin(), order.end(), 1);
   std::iota(kept.begin(), kept.end(), interior_ + 1);
-  schur_.setZero(interface_, interface_);
   mumps_.n = static_cast<MUMPS_INT>(size);
   mumps_.nnz = static_cast<MUMPS_INT8>(entries);
   mumps_.irn = rows.data();
@@ -147,7 +150,7 @@ void MumpsFactor::factorize(const SymmetricMatrix& stiffness) {
   mumps_.perm_in = order.data();
   mumps_.size_schur = interface_;
   mumps_.listvar_schur = kept.data();
-  mumps_.schur = schur_.data();
+  mumps_.schur = schur_.values().data();
   factorize_with_room();
   mumps_.irn = mumps_.jcn = mumps_.perm_in = mumps_.listvar_schur = nullptr;
   mumps_.a = mumps_.schur = nullptr;
@@ -167,10 +170,19 @@ void MumpsFactor::factorize_with_room() {
 }
 
 StoredMatrix MumpsFactor::take_schur_complement() {
-  schur_.triangularView<Eigen::StrictlyLower>() = schur_.transpose();  // MUMPS fills one triangle
-  Eigen::MatrixXd schur = std::move(schur_);
-  schur_.resize(0, 0);
-  return folder_ ? StoredMatrix(schur, folder_->path() / "schur") : StoredMatrix(std::move(schur));
+  // MUMPS fills one triangle. Tiles, because a row of a large matrix touches as many pages as it has columns.
+  constexpr int tile = 512;
+  auto& S = schur_.values();
+  for (int column = 0; column < interface_; column += tile)
+    for (int row = column; row < interface_; row += tile) {
+      const int columns = std::min(tile, interface_ - column), rows = std::min(tile, interface_ - row);
+      if (row == column)
+        S.block(row, row, rows, rows).triangularView<Eigen::StrictlyLower>() =
+            S.block(row, row, rows, rows).transpose();
+      else
+        S.block(row, column, rows, columns) = S.block(column, row, columns, rows).transpose();
+    }
+  return std::move(schur_);
 }
 
 /// Condensation of the interior (1) or expansion (2).

@@ -2,6 +2,7 @@
 #include "reduce/operators/stored_matrix.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,60 +15,39 @@ namespace tiprub::reduce {
 
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
-  throw RunError(path.string() + ": can't be " + what + ": " + std::generic_category().message(errno));
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+  throw RunError(path.string() + ": can't be written: " + std::generic_category().message(error));
+}
+
+/// Maps a new file of some size, all of it zeros, which has its room on the disk.
+double* map_new_file(const std::filesystem::path& path, std::size_t bytes) {
+  const int file = ::open(path.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0600);
+  if (file < 0) fail(path, errno);
+  // A write to a mapped page for which the disk has no room would end the process.
+  int error = ::posix_fallocate(file, 0, static_cast<off_t>(bytes));
+  void* const mapped = error == 0 ? ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0) : MAP_FAILED;
+  if (error == 0 && mapped == MAP_FAILED) error = errno;
+  ::close(file);
+  if (error != 0) fail(path, error);
+  return static_cast<double*>(mapped);
 }
 
 }  // namespace
 
 StoredMatrix::StoredMatrix(Eigen::MatrixXd matrix)
-    : matrix_(std::move(matrix)), rows_(matrix_.rows()), columns_(matrix_.cols()) {}
+    : memory_(std::move(matrix)), values_(memory_.data(), memory_.rows(), memory_.cols()) {}
 
-StoredMatrix::StoredMatrix(const Eigen::MatrixXd& matrix, std::filesystem::path file)
-    : rows_(matrix.rows()),
-      columns_(matrix.cols()),
-      path_(std::move(file)),
-      file_(::open(path_.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0600)) {
-  const auto* next = reinterpret_cast<const char*>(matrix.data());
-  for (std::size_t left = sizeof(double) * static_cast<std::size_t>(matrix.size()); file_ >= 0 && left > 0;) {
-    const ssize_t written = ::write(file_, next, left);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      ::close(file_);
-      file_ = -1;
-      break;
-    }
-    next += written;
-    left -= static_cast<std::size_t>(written);
-  }
-  if (file_ < 0) fail(path_, "written");
-}
+StoredMatrix::StoredMatrix(Eigen::Index rows, Eigen::Index columns, const std::filesystem::path& file)
+    : mapped_bytes_(sizeof(double) * static_cast<std::size_t>(rows * columns)),
+      values_(map_new_file(file, mapped_bytes_), rows, columns) {}
 
 StoredMatrix::StoredMatrix(StoredMatrix&& other) noexcept
-    : matrix_(std::move(other.matrix_)),
-      rows_(other.rows_),
-      columns_(other.columns_),
-      path_(std::move(other.path_)),
-      file_(std::exchange(other.file_, -1)) {}
+    : memory_(std::move(other.memory_)),
+      mapped_bytes_(std::exchange(other.mapped_bytes_, 0)),
+      values_(other.values_.data(), other.values_.rows(), other.values_.cols()) {}
 
 StoredMatrix::~StoredMatrix() {
-  if (file_ >= 0) ::close(file_);
-}
-
-Eigen::VectorXd StoredMatrix::column(Eigen::Index k) const {
-  if (file_ < 0) return matrix_.col(k);
-  Eigen::VectorXd values(rows_);
-  const std::size_t bytes = sizeof(double) * static_cast<std::size_t>(rows_);
-  auto* const begin = reinterpret_cast<char*>(values.data());
-  for (std::size_t done = 0; done < bytes;) {
-    const ssize_t got = ::pread(file_, begin + done, bytes - done,
-                                static_cast<off_t>(bytes) * static_cast<off_t>(k) + static_cast<off_t>(done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got == 0) errno = EIO;
-    if (got <= 0) fail(path_, "read");
-    done += static_cast<std::size_t>(got);
-  }
-  return values;
+  if (mapped_bytes_ > 0) ::munmap(values_.data(), mapped_bytes_);
 }
 
 }  // namespace tiprub::reduce

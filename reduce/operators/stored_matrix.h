@@ -2,31 +2,29 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cstddef>
 #include <filesystem>
 
 namespace tiprub::reduce {
 
-/// A dense matrix that is read column by column, by any number of threads: in memory, or in a file if the memory has
-/// to hold other things.
+/// A large dense matrix: in memory, or mapped from a file if the memory has to hold other things.
 class StoredMatrix {
  public:
   /// In memory.
   explicit StoredMatrix(Eigen::MatrixXd matrix);
-  /// In a new file. Raises RunError if it can't be written.
-  StoredMatrix(const Eigen::MatrixXd& matrix, std::filesystem::path file);
+  /// Zeros in a new file. Raises RunError if it can't be made, or if the disk has no room for it.
+  StoredMatrix(Eigen::Index rows, Eigen::Index columns, const std::filesystem::path& file);
   StoredMatrix(StoredMatrix&& other) noexcept;
   StoredMatrix& operator=(StoredMatrix&&) = delete;
   ~StoredMatrix();
 
-  Eigen::Index columns() const { return columns_; }
-  /// Raises RunError if the file can't be read.
-  Eigen::VectorXd column(Eigen::Index k) const;
+  Eigen::Map<Eigen::MatrixXd>& values() { return values_; }
+  const Eigen::Map<Eigen::MatrixXd>& values() const { return values_; }
 
  private:
-  Eigen::MatrixXd matrix_;  ///< empty if it is in the file
-  Eigen::Index rows_, columns_;
-  std::filesystem::path path_;
-  int file_ = -1;
+  Eigen::MatrixXd memory_;        ///< empty if the matrix is in a file
+  std::size_t mapped_bytes_ = 0;  ///< of the file
+  Eigen::Map<Eigen::MatrixXd> values_;
 };
 
 }  // namespace tiprub::reduce

@@ -27,8 +27,8 @@ std::filesystem::path written(const std::string& name, const std::string& text) 
   return path;
 }
 
-/// The blade of a wheel, as a table of so many sections and points.
-std::string table_of(const Wheel& wheel, int sections, int points) {
+/// The blade of a wheel, as a table of so many sections and points, its angles by so many units a radian.
+std::string table_of(const Wheel& wheel, int sections, int points, double radian = 1.0) {
   std::ostringstream text;
   text << std::setprecision(17);
   for (int i = 0; i < sections; ++i) {
@@ -38,7 +38,7 @@ std::string table_of(const Wheel& wheel, int sections, int points) {
       const MeridionalPoint at = wheel.geometry->blade_point(chord, span);
       const double theta = wheel.geometry->theta(chord, span);
       const double half = wheel.geometry->half_width(BladeKind::main, chord, span);
-      text << at.z << " " << at.r << " " << theta + half << " " << theta - half << "\n";
+      text << at.z << " " << at.r << " " << radian * (theta + half) << " " << radian * (theta - half) << "\n";
     }
   }
   return text.str();
@@ -57,14 +57,18 @@ std::string rotor37(const std::string& disc) {
 }
 
 TEST(BladeFile, MeshesABladeLikeTheFamilyThatItsTableComesFrom) {
-  const auto file = written("twisted.txt", table_of(wheel_from(test::twisted_blades()), 81, 161));
   const MeshedSector of_family = sector_from(test::twisted_blades());
-  const MeshedSector of_file = sector_from(twisted_blades_of_file(file));
-  ASSERT_EQ(of_file.nodes.size(), of_family.nodes.size());
-  double worst = 0.0;
-  for (std::size_t i = 0; i < of_file.nodes.size(); ++i)
-    worst = std::max(worst, (of_file.nodes[i] - of_family.nodes[i]).norm());
-  EXPECT_LT(worst, 1e-6);  // m, of a blade of 60 mm
+  for (const bool degrees : {false, true}) {
+    const double radian = degrees ? 180.0 / EIGEN_PI : 1.0;
+    const auto file = written("twisted.txt", table_of(wheel_from(test::twisted_blades()), 81, 161, radian));
+    const MeshedSector of_file =
+        sector_from(twisted_blades_of_file(file) + (degrees ? "angle_unit = \"deg\"\n" : ""));
+    ASSERT_EQ(of_file.nodes.size(), of_family.nodes.size());
+    double worst = 0.0;
+    for (std::size_t i = 0; i < of_file.nodes.size(); ++i)
+      worst = std::max(worst, (of_file.nodes[i] - of_family.nodes[i]).norm());
+    EXPECT_LT(worst, 1e-6);  // m, of a blade of 60 mm
+  }
 }
 
 /// hub.curve or shroud.curve of a cylinder, in millimetres, from far upstream to far downstream.

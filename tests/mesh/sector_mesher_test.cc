@@ -126,6 +126,22 @@ TEST(SectorMesher, FacesLookOutward) {
   EXPECT_GT(along_theta("cyclic_high"), 0.0);
 }
 
+TEST(SectorMesher, TheSplitterStandsAtItsFractionOfThePitch) {
+  const MeshedSector mesh = sector_from(test::with_keys(case_text("fast_impeller"), "splitter_pitch = 0.4\n"));
+  const auto exit_angle = [&](const std::string& tip) {
+    double sum = 0.0;
+    int count = 0;
+    for (const std::size_t node : mesh.surface(tip).face_nodes) {
+      const Eigen::Vector3d& at = mesh.nodes[node];
+      if (at.head<2>().norm() < 0.122 - 1e-9) continue;
+      sum += std::atan2(at[1], at[0]);
+      ++count;
+    }
+    return sum / count;
+  };
+  EXPECT_NEAR(exit_angle("splitter_tip") - exit_angle("blade_tip"), 0.4 * 2.0 * EIGEN_PI / 10.0, 1e-9);
+}
+
 TEST(SectorMesher, AWheelWithoutSplitterHasNone) {
   std::string text = with(case_text("fast_impeller"), "splitter_start", "0.45");
   text.replace(text.find("splitter_start = 0.45"), 21, "splitter = false");

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <ostream>
+#include <string>
 
 #include "tests/mesh/mesh_cases.h"
 
@@ -32,6 +34,15 @@ TEST(Wheel, AThickTipIsAllowedWhereNoSplitterStands) {
   // Two such edges take 0.37 rad; from blade to splitter there are 0.31 rad, from blade to blade 0.63 rad.
   EXPECT_EQ(
       complaint(with(case_text("fast_impeller"), "thickness_tip", "[[0.0, 0.016], [0.3, 0.001], [1.0, 0.001]]")), "");
+}
+
+TEST(Wheel, TheLeadingEdgeLeansByItsKey) {
+  const auto lean = [](const Wheel& wheel) {
+    return wheel.geometry->theta(0.0, 1.0) - wheel.geometry->theta(0.0, 0.0);
+  };
+  const std::string text = case_text("fast_impeller");
+  const Wheel leaning = wheel_from(test::with_keys(text, "tip_lean_deg = 9.0\n"));
+  EXPECT_NEAR(lean(leaning) - lean(wheel_from(text)), EIGEN_PI / 20.0, 1e-12);
 }
 
 struct Wrong {

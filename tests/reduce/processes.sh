@@ -29,11 +29,14 @@ if [ "$1" = killed ]; then
   exit 0
 fi
 
-"$program" -q "$case" sector.msh -o one.h5 --fields one_fields.h5 || exit 1
-for processes in "$@"; do
-  $mpirun -n "$processes" "$program" "$case" sector.msh -o some.h5 --fields some_fields.h5 2>log || fail "$(cat log)"
-  [ "$(grep -c 'sectors of' log)" -eq 1 ] || fail "not one summary: $(cat log)"
-  cmp one.h5 some.h5 && cmp one_fields.h5 some_fields.h5 || fail "$processes processes make another model"
+for factorization in cholmod mumps; do
+  by="--set reduce.factorization=\"$factorization\""
+  "$program" -q "$case" sector.msh -o one.h5 --fields one_fields.h5 $by || exit 1
+  for processes in "$@"; do
+    $mpirun -n "$processes" "$program" "$case" sector.msh -o some.h5 --fields some_fields.h5 $by 2>log || fail "$(cat log)"
+    [ "$(grep -c 'sectors of' log)" -eq 1 ] || fail "not one summary: $(cat log)"
+    cmp one.h5 some.h5 && cmp one_fields.h5 some_fields.h5 || fail "$processes processes make another model by $factorization"
+  done
 done
 $mpirun -n 2 "$program" "$case" nothing.msh -o none.h5 2>log && fail "no failure without a mesh"
 [ "$(grep -c '^tiprub-reduce: error: ' log)" -eq 1 ] || fail "not one message: $(cat log)"

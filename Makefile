@@ -6,7 +6,7 @@
 #   make test-sanitized   runs the unit tests in a Debug build with address and undefined-behaviour sanitizers
 #   make fuzz       gives the reader of each kind of file 300 damaged inputs of a new seed;  FUZZ_INPUTS, FUZZ_SEED; BUILD=build-sanitized
 #   make paper-checks   makes the two wheels of cases/paper, and tells which of the 81 checks hold on each, in its pages
-#   make bench      measures the speed of the costly parts, also against CalculiX (half an hour, most of it for CalculiX)
+#   make bench      measures the speed of the costly parts, also against CalculiX, into build/bench/price.tsv (an hour, 6 GiB)
 #   make format     formats the code;  make check-format and make lint check it
 BUILD ?= build
 JOBS ?= $(shell nproc)
@@ -93,8 +93,8 @@ paper-checks: tests
 	/usr/bin/python3 -B cases/fill_pages.py
 
 bench: tests
-	$(BUILD)/bin/tiprub-benchmark
-	/usr/bin/python3 -B tests/peers/side_by_side.py $(BUILD)/bin/tiprub-mesh $(BUILD)/bin/tiprub-reduce cases/fast_impeller_fine/case.toml $(BUILD)/side_by_side
+	/usr/bin/python3 -B tests/benchmark/price.py $(BUILD)/bin $(BUILD)/bench
+	gnuplot -e 'folder="$(BUILD)/bench"' tests/benchmark/scaling.gnuplot
 
 format:
 	git ls-files '*.h' '*.cc' | xargs clang-format -i

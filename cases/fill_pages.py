@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fills the marked cells of the pages, <!-- KEY -->value<!---->, from the tables beside them.
 
-usage: fill_pages.py           writes README.md of all cases, and the project's first page
+usage: fill_pages.py           writes README.md of all cases and of tests/benchmark, and the project's first page
        fill_pages.py --check   fails if a page differs from its tables
 
 A case's expected/*numbers.tsv hold a key and its value in a line. A KEY that names a table of expected/, NAME.tsv or NAME.csv, stands for
@@ -16,6 +16,7 @@ import sys
 
 CASES = os.path.dirname(os.path.abspath(__file__))
 FIRST_PAGE = os.path.join(CASES, "..", "README.md")
+BENCHMARK_PAGE = os.path.join(CASES, "..", "tests", "benchmark", "README.md")
 CELL = re.compile(r"<!-- (\S+) -->(.*?)<!---->", re.S)
 HTML = re.compile(r"^<!-- (\S+) -->[^\n]", re.M)  # Markdown takes the line for HTML, and ends the paragraph
 SEPARATORS = {".tsv": "\t", ".csv": ","}
@@ -59,8 +60,8 @@ def filled(text, page):
 
 def main(check):
     stale = []
-    pages = sorted(glob.glob(os.path.join(CASES, "*", "README.md"))) + [FIRST_PAGE]
-    for page in filter(os.path.exists, pages):  # an installation keeps the first page elsewhere
+    pages = sorted(glob.glob(os.path.join(CASES, "*", "README.md"))) + [FIRST_PAGE, BENCHMARK_PAGE]
+    for page in filter(os.path.exists, pages):  # an installation has only those of the cases here
         with open(page, encoding="utf-8") as file:
             text = file.read()
         if breaks := HTML.findall(text):

@@ -16,7 +16,7 @@ import sys
 WAYS = ("march", "orbit")
 DAMPINGS = (0.002, 0.005)
 FAMILIES = 6
-AS_IN_THE_PAPER = {"simulate.gap": '"linear"', "simulate.speed_max_rpm": 22000, "simulate.speed_count": 53}
+AS_IN_THE_PAPER = {"simulate.gap": '"linear"', "simulate.speed_min_rpm": 9000, "simulate.speed_max_rpm": 22000, "simulate.speed_count": 53}
 RUNS = "runs"
 
 

@@ -34,6 +34,7 @@ MOST_MEMORY, MOST_TIME = 20, 7200  # [GiB], [s]
 UNSEEN = "[0.15, 0.35, 0.6, 0.85, 0.95]"
 # Fixed-interface modes at each of two speeds, generalized dofs at any one speed, and the tolerance between the speeds.
 MODELS = [(10, 20, 1.0), (20, 40, 1.0), (40, 60, 1.0), (20, 40, 5e-4), (40, 60, 5e-4), (40, 60, 1e-4), (60, 100, 5e-5)]
+AT_NODES = {"contact": '"points"', "contact_nodes": 10, "speed_max_rpm": 22000}
 PRESTRESS = ("stress_only", "linear", "nonlinear")
 COLUMNS = "sector_dofs\tmodel_dofs\tdofs_at_speed\terror_percent\twall_s\tprocessor_s\tmemory_GiB\texpected_memory_GiB"
 
@@ -157,16 +158,20 @@ def error(programs, case, threads):
             mesh_keys = None
 
 
+def parts_of(output):
+    """Processor time [s] of each step, and of the two factorizations."""
+    parts = re.findall(r"^([a-z, ]+): [.\d]+ s, ([.\d]+) s of processor time$", output, flags=re.M)
+    seconds = {what: float(value) for what, value in parts}
+    return seconds, seconds["factor at rest"] + seconds["factor at full speed"]
+
+
 def prestress(programs, case, threads):
     print(f"# threads {threads}\nprestress\t{COLUMNS}\tterms\tfactors_s\tshape_s\tstiffness_s\tmodes_s\tover_factors")
     mesh_keys = {"fillet_radius": 0}
-    at_nodes = {"contact": '"points"', "contact_nodes": 10, "speed_max_rpm": 22000}
     for name in ("linear", "nonlinear"):
-        line, output = reduce(programs, case, {**at_nodes, "threads": threads, "prestress": f'"{name}"'}, mesh_keys)
+        line, output = reduce(programs, case, {**AT_NODES, "threads": threads, "prestress": f'"{name}"'}, mesh_keys)
         mesh_keys = None
-        parts = re.findall(r"^([a-z, ]+): [.\d]+ s, ([.\d]+) s of processor time$", output, flags=re.M)
-        seconds = {what: float(value) for what, value in parts}
-        factors = seconds["factor at rest"] + seconds["factor at full speed"]
+        seconds, factors = parts_of(output)
         terms = re.search(r"eq. 7 of (\d+) terms", output)
         steps = (seconds[what] for what in ("shape under spin", "stiffness under spin", "modes, bases, verification"))
         print(name, line, terms.group(1) if terms else 3, f"{factors:.2f}", *(f"{step:.2f}" for step in steps),

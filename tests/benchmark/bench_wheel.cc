@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <ctime>
 #include <numbers>
+#include <utility>
 
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/speed/speed_run.h"
-#include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::simulate::testing {
 
@@ -17,9 +17,10 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 }  // namespace
 
-BenchWheel made_wheel(int lobes, double tip_share) {
+BenchWheel made_wheel(int lobes, double tip_share, const WheelPlan& plan) {
   constexpr double first_frequency = 900, speed = 1000;
-  BenchWheel wheel{"made, 900 dofs", testing::synthetic_wheel({10, 10, 60}),
+  const int dofs = plan.sectors * (3 * plan.contact_nodes + plan.generalized);
+  BenchWheel wheel{"made, " + std::to_string(dofs) + " dofs", testing::synthetic_wheel(plan),
                    testing::lobed_casing(lobes, 3e-4, 1.5e-4), speed, 0.005};
   // light tips, as static shapes of contact dofs have them: they make omega_max, and the step of central differences
   for (NodalDiameterModel& at : wheel.model.nodal_diameters) {
@@ -40,7 +41,9 @@ BenchWheel given_wheel(const std::string& path, int lobes) {
   Casing casing = testing::lobed_casing(lobes, 0.15e-3, 0.125e-3);
   casing.clearance = {{0.0, 0.13e-3}, {1.0, 0.12e-3}};
   casing.ramp_revolutions = 3;
-  return {path, read_model(path), casing, 24375 * two_pi / 60, 0.01};
+  ReducedModel model = read_model(path);
+  const double speed = std::min(24375 * two_pi / 60, model.speed_max);
+  return {path, std::move(model), casing, speed, 0.01};
 }
 
 SimulateParameters bench_parameters(const BenchWheel& wheel, const Patience& patience) {

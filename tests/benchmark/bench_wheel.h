@@ -7,6 +7,7 @@
 #include "simulate/response/response.h"
 #include "simulate/scene/casing.h"
 #include "simulate/scene/simulate_parameters.h"
+#include "tests/simulate/synthetic_wheel.h"
 
 namespace tiprub::simulate::testing {
 
@@ -19,9 +20,9 @@ struct BenchWheel {
   double damping;  ///< [1] of critical, every mode
 };
 
-/// 900 dofs: 10 sectors, 10 contact nodes each, first family near 900 Hz; made up, always the same. `tip_share` of
-/// the contact dofs' mass is left.
-BenchWheel made_wheel(int lobes, double tip_share = 0.04);
+/// First family near 900 Hz; made up, always the same. By default 900 dofs: 10 sectors with 10 contact nodes each.
+/// `tip_share` of the contact dofs' mass is left.
+BenchWheel made_wheel(int lobes, double tip_share = 0.04, const WheelPlan& plan = {10, 10, 60});
 /// A model.h5 under the demo's casing. Raises RunError if it can't be read.
 BenchWheel given_wheel(const std::string& path, int lobes);
 

@@ -8,9 +8,13 @@
 namespace tiprub::simulate::testing {
 
 /// What a step of the default costs in contact and in the air, with the bound by its bytes and flops (step_bound.h),
-/// and beside the dense form (the paper's eq. 13, eq. 14, eq. 15 as printed) and a plain modal transform of the whole
-/// wheel; to stdout.
+/// beside the dense form (the paper's eqs. 13, 14 and 15 as printed) and a plain modal transform of the whole wheel.
+/// All marches are timed in turn, and the medians are printed as a table to stdout.
 void print_step_costs(const std::string& model);
+
+/// How time and memory of a march grow over blades, lobes, contact nodes, dofs and damping of made-up wheels, with
+/// the fitted exponents; a table to stdout.
+void print_scaling();
 
 /// What 400 speeds by 60 revolutions cost against three lobes, all of it (set-up, march, recording, audit): marches
 /// `speeds` of them, evenly spread, and scales up; to stdout.

@@ -2,7 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <memory>
 #include <numbers>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "simulate/march/time_march.h"
 #include "simulate/scene/scene.h"
@@ -16,14 +22,46 @@ namespace tiprub::simulate::testing {
 
 namespace {
 
-constexpr int repetitions = 5;  // of which the best counts: the machine has other users
+constexpr int rounds = 7;  // of which the median counts: the machine has other users
 
-struct Cost {
-  double microseconds = 0;  ///< a step
-  double closed = 0;        ///< nodes, on average
-  int steps = 0;            ///< a revolution
-  double least = 0;         ///< [us] its bound, if it has one
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// A march whose steps are timed in turn with those of the others, so that all see the same state of the machine.
+struct Contender {
+  std::string name;
+  std::function<std::size_t()> step;                     ///< returns how many nodes are closed
+  int steps = 0;                                         ///< a revolution
+  int timed_steps = 0;                                   ///< a round
+  std::function<StepCount(double closed)> counted = {};  ///< empty if its bound is not known
+  std::vector<double> seconds = {};                      ///< of each round
+  std::size_t closed = 0;                                ///< nodes, over all timed steps
+
+  double microseconds() const { return 1e6 * median(seconds) / timed_steps; }
+  double mean_closed() const { return static_cast<double>(closed) / timed_steps / rounds; }
+  double bound(const MachineRates& rates) const { return counted ? counted(mean_closed()).least(rates) : 0; }
 };
+
+void time_round(Contender& at) {
+  const double start = cpu_seconds();
+  for (int i = 0; i < at.timed_steps; ++i) at.closed += at.step();
+  at.seconds.push_back(cpu_seconds() - start);
+}
+
+/// Times all of them; the median rates of the processor in the same rounds.
+MachineRates time_in_turn(std::vector<Contender>& contenders) {
+  std::vector<double> flops, bytes;
+  for (int r = 0; r < rounds; ++r) {
+    const MachineRates rates = machine_rates();
+    flops.push_back(rates.flops);
+    bytes.push_back(rates.bytes);
+    for (Contender& at : contenders) time_round(at);
+  }
+  return {median(flops), median(bytes)};
+}
 
 /// Steps a revolution of the default, and those that central differences need.
 int default_steps(const BenchWheel& wheel, const RotorAtSpeed& rotor) {
@@ -40,120 +78,118 @@ int central_steps(const BenchWheel& wheel, const RotorAtSpeed& rotor) {
   return unit * static_cast<int>(std::ceil(margin * limit / unit));
 }
 
-/// The best revolution, once the casing is there; of a march that has settled as far as cost goes.
-Cost timed(TimeMarch& march, double ramp_revolutions) {
+/// A march that has settled as far as cost goes. A round is one revolution.
+Contender settled(const char* name, const std::shared_ptr<TimeMarch>& march, double ramp_revolutions) {
   constexpr int more_revolutions = 8;
-  Cost cost{HUGE_VAL, 0, march.steps_per_revolution()};
-  const int settling = static_cast<int>(ramp_revolutions + more_revolutions) * cost.steps;
-  for (int i = 0; i < settling; ++i) march.step();
-  for (int r = 0; r < repetitions; ++r) {
-    std::size_t closed = 0;
-    const double start = cpu_seconds();
-    for (int i = 0; i < cost.steps; ++i) {
-      march.step();
-      closed += march.contact().closed().size();
-    }
-    cost.microseconds = std::min(cost.microseconds, (cpu_seconds() - start) / cost.steps * 1e6);
-    cost.closed = static_cast<double>(closed) / cost.steps;
-  }
-  return cost;
+  Contender at{name,
+               [march] {
+                 march->step();
+                 return march->contact().closed().size();
+               },
+               march->steps_per_revolution(), march->steps_per_revolution()};
+  const int settling = static_cast<int>(ramp_revolutions + more_revolutions) * at.steps;
+  for (int i = 0; i < settling; ++i) march->step();
+  return at;
 }
 
-Cost march_cost(const BenchWheel& wheel, Scheme scheme, int symmetry, const MachineRates& rates, double friction = 0,
-                GapOrder gap = GapOrder::linear) {
+/// What a step has besides normal contact with a linear gap.
+struct Physics {
+  double friction = 0;  ///< [1] mu
+  GapOrder gap = GapOrder::linear;
+};
+
+Contender modal(const char* name, const BenchWheel& wheel, Scheme scheme, int symmetry, const Physics& physics = {}) {
   const RotorAtSpeed rotor = rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, symmetry),
                                             {wheel.damping}, {.sliding_below = resolved_frequency(wheel.model)});
   const int steps = scheme == Scheme::central_differences ? central_steps(wheel, rotor) : default_steps(wheel, rotor);
   MarchSetup setup{scheme, ContactRule::complementarity, steps, symmetry};
-  if (friction > 0) setup.friction = Eigen::VectorXd::Constant(1, friction);
-  setup.gap = gap;
-  TimeMarch march = march_of(rotor, wheel.casing, wheel.model.contact,
-                             wheel.casing.running_clearance(wheel.model.contact, wheel.speed), setup);
-  Cost cost = timed(march, wheel.casing.ramp_revolutions);
-  if (friction == 0 && gap == GapOrder::linear)
-    cost.least = count_step(rotor, march.sectors(), cost.closed).least(rates);
-  return cost;
+  if (physics.friction > 0) setup.friction = Eigen::VectorXd::Constant(1, physics.friction);
+  setup.gap = physics.gap;
+  const auto march =
+      std::make_shared<TimeMarch>(march_of(rotor, wheel.casing, wheel.model.contact,
+                                           wheel.casing.running_clearance(wheel.model.contact, wheel.speed), setup));
+  Contender at = settled(name, march, wheel.casing.ramp_revolutions);
+  if (physics.friction == 0 && physics.gap == GapOrder::linear)
+    at.counted = [march](double closed) { return count_step(march->rotor(), march->sectors(), closed); };
+  return at;
 }
 
 /// The whole wheel in its real modes, with the same kernels.
-Cost whole_cost(const BenchWheel& wheel, ContactRule rule) {
+Contender plain_modal(const char* name, const BenchWheel& wheel, ContactRule rule) {
   const RotorAtSpeed rotor = rotor_at_speed(wheel.model, wheel.speed, nodal_diameters(wheel, 1), {wheel.damping});
   const WholeRotor whole = whole_rotor(rotor, wheel.model.contact);
   const Eigen::VectorXd clearance = wheel.casing.running_clearance(wheel.model.contact, wheel.speed);
-  TimeMarch march = march_of(whole.rotor, wheel.casing, whole.contact, clearance.replicate(rotor.sector_count, 1),
-                             {Scheme::central_differences, rule, central_steps(wheel, rotor), 1});
-  return timed(march, wheel.casing.ramp_revolutions);
+  const auto march = std::make_shared<TimeMarch>(
+      march_of(whole.rotor, wheel.casing, whole.contact, clearance.replicate(rotor.sector_count, 1),
+               {Scheme::central_differences, rule, central_steps(wheel, rotor), 1}));
+  return settled(name, march, wheel.casing.ramp_revolutions);
 }
 
 /// The dense form, over as many steps as show its cost; the contact in it is that of the casing at rest in a crest.
-Cost dense_cost(const BenchWheel& wheel, int steps) {
+Contender dense_march(const char* name, const BenchWheel& wheel, int steps) {
   constexpr int counted = 400;
   Casing casing = wheel.casing;
   casing.ramp_revolutions = 1e-3;  // the casing is there at once
-  testing::DenseRing dense(wheel.model, casing, wheel.speed, wheel.damping, steps, ContactRule::paper);
-  for (int i = 0; i < counted; ++i) dense.step();
-  Cost cost{HUGE_VAL, 0, steps};
-  for (int r = 0; r < repetitions; ++r) {
-    Eigen::Index closed = 0;
-    const double start = cpu_seconds();
-    for (int i = 0; i < counted; ++i) {
-      dense.step();
-      closed += (dense.multipliers().array() != 0).count();
-    }
-    cost.microseconds = std::min(cost.microseconds, (cpu_seconds() - start) / counted * 1e6);
-    cost.closed = static_cast<double>(closed) / counted;
-  }
-  return cost;
+  const auto kept = std::make_shared<std::pair<ReducedModel, Casing>>(wheel.model, casing);
+  const auto ring =
+      std::make_shared<DenseRing>(kept->first, kept->second, wheel.speed, wheel.damping, steps, ContactRule::paper);
+  Contender at{name,
+               [kept, ring] {
+                 ring->step();
+                 return static_cast<std::size_t>((ring->multipliers().array() != 0).count());
+               },
+               steps, counted};
+  for (int i = 0; i < counted; ++i) at.step();
+  return at;
 }
 
-/// What a step is compared with.
-struct References {
-  Cost dense, whole_paper, whole;
-};
-
-void print(const char* name, const Cost& cost, const References& over) {
-  std::printf("%-46s %8.2f us", name, cost.microseconds);
-  if (cost.least > 0)
-    std::printf(" %8.2f us %5.1f", cost.least, cost.microseconds / cost.least);
-  else
-    std::printf(" %8s    %5s", "", "");
-  std::printf(" %6.1f closed %6d steps %8.1f %8.1f %8.1f\n", cost.closed, cost.steps,
-              over.dense.microseconds / cost.microseconds, over.whole_paper.microseconds / cost.microseconds,
-              over.whole.microseconds / cost.microseconds);
-  std::fflush(stdout);
+std::vector<Contender> all_marches(const BenchWheel& three, const BenchWheel& two) {
+  const auto in_the_air = [](BenchWheel wheel) {
+    wheel.casing.clearance = {{0.0, 1.0}, {1.0, 1.0}};
+    return wheel;
+  };
+  const int in_three = std::gcd(three.model.sector_count, 3), in_two = std::gcd(two.model.sector_count, 2);
+  constexpr double friction = 0.1;
+  const auto usual = [](const char* name, const BenchWheel& wheel, int symmetry, const Physics& physics = {}) {
+    return modal(name, wheel, Scheme::trigonometric, symmetry, physics);
+  };
+  Contender central = modal("modal, central differences, three lobes", three, Scheme::central_differences, 1);
+  std::vector<Contender> all{dense_march("dense eqs. 13-15", three, central.steps),
+                             plain_modal("plain modal, eq. 14 as printed", three, ContactRule::paper),
+                             plain_modal("plain modal, complementarity", three, ContactRule::complementarity)};
+  all.push_back(std::move(central));
+  all.push_back(usual("three lobes", three, in_three));
+  all.push_back(usual("three lobes, in the air", in_the_air(three), in_three));
+  all.push_back(usual("two lobes", two, in_two));
+  all.push_back(usual("two lobes, in the air", in_the_air(two), in_two));
+  all.push_back(usual("two lobes, friction", two, in_two, {friction}));
+  if (!two.model.contact.second_order) return all;
+  all.push_back(usual("two lobes, second order", two, in_two, {0, GapOrder::second_order}));
+  all.push_back(usual("two lobes, both", two, in_two, {friction, GapOrder::second_order}));
+  return all;
 }
 
 }  // namespace
 
 void print_step_costs(const std::string& model) {
   const auto wheel = [&](int lobes) { return model.empty() ? made_wheel(lobes) : given_wheel(model, lobes); };
-  const BenchWheel three = wheel(3), two = wheel(2);
-  const MachineRates rates = machine_rates();
-  std::printf("%s: %d dofs at %.0f rad/s; this processor now: %.0f Gflop/s, %.0f GB/s\n", three.name.c_str(),
+  const BenchWheel three = wheel(3);
+  std::vector<Contender> all = all_marches(three, wheel(2));
+  const MachineRates rates = time_in_turn(all);
+  std::printf("# %s: %d dofs at %.0f rad/s; this processor now: %.0f Gflop/s, %.0f GB/s; medians of %d rounds\n",
+              three.name.c_str(),
               static_cast<int>(three.model.sector_count * three.model.nodal_diameters[0].M.rows()), three.speed,
-              1e-9 * rates.flops, 1e-9 * rates.bytes);
-  std::printf("%-46s %11s %11s %5s %13s %12s   the three references over this, a step\n", "", "a step", "bound",
-              "ratio", "", "a revolution");
-  const Cost central = march_cost(three, Scheme::central_differences, 1, rates);
-  const References over{dense_cost(three, central.steps), whole_cost(three, ContactRule::paper),
-                        whole_cost(three, ContactRule::complementarity)};
-  print("dense eq. 13, eq. 14, eq. 15", over.dense, over);
-  print("whole wheel in its modes, eq. 14 as printed", over.whole_paper, over);
-  print("whole wheel in its modes, complementarity", over.whole, over);
-  print("modal central differences, three lobes", central, over);
-  print("trigonometric, three lobes (no symmetry)", march_cost(three, Scheme::trigonometric, 1, rates), over);
-  BenchWheel free = three;
-  free.casing.clearance = {{0.0, 1.0}, {1.0, 1.0}};
-  print("the same, in the air", march_cost(free, Scheme::trigonometric, 1, rates), over);
-  print("trigonometric, two lobes (symmetry)", march_cost(two, Scheme::trigonometric, 2, rates), over);
-  constexpr double friction = 0.1;
-  print("the same, with friction", march_cost(two, Scheme::trigonometric, 2, rates, friction), over);
-  if (!two.model.contact.second_order) return;
-  const auto curved = [&](double coefficient) {
-    return march_cost(two, Scheme::trigonometric, 2, rates, coefficient, GapOrder::second_order);
-  };
-  print("the same, with a gap of second order", curved(0), over);
-  print("the same, with both", curved(friction), over);
+              1e-9 * rates.flops, 1e-9 * rates.bytes, rounds);
+  std::printf(
+      "march\tstep_us\tbound_us\tover_bound\tclosed\tsteps\tdense_over_it\tplain_modal_over_it\t"
+      "dense_over_it_a_revolution\n");
+  const Contender &dense = all[0], &plain = all[2];
+  for (const Contender& at : all) {
+    const double step = at.microseconds(), bound = at.bound(rates), faster = dense.microseconds() / step;
+    std::printf("%s\t%.3f\t%.3f\t%.2f\t%.1f\t%d\t%.1f\t%.2f\t%.1f\n", at.name.c_str(), step, bound,
+                bound > 0 ? step / bound : 0, at.mean_closed(), at.steps, faster, plain.microseconds() / step,
+                faster * dense.steps / at.steps);
+  }
 }
 
 }  // namespace tiprub::simulate::testing

@@ -51,6 +51,17 @@ for name in ("two", "shared", "killed"):
     require(bench.read(name + ".h5") == bench.read("adaptive.h5"), f"  {name}: the same bytes")
 os.remove(bench.path("killed.h5"))
 
+bench.write("orbit.toml", small + 'steady_state = "orbit"\n')
+run = bench.run("--threads", "1", case="orbit.toml", output="orbit.h5")
+require(run.returncode == 0, "orbits: " + run.stderr.strip())
+with h5py.File(bench.path("orbit.h5")) as file:
+    found = sum(at.attrs["orbit"] == b"found" for at in file["speed"].values())
+    require(found > 0, f"  found at {found} of 12 speeds")
+bench.run("-q", "--threads", "2", case="orbit.toml", output="orbit_two.h5")
+subprocess.run(mpirun + bench.command("-q", "--threads", "1", case="orbit.toml", output="orbit_shared.h5"))
+for name in ("orbit_two", "orbit_shared"):
+    require(bench.read(name + ".h5") == bench.read("orbit.h5"), f"  {name}: the same bytes")
+
 for direction in ("up", "down"):
     bench.write("carry.toml", small + f'sweep = "{direction}"\n')
     start = time.monotonic()

@@ -4,7 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
+#include "cases/program/case_file.h"
+#include "cases/program/units.h"
+#include "reduce/model/reduced_model_file.h"
+#include "simulate/march/marched_scene.h"
 #include "simulate/periodic/marched_map.h"
 #include "simulate/periodic/multipliers.h"
 #include "tests/simulate/synthetic_wheel.h"
@@ -116,6 +122,55 @@ TEST_F(Newton, RejectsTheFixedPointOfAStaleContactPattern) {
   ASSERT_GT((planted.state - settled).norm(), 1e-3 * settled.norm()) << "the planted one is the orbit itself";
   ASSERT_EQ(orbit.found, NewtonResult::Found::yes);
   EXPECT_LT((orbit.state - settled).norm(), 1e-10 * settled.norm());
+}
+
+/// What Newton's method took on a wheel at a speed [rad/s], twelve revolutions after its casing had grown.
+struct Effort {
+  NewtonResult orbit;
+  int products = 0;  ///< with the tangent, one for each step of GMRES
+};
+
+Effort effort_at(const Scene& scene, double speed) {
+  constexpr int revolutions = 12;
+  const SharedRotor rotor = rotor_of(scene, speed);
+  const int a_revolution = steps_per_revolution(scene.scope, scene.parameters, rotor->first_frequency, speed);
+  TimeMarch march(marched_scene(scene, rotor, a_revolution));
+  while (march.step_count() < (scene.casing.grown_after() + revolutions) * a_revolution) march.step();
+  MarchedMap map(march);
+  NewtonResult orbit =
+      find_fixed_point(map, map.symmetric().state(), {10 * scene.parameters.settle_tolerance});  // as OrbitSearch
+  return {std::move(orbit), map.tangents()};
+}
+
+/// The same on the wheel of any case: TIPRUB_CASE=case.toml TIPRUB_MODEL=model.h5.
+TEST(NewtonOnAGivenCase, NeedsFewProductsWithTheTangent) {
+  const char *case_path = std::getenv("TIPRUB_CASE"), *model_path = std::getenv("TIPRUB_MODEL");
+  if (case_path == nullptr || model_path == nullptr) GTEST_SKIP() << "set TIPRUB_CASE and TIPRUB_MODEL";
+  constexpr std::size_t among = 4;  // speeds, one is looked at
+  const CaseFile file(case_path);
+  CaseTable casing_table = file.table("casing"), simulate_table = file.table("simulate");
+  const Casing casing = read_casing(casing_table);
+  SimulateParameters parameters = read_simulate_parameters(simulate_table);
+  const ReducedModel model = read_model(model_path);
+  fit_to_model(parameters, model);
+  const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
+  int found = 0, looked_at = 0, products = 0, newton_steps = 0;
+  for (std::size_t i = 0; i < parameters.speeds.size(); i += among) {
+    const double speed = parameters.speeds[i];
+    const Effort effort = effort_at({model, casing, parameters, scope}, speed);
+    const bool is_found = effort.orbit.found == NewtonResult::Found::yes;
+    std::printf("%.0f rpm: %d products in %d Newton steps%s\n", speed * rpm_per_rad_s, effort.products,
+                effort.orbit.iterations, is_found ? "" : ", no orbit");
+    ++looked_at;
+    if (!is_found) continue;
+    ++found;
+    products += effort.products;
+    newton_steps += effort.orbit.iterations;
+    EXPECT_LE(effort.products, 20 * effort.orbit.iterations) << "where the contact is hardest";
+  }
+  std::printf("%.1f products a Newton step\n", static_cast<double>(products) / newton_steps);
+  EXPECT_LE(products, 15 * newton_steps);
+  EXPECT_GE(2 * found, looked_at);
 }
 
 }  // namespace

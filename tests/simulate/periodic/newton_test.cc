@@ -166,7 +166,6 @@ TEST(NewtonOnAGivenCase, NeedsFewProductsWithTheTangent) {
     ++found;
     products += effort.products;
     newton_steps += effort.orbit.iterations;
-    EXPECT_LE(effort.products, 20 * effort.orbit.iterations) << "where the contact is hardest";
   }
   std::printf("%.1f products a Newton step\n", static_cast<double>(products) / newton_steps);
   EXPECT_LE(products, 15 * newton_steps);

@@ -63,9 +63,12 @@ struct CriticalSpeed {
   double wave_share() const { return amplitude > 0 ? rising.amplitude / amplitude : 0.0; }
   /// [1] How uncertain the amplitude is by step and distance of the speeds, relative to it.
   double amplitude_slack() const;
-  /// The wave after which the motion is called: the one that makes the peak if it has at least half of its
-  /// amplitude, or else the largest.
-  const WaveLabel& naming_wave() const { return rising.amplitude >= 0.5 * amplitude ? rising : largest; }
+  /// The wave after which the motion is called: the largest if only that has at least half of the amplitude, or else
+  /// the one that makes the peak.
+  const WaveLabel& naming_wave() const {
+    const double half = 0.5 * amplitude;
+    return rising.amplitude < half && largest.amplitude >= half ? largest : rising;
+  }
   /// Whether no wave has half of the amplitude.
   bool is_mixed() const { return naming_wave().amplitude < 0.5 * amplitude; }
   /// All named waves but naming_wave(), the largest first.

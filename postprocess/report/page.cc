@@ -178,7 +178,7 @@ std::string stress_note(const FieldResults& fields) {
 std::string answers(const std::vector<Answer>& list) {
   std::string text = "<dl>";
   for (const auto& [question, answer] : list)
-    text += "<dt>" + escaped(question) + "</dt><dd>" + escaped(answer) + "</dd>\n";
+    text += "<dt>" + escaped(question) + "</dt><dd>" + in_lines(answer) + "</dd>\n";
   return text + "</dl>\n";
 }
 
@@ -200,6 +200,15 @@ std::string scene_items(const Study& study, const FieldResults& fields, const st
 
 /// A figure with its heading, so that a printed page keeps them together. `live`: an element that the page's scripts
 /// draw into instead.
+/// The first line as it is, the others as a list.
+std::string in_lines(const std::string& answer) {
+  std::istringstream lines(answer);
+  std::string text, first;
+  std::getline(lines, first);
+  for (std::string line; std::getline(lines, line);) text += item(line);
+  return escaped(first) + (text.empty() ? text : "<ul>" + text + "</ul>");
+}
+
 std::string figure_section(const Figure& figure, const std::filesystem::path& folder, const std::string& live = "") {
   const std::string& name = figure.drawing.name;
   return filled(without_first_line(embedded::page_files::figure_html),

@@ -251,15 +251,16 @@ TEST_F(Page, BeginsWithTheVerdict) {
   for (const std::string& phrase :
        {"at " + rounded("speed [rpm]", 0) + " rpm, moves the tip by " + rounded("tip |u| [mm]", 2) +
             " mm in all, and towards the casing by " + rounded("amplitude [mm]", 3) + " mm",
-        std::string("The worst peak: numerics "), std::string("contact node 0 of 0 .. 3 (leading edge)"),
+        std::string("The worst peak is computed within "), std::string("contact node 0 of 0 .. 3 (leading edge)"),
         std::string("EO 6 drives family 1 on nodal diameter 4 as a forward wave"),
         std::string(
             "harmonic 3 of the 2 lobes of the casing; 10 sectors see it as 4 nodal diameters, since 6 = 10 - 4."),
         fixed(100 * std::stod(worst.at("wave share [1]")), 0) + " % of the amplitude",
         "the next above, " + rounded("speed [rpm]", 0) + " rpm, is " + above + " % away",
-        std::string("Checks that fail: accuracy ("),
-        std::string("unsettled motion (1 speed of 47), energy (0.0002 at "),
-        std::string("2 lobes, 0.300 mm inward at the crest"), std::string("-0.020 .. 0.040 mm")})
+        std::string("; 3 checks fail.<ul><li>"), std::string("<li>Check failed: accuracy ("),
+        std::string("<li>Check failed: unsettled motion (1 speed of 47).</li>"),
+        std::string("<li>Check failed: energy (0.0002 at "), std::string("2 lobes, 0.300 mm inward at the crest"),
+        std::string("-0.020 .. 0.040 mm")})
     EXPECT_NE(first.find(phrase), std::string::npos) << phrase << "\n" << first.substr(first.find("class=\"lead\""));
   EXPECT_NE(text_of(folder_ / "without" / "report.html").find("the case gives no operating range"),
             std::string::npos);

@@ -95,6 +95,8 @@ def check_bands(browser, report):
     rows = [row for row in rows_of(os.path.join(report, "speeds.csv")) if not row["failure"]]
     for row in rows[1::8]:  # whether it is critical or not
         rpm = float(row["speed [rpm]"])
+        if min(abs(rpm - end) for band in told for end in band) < 1:  # the ends are told in whole numbers
+            continue
         browser.value(event("input.typed", "change", row["speed [rpm]"]))
         verdict = browser.value("[...document.querySelectorAll('#shown-answers dt')].find(head => head.textContent === 'Verdict').nextSibling.textContent")
         inside = [band for band in told if band[0] <= rpm <= band[1]]

@@ -86,16 +86,17 @@ void check(Inputs inputs, const PostprocessOptions& options) {
 ReportContents run(Inputs inputs, const PostprocessOptions& options, Progress::Shown shown) {
   inputs.run.done("reading");
   ReportContents contents{.study = study_of(inputs), .source = std::move(inputs.source)};
-  contents.figures = study_figures(contents.study);
   inputs.run.done("study");
-  if (!options.fields_file.empty()) {
+  if (!options.fields_file.empty())
     contents.fields = recover_fields(options.fields_file, contents.study, inputs.strength, shown);
+  contents.field_results = field_results(contents.fields, contents.study.critical);
+  contents.figures = study_figures(contents.study, contents.field_results);
+  if (contents.fields) {
     contents.figures.push_back(meridional_section_figure(contents.fields->sector, contents.study.model.contact,
                                                          contents.study.response.scene.clearance));
     if (contents.fields->mesh_error_of_frequencies.size() > 0)
       contents.figures.push_back(mesh_error_figure(*contents.fields));
   }
-  contents.field_results = field_results(contents.fields, contents.study.critical);
   if (const auto budgets = error_budgets(contents.study, contents.field_results); !budgets.empty())
     contents.figures.insert(std::next(contents.figures.begin()), error_budget_figure(worst_budget(budgets)));
   contents.numbers = report_numbers(contents.study, contents.field_results);

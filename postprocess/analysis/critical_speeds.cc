@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "postprocess/tables/table.h"
@@ -141,6 +142,10 @@ double CriticalSpeed::amplitude_slack() const {
 
 namespace {
 
+void largest_first(std::vector<WaveLabel>& waves) {
+  std::ranges::stable_sort(waves, std::greater(), &WaveLabel::amplitude);
+}
+
 /// "EO 10 ND 0 48 %"
 std::string with_share(const WaveLabel& wave, const CriticalSpeed& critical) {
   return wave_name(wave) + " " + fixed(percent * wave.amplitude / critical.amplitude, 0) + " %";
@@ -148,12 +153,23 @@ std::string with_share(const WaveLabel& wave, const CriticalSpeed& critical) {
 
 }  // namespace
 
+std::vector<WaveLabel> CriticalSpeed::waves_beside() const {
+  std::vector<WaveLabel> waves = {rising};
+  waves.insert(waves.end(), others.begin(), others.end());
+  std::erase_if(waves, [&](const WaveLabel& wave) { return wave_name(wave) == wave_name(naming_wave()); });
+  largest_first(waves);
+  return waves;
+}
+
 std::string wave_names(const CriticalSpeed& critical) {
-  if (!critical.is_mixed()) return wave_name(critical.rising);
+  if (!critical.is_mixed()) return wave_name(critical.naming_wave());
   constexpr std::size_t named = 2;  // beside the wave that makes the peak
-  std::string text = "mixed: " + with_share(critical.rising, critical);
-  for (std::size_t i = 0; i < std::min(named, critical.others.size()); ++i)
-    text += ", " + with_share(critical.others[i], critical);
+  std::vector<WaveLabel> waves = {critical.rising};
+  waves.insert(waves.end(), critical.others.begin(),
+               critical.others.begin() + static_cast<std::ptrdiff_t>(std::min(named, critical.others.size())));
+  largest_first(waves);
+  std::string text;
+  for (const WaveLabel& wave : waves) text += (text.empty() ? "mixed: " : ", ") + with_share(wave, critical);
   return text;
 }
 

@@ -63,8 +63,16 @@ struct CriticalSpeed {
   double wave_share() const { return amplitude > 0 ? rising.amplitude / amplitude : 0.0; }
   /// [1] How uncertain the amplitude is by step and distance of the speeds, relative to it.
   double amplitude_slack() const;
-  /// Whether the wave that makes the peak has less than half of its amplitude, too little to name the motion by it.
-  bool is_mixed() const { return amplitude > 0 && wave_share() < 0.5; }
+  /// The wave after which the motion is called: the largest if only that has at least half of the amplitude, or else
+  /// the one that makes the peak.
+  const WaveLabel& naming_wave() const {
+    const double half = 0.5 * amplitude;
+    return rising.amplitude < half && largest.amplitude >= half ? largest : rising;
+  }
+  /// Whether no wave has half of the amplitude.
+  bool is_mixed() const { return naming_wave().amplitude < 0.5 * amplitude; }
+  /// All named waves but naming_wave(), the largest first.
+  std::vector<WaveLabel> waves_beside() const;
   /// Whether another wave is larger than the one that makes the peak.
   bool has_larger_wave() const { return largest.amplitude > rising.amplitude; }
   /// [1] the spacing over the half-width of the narrowest resonance among the peak's large waves; nothing if the
@@ -72,8 +80,8 @@ struct CriticalSpeed {
   std::optional<double> spacing_over_half_width() const;
 };
 
-/// "EO 20 ND 0": the wave that makes the peak. Of a mixed motion, "mixed: EO 10 ND 0 48 %, EO 6 ND -4 30 %, EO 2 ND
-/// +2 21 %": that wave and the two largest others.
+/// "EO 20 ND 0": naming_wave(). Of a mixed motion, "mixed: EO 10 ND 0 48 %, EO 6 ND -4 30 %, EO 2 ND +2 21 %": the
+/// wave that makes the peak and the two largest others, the largest first.
 std::string wave_names(const CriticalSpeed& critical);
 
 /// All peaks (named_peaks()), located or not, ascending in speed; with_predictions() adds what the rules predict.

@@ -5,6 +5,8 @@
 #include <array>
 
 #include "postprocess/figures/maps.h"
+#include "postprocess/records/error_budget_record.h"
+#include "postprocess/records/exactness_record.h"
 #include "postprocess/records/speeds_to_avoid.h"
 #include "postprocess/records/study_records.h"
 #include "postprocess/tables/packing.h"
@@ -78,6 +80,8 @@ json add_speed(PackedArrays& arrays, const Study& study, const FieldResults& fie
           {"excursion", largest_excursion(speed.displacement) * mm_per_m},
           {"stress", fields.over_speed.size() > 0 ? json(fields.over_speed[i] * mpa_per_pa) : json()},
           {"motion", motion_text(speed)},
+          {"settled", speed.settled()},
+          {"step_error", step_error(speed, study.response.scene.asked).value_or(0)},
           {"outside", study.gap[static_cast<std::size_t>(i)].beyond()
                           ? json(study.gap[static_cast<std::size_t>(i)].in_words())
                           : json()},
@@ -97,11 +101,32 @@ json stress_of(const std::optional<FieldPeak>& peak) {
          (peak->cycle && peak->cycle->goodman ? "; Goodman's utilisation " + fixed(*peak->cycle->goodman, 2) : "");
 }
 
-json critical_of(const std::vector<CriticalSpeed>& all, const FieldResults& fields) {
+/// [1] of what the budget of a critical speed leaves open of each quantity, the least certain first; null without
+/// one.
+json open_of(const std::vector<ErrorBudget>& budgets, const CriticalSpeed& critical) {
+  const auto found = std::ranges::find(budgets, &critical, &ErrorBudget::critical);
+  if (found == budgets.end()) return {};
+  json list = json::array();
+  for (const OpenQuantity& open : open_quantities(*found)) list.push_back({open.what, open.together});
+  return list;
+}
+
+json goodman_of(const std::optional<FieldPeak>& peak) {
+  return peak && peak->cycle && peak->cycle->goodman ? json(*peak->cycle->goodman) : json();
+}
+
+json critical_of(const Study& study, const FieldResults& fields) {
+  const std::vector<CriticalSpeed>& all = study.critical;
+  const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
   json list = json::array();
   for (std::size_t i = 0; i < all.size(); ++i)
     list.push_back({{"index", all[i].index},
                     {"wave", wave_names(all[i])},
+                    {"order", all[i].rising.engine_order},
+                    {"between", {all[i].speed_low * rpm_per_rad_s, all[i].speed_high * rpm_per_rad_s}},
+                    {"slack", all[i].amplitude_slack()},
+                    {"open", open_of(budgets, all[i])},
+                    {"goodman", goodman_of(fields.peaks[i])},
                     {"stress", stress_of(fields.peaks[i])},
                     {"vibration", fields.peaks[i] ? json(fields.peaks[i]->body.vibration * mpa_per_pa) : json()}});
   return list;
@@ -113,8 +138,22 @@ json avoid_of(const std::vector<AvoidedBand>& bands) {
     list.push_back({{"low", band.speeds.low * rpm_per_rad_s},
                     {"high", band.speeds.high * rpm_per_rad_s},
                     {"concern", name_of(band.concern)},
+                    {"reason", reason_of(band)},
                     {"grade", static_cast<int>(band.concern)}});
   return list;
+}
+
+/// [MPa] What Goodman's rule compares with, and the mean stress of the worst cycle; null if the case gives no
+/// strengths.
+json strength_of(const FieldResults& fields) {
+  const StressCycle* const worst = fields.worst_cycle();
+  if (worst == nullptr) return {};
+  const auto& strength = *worst->strength;
+  return {{"endurance", strength.endurance * mpa_per_pa},
+          {"ultimate", strength.ultimate * mpa_per_pa},
+          {"yield", strength.yield ? json(*strength.yield * mpa_per_pa) : json()},
+          {"mean", worst->mean * mpa_per_pa},
+          {"allowed", allowed_alternating(*worst) * mpa_per_pa}};
 }
 
 /// [rpm] of the crossings that the linear rules list.
@@ -205,11 +244,13 @@ std::string speed_data(const Study& study, const FieldResults& fields, const std
                         {"speeds", std::move(speeds)},
                         {"failed", std::move(failed)},
                         {"others", add_others(arrays, others)},
-                        {"critical", critical_of(study.critical, fields)},
+                        {"critical", critical_of(study, fields)},
                         {"predicted",
                          {{"aliased", speeds_of(frame, study.rules.aliased)},
                           {"equation_2", speeds_of(frame, study.rules.equation_2)}}},
                         {"avoid", avoid_of(speeds_to_avoid(study, fields))},
+                        {"strength", strength_of(fields)},
+                        {"caveat", speeds_caveat(study)},
                         {"operating", {study.parameters.operating_min_rpm, study.parameters.operating_max_rpm}},
                         {"modes", add_modes(arrays, frame)},
                         {"axes", axes_of(study, frame)}});

@@ -330,6 +330,10 @@ StressCycle worst_cycle(const CycleStress& stress, const StressZones& zones, con
 
 }  // namespace
 
+double allowed_alternating(const StressCycle& cycle) {
+  return cycle.strength->endurance * std::max(0.0, 1 - cycle.mean / cycle.strength->ultimate);
+}
+
 FieldPeak field_peak(const SectorFields& sector, const CycleStress& stress, const StressZones& zones,
                      const BladePlaces& places, const std::optional<MaterialStrength>& strength) {
   FieldPeak peak;

@@ -74,6 +74,10 @@ struct StressCycle {
   std::optional<MaterialStrength> strength;
 };
 
+/// [Pa] The alternating stress at which the utilisation is 1 with the mean of a cycle that has one; 0 if the mean
+/// alone reaches it.
+double allowed_alternating(const StressCycle& cycle);
+
 /// The stress of one speed, over its cycle, or at its snapshot where the response has no cycle.
 struct FieldPeak {
   double speed = 0;         ///< [rad/s]

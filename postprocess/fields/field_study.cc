@@ -304,6 +304,14 @@ bool FieldResults::has_cycles() const {
   return std::any_of(peaks.begin(), peaks.end(), [](const auto& peak) { return peak && peak->cycle; });
 }
 
+const StressCycle* FieldResults::worst_cycle() const {
+  const StressCycle* worst = nullptr;
+  for (const std::optional<FieldPeak>& peak : peaks)
+    if (peak && peak->cycle && peak->cycle->goodman && (worst == nullptr || *peak->cycle->goodman > *worst->goodman))
+      worst = &*peak->cycle;
+  return worst;
+}
+
 FieldResults field_results(const std::optional<FieldStudy>& fields, const std::vector<CriticalSpeed>& critical) {
   FieldResults results{scope_of(fields), std::vector<std::optional<FieldPeak>>(critical.size()), {}};
   results.varied.resize(critical.size());

@@ -64,6 +64,8 @@ struct FieldResults {
   bool has_stress() const;
   /// Whether a critical speed's stress is that of a whole cycle.
   bool has_cycles() const;
+  /// The cycle with the largest utilisation; nullptr if the case gives no strengths, or no cycle was recovered.
+  const StressCycle* worst_cycle() const;
 };
 
 /// Without `fields`, all peaks are empty.

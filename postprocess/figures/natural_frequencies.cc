@@ -52,6 +52,46 @@ Eigen::MatrixXd veering_rows(const SpeedFrame& frame, int families, double speed
   return rows;
 }
 
+/// A curve where its family is named.
+struct NamedCurve {
+  double frequency = 0;  ///< [Hz]
+  int family = 0;        ///< from 1
+};
+
+/// Frequency [Hz], first and last family of each name; curves that are closer than a name is high share one.
+Eigen::MatrixXd family_rows(std::vector<NamedCurve> curves, double frequency_high) {
+  constexpr double name_height = 0.033;  // of the frequencies that are drawn
+  std::ranges::sort(curves, {}, &NamedCurve::frequency);
+  std::vector<Eigen::RowVector3d> names;
+  for (const auto& [frequency, family] : curves) {
+    if (names.empty() || frequency - names.back()[0] > name_height * frequency_high)
+      names.emplace_back(frequency, family, family);
+    names.back()[1] = std::min<double>(names.back()[1], family);
+    names.back()[2] = std::max<double>(names.back()[2], family);
+  }
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(names.size()), 3);
+  for (std::size_t i = 0; i < names.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = names[i];
+  return rows;
+}
+
+/// Names at the last nodal diameter of veering_rows().
+Eigen::MatrixXd last_families(const Eigen::MatrixXd& rows, double frequency_high) {
+  std::vector<NamedCurve> curves;
+  for (Eigen::Index k = 1; k < rows.cols(); ++k)
+    if (const double frequency = rows(rows.rows() - 1, k); std::isfinite(frequency))
+      curves.push_back({frequency, static_cast<int>(k)});
+  return family_rows(curves, frequency_high);
+}
+
+/// Names at the lowest drawn speed, of the nodal diameters that move.
+Eigen::MatrixXd first_families(const SpeedFrame& frame, const DrawnRange& axis, double frequency_high) {
+  std::vector<NamedCurve> curves;
+  for (const int n : frame.moving)
+    for (int family = 0; family < frame.families_at(n); ++family)
+      curves.push_back({frame.curves.frequency(n, family, axis.low / rpm_per_rad_s), family + 1});
+  return family_rows(curves, frequency_high);
+}
+
 /// How many engine orders stay below a frequency: at least one, and not more than can be told apart.
 int engine_orders_below(double frequency_high, double speed) {
   constexpr double most = 2000;
@@ -106,7 +146,8 @@ Figure campbell_figure(const SpeedFrame& frame, const LinearRules& rules) {
                            {"frequency", DrawnRange{0, frequency_high}},
                            {"range", DrawnRange{frame.range.low * rpm_per_rad_s, frame.range.high * rpm_per_rad_s}}};
   figure.drawing.tables = {{"aliased", {places(drawn_crossings(frame, rules.aliased))}},
-                           {"equation_2", {places(drawn_crossings(frame, rules.equation_2))}}};
+                           {"equation_2", {places(drawn_crossings(frame, rules.equation_2))}},
+                           {"family_labels", {first_families(frame, axis, frequency_high)}}};
   set_engine_orders(figure.drawing, frame);
   set_critical_speeds(figure.drawing, frame, frequency_high);
   set_modes(figure.drawing, frame, axis);
@@ -138,7 +179,10 @@ Figure interference_figure(const SpeedFrame& frame, double shown, int asked_fami
                            {"frequency", DrawnRange{0, frequency_high}},
                            {"panel_title", titles},
                            {"engine_orders", engine_orders}};
-  figure.drawing.tables = {{"modes", modes}, {"zigzag", zigzags}};
+  figure.drawing.tables = {
+      {"modes", modes},
+      {"zigzag", zigzags},
+      {"family_labels", {last_families(modes[1], frequency_high), last_families(modes[2], frequency_high)}}};
   figure.data = veering_table(families, speeds, modes);
   return figure;
 }

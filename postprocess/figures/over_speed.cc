@@ -49,6 +49,35 @@ std::vector<std::string> peak_names(const std::vector<CriticalSpeed>& all) {
   return names;
 }
 
+/// Bands of speeds to avoid: ends [rpm], and the grade of the concern.
+ScriptTable bands(const std::vector<AvoidedBand>& avoided) {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(avoided.size()), 3);
+  for (std::size_t i = 0; i < avoided.size(); ++i)
+    rows.row(static_cast<Eigen::Index>(i)) << avoided[i].speeds.low * rpm_per_rad_s,
+        avoided[i].speeds.high * rpm_per_rad_s, static_cast<double>(avoided[i].concern);
+  return {"bands", {rows}};
+}
+
+/// For the key: the concerns by grade, empty where no band has it.
+std::vector<std::string> concern_names(const std::vector<AvoidedBand>& avoided) {
+  std::vector<std::string> names(3);
+  for (const AvoidedBand& band : avoided) names[static_cast<std::size_t>(band.concern)] = name_of(band.concern);
+  return names;
+}
+
+/// Speed [rpm] and stress of the vibration [MPa] at the critical speeds whose stress was recovered.
+Eigen::MatrixXd recovered_stress(const FieldResults& fields) {
+  std::vector<double> rpm, stress;
+  for (const std::optional<FieldPeak>& peak : fields.peaks) {
+    if (!peak) continue;
+    rpm.push_back(peak->speed * rpm_per_rad_s);
+    stress.push_back(peak->body.vibration * mpa_per_pa);
+  }
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(rpm.size()), 2);
+  rows << as_column(rpm), as_column(stress);
+  return rows;
+}
+
 /// [rpm]
 Eigen::MatrixXd speeds_of(const std::vector<Crossing>& crossings) {
   std::vector<double> speeds;
@@ -183,18 +212,42 @@ std::vector<int> by_energy(const InteractionMap& map) {
 }  // namespace
 
 Figure response_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes, const LinearRules& rules,
-                       const std::vector<SpeedResponse>& speeds, Component component) {
+                       const std::vector<SpeedResponse>& speeds, Component component,
+                       const std::vector<AvoidedBand>& avoided) {
   Figure figure = listed_figure("response", {{"component", name_of(component)}});
   figure.drawing.values = {{"speed", frame.axis},
                            {"amplitude", DrawnRange{0, amplitudes.largest.maxCoeff() * mm_per_m}},
-                           {"peak_name", peak_names(frame.critical)}};
-  figure.drawing.tables = {{"peaks", {peaks(frame.critical)}},
+                           {"peak_name", peak_names(frame.critical)},
+                           {"concern", concern_names(avoided)}};
+  figure.drawing.tables = {bands(avoided),
+                           {"peaks", {peaks(frame.critical)}},
                            {"not_periodic", {not_periodic(speeds, amplitudes)}},
                            {"aliased", {speeds_of(drawn_crossings(frame, rules.aliased))}},
                            {"equation_2", {speeds_of(drawn_crossings(frame, rules.equation_2))}},
                            {"failed", {frame.failed}},
                            {"outside", {frame.outside}}};
   figure.data = amplitude_table(frame.speeds, amplitudes);
+  return figure;
+}
+
+Figure stress_figure(const SpeedFrame& frame, const FieldResults& fields, const std::vector<AvoidedBand>& avoided) {
+  const StressCycle* const worst = fields.worst_cycle();
+  const double allowed = worst != nullptr ? allowed_alternating(*worst) * mpa_per_pa : 0;
+  const double yield = worst != nullptr ? worst->strength->yield.value_or(0) * mpa_per_pa : 0;
+  const Eigen::VectorXd estimated = fields.over_speed * mpa_per_pa;
+  const Eigen::MatrixXd recovered = recovered_stress(fields);
+  const double most_recovered = recovered.rows() > 0 ? recovered.col(1).maxCoeff() : 0.0;
+  Figure figure = listed_figure("stress");
+  figure.drawing.values = {
+      {"speed", frame.axis},
+      {"stress", DrawnRange{0, std::max({estimated.maxCoeff(), most_recovered, allowed, yield})}},
+      {"allowed", allowed},
+      {"allowed_name", worst != nullptr ? "Goodman's rule allows, at a mean of " + mpa_text(worst->mean) : ""},
+      {"yield", yield},
+      {"concern", concern_names(avoided)}};
+  figure.drawing.tables = {bands(avoided), {"recovered", {recovered}}};
+  figure.data.header = {"speed [rpm]", "von Mises, vibration, estimated [MPa]"};
+  for (Eigen::Index i = 0; i < estimated.size(); ++i) figure.data.rows.push_back({frame.speeds[i], estimated[i]});
   return figure;
 }
 

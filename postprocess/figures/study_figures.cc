@@ -15,9 +15,11 @@ void append(std::vector<Figure>& figures, std::vector<Figure> more) {
   std::move(more.begin(), more.end(), std::back_inserter(figures));
 }
 
-std::vector<Figure> response_figures(const Study& study, const SpeedFrame& frame) {
-  std::vector<Figure> figures = {
-      response_figure(frame, study.amplitudes, study.rules, study.response.speeds, study.parameters.component)};
+std::vector<Figure> response_figures(const Study& study, const SpeedFrame& frame, const FieldResults& fields) {
+  const std::vector<AvoidedBand> avoided = speeds_to_avoid(study, fields);
+  std::vector<Figure> figures = {response_figure(frame, study.amplitudes, study.rules, study.response.speeds,
+                                                 study.parameters.component, avoided)};
+  if (fields.over_speed.size() > 0) figures.push_back(stress_figure(frame, fields, avoided));
   if (!study.sweeps.empty())
     figures.push_back(sweeps_figure(frame, study.amplitudes, study.sweeps,
                                     sweep_record(study.response.speeds, study.amplitudes, study.sweeps)));
@@ -64,10 +66,10 @@ std::vector<Figure> motion_figures(const Study& study, const SpeedFrame& frame) 
 
 }  // namespace
 
-std::vector<Figure> study_figures(const Study& study) {
+std::vector<Figure> study_figures(const Study& study, const FieldResults& fields) {
   const SpeedFrame frame = speed_frame(study);
   const InteractionMap& map = study.waves.first();
-  std::vector<Figure> figures = response_figures(study, frame);
+  std::vector<Figure> figures = response_figures(study, frame, fields);
   append(figures, map_figures(study, frame));
   append(figures, {campbell_figure(frame, study.rules),
                    interference_figure(frame, study.shown_response().speed, study.parameters.families)});

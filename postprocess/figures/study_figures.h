@@ -10,6 +10,7 @@
 #include "postprocess/figures/axes.h"
 #include "postprocess/figures/figure.h"
 #include "postprocess/records/error_budget_record.h"
+#include "postprocess/records/speeds_to_avoid.h"
 #include "reduce/model/reduced_model.h"
 
 namespace tiprub::postprocess {
@@ -31,7 +32,10 @@ Figure mesh_error_figure(const FieldStudy& fields);
 // over_speed.cc
 /// Tip amplitude over speed, peaks labelled.
 Figure response_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes, const LinearRules& rules,
-                       const std::vector<SpeedResponse>& speeds, Component component);
+                       const std::vector<SpeedResponse>& speeds, Component component,
+                       const std::vector<AvoidedBand>& avoided);
+/// Stress of the vibration over speed, with what Goodman's rule allows; needs FieldResults::over_speed.
+Figure stress_figure(const SpeedFrame& frame, const FieldResults& fields, const std::vector<AvoidedBand>& avoided);
 /// Where sweeps up and down differ; `record`: their table.
 Figure sweeps_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes,
                      const std::vector<SweepComparison>& sweeps, Table record);
@@ -75,7 +79,7 @@ Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMa
 /// Paper, fig. 21.
 Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact);
 
-/// All figures in the order of the page; those of sweeps and branches only if there are any.
-std::vector<Figure> study_figures(const Study& study);
+/// All figures in the order of the page; those of stress, sweeps and branches only if there are any.
+std::vector<Figure> study_figures(const Study& study, const FieldResults& fields);
 
 }  // namespace tiprub::postprocess

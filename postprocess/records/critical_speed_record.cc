@@ -53,10 +53,11 @@ Column<PeakRow> cycle_column(const char* name, const std::function<Cell(const St
 /// "EO 8 ND -2 0.053 mm; EO 16 ND -4 0.052 mm", the first `count` of them.
 std::string other_waves(const CriticalSpeed& critical, std::size_t count) {
   constexpr int digits = 3;
+  const std::vector<WaveLabel> waves = critical.waves_beside();
   std::string text;
-  for (std::size_t i = 0; i < std::min(count, critical.others.size()); ++i)
-    text += (i > 0 ? "; " : "") + wave_name(critical.others[i]) + " " +
-            significant(critical.others[i].amplitude * mm_per_m, digits) + " mm";
+  for (std::size_t i = 0; i < std::min(count, waves.size()); ++i)
+    text +=
+        (i > 0 ? "; " : "") + wave_name(waves[i]) + " " + significant(waves[i].amplitude * mm_per_m, digits) + " mm";
   return text;
 }
 
@@ -137,7 +138,8 @@ PeakColumns wave_columns() {
       {"wave share [1]", [](const PeakRow& peak) { return peak.critical.wave_share(); }},
       {"largest wave", [](const PeakRow& peak) { return wave_name(peak.critical.largest); }},
       {"largest wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.largest.amplitude * mm_per_m; }},
-      {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, peak.critical.others.size()); }},
+      {"other waves",
+       [](const PeakRow& peak) { return other_waves(peak.critical, peak.critical.waves_beside().size()); }},
   };
 }
 
@@ -222,11 +224,14 @@ PeakColumns rounded_columns() {
           {"tip |u| [mm]", [](const PeakRow& peak) { return fixed(excursion(peak) * mm_per_m, 3); }},
           {"within [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.amplitude_slack(), 1); }},
           {"node", [](const PeakRow& peak) { return std::to_string(peak.critical.node); }},
-          {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.rising.family + 1); }},
+          {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.naming_wave().family + 1); }},
           {"wave", [](const PeakRow& peak) { return wave_names(peak.critical); }},
-          {"runs", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
-          {"share [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.wave_share(), 0); }},
-          {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.rising.detuning); }},
+          {"runs", [](const PeakRow& peak) { return name_of(peak.critical.naming_wave().direction); }},
+          {"share [%]",
+           [](const PeakRow& peak) {
+             return fixed(percent * peak.critical.naming_wave().amplitude / peak.critical.amplitude, 0);
+           }},
+          {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.naming_wave().detuning); }},
           {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, shown_others); }},
           {"areas LE/TE",
            [](const PeakRow& peak) {

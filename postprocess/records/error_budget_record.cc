@@ -194,31 +194,14 @@ Table critical_speed_budgets(const Study& study, const FieldResults& fields) {
   return table;
 }
 
-std::string largest_errors(const Study& study, const FieldResults& fields) {
-  const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
-  if (budgets.empty()) return "";
-  const ErrorBudget& worst = worst_budget(budgets);
-  const BudgetSum sum = sum_of(worst);
-  const auto part = [&](const char* of, auto value, double together) {
-    return std::string(of) + ": " + largest_text(&worst, value) + ", all together " + fixed(percent * together, 1) +
-           " %";
-  };
-  return "At " + rpm_text(worst.critical->speed) + ", of all that was varied, the most for " +
-         part("the speed", &BudgetRow::shift, sum.shift) + "; " +
-         part("the amplitude", &BudgetRow::amplitude, sum.amplitude) + "; " +
-         part("the motion of the tip in all directions", &BudgetRow::excursion, sum.excursion) +
-         (worst.stress > 0 ? "; " + part("the stress of the vibration", stress_change, sum.stress) : "") + ".";
-}
-
-std::string largest_moves(const Study& study, const FieldResults& fields) {
-  const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
-  const std::optional<std::size_t> worst = worst_critical(study.critical);
-  for (const ErrorBudget& budget : budgets)
-    if (worst && budget.critical == &study.critical[*worst])
-      return largest_text(&budget, &BudgetRow::shift) + " moves the speed, " +
-             largest_text(&budget, &BudgetRow::excursion) + " the motion of the tip" +
-             (budget.stress > 0 ? ", " + largest_text(&budget, stress_change) + " the stress" : "");
-  return "";
+std::vector<OpenQuantity> open_quantities(const ErrorBudget& budget) {
+  const BudgetSum sum = sum_of(budget);
+  std::vector<OpenQuantity> all = {{"speed", sum.shift, largest_text(&budget, &BudgetRow::shift)},
+                                   {"amplitude", sum.amplitude, largest_text(&budget, &BudgetRow::amplitude)},
+                                   {"|u|", sum.excursion, largest_text(&budget, &BudgetRow::excursion)}};
+  if (budget.stress > 0) all.push_back({"stress", sum.stress, largest_text(&budget, stress_change)});
+  std::ranges::stable_sort(all, std::greater(), &OpenQuantity::together);
+  return all;
 }
 
 Table error_budget_record(const Study& study, const FieldResults& fields) {
@@ -229,7 +212,7 @@ Table error_budget_record(const Study& study, const FieldResults& fields) {
   for (const ErrorBudget& budget : error_budgets(study, fields)) {
     const CriticalSpeed& critical = *budget.critical;
     const auto add = [&](const BudgetRow& row) {
-      std::vector<Cell> cells = {critical.speed * rpm_per_rad_s, wave_name(critical.rising), row.source};
+      std::vector<Cell> cells = {critical.speed * rpm_per_rad_s, wave_name(critical.naming_wave()), row.source};
       const auto put = [&](bool known, double value, double change) {
         cells.push_back(known ? Cell(value * (1 + change)) : NoNumber{});
         cells.push_back(known ? Cell(percent * change) : NoNumber{});

@@ -51,13 +51,14 @@ struct BudgetSum {
 };
 BudgetSum sum_of(const ErrorBudget& budget);
 
-/// "At 19537 rpm, of all that was varied, the most for the speed: friction 0.1 (-2.9 %), all together 3.7 %; ...":
-/// for the budget with the largest amplitude, the largest row and the sum of each quantity. Empty without budgets.
-std::string largest_errors(const Study& study, const FieldResults& fields);
-
-/// "friction 0.1 (-2.9 %) moves the speed, damping 0.002 (+52 %) the motion of the tip, ... the stress": the largest
-/// rows of the same budget, or empty.
-std::string largest_moves(const Study& study, const FieldResults& fields);
+/// What a budget leaves open of one quantity of its critical speed.
+struct OpenQuantity {
+  std::string what;     ///< "speed", "amplitude", "|u|", "stress"
+  double together = 0;  ///< [1] of BudgetSum
+  std::string most;     ///< its largest row: "friction 0.1 (-2.9 %)"
+};
+/// The one that is least certain first.
+std::vector<OpenQuantity> open_quantities(const ErrorBudget& budget);
 
 /// The table error_budget.csv: a row for each critical speed and source, and one for the sum over the sources.
 Table error_budget_record(const Study& study, const FieldResults& fields);

@@ -112,10 +112,7 @@ std::vector<Check> march_checks(const Study& study) {
   const AskedAccuracy& asked = study.response.scene.asked;
   return {
       check_speeds(study, "time step", "estimated relative error, or change by the last halving [1]", asked.step,
-                   [&](const SpeedResponse& speed) -> std::optional<double> {
-                     if (speed.audit.step_reached) return *speed.audit.step_reached * asked.step;
-                     return speed.audit.halving_difference;
-                   }),
+                   [&](const SpeedResponse& speed) { return step_error(speed, asked); }),
       check_speeds(study, "settling", "relative change over the last period, of settled motions [1]", asked.settling,
                    [](const SpeedResponse& speed) -> std::optional<double> {
                      if (!speed.settled()) return {};
@@ -199,6 +196,11 @@ std::vector<Check> response_checks(const Study& study) {
 std::string name_of(CheckVerdict verdict) {
   constexpr std::array names = {"yes", "no", "undecided", "not looked at"};
   return names[static_cast<std::size_t>(verdict)];
+}
+
+std::optional<double> step_error(const SpeedResponse& speed, const AskedAccuracy& asked) {
+  if (speed.audit.step_reached) return *speed.audit.step_reached * asked.step;
+  return speed.audit.halving_difference;
 }
 
 std::vector<Check> speeds_checks(const Study& study) {

@@ -31,6 +31,10 @@ struct Check {
   CheckVerdict verdict = CheckVerdict::not_looked_at;
 };
 
+/// [1] The error of the motion by the time step: estimated, or the change by the last halving; nothing if neither is
+/// known.
+std::optional<double> step_error(const SpeedResponse& speed, const AskedAccuracy& asked);
+
 /// Whether the speeds are close enough together to find every peak, and those beside each peak to resolve it.
 std::vector<Check> speeds_checks(const Study& study);
 

@@ -158,7 +158,7 @@ std::vector<SceneNeed> march_needs(const Study& study, const std::vector<Check>&
   int unsettled = 0;
   for (const SpeedResponse& speed : study.response.speeds) {
     chatter = std::max(chatter, speed.chatter);
-    unsettled += speed.motion == MotionClass::not_settled;
+    unsettled += !speed.settled();
   }
   const std::string speeds = "of " + std::to_string(study.response.speeds.size()) + " speeds";
   return {measured(checks, "time step", Effect::time_step, "leave simulate.steps_per_revolution out"),

@@ -74,13 +74,28 @@ bool looks_numeric(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789.+-/ e") == std::string::npos;
 }
 
+/// Columns that a narrow screen leaves out, so that those to decide by stay in sight.
+bool is_minor(const std::string& column) {
+  constexpr std::string_view minor =
+      "|lies between [rpm]|along the normal [mm]|moves the speed most|moves |u| most|moves the stress most|"
+      "peak lies between [rpm]|node|family|direction|detuning [%]|other waves|places rubbed, leading / trailing edge|"
+      "predicted by|spin [MPa]|alternating [MPa]|mean [MPa]|";
+  return minor.find("|" + column + "|") != std::string_view::npos;
+}
+
 /// The style of a cell: numbers are aligned to the right, and short words stay on one line.
 std::string class_of(const std::string& value) {
   constexpr std::size_t short_text = 16;
-  if (looks_numeric(value)) return " class=\"n\"";
-  if (value == "matters" || value.rfind("outside", 0) == 0) return " class=\"s bad\"";
-  if (value == "negligible" || value == "inside") return " class=\"s good\"";
-  return value.size() <= short_text ? " class=\"s\"" : "";
+  if (looks_numeric(value)) return "n";
+  if (value == "matters" || value.rfind("outside", 0) == 0) return "s bad";
+  if (value == "negligible" || value == "inside") return "s good";
+  return value.size() <= short_text ? "s" : "";
+}
+
+/// ` class="..."` of a cell, or nothing.
+std::string class_attribute(const std::string& look, bool minor) {
+  const std::string all = look + (minor ? (look.empty() ? "minor" : " minor") : "");
+  return all.empty() ? all : " class=\"" + all + "\"";
 }
 
 /// What a column means; empty if columns.json does not list it.
@@ -101,21 +116,31 @@ std::string column_list(const std::vector<std::string>& columns) {
              : "<details class=\"columns\"><summary>What the columns mean</summary><dl>" + text + "</dl></details>\n";
 }
 
+/// Which columns a narrow screen shows.
+enum class Screen {
+  all_columns,   ///< the table scrolls
+  main_columns,  ///< all but those of is_minor()
+};
+
 /// A table with a head; numbers are aligned to the right, texts to the left.
-std::string html_table(const Table& table) {
+std::string html_table(const Table& table, Screen narrow = Screen::all_columns) {
+  const auto minor = [&](std::size_t column) {
+    return narrow == Screen::main_columns && is_minor(table.header[column]);
+  };
   std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table><thead><tr>";
-  for (const std::string& name : table.header) {
+  for (std::size_t k = 0; k < table.header.size(); ++k) {
+    const std::string& name = table.header[k];
     const std::string help = help_of(name);
-    text += "<th scope=\"col\"" + (help.empty() ? help : " title=\"" + help + "\"") + ">" + escaped(name) + "</th>";
+    text += "<th scope=\"col\"" + class_attribute("", minor(k)) + (help.empty() ? help : " title=\"" + help + "\"") +
+            ">" + escaped(name) + "</th>";
   }
   text += "</tr></thead><tbody>\n";
   for (const auto& row : table.rows) {
     text += "<tr>";
-    for (const Cell& cell : row) {
-      const std::string value = shown(cell);
-      const bool names_the_row = &cell == &row.front();
-      text += (names_the_row ? "<th scope=\"row\"" : "<td") + class_of(value) + ">" + value +
-              (names_the_row ? "</th>" : "</td>");
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const std::string value = shown(row[k]);
+      text += (k == 0 ? "<th scope=\"row\"" : "<td") + class_attribute(class_of(value), minor(k)) + ">" + value +
+              (k == 0 ? "</th>" : "</td>");
     }
     text += "</tr>\n";
   }
@@ -175,10 +200,19 @@ std::string stress_note(const FieldResults& fields) {
                  {"rim", fixed(fields.clamp_rim * mm_per_m, 1)}});
 }
 
+/// The first line as it is, the others as a list.
+std::string in_lines(const std::string& answer) {
+  std::istringstream lines(answer);
+  std::string text, first;
+  std::getline(lines, first);
+  for (std::string line; std::getline(lines, line);) text += item(line);
+  return escaped(first) + (text.empty() ? text : "<ul>" + text + "</ul>");
+}
+
 std::string answers(const std::vector<Answer>& list) {
   std::string text = "<dl>";
   for (const auto& [question, answer] : list)
-    text += "<dt>" + escaped(question) + "</dt><dd>" + escaped(answer) + "</dd>\n";
+    text += "<dt>" + escaped(question) + "</dt><dd>" + in_lines(answer) + "</dd>\n";
   return text + "</dl>\n";
 }
 
@@ -329,13 +363,14 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"made_by", escaped(run.in_words().front().text)},
        {"speed_low", rpm_text(study.range.low)},
        {"speed_high", rpm_text(study.range.high)},
-       {"decision", none ? "" : html_table(critical_speed_budgets(study, fields))},
+       {"decision", none ? "" : html_table(critical_speed_budgets(study, fields), Screen::main_columns)},
        {"verdict", answers(verdict(study, fields, needs))},
        {"brief_scene", answers(scene_in_brief(study))},
        {"response", response_section(figures, folder)},
        {"summary", paragraphs(summary(study, fields))},
-       {"critical_speeds", none ? "<p>None.</p>" : html_table(critical_speed_motions(study))},
-       {"critical_stresses", none || !fields.has_stress() ? "" : html_table(critical_speed_stresses(study, fields))},
+       {"critical_speeds", none ? "<p>None.</p>" : html_table(critical_speed_motions(study), Screen::main_columns)},
+       {"critical_stresses",
+        none || !fields.has_stress() ? "" : html_table(critical_speed_stresses(study, fields), Screen::main_columns)},
        {"stress_note", stress_note(fields)},
        {"budget", budget_section(study, fields)},
        {"figure_links", figure_links(figures)},

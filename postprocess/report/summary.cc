@@ -41,23 +41,25 @@ std::string motion_counts(const std::vector<SpeedResponse>& speeds) {
   return text;
 }
 
-std::string steadiness_sentence(const std::vector<SpeedResponse>& speeds, std::size_t failed) {
-  std::size_t settled = 0, halved = 0;
-  double change = 0, closing = 0, halving = 0;
+std::string steadiness_sentence(const Study& study) {
+  const std::vector<SpeedResponse>& speeds = study.response.speeds;
+  std::size_t settled = 0, known = 0;
+  double change = 0, closing = 0, by_step = 0;
   for (const SpeedResponse& speed : speeds) {
     settled += speed.settled();
     if (speed.settled()) change = std::max(change, speed.change);
     closing = std::max(closing, std::abs(speed.energy.closing_error));
-    halved += speed.audit.halving_difference.has_value();
-    halving = std::max(halving, speed.audit.halving_difference.value_or(0));
+    const std::optional<double> error = step_error(speed, study.response.scene.asked);
+    known += error.has_value();
+    by_step = std::max(by_step, error.value_or(0));
   }
-  return counted(speeds.size(), "speed") + " computed: " + motion_counts(speeds) + ", " + std::to_string(failed) +
-         " failed. At " + counted(settled, "speed") + " the motion has settled, with a change of at most " +
-         scientific(change, 1) + " per period; the energy balance closes to " + scientific(closing, 1) +
-         (halved > 0
-              ? "; at " + counted(halved, "speed") +
-                    " the last halving of the time step changed the motion by at most " + scientific(halving, 1)
-              : "; half the time step was not tried") +
+  return counted(speeds.size(), "speed") + " computed: " + motion_counts(speeds) + ", " +
+         std::to_string(study.failed.size()) + " failed. At " + counted(settled, "speed") +
+         " the motion has settled, with a change of at most " + scientific(change, 1) +
+         " per period; the energy balance closes to " + scientific(closing, 1) +
+         (known > 0 ? "; at " + counted(known, "speed") + " the time step changes the motion by at most " +
+                          significant(by_step, 3)
+                    : "; half the time step was not tried") +
          ".";
 }
 
@@ -80,7 +82,8 @@ std::string unusual_sentence(const std::vector<SpeedResponse>& speeds) {
   const auto add = [&](const std::string& what, const std::string& where) {
     if (!where.empty()) text += (text.empty() ? "" : " ") + what + ": " + where + ".";
   };
-  for (const MotionClass motion : {MotionClass::modulated, MotionClass::broadband, MotionClass::not_settled})
+  add("Not settled", runs_of_speeds(speeds, [](const SpeedResponse& speed) { return !speed.settled(); }));
+  for (const MotionClass motion : {MotionClass::modulated, MotionClass::broadband})
     add("Motion " + std::string(name_of(motion)),
         runs_of_speeds(speeds, [&](const SpeedResponse& speed) { return speed.motion == motion; }));
   add("Subharmonic motion",
@@ -205,9 +208,9 @@ std::vector<std::string> summary(const Study& study, const FieldResults& fields)
   std::vector<std::string> lines;
   for (const std::string& line :
        {stress_sentence(study, fields), rule_sentence(study.rules, study.parameters.prediction_tolerance),
-        model_sentence(study.model), accuracy_sentence(study),
-        steadiness_sentence(study.response.speeds, study.failed.size()), unusual_sentence(study.response.speeds),
-        sweep_sentence(study), branch_sentence(study.response), share_sentence(study.waves.first())})
+        model_sentence(study.model), accuracy_sentence(study), steadiness_sentence(study),
+        unusual_sentence(study.response.speeds), sweep_sentence(study), branch_sentence(study.response),
+        share_sentence(study.waves.first())})
     if (!line.empty()) lines.push_back(line);
   return lines;
 }

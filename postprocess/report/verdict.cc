@@ -2,6 +2,9 @@
 #include "postprocess/report/verdict.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
 
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/exactness_record.h"
@@ -177,49 +180,93 @@ std::string failed_text(const Check& check) {
          std::to_string(check.looked_at) + ")";
 }
 
-/// "wear reaches its tolerance in 18 s"; empty if it does not within the hour of the estimate.
-std::string wear_text(const std::vector<SceneNeed>& needs) {
+/// A line below the answer about trust, and by how many times it exceeds what is allowed, or the part of its quantity
+/// that it leaves open.
+struct TrustLine {
+  double size = 0;
+  std::string text;
+};
+
+/// The error budget of the worst critical speed, or of the worst one that has any; nullptr without budgets.
+const ErrorBudget* judged_budget(const std::vector<ErrorBudget>& budgets) {
+  return budgets.empty() ? nullptr : &worst_budget(budgets);
+}
+
+/// "The worst peak is not certain: outside validity (stress 1.09 of yield), 3 checks fail."
+std::string trust_sentence(const Study& study, const FieldResults& fields, const ErrorBudget* budget) {
+  const std::optional<std::size_t> worst = worst_critical(study.critical);
+  const std::vector<Check> checks = exactness_checks(study);
+  const auto failed = static_cast<std::size_t>(std::ranges::count(checks, CheckVerdict::failed, &Check::verdict));
+  const std::string checked =
+      failed == 0 ? "no check fails" : counted(failed, "check") + (failed == 1 ? " fails" : " fail");
+  if (!worst) return std::string(failed == 0 ? "No" : "Some") + " doubt about the computation: " + checked + ".";
+  const CriticalSpeed& peak = study.critical[*worst];
+  const bool budgeted = budget != nullptr && budget->critical == &peak;
+  const std::string outside = outside_validity(study, *worst, fields);
+  std::string text = "The worst peak is computed within " + significant(percent * peak.amplitude_slack(), 2) +
+                     " % of its amplitude and -" + fixed((peak.speed - peak.speed_low) * rpm_per_rad_s, 0) + " +" +
+                     fixed((peak.speed_high - peak.speed) * rpm_per_rad_s, 0) + " rpm, ";
+  text += budgeted ? "but data and physics leave " + significant(percent * sum_of(*budget).amplitude, 2) +
+                         " % of the amplitude and " + significant(percent * sum_of(*budget).shift, 2) +
+                         " % of the speed open"
+                   : "but what friction, damping and clearance change is not known (simulate.budget = "
+                     "\"critical_speeds\")";
+  if (!outside.empty()) text += "; it is outside validity: " + outside;
+  return text + "; " + checked + ".";
+}
+
+/// "|u| is open by 32 %, most by damping 0.002 (+29 %)"
+void add_budget(const Study& study, const ErrorBudget& budget, std::vector<TrustLine>& lines) {
+  const std::optional<std::size_t> worst = worst_critical(study.critical);
+  const std::string place =
+      worst && budget.critical == &study.critical[*worst] ? "" : " at " + rpm_text(budget.critical->speed);
+  for (const OpenQuantity& open : open_quantities(budget))
+    lines.push_back({open.together, "Budget" + place + ": " + open.what + " open by " +
+                                        significant(percent * open.together, 2) + " %, most by " + open.most});
+}
+
+/// What makes the worst critical speed less certain beside its budget.
+void add_motion(const Study& study, const std::vector<SceneNeed>& needs, std::vector<TrustLine>& lines) {
   constexpr double hour = 3600;  // [s]
   for (const SceneNeed& need : needs)
     if (need.effect.effect == Effect::casing_wear && need.over_tolerance() > 1)
-      return ", and wear reaches a tenth of the clearance in " + significant(hour / need.over_tolerance(), 2) + " s";
-  return "";
-}
-
-/// How sure the worst critical speed is, and what makes it less so.
-std::string worst_peak_text(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
+      lines.push_back({need.over_tolerance(), "Wear reaches a tenth of the clearance in " +
+                                                  significant(hour / need.over_tolerance(), 2) + " s"});
   const std::optional<std::size_t> worst = worst_critical(study.critical);
-  if (!worst) return "";
-  const CriticalSpeed& peak = study.critical[*worst];
-  const SpeedResponse& response = study.speed_at(peak.index);
+  if (!worst) return;
+  const SpeedResponse& response = study.speed_at(study.critical[*worst].index);
   const std::string seen = whole_wheel_text(response);
-  const std::string moves = largest_moves(study, fields), outside = outside_validity(study, *worst, fields);
-  return "The worst peak: numerics " + significant(percent * peak.amplitude_slack(), 2) + " %, place -" +
-         fixed((peak.speed - peak.speed_low) * rpm_per_rad_s, 0) + " +" +
-         fixed((peak.speed_high - peak.speed) * rpm_per_rad_s, 0) + " rpm, " + motion_text(response) +
-         (outside.empty() ? "" : "; but it is outside validity: " + outside) +
-         (moves.empty() ? "; what friction, damping and clearance change is not known (simulate.budget = "
-                          "\"critical_speeds\")"
-                        : "; " + moves) +
-         (seen.empty() ? "" : "; seen on the whole wheel: " + seen + " mm (least, median, largest of the blades)") +
-         wear_text(needs) + ". ";
+  if (!seen.empty())
+    lines.push_back({std::abs(whole_wheel(response)->blades->largest / largest_excursion(response.displacement) - 1),
+                     "Motion: " + motion_text(response) + "; seen on the whole wheel: " + seen +
+                         " mm (least, median, largest of the blades)"});
 }
 
+void add_checks(const Study& study, std::vector<TrustLine>& lines) {
+  for (const Check& check : exactness_checks(study))
+    if (check.verdict == CheckVerdict::failed)
+      lines.push_back({check.limit > 0 ? check.worst.value_or(0) / check.limit : check.beyond,
+                       "Check failed: " + failed_text(check)});
+}
+
+/// A sentence, then a line for each doubt, the largest first.
 std::string trust(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
-  const std::vector<Check> checks = exactness_checks(study);
-  const auto listed = [&](CheckVerdict verdict, const std::string& words, const auto& text_of) {
-    std::string text;
-    for (const Check& check : checks)
-      if (check.verdict == verdict) text += (text.empty() ? " " + words + ": " : ", ") + text_of(check);
-    return text.empty() ? text : text + ".";
-  };
-  const auto subject = [](const Check& check) { return check.subject; };
-  const std::string failed = listed(CheckVerdict::failed, "Checks that fail", failed_text);
-  std::string text = worst_peak_text(study, fields, needs) + (failed.empty() ? "No check fails." : failed.substr(1));
-  text += listed(CheckVerdict::undecided, "Undecided", subject);
-  text += listed(CheckVerdict::not_looked_at, "Not looked at", subject);
-  if (!study.failed.empty()) text += " " + counted(study.failed.size(), "speed") + " failed.";
-  return text;
+  const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
+  std::vector<TrustLine> lines;
+  if (const ErrorBudget* budget = judged_budget(budgets)) add_budget(study, *budget, lines);
+  add_motion(study, needs, lines);
+  add_checks(study, lines);
+  std::ranges::stable_sort(lines, std::greater(), &TrustLine::size);
+  std::string text = trust_sentence(study, fields, judged_budget(budgets));
+  for (const TrustLine& line : lines) text += "\n" + line.text + ".";
+  for (const auto& [verdict, words] : {std::pair(CheckVerdict::undecided, "Undecided: "),
+                                       std::pair(CheckVerdict::not_looked_at, "Not looked at: ")}) {
+    std::string subjects;
+    for (const Check& check : exactness_checks(study))
+      if (check.verdict == verdict) subjects += (subjects.empty() ? "" : ", ") + check.subject;
+    if (!subjects.empty()) text += "\n" + std::string(words) + subjects + ".";
+  }
+  return study.failed.empty() ? text : text + "\n" + counted(study.failed.size(), "speed") + " failed.";
 }
 
 /// "trigonometric scheme, contact by complementarity"; empty if the response does not say.
@@ -293,7 +340,6 @@ std::vector<Answer> verdict(const Study& study, const FieldResults& fields, cons
                                  {"Avoid", bands_in_words(speeds_to_avoid(study, fields), fields)},
                                  {"Margin", margin_text(study)},
                                  {"Trust", trust(study, fields, needs)},
-                                 {"What moves it most", largest_errors(study, fields)},
                                  {"Left out", what_matters(needs)}};
   return without_empty(std::move(answers));
 }

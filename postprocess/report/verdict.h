@@ -10,7 +10,7 @@
 
 namespace tiprub::postprocess {
 
-/// A question that a designer asks first, and its answer in a sentence or two.
+/// A question that a designer asks first, and its answer in a sentence or two, or in several lines.
 struct Answer {
   std::string question;
   std::string text;

@@ -5,6 +5,7 @@ import csv
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 
@@ -91,7 +92,10 @@ def varied_peaks(bench):
     found = {row["source"]: row for row in rows}
     assert float(found["damping 0.01"]["change of amplitude [%]"]) > 5, rows
     assert "jams" in found["friction 5"]["motion"], rows
-    assert "What moves it most" in json.loads(folder.read("other/summary.json"))["verdict"]
+    trust = json.loads(folder.read("other/summary.json"))["verdict"]["Trust"].split("\n")
+    assert "data and physics leave" in trust[0], trust
+    opened = [float(re.search(r"open by (\S+) %, most by", line)[1]) for line in trust if line.startswith("Budget: ")]
+    assert len(opened) >= 3 and opened == sorted(opened, reverse=True), trust
 
 
 if __name__ == "__main__":

@@ -79,7 +79,8 @@ TEST(CriticalSpeeds, NameALargerWaveThatRisesLess) {
   EXPECT_EQ(critical.rising.engine_order, 6);
   EXPECT_EQ(critical.largest.engine_order, 8);
   EXPECT_TRUE(critical.has_larger_wave());
-  EXPECT_EQ(wave_names(critical).substr(0, 18), "mixed: EO 6 ND -4 ");
+  EXPECT_EQ(wave_names(critical), "EO 8 ND -2");
+  EXPECT_EQ(wave_name(critical.waves_beside().front()), "EO 6 ND -4");
   const CriticalSpeed usual = peaks_of(peak_at_the_trailing_edge(rotor), rotor).front();
   EXPECT_FALSE(usual.has_larger_wave());
   EXPECT_EQ(wave_names(usual), "EO 6 ND -4");
@@ -97,6 +98,21 @@ TEST(CriticalSpeeds, CallAMotionMixedThatNoWaveHoldsHalfOf) {
   EXPECT_EQ(wave_names(critical), "mixed: EO 10 ND 0 48 %, EO 6 ND -4 30 %, EO 2 ND +2 21 %");
   critical.rising.amplitude = 5e-5;
   EXPECT_EQ(wave_names(critical), "EO 10 ND 0");
+}
+
+/// Symptom: where several waves meet, a peak was called "mixed: EO 15 ND +5 11 %, EO 6 ND -4 77 %".
+TEST(CriticalSpeeds, NameAMotionAfterTheWaveThatHoldsMostOfIt) {
+  CriticalSpeed critical;
+  critical.amplitude = 1e-4;
+  critical.rising = {.engine_order = 15, .signed_nodal_diameter = 5, .amplitude = 1.1e-5};
+  critical.largest = {.engine_order = 6, .signed_nodal_diameter = -4, .amplitude = 7.7e-5};
+  critical.others = {critical.largest, {.engine_order = 3, .signed_nodal_diameter = 3, .amplitude = 1.9e-5}};
+  EXPECT_EQ(wave_names(critical), "EO 6 ND -4");
+  ASSERT_EQ(critical.waves_beside().size(), 2U);
+  EXPECT_EQ(wave_name(critical.waves_beside()[0]), "EO 3 ND +3");
+  EXPECT_EQ(wave_name(critical.waves_beside()[1]), "EO 15 ND +5");
+  critical.largest.amplitude = critical.others[0].amplitude = 4.8e-5;
+  EXPECT_EQ(wave_names(critical), "mixed: EO 6 ND -4 48 %, EO 3 ND +3 19 %, EO 15 ND +5 11 %");
 }
 
 /// Symptom: the largest peaks were called periodic where blades that part from each other leave that motion.

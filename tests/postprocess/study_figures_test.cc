@@ -27,7 +27,7 @@ const Made& made() {
     ReducedModel rotor = synthetic::model();
     Response response = synthetic::resonant_sweep(rotor);
     Study study = make_study({}, std::move(rotor), std::move(response), {});
-    std::vector<Figure> figures = study_figures(study);
+    std::vector<Figure> figures = study_figures(study, field_results(std::nullopt, study.critical));
     return Made{std::move(study), std::move(figures)};
   }();
   return all;

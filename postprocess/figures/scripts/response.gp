@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tip amplitude over speed, critical speeds labelled, speeds that the linear rules predict at the foot.
-# Reads speed_low, speed_high [rpm], amplitude_high [mm]; $peaks: speed [rpm], amplitude [mm], with peak_name[];
+# Reads what bands.gp does; speed_low, speed_high [rpm], amplitude_high [mm]; $peaks: speed [rpm], amplitude [mm], with peak_name[];
 # $not_periodic: likewise; $aliased, $equation_2, $failed, $outside: speeds [rpm]. The figure's table: speed [rpm], largest,
 # leading edge, trailing edge [mm].
 label_room = 1.45
@@ -14,7 +14,10 @@ set bmargin at screen 0.13
 set xlabel 'speed [rpm]'
 set ylabel 'amplitude [mm]'
 set key at screen 0.53,0.985 center top horizontal maxrows 2
-plot $peaks using 1:2:(peak_name[int($0) + 1]) with labels rotate by 90 left offset 0,0.7 \
+band_top = label_room*amplitude_high
+load 'scripts/bands.gp'
+plot @avoided, \
+  $peaks using 1:2:(peak_name[int($0) + 1]) with labels rotate by 90 left offset 0,0.7 \
     font small_font, \
   figure_table skip 1 using 1:2 with linespoints linestyle largest_on_tip title 'largest on the tip line', \
   '' skip 1 using 1:3 with lines linestyle leading_edge title 'leading edge', \

@@ -11,7 +11,7 @@ const KEY_STEPS = 100;  // of an axis
 // options: name; x, y: {label, range: [low, high], ticks: [[place, words], ...] if not even}; height [px];
 //   paint(chart): appends what is drawn; read(x, y): the words under the pointer; pick(x, y): a click, returns what takes it back;
 //   step(-1 or 1): an arrow key; even: the same length on both axes; rows(): what "CSV" saves, its heads first;
-//   look: a class of its own; shared: the selection whose window of speeds x shows.
+//   look: a class of its own; right [px]: the margin there, for names beside it; shared: the selection whose window of speeds x shows.
 class Chart {
   static margin = {left: 58, right: 14, top: 8, bottom: 42};
 
@@ -196,7 +196,7 @@ class Chart {
   draw() {
     const full = this.svg.clientWidth;
     if (!full) return;
-    const {left, right, top, bottom} = Chart.margin, height = this.options.height;
+    const {left, top, bottom} = Chart.margin, {height, right = Chart.margin.right} = this.options;
     Object.assign(this, {left, top, width: Math.max(60, full - left - right), height: height - top - bottom});
     if (this.options.even) this.makeEven();
     this.svg.replaceChildren();

@@ -63,15 +63,46 @@ function mapImage(chart, {axes}, map, part) {
   return canvas.toDataURL();
 }
 
+// Names of the engine orders where their lines leave the chart: beside it, or inside below its top; none runs into another.
+function nameOrders(chart, count, look) {
+  const {left, top, width, height} = chart, [low, high] = chart.range.y, right = chart.range.x[1], tall = 12, wide = 36;
+  let below = Infinity, before = Infinity;
+  for (let k = 1; k <= count; ++k) {
+    const atRight = chart.py(k * right / 60), atTop = chart.px(60 * high / k), words = `EO ${k}`;
+    if (k * right / 60 < low) continue;
+    if (atRight >= top) {
+      if (below - atRight < tall) continue;
+      below = atRight;
+      chart.svg.append(makeSvg('text', {x: left + width + 4, y: Math.min(atRight, top + height) + 4, class: 'order-name'}, words));
+    } else if (atTop > left + wide && atTop < left + width && before - atTop > wide) {
+      before = atTop;
+      chart.content.append(makeSvg('text', {x: atTop - 3, y: top + 11, 'text-anchor': 'end', class: `order-name ${look}`}, words));
+    }
+  }
+}
+
+// Names of the families where their curves begin; curves that are closer than a name is high share one.
+function nameFamilies(chart, curves, first) {
+  const names = [], places = curves.map(curve => [chart.py(curve.hertz[first]), curve.family]).sort(([a], [b]) => b - a);
+  for (const [y, family] of places) {
+    if (!names.length || names.at(-1).y - y > 13) names.push({y, families: []});
+    names.at(-1).families.push(family);
+  }
+  for (const {y, families} of names) {
+    const least = Math.min(...families), most = Math.max(...families);
+    chart.content.append(makeSvg('text', {x: chart.left + 5, y: y - 3, class: 'family-name'},
+      least === most ? `family ${least}` : `families ${least}-${most}`));
+  }
+}
+
 function drawMap(chart, selection, map, part) {
   const {data} = selection, rpm = data.speeds.map(speed => speed.rpm);
   chart.content.append(makeSvg('image', {href: mapImage(chart, data, map, part), x: chart.left, y: chart.top,
     width: chart.width, height: chart.height, preserveAspectRatio: 'none'}));
   for (let k = 1; k <= data.axes.engine_orders; ++k) {
     chart.line(chart.range.x, chart.range.x.map(x => k * x / 60), 'map-order');
-    const x = chart.range.x[1] - 0.02 * (chart.range.x[1] - chart.range.x[0]);
-    if (chart.py(k * x / 60) > chart.top + 12) chart.text(x, k * x / 60, `${k}`, {class: 'map-order-name', 'text-anchor': 'end', dy: -2});
   }
+  nameOrders(chart, data.axes.engine_orders, 'map-order-name');
   data.modes.forEach((mode, k) => {
     if (part === 'total' || Number(part) === mode.nodal_diameter) chart.line(rpm, data.array(`mode/${k}`), 'map-mode');
   });
@@ -104,7 +135,7 @@ function mapView(host, selection, edge) {
   const {data} = selection, maps = {here: ownMap(data, edge), ...data.others.map((_, k) => otherMap(data, k, edge))};
   const shown = {whose: 'here'};
   const chart = new Chart(host, {
-    name: `Interaction map, ${edge} edge`, height: 380, x: speedRange(data),
+    name: `Interaction map, ${edge} edge`, height: 380, right: 42, x: speedRange(data),
     y: {label: 'frequency [Hz]', range: [0, data.axes.frequency]},
     paint: drawn => drawMap(drawn, selection, maps[shown.whose], selection.part), shared: selection,
     rows: () => mapRows(maps[shown.whose], selection.part, chart.range), step: by => selection.step(by),
@@ -120,18 +151,19 @@ function campbellView(host, selection) {
   const {data} = selection, rpm = data.speeds.map(speed => speed.rpm), moving = movingParts(data);
   const colourOf = n => `var(--series-${n % 8})`, curves = data.modes.map((mode, k) => ({...mode, hertz: data.array(`mode/${k}`)}));
   const shown = curves.filter(curve => moving.includes(curve.nodal_diameter)), high = Math.max(...shown.flatMap(curve => [...curve.hertz]), 1);
-  const order = peak => Number.parseFloat(/EO ([\d.]+)/.exec(peak.wave)[1]);  // of "mixed: EO 10 ND 0 48 %, ..." too
   host.append(legend(...moving.map(n => [`series-${n % 8}`, `ND ${n}`]), ['map-order', 'engine orders'], ['met', 'critical speeds'], ['chosen', 'shown speed']));
   const chart = new Chart(host, {
-    name: 'Campbell diagram', height: 380, x: speedRange(data), y: {label: 'frequency [Hz]', range: [0, 1.05 * high]}, shared: selection,
+    name: 'Campbell diagram', height: 380, right: 42, x: speedRange(data), y: {label: 'frequency [Hz]', range: [0, 1.05 * high]}, shared: selection,
     pick: x => pickSpeed(chart, selection, x), step: by => selection.step(by), middle: () => selection.speed.rpm,
     paint: drawn => {
       for (let k = 1; k <= MOST_ORDERS && k * rpm[0] / 60 < 1.05 * high; ++k) drawn.line(drawn.range.x, drawn.range.x.map(x => k * x / 60), 'order');
       for (const curve of shown) drawn.line(rpm, curve.hertz, 'mode', colourOf(curve.nodal_diameter));
+      nameOrders(drawn, MOST_ORDERS, '');
+      nameFamilies(drawn, shown, selection.nearest(drawn.range.x[0]));
       drawn.upright(selection.speed.rpm, 'chosen-mark');
       for (const peak of data.critical) {
         const x = data.speeds[peak.index].rpm;
-        drawn.dot(x, Math.min(1.05 * high, order(peak) * x / 60), 5, 'met');
+        drawn.dot(x, Math.min(1.05 * high, peak.order * x / 60), 5, 'met');
       }
     },
     read: (x, y) => {

@@ -39,7 +39,7 @@ function drawBand(chart, low, high, look) {
 function drawResponse(chart, selection) {
   const {data} = selection, {speeds} = data, rpm = speeds.map(speed => speed.rpm);
   if (data.operating[1] > 0) drawBand(chart, ...data.operating, 'operating');
-  for (const band of [...data.avoid].reverse()) drawBand(chart, band.low, band.high, `avoid grade-${band.grade}`);
+  for (const band of data.avoid) drawBand(chart, band.low, band.high, `avoid grade-${band.grade}`);
   markSpeeds(chart, selection);
   for (const name of ['largest', 'leading', 'trailing']) chart.line(rpm, speeds.map(speed => speed[name]), name);
   data.others.forEach((_, k) => chart.line(data.array(`other/${k}/speed`), data.array(`other/${k}/largest`), `other other-${k % 6}`));
@@ -48,9 +48,11 @@ function drawResponse(chart, selection) {
     if (speed.outside) markOutside(chart, speed.rpm);
     if (!/\bperiodic\b/.test(speed.motion)) chart.dot(speed.rpm, speed.largest, 5.5, 'unsteady');
   }
+  let free = -Infinity;  // right of the name before
   for (const peak of data.critical) {
-    const {rpm: x, largest} = speeds[peak.index];
-    chart.text(x, largest, peak.wave.split(':')[0], {class: 'wave-name', transform: `rotate(-90 ${chart.px(x)} ${chart.py(largest)})`, dx: 9, dy: -4});
+    const {rpm: x, largest} = speeds[peak.index], at = chart.px(x), aside = Math.max(0, free - at);
+    free = at + aside + 12;
+    chart.text(x, largest, peak.wave.split(':')[0], {class: 'wave-name', transform: `rotate(-90 ${at} ${chart.py(largest)})`, dx: 9, dy: aside - 4});
   }
   for (const [rule, rpms] of Object.entries(data.predicted))
     for (const x of rpms) chart.triangle(x, rule === 'equation_2');
@@ -81,16 +83,26 @@ function responseView(host, selection) {
   if (data.speeds.some(speed => speed.stress !== null)) stressView(host, selection);
 }
 
+// What the stress is held against: the class of a line, MPa, words.
+function limitsOf({strength}) {
+  if (!strength) return [];
+  return [['goodman', strength.allowed, `Goodman's rule allows ${strength.allowed.toFixed(0)} MPa (mean ${strength.mean.toFixed(0)} MPa)`],
+    ...(strength.yield === null ? [] : [['yield', strength.yield, `yield strength ${strength.yield.toFixed(0)} MPa, of vibration and spin together`]])];
+}
+
 // The stress of the vibration at every speed by the waves of the tip, and at the critical speeds as the cycle has it.
 function stressView(host, selection) {
   const {data} = selection, {speeds} = data, recovered = data.critical.filter(peak => peak.vibration !== null);
-  const high = Math.max(...speeds.map(speed => speed.stress), ...recovered.map(peak => peak.vibration));
+  const limits = limitsOf(data);
+  const high = Math.max(...speeds.map(speed => speed.stress), ...recovered.map(peak => peak.vibration), ...limits.map(([, stress]) => stress));
   host.append(make('h3', {}, 'Stress of the vibration over speed'), legend(['stress', 'estimated from the waves of the tip'], ['recovered', 'recovered over a cycle'],
-    ['chosen', 'shown speed']));
+    ...limits.map(([look, , words]) => [look, words]), ['chosen', 'shown speed']));
   const chart = new Chart(host, {
     name: 'Stress over speed', look: 'stress', height: 210, x: speedRange(data), y: {label: 'von Mises [MPa]', range: [0, 1.08 * high]}, shared: selection,
     paint: drawn => {
+      for (const band of data.avoid) drawBand(drawn, band.low, band.high, `avoid grade-${band.grade}`);
       markSpeeds(drawn, selection);
+      for (const [look, stress] of limits) drawn.line(drawn.range.x, [stress, stress], `limit ${look}`);
       drawn.line(speeds.map(speed => speed.rpm), speeds.map(speed => speed.stress), 'stress');
       for (const peak of recovered) drawn.dot(speeds[peak.index].rpm, peak.vibration, 4.5, 'recovered');
     },

@@ -97,12 +97,17 @@ class Selection {
 
   get critical() { return this.data.critical.find(peak => peak.index === this.index); }
 
-  // [mm] on the straight line between the simulated speeds.
+  // On the straight line between the simulated speeds.
   between(rpm, what) {
     const {speeds} = this.data, above = speeds.findIndex(speed => speed.rpm >= rpm);
     if (above <= 0) return null;
     const [a, b] = [speeds[above - 1], speeds[above]], share = (rpm - a.rpm) / (b.rpm - a.rpm);
     return {low: a.rpm, high: b.rpm, value: a[what] + share * (b[what] - a[what])};
+  }
+
+  // The same of the amplitude at what was typed; null where that speed was simulated, or lies outside the simulated ones.
+  get askedBetween() {
+    return this.asked === null || Math.abs(this.asked - this.speed.rpm) < 0.5 ? null : this.between(this.asked, 'largest');
   }
 
   // The largest waves at the chosen edge: engine order, signed nodal diameter, amplitude [mm].
@@ -128,22 +133,61 @@ class Selection {
 
 const mmOf = length => `${digits(length, 3)} mm`;
 
+// Where a speed [rpm] lies among the speeds to avoid.
+function placeAmong(bands, rpm) {
+  const named = band => `${band.low.toFixed(0)} to ${band.high.toFixed(0)} rpm (${band.reason})`;
+  const inside = bands.find(({low, high}) => low <= rpm && rpm <= high);
+  if (inside) return `To be avoided: inside ${named(inside)}`;
+  if (!bands.length) return 'No band of speeds to avoid is known';
+  const distance = ({low, high}) => Math.max(low - rpm, rpm - high);
+  const nearest = bands.reduce((a, b) => distance(a) <= distance(b) ? a : b), away = distance(nearest);
+  return `Outside the speeds to avoid: ${digits(away, 3)} rpm (${digits(100 * away / rpm, 2)} %) from ${named(nearest)}`;
+}
+
+// Stress and Goodman's utilisation as far as they are known; `stress` [MPa]: an estimate, or null.
+function loadOf({strength}, critical, stress) {
+  if (critical && critical.vibration !== null)
+    return `${digits(critical.vibration, 3)} MPa${critical.goodman === null ? '' : `, Goodman's utilisation ${critical.goodman.toFixed(2)}`}`;
+  if (stress === null) return 'stress not known';
+  return `about ${digits(stress, 2)} MPa${strength === null ? ''
+    : `, Goodman's utilisation about ${(stress / strength.endurance + strength.mean / strength.ultimate).toFixed(2)} (with the mean stress of the worst critical speed)`}`;
+}
+
+// How sure the numbers of a simulated speed are.
+function certaintyOf(speed, critical) {
+  const percent = share => `${digits(100 * share, 2)} %`, steps = speed.step_error > 0 ? `, the time step changes it by ${percent(speed.step_error)}` : '';
+  if (!critical) return `${speed.motion}${speed.settled ? '' : ', not settled'}${steps}`;
+  return `${speed.motion}${speed.settled ? '' : ', not settled'}, amplitude within ${percent(critical.slack)}, peak between ${
+    critical.between.map(rpm => rpm.toFixed(0)).join(' and ')} rpm; ${critical.open === null ? 'no error budget'
+    : `the error budget leaves open ${critical.open.map(([what, share]) => `${percent(share)} of ${what === '|u|' ? what : `the ${what}`}`).join(', ')}`}`;
+}
+
+// In a few words, of any speed: whether to run there, what moves, what it bears, and how sure that is.
+function verdictAt(selection) {
+  const {data, speed, critical, asked} = selection, between = selection.askedBetween;
+  if (asked !== null && !between && Math.abs(asked - speed.rpm) >= 0.5) return 'Not known: outside the simulated speeds.';
+  const excursion = between ? selection.between(asked, 'excursion').value : speed.excursion;
+  const stress = between && speed.stress !== null ? selection.between(asked, 'stress').value : speed.stress;
+  const sure = between ? `on the line between ${between.low.toFixed(0)} and ${between.high.toFixed(0)} rpm, where a peak may be missed`
+    : certaintyOf(speed, critical);
+  return `${placeAmong(data.avoid, between ? asked : speed.rpm)}. |u| ${mmOf(excursion)}, ${
+    loadOf(data, between ? null : critical, stress)}. How sure: ${sure}${data.caveat}.`;
+}
+
 // What happens at the shown speed, in words.
 function answersAt(selection) {
-  const {data, speed, critical, asked, edge} = selection, side = edge === 'leading' ? 0 : 1;
-  const between = asked === null || Math.abs(asked - speed.rpm) < 0.5 ? null : selection.between(asked, 'largest');
-  const band = data.avoid.find(({low, high}) => low <= speed.rpm && speed.rpm <= high);
+  const {data, speed, critical, asked, edge} = selection, side = edge === 'leading' ? 0 : 1, between = selection.askedBetween;
   return [
     ['Asked', between ? `${digits(asked, 6)} rpm was not simulated, the nearest speed is shown. On the line between ${between.low.toFixed(0)} and ${
       between.high.toFixed(0)} rpm the tip moves by ${mmOf(between.value)}.` : asked !== null && Math.abs(asked - speed.rpm) >= 0.5
         ? `${digits(asked, 6)} rpm is outside the simulated speeds, the nearest one is shown.` : null],
+    ['Verdict', verdictAt(selection)],
     ['Motion', `${mmOf(speed.largest)} on the tip line, leading edge ${mmOf(speed.leading)}, trailing edge ${mmOf(speed.trailing)}; in all directions |u| ${
       mmOf(speed.excursion)}; ${speed.motion}; running clearance at the ${edge} edge ${mmOf(speed.clearance[side])}`],
     ['Waves', `at the ${edge} edge ${selection.largestWaves(3).map(([order, n, amplitude]) =>
       `EO ${digits(order)} ND ${n > 0 ? '+' : ''}${n} ${mmOf(amplitude)}`).join(', ')}`],
     ['Stress', critical?.stress ?? (speed.stress === null ? 'recovered at critical speeds only'
       : `about ${digits(speed.stress, 2)} MPa of the vibration, estimated from the waves of the tip; it is recovered at critical speeds`)],
-    ['Avoid', band ? `inside ${band.low.toFixed(0)} to ${band.high.toFixed(0)} rpm: ${band.concern}` : null],
     ['Outside validity', speed.outside],
   ].filter(([, words]) => words);
 }

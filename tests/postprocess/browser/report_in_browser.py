@@ -18,7 +18,7 @@ import time
 
 import chromium
 from shown_page import HEIGHT, VIEWS, WIDTH, click_peak, opened, rows_of, shown
-from speed_checks import check_any_speed, check_honest_wheel, check_saved_views, check_shared_speeds
+from speed_checks import check_any_speed, check_bands, check_honest_wheel, check_names, check_saved_views, check_shared_speeds
 
 SKIPPED = 77
 PAPER_WIDTH, PAPER_HEIGHT = 277 / 25.4 * 96, 188 / 25.4 * 96  # px: A4 on its side, margins of 10 mm, 12 mm at the foot
@@ -118,6 +118,8 @@ def check_stress(browser, report):
                          "view.querySelectorAll('circle.recovered').length]; })()")
     rows = [row for row in rows_of(os.path.join(report, "speeds.csv")) if not row["failure"]]
     assert told == [len(rows), len(rows_of(os.path.join(report, "critical_speeds.csv")))], told
+    lines = browser.value("[...document.querySelectorAll('svg.stress path.limit')].map(line => line.getBoundingClientRect().top)")
+    assert len(lines) == 2 and len(set(lines)) == 2, lines  # Goodman's, yield strength
     row = rows[2]
     browser.value("(typed => { typed.value = '%s'; typed.dispatchEvent(new Event('change')); })(document.querySelector('input.typed'))" % row["speed [rpm]"])
     words = browser.value("document.querySelector('#shown-answers').textContent")
@@ -184,6 +186,16 @@ def check_sizes(browser, page):
         assert (paper > 128) == (scheme == "light"), (scheme, paper)
 
 
+def check_narrow(browser, page):
+    """The columns to decide by stay in sight."""
+    for width in (1440, 1024, 820, 390):
+        opened(browser, page, width, HEIGHT)
+        seen = browser.value("""[...document.querySelectorAll('.decision th[scope=col], #critical ~ .scroll th[scope=col]')]
+          .filter(head => /^(critical speed|speed|wave|tip|Goodman|validity|outside validity)/.test(head.textContent))
+          .map(head => [head.textContent, head.getBoundingClientRect().right, head.closest('.scroll').getBoundingClientRect().right])""")
+        assert len(seen) >= 9 and all(0 < right <= edge + 1 for _, right, edge in seen), (width, seen)
+
+
 def check_paper(browser, work, page):
     """Columns and figures by layout, and by what a reader of the PDF finds, where there is one."""
     opened(browser, page)
@@ -199,10 +211,13 @@ def check_paper(browser, work, page):
         heads: tables.every(table => getComputedStyle(table.tHead).display === 'table-header-group'),
         version: document.querySelector('.paper-only').getClientRects().length && document.querySelector('.paper-only').textContent,
         numbered: getComputedStyle(document.querySelector('figcaption'), '::before').content,
+        stress: document.querySelector('#stress ~ figure img')?.naturalWidth > 0,
+        bands: decodeURIComponent(document.querySelector('#response ~ figure img').src).includes('Goodman above'),
         abreast: sections.filter(section => section.getBoundingClientRect().left > innerWidth / 3).length,
         columns: tables.flatMap(table => [...table.rows[0].cells].map(cell => cell.textContent))}; })()""")
     assert found["pictures"] and not found["live"] and found["torn"] == 0 and found["heads"], found
     assert found["version"].startswith("tiprub-postprocess") and "Figure" in found["numbered"] and found["abreast"] > 5, found
+    assert found["stress"] and found["bands"], found
     assert found["right"] <= PAPER_WIDTH + 1 and found["tallest"] <= PAPER_HEIGHT, found
     paper = os.path.join(work, "report.pdf")
     with open(paper, "wb") as file:
@@ -322,16 +337,23 @@ def check_without_scripts(browser, page):
     assert found[0] and not found[1] and found[2] > 5 and found[3] <= HEIGHT, found
 
 
+def made_report(program, writer, work):
+    """Its folder; the wheel's strengths are known."""
+    subprocess.run([writer, work], check=True, cwd=work)
+    with open(os.path.join(work, "case.toml"), "a", encoding="utf-8") as case:
+        case.write("\n[material]\nultimate_strength = 150e6\nendurance_limit = 40e6\nyield_strength = 60e6\n")
+    subprocess.run([program, "-q", "case.toml", "model.h5", "cycles_response.h5", "--fields", "fields.h5", "-o", "report"],
+                   check=True, cwd=work, stdout=subprocess.DEVNULL)
+    return os.path.join(work, "report")
+
+
 def main(program, writer, work):
     if chromium.installed() is None:
         print("skipped: no Chromium on this machine; .ci/install-packages packages-gate.txt brings it")
         return SKIPPED
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
-    subprocess.run([writer, work], check=True, cwd=work)
-    subprocess.run([program, "-q", "case.toml", "model.h5", "cycles_response.h5", "--fields", "fields.h5", "-o", "report"],
-                   check=True, cwd=work, stdout=subprocess.DEVNULL)
-    report = os.path.join(work, "report")
+    report = made_report(program, writer, work)
     page = os.path.join(report, "report.html")
     with chromium.Chromium(work) as browser:
         check_opening(browser, page)
@@ -341,6 +363,8 @@ def main(program, writer, work):
         check_zoom_and_keys(browser)
         check_columns(browser)
         check_stress(browser, report)
+        check_bands(browser, report)
+        check_names(browser)
         check_instant(browser)
         check_any_speed(browser, page, report)
         check_shared_speeds(browser, page)
@@ -348,6 +372,7 @@ def main(program, writer, work):
         opened(browser, page)
         check_pictures_and_tables(browser, report)
         check_sizes(browser, page)
+        check_narrow(browser, page)
         if browser.value("document.createElement('canvas').getContext('webgl') !== null"):
             check_wheel(browser, page)
         else:

@@ -72,6 +72,60 @@ def check_shared_speeds(browser, page):
     assert shown(browser) == before, "a slow double-click chose a speed"
 
 
+def bands_in(words):
+    """Ends [rpm] of the speeds to avoid, as they are told."""
+    return [tuple(map(float, found)) for found in re.findall(r"(\d+) to (\d+) rpm \(", words)]
+
+
+def check_bands(browser, report):
+    """The words on top, the shading of both charts and the verdict at any speed agree on the speeds to avoid."""
+    with open(os.path.join(report, "summary.json"), encoding="utf-8") as file:
+        told = bands_in(json.load(file)["verdict"]["Avoid"])
+    assert told and all(a[1] < b[0] for a, b in zip(told, told[1:])), told
+    assert bands_in(browser.value("document.querySelector('.lead').textContent.split('Avoid')[1].split('Margin')[0]")) == told
+    for name in ("#live-response svg.chart:not(.stress)", "svg.stress"):
+        shaded = browser.value(f"""(svg => {{ const frame = svg.querySelector('.frame'), left = Number(frame.getAttribute('x')), width = Number(frame.getAttribute('width'));
+          return [...svg.querySelectorAll('rect.avoid')].map(band => [Number(band.getAttribute('x')), Number(band.getAttribute('width'))]
+            .map((pixels, k) => (pixels - (k ? 0 : left)) / width)); }})(document.querySelector({json.dumps(name)}))""")
+        low, high = browser.value("unpacked('speed-data').then(data => data.axes.speed)")
+        for (first, last), (left, width) in zip(told, shaded):
+            expected = [(min(high, max(low, rpm)) - low) / (high - low) for rpm in (first, last)]
+            assert abs(expected[0] - left) < 0.01 and abs(expected[1] - left - width) < 0.01, (told, shaded)
+        assert len(shaded) == len(told), (told, shaded)
+    rows = [row for row in rows_of(os.path.join(report, "speeds.csv")) if not row["failure"]]
+    for row in rows[1::8]:  # whether it is critical or not
+        rpm = float(row["speed [rpm]"])
+        if min(abs(rpm - end) for band in told for end in band) < 1:  # the ends are told in whole numbers
+            continue
+        browser.value(event("input.typed", "change", row["speed [rpm]"]))
+        verdict = browser.value("[...document.querySelectorAll('#shown-answers dt')].find(head => head.textContent === 'Verdict').nextSibling.textContent")
+        inside = [band for band in told if band[0] <= rpm <= band[1]]
+        assert verdict.startswith("To be avoided: inside" if inside else "Outside the speeds to avoid: "), (verdict, told)
+        if not inside:
+            away = min(max(first - rpm, rpm - last) for first, last in told)
+            assert abs(float(re.search(r": (\S+) rpm", verdict)[1]) - away) <= 0.006 * away + 1, (verdict, told)
+        for phrase in ("|u| ", " MPa", "Goodman's utilisation", "How sure: ", row["motion"].split(",")[0]):
+            assert phrase in verdict, (phrase, verdict)
+    between = 0.5 * (float(rows[0]["speed [rpm]"]) + float(rows[1]["speed [rpm]"]))
+    for rpm, phrase in ((between, "How sure: on the line between"), (1, "Not known: outside the simulated speeds.")):
+        browser.value(event("input.typed", "change", str(rpm)))
+        assert phrase in browser.value("document.querySelector('#shown-answers').textContent"), rpm
+
+
+def check_names(browser):
+    """Names of waves, engine orders and families in the charts over speed: there, and apart."""
+    for view, label in enumerate(browser.value(VIEWS + ".map(view => view.getAttribute('aria-label'))")):
+        kinds = {"Tip": ("wave",), "Interaction": ("order",), "Campbell": ("order", "family")}.get(label.split()[0], ())
+        for kind in kinds:
+            boxes = browser.value(f"[...{VIEWS}[{view}].querySelectorAll('.{kind}-name')].map(name => name.getBoundingClientRect())"
+                                  ".map(box => [box.left, box.top, box.right, box.bottom])")
+            assert boxes, (label, kind)
+            for i, a in enumerate(boxes):
+                for b in boxes[:i]:
+                    over = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
+                    assert min(over) <= 3, (label, kind, a, b)  # px: a line's box is higher than its letters
+
+
 def check_saved_views(browser):
     """What a view saves: its picture with its looks, and its numbers."""
     saved = browser.value("""(() => { const found = [], create = URL.createObjectURL; URL.createObjectURL = blob => { found.push(blob); return create(blob); };

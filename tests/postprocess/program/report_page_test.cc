@@ -163,6 +163,7 @@ TEST_F(Page, MarksWhatFails) {
     response.speeds[i].audit.excluded_growth = 0.9;
     response.speeds[i].audit.symmetry = SymmetryVerdict::holds;
   }
+  response.speeds[2].audit.step_reached = 0.5;
   response.speeds[1].audit.excluded_growth = 1.032;
   response.speeds[1].audit.symmetry = SymmetryVerdict::breaking;
   write_response(response, folder_ / "audited.h5", "test");
@@ -182,6 +183,11 @@ TEST_F(Page, MarksWhatFails) {
   EXPECT_EQ(rows["model"]["passed"], "not looked at");
   EXPECT_EQ(rows["energy"]["passed"], "no");  // the made ledgers close to 2e-4
   EXPECT_EQ(rows["penetration"]["passed"], "yes");
+  // One number for one thing: the findings told the change by the halving where the checks told the estimated error.
+  EXPECT_EQ(rows["time step"]["worst of those looked at"], "0.0025");
+  EXPECT_NE(text_of(folder_ / "audited" / "report.html")
+                .find("at 3 speeds the time step changes the motion by at most 0.0025."),
+            std::string::npos);
 }
 
 TEST_F(Page, SaysHowExactTheCriticalSpeedsAreBesideWhatWasAskedFor) {
@@ -216,6 +222,14 @@ TEST_F(Page, SaysWhatTheSceneNeeds) {
   EXPECT_NE(row("with", "Coriolis")["verdict"], "not estimated");
   EXPECT_GT(std::stod(row("with", "Coriolis")["size"]), 0);
   EXPECT_EQ(row("with", "mesh")["verdict"], "not estimated");
+  // "0, negligible" stood there for speeds whose motion had not settled, beside "passed: no" of the same speeds.
+  const auto checks = rows_of(folder_ / "with" / "exactness.csv");
+  const auto unsettled = std::find_if(checks.begin(), checks.end(), [](const auto& found) {
+    return found.at("check").rfind("unsettled motion", 0) == 0;
+  });
+  ASSERT_NE(unsettled, checks.end());
+  EXPECT_EQ(row("with", "motions left before they have settled")["size"], unsettled->at("speeds beyond the limit"));
+  EXPECT_EQ(row("with", "motions left before they have settled")["verdict"], "matters");
   EXPECT_NE(text_of(folder_ / "with" / "report.html").find("What this scene needs"), std::string::npos);
 }
 
@@ -237,15 +251,16 @@ TEST_F(Page, BeginsWithTheVerdict) {
   for (const std::string& phrase :
        {"at " + rounded("speed [rpm]", 0) + " rpm, moves the tip by " + rounded("tip |u| [mm]", 2) +
             " mm in all, and towards the casing by " + rounded("amplitude [mm]", 3) + " mm",
-        std::string("The worst peak: numerics "), std::string("contact node 0 of 0 .. 3 (leading edge)"),
+        std::string("The worst peak is computed within "), std::string("contact node 0 of 0 .. 3 (leading edge)"),
         std::string("EO 6 drives family 1 on nodal diameter 4 as a forward wave"),
         std::string(
             "harmonic 3 of the 2 lobes of the casing; 10 sectors see it as 4 nodal diameters, since 6 = 10 - 4."),
         fixed(100 * std::stod(worst.at("wave share [1]")), 0) + " % of the amplitude",
         "the next above, " + rounded("speed [rpm]", 0) + " rpm, is " + above + " % away",
-        std::string("Checks that fail: accuracy ("),
-        std::string("unsettled motion (1 speed of 47), energy (0.0002 at "),
-        std::string("2 lobes, 0.300 mm inward at the crest"), std::string("-0.020 .. 0.040 mm")})
+        std::string("; 3 checks fail.<ul><li>"), std::string("<li>Check failed: accuracy ("),
+        std::string("<li>Check failed: unsettled motion (1 speed of 47).</li>"),
+        std::string("<li>Check failed: energy (0.0002 at "), std::string("2 lobes, 0.300 mm inward at the crest"),
+        std::string("-0.020 .. 0.040 mm")})
     EXPECT_NE(first.find(phrase), std::string::npos) << phrase << "\n" << first.substr(first.find("class=\"lead\""));
   EXPECT_NE(text_of(folder_ / "without" / "report.html").find("the case gives no operating range"),
             std::string::npos);

@@ -42,6 +42,18 @@ std::vector<std::string> settings_of(const StageArguments& arguments, const std:
   return settings;
 }
 
+/// [mesh] is absent if a user has a mesh or a model, so that the message names the place of these.
+CaseTable mesh_table(const CaseFile& file) {
+  try {
+    return file.table("mesh");
+  } catch (const InputError& error) {
+    if (file.has("mesh")) throw;
+    throw InputError(std::string(error.what()) +
+                     ", or name your own mesh for tiprub-reduce by MESH := wheel.msh, or your own model by MODEL := "
+                     "wheel.h5, in the Makefile of the case, which then needs no [mesh]");
+  }
+}
+
 void draw(const StageArguments& arguments, const NamedMesh& mesh, const std::filesystem::path& path) {
   OutputFile output(path);
   write_file(output.scratch(), [&](std::ostream& file) { file << picture_of(mesh); });
@@ -52,6 +64,7 @@ void draw(const StageArguments& arguments, const NamedMesh& mesh, const std::fil
 }  // namespace
 
 std::string mesh_tables(const CaseFile& file) {
+  mesh_table(file);
   return file.resolved("mesh", [](CaseTable& table) {
     if (is_import(table))
       read_import_parameters(table);
@@ -64,7 +77,7 @@ void run_mesh(const StageArguments& arguments, const MeshOptions& options) {
   if (!options.picture.empty() && options.picture.extension() != ".svg")
     throw InputError("--picture " + options.picture.string() + ": must end in .svg");
   refuse_overwriting({options.picture, arguments.output}, arguments.inputs);
-  CaseTable table = CaseFile(arguments.inputs[0], settings_of(arguments, options.import)).table("mesh");
+  CaseTable table = mesh_table(CaseFile(arguments.inputs[0], settings_of(arguments, options.import)));
   std::optional<OutputLock> lock;
   if (arguments.action == Action::run) lock.emplace(arguments.output);
   const NamedMesh mesh = is_import(table) ? import_mesh(arguments, table) : mesh_wheel(arguments, table);

@@ -9,6 +9,7 @@ import doctest
 import importlib
 import itertools
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -51,6 +52,43 @@ def motion(tiprub):
         assert whole.sizes["sector"] == response.sector_count and np.isclose(whole.contact_force[sample].sum(), force)
         tip = response.field(speed).displacement[:, tips]
         assert np.allclose(tip, whole.displacement[sample], rtol=1e-5, atol=1e-12)
+
+
+def frd(path):
+    """(nodes, lines of the cells, displacement) of a .frd file, by its columns."""
+    with open(path, encoding="ascii") as file:
+        blocks = file.read().split(" -3\n")
+
+    def rows(block):
+        return np.array([[float(line[k:k + 12]) for k in (13, 25, 37)] for line in block.splitlines() if line.startswith(" -1")])
+
+    return rows(blocks[0]), [line.rstrip() for line in blocks[1].splitlines()[1:]], rows(blocks[2])
+
+
+def wheel_for_calculix(tiprub, programs):
+    """The whole wheel as .frd: as the report has it for ParaView, whole across the cuts, and with CalculiX's order of nodes."""
+    from vtu import numbers_of, read_vtu
+    picture = os.path.join("report", "fields", "contact_wheel.vtu")
+    speed, vtu = numbers_of(picture)["speed"] * 30 / np.pi, read_vtu(picture)
+    response = tiprub.open_response("response.h5")
+    response.write_frd("wheel.frd", speed)
+    nodes, cells, moved = frd("wheel.frd")
+    assert np.allclose(nodes, vtu["Points"], rtol=1e-5, atol=1e-6)
+    assert np.allclose(moved, vtu["displacement_vibration"], rtol=1e-4, atol=1e-4 * np.abs(moved).max())
+    with h5py.File("fields.h5") as file:
+        low, high, count = file["node_set/cyclic_low"][:], file["node_set/cyclic_high"][:], len(file["cells"])
+    by_sector = moved.reshape(response.sector_count, -1, 3)
+    assert np.allclose(by_sector[:, high], np.roll(by_sector, -1, axis=0)[:, low], atol=1e-4 * np.abs(moved).max())
+    assert sum(line.startswith(" -1") for line in cells) == count * response.sector_count
+    if shutil.which("ccx") is None:
+        print("SKIPPED: no ccx, whose order of nodes is compared")
+        return
+    subprocess.run([os.path.join(programs, "tiprub-reduce"), "-q", "case.toml", "sector.msh", "--export-ccx", "decks", "--set", "reduce.verification_speeds=[0.0]"], check=True)
+    with open("decks/mesh.inp", encoding="ascii") as deck, open("decks/free.inp", "w", encoding="ascii") as free:
+        free.write(re.sub(r"(?s)\*NSET, NSET=(clamped|low).*?(?=\*MATERIAL)", "", deck.read()).replace("*BOUNDARY\nclamped, 1, 3\n", "") +
+                   "*BOUNDARY\n1, 1, 3\n*STEP\n*STATIC\n*NODE FILE\nU\n*END STEP\n")
+    subprocess.run(["ccx", "free"], cwd="decks", stdout=subprocess.DEVNULL, env=dict(os.environ, OMP_NUM_THREADS="1"), check=True)
+    assert cells[:3 * count] == frd("decks/free.frd")[1]
 
 
 def units(tiprub):
@@ -286,6 +324,7 @@ def main(source, programs, made, work):
     import tiprub
     for check in (doctests, frequencies, motion, units, missing_files, removed_keys):
         check(tiprub)
+    wheel_for_calculix(tiprub, programs)
     refusals(tiprub, programs)
     order_of_contact(tiprub, programs)
     wrong_matrices(tiprub)

@@ -51,6 +51,8 @@ def of_nodes():
     yield entry("nodes.text", NODES, "11,0.1", "11,here", f"{NODES}:2: must be a finite x")
     yield entry("nodes.number", NODES, "11,0.1", "-11,0.1", f"{NODES}:2: a row or column must be a whole number")
     yield entry("nodes.twice", NODES, "12,0.12", "11,0.12", f"{NODES}: has two nodes of number 11")
+    yield entry("nodes.free", NODES, "clamped\n12,0.12,0,0,clamped", "\n12,0.12,0,0,",
+                f"{NODES}: has no node whose set is clamped, so that nothing holds the wheel; name the nodes that are held")
     yield entry("nodes.set", NODES, "clamped", "held", f"{NODES}:2: set \"held\" must be clamped")
     yield entry("nodes.one_cut", NODES, "clamped", "cyclic_low", f"{NODES}: has nodes on one cut, and none on the other")
     yield entry("nodes.elsewhere", NODES, "13,0.1,", "13,0.3,", f"are its rows those that {NODES} and {ROWS} tell")

@@ -96,11 +96,6 @@ SectorMesh read_sector(const StageArguments& arguments, const ReduceOptions& opt
     throw InputError(mesh.string() + ": a sector is given by its mesh or by --matrices, not by both");
   if (!options.calculix_folder.empty() || !options.modes_file.empty() || !options.fields_file.empty())
     throw InputError("--export-ccx, --modes and --fields need the sector's cells, which --matrices doesn't give");
-  if (parameters.refine > 0)
-    throw InputError("[reduce] refine splits the sector's cells, which --matrices doesn't give; leave it at 0");
-  if (parameters.degree != Degree::quadratic)
-    throw InputError(
-        "[reduce] element_order is that of the sector's cells, which --matrices doesn't give; leave it at 2");
   return read_matrix_sector(matrix_files(options), parameters.cyclic_tolerance);
 }
 
@@ -113,7 +108,6 @@ Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
   if (arguments.verbosity == Verbosity::verbose) say(arguments, "[reduce]\n" + table.resolved());
   say_blas(arguments);
   SectorMesh mesh = read_sector(arguments, options, parameters);
-  if (mesh.matrices != nullptr) parameters.prestress = Prestress::linear;  // K holds its effect already
   require_metres(mesh, parameters);
   return {std::move(parameters), std::move(mesh), case_file.source()};
 }

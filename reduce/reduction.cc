@@ -110,6 +110,7 @@ class Reducer {
     report.clamped_face_nodes = dofs_.clamped_face_nodes;
     require_room(report);
     SpinningSector sector(mesh_, dofs_, parameters_);
+    report.sector_mass = sector.total_mass();
     timed(report, "mass and stiffness at rest");
     const SectorFactor at_rest = sector.factorize(0.0, factors_);
     timed(report, "factor at rest");
@@ -157,8 +158,8 @@ class Reducer {
                         .threads = parameters_.threads});
   }
 
-  /// Decides by the memory how to factorize. Raises RunError if there is too little for the shape that is expected.
-  /// Starts the threads.
+  /// Decides by the memory how to factorize, and starts the threads. Raises RunError if the expected shape needs
+  /// more.
   void require_room(ReductionReport& report) {
     constexpr int usual_terms = 2;  // of a shape that isn't linear
     const SpeedSamples samples(parameters_, parameters_.prestress == Prestress::nonlinear ? usual_terms : 1);
@@ -179,8 +180,7 @@ class Reducer {
     report.memory_needed = std::max(report.memory_needed, total);
   }
 
-  /// K of a polynomial that is far from the shape under spin may look like K of an unstable rotor; the message then
-  /// says so.
+  /// K of a polynomial far from the shape under spin may look like that of an unstable rotor; the message says so.
   SampledStiffness blaming_shape(const SpinShape& shape, const std::function<SampledStiffness()>& body) const {
     try {
       return body();
@@ -390,11 +390,11 @@ ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameter
   return model;
 }
 
-int check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {
+CheckedSector check_sector(const SectorMesh& mesh, const ReductionParameters& parameters) {
   const SectorDofs dofs = number_dofs(mesh, choose_contact(mesh, parameters.contact, parameters.contact_nodes));
   start_threads(memory_need(mesh, dofs, {}), FactorMethod::cholmod, 1);
-  if (mesh.matrices == nullptr) RotatingElasticity(mesh, dofs, parameters.material).volume();
-  return dofs.sector();
+  if (mesh.matrices != nullptr) return {dofs.sector(), mesh.matrices->total_mass()};
+  return {dofs.sector(), RotatingElasticity(mesh, dofs, parameters.material).total_mass()};
 }
 
 }  // namespace tiprub::reduce

@@ -27,6 +27,7 @@ struct ReductionReport {
   int newton_steps = 0;        ///< most of all speeds, with nonlinear prestress
   double newton_residual = 0;  ///< [1] largest of all speeds; see spin_equilibrium()
   int sector_dofs = 0;
+  double sector_mass = 0;  ///< [kg]
   int clamped_face_nodes = 0;
   double memory_needed = 0;  ///< [bytes] estimated
   FactorMethod factor_method = FactorMethod::cholmod;
@@ -51,8 +52,13 @@ struct ReductionReport {
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown progress,
                     ReductionReport& report, FieldsWriter* fields = nullptr, ProcessGroup* group = nullptr);
 
+/// The size of a sector that can be reduced.
+struct CheckedSector {
+  int dofs = 0;
+  double mass = 0;  ///< [kg]
+};
+
 /// Whether a sector can be reduced: contact nodes can be chosen and are free, no cell is inverted. Raises InputError.
-/// Returns the number of its dofs.
-int check_sector(const SectorMesh& mesh, const ReductionParameters& parameters);
+CheckedSector check_sector(const SectorMesh& mesh, const ReductionParameters& parameters);
 
 }  // namespace tiprub::reduce

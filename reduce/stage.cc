@@ -96,11 +96,6 @@ SectorMesh read_sector(const StageArguments& arguments, const ReduceOptions& opt
     throw InputError(mesh.string() + ": a sector is given by its mesh or by --matrices, not by both");
   if (!options.calculix_folder.empty() || !options.modes_file.empty() || !options.fields_file.empty())
     throw InputError("--export-ccx, --modes and --fields need the sector's cells, which --matrices doesn't give");
-  if (parameters.refine > 0)
-    throw InputError("[reduce] refine splits the sector's cells, which --matrices doesn't give; leave it at 0");
-  if (parameters.degree != Degree::quadratic)
-    throw InputError(
-        "[reduce] element_order is that of the sector's cells, which --matrices doesn't give; leave it at 2");
   return read_matrix_sector(matrix_files(options), parameters.cyclic_tolerance);
 }
 
@@ -113,7 +108,6 @@ Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
   if (arguments.verbosity == Verbosity::verbose) say(arguments, "[reduce]\n" + table.resolved());
   say_blas(arguments);
   SectorMesh mesh = read_sector(arguments, options, parameters);
-  if (mesh.matrices != nullptr) parameters.prestress = Prestress::linear;  // K holds its effect already
   require_metres(mesh, parameters);
   return {std::move(parameters), std::move(mesh), case_file.source()};
 }
@@ -146,16 +140,23 @@ class Outputs {
   std::list<OutputLock> locks_;
 };
 
+std::string to_digits(double value) {
+  constexpr int digits = 4;
+  std::ostringstream text;
+  text << std::setprecision(digits) << value;
+  return text.str();
+}
+
 std::string sectors_in_words(int count) {
   return count == 1 ? "one body without cuts" : std::to_string(count) + " sectors";
 }
 
 void check(const StageArguments& arguments, const Inputs& inputs) {
   const SectorMesh& mesh = inputs.mesh;
-  const int dofs = check_sector(mesh, inputs.parameters);
+  const CheckedSector checked = check_sector(mesh, inputs.parameters);
   tell(arguments, "the case and the sector are sound: " + sectors_in_words(mesh.sector_count) + ", " +
                       std::to_string(mesh.file_node_count()) + " nodes, " + mesh.kinds_in_words() + ", " +
-                      std::to_string(dofs) + " dofs");
+                      std::to_string(checked.dofs) + " dofs, " + to_digits(checked.mass) + " kg");
 }
 
 void export_decks(const StageArguments& arguments, const Inputs& inputs, const std::string& folder) {
@@ -203,6 +204,18 @@ ReducedModel run(const StageArguments& arguments, const Inputs& inputs, const Re
   if (fields) fields->commit();  // all are whole: model and fields change together
   output.commit();
   return model;
+}
+
+/// The lowest frequency of the unreduced sector and its mass, in which a user recognises a wrong unit.
+std::string units_in_words(const ReducedModel& model, const ReductionReport& report) {
+  const std::vector<Eigen::MatrixXd>& frequencies = model.verification.unreduced;
+  const auto lowest = std::min_element(frequencies.begin(), frequencies.end(),
+                                       [](const auto& a, const auto& b) { return a(0, 0) < b(0, 0); });
+  const double speed = model.verification.speeds[0];
+  return "; the lowest frequency is " + to_digits((*lowest)(0, 0)) + " Hz " +
+         (speed > 0 ? "at " + to_digits(speed * rpm_per_rad_s) + " rpm" : "at rest") + " (nodal diameter " +
+         std::to_string(lowest - frequencies.begin()) + "), and the mass of the sector is " +
+         to_digits(report.sector_mass) + " kg";
 }
 
 std::string summary(const ReducedModel& model, const ReductionReport& report) {
@@ -284,7 +297,8 @@ void report(const StageArguments& arguments, const ReductionParameters& paramete
             const ReductionReport& report, const std::string& matrix_market_folder) {
   if (arguments.verbosity == Verbosity::verbose) tell_details(arguments, report);
   tell(arguments, arguments.output.string() + ": " + doubts(model) + summary(model, report) +
-                      mesh_error_in_words(model, parameters, report) + factors_in_words(parameters, report));
+                      units_in_words(model, report) + mesh_error_in_words(model, parameters, report) +
+                      factors_in_words(parameters, report));
   if (!matrix_market_folder.empty())
     tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
                         " nodal diameters in Matrix Market");

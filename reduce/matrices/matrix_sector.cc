@@ -189,6 +189,11 @@ void place_nodes(const NodeTable& table, const Eigen::MatrixXi& rows, SectorMesh
     if (place == NodePlace::cyclic_high) mesh.cyclic_high.push_back(node);
     if (place == NodePlace::contact) mesh.contact_line.push_back(node);
   }
+  if (mesh.clamped.empty())
+    throw InputError(
+        mesh.file +
+        ": has no node whose set is clamped, so that nothing holds the wheel; name the nodes that are held, "
+        "for example those of the bore");
   if (mesh.contact_line.empty()) throw InputError(mesh.file + ": has no node whose set is contact");
   if (mesh.cyclic_low.empty() != mesh.cyclic_high.empty())
     throw InputError(mesh.file + ": has nodes on one cut, and none on the other");

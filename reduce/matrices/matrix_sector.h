@@ -23,8 +23,8 @@ struct MatrixFiles {
 ///
 /// Checks what nothing else would show: M is positive on its diagonal and gives the same mass in x, y and z and none
 /// between them, which finds rows in another order and K in place of M; K at rest meets a rigid motion with no force
-/// at most of the nodes, which finds places that belong to other nodes; and the cut faces pair. Raises RunError or
-/// InputError.
+/// at most of the nodes, which finds places that belong to other nodes; some node is clamped; and the cut faces pair.
+/// Raises RunError or InputError.
 SectorMesh read_matrix_sector(const MatrixFiles& files, double cyclic_tolerance);
 
 /// One of these matrices on the dofs of the sector, in cylindrical components. All have the same pattern.

@@ -90,7 +90,8 @@ SpinningSector::SpinningSector(const SectorMesh& mesh, const SectorDofs& dofs, c
       parameters_(parameters),
       samples_(parameters, 1),
       elasticity_(elasticity_of(mesh, dofs, parameters)),
-      mass_(elasticity_ ? elasticity_->mass() : on_sector_dofs(mesh.matrices->mass, mesh, dofs)) {
+      mass_(elasticity_ ? elasticity_->mass() : on_sector_dofs(mesh.matrices->mass, mesh, dofs)),
+      total_mass_(elasticity_ ? elasticity_->total_mass() : mesh.matrices->total_mass()) {
   stiffness_.push_back(assemble_stiffness(0.0, Eigen::VectorXd::Zero(dofs.sector())));
 }
 

@@ -50,6 +50,8 @@ class SpinningSector {
   void sample();
 
   const SymmetricMatrix& mass() const { return mass_; }
+  /// [kg] Of all nodes, the clamped ones included.
+  double total_mass() const { return total_mass_; }
   const SpeedSamples& samples() const { return samples_; }
   /// K at the samples, in their order; only the first, at rest, before sample().
   const std::vector<SymmetricMatrix>& sampled_stiffness() const { return stiffness_; }
@@ -70,6 +72,7 @@ class SpinningSector {
   SpeedSamples samples_;
   std::optional<RotatingElasticity> elasticity_;  // until sample() is done; none where matrices are given
   SymmetricMatrix mass_;
+  double total_mass_;
   SpinShape shape_;
   std::vector<SymmetricMatrix> stiffness_;
 };

@@ -27,14 +27,32 @@ std::optional<ContactKind> read_contact(CaseTable& table) {
       {{"automatic", Contact()}, {"points", ContactKind::points}, {"segments", ContactKind::segments}});
 }
 
-/// Matrices of one's own hold the material, so that its keys may be left out.
-void read_material(CaseTable& table, SectorInput input, Material& material) {
-  const auto read = [&](const char* key, double& value, const Range& range, const char* unit) {
-    if (input == SectorInput::mesh || table.has(key)) value = table.number(key, std::nullopt, range, unit);
+/// Refuses the keys that have no effect on a sector by its matrices, because a user would believe in their effect.
+void require_keys_of_matrices(const CaseTable& table) {
+  const auto refuse = [&](std::initializer_list<const char*> keys, const char* because) {
+    for (const char* key : keys)
+      if (table.has(key))
+        table.reject(key, std::string("has no effect with --matrices, because ") + because + "; remove this key");
   };
-  read("young_modulus", material.young, Range::between(1.0, 1e15), "Pa");
-  read("poisson_ratio", material.poisson, Range::between(0.0, 0.49), "1");
-  read("density", material.density, Range::between(1e-3, 1e6), "kg/m^3");
+  refuse({"young_modulus", "poisson_ratio", "density"}, "K and M hold the material");
+  refuse({"prestress", "spin_softening", "polynomial_speeds", "polynomial_tolerance"},
+         "K holds the effects of spin, at further speeds by --matrix-at");
+  refuse({"refine", "element_order", "mesh_error"}, "the matrices come without cells");
+}
+
+Material read_material(CaseTable& table) {
+  Material material;
+  material.young = table.number("young_modulus", std::nullopt, Range::between(1.0, 1e15), "Pa");
+  material.poisson = table.number("poisson_ratio", std::nullopt, Range::between(0.0, 0.49), "1");
+  material.density = table.number("density", std::nullopt, Range::between(1e-3, 1e6), "kg/m^3");
+  return material;
+}
+
+void read_spin(CaseTable& table, ReductionParameters& p) {
+  p.prestress = table.choice<Prestress>(
+      "prestress", Prestress::linear,
+      {{"linear", Prestress::linear}, {"stress_only", Prestress::stress_only}, {"nonlinear", Prestress::nonlinear}});
+  p.spin_softening = table.flag("spin_softening", true) ? SpinSoftening::on : SpinSoftening::off;
 }
 
 void check_material(const CaseTable& table, const Material& material) {
@@ -57,6 +75,12 @@ Degree read_degree(CaseTable& table) {
   return order == cubic ? Degree::cubic : Degree::quadratic;
 }
 
+void read_cells(CaseTable& table, ReductionParameters& p) {
+  p.refine = table.integer("refine", 0, Range::between(0, 3), "times; each splits every cell into eight");
+  p.degree = read_degree(table);
+  p.mesh_error = table.flag("mesh_error", true);
+}
+
 Factorization read_factorization(CaseTable& table) {
   return table.choice<Factorization>("factorization", Factorization::automatic,
                                      {{"automatic", Factorization::automatic},
@@ -68,15 +92,17 @@ Factorization read_factorization(CaseTable& table) {
 
 ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput input) {
   ReductionParameters p;
+  const bool is_mesh = input == SectorInput::mesh;
+  if (!is_mesh) require_keys_of_matrices(table);
   const double accuracy =
       table.number("accuracy", usual_accuracy, Range::between(1e-5, 0.5), "of a critical speed's amplitude");
-  read_material(table, input, p.material);
+  if (is_mesh) p.material = read_material(table);
   p.speed_max = table.number("speed_max_rpm", std::nullopt, Range::between(1e-3, 1e8), "rpm") * rad_s_per_rpm;
-  p.prestress = table.choice<Prestress>(
-      "prestress", Prestress::linear,
-      {{"linear", Prestress::linear}, {"stress_only", Prestress::stress_only}, {"nonlinear", Prestress::nonlinear}});
-  p.spin_softening = table.flag("spin_softening", true) ? SpinSoftening::on : SpinSoftening::off;
+  if (is_mesh) read_spin(table, p);
   p.contact = read_contact(table);
+  if (!is_mesh && p.contact == ContactKind::segments)
+    table.reject("contact",
+                 "= \"segments\" needs the faces of the tip, which --matrices doesn't give; take \"points\"");
   p.contact_nodes = table.integer("contact_nodes", 10, Range::between(1, 200), "");
   p.fixed_interface_modes =
       table.integer("fixed_interface_modes", modes_for(accuracy, 40), Range::between(1, most_modes), "a speed");
@@ -87,19 +113,17 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
   p.frequency_tolerance =
       table.number("frequency_tolerance", accuracy / 40, {0.0, 1.0, Range::LowEnd::excluded},
                    "of a frequency, at quarters of the top speed; what the basis misses joins it");
-  read_polynomial(table, p);
+  if (is_mesh) read_polynomial(table, p);
   p.verification_modes = table.integer("verification_modes", 6, Range::between(1, 100), "a nodal diameter");
   if (!std::is_sorted(p.verification_speeds.begin(), p.verification_speeds.end()))
     table.reject("verification_speeds", "must increase");
   p.verification_tolerance =
       table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded}, "of omega^2, estimated");
-  p.refine = table.integer("refine", 0, Range::between(0, 3), "times; each splits every cell into eight");
-  p.degree = read_degree(table);
-  p.mesh_error = table.flag("mesh_error", true);
+  if (is_mesh) read_cells(table, p);
   p.cyclic_tolerance =
       table.number("cyclic_tolerance", 1e-6, {0.0, 0.01, Range::LowEnd::excluded}, "of the largest radius");
   p.unusual = table.flag("unusual", false);
-  if (!p.unusual && input == SectorInput::mesh) check_material(table, p.material);
+  if (!p.unusual && is_mesh) check_material(table, p.material);
   p.factorization = read_factorization(table);
   p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");
   table.close();

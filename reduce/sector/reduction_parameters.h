@@ -45,7 +45,7 @@ struct ReductionParameters {
   int threads = 1;                       ///< for nodal diameters and the BLAS
 };
 
-/// What gives the sector. A mesh needs a material, whose keys have no effect on given matrices.
+/// What gives the sector. Keys of the material, of spin and of cells are refused beside matrices.
 enum class SectorInput { mesh, matrices };
 
 /// Reads and closes the table. Raises InputError.

@@ -62,6 +62,8 @@ class RotatingElasticity {
   Eigen::VectorXd von_mises(const Eigen::Matrix3Xd& displacement, Prestress prestress) const;
   /// [m^3]
   double volume() const;
+  /// [kg]
+  double total_mass() const { return material_.density * volume(); }
 
  private:
   using Integral = std::function<Eigen::MatrixXd(const CellPoints&)>;

@@ -51,6 +51,15 @@ std::string SectorMesh::kinds_in_words() const {
   return words;
 }
 
+double SectorMatrices::total_mass() const {
+  constexpr int directions = 3;  // a translation along each meets the mass once
+  double sum = 0;
+  for (int column = 0; column < mass.outerSize(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator at(mass, column); at; ++at)
+      if (at.row() % directions == column % directions) sum += at.value();
+  return sum / directions;
+}
+
 std::vector<int> SectorMesh::moving_nodes(int cell) const {
   const Eigen::VectorXi listed =
       cubic != nullptr ? Eigen::VectorXi(cubic->cells.node.col(cell)) : nodes_of(cells, cell);

@@ -15,6 +15,9 @@ struct SectorMatrices {
   Eigen::SparseMatrix<double> mass;                    ///< [kg]
   std::vector<double> speeds;                          ///< [rad/s] rest first
   std::vector<Eigen::SparseMatrix<double>> stiffness;  ///< [N/m] at these
+
+  /// [kg] Of the nodes that have rows.
+  double total_mass() const;
 };
 
 /// The degree of the displacements.

@@ -79,7 +79,7 @@ def main(programs, tests, case, work):
     os.chdir(work)
     matrices.make_inputs(os.path.join(programs, "tiprub-mesh"), os.path.join(programs, "tiprub-reduce"), case)
     shutil.copy(case, "case.toml")
-    chain.run("tiprub-reduce", "-q", "case.toml", "--matrices", "sti.mtx", "mas.mtx", "nodes.csv", "-o", "model.h5")
+    chain.run("tiprub-reduce", "-q", "case.toml", "--matrices", "sti.mtx", "mas.mtx", "nodes.csv", "-o", "model.h5", *matrices.NO_MATERIAL)
     chain.report("matrices", fields=())
 
 

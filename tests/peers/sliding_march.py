@@ -22,6 +22,8 @@ import h5py
 import numpy
 from numpy.linalg import cholesky, eigh, solve
 
+from matrices import NO_MATERIAL
+
 CLEARANCE, BUMP, WIDTH = 0.356e-3, 2 * 0.356e-3, 0.15  # [m], [m], of half a revolution
 FRICTION, MODES, STEPS = 0.15, 50, (2000, 4000)
 TOLERANCE = 0.02
@@ -145,7 +147,7 @@ def blade_of(folder, reduce, case):
             file.write(f"{node},{','.join(map(repr, nodes[node]))},{'contact' if node in CONTACT else ''}\n")
     subprocess.run([reduce, "-q", case, "--matrices", "blade.sti", "blade.mas", "nodes.csv", "--matrix-dofs", "blade.dof", "-o", "model.h5",
                     "--set", f"reduce.contact_nodes={len(CONTACT)}", "--set", "reduce.fixed_interface_modes=60",
-                    "--set", "reduce.speed_max_rpm=13000"], check=True)
+                    "--set", "reduce.speed_max_rpm=13000", *NO_MATERIAL], check=True)
     with h5py.File("model.h5", "r+") as file:
         file["contact/normal"][...] = (1, 0, 0)
         del file.attrs["digest"]

@@ -9,10 +9,11 @@ set_tests_properties(reduce.mesh_for_messages PROPERTIES FIXTURES_SETUP reduce_p
 set(message_fixtures reduce_plate_sector)
 set(message_defaults PROGRAM $<TARGET_FILE:tiprub-reduce> ARGUMENTS case.toml sector.msh INPUTS ${plate} ${made}/sector.msh)
 
-expect_message(works ERRORS "6 sectors of" "; the mesh makes the first frequency of each nodal diameter up to" WRITES model.h5)
+# The mass is 7800 kg/m^3 pi (0.2^2 - 0.1^2) 0.02 m^3 / 6.
+expect_message(works ERRORS "6 sectors of" "; the lowest frequency is 1616 Hz at rest (nodal diameter 0), and the mass of the sector is 2.45 kg; the mesh makes the first frequency of each nodal diameter up to" WRITES model.h5)
 expect_message(help ARGUMENTS --help OUTPUTS "sector.msh")
 expect_message(version ARGUMENTS --version OUTPUTS "tiprub-reduce ${PROJECT_VERSION}")
-expect_message(check ARGUMENTS case.toml sector.msh --check ERRORS "the case and the sector are sound: 6 sectors")
+expect_message(check ARGUMENTS case.toml sector.msh --check ERRORS "the case and the sector are sound: 6 sectors" " dofs, 2.45 kg")
 expect_message(refined ARGUMENTS case.toml sector.msh --set reduce.refine=1 ERRORS "6 sectors of" WRITES model.h5)
 expect_message(refined_too_often ARGUMENTS case.toml sector.msh --check --set reduce.refine=4 EXIT_CODE 2
                ERRORS "[reduce] refine = 4 must be")

@@ -250,7 +250,7 @@ TEST(Reduction, RefusesAModelSmallerThanItsVerification) {
 }
 
 TEST(Reduction, ChecksASectorWithoutReducingIt) {
-  EXPECT_NO_THROW(check_sector(test::skewed_annulus(sectors).sector(), parameters()));
+  EXPECT_GT(check_sector(test::skewed_annulus(sectors).sector(), parameters()).mass, 0);
   SectorMesh mesh = test::skewed_annulus(sectors).sector();
   mesh.nodes.row(2) *= -1;
   EXPECT_NE(complaint<InputError>([&] { check_sector(mesh, parameters()); }), "");

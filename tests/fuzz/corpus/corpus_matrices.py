@@ -40,6 +40,17 @@ def by_direction(_):
     return "\n".join(["%%MatrixMarket matrix coordinate real symmetric", f"12 12 {len(entries)}", *entries]) + "\n"
 
 
+def of_the_case():
+    """Symptom: keys without effect on matrices were taken silently."""
+    for key, value, because in (("density", "7800.0", "K and M hold the material"),
+                                ("prestress", '"nonlinear"', "K holds the effects of spin"),
+                                ("refine", "1", "the matrices come without cells")):
+        yield entry(f"case.{key}", "case.toml", "contact_nodes", f"{key} = {value}\ncontact_nodes",
+                    f"case.toml:4:{len(key) + 4}: [reduce] {key} has no effect with --matrices, because {because}")
+    yield entry("case.contact", "case.toml", "contact_nodes", 'contact = "segments"\ncontact_nodes',
+                '[reduce] contact = "segments" needs the faces of the tip, which --matrices doesn\'t give; take "points"')
+
+
 def of_wrong_matrices():
     yield entry("K.holds_a_node", K, "\n7 7 ", "\n7 7 1e4\n7 7 ", f"{K}: holds 1 of the 4 nodes against translations, the first at x y z = 0.1 0.02 0 m")
     yield Entry("M.by_direction", "reduce", M, edit(by_direction), 2, f"{M}: its rows are x of all nodes, then y, then z; expected are x, y, z of the first node",
@@ -51,6 +62,8 @@ def of_nodes():
     yield entry("nodes.text", NODES, "11,0.1", "11,here", f"{NODES}:2: must be a finite x")
     yield entry("nodes.number", NODES, "11,0.1", "-11,0.1", f"{NODES}:2: a row or column must be a whole number")
     yield entry("nodes.twice", NODES, "12,0.12", "11,0.12", f"{NODES}: has two nodes of number 11")
+    yield entry("nodes.free", NODES, "clamped\n12,0.12,0,0,clamped", "\n12,0.12,0,0,",
+                f"{NODES}: has no node whose set is clamped, so that nothing holds the wheel; name the nodes that are held")
     yield entry("nodes.set", NODES, "clamped", "held", f"{NODES}:2: set \"held\" must be clamped")
     yield entry("nodes.one_cut", NODES, "clamped", "cyclic_low", f"{NODES}: has nodes on one cut, and none on the other")
     yield entry("nodes.elsewhere", NODES, "13,0.1,", "13,0.3,", f"are its rows those that {NODES} and {ROWS} tell")
@@ -63,4 +76,4 @@ def of_rows():
     yield entry("rows.fourth", ROWS, "11.2", "11.4", f"{ROWS}:2: must be a node and a direction, as 12.3")
 
 
-ENTRIES = [*of_matrices(), *of_wrong_matrices(), *of_nodes(), *of_rows()]
+ENTRIES = [*of_the_case(), *of_matrices(), *of_wrong_matrices(), *of_nodes(), *of_rows()]

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cases/program/errors.h"
+#include "tests/cases/complaint.h"
 
 namespace tiprub::reduce {
 namespace {
@@ -40,6 +41,21 @@ TEST(ReductionParameters, AccuracySetsTheSizeOfTheBasis) {
 TEST(ReductionParameters, NeedNoMaterialBesideMatrices) {
   EXPECT_NO_THROW(read_table("", SectorInput::matrices));
   EXPECT_THROW(read_table("", SectorInput::mesh), InputError);
+}
+
+/// Symptom: prestress, mesh_error and the material of a sector by its matrices were taken without a word.
+TEST(ReductionParameters, RefuseBesideMatricesWhatHasNoEffectThere) {
+  for (const std::string line :
+       {"young_modulus = 2e11", "poisson_ratio = 0.3", "density = 7800", "prestress = \"linear\"",
+        "spin_softening = true", "polynomial_speeds = 0", "polynomial_tolerance = 1e-4", "refine = 0",
+        "element_order = 2", "mesh_error = true", "contact = \"segments\""}) {
+    const std::string said = complaint<InputError>([&] { read_table(line + "\n", SectorInput::matrices); });
+    const std::string key = line.substr(0, line.find(' '));
+    EXPECT_NE(said.find("reduction_parameters.toml:3:"), std::string::npos) << line << ": " << said;
+    EXPECT_NE(said.find("[reduce] " + key), std::string::npos) << line << ": " << said;
+    EXPECT_NE(said.find("--matrices"), std::string::npos) << line << ": " << said;
+  }
+  EXPECT_NO_THROW(read_table("contact = \"points\"\n", SectorInput::matrices));
 }
 
 TEST(ReductionParameters, LeaveTheKindOfContactToTheMesh) {

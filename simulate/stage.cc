@@ -128,7 +128,7 @@ void report_outcome(const StageArguments& arguments, const Inputs& inputs, const
   if (outcome.scanned > 0) line << outcome.scanned << " more scanned; ";
   if (outcome.branches > 0) line << outcome.branches << " branches of orbits; ";
   line << outcome.computed << " computed now; " << std::fixed << std::setprecision(1) << spent.count() << " s"
-       << outcome.tally.warnings(inputs.parameters);
+       << outcome.tally.untouched(inputs.model.contact) << outcome.tally.warnings(inputs.parameters);
   say(arguments, line.str());
 }
 

@@ -5,8 +5,10 @@
 #include <exception>
 #include <functional>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -72,6 +74,19 @@ Eigen::VectorXd speeds_of(const std::map<double, double>& amplitudes) {
   Eigen::Index place = 0;
   for (const auto& [speed, amplitude] : amplitudes) speeds[place++] = speed;
   return speeds;
+}
+
+/// [m] The largest distortion inward that each contact node meets in a turn, which begins at a crest.
+Eigen::VectorXd crests(const Scene& scene) {
+  constexpr int points = 3600;
+  const Eigen::VectorXd fractions = arc_fractions(scene.model.contact);
+  Eigen::VectorXd highest = Eigen::VectorXd::Constant(fractions.size(), -std::numeric_limits<double>::infinity());
+  for (int point = 0; point < points; ++point) {
+    const double angle = scene.casing.crest_angle + 2 * std::numbers::pi * point / points;
+    for (Eigen::Index node = 0; node < fractions.size(); ++node)
+      highest[node] = std::max(highest[node], scene.casing.distortion(angle, fractions[node]));
+  }
+  return highest;
 }
 
 /// A speed of a sweep and how thoroughly it is to be computed.
@@ -156,6 +171,7 @@ void Sweep::assemble(SweepOutcome& outcome) {
   OutputFile file(arguments_.output);
   ResponseWriter writer = finished_->writer(file.scratch());
   writer.add(frequency_table(scene_.model, scene_.parameters.damping, speeds().back(), threads_));
+  outcome.tally.crest = crests(scene_);
   for (const double speed : speeds()) {
     const SpeedResponse response = finished_->read(speed, Depth::full);
     outcome.tally.add(response);

@@ -2,6 +2,7 @@
 #include "simulate/sweep/sweep_tally.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -35,6 +36,13 @@ std::string audit_text(const SpeedAudit& audit) {
   if (audit.rest_difference) text << ", " << *audit.rest_difference << " from the motion from rest";
   if (audit.left_out_energy > 0) text << ", modes left out hold " << audit.left_out_energy << " of the energy";
   return text.str();
+}
+
+ClosestApproach approach(const SpeedResponse& response, const Eigen::VectorXd& crest) {
+  ClosestApproach nearest;
+  nearest.speed = response.speed;
+  nearest.gap = (response.clearance - crest).minCoeff(&nearest.node);
+  return nearest;
 }
 
 /// How to change the case to march the whole wheel at these speeds.
@@ -94,6 +102,8 @@ void SweepTally::add(const SpeedResponse& response) {
     return;
   }
   ++motions[response.motion];
+  if (response.contact_steps > 0) ++touching;
+  if (crest.size() > 0) closest = std::min(closest, approach(response, crest));
   if (response.tension_steps > 0) ++pulling;
   if (response.audit.leftover_steps > 0) ++penetrating;
   if (response.audit.symmetry == SymmetryVerdict::breaking) breaking.push_back(response.speed);
@@ -117,6 +127,20 @@ std::string SweepTally::text() const {
   if (halved > 0)
     out << "; the last halving of the step, at " << halved << " of them, changed at most " << largest_halving;
   if (rub_power > 0) out << "; friction takes up to " << rub_power << " W";
+  return out.str();
+}
+
+std::string SweepTally::untouched(const ContactLine& contact) const {
+  if (touching > 0 || motions.empty() || !(closest.gap > 0)) return "";
+  std::ostringstream out;
+  out << "\nno tip touches the casing at any speed";
+  if (std::isfinite(closest.gap)) {
+    const std::string place = contact.place_of(closest.node);
+    out << std::setprecision(4) << ": the gap closes to " << closest.gap << " m at the least, at "
+        << std::lround(closest.speed * rpm_per_rad_s) << " rev/min at the "
+        << (place.empty() ? "contact node " + std::to_string(closest.node) : place);
+  }
+  out << "; for contact, give [casing] less clearance or more distortion, in metres";
   return out.str();
 }
 

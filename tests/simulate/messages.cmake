@@ -235,6 +235,10 @@ expect_wrong_model(unstable 1 "no speed could be computed" "nodal diameter 1 has
 expect_message(model_doubtful INPUTS ${made}/case.toml ${made}/doubtful.h5 ERRORS "response.h5: warning: the shape under spin leaves 65 % of the load"
                ARGUMENTS case.toml doubtful.h5 -o response.h5 --set simulate.speed_count=2 WRITES response.h5)
 
+expect_message(nothing_touches OLD "[[0.0, 1.5e-4], [1.0, 1.2e-4]]" NEW "[[0.0, 5e-4], [1.0, 3.5e-4]]"
+               ARGUMENTS case.toml model.h5 -o response.h5 --set simulate.speed_count=2 WRITES response.h5
+               ERRORS "no tip touches the casing at any speed: the gap closes to 0.00015 m at the least, at " " rev/min at the trailing edge; for contact, give [casing] less clearance")
+
 set(check ARGUMENTS case.toml model.h5 --check)
 expect_message(check ${check} ERRORS "at least 200 a period of the lowest frequency, halved until that changes the motion by less than 0.005"
                                      "nodal diameters 0, 2: multiples of gcd(6 sectors, 2 lobes) = 2")

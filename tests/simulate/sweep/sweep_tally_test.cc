@@ -36,6 +36,28 @@ TEST(SweepTally, IsSilentWhereNothingIsWrong) {
   EXPECT_EQ(tally.text(), "1 periodic, 0 failed");
 }
 
+/// Symptom: a sweep in which nothing touched the casing ended like any other.
+TEST(SweepTally, SaysThatNothingTouches) {
+  ContactLine contact;
+  contact.arc_length = Eigen::Vector3d(0, 1, 2);
+  SweepTally tally;
+  tally.crest = Eigen::Vector3d::Constant(2e-4);
+  for (const double rpm : {9000.0, 12000.0}) {
+    SpeedResponse at = held(rpm);
+    at.clearance = Eigen::Vector3d(6e-4, 5e-4, 4e-4 - rpm * 1e-8);
+    tally.add(at);
+  }
+  EXPECT_EQ(
+      tally.untouched(contact),
+      "\nno tip touches the casing at any speed: the gap closes to 8e-05 m at the least, at 12000 rev/min at the "
+      "trailing edge; for contact, give [casing] less clearance or more distortion, in metres");
+  SpeedResponse touching = held(13000);
+  touching.clearance = Eigen::Vector3d::Constant(2.1e-4);
+  touching.contact_steps = 1;
+  tally.add(touching);
+  EXPECT_EQ(tally.untouched(contact), "");
+}
+
 TEST(SweepTally, CountsSpeedsWithoutAStableOrbit) {
   SpeedResponse at = held(9000);
   at.audit.orbit = {OrbitReport::Outcome::marched, 1, 25, 1e-2, 1.2};

@@ -64,9 +64,9 @@ def main(check):
     for page in filter(os.path.exists, pages):  # an installation has only those of the cases here
         with open(page, encoding="utf-8") as file:
             text = file.read()
+        new = filled(text, page)
         if breaks := HTML.findall(text):
             sys.exit(f"{os.path.relpath(page, CASES)}: the cell {breaks[0]} begins a line; put a word before it")
-        new = filled(text, page)
         if new != text:
             stale.append(os.path.relpath(page, CASES))
             if not check:

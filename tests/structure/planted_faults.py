@@ -70,6 +70,7 @@ FAULTS = [
     ("pages", lambda copy: put(copy, "README.md", re.sub(r"(checks.either -->)\d+", r"\g<1>99", source_tree.read(copy, "README.md")), "w"),
      "README.md: differs from the tables"),
     ("pages", lambda copy: put(copy, "README.md", "<!-- paper/no.such -->7<!---->\n"), "the cell no.such stands in no table"),
+    ("pages", lambda copy: put(copy, "README.md", "<!-- paper/checks.either -->7<!----> hold\n"), "the cell paper/checks.either begins a line"),
     ("versions", lambda copy: put(copy, ".github/CITATION.cff", "version: 9.9.9\n", "w"), "CITATION.cff: says version 9.9.9"),
 ]
 

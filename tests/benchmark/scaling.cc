@@ -108,7 +108,7 @@ void print_scaling() {
   print("blades", "a revolution", costs);
   over({1, 2, 3, 5, 10}, [](int lobes) { return revolution(lobes, usual, lobes); });
   print("lobes", "a revolution", costs);
-  over({5, 7, 10, 14, 20, 28}, [](int nodes) {
+  over({5, 7, 10, 12, 20, 28}, [](int nodes) {
     return revolution(nodes, {usual.sectors, nodes, usual.generalized}, usual_lobes);
   });
   print("contact nodes", "a revolution", costs);

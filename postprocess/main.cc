@@ -2,9 +2,12 @@
 #include <CLI/CLI.hpp>
 
 #include "cases/program/command_line.h"
+#include "cases/program/machine.h"
 #include "postprocess/stage.h"
 
 int main(int argc, char** argv) {
+  tiprub::keep_freed_memory();
+  tiprub::prepare_blas(argv);
   tiprub::postprocess::PostprocessOptions options;
   tiprub::Stage stage;
   stage.name = "tiprub-postprocess";

@@ -3,7 +3,8 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
+#include <future>
+#include <utility>
 
 #include "cases/program/case_file.h"
 #include "cases/program/output_file.h"
@@ -74,45 +75,68 @@ void print(const std::string& table) {
     throw RunError("stdout: can't be written to its end; is the disk full?");
 }
 
-/// Checks the inputs and prints what the scene needs, which takes no pictures and no stress.
-void check(Inputs inputs, const PostprocessOptions& options) {
-  if (!options.fields_file.empty()) check_fields(options.fields_file, inputs.model);
-  const Study study = study_of(inputs);
-  for (const fs::path& other : options.compared) read_other_report(other, study);
-  print(aligned_text(
-      scene_needs_record(scene_needs(study, field_effects(options.fields_file, study.model, study.critical)))));
+std::optional<FieldsReader> open_fields(const PostprocessOptions& options, const ReducedModel& model) {
+  if (options.fields_file.empty()) return std::nullopt;
+  FieldsReader fields(options.fields_file);
+  check_fields(fields, model);
+  return fields;
 }
 
-ReportContents run(Inputs inputs, const PostprocessOptions& options, Progress::Shown shown) {
+std::vector<SceneNeed> needs_of(const Study& study, const std::optional<FieldsReader>& fields) {
+  return scene_needs(study, fields ? field_effects(*fields, study.model, study.critical) : FieldEffects());
+}
+
+/// Draws while the caller goes on.
+std::future<void> start_drawing(std::vector<Figure> figures, const fs::path& folder) {
+  return std::async(std::launch::async,
+                    [figures = std::move(figures), folder] { draw_figures(figures, folder / "figures"); });
+}
+
+void append(std::vector<Figure>& figures, const std::vector<Figure>& more) {
+  figures.insert(figures.end(), more.begin(), more.end());
+}
+
+/// Checks the inputs and prints what the scene needs, which takes no pictures and no stress.
+void check(Inputs inputs, const PostprocessOptions& options) {
+  const std::optional<FieldsReader> fields = open_fields(options, inputs.model);
+  const Study study = study_of(inputs);
+  for (const fs::path& other : options.compared) read_other_report(other, study);
+  print(aligned_text(scene_needs_record(needs_of(study, fields))));
+}
+
+/// All contents, with their figures in the folder; those that show full fields may still be drawn there.
+std::pair<ReportContents, std::future<void>> run(Inputs inputs, const PostprocessOptions& options,
+                                                 const fs::path& folder, Progress::Shown shown) {
+  const std::optional<FieldsReader> fields = open_fields(options, inputs.model);
   inputs.run.done("reading");
   ReportContents contents{.study = study_of(inputs), .source = std::move(inputs.source)};
+  const Study& study = contents.study;
   inputs.run.done("study");
-  if (!options.fields_file.empty())
-    contents.fields = recover_fields(options.fields_file, contents.study, inputs.strength, shown);
-  contents.field_results = field_results(contents.fields, contents.study.critical);
-  contents.figures = study_figures(contents.study, contents.field_results);
-  if (contents.fields) {
-    contents.figures.push_back(meridional_section_figure(contents.fields->sector, contents.study.model.contact,
-                                                         contents.study.response.scene.clearance));
-    if (contents.fields->mesh_error_of_frequencies.size() > 0)
-      contents.figures.push_back(mesh_error_figure(*contents.fields));
-  }
-  if (const auto budgets = error_budgets(contents.study, contents.field_results); !budgets.empty())
-    contents.figures.insert(std::next(contents.figures.begin()), error_budget_figure(worst_budget(budgets)));
-  contents.numbers = report_numbers(contents.study, contents.field_results);
   for (const fs::path& other : options.compared) {
-    contents.others.push_back(read_other_report(other, contents.study));
+    contents.others.push_back(read_other_report(other, study));
     compare_cases(contents.others.back(), other, contents.source.title, contents.source.case_text);
   }
-  if (!contents.others.empty()) {
-    contents.figures.push_back(comparison_figure(contents.numbers, contents.others));
-    contents.figures.push_back(comparison_map_figure(contents.study, contents.numbers, contents.others.front()));
-  }
-  contents.needs =
-      scene_needs(contents.study, field_effects(options.fields_file, contents.study.model, contents.study.critical));
+  const std::vector<Figure> figures = study_figures(study);
+  std::future<void> drawing = start_drawing(figures, folder);
+  if (fields) contents.fields = recover_fields(*fields, study, inputs.strength, shown);
+  contents.field_results = field_results(contents.fields, study.critical);
+  contents.numbers = report_numbers(study, contents.field_results);
+  contents.needs = needs_of(study, fields);
+  contents.figures = response_figures(study, contents.field_results);
+  std::vector<Figure> last;
+  if (contents.fields) last = sector_figures(study, *contents.fields);
+  if (!contents.others.empty())
+    append(last, {comparison_figure(contents.numbers, contents.others),
+                  comparison_map_figure(study, contents.numbers, contents.others.front())});
+  drawing.get();
+  std::vector<Figure> to_draw = contents.figures;
+  append(to_draw, last);
+  drawing = start_drawing(std::move(to_draw), folder);
+  append(contents.figures, figures);
+  append(contents.figures, last);
   inputs.run.done("fields");
   contents.run = std::move(inputs.run);
-  return contents;
+  return {std::move(contents), std::move(drawing)};
 }
 
 void report(const StageArguments& arguments, const ReportContents& contents) {
@@ -146,8 +170,8 @@ void run_postprocess(const StageArguments& arguments, const PostprocessOptions& 
   note_interruptions();
   const Progress::Shown shown =
       arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal;
-  ReportContents contents = run(std::move(inputs), options, shown);
-  write_report_folder(contents, output.scratch(), shown);
+  auto [contents, drawing] = run(std::move(inputs), options, output.scratch(), shown);
+  write_report_folder(contents, std::move(drawing), output.scratch());
   stop_if_interrupted();
   output.commit();
   report(arguments, contents);

@@ -83,6 +83,8 @@ bool offer(const char* variable, const std::string& value) {
   return std::getenv(variable) == nullptr && setenv(variable, value.c_str(), 1) == 0;
 }
 
+constexpr int mebibyte = 1 << 20;
+
 }  // namespace
 
 double mappable_memory() {
@@ -108,10 +110,16 @@ void require_room_for_libraries() {
 }
 
 void return_freed_memory() {
-  constexpr int mebibyte = 1 << 20, most_blocks = 65536;
+  constexpr int most_blocks = 65536;
   mallopt(M_MMAP_MAX, most_blocks);
   mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);
   mallopt(M_TRIM_THRESHOLD, 64 * mebibyte);
+}
+
+void keep_freed_memory() {
+  mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);  // glibc takes no more
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TOP_PAD, 16 * mebibyte);
 }
 
 void work_together(int threads, const std::function<void()>& work) {

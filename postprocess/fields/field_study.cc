@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <set>
 #include <thread>
@@ -83,11 +84,11 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
 }
 
 /// The cells of fields that fit the model.
-CellStress checked_cells(const FieldsReader& reader, const ReducedModel& model, const std::string& name) {
-  check_together(reader, model, name);
+CellStress checked_cells(const FieldsReader& reader, const ReducedModel& model) {
+  check_together(reader, model, reader.path());
   CellStress bricks(reader.sector());
   if (const auto& cell = bricks.degenerate_cell())
-    throw InputError(name + ": /cells: cell " + std::to_string(*cell) +
+    throw InputError(reader.path() + ": /cells: cell " + std::to_string(*cell) +
                      " is flat or turned inside out; it has no stress. Look at the mesh, and at the order of its "
                      "nodes");
   return bricks;
@@ -160,8 +161,8 @@ int fields_at_once(const SectorFields& sector) {
 }
 
 WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,
-                           const std::vector<int>& nodal_diameters, const std::string& name) {
-  return [&, name](std::size_t diameter, const Eigen::MatrixXcd& states) {
+                           const std::vector<int>& nodal_diameters) {
+  return [&](std::size_t diameter, const Eigen::MatrixXcd& states) {
     stop_if_interrupted();
     const int n = nodal_diameters[diameter];
     const Eigen::MatrixXcd found = reader.expand(n, states);
@@ -171,7 +172,7 @@ WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,
       for (std::size_t i = 0; (i = next++) < waves.size();) {
         waves[i] = {n, cartesian(reader.sector(), found.col(static_cast<Eigen::Index>(i))), {}};
         add_stress(reader.sector(), bricks, waves[i]);
-        require_sound_stress(waves[i], name);
+        require_sound_stress(waves[i], reader.path());
       }
     });
     return waves;
@@ -181,11 +182,18 @@ WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,
 /// The wheel as the page moves and colours it.
 MovingWheel moving_wheel(const FieldsReader& reader, WheelMotion motion, double speed, const CycleStress& stress) {
   MovingWheel moving{speed, std::move(motion), {}, stress};
-  for (RotorWave& wave : moving.motion.waves) {
+  std::vector<RotorWave>& waves = moving.motion.waves;
+  moving.waves.resize(waves.size());
+  std::map<int, std::vector<std::size_t>> by_nodal_diameter;
+  for (std::size_t i = 0; i < waves.size(); ++i) by_nodal_diameter[waves[i].nodal_diameter].push_back(i);
+  for (const auto& [n, of_n] : by_nodal_diameter) {
     stop_if_interrupted();
-    const Eigen::MatrixXcd found = reader.expand(wave.nodal_diameter, wave.state);
-    moving.waves.push_back({wave.nodal_diameter, cartesian(reader.sector(), found.col(0)), {}});
-    wave.state.resize(0);
+    Eigen::MatrixXcd states(waves[of_n.front()].state.size(), static_cast<Eigen::Index>(of_n.size()));
+    for (std::size_t k = 0; k < of_n.size(); ++k)
+      states.col(static_cast<Eigen::Index>(k)) = std::exchange(waves[of_n[k]].state, {});
+    const Eigen::MatrixXcd found = reader.expand(n, states);
+    for (std::size_t k = 0; k < of_n.size(); ++k)
+      moving.waves[of_n[k]] = {n, cartesian(reader.sector(), found.col(static_cast<Eigen::Index>(k))), {}};
   }
   return moving;
 }
@@ -236,27 +244,25 @@ void recover_instant(const SpeedResponse& response, const WaveRecovery& recover,
 
 }  // namespace
 
-void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model) {
-  checked_cells(FieldsReader(fields_file), model, fields_file.string());
+void check_fields(const FieldsReader& reader, const ReducedModel& model) {
+  checked_cells(reader, model);
 }
 
-FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study,
+FieldStudy recover_fields(const FieldsReader& reader, const Study& study,
                           const std::optional<MaterialStrength>& strength, Progress::Shown shown) {
-  const FieldsReader reader(fields_file);
-  const CellStress bricks = checked_cells(reader, study.model, fields_file.string());
+  const CellStress bricks = checked_cells(reader, study.model);
   const std::vector<std::size_t> speeds = recovered_speeds(study.critical, study.amplitudes);
   const std::size_t worst = worst_of(speeds, study.amplitudes.largest);
   FieldStudy fields = without_motion(reader, study, study.response.speeds[worst].speed);
   const BladePlaces places(fields.sector);
-  const WaveRecovery recover =
-      wave_recovery(reader, bricks, study.response.scene.nodal_diameters, fields_file.string());
+  const WaveRecovery recover = wave_recovery(reader, bricks, study.response.scene.nodal_diameters);
   const int most_fields = fields_at_once(fields.sector);
   const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles), shown);
   std::set<int> stressed;
   const auto stress_of = [&](const WheelCycle& cycle, double speed) {
     const WaveField spin = spin_field(fields.sector, bricks, speed);
-    require_sound_stress(spin, fields_file.string());
+    require_sound_stress(spin, reader.path());
     return cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, most_fields, progress);
   };
   const auto peak_of = [&](const CycleStress& stress, const WheelCycle& cycle, double speed) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,12 +41,12 @@ struct FieldStudy {
   Eigen::VectorXd mesh_error_of_frequencies, mesh_error_of_compliances;
 };
 
-/// Recovers all full fields. Raises InputError if the fields are of another model.
-FieldStudy recover_fields(const std::filesystem::path& fields_file, const Study& study,
-                          const std::optional<MaterialStrength>& strength, Progress::Shown shown);
+/// Raises InputError if the fields are of another model, or if a cell has no stress.
+void check_fields(const FieldsReader& reader, const ReducedModel& model);
 
-/// Raises as recover_fields() does if the fields are not those of the model.
-void check_fields(const std::filesystem::path& fields_file, const ReducedModel& model);
+/// Recovers all full fields. Raises as check_fields() does.
+FieldStudy recover_fields(const FieldsReader& reader, const Study& study,
+                          const std::optional<MaterialStrength>& strength, Progress::Shown shown);
 
 /// What tables and page show of the full fields.
 struct FieldResults {

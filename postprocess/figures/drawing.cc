@@ -10,10 +10,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <list>
 #include <sstream>
+#include <thread>
 
 #include "cases/program/errors.h"
 #include "cases/program/signal_cleanup.h"
@@ -135,14 +138,16 @@ pid_t start(const fs::path& folder, const std::string& script, const std::string
   return child;
 }
 
-/// Waits for one child and gives its status; -1 if a signal ended the wait.
+/// Waits for one child and gives its status; -1 after a signal, which may have come to another thread.
 int wait_for(pid_t child) {
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) return -1;
-    if (interruption() != 0) return -1;
+  constexpr std::chrono::milliseconds between_looks(5);
+  for (;;) {
+    int status = 0;
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended == child) return status;
+    if ((ended < 0 && errno != EINTR) || interruption() != 0) return -1;
+    std::this_thread::sleep_for(between_looks);
   }
-  return status;
 }
 
 /// Whether a picture ends as it should: gnuplot does not report a full disk.
@@ -155,57 +160,49 @@ bool is_whole(const fs::path& picture) {
   return end.find(last_words) != std::string::npos;
 }
 
-struct Job {
-  const Drawing* drawing;
-  pid_t child;
-};
-
-class Jobs {
+/// Drawings that one process makes one after the other; ended with this object if it still runs.
+class Job {
  public:
-  explicit Jobs(fs::path folder) : folder_(std::move(folder)) {
-    fs::create_directories(folder_ / scripts_folder);
-    for (const auto& [name, text] : embedded::figure_scripts::files)
-      write_text(std::string(text), folder_ / scripts_folder / name);
-  }
-  Jobs(const Jobs&) = delete;
-  Jobs& operator=(const Jobs&) = delete;
-  ~Jobs() {
-    for (const Job& job : running_) {
-      kill(job.child, SIGKILL);
-      while (waitpid(job.child, nullptr, 0) < 0 && errno == EINTR) continue;
+  Job(fs::path folder, const std::string& name, std::vector<const Drawing*> drawings)
+      : folder_(std::move(folder)), name_(name), drawings_(std::move(drawings)) {
+    std::string script;
+    for (const Drawing* drawing : drawings_) {
+      write_text(prologue(*drawing), folder_ / (drawing->name + ".gp"));
+      script += "load '" + drawing->name + ".gp'\nreset session\n";
     }
-    std::error_code ignored;
-    fs::remove_all(folder_ / scripts_folder, ignored);
+    write_text(script, folder_ / (name_ + ".gp"));
+    child_ = start(folder_, name_ + ".gp", name_ + ".log");
+  }
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+  ~Job() {
+    if (child_ <= 0) return;
+    kill(child_, SIGKILL);
+    while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) continue;
   }
 
-  std::size_t running() const { return running_.size(); }
-
-  void begin(const Drawing& drawing) {
-    const std::string script = drawing.name + ".gp";
-    write_text(prologue(drawing), folder_ / script);
-    running_.push_back({&drawing, start(folder_, script, drawing.name + ".log")});
-  }
-
-  /// Waits for the oldest process and checks its pictures.
-  void finish_oldest() {
-    const Job job = running_.front();
-    const int status = wait_for(job.child);
+  /// Waits for the process and checks its pictures.
+  void finish() {
+    const int status = wait_for(child_);
     stop_if_interrupted();
-    running_.erase(running_.begin());
-    const std::string& name = job.drawing->name;
-    if (status != 0)
-      throw RunError((folder_ / name).string() + ": gnuplot could not draw it: " + complaint(name, status));
-    for (const char* ending : {".svg", ".png"})
-      if (const fs::path picture = folder_ / (name + ending); !is_whole(picture))
+    child_ = -1;
+    for (const Drawing* drawing : drawings_)
+      for (const char* ending : {".svg", ".png"}) {
+        const fs::path picture = folder_ / (drawing->name + ending);
+        if (is_whole(picture)) continue;
+        if (status != 0) throw RunError(picture.string() + ": gnuplot could not draw it: " + complaint(status));
         throw RunError(picture.string() +
-                       ": is not whole; is the disk full? gnuplot says: " + complaint(name, status));
-    for (const char* ending : {".gp", ".log"}) fs::remove(folder_ / (name + ending));
+                       ": is not whole; is the disk full? gnuplot says: " + complaint(status));
+      }
+    if (status != 0) throw RunError(folder_.string() + ": gnuplot failed: " + complaint(status));
+    for (const Drawing* drawing : drawings_) fs::remove(folder_ / (drawing->name + ".gp"));
+    for (const char* ending : {".gp", ".log"}) fs::remove(folder_ / (name_ + ending));
   }
 
  private:
   /// gnuplot's message, on one line.
-  std::string complaint(const std::string& name, int status) const {
-    std::string text = read_text(folder_ / (name + ".log"));
+  std::string complaint(int status) const {
+    std::string text = read_text(folder_ / (name_ + ".log"));
     std::replace_if(
         text.begin(), text.end(), [](unsigned char letter) { return std::iscntrl(letter) != 0; }, ' ');
     text.erase(0, text.find_first_not_of(' '));
@@ -216,7 +213,27 @@ class Jobs {
   }
 
   fs::path folder_;
-  std::vector<Job> running_;
+  std::string name_;
+  std::vector<const Drawing*> drawings_;
+  pid_t child_ = -1;
+};
+
+/// gnuplot's scripts in a folder, for as long as this object exists.
+class Scripts {
+ public:
+  explicit Scripts(const fs::path& folder) : folder_(folder / scripts_folder) {
+    fs::create_directories(folder_);
+    for (const auto& [name, text] : embedded::figure_scripts::files) write_text(std::string(text), folder_ / name);
+  }
+  Scripts(const Scripts&) = delete;
+  Scripts& operator=(const Scripts&) = delete;
+  ~Scripts() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+
+ private:
+  fs::path folder_;
 };
 
 }  // namespace
@@ -226,19 +243,15 @@ void require_gnuplot() {
   if (wait_for(child) != 0) throw RunError("gnuplot --version failed; reinstall it (Debian: gnuplot-nox)");
 }
 
-void draw(const std::vector<Drawing>& drawings, const fs::path& folder, int jobs,
-          const std::function<void()>& drawn) {
-  Jobs queue(folder);
-  const auto finish = [&] {
-    queue.finish_oldest();
-    drawn();
-  };
-  for (const Drawing& drawing : drawings) {
-    stop_if_interrupted();
-    if (queue.running() >= static_cast<std::size_t>(std::max(jobs, 1))) finish();
-    queue.begin(drawing);
-  }
-  while (queue.running() > 0) finish();
+void draw(const std::vector<Drawing>& drawings, const fs::path& folder, int processes) {
+  const Scripts scripts(folder);
+  std::vector<std::vector<const Drawing*>> shares(
+      std::min(static_cast<std::size_t>(std::max(processes, 1)), drawings.size()));
+  for (std::size_t i = 0; i < drawings.size(); ++i) shares[i % shares.size()].push_back(&drawings[i]);
+  std::list<Job> jobs;
+  for (std::vector<const Drawing*>& share : shares)
+    jobs.emplace_back(folder, "drawings_" + std::to_string(jobs.size()), std::move(share));
+  for (Job& job : jobs) job.finish();
 }
 
 }  // namespace tiprub::postprocess

@@ -56,10 +56,9 @@ std::string gnuplot_text(const std::string& text);
 /// Raises RunError if gnuplot can't be started.
 void require_gnuplot();
 
-/// Draws name.svg and name.png for each drawing in the folder, with at most `jobs` processes at a time, and calls
-/// `drawn` after each. Raises RunError with gnuplot's message if one fails or leaves no whole picture, and
-/// Interrupted if a signal came. No process outlives the call.
-void draw(const std::vector<Drawing>& drawings, const std::filesystem::path& folder, int jobs,
-          const std::function<void()>& drawn);
+/// Draws name.svg and name.png for each drawing in the folder, which that many processes share. Raises RunError with
+/// gnuplot's message if one fails or leaves no whole picture, and Interrupted if a signal came. No process outlives the
+/// call.
+void draw(const std::vector<Drawing>& drawings, const std::filesystem::path& folder, int processes);
 
 }  // namespace tiprub::postprocess

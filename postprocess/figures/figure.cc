@@ -50,7 +50,8 @@ void set_pixels(Figure& figure, Eigen::MatrixXf values) {
   figure.pixels.push_back({figure.drawing.name + ".pixels", std::move(values)});
 }
 
-void draw_figures(const std::vector<Figure>& figures, const fs::path& folder, const std::function<void()>& drawn) {
+void draw_figures(const std::vector<Figure>& figures, const fs::path& folder) {
+  fs::create_directories(folder);
   std::vector<Drawing> drawings;
   for (const Figure& figure : figures) {
     stop_if_interrupted();
@@ -58,7 +59,7 @@ void draw_figures(const std::vector<Figure>& figures, const fs::path& folder, co
     for (const Pixels& pixels : figure.pixels) write_pixels(pixels, folder);
     drawings.push_back(figure.drawing);
   }
-  draw(drawings, folder, gnuplot_processes, drawn);
+  draw(drawings, folder, gnuplot_processes);
   for (const Figure& figure : figures)
     for (const Pixels& pixels : figure.pixels) fs::remove(folder / pixels.file);
 }

@@ -37,7 +37,6 @@ Figure listed_figure(const std::string& name, const std::map<std::string, std::s
 void set_pixels(Figure& figure, Eigen::MatrixXf values);
 
 /// Writes the tables and draws the pictures in the folder, two processes at a time.
-void draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                  const std::function<void()>& drawn);
+void draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder);
 
 }  // namespace tiprub::postprocess

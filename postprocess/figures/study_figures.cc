@@ -15,19 +15,6 @@ void append(std::vector<Figure>& figures, std::vector<Figure> more) {
   std::move(more.begin(), more.end(), std::back_inserter(figures));
 }
 
-std::vector<Figure> response_figures(const Study& study, const SpeedFrame& frame, const FieldResults& fields) {
-  const std::vector<AvoidedBand> avoided = speeds_to_avoid(study, fields);
-  std::vector<Figure> figures = {response_figure(frame, study.amplitudes, study.rules, study.response.speeds,
-                                                 study.parameters.component, avoided)};
-  if (fields.over_speed.size() > 0) figures.push_back(stress_figure(frame, fields, avoided));
-  if (!study.sweeps.empty())
-    figures.push_back(sweeps_figure(frame, study.amplitudes, study.sweeps,
-                                    sweep_record(study.response.speeds, study.amplitudes, study.sweeps)));
-  if (!study.response.branches.empty())
-    figures.push_back(branches_figure(study.amplitudes, frame.speeds, study.sweeps, study.response.branches));
-  return figures;
-}
-
 std::vector<Figure> map_figures(const Study& study, const SpeedFrame& frame) {
   const std::string of_blade = of_main_blade(study.model.contact);
   const MapFrame axes = map_frame(frame, study.waves, study.parameters);
@@ -66,10 +53,26 @@ std::vector<Figure> motion_figures(const Study& study, const SpeedFrame& frame) 
 
 }  // namespace
 
-std::vector<Figure> study_figures(const Study& study, const FieldResults& fields) {
+std::vector<Figure> response_figures(const Study& study, const FieldResults& fields) {
+  const SpeedFrame frame = speed_frame(study);
+  const std::vector<AvoidedBand> avoided = speeds_to_avoid(study, fields);
+  std::vector<Figure> figures = {response_figure(frame, study.amplitudes, study.rules, study.response.speeds,
+                                                 study.parameters.component, avoided)};
+  if (const auto budgets = error_budgets(study, fields); !budgets.empty())
+    figures.push_back(error_budget_figure(worst_budget(budgets)));
+  if (fields.over_speed.size() > 0) figures.push_back(stress_figure(frame, fields, avoided));
+  return figures;
+}
+
+std::vector<Figure> study_figures(const Study& study) {
   const SpeedFrame frame = speed_frame(study);
   const InteractionMap& map = study.waves.first();
-  std::vector<Figure> figures = response_figures(study, frame, fields);
+  std::vector<Figure> figures;
+  if (!study.sweeps.empty())
+    figures.push_back(sweeps_figure(frame, study.amplitudes, study.sweeps,
+                                    sweep_record(study.response.speeds, study.amplitudes, study.sweeps)));
+  if (!study.response.branches.empty())
+    figures.push_back(branches_figure(study.amplitudes, frame.speeds, study.sweeps, study.response.branches));
   append(figures, map_figures(study, frame));
   append(figures, {campbell_figure(frame, study.rules),
                    interference_figure(frame, study.shown_response().speed, study.parameters.families)});
@@ -77,6 +80,13 @@ std::vector<Figure> study_figures(const Study& study, const FieldResults& fields
   append(figures, {nodal_diameter_tracking_figure(frame, map), engine_order_tracking_figure(frame, map),
                    waterfall_figure(frame, map),
                    casing_figure(study.response.scene, study.shown_response(), study.model.contact)});
+  return figures;
+}
+
+std::vector<Figure> sector_figures(const Study& study, const FieldStudy& fields) {
+  std::vector<Figure> figures = {
+      meridional_section_figure(fields.sector, study.model.contact, study.response.scene.clearance)};
+  if (fields.mesh_error_of_frequencies.size() > 0) figures.push_back(mesh_error_figure(fields));
   return figures;
 }
 

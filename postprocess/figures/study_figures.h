@@ -79,7 +79,14 @@ Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMa
 /// Paper, fig. 21.
 Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact);
 
-/// All figures in the order of the page; those of stress, sweeps and branches only if there are any.
-std::vector<Figure> study_figures(const Study& study, const FieldResults& fields);
+// The figures of a report in the order of its page. Most of them are study_figures(), which need no full fields and can
+// be drawn while these are recovered.
+
+/// Response, error budget and stress, as far as there are any.
+std::vector<Figure> response_figures(const Study& study, const FieldResults& fields);
+/// Those of sweeps and branches only if there are any.
+std::vector<Figure> study_figures(const Study& study);
+/// The section, and the mesh's error if it is estimated.
+std::vector<Figure> sector_figures(const Study& study, const FieldStudy& fields);
 
 }  // namespace tiprub::postprocess

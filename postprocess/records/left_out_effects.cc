@@ -158,12 +158,10 @@ std::optional<double> mesh_shift(const ReducedModel& model, const WaveLabel& wav
   return model.mesh_error->frequency(std::abs(wave.signed_nodal_diameter), wave.family);
 }
 
-FieldEffects field_effects(const std::filesystem::path& fields_file, const ReducedModel& model,
+FieldEffects field_effects(const FieldsReader& fields, const ReducedModel& model,
                            const std::vector<CriticalSpeed>& critical) {
-  if (fields_file.empty()) return {};
-  const FieldsReader reader(fields_file);
-  FieldEffects effects{.tip_span = tip_spans(reader.sector())};
-  const CoriolisTerms terms(reader, model);
+  FieldEffects effects{.tip_span = tip_spans(fields.sector())};
+  const CoriolisTerms terms(fields, model);
   for (const CriticalSpeed& peak : critical) {
     const int n = std::abs(peak.rising.signed_nodal_diameter), family = peak.rising.family;
     const double change = terms.change(n, family, peak.speed);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <filesystem>
 #include <optional>
 
 #include "postprocess/analysis/critical_speeds.h"
@@ -96,8 +95,8 @@ struct FieldEffects {
 /// is proportional to f_0, and its relative error is that of f_0. Nothing if the model has no estimate for this mode.
 std::optional<double> mesh_shift(const ReducedModel& model, const WaveLabel& wave);
 
-/// Empty if `fields_file` is empty. Needs a file that passed check_fields().
-FieldEffects field_effects(const std::filesystem::path& fields_file, const ReducedModel& model,
+/// Of fields that passed check_fields().
+FieldEffects field_effects(const FieldsReader& fields, const ReducedModel& model,
                            const std::vector<CriticalSpeed>& critical);
 
 }  // namespace tiprub::postprocess

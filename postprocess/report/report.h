@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cases/program/progress.h"
 #include "postprocess/analysis/study.h"
 #include "postprocess/compare/report_numbers.h"
 #include "postprocess/fields/field_study.h"
@@ -39,8 +39,9 @@ struct ReportContents {
 /// which are read from `folder`/figures; links lead to the tables beside it.
 std::string report_page(const ReportContents& contents, const std::filesystem::path& folder);
 
-/// Writes the page, the tables, the figures and, with full fields, the files for ParaView; see report.md. Notes in
-/// `contents` how long that took, for the page. Raises RunError if a file can't be written.
-void write_report_folder(ReportContents& contents, const std::filesystem::path& folder, Progress::Shown shown);
+/// Writes the page, the tables and, with full fields, the files for ParaView beside the figures; see report.md. It
+/// waits for `drawing` before it writes the page, which holds the figures. Notes in `contents` how long that took, for
+/// the page. Raises RunError if a file can't be written.
+void write_report_folder(ReportContents& contents, std::future<void> drawing, const std::filesystem::path& folder);
 
 }  // namespace tiprub::postprocess

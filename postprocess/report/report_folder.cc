@@ -74,12 +74,6 @@ std::string json_summary(const ReportContents& contents) {
   return summary.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-void write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder, Progress::Shown shown) {
-  std::filesystem::create_directories(folder);
-  Progress progress("drawing", figures.size(), shown);
-  draw_figures(figures, folder, [&] { progress.advance(); });
-}
-
 void write_tables(const Study& study, const FieldResults& fields, const std::filesystem::path& folder) {
   write_csv(critical_speed_record(study, fields), folder / "critical_speeds.csv");
   write_text(printed_critical_speeds(study, fields), folder / "critical_speeds.txt");
@@ -97,13 +91,12 @@ void write_tables(const Study& study, const FieldResults& fields, const std::fil
 
 }  // namespace
 
-void write_report_folder(ReportContents& contents, const std::filesystem::path& folder, Progress::Shown shown) {
+void write_report_folder(ReportContents& contents, std::future<void> drawing, const std::filesystem::path& folder) {
   if (contents.fields) {
     write_vtu_files(*contents.fields, folder / "fields");
     write_csv(mode_record(*contents.fields), folder / "modes.csv");
     if (!contents.fields->peaks.empty()) write_csv(stress_peak_record(*contents.fields), folder / "stress_peaks.csv");
   }
-  write_figures(contents.figures, folder / "figures", shown);
   write_tables(contents.study, contents.field_results, folder);
   write_csv(scene_needs_record(contents.needs), folder / "scene_needs.csv");
   if (!contents.others.empty()) {
@@ -113,6 +106,7 @@ void write_report_folder(ReportContents& contents, const std::filesystem::path& 
   write_text(contents.source.case_text, folder / "case.toml");
   write_text(json_summary(contents), folder / "summary.json");
   write_text(to_json(contents.numbers), folder / numbers_file);
+  drawing.get();
   contents.run.done("pictures and tables");
   write_text(report_page(contents, folder), folder / "report.html");
 }

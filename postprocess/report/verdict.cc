@@ -72,6 +72,10 @@ std::string not_located(const Study& study) {
 }
 
 std::string how_bad(const Study& study, const FieldResults& fields) {
+  if (study.no_tip_touches())
+    return "No tip touches the casing at any speed, so that nothing excites the wheel: the crest reaches " +
+           mm(study.response.scene.casing_distortion.maxCoeff()) + " inward, and the smallest running clearance is " +
+           mm(study.response.clearances().low) + ".";
   const std::optional<std::size_t> worst = worst_critical(study.critical);
   const std::string largest =
       rpm_text(study.worst_response().speed) + ", " + amplitude_text(study, study.amplitudes.worst()) + ".";
@@ -98,6 +102,7 @@ std::string node_text(const Study& study, int node) {
 }
 
 std::string where(const Study& study, const FieldResults& fields) {
+  if (study.no_tip_touches()) return "";
   const std::optional<std::size_t> worst = worst_critical(study.critical);
   std::string text =
       "The tip at " +

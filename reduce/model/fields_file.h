@@ -57,6 +57,8 @@ class FieldsReader {
  public:
   explicit FieldsReader(const std::filesystem::path& path);
 
+  const std::string& path() const { return file_.path(); }
+
   const SectorFields& sector() const { return sector_; }
   /// [1] what each cell contributes to the mean error of the model's frequencies; empty if that isn't estimated.
   const Eigen::VectorXd& cell_errors_of_frequencies() const { return frequency_errors_; }

@@ -32,7 +32,11 @@ class Hdf5File {
     netcdf_unpacked,  ///< the same, contiguous, for files that are soon read and removed
   };
   static Hdf5File create(const std::filesystem::path& path, Storage storage = Storage::plain);
-  static Hdf5File open(const std::filesystem::path& path);
+  enum class Bytes {
+    unknown,     ///< HDF5 may die of them, or never come to an end: another process reads the file first
+    as_written,  ///< a digest shows that they are those that this project wrote
+  };
+  static Hdf5File open(const std::filesystem::path& path, Bytes bytes = Bytes::unknown);
   ~Hdf5File();
   Hdf5File(Hdf5File&&) noexcept;
   Hdf5File& operator=(Hdf5File&&) noexcept;

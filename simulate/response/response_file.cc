@@ -64,7 +64,12 @@ void require_memory(const Hdf5File& file, const std::vector<std::string>& speeds
 }
 
 Hdf5File open_response(const std::filesystem::path& path) {
-  Hdf5File file = Hdf5File::open(path);
+  const Seal seal = seal_of(path);
+  if (seal == Seal::broken)
+    throw FileError(path.string() +
+                    ": was damaged after it was written (its seal is broken); run tiprub-simulate again");
+  Hdf5File file =
+      Hdf5File::open(path, seal == Seal::whole ? Hdf5File::Bytes::as_written : Hdf5File::Bytes::unknown);
   if (file.has_attribute("/", "schema") && file.text_attribute("/", "schema") == schema &&
       file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") < oldest_version)
     throw FileError(file.path() + ": is " + schema + " version " +
@@ -317,9 +322,6 @@ std::string read_response_key(const std::filesystem::path& path) {
 }
 
 Response read_response(const std::filesystem::path& path) {
-  if (seal_of(path) == Seal::broken)
-    throw FileError(path.string() +
-                    ": was damaged after it was written (its seal is broken); run tiprub-simulate again");
   const Hdf5File file = open_response(path);
   NamedAxes axes(file);
   Response response;

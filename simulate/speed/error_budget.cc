@@ -180,18 +180,18 @@ PeakVariation followed(const Scene& scene, const VariedScene& varied, const Orig
   return variation;
 }
 
-/// The speeds at and beside a critical speed, marched with one step size.
-std::array<PeakVariation, 3> marched_beside(const Scene& scene, double speed, double gap, int steps_per_revolution) {
+/// The speeds at and beside a critical speed.
+using Beside = std::array<PeakVariation, 3>;
+
+/// One of them, marched with a given step size.
+PeakVariation marched_with(const Scene& scene, double speed, int steps_per_revolution) {
   SimulateParameters parameters = scene.parameters;
   parameters.steps_per_revolution = steps_per_revolution;
-  const Scene stepped{scene.model, scene.casing, parameters, scene.scope};
-  std::array<PeakVariation, 3> found;
-  for (int i = 0; i < 3; ++i) found[static_cast<std::size_t>(i)] = marched_peak(stepped, speed + (i - 1) * gap);
-  return found;
+  return marched_peak({scene.model, scene.casing, parameters, scene.scope}, speed);
 }
 
 /// The vertex of the parabola through three speeds, or the highest of them beside a jump.
-double top_of(const std::array<PeakVariation, 3>& at) {
+double top_of(const Beside& at) {
   const auto sample = [&](std::size_t i) { return SampledSpeed{at[i].speed, at[i].amplitude}; };
   const PeakTop top{sample(0), sample(1), sample(2)};
   const bool encloses = top.top.amplitude > std::max(top.left.amplitude, top.right.amplitude);
@@ -203,11 +203,16 @@ double top_of(const std::array<PeakVariation, 3>& at) {
 
 /// The peak with half the step. The step moves a peak by far less than the speeds that find it are apart; the three
 /// speeds at and beside the peak are therefore marched with both steps, and the tops of both curves compared.
-PeakVariation with_half_step(const Scene& scene, double speed, int steps_per_revolution) {
+PeakVariation with_half_step(const Scene& scene, double speed, int steps_per_revolution, Helpers* helpers) {
   const double gap = gap_beside * half_width_at(scene, speed);
   const auto found = attempt([&] {
-    const auto whole = marched_beside(scene, speed, gap, steps_per_revolution);
-    const auto half = marched_beside(scene, speed, gap, 2 * steps_per_revolution);
+    Beside whole, half;
+    share(helpers, whole.size() + half.size(), [&](std::size_t i) {
+      const bool halved = i < half.size();  // these take longer, and come first
+      const std::size_t place = i % half.size();
+      (halved ? half : whole)[place] =
+          marched_with(scene, speed + (static_cast<double>(place) - 1) * gap, (halved ? 2 : 1) * steps_per_revolution);
+    });
     PeakVariation peak = half[1];
     peak.speed = speed + top_of(half) - top_of(whole);
     return peak;
@@ -221,12 +226,16 @@ PeakVariation with_half_step(const Scene& scene, double speed, int steps_per_rev
 
 }  // namespace
 
-std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const SettledMotion& motion) {
+std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const SettledMotion& motion,
+                                        Helpers* helpers) {
   const Origin origin{speed, largest_order(motion.recorded)};
-  std::vector<PeakVariation> rows;
-  for (const VariedScene& varied : varied_scenes(scene)) rows.push_back(followed(scene, varied, origin));
-  if (repeats(motion.reading.motion))  // others have no peak that is sharp enough
-    rows.push_back(with_half_step(scene, speed, motion.march->steps_per_revolution()));
+  const std::vector<VariedScene> varied = varied_scenes(scene);
+  const bool halves = repeats(motion.reading.motion);  // others have no peak that is sharp enough
+  std::vector<PeakVariation> rows(varied.size() + (halves ? 1 : 0));
+  share(helpers, rows.size(), [&](std::size_t i) {
+    rows[i] = i < varied.size() ? followed(scene, varied[i], origin)
+                                : with_half_step(scene, speed, motion.march->steps_per_revolution(), helpers);
+  });
   return rows;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cases/program/helpers.h"
 #include "simulate/response/response.h"
 #include "simulate/scene/scene.h"
 #include "simulate/speed/settled_march.h"
@@ -21,7 +22,8 @@ namespace tiprub::simulate {
 ///
 /// If `motion` repeats, the last row compares the vertices of parabolas through three speeds with the step of
 /// `motion` and with half of it. Each row costs some five speeds. A row whose peak is not found has its `failure`
-/// set; nothing is raised for it.
-std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const SettledMotion& motion);
+/// set; nothing is raised for it. `helpers` take a share of the rows; the result is the same.
+std::vector<PeakVariation> error_budget(const Scene& scene, double speed, const SettledMotion& motion,
+                                        Helpers* helpers = nullptr);
 
 }  // namespace tiprub::simulate

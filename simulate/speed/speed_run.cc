@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/speed/speed_run.h"
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -151,19 +152,22 @@ SpeedResponse response_of(SettledMotion motion) {
 /// nodal diameters ("whole wheel"). Each is marched with the step of `found` and compared with its motion; `end` is
 /// the last state of `found`. Costs three or four marches.
 std::vector<OtherStart> other_starts(const Scene& scene, const SharedRotor& rotor, const RotorState& end,
-                                     const SettledMotion& found, SymmetryVerdict symmetry) {
+                                     const SettledMotion& found, SymmetryVerdict symmetry, Helpers* helpers) {
   const int steps = found.march->steps_per_revolution();
-  std::vector<OtherStart> starts;
-  for (const auto& [start, speed] : {std::pair(Start::up, rotor->speed * (1 - neighbour)),
-                                     std::pair(Start::down, rotor->speed * (1 + neighbour))}) {
-    const auto other = attempt([&, at = speed] { return settled_from(scene, rotor, state_at(scene, at), steps); });
-    starts.push_back(compared(scene, start, other, found));
-  }
-  const auto swung = attempt([&] { return settled_from(scene, rotor, disturbed(end), steps); });
-  starts.push_back(compared(scene, Start::disturbed, swung, found));
-  if (symmetry != SymmetryVerdict::breaking && symmetry != SymmetryVerdict::undecided) return starts;
-  const auto whole = attempt([&] { return of_whole_wheel(scene, rotor->speed, steps); });
-  starts.push_back(compared(scene, Start::whole_wheel, whole, found));
+  const auto from_neighbour = [&](double away) {
+    return settled_from(scene, rotor, state_at(scene, rotor->speed * (1 + away)), steps);
+  };
+  using March = std::pair<Start, std::function<SettledMotion()>>;
+  std::vector<March> marches = {
+      {Start::up, [&] { return from_neighbour(-neighbour); }},
+      {Start::down, [&] { return from_neighbour(neighbour); }},
+      {Start::disturbed, [&] { return settled_from(scene, rotor, disturbed(end), steps); }}};
+  if (symmetry == SymmetryVerdict::breaking || symmetry == SymmetryVerdict::undecided)
+    marches.emplace_back(Start::whole_wheel, [&] { return of_whole_wheel(scene, rotor->speed, steps); });
+  std::vector<OtherStart> starts(marches.size());
+  share(helpers, marches.size(), [&](std::size_t i) {
+    starts[i] = compared(scene, marches[i].first, attempt(marches[i].second), found);
+  });
   return starts;
 }
 
@@ -176,7 +180,7 @@ Attempt<MotionDifference> halved_step(const Scene& scene, const SharedRotor& rot
   });
 }
 
-SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState& start) {
+SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState& start, Helpers* helpers) {
   if (depth == Depth::scanned)
     return {response_of(settle_roughly(scene, rotor_of(scene, speed, OtherDiameters::unknown))), {}};
   const bool is_examined = depth >= Depth::examined;
@@ -191,9 +195,9 @@ SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState&
   Attempt<MotionDifference> halving{found.halving, ""};
   if (is_examined && !halving.result) halving = halved_step(scene, rotor, result.end, found.motion);
   std::vector<OtherStart> others;
-  if (is_examined) others = other_starts(scene, rotor, result.end, found.motion, symmetry.verdict);
+  if (is_examined) others = other_starts(scene, rotor, result.end, found.motion, symmetry.verdict, helpers);
   std::vector<PeakVariation> budget;
-  if (depth == Depth::budgeted) budget = error_budget(scene, speed, found.motion);
+  if (depth == Depth::budgeted) budget = error_budget(scene, speed, found.motion, helpers);
   result.response = response_of(std::move(found.motion));
   result.response.other_starts = std::move(others);
   result.response.budget = std::move(budget);
@@ -207,8 +211,9 @@ SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState&
 
 }  // namespace
 
-SpeedResult simulate_speed(const Scene& scene, double speed, Depth depth, const RotorState& start) {
-  Attempt<SpeedResult> found = attempt([&] { return run(scene, speed, depth, start); });
+SpeedResult simulate_speed(const Scene& scene, double speed, Depth depth, const RotorState& start,
+                           Helpers* helpers) {
+  Attempt<SpeedResult> found = attempt([&] { return run(scene, speed, depth, start, helpers); });
   if (found.result && !is_finite(found.result->response)) found = {std::nullopt, not_finite};
   SpeedResult result = found.result ? std::move(*found.result) : SpeedResult{};
   result.response.speed = speed;

@@ -64,7 +64,7 @@ bool FinishedSpeeds::take_over(const fs::path& file) {
     if (response.key != key_ || response.speeds.size() != 1) return false;
     const SpeedResponse& only = response.speeds.front();
     if (part(only.speed, only.depth) != file) return false;
-    note(only.speed, only.depth);
+    note(only);
     return true;
   } catch (const RunError&) {  // damaged: computed again
     return false;
@@ -90,17 +90,19 @@ void FinishedSpeeds::take_over_output(const fs::path& output) {
     if (!has(speed.speed, speed.depth)) keep(speed);
 }
 
-void FinishedSpeeds::note(double speed, Depth depth) {
-  if (depth == Depth::scanned)
-    scanned_.insert(speed);
-  else
-    speeds_[speed] = depth;
+void FinishedSpeeds::note(const SpeedResponse& response) {
+  (response.depth == Depth::scanned ? scanned_ : speeds_)[response.speed] = {response.depth, response.amplitude};
 }
 
 bool FinishedSpeeds::has(double speed, Depth depth) const {
-  if (depth == Depth::scanned) return scanned_.contains(speed);
-  const auto place = speeds_.find(speed);
-  return place != speeds_.end() && place->second >= depth;
+  const auto& kept = depth == Depth::scanned ? scanned_ : speeds_;
+  const auto place = kept.find(speed);
+  return place != kept.end() && place->second.depth >= depth;
+}
+
+double FinishedSpeeds::amplitude(double speed, Depth depth) const {
+  if (!has(speed, depth)) return read(speed, depth).amplitude;  // another process kept it
+  return (depth == Depth::scanned ? scanned_ : speeds_).at(speed).amplitude;
 }
 
 ResponseWriter FinishedSpeeds::writer(const fs::path& path, ResponseUse use) const {
@@ -114,7 +116,7 @@ void FinishedSpeeds::keep(const SpeedResponse& response, const RotorState& end) 
   part_writer.add_end(end);
   part_writer.close();
   file.commit();
-  note(response.speed, response.depth);
+  note(response);
 }
 
 RotorState FinishedSpeeds::read_end(double speed) const {

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "cases/program/output_file.h"
@@ -36,6 +35,8 @@ class FinishedSpeeds {
   ResponseWriter writer(const std::filesystem::path& path, ResponseUse use = ResponseUse::kept) const;
   /// Writes a part under a scratch name, then renames it. Raises RunError if it can't be written.
   void keep(const SpeedResponse& response, const RotorState& end = {});
+  /// [m] Without reading the part again if this object kept it.
+  double amplitude(double speed, Depth depth) const;
   /// Reads a part, scanned or full.
   SpeedResponse read(double speed, Depth depth) const;
   /// At rest if the part holds none.
@@ -45,7 +46,7 @@ class FinishedSpeeds {
 
  private:
   std::filesystem::path part(double speed, Depth depth) const;
-  void note(double speed, Depth depth);
+  void note(const SpeedResponse& response);
   bool take_over(const std::filesystem::path& file);
   void take_over_parts();
   void take_over_output(const std::filesystem::path& output);
@@ -54,8 +55,11 @@ class FinishedSpeeds {
   SimulatedScene scene_;
   std::string key_;
   std::string generator_;
-  std::map<double, Depth> speeds_;  ///< full or examined
-  std::set<double> scanned_;
+  struct Kept {
+    Depth depth;
+    double amplitude;  ///< [m]
+  };
+  std::map<double, Kept> speeds_, scanned_;  ///< those that aren't scanned are full or more
   std::optional<OutputLock> lock_;  ///< the keeper's, on the output
 };
 

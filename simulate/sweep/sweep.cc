@@ -205,7 +205,7 @@ void Sweep::compute(const char* what, const std::vector<SpeedTask>& tasks) {
   compute_missing(what, tasks);
   group_.together([&] {
     if (!group_.leads()) return;
-    for (const auto& [speed, depth] : tasks) found(depth)[speed] = finished_->read(speed, depth).amplitude;
+    for (const auto& [speed, depth] : tasks) found(depth)[speed] = finished_->amplitude(speed, depth);
   });
 }
 
@@ -303,14 +303,17 @@ void Sweep::compute_missing(const char* what, const std::vector<SpeedTask>& task
 }
 
 /// Speeds are independent. Each thread of each process takes the next free speed and keeps its result at once, so
-/// that results do not depend on the number of threads or processes.
+/// that results do not depend on the number of threads or processes. Threads for which none is left take a share of
+/// the examinations that others make.
 void Sweep::compute_together(const std::vector<SpeedTask>& missing, const Done& done) {
   std::mutex one_at_a_time;  // HDF5 and OutputFile are not safe for several threads
   std::exception_ptr failure;
-  const auto work = [&] {
+  Helpers helpers;
+  const auto take_speeds = [&] {
     for (std::size_t i = group_.next(); i < missing.size(); i = group_.next()) {
       try {
-        const SpeedResponse response = simulate_speed(scene_, missing[i].speed, missing[i].depth).response;
+        const SpeedResponse response =
+            simulate_speed(scene_, missing[i].speed, missing[i].depth, {}, &helpers).response;
         const std::lock_guard lock(one_at_a_time);
         if (failure) return;
         finished_->keep(response);
@@ -323,7 +326,12 @@ void Sweep::compute_together(const std::vector<SpeedTask>& missing, const Done& 
       }
     }
   };
-  work_together(static_cast<int>(std::min<std::size_t>(threads_, missing.size())), work);
+  if (!missing.empty())
+    work_together(threads_, [&] {
+      helpers.begin();
+      take_speeds();
+      helpers.help();
+    });
   group_.agree(failure);
 }
 

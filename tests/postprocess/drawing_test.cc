@@ -90,8 +90,7 @@ Drawing drawing_of_curves(const std::string& title, const std::string& curve) {
 TEST(Drawing, ShowsATextAsItStands) {
   const fs::path folder = fs::temp_directory_path() / ("tiprub-drawing-" + std::to_string(getpid()));
   fs::create_directories(folder);
-  draw({drawing_of_curves("it's \"hot\" `touch ran` _{low}^2 @x ~a", "'; system('touch ran'); '' #")}, folder, 1,
-       [] {});
+  draw({drawing_of_curves("it's \"hot\" `touch ran` _{low}^2 @x ~a", "'; system('touch ran'); '' #")}, folder, 1);
   const std::string svg = text_of(folder / "hostile.svg");
   EXPECT_TRUE(contains(svg, "it's \"hot\" `touch ran` _{low}^2 @x ~a")) << svg;
   EXPECT_TRUE(contains(svg, "'; system('touch ran'); '' #"));
@@ -106,11 +105,11 @@ TEST(Drawing, NoticesHalfAPicture) {
   const fs::path folder = fs::temp_directory_path() / ("tiprub-drawing-" + std::to_string(getpid()));
   fs::create_directories(folder);
   const Drawing drawing = drawing_of_curves("a", "b");
-  draw({drawing}, folder, 1, [] {});
+  draw({drawing}, folder, 1);
   const auto size = static_cast<rlim_t>(fs::file_size(folder / "hostile.png"));
   try {
     const FullDisk disk(size - 1);
-    draw({drawing}, folder, 1, [] {});
+    draw({drawing}, folder, 1);
     FAIL();
   } catch (const RunError& error) {
     EXPECT_TRUE(contains(std::string(error.what()), ": is not whole; is the disk full?")) << error.what();

@@ -222,5 +222,19 @@ TEST(SpeedSpacing, ScannedSpeedsCloseTheRange) {
   EXPECT_FALSE(speeds_too_far_apart(study_of(response)));
 }
 
+/// Symptom: the report of a wheel whose tips never touch began "Not trustworthy. The speeds are too far apart".
+TEST(SpeedSpacing, NothingIsMissedWhereNoTipTouches) {
+  Response response = through(even(5, [](double) { return 0.0; }));
+  EXPECT_TRUE(speeds_too_far_apart(study_of(response)));
+  for (SpeedResponse& speed : response.speeds)
+    speed.clearance.array() += response.scene.casing_distortion.maxCoeff();
+  const Study study = study_of(std::move(response));
+  const Answer first = verdict(study, field_results(std::nullopt, study.critical), {}).front();
+  EXPECT_EQ(first.question, "How bad");
+  EXPECT_EQ(first.text,
+            "No tip touches the casing at any speed, so that nothing excites the wheel: the crest reaches 0.300 mm "
+            "inward, and the smallest running clearance is 0.560 mm.");
+}
+
 }  // namespace
 }  // namespace tiprub::postprocess

@@ -27,7 +27,8 @@ const Made& made() {
     ReducedModel rotor = synthetic::model();
     Response response = synthetic::resonant_sweep(rotor);
     Study study = make_study({}, std::move(rotor), std::move(response), {});
-    std::vector<Figure> figures = study_figures(study, field_results(std::nullopt, study.critical));
+    std::vector<Figure> figures = response_figures(study, field_results(std::nullopt, study.critical));
+    for (Figure& figure : study_figures(study)) figures.push_back(std::move(figure));
     return Made{std::move(study), std::move(figures)};
   }();
   return all;

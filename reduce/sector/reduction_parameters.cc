@@ -125,7 +125,7 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
   p.unusual = table.flag("unusual", false);
   if (!p.unusual && is_mesh) check_material(table, p.material);
   p.factorization = read_factorization(table);
-  p.threads = table.integer("threads", 1, Range::between(1, 256), "for nodal diameters and the BLAS");
+  p.threads = table.integer("threads", 2, Range::between(1, 256), "for nodal diameters and the BLAS");
   table.close();
   return p;
 }

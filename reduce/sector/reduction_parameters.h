@@ -42,7 +42,7 @@ struct ReductionParameters {
   bool unusual = false;                     ///< values that are usual for no wheel are meant
   Factorization factorization = Factorization::automatic;
   std::filesystem::path scratch_folder;  ///< for factors on disk; no key: the folder of the output
-  int threads = 1;                       ///< for nodal diameters and the BLAS
+  int threads = 2;                       ///< for nodal diameters and the BLAS
 };
 
 /// What gives the sector. Keys of the material, of spin and of cells are refused beside matrices.

@@ -42,8 +42,7 @@ void Helpers::help() {
   --busy_;
   changed_.notify_all();
   for (;;) {
-    const auto open =
-        std::ranges::find_if(offers_, [](const Offer& offer) { return offer.next < offer.count; });
+    const auto open = std::ranges::find_if(offers_, [](const Offer& offer) { return offer.next < offer.count; });
     if (open != offers_.end())
       take_part(*open, lock);
     else if (busy_ == 0)

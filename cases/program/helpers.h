@@ -10,8 +10,8 @@
 
 namespace tiprub {
 
-/// Threads that have finished their own work and help those that have not. Each calls begin() before its work and help()
-/// after it; in between it may share() the parts of a long piece of work.
+/// Threads that have finished their own work and help those that have not. Each calls begin() before its work and
+/// help() after it; in between it may share() the parts of a long piece of work.
 class Helpers {
  public:
   Helpers() = default;
@@ -20,8 +20,8 @@ class Helpers {
 
   void begin();
 
-  /// Calls part(0) to part(count - 1), each once, on this thread and on those that help, and returns after all of them.
-  /// Results must not depend on the order or on the threads. If parts raise exceptions, one is raised again.
+  /// Calls part(0) to part(count - 1), each once, on this thread and on those that help, and returns after all of
+  /// them. Results must not depend on the order or on the threads. If parts raise exceptions, one is raised again.
   void share(std::size_t count, const std::function<void(std::size_t)>& part);
 
   /// Takes parts that other threads share, until all that began help. Raises nothing.

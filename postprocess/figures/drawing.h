@@ -57,8 +57,8 @@ std::string gnuplot_text(const std::string& text);
 void require_gnuplot();
 
 /// Draws name.svg and name.png for each drawing in the folder, which that many processes share. Raises RunError with
-/// gnuplot's message if one fails or leaves no whole picture, and Interrupted if a signal came. No process outlives the
-/// call.
+/// gnuplot's message if one fails or leaves no whole picture, and Interrupted if a signal came. No process outlives
+/// the call.
 void draw(const std::vector<Drawing>& drawings, const std::filesystem::path& folder, int processes);
 
 }  // namespace tiprub::postprocess

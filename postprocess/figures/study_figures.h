@@ -79,8 +79,8 @@ Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMa
 /// Paper, fig. 21.
 Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, const ContactLine& contact);
 
-// The figures of a report in the order of its page. Most of them are study_figures(), which need no full fields and can
-// be drawn while these are recovered.
+// The figures of a report in the order of its page. Most of them are study_figures(), which need no full fields and
+// can be drawn while these are recovered.
 
 /// Response, error budget and stress, as far as there are any.
 std::vector<Figure> response_figures(const Study& study, const FieldResults& fields);

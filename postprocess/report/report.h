@@ -40,8 +40,8 @@ struct ReportContents {
 std::string report_page(const ReportContents& contents, const std::filesystem::path& folder);
 
 /// Writes the page, the tables and, with full fields, the files for ParaView beside the figures; see report.md. It
-/// waits for `drawing` before it writes the page, which holds the figures. Notes in `contents` how long that took, for
-/// the page. Raises RunError if a file can't be written.
+/// waits for `drawing` before it writes the page, which holds the figures. Notes in `contents` how long that took,
+/// for the page. Raises RunError if a file can't be written.
 void write_report_folder(ReportContents& contents, std::future<void> drawing, const std::filesystem::path& folder);
 
 }  // namespace tiprub::postprocess

@@ -68,8 +68,7 @@ Hdf5File open_response(const std::filesystem::path& path) {
   if (seal == Seal::broken)
     throw FileError(path.string() +
                     ": was damaged after it was written (its seal is broken); run tiprub-simulate again");
-  Hdf5File file =
-      Hdf5File::open(path, seal == Seal::whole ? Hdf5File::Bytes::as_written : Hdf5File::Bytes::unknown);
+  Hdf5File file = Hdf5File::open(path, seal == Seal::whole ? Hdf5File::Bytes::as_written : Hdf5File::Bytes::unknown);
   if (file.has_attribute("/", "schema") && file.text_attribute("/", "schema") == schema &&
       file.has_attribute("/", "schema_version") && file.integer_attribute("/", "schema_version") < oldest_version)
     throw FileError(file.path() + ": is " + schema + " version " +

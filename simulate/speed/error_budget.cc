@@ -210,8 +210,8 @@ PeakVariation with_half_step(const Scene& scene, double speed, int steps_per_rev
     share(helpers, whole.size() + half.size(), [&](std::size_t i) {
       const bool halved = i < half.size();  // these take longer, and come first
       const std::size_t place = i % half.size();
-      (halved ? half : whole)[place] =
-          marched_with(scene, speed + (static_cast<double>(place) - 1) * gap, (halved ? 2 : 1) * steps_per_revolution);
+      (halved ? half : whole)[place] = marched_with(scene, speed + (static_cast<double>(place) - 1) * gap,
+                                                    (halved ? 2 : 1) * steps_per_revolution);
     });
     PeakVariation peak = half[1];
     peak.speed = speed + top_of(half) - top_of(whole);

@@ -165,9 +165,8 @@ std::vector<OtherStart> other_starts(const Scene& scene, const SharedRotor& roto
   if (symmetry == SymmetryVerdict::breaking || symmetry == SymmetryVerdict::undecided)
     marches.emplace_back(Start::whole_wheel, [&] { return of_whole_wheel(scene, rotor->speed, steps); });
   std::vector<OtherStart> starts(marches.size());
-  share(helpers, marches.size(), [&](std::size_t i) {
-    starts[i] = compared(scene, marches[i].first, attempt(marches[i].second), found);
-  });
+  share(helpers, marches.size(),
+        [&](std::size_t i) { starts[i] = compared(scene, marches[i].first, attempt(marches[i].second), found); });
   return starts;
 }
 
@@ -211,8 +210,7 @@ SpeedResult run(const Scene& scene, double speed, Depth depth, const RotorState&
 
 }  // namespace
 
-SpeedResult simulate_speed(const Scene& scene, double speed, Depth depth, const RotorState& start,
-                           Helpers* helpers) {
+SpeedResult simulate_speed(const Scene& scene, double speed, Depth depth, const RotorState& start, Helpers* helpers) {
   Attempt<SpeedResult> found = attempt([&] { return run(scene, speed, depth, start, helpers); });
   if (found.result && !is_finite(found.result->response)) found = {std::nullopt, not_finite};
   SpeedResult result = found.result ? std::move(*found.result) : SpeedResult{};

@@ -60,7 +60,7 @@ class FinishedSpeeds {
     double amplitude;  ///< [m]
   };
   std::map<double, Kept> speeds_, scanned_;  ///< those that aren't scanned are full or more
-  std::optional<OutputLock> lock_;  ///< the keeper's, on the output
+  std::optional<OutputLock> lock_;           ///< the keeper's, on the output
 };
 
 }  // namespace tiprub::simulate

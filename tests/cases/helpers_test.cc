@@ -52,9 +52,8 @@ TEST(Helpers, EachPartIsDoneOnceByAllThreads) {
 TEST(Helpers, PartsOfPartsAreShared) {
   std::atomic<int> sum = 0;
   one_works(3, [&](Helpers& helpers) {
-    helpers.share(4, [&](std::size_t i) {
-      helpers.share(5, [&](std::size_t k) { sum += static_cast<int>(10 * i + k); });
-    });
+    helpers.share(
+        4, [&](std::size_t i) { helpers.share(5, [&](std::size_t k) { sum += static_cast<int>(10 * i + k); }); });
     EXPECT_EQ(sum, 5 * 60 + 4 * 10);
   });
 }

@@ -226,8 +226,7 @@ TEST(SpeedSpacing, ScannedSpeedsCloseTheRange) {
 TEST(SpeedSpacing, NothingIsMissedWhereNoTipTouches) {
   Response response = through(even(5, [](double) { return 0.0; }));
   EXPECT_TRUE(speeds_too_far_apart(study_of(response)));
-  for (SpeedResponse& speed : response.speeds)
-    speed.clearance.array() += response.scene.casing_distortion.maxCoeff();
+  for (SpeedResponse& speed : response.speeds) speed.clearance.array() += response.scene.casing_distortion.maxCoeff();
   const Study study = study_of(std::move(response));
   const Answer first = verdict(study, field_results(std::nullopt, study.critical), {}).front();
   EXPECT_EQ(first.question, "How bad");

@@ -25,6 +25,7 @@ constexpr double loss_factor = 0.01;   // [1] eta
 constexpr double small_wave = 1e-3;    // of the fastest one, by velocity
 constexpr double small_stress = 0.01;  // of the most stressed wave
 constexpr double counts_for_time = 0.1;
+constexpr double least_window = 0.5;  // where stress is read through a window
 constexpr int instants_of_a_period = 16;
 constexpr Eigen::Index most_instants = 4096;
 
@@ -118,6 +119,17 @@ Eigen::MatrixXcd contact_wave(const SpeedResponse& response, const SimulatedScen
   return wave;
 }
 
+/// Whether a recording holds whole periods of its motion, so that its Fourier lines are the motion's own.
+bool holds_whole_periods(const SpeedResponse& response) {
+  return response.settled() && response.recorded_revolutions % response.period_revolutions == 0;
+}
+
+/// [1] Hann's window at a share of the recording. Its spectrum falls so fast that the two ends of a motion that does
+/// not repeat, which differ, leave no lines at the high frequencies where blocked modes resonate.
+double window(double share) {
+  return 0.5 - 0.5 * std::cos(2 * std::numbers::pi * share);
+}
+
 /// A wave with the stress [Pa] that it makes; (component, node).
 struct StressWave {
   int nodal_diameter = 0;
@@ -140,12 +152,15 @@ class SpeedStress {
     const Eigen::Index instants = std::min<Eigen::Index>(
         most_instants, static_cast<Eigen::Index>(std::ceil(instants_of_a_period * highest * revolutions)));
     Eigen::MatrixXd phases(2 * static_cast<Eigen::Index>(waves.size()), instants);
-    for (Eigen::Index s = 0; s < instants; ++s)
+    for (Eigen::Index s = 0; s < instants; ++s) {
+      const double share = static_cast<double>(s) / static_cast<double>(instants), here = window(share);
+      const double factor = holds_whole_periods(response) ? 1 : here < least_window ? 0 : 1 / here;
       for (std::size_t w = 0; w < waves.size(); ++w) {
-        const double angle = 2 * std::numbers::pi * revolutions * waves[w].engine_order * static_cast<double>(s) /
-                             static_cast<double>(instants);
-        phases.col(s).segment<2>(2 * static_cast<Eigen::Index>(w)) << std::cos(angle), std::sin(angle);
+        const double angle = 2 * std::numbers::pi * revolutions * waves[w].engine_order * share;
+        phases.col(s).segment<2>(2 * static_cast<Eigen::Index>(w)) << factor * std::cos(angle),
+            factor * std::sin(angle);
       }
+    }
     double largest = 0;
     for (int j = 0; j < scene_.independent_sectors; ++j) {
       const Eigen::MatrixXd stress = parts_on(waves, j) * phases;
@@ -187,7 +202,11 @@ class SpeedStress {
     };
     const auto velocity = [](double order, double size) { return (1 + std::abs(order)) * size; };
     for (const BlockedModes& modes : modes_) {
-      lines.push_back(fourier_lines(contact_wave(response, scene_, modes.nodal_diameter), 0));
+      Eigen::MatrixXcd wave = contact_wave(response, scene_, modes.nodal_diameter);
+      if (!holds_whole_periods(response))
+        for (Eigen::Index s = 0; s < wave.cols(); ++s)
+          wave.col(s) *= window(static_cast<double>(s) / static_cast<double>(wave.cols()));
+      lines.push_back(fourier_lines(std::move(wave), 0));
       for (Eigen::Index m = 0; m < lines.back().cols(); ++m)
         fastest = std::max(fastest, velocity(order_of(m, lines.back().cols()), lines.back().col(m).norm()));
     }

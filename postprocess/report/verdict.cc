@@ -338,14 +338,15 @@ std::string running_clearances(const Response& response) {
 }
 
 std::vector<Answer> verdict(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
-  std::vector<Answer> answers = {{"Not trustworthy", speeds_warning(study)},
-                                 {"How bad", how_bad(study, fields)},
-                                 {"Where", where(study, fields)},
-                                 {"Why", why(study)},
-                                 {"Avoid", bands_in_words(speeds_to_avoid(study, fields), fields)},
-                                 {"Margin", margin_text(study)},
-                                 {"Trust", trust(study, fields, needs)},
-                                 {"Left out", what_matters(needs)}};
+  std::vector<Answer> answers = {
+      {"Not trustworthy", speeds_warning(study)},
+      {"How bad", how_bad(study, fields)},
+      {"Where", where(study, fields)},
+      {"Why", why(study)},
+      {"Avoid", study.no_tip_touches() ? "" : bands_in_words(speeds_to_avoid(study, fields), fields)},
+      {"Margin", margin_text(study)},
+      {"Trust", trust(study, fields, needs)},
+      {"Left out", what_matters(needs)}};
   return without_empty(std::move(answers));
 }
 

@@ -76,8 +76,8 @@ class StressOverSpeed : public ::testing::Test {
            sector_phase(motion.nodal_diameter, sector, 10);
   }
 
-  /// [Pa] From the stress of the whole sector, at every sample of a revolution.
-  double recovered(const std::vector<RotorMotion>& motions) {
+  /// [Pa] From the stress of the whole sector, at every sample of some revolutions.
+  double recovered(const std::vector<RotorMotion>& motions, double first_revolution = 0, double last_revolution = 1) {
     const SectorFields& sector = reader_->sector();
     const CellStress cells(sector);
     std::vector<WaveField> waves;
@@ -88,7 +88,10 @@ class StressOverSpeed : public ::testing::Test {
       add_stress(sector, cells, waves.back());
     }
     double largest = 0;
-    for (Eigen::Index s = 0; s < speed().samples_per_revolution; ++s)
+    const auto sample_at = [&](double revolution) {
+      return static_cast<Eigen::Index>(revolution * speed().samples_per_revolution);
+    };
+    for (Eigen::Index s = sample_at(first_revolution); s < sample_at(last_revolution); ++s)
       for (int j = 0; j < 5; ++j) {
         Tensors now = Tensors::Zero(6, sector.nodes.cols());
         for (std::size_t w = 0; w < waves.size(); ++w) now += (waves[w].stress * phase(motions[w], s, j)).real();
@@ -113,6 +116,21 @@ TEST_F(StressOverSpeed, IsThatOfTheWholeRotor) {
     move(motions);
     const double whole = recovered(motions);
     EXPECT_NEAR(estimated(), whole, 0.02 * whole) << motions.size() << " waves, EO " << motions.front().engine_order;
+  }
+}
+
+/// Symptom: at a modulated motion of three lobes the curve rose to 4,123 MPa, and the recovered stress was 946 MPa.
+/// Cause: the ends of the recording differ, and the lines that come of it met resonances of the blocked modes.
+TEST_F(StressOverSpeed, IsThatOfTheWholeRotorWhereTheMotionDoesNotRepeat) {
+  speed().period_revolutions = 0;
+  const double revolutions = speed().recorded_revolutions;
+  ASSERT_EQ(revolutions, 4);
+  for (const std::vector<RotorMotion>& motions :
+       {std::vector{balanced(4, -6.37, 1e-4)}, std::vector{balanced(4, -6, 1e-4), balanced(2, 8.44, 0.4e-4)},
+        std::vector{balanced(2, 2.15, 1e-4), balanced(0, 0, 0.2e-4)}}) {
+    move(motions);
+    const double whole = recovered(motions, revolutions / 4, 3 * revolutions / 4);
+    EXPECT_NEAR(estimated(), whole, 0.03 * whole) << motions.size() << " waves, EO " << motions.front().engine_order;
   }
 }
 

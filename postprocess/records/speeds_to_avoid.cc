@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/tables/table.h"
@@ -20,30 +21,35 @@ std::vector<double> open_shifts(const Study& study, const FieldResults& fields) 
 }
 
 AvoidedBand widened(const SpeedRange& range, Concern concern, double widening) {
-  return {{range.low * (1 - widening), range.high * (1 + widening)}, concern, range, widening};
+  return {{range.low * (1 - widening), range.high * (1 + widening)}, concern, widening};
 }
 
-/// Takes in a band that does not begin before this one.
-void join(AvoidedBand& band, const AvoidedBand& next) {
-  band.speeds.high = std::max(band.speeds.high, next.speeds.high);
-  band.widening = std::max(band.widening, next.widening);
-  if (next.concern == band.concern)
-    band.computed = {std::min(band.computed.low, next.computed.low),
-                     std::max(band.computed.high, next.computed.high)};
-  if (next.concern <= band.concern) return;
-  band.concern = next.concern;
-  band.computed = next.computed;
-}
-
-std::vector<AvoidedBand> merged(std::vector<AvoidedBand> bands) {
+/// Bands of one concern, ascending; those that overlap are one.
+std::vector<AvoidedBand> joined(std::vector<AvoidedBand> bands) {
   std::ranges::sort(bands, {}, [](const AvoidedBand& band) { return band.speeds.low; });
   std::vector<AvoidedBand> all;
-  for (const AvoidedBand& band : bands)
-    if (!all.empty() && band.speeds.low <= all.back().speeds.high)
-      join(all.back(), band);
-    else
+  for (const AvoidedBand& band : bands) {
+    if (all.empty() || band.speeds.low > all.back().speeds.high) {
       all.push_back(band);
+      continue;
+    }
+    all.back().speeds.high = std::max(all.back().speeds.high, band.speeds.high);
+    all.back().widening = std::max(all.back().widening, band.widening);
+  }
   return all;
+}
+
+/// What is left of a band outside others, which are ascending and do not overlap.
+void add_outside(AvoidedBand band, const std::vector<AvoidedBand>& others, std::vector<AvoidedBand>& all) {
+  for (const AvoidedBand& other : others) {
+    if (other.speeds.high <= band.speeds.low || other.speeds.low >= band.speeds.high) continue;
+    if (band.speeds.low < other.speeds.low) {
+      all.push_back(band);
+      all.back().speeds.high = other.speeds.low;
+    }
+    band.speeds.low = other.speeds.high;
+  }
+  if (band.speeds.low < band.speeds.high) all.push_back(band);
 }
 
 /// The speeds around one at which something holds, to the nearest ones at which it does not.
@@ -58,13 +64,13 @@ SpeedRange around(const Study& study, Eigen::Index index, const Holds& holds) {
 
 void add_stressed(const Study& study, const FieldResults& fields, const std::vector<double>& shifts, double limit,
                   Concern concern, std::vector<AvoidedBand>& all) {
+  const Eigen::VectorXd& measure = fields.over_speed.size() > 0 ? fields.over_speed : study.amplitudes.largest;
   for (std::size_t i = 0; i < study.critical.size(); ++i) {
     const std::optional<FieldPeak>& stress = fields.peaks[i];
     if (!stress || !stress->cycle || stress->cycle->goodman.value_or(0) <= limit) continue;
     const CriticalSpeed& peak = study.critical[i];
-    const double least = limit / *stress->cycle->goodman * peak.amplitude;
-    const SpeedRange range =
-        around(study, peak.index, [&](Eigen::Index k) { return study.amplitudes.largest[k] > least; });
+    const double least = limit / *stress->cycle->goodman * measure[peak.index];
+    const SpeedRange range = around(study, peak.index, [&](Eigen::Index k) { return measure[k] > least; });
     all.push_back(
         widened({std::min(range.low, peak.speed_low), std::max(range.high, peak.speed_high)}, concern, shifts[i]));
   }
@@ -94,27 +100,61 @@ const char* name_of(Concern concern) {
 
 std::vector<AvoidedBand> speeds_to_avoid(const Study& study, const FieldResults& fields) {
   const std::vector<double> shifts = open_shifts(study, fields);
+  std::array<std::vector<AvoidedBand>, 3> by_gravity;
+  add_stressed(study, fields, shifts, 1.0, Concern::above_limit, by_gravity[0]);
+  add_stressed(study, fields, shifts, 0.5, Concern::above_half, by_gravity[1]);
+  add_beyond_clearance(study, shifts, by_gravity[2]);
   std::vector<AvoidedBand> all;
-  add_stressed(study, fields, shifts, 1.0, Concern::above_limit, all);
-  add_stressed(study, fields, shifts, 0.5, Concern::above_half, all);
-  add_beyond_clearance(study, shifts, all);
-  return merged(std::move(all));
+  for (std::vector<AvoidedBand>& bands : by_gravity) {
+    const std::vector<AvoidedBand> graver = all;
+    for (const AvoidedBand& band : joined(std::move(bands))) add_outside(band, graver, all);
+    std::ranges::sort(all, {}, [](const AvoidedBand& band) { return band.speeds.low; });
+  }
+  return all;
 }
 
+namespace {
+
+std::string widening_text(double widening) {
+  return widening > 0 ? significant(percent * widening, 2) + " % at each end by the error budget"
+                      : "not widened without an error budget";
+}
+
+std::string range_text(const SpeedRange& range) {
+  return fixed(range.low * rpm_per_rad_s, 0) + " to " + rpm_text(range.high);
+}
+
+/// "Goodman above 0.5; Goodman above 1 from 18604 to 21188 rpm and from ..."; without speeds if it is one band.
+std::string concerns_of(const std::vector<AvoidedBand>& touching) {
+  std::string text;
+  for (const Concern concern : {Concern::beyond_clearance, Concern::above_half, Concern::above_limit}) {
+    std::string speeds;
+    for (const AvoidedBand& band : touching)
+      if (band.concern == concern) speeds += (speeds.empty() ? " from " : " and from ") + range_text(band.speeds);
+    if (speeds.empty()) continue;
+    text += (text.empty() ? "" : "; ") + std::string(name_of(concern)) + (touching.size() > 1 ? speeds : "");
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string reason_of(const AvoidedBand& band) {
-  std::string text = name_of(band.concern);
-  if (band.computed.low > band.speeds.low || band.computed.high < band.speeds.high)
-    text += " from " + fixed(band.computed.low * rpm_per_rad_s, 0) + " to " + rpm_text(band.computed.high);
-  return text + (band.widening > 0
-                     ? ", with " + significant(percent * band.widening, 2) + " % at each end by the error budget"
-                     : ", not widened without an error budget");
+  return std::string(name_of(band.concern)) + ", " + widening_text(band.widening);
 }
 
 std::string bands_in_words(const std::vector<AvoidedBand>& bands, const FieldResults& fields) {
   std::string text;
-  for (const AvoidedBand& band : bands)
-    text += (text.empty() ? "" : "; ") + fixed(band.speeds.low * rpm_per_rad_s, 0) + " to " +
-            rpm_text(band.speeds.high) + " (" + reason_of(band) + ")";
+  for (auto first = bands.begin(); first != bands.end();) {
+    auto last = first;
+    double widening = first->widening;
+    while (std::next(last) != bands.end() && std::next(last)->speeds.low <= last->speeds.high)
+      widening = std::max(widening, (++last)->widening);
+    const std::vector<AvoidedBand> touching(first, std::next(last));
+    text += (text.empty() ? "" : "; ") + range_text({first->speeds.low, last->speeds.high}) + " (" +
+            concerns_of(touching) + "; " + widening_text(widening) + ")";
+    first = std::next(last);
+  }
   if (text.empty()) text = "No speed at which a tip moves beyond the clearance";
   const bool rated = std::any_of(fields.peaks.begin(), fields.peaks.end(),
                                  [](const auto& peak) { return peak && peak->cycle && peak->cycle->goodman; });

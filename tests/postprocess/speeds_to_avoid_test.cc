@@ -31,6 +31,16 @@ class SpeedsToAvoid : public ::testing::Test {
   FieldResults fields;
 };
 
+/// The band round a speed.
+AvoidedBand band_at(const std::vector<AvoidedBand>& all, double speed) {
+  return *std::ranges::find_if(
+      all, [&](const AvoidedBand& band) { return band.speeds.low <= speed && speed <= band.speeds.high; });
+}
+
+void expect_ascending(const std::vector<AvoidedBand>& all) {
+  for (std::size_t i = 1; i < all.size(); ++i) EXPECT_LE(all[i - 1].speeds.high, all[i].speeds.low);
+}
+
 /// A resonance with twice the allowed stress must fall to half of its height, and to a quarter for half the limit.
 TEST_F(SpeedsToAvoid, ReachToWhereTheAmplitudeHasFallen) {
   const std::size_t worst = *worst_critical(study.critical);
@@ -39,10 +49,13 @@ TEST_F(SpeedsToAvoid, ReachToWhereTheAmplitudeHasFallen) {
   EXPECT_EQ(bands_in_words({}, fields).find("No speed"), 0U);
   set_goodman(worst, 2);
   const auto bands = speeds_to_avoid(study, fields);
-  ASSERT_EQ(bands.size(), 1U);  // where the amplitude is above half of the limit, it may be above the limit as well
-  EXPECT_EQ(bands[0].concern, Concern::above_limit);
-  EXPECT_EQ(bands[0].widening, 0);
-  for (const auto& [range, least] : {std::pair(bands[0].computed, 0.5), std::pair(bands[0].speeds, 0.25)}) {
+  ASSERT_EQ(bands.size(), 3U);
+  expect_ascending(bands);
+  EXPECT_EQ(bands[1].concern, Concern::above_limit);
+  for (const std::size_t side : {0, 2}) EXPECT_EQ(bands[side].concern, Concern::above_half);
+  EXPECT_EQ(bands[1].widening, 0);
+  const SpeedRange whole{bands[0].speeds.low, bands[2].speeds.high};
+  for (const auto& [range, least] : {std::pair(bands[1].speeds, 0.5), std::pair(whole, 0.25)}) {
     EXPECT_LE(range.low, peak.speed_low);
     EXPECT_GE(range.high, peak.speed_high);
     for (Eigen::Index k = 0; k < study.amplitudes.largest.size(); ++k) {
@@ -52,18 +65,34 @@ TEST_F(SpeedsToAvoid, ReachToWhereTheAmplitudeHasFallen) {
       }
     }
   }
-  EXPECT_NE(bands_in_words(bands, fields).find("(Goodman above 1"), std::string::npos);
+}
+
+/// Symptom: a wheel in three lobes was to avoid 19,000 to 26,250 rpm for Goodman above 1, and at 21,000 rpm the
+/// stress was 260 MPa of 445. Cause: another wave kept the amplitude above the share of the peak's that was looked
+/// for.
+TEST_F(SpeedsToAvoid, EndWhereTheStressHasFallenEvenIfTheAmplitudeHasNot) {
+  const std::size_t worst = *worst_critical(study.critical);
+  const Eigen::Index place = study.critical[worst].index;
+  set_goodman(worst, 2);
+  study.amplitudes.largest.setConstant(study.amplitudes.largest[place]);
+  EXPECT_EQ(band_at(speeds_to_avoid(study, fields), study.critical[worst].speed).speeds.low, study.speed_at(0).speed);
+  fields.over_speed = Eigen::VectorXd::Constant(study.amplitudes.largest.size(), 10);
+  fields.over_speed[place] = 100;
+  const auto bands = speeds_to_avoid(study, fields);
+  ASSERT_EQ(bands.size(), 1U);
+  EXPECT_EQ(bands[0].concern, Concern::above_limit);
+  EXPECT_EQ(bands[0].speeds.low, std::min(study.speed_at(place - 1).speed, study.critical[worst].speed_low));
+  EXPECT_EQ(bands[0].speeds.high, std::max(study.speed_at(place + 1).speed, study.critical[worst].speed_high));
 }
 
 /// Symptom: a band ended where the amplitude of the computed peak had fallen, although friction moves that peak by
 /// more than the band was wide; bands lay over each other, and their list began with the gravest.
-TEST_F(SpeedsToAvoid, AreWidenedByTheErrorBudgetAndJoined) {
+TEST_F(SpeedsToAvoid, AreWidenedByTheErrorBudget) {
   constexpr double shift = -0.12;
   fields.varied.resize(study.critical.size());
   const std::size_t worst = *worst_critical(study.critical);
   for (std::size_t i = 0; i < study.critical.size(); ++i) set_goodman(i, i == worst ? 1.2 : 0.7);
   const auto before = speeds_to_avoid(study, fields);
-  ASSERT_EQ(before.size(), 3U);
   const CriticalSpeed& peak = study.critical[worst];
   SpeedResponse& response = study.response.speeds[static_cast<std::size_t>(peak.index)];
   PeakVariation friction;
@@ -71,26 +100,28 @@ TEST_F(SpeedsToAvoid, AreWidenedByTheErrorBudgetAndJoined) {
   friction.amplitude = friction.excursion = peak.amplitude;
   response.budget.push_back(friction);
   const auto bands = speeds_to_avoid(study, fields);
-  const auto around = [&](const std::vector<AvoidedBand>& all) {
-    return *std::ranges::find_if(all, [&](const AvoidedBand& band) {
-      return band.speeds.low <= peak.speed && peak.speed <= band.speeds.high;
-    });
-  };
-  const AvoidedBand narrow = around(before), wide = around(bands);
+  const AvoidedBand narrow = band_at(before, peak.speed), wide = band_at(bands, peak.speed);
   const double open = sum_of(error_budgets(study, fields).front()).shift;
   EXPECT_GE(open, -shift);
   EXPECT_EQ(wide.widening, open);
   EXPECT_EQ(wide.speeds.low, (1 - open) * narrow.speeds.low);
-  EXPECT_GE(wide.speeds.high, (1 + open) * narrow.speeds.high);
+  EXPECT_EQ(wide.speeds.high, (1 + open) * narrow.speeds.high);
   EXPECT_EQ(wide.concern, Concern::above_limit);
-  EXPECT_EQ(wide.computed.low, narrow.computed.low);
-  EXPECT_EQ(wide.computed.high, narrow.computed.high);
-  for (const auto& all : {before, bands})
-    for (std::size_t i = 1; i < all.size(); ++i) EXPECT_LT(all[i - 1].speeds.high, all[i].speeds.low);
-  EXPECT_EQ(bands.size(), 2U);  // the widened one reaches the next
-  EXPECT_NE(bands_in_words(bands, fields).find(" % at each end by the error budget)"), std::string::npos);
-  EXPECT_EQ(reason_of({{1000, 2000}, Concern::above_limit, {1200, 1800}, 0.034}),
-            "Goodman above 1 from 11459 to 17189 rpm, with 3.4 % at each end by the error budget");
+  expect_ascending(before);
+  expect_ascending(bands);
+}
+
+TEST_F(SpeedsToAvoid, AreToldWithTheirGrades) {
+  const std::vector<AvoidedBand> bands = {{{1000, 1100}, Concern::above_half, 0},
+                                          {{1500, 1600}, Concern::above_half, 0.01},
+                                          {{1600, 1700}, Concern::above_limit, 0.034},
+                                          {{1700, 1800}, Concern::above_half, 0.01}};
+  set_goodman(0, 2);
+  EXPECT_EQ(bands_in_words(bands, fields),
+            "9549 to 10504 rpm (Goodman above 0.5; not widened without an error budget); 14324 to 17189 rpm (Goodman "
+            "above 0.5 from 14324 to 15279 rpm and from 16234 to 17189 rpm; Goodman above 1 from 15279 to 16234 rpm; "
+            "3.4 % at each end by the error budget).");
+  EXPECT_EQ(reason_of(bands[2]), "Goodman above 1, 3.4 % at each end by the error budget");
 }
 
 /// One speed beyond its clearance: from the speed before it to the one after.

@@ -112,10 +112,11 @@ Eigen::ArrayXd von_mises_square(const Components& stress, Eigen::Index first = 0
          3 * (s(3).square() + s(4).square() + s(5).square());
 }
 
-constexpr Eigen::Index rows_of_node = 9;     // x, y, z of the displacement, then the stress
+constexpr Eigen::Index rows_of_node = 9;      // x, y, z of the displacement, then the stress
 constexpr Eigen::Index samples_at_once = 32;  // of the sums at these nodes, which then stay in a second cache
 
-/// C = A B by the BLAS, which takes the processor's widest instructions; Eigen's products are compiled for the oldest one.
+/// C = A B by the BLAS, which takes the processor's widest instructions; Eigen's products are compiled for the oldest
+/// one.
 void multiply(const Eigen::MatrixXd& A, const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::MatrixXd& C) {
   C.resize(A.rows(), B.cols());
   const auto length = [](Eigen::Index size) { return static_cast<int>(size); };

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <ctime>
 #include <functional>
-#include <mutex>
 #include <utility>
 
 #include "cases/program/machine.h"
@@ -243,7 +242,6 @@ class Reducer {
   }
 
   void write_basis(int n, Eigen::Index dofs, const ShapeOfBasis& shape) {
-    const std::lock_guard lock(writing_);
     fields_->write_basis(n, dofs, transforms_[n].is_real(),
                          [&](Eigen::Index k) { return on_nodes(mesh_, dofs_, transforms_[n].expand(shape(k))); });
   }
@@ -296,11 +294,7 @@ class Reducer {
       of_cells.keep(n, result);
     };
     if (group_ == nullptr || group_->size() == 1)
-      parallel_for(static_cast<int>(diameters), parameters_.threads, [&](int n) {
-        DiameterResult result = reduce_diameter(shared, n);
-        const Eigen::MatrixXcd shapes = std::move(result.shapes);
-        keep(n, std::move(result), [&](Eigen::Index k) { return shapes.col(k); });
-      });
+      reduce_diameters(shared, static_cast<int>(diameters), keep);
     else
       share_diameters(
           *group_, static_cast<int>(diameters), parameters_.threads,
@@ -310,6 +304,20 @@ class Reducer {
       report.mesh_error_unknown ? model.mesh_error.reset() : of_cells.write(fields_);
     }
     return stiffness;
+  }
+
+  /// As many at once as there are threads. They are kept in order, so that fields.h5 has the same bytes every time.
+  template <class Keep>
+  void reduce_diameters(const Shared& shared, int diameters, const Keep& keep) {
+    for (int first = 0; first < diameters; first += parameters_.threads) {
+      const int round = std::min(parameters_.threads, diameters - first);
+      std::vector<DiameterResult> results(static_cast<std::size_t>(round));
+      parallel_for(round, round, [&](int k) { results[k] = reduce_diameter(shared, first + k); });
+      for (int k = 0; k < round; ++k) {
+        const Eigen::MatrixXcd shapes = std::move(results[k].shapes);
+        keep(first + k, std::move(results[k]), [&](Eigen::Index column) { return shapes.col(column); });
+      }
+    }
   }
 
   DiameterResult reduce_diameter(const Shared& shared, int n) {
@@ -369,7 +377,6 @@ class Reducer {
   FieldsWriter* fields_;
   ProcessGroup* group_;
   bool with_fields_ = false;  ///< the leader writes them
-  std::mutex writing_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::clock_t processor_ = std::clock();
   ContactUnknowns contact_;

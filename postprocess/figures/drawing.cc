@@ -190,7 +190,8 @@ class Job {
       for (const char* ending : {".svg", ".png"}) {
         const fs::path picture = folder_ / (drawing->name + ending);
         if (is_whole(picture)) continue;
-        if (status != 0) throw RunError(picture.string() + ": gnuplot could not draw it: " + complaint(status));
+        if (status != 0)
+          throw RunError((folder_ / drawing->name).string() + ": gnuplot could not draw it: " + complaint(status));
         throw RunError(picture.string() + ": is not whole; is the disk full? gnuplot says: " + complaint(status));
       }
     if (status != 0) throw RunError(folder_.string() + ": gnuplot failed: " + complaint(status));

@@ -23,7 +23,9 @@ ERROR_LINE = re.compile(r"tiprub-\w+: error: [^\n]+\n")
 # gnuplot takes seconds for a report; that its pictures are whole is tested beside draw().
 GNUPLOT = r"""#!/bin/sh
 [ "$1" = --version ] && exit
-echo '<svg></svg>' > "${1%.gp}.svg" && printf 'IEND\256B`\202' > "${1%.gp}.png"
+for name in $(sed -n "s/^load '\(.*\)[.]gp'$/\1/p" "$1"); do
+  echo '<svg></svg>' > "$name.svg" && printf 'IEND\256B`\202' > "$name.png" || exit
+done
 """
 
 programs, case, work = map(os.path.abspath, sys.argv[1:])

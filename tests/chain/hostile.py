@@ -30,7 +30,9 @@ STAGES = {
 # gnuplot takes seconds for a report.
 GNUPLOT = r"""#!/bin/sh
 [ "$1" = --version ] && exit
-echo '<svg></svg>' > "${1%.gp}.svg" && printf 'IEND\256B`\202' > "${1%.gp}.png"
+for name in $(sed -n "s/^load '\(.*\)[.]gp'$/\1/p" "$1"); do
+  echo '<svg></svg>' > "$name.svg" && printf 'IEND\256B`\202' > "$name.png" || exit
+done
 """
 
 

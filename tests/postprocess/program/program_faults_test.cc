@@ -25,10 +25,13 @@ const std::string whole_png = "printf '\\211PNG........IEND\\256\\102\\140\\202'
 
 class ProgramFaults : public Program {
  protected:
-  /// With a gnuplot of our own: a shell script that starts and then does this for the script in $1.
+  /// With a gnuplot of our own: a shell script that does this for each drawing $n that the script in $1 loads.
   static Outcome run_with_gnuplot(const std::string& body, const std::string& arguments) {
     const fs::path gnuplot = folder_ / "fake" / "gnuplot";
-    write(gnuplot, "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\nn=${1%.gp}\n" + body + "\n");
+    write(gnuplot,
+          "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\n"
+          "for n in $(sed -n \"s/^load '\\(.*\\)[.]gp'$/\\1/p\" \"$1\"); do\n" +
+              body + "\ndone\n");
     fs::permissions(gnuplot, fs::perms::owner_all);
     return run(arguments, "PATH='" + gnuplot.parent_path().string() + "':$PATH ");
   }
@@ -85,12 +88,13 @@ TEST_F(ProgramFaults, KeepsTheOldReportWhenGnuplotFails) {
     EXPECT_EQ(text_of(folder_ / "kept/report.html"), old);
     EXPECT_FALSE(fs::exists(folder_ / "kept.tiprub.part"));
   };
-  fails("printf 'line 3:\n\n\033[1mwhat?\n' >&2; exit 2", "response: gnuplot could not draw it: line 3:   [1mwhat?");
-  fails("exit 2", "response: gnuplot could not draw it: it gave no reason");
-  fails("kill -9 $$", "response: gnuplot could not draw it: signal 9 ended it");
-  fails(": > $n.svg; : > $n.png", "response.svg: is not whole; is the disk full?");
-  fails(whole_png + "echo '<svg><path' > $n.svg", "response.svg: is not whole");
-  fails(whole_svg + "printf '\\211PNG............' > $n.png", "response.png: is not whole");
+  fails("printf 'line 3:\n\n\033[1mwhat?\n' >&2; exit 2",
+        "interaction_map_leading_edge: gnuplot could not draw it: line 3:   [1mwhat?");
+  fails("exit 2", "interaction_map_leading_edge: gnuplot could not draw it: it gave no reason");
+  fails("kill -9 $$", "interaction_map_leading_edge: gnuplot could not draw it: signal 9 ended it");
+  fails(": > $n.svg; : > $n.png", "interaction_map_leading_edge.svg: is not whole; is the disk full?");
+  fails(whole_png + "echo '<svg><path' > $n.svg", "interaction_map_leading_edge.svg: is not whole");
+  fails(whole_svg + "printf '\\211PNG............' > $n.png", "interaction_map_leading_edge.png: is not whole");
 }
 
 /// A title with markup, a template's place, shell, gnuplot and terminal commands.

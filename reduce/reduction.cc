@@ -293,31 +293,16 @@ class Reducer {
       if (model.mesh_error && n == 0) model.mesh_error->compliance = std::move(result.compliance_errors);
       of_cells.keep(n, result);
     };
+    const auto reduce = [&](int n) { return reduce_diameter(shared, n); };
     if (group_ == nullptr || group_->size() == 1)
-      reduce_diameters(shared, static_cast<int>(diameters), keep);
+      reduce_in_rounds(static_cast<int>(diameters), parameters_.threads, reduce, keep);
     else
-      share_diameters(
-          *group_, static_cast<int>(diameters), parameters_.threads,
-          [&](int n) { return reduce_diameter(shared, n); }, keep);
+      share_diameters(*group_, static_cast<int>(diameters), parameters_.threads, reduce, keep);
     if (model.mesh_error && leads()) {
       report.mesh_error_unknown = !is_known(*model.mesh_error);
       report.mesh_error_unknown ? model.mesh_error.reset() : of_cells.write(fields_);
     }
     return stiffness;
-  }
-
-  /// As many at once as there are threads. They are kept in order, so that fields.h5 has the same bytes every time.
-  template <class Keep>
-  void reduce_diameters(const Shared& shared, int diameters, const Keep& keep) {
-    for (int first = 0; first < diameters; first += parameters_.threads) {
-      const int round = std::min(parameters_.threads, diameters - first);
-      std::vector<DiameterResult> results(static_cast<std::size_t>(round));
-      parallel_for(round, round, [&](int k) { results[k] = reduce_diameter(shared, first + k); });
-      for (int k = 0; k < round; ++k) {
-        const Eigen::MatrixXcd shapes = std::move(results[k].shapes);
-        keep(first + k, std::move(results[k]), [&](Eigen::Index column) { return shapes.col(column); });
-      }
-    }
   }
 
   DiameterResult reduce_diameter(const Shared& shared, int n) {

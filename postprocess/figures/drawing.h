@@ -3,7 +3,6 @@
 
 #include <Eigen/Dense>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <utility>
 #include <variant>

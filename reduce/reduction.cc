@@ -91,20 +91,8 @@ class Reducer {
     return stages * (mesh.sector_count / 2 / processes + 1);
   }
 
+  /// Only the leader's is whole.
   ReducedModel run(ReductionReport& report) {
-    ReducedModel model = linear_model(report);
-    if (!leads()) return model;
-    if (mesh_.matrices == nullptr)
-      model.contact.second_order = second_order_gap(mesh_, contact_, parameters_, factors_);
-    timed(report, "second order of the gap");
-    return model;
-  }
-
- private:
-  bool leads() const { return group_ == nullptr || group_->leads(); }
-
-  /// All of the model that linear dynamics take; only the leader's is whole.
-  ReducedModel linear_model(ReductionReport& report) {
     report.sector_dofs = dofs_.sector();
     report.clamped_face_nodes = dofs_.clamped_face_nodes;
     require_room(report);
@@ -118,6 +106,10 @@ class Reducer {
     report.newton_steps = sector.shape().equilibria.newton_steps;
     report.newton_residual = sector.shape().equilibria.newton_residual;
     timed(report, "shape under spin");
+    ReducedModel model = describe(sector.shape());
+    if (leads() && sector.elasticity() != nullptr)
+      model.contact.second_order = second_order_gap(sector, at_rest, contact_);
+    timed(report, "second order of the gap");
     sector.sample();
     timed(report, "stiffness under spin");
     const SectorFactor at_top = sector.factorize(1.0, factors_);
@@ -125,7 +117,6 @@ class Reducer {
     std::optional<MeshErrorEstimate> mesh_error;
     if (estimates_mesh_error()) mesh_error.emplace(mesh_, dofs_, parameters_.material, parameters_.threads);
     timed(report, "functions that the mesh lacks");
-    ReducedModel model = describe(sector.shape());
     write_sector_fields(sector.shape());
     const SampledStiffness stiffness = blaming_shape(sector.shape(), [&] {
       return reduce_diameters({sector, at_rest, at_top, mesh_error ? &*mesh_error : nullptr}, model, report);
@@ -137,6 +128,9 @@ class Reducer {
     timed(report, "model");
     return model;
   }
+
+ private:
+  bool leads() const { return group_ == nullptr || group_->leads(); }
 
   /// The data that all nodal diameters share.
   struct Shared {

@@ -17,26 +17,6 @@ constexpr double shape_tolerance = 1e-5;  // residual of 1/omega^2
 constexpr double least_share = 1e-3;  // of a mode in the compliance of the contact unknowns, over the largest one's
 constexpr double least_angle = 0.5;   // sine, between a motion of the contact unknowns and those chosen before
 
-/// The sector alone: its neighbours don't move.
-SectorMesh with_held_cuts(SectorMesh mesh) {
-  for (std::vector<int>* face : {&mesh.cyclic_low, &mesh.cyclic_high}) {
-    mesh.clamped.insert(mesh.clamped.end(), face->begin(), face->end());
-    face->clear();
-  }
-  mesh.sector_count = 1;
-  return mesh;
-}
-
-/// Contact nodes as segments of one node each. Their dofs are then interior, so that a blade that only the cut faces
-/// join to the rest may stand alone.
-ContactUnknowns as_segments(ContactUnknowns contact) {
-  if (contact.line.kind == ContactKind::segments) return contact;
-  contact.line.kind = ContactKind::segments;
-  contact.tip = contact.nodes;
-  contact.weights = Eigen::MatrixXd::Identity(contact.line.size(), contact.line.size());
-  return contact;
-}
-
 /// The numbers of the modes that move the contact unknowns most, those with the largest compliance first. A mode that
 /// looks like others at the tip would make V singular.
 std::vector<Eigen::Index> chosen_modes(const Eigen::MatrixXd& motions, const Eigen::VectorXd& eigenvalues, int most) {
@@ -101,29 +81,29 @@ std::vector<Eigen::MatrixXd> second_order_displacement(const RotatingElasticity&
   return Q;
 }
 
-SecondOrderGap second_order_gap(const SectorMesh& mesh, const ContactUnknowns& contact,
-                                const ReductionParameters& parameters, const FactorChoice& choice) {
-  const SectorMesh alone = with_held_cuts(mesh);
-  const SectorDofs dofs = number_dofs(alone, as_segments(contact));
-  const RotatingElasticity elasticity(alone, dofs, parameters.material, parameters.threads);
-  const SectorFactor factor(
-      elasticity.stiffness(0.0, Eigen::Matrix3Xd::Zero(3, alone.node_count()), Prestress::stress_only), dofs, choice);
-  const CyclicSolver solver(factor, CyclicTransformation(dofs, 1, 0));
+SecondOrderGap second_order_gap(const SpinningSector& sector, const SectorFactor& at_rest,
+                                const ContactUnknowns& contact) {
+  const SectorMesh& mesh = sector.mesh();
+  const SectorDofs& dofs = sector.dofs();
+  const CyclicTransformation alone = CyclicTransformation::of_held_faces(dofs);
+  const CyclicSolver solver(at_rest, alone);
   const int blades = contact.line.splitter_nodes > 0 ? 2 : 1;
-  const CyclicModes modes = lowest_modes(solver, elasticity.mass(), ContactNodes::free,
-                                         std::min(modes_a_blade * blades, dofs.sector()), shape_tolerance);
-  const Eigen::MatrixXd motions = dofs.contact_loads.transpose() * modes.shape.real();
+  const CyclicModes modes =
+      lowest_modes(solver, sector.mass(), ContactNodes::free,
+                   std::min(modes_a_blade * blades, dofs.interior + dofs.boundary()), shape_tolerance);
+  const Eigen::MatrixXd shapes = alone.expand(modes.shape).real();
+  const Eigen::MatrixXd motions = dofs.contact_loads.transpose() * shapes;
   const std::vector<Eigen::Index> chosen = chosen_modes(motions, modes.eigenvalue, coordinates_a_blade * blades);
   const Eigen::MatrixXd forces = normal_forces(contact.line);
-  const Eigen::MatrixXd phi = modes.shape.real()(Eigen::all, chosen), t = motions(Eigen::all, chosen);
+  const Eigen::MatrixXd phi = shapes(Eigen::all, chosen), t = motions(Eigen::all, chosen);
+  const Eigen::MatrixXcd loads = alone.gather((dofs.contact_loads * forces).cast<std::complex<double>>());
   // The static response without that of the chosen modes, phi phi' f / omega^2.
-  const Eigen::MatrixXd psi =
-      solver.solve((dofs.contact_loads * forces).cast<std::complex<double>>(), ContactNodes::free).real() -
-      phi * modes.eigenvalue(chosen).asDiagonal().inverse() * (t.transpose() * forces);
+  const Eigen::MatrixXd psi = alone.expand(solver.solve(loads, ContactNodes::free)).real() -
+                              phi * modes.eigenvalue(chosen).asDiagonal().inverse() * (t.transpose() * forces);
   const Eigen::RowVectorXd scale = largest_displacements(t).cwiseInverse();
   const Eigen::MatrixXd scaled = t * scale.asDiagonal();
   return {casing_curvature(mesh, contact), scaled * (scaled.transpose() * scaled).inverse(),
-          second_order_displacement(elasticity, alone, dofs, {phi * scale.asDiagonal(), psi})};
+          second_order_displacement(*sector.elasticity(), mesh, dofs, {phi * scale.asDiagonal(), psi})};
 }
 
 }  // namespace tiprub::reduce

@@ -3,9 +3,8 @@
 
 #include "reduce/model/reduced_model.h"
 #include "reduce/operators/sector_factor.h"
+#include "reduce/operators/spinning_sector.h"
 #include "reduce/sector/contact_unknowns.h"
-#include "reduce/sector/reduction_parameters.h"
-#include "reduce/sector/rotating_elasticity.h"
 
 namespace tiprub::reduce {
 
@@ -35,8 +34,8 @@ std::vector<Eigen::MatrixXd> second_order_displacement(const RotatingElasticity&
 /// forces out.
 ///
 /// Terms of third order and the effect of spin on modes and Q are left out (see reduce/theory.md for their size).
-/// Costs a factorization of the sector's K and some twenty modes.
-SecondOrderGap second_order_gap(const SectorMesh& mesh, const ContactUnknowns& contact,
-                                const ReductionParameters& parameters, const FactorChoice& choice = {});
+/// Costs some twenty modes, by the factor of K at rest. The sector must have its elasticity still.
+SecondOrderGap second_order_gap(const SpinningSector& sector, const SectorFactor& at_rest,
+                                const ContactUnknowns& contact);
 
 }  // namespace tiprub::reduce

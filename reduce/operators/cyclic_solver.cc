@@ -44,12 +44,12 @@ Eigen::MatrixXcd join(const Eigen::MatrixXd& parts, bool standing) {
 CyclicSolver::CyclicSolver(const SectorFactor& factor, const CyclicTransformation& transform)
     : factor_(factor), transform_(transform) {
   const auto& S = factor.schur_complement().values();
-  const Eigen::Index face = transform_.dofs().face, boundary = transform_.dofs().boundary();
+  const Eigen::Index face = transform_.dofs().face, boundary = transform_.dofs().boundary(), moving = moving_face();
   const std::complex<double> phase = transform_.phase();
   // eq. 6 on the interface: the lower triangle of T^H S T, Hermitian. Both faces on themselves, then one on the
   // other.
-  cholesky_.resize(face + boundary, face + boundary);
-  for (Eigen::Index column = 0; column < face; ++column) {
+  cholesky_.resize(moving + boundary, moving + boundary);
+  for (Eigen::Index column = 0; column < moving; ++column) {
     const Eigen::Index below = face - column;
     const auto low = S.col(column), high = S.col(face + column);
     cholesky_.col(column).segment(column, below) = (low.segment(column, below) + high.segment(face + column, below)) +
@@ -58,7 +58,7 @@ CyclicSolver::CyclicSolver(const SectorFactor& factor, const CyclicTransformatio
     cholesky_.col(column).tail(boundary) = low.tail(boundary) + phase * high.tail(boundary);
   }
   for (Eigen::Index k = 0; k < boundary; ++k)
-    cholesky_.col(face + k).tail(boundary) = S.col(2 * face + k).tail(boundary).cast<std::complex<double>>();
+    cholesky_.col(moving + k).tail(boundary) = S.col(2 * face + k).tail(boundary).cast<std::complex<double>>();
   const int size = static_cast<int>(cholesky_.rows());
   int info = 0;
   if (size > 0) zpotrf_("L", &size, cholesky_.data(), &size, &info);
@@ -94,13 +94,15 @@ Eigen::MatrixXcd CyclicSolver::solve(const Eigen::MatrixXcd& load, ContactNodes 
 
 Eigen::MatrixXcd CyclicSolver::solve_block(const Eigen::MatrixXcd& load, ContactNodes contact) const {
   const SectorDofs& dofs = transform_.dofs();
-  const Eigen::Index kept = dofs.face + (contact == ContactNodes::free ? dofs.boundary() : 0);
+  const Eigen::Index held = dofs.face - moving_face();
+  const Eigen::Index kept = moving_face() + (contact == ContactNodes::free ? dofs.boundary() : 0);
   Eliminated eliminated = factor_.eliminate(split(load.topRows(dofs.interior), transform_.is_real()));
   Eigen::MatrixXcd interface = load.bottomRows(dofs.face + dofs.boundary()) +
                                transform_.gather_interface(join(eliminated.interface_load, transform_.is_real()));
   const auto lower = cholesky_.topLeftCorner(kept, kept).triangularView<Eigen::Lower>();
-  interface.bottomRows(interface.rows() - kept).setZero();
-  auto solved = interface.topRows(kept);
+  interface.topRows(held).setZero();
+  interface.bottomRows(interface.rows() - held - kept).setZero();
+  auto solved = interface.middleRows(held, kept);
   if (kept > 0) lower.solveInPlace(solved);
   if (kept > 0) lower.adjoint().solveInPlace(solved);
   Eigen::MatrixXcd result(dofs.independent(), load.cols());

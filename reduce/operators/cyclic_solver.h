@@ -27,11 +27,14 @@ class CyclicSolver {
   /// their rows of b are ignored and their rows of x are zero; with fixed segments, B' x is zero.
   Eigen::MatrixXcd solve(const Eigen::MatrixXcd& load, ContactNodes contact) const;
   /// The constraint modes, Psi_s of eq. 8 with its unit rows: the static shapes for a unit displacement of each
-  /// contact dof while the other contact dofs are held and no load acts elsewhere; independent x contact dofs.
+  /// contact dof while the other contact dofs are held and no load acts elsewhere; independent x contact dofs. Not of
+  /// held faces.
   Eigen::MatrixXcd constraint_modes() const;
   const CyclicTransformation& transform() const { return transform_; }
 
  private:
+  /// Dofs of the low face that move.
+  Eigen::Index moving_face() const { return transform_.holds_faces() ? 0 : transform_.dofs().face; }
   void find_segment_modes();
   Eigen::MatrixXcd segment_displacements(const Eigen::MatrixXcd& shapes) const;
   Eigen::MatrixXcd solve_block(const Eigen::MatrixXcd& load, ContactNodes contact) const;
@@ -39,7 +42,7 @@ class CyclicSolver {
   const SectorFactor& factor_;
   CyclicTransformation transform_;
   Eigen::MatrixXcd
-      cholesky_;  ///< L of S_n = T^H S T, low | contact; its leading block is that of fixed contact nodes
+      cholesky_;  ///< L of S_n = T^H S T, moving low | contact; its leading block is that of fixed contact nodes
   Eigen::MatrixXcd segment_modes_;  ///< Psi; independent x contact dofs, empty with contact nodes
 };
 

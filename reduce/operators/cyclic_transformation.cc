@@ -17,14 +17,23 @@ constexpr int strip_width = 16;
 
 constexpr int node_dofs = 3;
 
+/// Registers of the processor.
+struct Registers32 {
+  using Lanes = double __attribute__((vector_size(32), aligned(alignof(double)), may_alias));
+};
+struct Registers64 {
+  using Lanes = double __attribute__((vector_size(64), aligned(alignof(double)), may_alias));
+};
+
 /// One strip of right sides, row by row, `strip_width` of them. The matrix couples nodes by full blocks of 3 x 3 (see
 /// SectorDofs): a block is used for its own rows and, turned, for its columns, while the strip's rows of the column
-/// node stay in registers. Compiled for what the processor has: the sum over a row is then the same on the same
-/// machine.
-__attribute__((target_clones("avx512f", "avx2,fma", "default"))) void multiply_strip(
-    int columns, const int* starts, const int* rows, const double* values, const double* right, double* product) {
-  constexpr int lanes = 4, parts = strip_width / lanes;  // 32 bytes: see supernodal_solve.cc
-  using Lanes = double __attribute__((vector_size(lanes * sizeof(double)), aligned(alignof(double)), may_alias));
+/// node stay in registers.
+template <class Registers>
+__attribute__((always_inline)) inline void multiply_lanes(int columns, const int* starts, const int* rows,
+                                                          const double* values, const double* right,
+                                                          double* product) {
+  using Lanes = typename Registers::Lanes;
+  constexpr int lanes = sizeof(Lanes) / sizeof(double), parts = strip_width / lanes;
   const auto row_of = [](auto* strip, int row) { return strip + static_cast<std::ptrdiff_t>(row) * strip_width; };
   for (int node = 0; node < columns; node += node_dofs) {
     // The first three entries of a node's column 0 couple the node with itself, and so do two of column 1 and one of
@@ -59,6 +68,21 @@ __attribute__((target_clones("avx512f", "avx2,fma", "default"))) void multiply_s
   }
 }
 
+// Compiled for what the processor has: the sum over a row is then the same on the same machine. Without AVX-512, GCC
+// would pass registers of 64 bytes through memory.
+__attribute__((target("avx512f"))) void multiply_strip(int columns, const int* starts, const int* rows,
+                                                       const double* values, const double* right, double* product) {
+  multiply_lanes<Registers64>(columns, starts, rows, values, right, product);
+}
+__attribute__((target("avx2,fma"))) void multiply_strip(int columns, const int* starts, const int* rows,
+                                                        const double* values, const double* right, double* product) {
+  multiply_lanes<Registers32>(columns, starts, rows, values, right, product);
+}
+__attribute__((target("default"))) void multiply_strip(int columns, const int* starts, const int* rows,
+                                                       const double* values, const double* right, double* product) {
+  multiply_lanes<Registers32>(columns, starts, rows, values, right, product);
+}
+
 /// Complex columns side by side in a strip, real and imaginary part in turn; a standing wave has real ones only.
 template <class Scalar>
 using Strip = Eigen::Matrix<Scalar, Eigen::Dynamic, strip_width * sizeof(double) / sizeof(Scalar), Eigen::RowMajor>;
@@ -79,9 +103,9 @@ void in_cache(Eigen::Index rows, const Body& body) {
   for (Eigen::Index first = 0; first < rows; first += at_once) body(first, std::min(at_once, rows - first));
 }
 
-/// T^H Y T x for real or complex x.
+/// T^H Y T x for real or complex x; T is `low` on the low face and `factor` on the high one.
 template <class Scalar>
-void multiply(const SymmetricMatrix& matrix, const SectorDofs& dofs, std::complex<double> factor,
+void multiply(const SymmetricMatrix& matrix, const SectorDofs& dofs, double low, std::complex<double> factor,
               const Eigen::MatrixXcd& independent, Eigen::MatrixXcd& result) {
   const Eigen::Index high = dofs.interior + dofs.face, below = dofs.boundary();
   const Scalar phase = parts<Scalar>(factor);
@@ -93,12 +117,15 @@ void multiply(const SymmetricMatrix& matrix, const SectorDofs& dofs, std::comple
     in_cache(high, [&](Eigen::Index row, Eigen::Index rows) {  // T x
       moved.block(row, 0, rows, columns) = parts<Scalar>(x.middleRows(row, rows));
     });
-    moved.block(high, 0, dofs.face, columns) = phase * moved.block(dofs.interior, 0, dofs.face, columns);
+    auto low_face = moved.block(dofs.interior, 0, dofs.face, columns);
+    moved.block(high, 0, dofs.face, columns) = phase * low_face;
+    low_face *= low;
     moved.block(high + dofs.face, 0, below, columns) = parts<Scalar>(x.bottomRows(below));
     product.setZero();
     multiply_strip(static_cast<int>(matrix.cols()), matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
                    reinterpret_cast<const double*>(moved.data()), reinterpret_cast<double*>(product.data()));
-    product.middleRows(dofs.interior, dofs.face) +=  // T^H y
+    product.middleRows(dofs.interior, dofs.face) =  // T^H y
+        low * product.middleRows(dofs.interior, dofs.face) +
         Eigen::numext::conj(phase) * product.middleRows(high, dofs.face);
     auto y = result.middleCols(at, columns);
     in_cache(high, [&](Eigen::Index row, Eigen::Index rows) {
@@ -118,6 +145,13 @@ CyclicTransformation::CyclicTransformation(const SectorDofs& dofs, int sector_co
   if (is_standing(nodal_diameter, sector_count)) phase_ = nodal_diameter == 0 ? 1.0 : -1.0;
 }
 
+CyclicTransformation CyclicTransformation::of_held_faces(const SectorDofs& dofs) {
+  CyclicTransformation alone(dofs, 1, 0);
+  alone.low_ = 0.0;
+  alone.phase_ = 0.0;
+  return alone;
+}
+
 CyclicTransformation CyclicTransformation::with(const SectorDofs& dofs) const {
   CyclicTransformation other = *this;
   other.dofs_ = dofs;
@@ -126,14 +160,14 @@ CyclicTransformation CyclicTransformation::with(const SectorDofs& dofs) const {
 
 Eigen::MatrixXcd CyclicTransformation::expand_interface(const Eigen::MatrixXcd& independent) const {
   Eigen::MatrixXcd sector(dofs_.interface(), independent.cols());
-  sector << independent.topRows(dofs_.face), phase_ * independent.topRows(dofs_.face),
+  sector << low_ * independent.topRows(dofs_.face), phase_ * independent.topRows(dofs_.face),
       independent.bottomRows(dofs_.boundary());
   return sector;
 }
 
 Eigen::MatrixXcd CyclicTransformation::gather_interface(const Eigen::MatrixXcd& sector) const {
   Eigen::MatrixXcd independent(dofs_.face + dofs_.boundary(), sector.cols());
-  independent << sector.topRows(dofs_.face) + std::conj(phase_) * sector.middleRows(dofs_.face, dofs_.face),
+  independent << low_ * sector.topRows(dofs_.face) + std::conj(phase_) * sector.middleRows(dofs_.face, dofs_.face),
       sector.bottomRows(dofs_.boundary());
   return independent;
 }
@@ -156,8 +190,8 @@ Eigen::MatrixXcd CyclicTransformation::apply(const SymmetricMatrix& matrix,
                                              const Eigen::MatrixXcd& independent) const {
   assert(!is_real() || independent.imag().isZero(0.0));
   Eigen::MatrixXcd result(independent.rows(), independent.cols());
-  is_real() ? multiply<double>(matrix, dofs_, phase_, independent, result)
-            : multiply<std::complex<double>>(matrix, dofs_, phase_, independent, result);
+  is_real() ? multiply<double>(matrix, dofs_, low_, phase_, independent, result)
+            : multiply<std::complex<double>>(matrix, dofs_, low_, phase_, independent, result);
   return result;
 }
 

@@ -25,12 +25,15 @@ namespace tiprub::reduce {
 class CyclicTransformation {
  public:
   CyclicTransformation(const SectorDofs& dofs, int sector_count, int nodal_diameter);
+  /// The sector alone: both cut faces are held, so that T is zero on them.
+  static CyclicTransformation of_held_faces(const SectorDofs& dofs);
   /// The same nodal diameter for other dofs.
   CyclicTransformation with(const SectorDofs& dofs) const;
 
   const SectorDofs& dofs() const { return dofs_; }
-  /// e^{i n alpha}
+  /// e^{i n alpha}; 0 where the faces are held
   std::complex<double> phase() const { return phase_; }
+  bool holds_faces() const { return low_ == 0.0; }
   /// n = 0 or n = N/2: all matrices are real.
   bool is_real() const { return phase_.imag() == 0.0; }
   /// T x: sector x columns from independent x columns.
@@ -45,6 +48,7 @@ class CyclicTransformation {
 
  private:
   SectorDofs dofs_;
+  double low_ = 1.0;  ///< T on the low face; 0 where it is held
   std::complex<double> phase_;
 };
 

@@ -49,7 +49,11 @@ class SpinningSector {
   /// Assembles K at these speeds, and releases the elements' data, which are large.
   void sample();
 
+  const SectorMesh& mesh() const { return mesh_; }
+  const SectorDofs& dofs() const { return dofs_; }
   const SymmetricMatrix& mass() const { return mass_; }
+  /// Null where matrices are given, and after sample().
+  const RotatingElasticity* elasticity() const { return elasticity_ ? &*elasticity_ : nullptr; }
   /// [kg] Of all nodes, the clamped ones included.
   double total_mass() const { return total_mass_; }
   const SpeedSamples& samples() const { return samples_; }

@@ -35,6 +35,13 @@ ReductionParameters parameters() {
   return of_bar;
 }
 
+SecondOrderGap second_order_of(const SectorMesh& mesh, const ContactUnknowns& contact) {
+  const SectorDofs dofs = number_dofs(mesh, contact);
+  const ReductionParameters of_bar = parameters();
+  const SpinningSector sector(mesh, dofs, of_bar);
+  return second_order_gap(sector, sector.factorize(0.0), contact);
+}
+
 TEST(SecondOrderGap, ShortensABarThatATipLoadBends) {
   const SectorMesh mesh = bar();
   const int middle = mesh.contact_line[2];
@@ -75,7 +82,7 @@ TEST(SecondOrderGap, ShortensABarThatVibrates) {
   // The first mode w of a cantilever has int w'^2 / 2 = 0.5810 w(L)^2 / L.
   const SectorMesh mesh = bar();
   const ContactUnknowns contact = choose_contact(mesh, ContactKind::points, 3);
-  const SecondOrderGap gap = second_order_gap(mesh, contact, parameters());
+  const SecondOrderGap gap = second_order_of(mesh, contact);
   ASSERT_EQ(gap.displacement.size(), 3u);
   EXPECT_NEAR(gap.curvature(1, 0), 1 / (root + length), 1e-12);
   EXPECT_NEAR(gap.curvature(1, 1), 0.0, 1e-9);
@@ -87,9 +94,30 @@ TEST(SecondOrderGap, ShortensABarThatVibrates) {
   }
 }
 
+TEST(SecondOrderGap, OfASectorIsThatOfOneWhoseCutFacesAreClamped) {
+  test::Annulus annulus = test::skewed_annulus(5);
+  annulus.bricks = {2, 4, 1};  // has faces of the tip
+  const SectorMesh mesh = annulus.sector();
+  SectorMesh alone = mesh;
+  for (std::vector<int>* face : {&alone.cyclic_low, &alone.cyclic_high}) {
+    alone.clamped.insert(alone.clamped.end(), face->begin(), face->end());
+    face->clear();
+  }
+  alone.sector_count = 1;
+  for (const ContactKind kind : {ContactKind::points, ContactKind::segments}) {
+    const SecondOrderGap gap = second_order_of(mesh, choose_contact(mesh, kind, 2));
+    const SecondOrderGap of_clamped = second_order_of(alone, choose_contact(alone, kind, 2));
+    EXPECT_EQ(gap.curvature, of_clamped.curvature);
+    EXPECT_LT((gap.coordinates - of_clamped.coordinates).norm(), 1e-4 * of_clamped.coordinates.norm());
+    ASSERT_EQ(gap.displacement.size(), of_clamped.displacement.size());
+    for (std::size_t k = 0; k < gap.displacement.size(); ++k)
+      EXPECT_LT((gap.displacement[k] - of_clamped.displacement[k]).norm(), 1e-4 * of_clamped.displacement[k].norm());
+  }
+}
+
 TEST(SecondOrderGap, HasCoordinatesThatAreDisplacements) {
   const SectorMesh mesh = bar();
-  const SecondOrderGap gap = second_order_gap(mesh, choose_contact(mesh, ContactKind::points, 3), parameters());
+  const SecondOrderGap gap = second_order_of(mesh, choose_contact(mesh, ContactKind::points, 3));
   const Eigen::MatrixXd& V = gap.coordinates;
   const Eigen::MatrixXd motions = V * (V.transpose() * V).inverse();  // for which y is a unit vector
   for (const auto& motion : motions.colwise()) {

@@ -91,6 +91,56 @@ def wheel_for_calculix(tiprub, programs):
     assert cells[:3 * count] == frd("decks/free.frd")[1]
 
 
+def fields_of(line, widths):
+    """Of a line with columns of these widths."""
+    ends = list(itertools.accumulate(widths))
+    return [line[end - width:end] for end, width in zip(ends, widths)]
+
+
+def wheel_for_nastran(tiprub):
+    """Bulk data and a punch file, by their columns, beside the .frd file; and as gmsh reads the bulk data."""
+    response = tiprub.open_response("response.h5")
+    speed = response.sweep.rpm.values[-1]
+    response.write_frd("wheel.frd", speed)
+    response.write_nastran("wheel.bdf", speed)
+    nodes, cells, moved = frd("wheel.frd")
+    with open("wheel.bdf", encoding="ascii") as file:
+        lines = [line.rstrip("\n") for line in file]
+    assert lines[1] == "BEGIN BULK" and lines[-1] == "ENDDATA" and max(map(len, lines[1:])) == 73, lines[:3]
+    grids = [fields_of(first, [8, 16, 16, 16, 16]) + fields_of(second, [8, 16]) for first, second in zip(lines, lines[1:]) if first.startswith("GRID*")]
+    assert [int(grid[1]) for grid in grids] == list(range(1, len(nodes) + 1))
+    assert np.allclose([[float(grid[k]) for k in (3, 4, 6)] for grid in grids], nodes, rtol=1e-5, atol=1e-6)
+    text = "\n".join(line for line in lines if line[0] in "C+").replace("+\n+       ", "")
+    written = [[int(card[k:k + 8]) for k in range(24, len(card), 8)] for card in text.splitlines()]
+    theirs = " ".join(line[3:] for line in cells).split()  # a cell of 20 nodes: its number, type, group, material, and nodes
+    assert [node for card in written for node in card] == [int(theirs[k]) for k in range(len(theirs)) if k % 24 > 3], text[:200]
+    with open("wheel.pch", encoding="ascii") as file:
+        rows = [line for line in file if line[0] != "$"]
+    widths = [10, 8, 18, 18, 18, 8]
+    points = [fields_of(line, widths) for line in rows[::2]]
+    assert np.allclose([[float(value) for value in point[2:5]] for point in points], moved, rtol=1e-5, atol=1e-6 * np.abs(moved).max())
+    assert all(point[1].strip() == "G" and int(point[0]) == k for k, point in enumerate(points, 1))
+    assert all(line.startswith("-CONT-") and len(line) == 81 for line in rows[1::2])
+    assert "must end in .bdf" in message_of(lambda: response.write_nastran("wheel.dat", speed))
+    if shutil.which("gmsh") is None:
+        print("SKIPPED: no gmsh, which reads the bulk data")
+        return
+    said = subprocess.run(["gmsh", "wheel.bdf", "-o", "wheel_again.msh", "-format", "msh22", "-save_all", "-save"], text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=True).stdout
+    with open("wheel_again.msh", encoding="ascii") as file:
+        again = file.read().split("$Elements\n")
+    points = np.array([line.split()[1:] for line in again[0].split("$Nodes\n")[1].splitlines()[1:-1]], dtype=float)
+    bricks = [[int(word) for word in line.split()] for line in again[1].splitlines()[1:-1]]
+    assert np.allclose(points, nodes, rtol=1e-5, atol=1e-6), said
+    assert len(bricks) == len(written) and all(brick[1] == 17 for brick in bricks), said
+    edges = [(0, 1), (0, 3), (0, 4), (1, 2), (1, 5), (2, 3), (2, 6), (3, 7), (4, 5), (4, 7), (5, 6), (6, 7)]  # in gmsh's order
+    for brick, card in zip(bricks, written):
+        corners, middles = points[np.array(brick[-20:-12]) - 1], points[np.array(brick[-12:]) - 1]
+        ends = np.array([(corners[a], corners[b]) for a, b in edges])
+        assert brick[-20:-12] == card[:8] and sorted(brick[-20:]) == sorted(card), said
+        assert np.all(np.linalg.norm(middles - ends.mean(1), axis=1) < 0.2 * np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)), said
+
+
 def units(tiprub):
     """xarray's own reader of netCDF has the same numbers and units."""
     import xarray
@@ -325,6 +375,7 @@ def main(source, programs, made, work):
     for check in (doctests, frequencies, motion, units, missing_files, removed_keys):
         check(tiprub)
     wheel_for_calculix(tiprub, programs)
+    wheel_for_nastran(tiprub)
     refusals(tiprub, programs)
     order_of_contact(tiprub, programs)
     wrong_matrices(tiprub)

@@ -6,6 +6,7 @@ import os
 import h5py
 import numpy as np
 
+from . import wheel_files
 from .models import Model, text_of
 from .units import rad_per_s, rpm
 
@@ -27,30 +28,6 @@ def _existing(path, advice):
     if not os.path.exists(path):
         raise FileNotFoundError(f"{path}: there is no such file; {advice}")
     return path
-
-
-#: Columns of cells in fields.h5 -> type in a .frd file, and the node of VTK at each of its places; of 27 nodes, the first 20.
-_HEX20 = (4, [*range(12), *range(16, 20), *range(12, 16)])
-_FRD_CELLS = {10: (6, list(range(10))), 15: (5, [*range(9), *range(12, 15), *range(9, 12)]), 20: _HEX20, 27: _HEX20}
-
-
-def _frd_cells(cells, nodes):
-    """Lines of the cells of all copies of a sector; `nodes` [m] is copies x nodes x 3."""
-    number = 0
-    for first in 1 + nodes.shape[1] * np.arange(len(nodes)):
-        for cell in cells:
-            cell, number = cell[cell >= 0], number + 1
-            if len(cell) not in _FRD_CELLS:
-                raise ValueError("a .frd file has no pyramids; fields/contact_wheel.vtu of the report holds them")
-            kind, order = _FRD_CELLS[len(cell)]
-            yield f" -1{number:10d}{kind:5d}{0:5d}{1:5d}\n"
-            listed = first + cell[order]
-            yield from (f" -2{''.join(f'{node:10d}' for node in listed[k:k + 10])}\n" for k in range(0, len(listed), 10))
-
-
-def _frd_nodes(values):
-    """Lines of three numbers of each node of all copies of a sector."""
-    return (f" -1{number:10d}{x:12.5E}{y:12.5E}{z:12.5E}\n" for number, (x, y, z) in enumerate(values.reshape(-1, 3), 1))
 
 
 class Response:
@@ -174,12 +151,8 @@ class Response:
                                "position": (("sector", "node", "axis"), position, {"units": "m"})},
                               {"component": ["r", "theta", "z"], "axis": ["x", "y", "z"]})
 
-    def write_frd(self, path, speed, fields="fields.h5"):
-        """Writes `field` as a result file of CalculiX (.frd), which cgx and PrePoMax open and cgx turns into files for others.
-
-        It holds the nodes [m] and the quadratic cells of all sectors, each with its own nodes on the cuts, and DISP [m] along x,
-        y, z. Coordinates and displacements have six digits.
-        """
+    def _wheel_for_others(self, speed, fields):
+        """(position, displacement, cells) of `field`, the first two sector x node x (x, y, z), and the speed [rpm] of the motion."""
         wheel = self.field(speed, fields)
         place, (along_r, along_theta, along_z) = wheel.position.values, np.moveaxis(wheel.displacement.values, -1, 0)
         angle = np.arctan2(place[..., 1], place[..., 0])
@@ -187,14 +160,31 @@ class Response:
                           along_r * np.sin(angle) + along_theta * np.cos(angle), along_z], -1)
         with h5py.File(self._beside(fields, "name the fields of the model by fields=")) as file:
             cells = file["cells"][:]
-        count, at = place.shape[0] * place.shape[1], rpm(float(self._group(speed).attrs["speed"]))
-        head = f"  100CL  101{at:12.5E}{count:12d}{'':20}{0:2d}{1:5d}{1:12d}\n -4  DISP        4    1\n"
-        components = "".join(f" -5  D{k}          1    2{k:5d}    0\n" for k in (1, 2, 3)) + " -5  ALL         1    2    0    0    1ALL\n"
-        text = ["    1C\n", f"    2C{'':18}{count:12d}{1:38d}\n", *_frd_nodes(place), " -3\n",
-                f"    3C{'':18}{len(place) * len(cells):12d}{1:38d}\n", *_frd_cells(cells, place), " -3\n",
-                head, components, *_frd_nodes(moved), " -3\n", " 9999\n"]
+        return (place, moved, cells), rpm(float(self._group(speed).attrs["speed"]))
+
+    def write_frd(self, path, speed, fields="fields.h5"):
+        """Writes `field` as a result file of CalculiX (.frd), which cgx and PrePoMax open and cgx turns into files for others.
+
+        It holds the nodes [m] and the quadratic cells of all sectors, each with its own nodes on the cuts, and DISP [m] along x,
+        y, z. Coordinates and displacements have six digits.
+        """
+        wheel, at = self._wheel_for_others(speed, fields)
         with open(path, "w", encoding="ascii") as file:
-            file.writelines(text)
+            file.writelines(wheel_files.frd(*wheel, at))
+
+    def write_nastran(self, path, speed, fields="fields.h5"):
+        """Writes `field` for programs that read NASTRAN's files: the mesh as bulk data to `path`, which ends in .bdf, and the
+        displacements as a punch file beside it (.pch).
+
+        The wheel is that of write_frd, with nine and seven digits. Abaqus translates the bulk data with `abaqus fromnastran`.
+        """
+        root, ending = os.path.splitext(os.fspath(path))
+        if ending != ".bdf":
+            raise ValueError(f"{path}: must end in .bdf; the displacements are written to a file beside it that ends in .pch")
+        wheel, at = self._wheel_for_others(speed, fields)
+        for name, lines in ((path, wheel_files.bulk_data(*wheel, at)), (root + ".pch", wheel_files.punch(*wheel, at))):
+            with open(name, "w", encoding="ascii") as file:
+                file.writelines(lines)
 
     @property
     def frequencies(self):

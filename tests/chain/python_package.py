@@ -97,6 +97,27 @@ def fields_of(line, widths):
     return [line[end - width:end] for end, width in zip(ends, widths)]
 
 
+def read_by_gmsh(nodes, cards):
+    """wheel.bdf, with bricks of 20 nodes."""
+    if shutil.which("gmsh") is None:
+        print("SKIPPED: no gmsh, which reads the bulk data")
+        return
+    said = subprocess.run(["gmsh", "wheel.bdf", "-o", "wheel_again.msh", "-format", "msh22", "-save_all", "-save"], text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=True).stdout
+    with open("wheel_again.msh", encoding="ascii") as file:
+        again = file.read().split("$Elements\n")
+    points = np.array([line.split()[1:] for line in again[0].split("$Nodes\n")[1].splitlines()[1:-1]], dtype=float)
+    bricks = [[int(word) for word in line.split()] for line in again[1].splitlines()[1:-1]]
+    assert np.allclose(points, nodes, rtol=1e-5, atol=1e-6), said
+    assert len(bricks) == len(cards) and all(brick[1] == 17 for brick in bricks), said
+    edges = [(0, 1), (0, 3), (0, 4), (1, 2), (1, 5), (2, 3), (2, 6), (3, 7), (4, 5), (4, 7), (5, 6), (6, 7)]  # in gmsh's order
+    for brick, card in zip(bricks, cards):
+        corners, middles = points[np.array(brick[-20:-12]) - 1], points[np.array(brick[-12:]) - 1]
+        ends = np.array([(corners[a], corners[b]) for a, b in edges])
+        assert brick[-20:-12] == card[:8] and sorted(brick[-20:]) == sorted(card), said
+        assert np.all(np.linalg.norm(middles - ends.mean(1), axis=1) < 0.2 * np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)), said
+
+
 def wheel_for_nastran(tiprub):
     """Bulk data and a punch file, by their columns, beside the .frd file; and as gmsh reads the bulk data."""
     response = tiprub.open_response("response.h5")
@@ -122,23 +143,7 @@ def wheel_for_nastran(tiprub):
     assert all(point[1].strip() == "G" and int(point[0]) == k for k, point in enumerate(points, 1))
     assert all(line.startswith("-CONT-") and len(line) == 81 for line in rows[1::2])
     assert "must end in .bdf" in message_of(lambda: response.write_nastran("wheel.dat", speed))
-    if shutil.which("gmsh") is None:
-        print("SKIPPED: no gmsh, which reads the bulk data")
-        return
-    said = subprocess.run(["gmsh", "wheel.bdf", "-o", "wheel_again.msh", "-format", "msh22", "-save_all", "-save"], text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=True).stdout
-    with open("wheel_again.msh", encoding="ascii") as file:
-        again = file.read().split("$Elements\n")
-    points = np.array([line.split()[1:] for line in again[0].split("$Nodes\n")[1].splitlines()[1:-1]], dtype=float)
-    bricks = [[int(word) for word in line.split()] for line in again[1].splitlines()[1:-1]]
-    assert np.allclose(points, nodes, rtol=1e-5, atol=1e-6), said
-    assert len(bricks) == len(written) and all(brick[1] == 17 for brick in bricks), said
-    edges = [(0, 1), (0, 3), (0, 4), (1, 2), (1, 5), (2, 3), (2, 6), (3, 7), (4, 5), (4, 7), (5, 6), (6, 7)]  # in gmsh's order
-    for brick, card in zip(bricks, written):
-        corners, middles = points[np.array(brick[-20:-12]) - 1], points[np.array(brick[-12:]) - 1]
-        ends = np.array([(corners[a], corners[b]) for a, b in edges])
-        assert brick[-20:-12] == card[:8] and sorted(brick[-20:]) == sorted(card), said
-        assert np.all(np.linalg.norm(middles - ends.mean(1), axis=1) < 0.2 * np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)), said
+    read_by_gmsh(nodes, written)
 
 
 def units(tiprub):

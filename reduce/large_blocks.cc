@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What this program itself allocates goes through these functions: it is linked with -Wl,--wrap=malloc,--wrap=realloc.
+// What this program itself allocates goes through these functions: it is linked with
+// -Wl,--wrap=malloc,--wrap=realloc.
 //
 // The system clears the pages of a large block one by one when they are first touched, and the processor looks up the
 // place of each. For vectors of 100,000 dofs in pages of 4 KiB this takes a third of a reduction's time. Many systems

@@ -325,7 +325,7 @@ Table scene_needs_record(std::vector<SceneNeed> needs) {
        {"size over tolerance [1]",
         [](const SceneNeed& need) {
           const double ratio = need.over_tolerance();
-          return !need.effect.size ? Cell(std::string()) : std::isfinite(ratio) ? Cell(ratio) : Cell(NoNumber{});
+          return need.effect.size && std::isfinite(ratio) ? Cell(ratio) : Cell(std::string());
         }},
        {"verdict", [](const SceneNeed& need) { return name_of(need.verdict); }},
        {"settled by",

@@ -21,8 +21,6 @@ namespace tiprub::reduce {
 
 namespace {
 
-using Supernode = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-using Rows = Eigen::Matrix<std::int64_t, Eigen::Dynamic, 1>;
 static_assert(std::is_same_v<SuiteSparse_long, std::int64_t>);
 
 /// What CHOLMOD allocates; it is freed also if a constructor fails.
@@ -55,16 +53,8 @@ class CholmodFactor : public FactorEngine, private CholmodMemory {
 
  private:
   void factorize(const SymmetricMatrix& stiffness);
-  /// Calls body(first column, rows below the diagonal block, diagonal block, block below) for each supernode of
-  /// L_FF, all counted from the first interface dof in the factor's order. The entries above the diagonal of the
-  /// diagonal block are not used.
-  template <class Body>
-  void for_each_interface_block(const Body& body) const;
   /// L_FF L_FF' in the order of the factor, from the last dof to the first.
   Eigen::MatrixXd interface_product() const;
-  /// L_FF x and L_FF' x, straight from the supernodes.
-  Eigen::MatrixXd multiply_interface(const Eigen::MatrixXd& x) const;
-  Eigen::MatrixXd multiply_interface_transposed(const Eigen::MatrixXd& x) const;
   Supernodes supernodes() const;
 
   int interior_ = 0;
@@ -121,65 +111,25 @@ Supernodes CholmodFactor::supernodes() const {
           static_cast<const double*>(factor_->x)};
 }
 
-template <class Body>
-void CholmodFactor::for_each_interface_block(const Body& body) const {
-  const Supernodes of = supernodes();
-  for (std::int64_t block = 0; block < of.count; ++block) {
-    const std::int64_t first = std::max<std::int64_t>(of.first[block], interior_);
-    const std::int64_t width = of.first[block + 1] - first;
-    if (width <= 0) continue;
-    const std::int64_t count = of.row_start[block + 1] - of.row_start[block], offset = first - of.first[block];
-    const std::int64_t below = count - offset - width;
-    const double* corner = of.values + of.value_start[block] + offset + offset * count;
-    const Eigen::OuterStride<> stride(count);
-    const Rows below_rows =
-        Eigen::Map<const Rows>(of.rows + of.row_start[block] + offset + width, below).array() - interior_;
-    body(first - interior_, below_rows, Supernode(corner, width, width, stride),
-         Supernode(corner + width, below, width, stride));
-  }
-}
-
 // A third of the work of the full product, and no second matrix of its size, which is a gigabyte for 11,600 dofs.
 // LAPACK makes U U' and L' L in place; L_FF from the last row and column to the first is upper triangular.
 Eigen::MatrixXd CholmodFactor::interface_product() const {
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface_, interface_);
   auto lower = product.reverse();
-  for_each_interface_block(
-      [&](Eigen::Index first, const Rows& rows, const Supernode& diagonal, const Supernode& below) {
-        for (Eigen::Index column = 0; column < diagonal.cols(); ++column) {
-          const Eigen::Index rest = diagonal.rows() - column;
-          lower.col(first + column).segment(first + column, rest) = diagonal.col(column).tail(rest);
-        }
-        lower(rows, Eigen::seqN(first, below.cols())) = below;
-      });
+  const Supernodes of = supernodes();
+  for (std::int64_t block = 0; block < of.count; ++block) {
+    const std::int64_t count = of.row_start[block + 1] - of.row_start[block], first = of.first[block];
+    const std::int64_t* rows = of.rows + of.row_start[block];
+    for (std::int64_t k = std::max<std::int64_t>(interior_ - first, 0); first + k < of.first[block + 1]; ++k) {
+      const double* column = of.values + of.value_start[block] + k * count;
+      for (std::int64_t row = k; row < count; ++row)
+        lower(rows[row] - interior_, first + k - interior_) = column[row];
+    }
+  }
   int info = 0;
   dlauum_("U", &interface_, product.data(), &interface_, &info);
   assert(info == 0);
   product.triangularView<Eigen::StrictlyLower>() = product.transpose();
-  return product;
-}
-
-Eigen::MatrixXd CholmodFactor::multiply_interface(const Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface_, x.cols());
-  for_each_interface_block(
-      [&](Eigen::Index first, const Rows& rows, const Supernode& diagonal, const Supernode& below) {
-        const auto part = x.middleRows(first, diagonal.cols());
-        product.middleRows(first, diagonal.cols()) += diagonal.triangularView<Eigen::Lower>() * part;
-        const Eigen::MatrixXd moved = below * part;
-        product(rows, Eigen::all) += moved;
-      });
-  return product;
-}
-
-Eigen::MatrixXd CholmodFactor::multiply_interface_transposed(const Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(interface_, x.cols());
-  for_each_interface_block(
-      [&](Eigen::Index first, const Rows& rows, const Supernode& diagonal, const Supernode& below) {
-        auto part = product.middleRows(first, diagonal.cols());
-        part = diagonal.triangularView<Eigen::Lower>().transpose() * x.middleRows(first, diagonal.cols());
-        const Eigen::MatrixXd gathered = x(rows, Eigen::all);
-        part.noalias() += below.transpose() * gathered;
-      });
   return product;
 }
 
@@ -198,11 +148,9 @@ StoredMatrix CholmodFactor::take_schur_complement() {
 Eliminated CholmodFactor::eliminate(const Eigen::MatrixXd& interior_load) const {
   Eliminated result = unloaded(interior_load.cols());
   for (int dof = 0; dof < interior_; ++dof) result.state.row(position_[dof]) = interior_load.row(dof);
-  solve_lower(supernodes(), result.state);
-  const Eigen::MatrixXd reached =  // L_FF y_F = -L_FI y_I
-      multiply_interface(result.state.bottomRows(interface_));
+  eliminate_interior(supernodes(), interior_, result.state);
   for (int dof = 0; dof < interface_; ++dof)
-    result.interface_load.row(dof) = reached.row(position_[interior_ + dof] - interior_);
+    result.interface_load.row(dof) = result.state.row(position_[interior_ + dof]);
   return result;
 }
 
@@ -211,10 +159,8 @@ Eliminated CholmodFactor::unloaded(Eigen::Index columns) const {
 }
 
 Eigen::MatrixXd CholmodFactor::back_substitute(Eliminated&& eliminated, const Eigen::MatrixXd& moved) const {
-  Eigen::MatrixXd placed(interface_, moved.cols());
-  for (int dof = 0; dof < interface_; ++dof) placed.row(position_[interior_ + dof] - interior_) = moved.row(dof);
-  eliminated.state.bottomRows(interface_) = multiply_interface_transposed(placed);
-  solve_lower_transposed(supernodes(), eliminated.state);
+  for (int dof = 0; dof < interface_; ++dof) eliminated.state.row(position_[interior_ + dof]) = moved.row(dof);
+  substitute_interior(supernodes(), interior_, eliminated.state);
   Eigen::MatrixXd result(eliminated.state.rows(), eliminated.state.cols());
   for (Eigen::Index dof = 0; dof < result.rows(); ++dof) result.row(dof) = eliminated.state.row(position_[dof]);
   return result;

@@ -76,11 +76,16 @@ __attribute__((always_inline)) inline void substitute(const Panel& L, double* st
   }
 }
 
+/// How many of a supernode's columns are among the first `all` ones.
+int columns_within(const Supernodes& factor, std::int64_t supernode, std::int64_t all) {
+  return static_cast<int>(std::min(factor.first[supernode + 1], all) - factor.first[supernode]);
+}
+
 /// Supernodes from the first to the last, in panels of as many columns as the registers hold.
 template <int parts>
-__attribute__((always_inline)) inline void forward(const Supernodes& factor, double* strip) {
+__attribute__((always_inline)) inline void forward(const Supernodes& factor, std::int64_t all, double* strip) {
   for (std::int64_t b = 0; b < factor.count; ++b) {
-    const int columns = static_cast<int>(factor.first[b + 1] - factor.first[b]);
+    const int columns = columns_within(factor, b, all);
     int at = 0;
     for (; at + 8 <= columns; at += 8) eliminate<8, parts>({factor, b, at}, strip);
     for (; at + 3 <= columns; at += 3) eliminate<3, parts>({factor, b, at}, strip);
@@ -89,9 +94,9 @@ __attribute__((always_inline)) inline void forward(const Supernodes& factor, dou
 }
 
 template <int parts>
-__attribute__((always_inline)) inline void backward(const Supernodes& factor, double* strip) {
+__attribute__((always_inline)) inline void backward(const Supernodes& factor, std::int64_t all, double* strip) {
   for (std::int64_t b = factor.count - 1; b >= 0; --b) {
-    int at = static_cast<int>(factor.first[b + 1] - factor.first[b]);
+    int at = columns_within(factor, b, all);
     for (; at >= 8; at -= 8) substitute<8, parts>({factor, b, at - 8}, strip);
     for (; at >= 3; at -= 3) substitute<3, parts>({factor, b, at - 3}, strip);
     for (; at >= 1; at -= 1) substitute<1, parts>({factor, b, at - 1}, strip);
@@ -100,17 +105,17 @@ __attribute__((always_inline)) inline void backward(const Supernodes& factor, do
 
 // Compiled for what the processor has: the sums are then the same on the same machine.
 #define TIPRUB_FOR_EACH_PROCESSOR __attribute__((target_clones("avx512f", "avx2,fma", "default")))
-TIPRUB_FOR_EACH_PROCESSOR void forward_wide(const Supernodes& factor, double* strip) {
-  forward<4>(factor, strip);
+TIPRUB_FOR_EACH_PROCESSOR void forward_wide(const Supernodes& factor, std::int64_t all, double* strip) {
+  forward<4>(factor, all, strip);
 }
-TIPRUB_FOR_EACH_PROCESSOR void forward_narrow(const Supernodes& factor, double* strip) {
-  forward<2>(factor, strip);
+TIPRUB_FOR_EACH_PROCESSOR void forward_narrow(const Supernodes& factor, std::int64_t all, double* strip) {
+  forward<2>(factor, all, strip);
 }
-TIPRUB_FOR_EACH_PROCESSOR void backward_wide(const Supernodes& factor, double* strip) {
-  backward<4>(factor, strip);
+TIPRUB_FOR_EACH_PROCESSOR void backward_wide(const Supernodes& factor, std::int64_t all, double* strip) {
+  backward<4>(factor, all, strip);
 }
-TIPRUB_FOR_EACH_PROCESSOR void backward_narrow(const Supernodes& factor, double* strip) {
-  backward<2>(factor, strip);
+TIPRUB_FOR_EACH_PROCESSOR void backward_narrow(const Supernodes& factor, std::int64_t all, double* strip) {
+  backward<2>(factor, all, strip);
 }
 #undef TIPRUB_FOR_EACH_PROCESSOR
 
@@ -139,16 +144,16 @@ void in_strips(Eigen::MatrixXd& right, const Wide& wide, const Narrow& narrow) {
 
 }  // namespace
 
-void solve_lower(const Supernodes& factor, Eigen::MatrixXd& right) {
+void eliminate_interior(const Supernodes& factor, std::int64_t columns, Eigen::MatrixXd& right) {
   in_strips(
-      right, [&](double* strip) { forward_wide(factor, strip); },
-      [&](double* strip) { forward_narrow(factor, strip); });
+      right, [&](double* strip) { forward_wide(factor, columns, strip); },
+      [&](double* strip) { forward_narrow(factor, columns, strip); });
 }
 
-void solve_lower_transposed(const Supernodes& factor, Eigen::MatrixXd& right) {
+void substitute_interior(const Supernodes& factor, std::int64_t columns, Eigen::MatrixXd& right) {
   in_strips(
-      right, [&](double* strip) { backward_wide(factor, strip); },
-      [&](double* strip) { backward_narrow(factor, strip); });
+      right, [&](double* strip) { backward_wide(factor, columns, strip); },
+      [&](double* strip) { backward_narrow(factor, columns, strip); });
 }
 
 }  // namespace tiprub::reduce

@@ -29,9 +29,9 @@ namespace {
 void* with_large_pages(void* block, std::size_t size) {
   constexpr std::size_t large = std::size_t{4} << 20;
   if (block == nullptr || size < large) return block;
-  const std::uintptr_t page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(block), first = (begin + page - 1) / page * page;
-  madvise(reinterpret_cast<void*>(first), (begin + size - first) / page * page, MADV_HUGEPAGE);
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t skipped = (page - reinterpret_cast<std::uintptr_t>(block) % page) % page;
+  madvise(static_cast<char*>(block) + skipped, (size - skipped) / page * page, MADV_HUGEPAGE);
   return block;
 }
 

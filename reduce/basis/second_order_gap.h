@@ -34,7 +34,7 @@ std::vector<Eigen::MatrixXd> second_order_displacement(const RotatingElasticity&
 /// forces out.
 ///
 /// Terms of third order and the effect of spin on modes and Q are left out (see reduce/theory.md for their size).
-/// Costs some twenty modes, by the factor of K at rest. The sector must have its elasticity still.
+/// Costs some twenty modes, by the factor of K at rest. The sector must still have its elasticity.
 SecondOrderGap second_order_gap(const SpinningSector& sector, const SectorFactor& at_rest,
                                 const ContactUnknowns& contact);
 

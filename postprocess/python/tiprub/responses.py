@@ -30,6 +30,13 @@ def _existing(path, advice):
     return path
 
 
+def _write(path, lines):
+    """Makes all lines before the file, so that what is refused leaves the old file."""
+    text = "".join(lines)
+    with open(path, "w", encoding="ascii") as file:
+        file.write(text)
+
+
 class Response:
     """A response of tiprub-simulate. The numbers of all speeds stand in `sweep`, and `at` gives the motion at one speed.
 
@@ -169,8 +176,7 @@ class Response:
         y, z. Coordinates and displacements have six digits.
         """
         wheel, at = self._wheel_for_others(speed, fields)
-        with open(path, "w", encoding="ascii") as file:
-            file.writelines(wheel_files.frd(*wheel, at))
+        _write(path, wheel_files.frd(*wheel, at))
 
     def write_nastran(self, path, speed, fields="fields.h5"):
         """Writes `field` for programs that read NASTRAN's files: the mesh as bulk data to `path`, which ends in .bdf, and the
@@ -182,9 +188,8 @@ class Response:
         if ending != ".bdf":
             raise ValueError(f"{path}: must end in .bdf; the displacements are written to a file beside it that ends in .pch")
         wheel, at = self._wheel_for_others(speed, fields)
-        for name, lines in ((path, wheel_files.bulk_data(*wheel, at)), (root + ".pch", wheel_files.punch(*wheel, at))):
-            with open(name, "w", encoding="ascii") as file:
-                file.writelines(lines)
+        _write(path, wheel_files.bulk_data(*wheel, at))
+        _write(root + ".pch", wheel_files.punch(*wheel, at))
 
     @property
     def frequencies(self):

@@ -110,10 +110,8 @@ void require_room_for_libraries() {
 }
 
 void return_freed_memory() {
-  constexpr int most_blocks = 65536;
-  mallopt(M_MMAP_MAX, most_blocks);
-  mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);
-  mallopt(M_TRIM_THRESHOLD, 64 * mebibyte);
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, 512 * mebibyte);
 }
 
 void keep_freed_memory() {

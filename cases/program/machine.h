@@ -19,9 +19,9 @@ double available_memory(const std::filesystem::path& root = "/");
 /// request its buffer for ever, and HDF5 would continue without its own.
 void require_room_for_libraries();
 
-/// Makes malloc return large blocks to the system when they are freed, with the default thresholds of glibc.
-/// SuperLU_DIST, which deal.II brings, switches this off when it is loaded (M_MMAP_MAX = 0, M_TRIM_THRESHOLD = -1);
-/// the process would then keep, in fragments, all memory that it ever had.
+/// Makes malloc keep up to 512 MiB of what is freed, so that the system doesn't clear the same pages again and again,
+/// and return the rest. SuperLU_DIST, which deal.II brings, makes malloc keep all when it is loaded (M_TRIM_THRESHOLD
+/// = -1).
 void return_freed_memory();
 
 /// Makes malloc keep what is freed, up to 32 MiB a block. A program that allocates and frees large arrays without end

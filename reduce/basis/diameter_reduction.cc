@@ -91,10 +91,10 @@ ModeFollowing DiameterReduction::modes_between(const CraigBamptonBasis& basis,
   const std::vector<Eigen::MatrixXcd> samples = sampled_stiffness(basis);
   std::vector<SpeedToFollow> speeds;
   for (const double fraction : fractions)
-    speeds.push_back(
-        {name_of_speed(fraction * parameters_.speed_max), [this, fraction] { return sector_.stiffness(fraction); },
-         sector_.samples().combine(samples, fraction), fraction < nearer_to_rest ? &at_rest_ : &at_top_});
-  return {basis, sector_.mass(), std::move(speeds), parameters_.verification_modes};
+    speeds.push_back({name_of_speed(fraction * parameters_.speed_max), sector_.samples().weights(fraction),
+                      sector_.samples().combine(samples, fraction),
+                      fraction < nearer_to_rest ? &at_rest_ : &at_top_});
+  return {basis, sector_.mass(), sector_.sampled_stiffness(), std::move(speeds), parameters_.verification_modes};
 }
 
 }  // namespace tiprub::reduce

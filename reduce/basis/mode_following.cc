@@ -36,9 +36,11 @@ Eigen::VectorXd FollowedModes::frequencies() const {
 }
 
 ModeFollowing::ModeFollowing(const CraigBamptonBasis& basis, const SymmetricMatrix& mass,
-                             std::vector<SpeedToFollow> speeds, int count)
+                             const std::vector<SymmetricMatrix>& sampled_stiffness, std::vector<SpeedToFollow> speeds,
+                             int count)
     : basis_(basis),
       mass_(mass),
+      sampled_stiffness_(sampled_stiffness),
       speeds_(std::move(speeds)),
       count_(count),
       corrections_(basis.transform().dofs().independent(), 0),
@@ -78,7 +80,7 @@ Eigen::MatrixXcd ModeFollowing::missing(std::size_t speed, double tolerance) {
     if (modes.error[mode] > tolerance) moving.push_back(mode);
   if (moving.empty()) return {corrections_.rows(), 0};
   const Eigen::MatrixXcd moved = shapes(speed, moving);
-  Eigen::MatrixXcd residual = transform.apply(speeds_[speed].stiffness(), moved);
+  Eigen::MatrixXcd residual = stiffness_times(moved, speed);
   residual -= transform.apply(mass_, moved) * modes.eigenvalue(moving).asDiagonal();
   for (std::size_t k = 0; k < moving.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
@@ -103,6 +105,16 @@ Eigen::MatrixXcd ModeFollowing::missing(std::size_t speed, double tolerance) {
   return independent(directions(Eigen::all, wanted), residual(Eigen::all, wanted));
 }
 
+/// Without the sum of the matrices, which would take longer.
+Eigen::MatrixXcd ModeFollowing::stiffness_times(const Eigen::MatrixXcd& shapes, std::size_t speed) const {
+  const Eigen::VectorXd& weights = speeds_[speed].weights;
+  Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(shapes.rows(), shapes.cols());
+  for (Eigen::Index k = 0; k < weights.size(); ++k)
+    if (weights[k] != 0)
+      sum += weights[k] * basis_.transform().apply(sampled_stiffness_[static_cast<std::size_t>(k)], shapes);
+  return sum;
+}
+
 /// Inner products of the basis and the corrections with loads; size x columns.
 Eigen::MatrixXcd ModeFollowing::products(const Eigen::MatrixXcd& loads) const {
   Eigen::MatrixXcd all(basis_.size() + corrections_.cols(), loads.cols());
@@ -115,8 +127,18 @@ void ModeFollowing::add(const Eigen::MatrixXcd& block) {
   corrections_.conservativeResize(block.rows(), corrections_.cols() + block.cols());
   corrections_.rightCols(block.cols()) = block;
   append_products(reduced_mass_, products(transform.apply(mass_, block)));
+  std::vector<Eigen::MatrixXcd> sums(speeds_.size(), Eigen::MatrixXcd::Zero(reduced_mass_.rows(), block.cols()));
+  for (std::size_t k = 0; k < sampled_stiffness_.size(); ++k) {
+    const auto weight = [&](std::size_t s) { return speeds_[s].weights[static_cast<Eigen::Index>(k)]; };
+    Eigen::MatrixXcd of_sample;  // found at the first speed that needs it
+    for (std::size_t s = 0; s < speeds_.size(); ++s) {
+      if (weight(s) == 0) continue;
+      if (of_sample.size() == 0) of_sample = products(transform.apply(sampled_stiffness_[k], block));
+      sums[s] += weight(s) * of_sample;
+    }
+  }
   for (std::size_t s = 0; s < speeds_.size(); ++s) {
-    append_products(reduced_stiffness_[s], products(transform.apply(speeds_[s].stiffness(), block)));
+    append_products(reduced_stiffness_[s], sums[s]);
     solve(s);
   }
 }

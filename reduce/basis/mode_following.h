@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -13,10 +12,10 @@ namespace tiprub::reduce {
 
 /// A speed at which modes are wanted.
 struct SpeedToFollow {
-  std::string where;                           ///< for messages, as "at 9000 rpm"
-  std::function<SymmetricMatrix()> stiffness;  ///< assembles the sector's K when it is required; K isn't kept
-  Eigen::MatrixXcd reduced;                    ///< the basis' T^H K T
-  const CyclicSolver* nearby;                  ///< the solver of the nearest speed that is factorized
+  std::string where;           ///< for messages, as "at 9000 rpm"
+  Eigen::VectorXd weights;     ///< of the sampled stiffness matrices, whose sum is K
+  Eigen::MatrixXcd reduced;    ///< the basis' T^H K T
+  const CyclicSolver* nearby;  ///< the solver of the nearest speed that is factorized
 };
 
 /// Modes at one speed.
@@ -42,9 +41,9 @@ struct FollowedModes {
 /// speeds could share nothing, and because it has no complex adapter here (see cyclic_modes.h).
 class ModeFollowing {
  public:
-  /// The lowest `count` modes; everything must outlive this object.
-  ModeFollowing(const CraigBamptonBasis& basis, const SymmetricMatrix& mass, std::vector<SpeedToFollow> speeds,
-                int count);
+  /// The lowest `count` modes, with the sector's K at some speeds; everything must outlive this object.
+  ModeFollowing(const CraigBamptonBasis& basis, const SymmetricMatrix& mass,
+                const std::vector<SymmetricMatrix>& sampled_stiffness, std::vector<SpeedToFollow> speeds, int count);
 
   /// Estimates the error of each mode that may exceed `tolerance` at a speed. Returns the missing shapes of the
   /// modes that do exceed it; independent x any number, contact rows of zero.
@@ -63,11 +62,13 @@ class ModeFollowing {
  private:
   void solve(std::size_t speed);
   Eigen::MatrixXcd shapes(std::size_t speed, const std::vector<Eigen::Index>& which) const;
+  Eigen::MatrixXcd stiffness_times(const Eigen::MatrixXcd& shapes, std::size_t speed) const;
   Eigen::MatrixXcd products(const Eigen::MatrixXcd& loads) const;
   void add(const Eigen::MatrixXcd& block);
 
   const CraigBamptonBasis& basis_;
   const SymmetricMatrix& mass_;
+  const std::vector<SymmetricMatrix>& sampled_stiffness_;
   std::vector<SpeedToFollow> speeds_;
   int count_;
   double compliance_ = std::numeric_limits<double>::infinity();  ///< [m/N] the largest of all residuals so far

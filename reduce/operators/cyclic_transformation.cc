@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "reduce/model/nodal_diameter.h"
+#include "reduce/operators/registers.h"
 
 namespace tiprub::reduce {
 
@@ -17,23 +18,15 @@ constexpr int strip_width = 16;
 
 constexpr int node_dofs = 3;
 
-/// Registers of the processor.
-struct Registers32 {
-  using Lanes = double __attribute__((vector_size(32), aligned(alignof(double)), may_alias));
-};
-struct Registers64 {
-  using Lanes = double __attribute__((vector_size(64), aligned(alignof(double)), may_alias));
-};
-
 /// One strip of right sides, row by row, `strip_width` of them. The matrix couples nodes by full blocks of 3 x 3 (see
 /// SectorDofs): a block is used for its own rows and, turned, for its columns, while the strip's rows of the column
 /// node stay in registers.
-template <class Registers>
+template <class Kind>
 __attribute__((always_inline)) inline void multiply_lanes(int columns, const int* starts, const int* rows,
                                                           const double* values, const double* right,
                                                           double* product) {
-  using Lanes = typename Registers::Lanes;
-  constexpr int lanes = sizeof(Lanes) / sizeof(double), parts = strip_width / lanes;
+  using Lanes = typename Kind::Lanes;
+  constexpr int lanes = Kind::lanes, parts = strip_width / lanes;
   const auto row_of = [](auto* strip, int row) { return strip + static_cast<std::ptrdiff_t>(row) * strip_width; };
   for (int node = 0; node < columns; node += node_dofs) {
     // The first three entries of a node's column 0 couple the node with itself, and so do two of column 1 and one of
@@ -68,8 +61,7 @@ __attribute__((always_inline)) inline void multiply_lanes(int columns, const int
   }
 }
 
-// Compiled for what the processor has: the sum over a row is then the same on the same machine. Without AVX-512, GCC
-// would pass registers of 64 bytes through memory.
+// Compiled for what the processor has: the sum over a row is then the same on the same machine.
 __attribute__((target("avx512f"))) void multiply_strip(int columns, const int* starts, const int* rows,
                                                        const double* values, const double* right, double* product) {
   multiply_lanes<Registers64>(columns, starts, rows, values, right, product);

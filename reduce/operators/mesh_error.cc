@@ -199,6 +199,10 @@ MeshErrorEstimate::MeshErrorEstimate(const SectorMesh& mesh, const SectorDofs& d
   parallel_for(mesh.cell_count(), threads,
                [&](int cell) { cells_[cell] = functions_.integrate(cell, dofs, material); });
   patches_ = Patches(mesh, dofs, functions_.dofs(), cells_).find(threads);
+  constexpr int corners_of_brick = 8;
+  of_bricks_ = std::all_of(cells_.begin(), cells_.end(), [](const AddedCell& cell) {
+    return cell_kind(static_cast<int>(cell.nodes.size())).corners == corners_of_brick;
+  });
 }
 
 MeshErrorEstimate::Errors MeshErrorEstimate::of_frequencies(const CyclicSolver& at_rest,
@@ -231,10 +235,10 @@ MeshErrorEstimate::Growths MeshErrorEstimate::growths(const CyclicSolver& at_res
                                                       int steps) const {
   const Rows moved = at_rest.solve(load.nodes, ContactNodes::free);
   const Pair held = apply_stiffness(at_rest, {Rows::Zero(load.cubic.rows(), load.cubic.cols()), moved});
-  const Pair residual = {load.cubic - held.cubic, load.nodes - held.nodes};
+  Pair residual = {load.cubic - held.cubic, load.nodes - held.nodes};
   const Eigen::RowVectorXd work = inner_products(load.nodes, moved);
   const Eigen::RowVectorXd by_quadrature = inner_products(moved, residual.nodes);
-  const Change found = change(at_rest, residual, steps);
+  const Change found = change(at_rest, std::move(residual), steps);
   return {((by_quadrature + found.energy).array() / work.array()).transpose(),
           energies_of_cells(at_rest, found.displacement)};
 }
@@ -248,6 +252,7 @@ MeshErrorEstimate::Change MeshErrorEstimate::change(const CyclicSolver& at_rest,
     to.cubic += more.cubic * factor.asDiagonal();
     to.nodes += more.nodes * factor.asDiagonal();
   };
+  if (of_bricks_) r.nodes.setZero();
   Pair z = precondition(at_rest, r), p = z;
   Change found = {{Rows::Zero(z.cubic.rows(), z.cubic.cols()), Rows::Zero(z.nodes.rows(), z.nodes.cols())},
                   Eigen::RowVectorXd::Zero(z.nodes.cols())};
@@ -259,6 +264,7 @@ MeshErrorEstimate::Change MeshErrorEstimate::change(const CyclicSolver& at_rest,
     add(found.displacement, p, step);
     if (k + 1 == steps) break;
     add(r, Ap, -step);
+    if (of_bricks_) r.nodes.setZero();
     z = precondition(at_rest, r);
     const Eigen::RowVectorXd next = products(r, z), part = ratios(next, rz);
     add(z, p, part);
@@ -317,16 +323,20 @@ MeshErrorEstimate::Pair MeshErrorEstimate::apply_mass(const CyclicSolver& at_res
   return {functions.gather(cubic_force), nodes.gather(nodes_force)};
 }
 
-/// The nodes by K, then the cubic functions by the patches, then the nodes that follow these.
+/// The nodes by K where their residual matters, then the cubic functions by the patches, then the nodes that follow.
 MeshErrorEstimate::Pair MeshErrorEstimate::precondition(const CyclicSolver& at_rest, const Pair& residual) const {
   const CyclicTransformation& nodes = at_rest.transform();
   const CyclicTransformation functions = nodes.with(functions_.dofs());
-  Pair result = {Rows(), at_rest.solve(residual.nodes, ContactNodes::free)};
-  const Rows start = nodes.expand(result.nodes);
-  Rows cubic_force = Rows::Zero(functions_.dofs().sector(), start.cols());
-  for (const AddedCell& cell : cells_)
-    add_rows(cell.coupling * rows_of(start, cell.nodes), cell.functions, cubic_force);
-  result.cubic = solve_patches(at_rest, residual.cubic - Rows(functions.gather(cubic_force)));
+  Pair result = {residual.cubic, Rows::Zero(residual.nodes.rows(), residual.nodes.cols())};
+  if (!of_bricks_) {
+    result.nodes = at_rest.solve(residual.nodes, ContactNodes::free);
+    const Rows start = nodes.expand(result.nodes);
+    Rows cubic_force = Rows::Zero(functions_.dofs().sector(), start.cols());
+    for (const AddedCell& cell : cells_)
+      add_rows(cell.coupling * rows_of(start, cell.nodes), cell.functions, cubic_force);
+    result.cubic -= Rows(functions.gather(cubic_force));
+  }
+  result.cubic = solve_patches(at_rest, result.cubic);
   const Rows moved = functions.expand(result.cubic);
   Rows force = Rows::Zero(node_dofs_.sector(), moved.cols());
   for (const AddedCell& cell : cells_)

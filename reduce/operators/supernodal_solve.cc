@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "reduce/operators/registers.h"
+
 namespace tiprub::reduce {
 
 namespace {
 
-constexpr int lanes = 4;  ///< 32 bytes: without AVX-512, GCC passes vectors of 64 through memory
-using Lanes = double __attribute__((vector_size(lanes * sizeof(double)), aligned(alignof(double)), may_alias));
+constexpr int wide = 16, narrow = 8;  ///< right sides of a strip, row by row
 
 /// Some columns of a supernode, from the diagonal on.
 struct Panel {
@@ -28,17 +29,14 @@ struct Panel {
   double operator()(int row, int column) const { return values[row + column * stride]; }
 };
 
-/// A strip holds `parts` times `lanes` right sides, row by row.
-template <int parts>
-Lanes* row_of(double* strip, std::int64_t row) {
-  return reinterpret_cast<Lanes*>(strip + row * parts * lanes);
-}
-
-template <int width, int parts>
+template <class Kind, int width, int strip_width>
 __attribute__((always_inline)) inline void eliminate(const Panel& L, double* strip) {
+  using Lanes = typename Kind::Lanes;
+  constexpr int parts = strip_width / Kind::lanes;
+  const auto row_of = [&](std::int64_t row) { return reinterpret_cast<Lanes*>(strip + row * strip_width); };
   Lanes x[width][parts];
   for (int k = 0; k < width; ++k) {
-    Lanes* own = row_of<parts>(strip, L.rows[k]);
+    Lanes* own = row_of(L.rows[k]);
     for (int part = 0; part < parts; ++part) {
       x[k][part] = own[part];
       for (int j = 0; j < k; ++j) x[k][part] -= L(k, j) * x[j][part];
@@ -47,7 +45,7 @@ __attribute__((always_inline)) inline void eliminate(const Panel& L, double* str
     }
   }
   for (int row = width; row < L.count; ++row) {
-    Lanes* y = row_of<parts>(strip, L.rows[row]);
+    Lanes* y = row_of(L.rows[row]);
     for (int part = 0; part < parts; ++part) {
       Lanes sum = y[part];
       for (int k = 0; k < width; ++k) sum -= L(row, k) * x[k][part];
@@ -56,18 +54,21 @@ __attribute__((always_inline)) inline void eliminate(const Panel& L, double* str
   }
 }
 
-template <int width, int parts>
+template <class Kind, int width, int strip_width>
 __attribute__((always_inline)) inline void substitute(const Panel& L, double* strip) {
+  using Lanes = typename Kind::Lanes;
+  constexpr int parts = strip_width / Kind::lanes;
+  const auto row_of = [&](std::int64_t row) { return reinterpret_cast<Lanes*>(strip + row * strip_width); };
   Lanes x[width][parts];
   for (int k = 0; k < width; ++k)
-    for (int part = 0; part < parts; ++part) x[k][part] = row_of<parts>(strip, L.rows[k])[part];
+    for (int part = 0; part < parts; ++part) x[k][part] = row_of(L.rows[k])[part];
   for (int row = width; row < L.count; ++row) {
-    const Lanes* y = row_of<parts>(strip, L.rows[row]);
+    const Lanes* y = row_of(L.rows[row]);
     for (int k = 0; k < width; ++k)
       for (int part = 0; part < parts; ++part) x[k][part] -= L(row, k) * y[part];
   }
   for (int k = width - 1; k >= 0; --k) {
-    Lanes* own = row_of<parts>(strip, L.rows[k]);
+    Lanes* own = row_of(L.rows[k]);
     for (int part = 0; part < parts; ++part) {
       for (int j = k + 1; j < width; ++j) x[k][part] -= L(j, k) * x[j][part];
       x[k][part] /= L(k, k);
@@ -81,60 +82,63 @@ int columns_within(const Supernodes& factor, std::int64_t supernode, std::int64_
   return static_cast<int>(std::min(factor.first[supernode + 1], all) - factor.first[supernode]);
 }
 
-/// Supernodes from the first to the last, in panels of as many columns as the registers hold.
-template <int parts>
-__attribute__((always_inline)) inline void forward(const Supernodes& factor, std::int64_t all, double* strip) {
-  for (std::int64_t b = 0; b < factor.count; ++b) {
-    const int columns = columns_within(factor, b, all);
-    int at = 0;
-    for (; at + 8 <= columns; at += 8) eliminate<8, parts>({factor, b, at}, strip);
-    for (; at + 3 <= columns; at += 3) eliminate<3, parts>({factor, b, at}, strip);
-    for (; at < columns; ++at) eliminate<1, parts>({factor, b, at}, strip);
+enum class Half { elimination, substitution };
+
+/// Supernodes from the first to the last or back, in panels of as many columns as the registers hold.
+template <class Kind, int width>
+__attribute__((always_inline)) inline void pass(Half half, const Supernodes& factor, std::int64_t all,
+                                                double* strip) {
+  for (std::int64_t k = 0; k < factor.count; ++k) {
+    if (half == Half::elimination) {
+      const int columns = columns_within(factor, k, all);
+      int at = 0;
+      for (; at + 8 <= columns; at += 8) eliminate<Kind, 8, width>({factor, k, at}, strip);
+      for (; at + 3 <= columns; at += 3) eliminate<Kind, 3, width>({factor, k, at}, strip);
+      for (; at < columns; ++at) eliminate<Kind, 1, width>({factor, k, at}, strip);
+    } else {
+      const std::int64_t b = factor.count - 1 - k;
+      int at = columns_within(factor, b, all);
+      for (; at >= 8; at -= 8) substitute<Kind, 8, width>({factor, b, at - 8}, strip);
+      for (; at >= 3; at -= 3) substitute<Kind, 3, width>({factor, b, at - 3}, strip);
+      for (; at >= 1; at -= 1) substitute<Kind, 1, width>({factor, b, at - 1}, strip);
+    }
   }
 }
 
-template <int parts>
-__attribute__((always_inline)) inline void backward(const Supernodes& factor, std::int64_t all, double* strip) {
-  for (std::int64_t b = factor.count - 1; b >= 0; --b) {
-    int at = columns_within(factor, b, all);
-    for (; at >= 8; at -= 8) substitute<8, parts>({factor, b, at - 8}, strip);
-    for (; at >= 3; at -= 3) substitute<3, parts>({factor, b, at - 3}, strip);
-    for (; at >= 1; at -= 1) substitute<1, parts>({factor, b, at - 1}, strip);
-  }
+template <class Kind>
+__attribute__((always_inline)) inline void pass(Half half, const Supernodes& factor, std::int64_t all, double* strip,
+                                                Eigen::Index width) {
+  width == wide ? pass<Kind, wide>(half, factor, all, strip) : pass<Kind, narrow>(half, factor, all, strip);
 }
 
 // Compiled for what the processor has: the sums are then the same on the same machine.
-#define TIPRUB_FOR_EACH_PROCESSOR __attribute__((target_clones("avx512f", "avx2,fma", "default")))
-TIPRUB_FOR_EACH_PROCESSOR void forward_wide(const Supernodes& factor, std::int64_t all, double* strip) {
-  forward<4>(factor, all, strip);
+__attribute__((target("avx512f"))) void pass_strip(Half half, const Supernodes& factor, std::int64_t all,
+                                                   double* strip, Eigen::Index width) {
+  pass<Registers64>(half, factor, all, strip, width);
 }
-TIPRUB_FOR_EACH_PROCESSOR void forward_narrow(const Supernodes& factor, std::int64_t all, double* strip) {
-  forward<2>(factor, all, strip);
+__attribute__((target("avx2,fma"))) void pass_strip(Half half, const Supernodes& factor, std::int64_t all,
+                                                    double* strip, Eigen::Index width) {
+  pass<Registers32>(half, factor, all, strip, width);
 }
-TIPRUB_FOR_EACH_PROCESSOR void backward_wide(const Supernodes& factor, std::int64_t all, double* strip) {
-  backward<4>(factor, all, strip);
+__attribute__((target("default"))) void pass_strip(Half half, const Supernodes& factor, std::int64_t all,
+                                                   double* strip, Eigen::Index width) {
+  pass<Registers32>(half, factor, all, strip, width);
 }
-TIPRUB_FOR_EACH_PROCESSOR void backward_narrow(const Supernodes& factor, std::int64_t all, double* strip) {
-  backward<2>(factor, all, strip);
-}
-#undef TIPRUB_FOR_EACH_PROCESSOR
 
 /// Strip by strip: the last columns, if they are few, in a narrow one.
-template <class Wide, class Narrow>
-void in_strips(Eigen::MatrixXd& right, const Wide& wide, const Narrow& narrow) {
+void in_strips(Half half, const Supernodes& factor, std::int64_t all, Eigen::MatrixXd& right) {
   using Strip = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   constexpr Eigen::Index rows_at_once = 256;  // both orders of them stay in the cache
   Strip strip;
   for (Eigen::Index first = 0; first < right.cols(); first += strip.cols()) {
     const Eigen::Index rest = right.cols() - first;
-    if (rest <= 2 * lanes || strip.size() == 0)
-      strip.setZero(right.rows(), rest <= 2 * lanes ? 2 * lanes : 4 * lanes);
+    if (rest <= narrow || strip.size() == 0) strip.setZero(right.rows(), rest <= narrow ? narrow : wide);
     const Eigen::Index columns = std::min(rest, strip.cols());
     for (Eigen::Index row = 0; row < right.rows(); row += rows_at_once) {
       const Eigen::Index rows = std::min(rows_at_once, right.rows() - row);
       strip.block(row, 0, rows, columns) = right.block(row, first, rows, columns);
     }
-    strip.cols() == 2 * lanes ? narrow(strip.data()) : wide(strip.data());
+    pass_strip(half, factor, all, strip.data(), strip.cols());
     for (Eigen::Index row = 0; row < right.rows(); row += rows_at_once) {
       const Eigen::Index rows = std::min(rows_at_once, right.rows() - row);
       right.block(row, first, rows, columns) = strip.block(row, 0, rows, columns);
@@ -145,15 +149,11 @@ void in_strips(Eigen::MatrixXd& right, const Wide& wide, const Narrow& narrow) {
 }  // namespace
 
 void eliminate_interior(const Supernodes& factor, std::int64_t columns, Eigen::MatrixXd& right) {
-  in_strips(
-      right, [&](double* strip) { forward_wide(factor, columns, strip); },
-      [&](double* strip) { forward_narrow(factor, columns, strip); });
+  in_strips(Half::elimination, factor, columns, right);
 }
 
 void substitute_interior(const Supernodes& factor, std::int64_t columns, Eigen::MatrixXd& right) {
-  in_strips(
-      right, [&](double* strip) { backward_wide(factor, columns, strip); },
-      [&](double* strip) { backward_narrow(factor, columns, strip); });
+  in_strips(Half::substitution, factor, columns, right);
 }
 
 }  // namespace tiprub::reduce

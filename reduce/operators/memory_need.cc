@@ -28,7 +28,7 @@ constexpr double entry_bytes = sizeof(double) + sizeof(int);  // of a sparse mat
 constexpr double block_entries = 9;                           // of a pair of nodes
 constexpr int other_matrices = 3;                             // sparse: M, the pattern, the copy that is factorized
 constexpr int interface_matrices = 1;                         // of real numbers: S
-constexpr int columns_on_their_way = 24 * 5;  // complex vectors a thread: a block of right sides, as it is reordered
+constexpr int columns_on_their_way = 16 * 5;  // complex vectors a thread: a block of right sides, as it is reordered
 // Of MUMPS, over L by CHOLMOD: with its workspace; its fronts, without L; its buffers.
 constexpr double mumps_factor = 1.5, mumps_fronts = 0.4, mumps_buffers = 0.1;
 // The front of S in MUMPS, and its copy, which is mapped from a file where the factors are on disk.
@@ -116,8 +116,7 @@ MemoryNeed memory_need(const SectorMesh& mesh, const SectorDofs& dofs, const Hol
   const double interface = dofs.interface(), kept = dofs.face + dofs.boundary(), independent = dofs.independent();
   MemoryNeed need;
   need.threads = mapped_by_threads(held.threads);
-  // Each thread makes one more than those that are held.
-  const double sparse_matrices = other_matrices + held.stiffnesses + at_once;
+  const double sparse_matrices = other_matrices + held.stiffnesses;
   need.matrices = program_bytes + held.mesh_error +
                   sparse_matrices * entry_bytes * block_entries * static_cast<double>(graph.rows.size());
   need.bases = complex_bytes * independent * (held.columns + columns_on_their_way) * at_once;

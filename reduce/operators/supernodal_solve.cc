@@ -19,15 +19,15 @@ struct Panel {
   const std::int64_t* rows;  ///< from the diagonal on
   int count;                 ///< of them
 
-  Panel(const Supernodes& factor, std::int64_t supernode, int column)
-      : values(factor.values + factor.value_start[supernode]),
-        stride(factor.row_start[supernode + 1] - factor.row_start[supernode]),
-        rows(factor.rows + factor.row_start[supernode] + column),
-        count(static_cast<int>(stride) - column) {
-    values += column * (stride + 1);
-  }
   double operator()(int row, int column) const { return values[row + column * stride]; }
 };
+
+// Not a constructor: clang 14 doesn't emit one that only functions for one processor call.
+Panel panel(const Supernodes& factor, std::int64_t supernode, int column) {
+  const std::ptrdiff_t stride = factor.row_start[supernode + 1] - factor.row_start[supernode];
+  return {factor.values + factor.value_start[supernode] + column * (stride + 1), stride,
+          factor.rows + factor.row_start[supernode] + column, static_cast<int>(stride) - column};
+}
 
 template <class Kind, int width, int strip_width>
 __attribute__((always_inline)) inline void eliminate(const Panel& L, double* strip) {
@@ -92,15 +92,15 @@ __attribute__((always_inline)) inline void pass(Half half, const Supernodes& fac
     if (half == Half::elimination) {
       const int columns = columns_within(factor, k, all);
       int at = 0;
-      for (; at + 8 <= columns; at += 8) eliminate<Kind, 8, width>({factor, k, at}, strip);
-      for (; at + 3 <= columns; at += 3) eliminate<Kind, 3, width>({factor, k, at}, strip);
-      for (; at < columns; ++at) eliminate<Kind, 1, width>({factor, k, at}, strip);
+      for (; at + 8 <= columns; at += 8) eliminate<Kind, 8, width>(panel(factor, k, at), strip);
+      for (; at + 3 <= columns; at += 3) eliminate<Kind, 3, width>(panel(factor, k, at), strip);
+      for (; at < columns; ++at) eliminate<Kind, 1, width>(panel(factor, k, at), strip);
     } else {
       const std::int64_t b = factor.count - 1 - k;
       int at = columns_within(factor, b, all);
-      for (; at >= 8; at -= 8) substitute<Kind, 8, width>({factor, b, at - 8}, strip);
-      for (; at >= 3; at -= 3) substitute<Kind, 3, width>({factor, b, at - 3}, strip);
-      for (; at >= 1; at -= 1) substitute<Kind, 1, width>({factor, b, at - 1}, strip);
+      for (; at >= 8; at -= 8) substitute<Kind, 8, width>(panel(factor, b, at - 8), strip);
+      for (; at >= 3; at -= 3) substitute<Kind, 3, width>(panel(factor, b, at - 3), strip);
+      for (; at >= 1; at -= 1) substitute<Kind, 1, width>(panel(factor, b, at - 1), strip);
     }
   }
 }

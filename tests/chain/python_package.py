@@ -54,6 +54,24 @@ def motion(tiprub):
         assert np.allclose(tip, whole.displacement[sample], rtol=1e-5, atol=1e-12)
 
 
+def varied_motion(tiprub):
+    """The motions of an error budget, with cycles of their own lengths, are not part of the speed's motion."""
+    shutil.copy("response.h5", "varied.h5")
+    with h5py.File("varied.h5", "r+") as file:
+        group = next(iter(file["speed"].values()))
+        speed = group.attrs["speed"] * 30 / np.pi
+        for variation, samples in enumerate((120, 480)):
+            cycle = group.create_group(f"budget/{variation}/cycle")
+            for name, size in (("dof_0", 3), ("cycle_angle", samples)):
+                cycle[name] = np.arange(float(size))
+                cycle[name].make_scale(name)
+            cycle["0"] = np.ones((3, samples))
+            for axis, name in enumerate(("dof_0", "cycle_angle")):
+                cycle["0"].dims[axis].attach_scale(cycle[name])
+    varied, sound = (tiprub.open_response(file).at(speed) for file in ("varied.h5", "response.h5"))
+    assert varied.equals(sound), (varied, sound)
+
+
 def units(tiprub):
     """xarray's own reader of netCDF has the same numbers and units."""
     import xarray
@@ -276,7 +294,7 @@ def main(source, programs, made, work):
     os.environ.update(PYTHONPATH=package, PATH=programs + os.pathsep + os.environ["PATH"], MPLBACKEND="agg")
     sys.path.insert(0, package)
     import tiprub
-    for check in (doctests, frequencies, motion, units, missing_files, removed_keys):
+    for check in (doctests, frequencies, motion, varied_motion, units, missing_files, removed_keys):
         check(tiprub)
     wheel_for_calculix(tiprub, programs)
     wheel_for_nastran(tiprub)

@@ -95,8 +95,9 @@ class Response:
         (27000, 'periodic', ('angle', 'sector', 'contact_node', 'component'))
         """
         import xarray
-        group, found = self._group(speed), {}
-        group.visititems(lambda name, item: found.update({name.replace("/", "_"): item}) if isinstance(item, h5py.Dataset) else None)
+        group = self._group(speed)
+        parts = {"": group, **{name + "_": group[name] for name in ("snapshot", "cycle") if name in group}}
+        found = {prefix + name: item for prefix, part in parts.items() for name, item in part.items() if isinstance(item, h5py.Dataset)}
         scales = {axis.keys()[0] for item in found.values() for axis in item.dims if len(axis)}
         attributes = {name: text_of(value) for name, value in group.attrs.items()}
         return xarray.Dataset({name: _data_array(item) for name, item in found.items() if name not in scales}, attrs=attributes)

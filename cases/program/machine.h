@@ -20,8 +20,8 @@ double available_memory(const std::filesystem::path& root = "/");
 void require_room_for_libraries();
 
 /// Makes malloc keep up to 512 MiB of what is freed, so that the system doesn't clear the same pages again and again,
-/// and return the rest. SuperLU_DIST, which deal.II brings, makes malloc keep all when it is loaded (M_TRIM_THRESHOLD
-/// = -1).
+/// and return the rest where it ends the heap. SuperLU_DIST, which deal.II brings, makes malloc keep all when it is
+/// loaded (M_TRIM_THRESHOLD = -1).
 void return_freed_memory();
 
 /// Makes malloc keep what is freed, up to 32 MiB a block. A program that allocates and frees large arrays without end

@@ -15,8 +15,7 @@ namespace tiprub::reduce {
 
 namespace {
 
-// Columns of one solve: enough to share the cost of a pass through the factor, and few enough that for 120,000 dofs
-// malloc keeps the blocks of one solve for the next (see return_freed_memory).
+// Columns of one solve: enough to share the cost of a pass through the factor, and few enough to take little memory.
 constexpr Eigen::Index columns_at_once = 16;
 
 /// Real and imaginary parts side by side: real operators then work on one real matrix. A standing wave has no

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""No link of a page is dead, and each message in cases/troubleshooting.md is one that a program gives.
+"""No link of a page is dead, none of a case leads to the tests, which are not installed with it, and each message in
+cases/troubleshooting.md is one that a program gives.
 
 usage: links.py ROOT
 """
@@ -34,6 +35,8 @@ def dead_links(root, page):
         there = os.path.normpath(os.path.join(os.path.dirname(page), path)) if path else page
         if not os.path.exists(os.path.join(root, there)):
             yield f"{page}: {target} leads to no file"
+        elif page.startswith("cases/") and there.startswith("tests/"):
+            yield f"{page}: {target} leads to the tests, which are not installed with the cases"
         elif anchor and anchor not in anchors(source_tree.read(root, there)):
             yield f"{page}: {target} leads to no heading of {there}"
 

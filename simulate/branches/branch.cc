@@ -99,8 +99,9 @@ std::string reason_of_end(const std::vector<Point>& points, const BranchLimits& 
 Eigen::Array4d measure(OrbitFamily& family, const Point& point) {
   const std::shared_ptr<PeriodicMap> map = family.at(point.speed);
   const MapImage image = map->image(point.state);
-  const Multiplier largest = largest_multiplier(
-      [&](const Eigen::VectorXd& change) { return map->tangent(image.pattern, change); }, point.state.size());
+  const Multiplier largest =
+      largest_multiplier([&](const Eigen::VectorXd& change) { return map->tangent(image.pattern, change); },
+                         point.state.size(), {.start = map->seed()});
   const Growth growth = per_revolution(largest, family.maps_per_revolution());
   return {family.amplitude(point.speed, point.state), growth.factor, growth.uncertainty,
           std::abs(std::arg(largest.value))};

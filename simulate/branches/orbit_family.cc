@@ -54,6 +54,7 @@ class OrbitFamily::MapAtSpeed final : public PeriodicMap {
   Eigen::VectorXd precondition(const Eigen::VectorXd& change) override {
     return of_family(map_.precondition(of_march(change)));
   }
+  Eigen::VectorXd seed() const override { return of_family(map_.seed()); }
 
   Eigen::VectorXd of_family(const Eigen::VectorXd& state) const {
     Eigen::VectorXd turned(layout_.size());

@@ -21,7 +21,7 @@ NewtonResult find_fixed_point(PeriodicMap&, const Eigen::VectorXd&, const Newton
   refuse();
 }
 
-Multiplier largest_multiplier(const LinearMap&, Eigen::Index, double) {
+Multiplier largest_multiplier(const LinearMap&, Eigen::Index, const MultiplierGoal&) {
   refuse();
 }
 

@@ -21,6 +21,7 @@ constexpr double smallest_margin = 1e-3;  // of the factor from 1
 constexpr double small_residual = 1e-4;   // of the factor: then it is exact enough
 constexpr double clear_residual = 0.1;    // of the distance of the factor from 1: then its side of 1 is clear
 constexpr int fewest_states = 6;          // before a residual counts
+constexpr int looks_to_double = 8;        // from one look at it to the next the states grow by this part
 
 /// The march of the whole wheel, with the nodal diameters that the settled march leaves out as a state vector.
 class WholeWheel {
@@ -109,6 +110,7 @@ Growth largest_growth(const std::function<Eigen::VectorXd(const Eigen::VectorXd&
   std::vector<Eigen::VectorXd> basis{seed};
   Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most + 1, most);
   Growth growth;
+  int look = std::min(fewest_states, most);
   for (int m = 0; m < most; ++m) {
     Eigen::VectorXd next = map(basis.back());
     for (int twice = 0; twice < 2; ++twice)
@@ -118,11 +120,13 @@ Growth largest_growth(const std::function<Eigen::VectorXd(const Eigen::VectorXd&
         next -= share * basis[static_cast<std::size_t>(i)];
       }
     hessenberg(m + 1, m) = next.norm();
-    growth = largest_ritz_value(hessenberg.topLeftCorner(m + 1, m + 1), hessenberg(m + 1, m));
-    if (hessenberg(m + 1, m) == 0 ||
-        (m + 1 >= fewest_states &&
-         growth.uncertainty < std::max(small_residual * growth.factor, clear_residual * std::abs(1 - growth.factor))))
-      break;
+    const bool is_complete = hessenberg(m + 1, m) == 0;
+    if (m + 1 == look || is_complete) {
+      growth = largest_ritz_value(hessenberg.topLeftCorner(m + 1, m + 1), hessenberg(m + 1, m));
+      look = std::min(look + std::max(look / looks_to_double, 1), most);
+      const double small = std::max(small_residual * growth.factor, clear_residual * std::abs(1 - growth.factor));
+      if (is_complete || growth.uncertainty < small) break;
+    }
     basis.push_back(next / hessenberg(m + 1, m));
   }
   const double power = std::pow(growth.factor, maps);

@@ -121,13 +121,14 @@ bool SteadyState::stands(int count) const {
   return std::abs(line.slope) <= 2 * line.uncertainty;
 }
 
-Settling::Settling(const Scene& scene, TimeMarch& march, int min_revolutions)
+Settling::Settling(const Scene& scene, TimeMarch& march, int min_revolutions, StartMotion start)
     : scene_(scene),
       march_(march),
       band_(scene.scope.samples_per_revolution, highest_resolved_order(scene, march)),
       state_(make_judge(scene, march)),
       bound_(boundless_motion * length_scale(scene)),
-      min_revolutions_(min_revolutions) {}
+      min_revolutions_(min_revolutions),
+      start_(start) {}
 
 void Settling::add(Eigen::VectorXd motion) {
   ++revolutions_;
@@ -162,7 +163,8 @@ bool Settling::settled() const {
 
 bool Settling::wanders() const {
   const int unit = std::max(min_revolutions_, fewest_revolutions);
-  return !settled() && revolutions_ >= patience * unit && state_.stands(standing * unit);
+  const int marched = unit * (start_ == StartMotion::wanders ? standing : patience);
+  return !settled() && revolutions_ >= marched && state_.stands(standing * unit);
 }
 
 void Settling::advance() {

@@ -56,20 +56,27 @@ class SteadyState {
   std::array<std::vector<double>, longest_period> changes_;
 };
 
+/// What is known of the motion with which a march starts.
+enum class StartMotion {
+  unknown,
+  wanders,  ///< it has been marched for long and did not settle: no transient has to pass
+};
+
 /// Judges whether the march of one speed has settled, by the band of resolved frequencies only, and stops a motion
 /// that grows without bound.
 class Settling {
  public:
   /// `min_revolutions` is the number of revolutions before settling is judged.
-  Settling(const Scene& scene, TimeMarch& march, int min_revolutions);
+  Settling(const Scene& scene, TimeMarch& march, int min_revolutions, StartMotion start);
 
   /// Adds a marched revolution. Raises NoMotion if the motion has grown without bound.
   void add(Eigen::VectorXd motion);
   /// Whether the motion has settled; false before the smallest allowed number of revolutions.
   bool settled() const;
   /// Whether further marching is useless: the motion has not settled after seven times the smallest allowed number of
-  /// revolutions (at least 70), and its change per revolution neither decreases nor increases. An increasing change
-  /// shows that the motion leaves an orbit, and it will then approach another one.
+  /// revolutions (at least 70; three times and 30 if it wandered before), and its change per revolution neither
+  /// decreases nor increases. An increasing change shows that the motion leaves an orbit, and it will then approach
+  /// another one.
   bool wanders() const;
   SettlingState state() const { return orbit_ ? *orbit_ : state_.judge(); }
   /// The class of the motion, from one period of a settled motion or, otherwise, from at most the last 24
@@ -99,6 +106,7 @@ class Settling {
   std::deque<Eigen::VectorXd> last_;  ///< the last revolutions, the newest last
   double bound_;                      ///< [m]
   int min_revolutions_;
+  StartMotion start_;
   int revolutions_ = 0;
 };
 

@@ -131,6 +131,8 @@ class MarchedMap final : public PeriodicMap {
   /// (1 - DF)^-1 of a motion without contact, in which the modes do not couple. The contact of an orbit hardly
   /// changes the slow modes, whose number determines how many steps GMRES takes.
   Eigen::VectorXd precondition(const Eigen::VectorXd& change) override;
+  /// As seeded_disturbance() makes it.
+  Eigen::VectorXd seed() const override { return tangent_.seed(); }
   /// The number of calls of tangent() so far.
   int tangents() const { return tangents_; }
 

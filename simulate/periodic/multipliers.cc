@@ -18,6 +18,7 @@
 #include <Teuchos_RCP.hpp>
 #include <Teuchos_SerialDenseMatrix.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -148,7 +149,9 @@ namespace {
 
 constexpr Eigen::Index dense = 40;  // numbers in a state: up to here the whole matrix costs fewer maps
 constexpr int fewest_vectors = 40, most_vectors = 200;  // of a Krylov space
-constexpr int vectors_a_look = 10;
+constexpr int looks_to_double = 4;    // from one look to the next the space grows by this part of itself
+constexpr double clear_distance = 5;  // of a magnitude from 1, in uncertainties
+constexpr double invariant = 1e-10;   // of the map: what leads out of a space is rounding
 
 Teuchos::ParameterList settings(Eigen::Index vectors) {
   Teuchos::ParameterList list;
@@ -170,23 +173,41 @@ Multiplier of_dense(const LinearMap& map, Eigen::Index size) {
 
 using Solver = Anasazi::BlockKrylovSchur<double, KrylovVectors, LinearMap>;
 
-std::complex<double> largest_ritz_value(Solver& solver) {
-  solver.computeRitzValues();
-  std::complex<double> largest;
-  for (const Anasazi::Value<double>& value : solver.getRitzValues()) {
-    const std::complex<double> candidate(value.realpart, value.imagpart);
-    if (std::abs(candidate) > std::abs(largest)) largest = candidate;
-  }
-  return largest;
+/// The projected map, without the vectors that follow once the space is invariant, which are rounding.
+Eigen::MatrixXd projected(const Solver& solver) {
+  const auto state = solver.getState();
+  const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> hessenberg(
+      state.H->values(), state.curDim, state.curDim, Eigen::OuterStride<>(state.H->stride()));
+  const double smallest = invariant * hessenberg.cwiseAbs().maxCoeff();
+  Eigen::Index count = 1;
+  while (count < state.curDim && std::abs(hessenberg(count, count - 1)) > smallest) ++count;
+  return hessenberg.topLeftCorner(count, count);
 }
 
-/// The largest Ritz value of a growing Krylov space, until its magnitude is constant over two looks. For a march,
+/// The values alone are much cheaper than Anasazi's Schur vectors.
+std::complex<double> largest_ritz_value(const Solver& solver) {
+  const Eigen::VectorXcd values = general_eigenvalues(projected(solver));
+  Eigen::Index place = 0;
+  values.cwiseAbs().maxCoeff(&place);
+  return values[place];
+}
+
+bool is_exact_enough(const Multiplier& largest, const MultiplierGoal& goal) {
+  const double magnitude = std::abs(largest.value);
+  const bool is_clear = std::abs(magnitude - 1) > clear_distance * largest.uncertainty;
+  return largest.uncertainty <= (is_clear ? goal.tolerance : std::min(goal.clear, goal.tolerance)) * magnitude;
+}
+
+/// The largest Ritz value of a growing Krylov space, until its magnitude is constant over three looks. For a march,
 /// whose map is nearly normal, the value converges long before its vector, since many multipliers are of nearly equal
 /// size.
-Multiplier of_krylov(const LinearMap& map, Eigen::Index size, double tolerance) {
+Multiplier of_krylov(const LinearMap& map, Eigen::Index size, const MultiplierGoal& goal) {
   using Test = Anasazi::StatusTestMaxIters<double, KrylovVectors, LinearMap>;
   const auto start = Teuchos::rcp(new KrylovVectors(size, 1));
-  Anasazi::MultiVecTraits<double, KrylovVectors>::MvRandom(*start);
+  if (goal.start.size() > 0)
+    start->columns() = goal.start;
+  else
+    Anasazi::MultiVecTraits<double, KrylovVectors>::MvRandom(*start);
   const auto problem =
       Teuchos::rcp(new Anasazi::BasicEigenproblem<double, KrylovVectors, LinearMap>(Teuchos::rcpFromRef(map), start));
   problem->setHermitian(false);
@@ -196,26 +217,24 @@ Multiplier of_krylov(const LinearMap& map, Eigen::Index size, double tolerance) 
   Teuchos::ParameterList list = settings(vectors);
   Solver solver(problem, Teuchos::rcp(new Anasazi::BasicSort<double>("LM")),
                 Teuchos::rcp(new Anasazi::BasicOutputManager<double>(Anasazi::Errors)),
-                Teuchos::rcp(new Test(vectors_a_look)),
+                Teuchos::rcp(new Test(fewest_vectors)),
                 Teuchos::rcp(new Anasazi::BasicOrthoManager<double, KrylovVectors, LinearMap>), list);
   Multiplier largest{0, 1};
-  double change_before = 1;
-  for (int look = vectors_a_look; look <= vectors; look += vectors_a_look) {
+  std::array<double, 3> changes{1, 1, 1};  // the last ones
+  for (int look = std::min(fewest_vectors / 2, vectors);; look = std::min(look + look / looks_to_double, vectors)) {
     solver.setStatusTest(Teuchos::rcp(new Test(look)));
     solver.iterate();
     const std::complex<double> now = largest_ritz_value(solver);
-    const double change = std::abs(std::abs(now) - std::abs(largest.value));
-    largest = {now, std::max(change, change_before)};
-    change_before = change;
-    if (look >= fewest_vectors && largest.uncertainty <= tolerance * std::abs(now)) break;
+    changes = {changes[1], changes[2], std::abs(std::abs(now) - std::abs(largest.value))};
+    largest = {now, *std::max_element(changes.begin(), changes.end())};
+    if (look == vectors || (look >= fewest_vectors && is_exact_enough(largest, goal))) return largest;
   }
-  return largest;
 }
 
 }  // namespace
 
-Multiplier largest_multiplier(const LinearMap& map, Eigen::Index size, double tolerance) {
-  return size <= dense ? of_dense(map, size) : of_krylov(map, size, tolerance);
+Multiplier largest_multiplier(const LinearMap& map, Eigen::Index size, const MultiplierGoal& goal) {
+  return size <= dense ? of_dense(map, size) : of_krylov(map, size, goal);
 }
 
 }  // namespace tiprub::simulate

@@ -18,16 +18,8 @@ namespace {
 constexpr int tries[] = {12, 24, 48};  // revolutions after the casing has grown
 constexpr double come_back = 0.2;      // of the largest distance within the longest period: the march nearly returns
 constexpr double returned = 1e-3;      // of the state: a settled march is this near to where it was
-constexpr double newton_step = 10;    // of settle_tolerance: bound of the last step, whose error is a hundredth of it
-constexpr double clear_distance = 5;  // of a multiplier from 1, in uncertainties: nearer ones are found more exactly
+constexpr double newton_step = 10;  // of settle_tolerance: bound of the last step, whose error is a hundredth of it
 constexpr double rough = 2e-3, common = 2e-4, exact = 2e-5;  // of a multiplier
-
-/// The largest multiplier, found more exactly if the first value does not tell on which side of 1 it is.
-Multiplier clear_multiplier(const LinearMap& map, Eigen::Index size, double tolerance) {
-  const Multiplier first = largest_multiplier(map, size, tolerance);
-  const double distance = std::abs(std::abs(first.value) - 1);
-  return distance > clear_distance * first.uncertainty ? first : largest_multiplier(map, size, exact);
-}
 
 /// The growth of excluded disturbances while a pattern of contact is held.
 Growth excluded_growth_held(const TimeMarch& orbit, const std::shared_ptr<const ContactPattern>& pattern, int power,
@@ -76,31 +68,32 @@ Growth excluded_growth_along(TimeMarch& settled, int period_revolutions, int rev
   return excluded_growth_held(settled, image.pattern, power, revolutions);
 }
 
-bool OrbitSearch::approach(TimeMarch& coarse) {
-  if (attempt([&] { return look_along(coarse); }).result.value_or(false)) return true;
+bool OrbitSearch::reach(TimeMarch& march, const std::function<void()>& revolution) {
+  if (has_given_up()) return false;
+  if (orbit_.state.size() > 0 ? jump(march) : look_along(march, revolution)) return true;
   give_up();
   return false;
 }
 
-bool OrbitSearch::look_along(TimeMarch& coarse) {
-  const std::int64_t grown = scene_.casing.grown_after();
+bool OrbitSearch::look_along(TimeMarch& coarse, const std::function<void()>& revolution) {
+  const auto march_until = [&](std::int64_t revolutions) {
+    const std::int64_t steps = (scene_.casing.grown_after() + revolutions) * coarse.steps_per_revolution();
+    while (coarse.step_count() < steps) revolution();
+  };
   for (const int revolutions : tries) {
-    while (coarse.step_count() < (grown + revolutions) * coarse.steps_per_revolution()) coarse.step();
+    march_until(revolutions);
     if (jump(coarse)) return true;
-    report_.outcome = OrbitReport::Outcome::none;
     if (report_.multiplier > 0) break;  // an orbit exists, and it repels
   }
-  while (coarse.step_count() < (grown + std::end(tries)[-1]) * coarse.steps_per_revolution()) coarse.step();
+  march_until(std::end(tries)[-1]);
   report_.maps = recurrence(coarse);
   return report_.maps > 1 && jump(coarse);
 }
 
 bool OrbitSearch::jump(TimeMarch& march) {
-  if (has_given_up()) return false;
   const MarchState before(march);
   if (attempt([&] { return find(march); }).result.value_or(false)) return true;
   before.restore(march);
-  give_up();
   return false;
 }
 
@@ -163,7 +156,7 @@ bool OrbitSearch::attracts(MarchedMap& map, const NewtonResult& orbit, double to
     ++applied;
     return map.tangent(orbit.pattern, change);
   };
-  const Multiplier largest = clear_multiplier(tangent, orbit.state.size(), tolerance);
+  const Multiplier largest = largest_multiplier(tangent, orbit.state.size(), {tolerance, exact, map.seed()});
   const Growth growth = per_revolution(largest, maps);
   report_.revolutions += applied / maps;
   report_.multiplier = growth.factor;

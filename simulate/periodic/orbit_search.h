@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <memory>
+#include <functional>
 #include <optional>
 
 #include "simulate/march/time_march.h"
@@ -32,13 +32,13 @@ class OrbitSearch {
   /// Keeps a reference to the scene.
   explicit OrbitSearch(const Scene& scene) : scene_(scene) {}
 
-  /// Marches from rest with a coarse step until the distortion of the casing has grown, and some revolutions more.
-  /// Then puts the march onto a stable orbit nearby; if there is none, marches on and tries again. Returns whether an
-  /// orbit was found.
-  bool approach(TimeMarch& coarse);
-  /// Puts a march that continues from the last orbit onto the orbit of its own step. If there is none, leaves the
-  /// march unchanged to the last bit and ends the search.
-  bool jump(TimeMarch& march);
+  /// Puts a march onto a stable orbit, and returns whether there is one. If there is none, ends the search and leaves
+  /// the march at a state that it has come to by itself, to the last bit.
+  ///
+  /// The first march, from rest with a coarse step, is led by `revolution` until the distortion of the casing has
+  /// grown, and for some revolutions more until an orbit is found nearby. Later ones continue from the last orbit and
+  /// jump to that of their own step. Raises what the first march raises.
+  bool reach(TimeMarch& march, const std::function<void()>& revolution);
   /// [1] The distance of the march from its orbit after whole revolutions, relative to the orbit.
   double drift(TimeMarch& march) const;
   /// Whether the orbit attracts with the step of this march: an orbit that attracts with a coarse step may repel with
@@ -55,10 +55,10 @@ class OrbitSearch {
   const std::optional<Growth>& excluded() const { return excluded_; }
 
  private:
+  bool jump(TimeMarch& march);
   bool has_given_up() const { return report_.outcome == OrbitReport::Outcome::marched; }
   int recurrence(TimeMarch& march) const;
-  /// Marches on until jump() finds an orbit. Raises what the march raises.
-  bool look_along(TimeMarch& coarse);
+  bool look_along(TimeMarch& coarse, const std::function<void()>& revolution);
   bool find(TimeMarch& march);
   bool attracts(MarchedMap& map, const NewtonResult& orbit, double tolerance);
   void follow_excluded(const TimeMarch& march, const NewtonResult& orbit);

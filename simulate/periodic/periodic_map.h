@@ -101,6 +101,8 @@ class PeriodicMap {
                                   const Eigen::VectorXd& change) = 0;
   /// A fixed linear map near (1 - DF)^-1, for linear solvers.
   virtual Eigen::VectorXd precondition(const Eigen::VectorXd& change) { return change; }
+  /// A disturbance, mainly of slow modes, from which multipliers may be sought; empty: any.
+  virtual Eigen::VectorXd seed() const { return {}; }
 };
 
 }  // namespace tiprub::simulate

@@ -83,7 +83,7 @@ int revolutions_to_record(const SimulateParameters& parameters, const SettlingSt
 
 /// Jumps to the orbit, or marches until the motion has settled or no revolutions are left.
 void come_to_rest(OrbitSearch* search, int last_start, TimeMarch& march, Settling& settling) {
-  if (search && search->jump(march))
+  if (search && search->reach(march, [&] { settling.advance(); }))
     settling.stand_on_orbit(search->period_revolutions(), search->report().multiplier);
   while (settling.revolutions() < last_start && !settling.settled() && !settling.wanders()) settling.advance();
 }
@@ -104,7 +104,7 @@ bool is_confirmed(const Scene& scene, OrbitSearch* search, TimeMarch& march, Set
 SettledMotion march_and_record(const Scene& scene, const MarchPlan& plan, std::unique_ptr<TimeMarch> march) {
   const SimulateParameters& parameters = scene.parameters;
   const int last_start = parameters.max_revolutions - parameters.recorded_revolutions;
-  Settling settling(scene, *march, plan.min_revolutions);
+  Settling settling(scene, *march, plan.min_revolutions, plan.start);
   Recording::Grid grid{scene.scope.samples_per_revolution, 0, parameters.casing_areas,
                        leftover_gap * length_scale(scene), static_cast<double>(settling.highest_order())};
   while (true) {
@@ -139,9 +139,10 @@ void start_march(const Scene& scene, const RotorState& start, TimeMarch& march) 
 
 /// The same motion with half the step.
 SettledMotion halved(const Scene& scene, const SettledMotion& coarse, const MarchPlan& before) {
+  const bool settled = coarse.state.settled == SettlingState::Settled::yes;
   const MarchPlan plan{2 * coarse.march->steps_per_revolution(),
-                       std::min(min_revolutions_again, scene.parameters.min_revolutions), before.cycle,
-                       before.search};
+                       std::min(min_revolutions_again, scene.parameters.min_revolutions), before.cycle, before.search,
+                       settled ? StartMotion::unknown : StartMotion::wanders};
   SettledMotion finer = settle(scene, coarse.march->scene().rotor, state_of(*coarse.march, scene.model), plan);
   finer.revolutions += coarse.revolutions;
   return finer;
@@ -173,16 +174,25 @@ bool is_useless(const std::vector<double>& differences) {
          differences[count - 2] > useless_halving * differences[count - 3];
 }
 
-/// The state of the orbit that a march from rest approaches, found with a coarse step; at rest if there is none.
-/// Creates `search` where the case asks for orbits and they are possible.
-RotorState approach(const Scene& scene, const SharedRotor& rotor, std::optional<OrbitSearch>& search) {
+/// Where the case asks for orbits and they are possible.
+std::optional<OrbitSearch> search_for(const Scene& scene) {
   if (scene.parameters.steady_state != SteadyStateMethod::orbit || !has_symmetric_map(scene)) return {};
+  return OrbitSearch(scene);
+}
+
+/// The state of the orbit that a march from rest approaches, found with a coarse step; at rest if there is none.
+RotorState approach(const Scene& scene, const SharedRotor& rotor, OrbitSearch& search) {
   SimulateParameters parameters = scene.parameters;
   parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
   const int steps = steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed);
   TimeMarch march(marched_scene(scene, rotor, steps));
-  search.emplace(scene);
-  return search->approach(march) ? state_of(march, scene.model) : RotorState{};
+  const auto revolution = [&] {
+    for (int i = 0; i < steps; ++i) march.step();
+  };
+  if (attempt([&] { return search.reach(march, revolution); }).result.value_or(false))
+    return state_of(march, scene.model);
+  search.give_up();
+  return {};
 }
 
 /// Halves the step until the tolerance is met.
@@ -221,9 +231,9 @@ SettledMotion settle(const Scene& scene, const SharedRotor& rotor, const RotorSt
 RefinedMotion settle_within_tolerance(const Scene& scene, const SharedRotor& rotor, const RotorState& start,
                                       CycleChoice cycle) {
   const SimulateParameters& parameters = scene.parameters;
-  std::optional<OrbitSearch> search;
+  std::optional<OrbitSearch> search = start.at_rest() ? search_for(scene) : std::nullopt;
   RotorState orbit;
-  if (start.at_rest()) orbit = approach(scene, rotor, search);
+  if (search) orbit = approach(scene, rotor, *search);
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed),
                        parameters.min_revolutions, cycle, search ? &*search : nullptr};
   const auto run = [&](const RotorState& from) {
@@ -243,12 +253,11 @@ SettledMotion settle_roughly(const Scene& scene, const SharedRotor& rotor) {
   parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
   parameters.settle_tolerance = std::max(parameters.settle_tolerance, coarse_settling);
   const Scene coarse{scene.model, scene.casing, parameters, scene.scope};
-  std::optional<OrbitSearch> search;
-  const RotorState orbit = approach(coarse, rotor, search);
+  std::optional<OrbitSearch> search = search_for(coarse);
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed),
                        std::min(min_revolutions_again, parameters.min_revolutions), CycleChoice::left,
                        search ? &*search : nullptr};
-  return settle(coarse, rotor, orbit, plan);
+  return settle(coarse, rotor, {}, plan);
 }
 
 }  // namespace tiprub::simulate

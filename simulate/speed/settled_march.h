@@ -24,6 +24,7 @@ struct MarchPlan {
   int min_revolutions = 0;  ///< marched before settling is judged
   CycleChoice cycle = CycleChoice::left;
   OrbitSearch* search = nullptr;  ///< puts the march onto the settled motion, if given
+  StartMotion start = StartMotion::unknown;
 };
 
 /// A march at its settled motion, or as near to it as the allowed revolutions lead, and the recording of that motion.

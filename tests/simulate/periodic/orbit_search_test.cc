@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "simulate/march/march_state.h"
 #include "simulate/march/marched_scene.h"
 #include "simulate/orbits/excluded_growth.h"
 #include "simulate/periodic/marched_map.h"
@@ -174,6 +175,30 @@ TEST(SettledMarch, LeavesAMotionThatWandersBeforeAllRevolutionsAreMarched) {
   EXPECT_EQ(left.state.period_revolutions, 0);
   EXPECT_GE(left.revolutions, 70);
   EXPECT_LT(left.revolutions, 200);
+  const MarchPlan again{parameters.steps_per_revolution, 10, CycleChoice::left, nullptr, StartMotion::wanders};
+  const SettledMotion after = settle(scene, rotor_of(scene, 2880), state_of(*left.march, model), again);
+  EXPECT_EQ(after.state.period_revolutions, 0);
+  EXPECT_GE(after.revolutions, 30);
+  EXPECT_LT(after.revolutions, 70) << "its transient has passed";
+}
+
+/// A scan's search for an orbit takes place along its own march, which goes on if there is none.
+TEST(SettledMarch, GoesOnAfterASearchThatFoundNothing) {
+  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
+  const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
+  SimulateParameters parameters = parameters_for(model, casing, 2880);
+  parameters.max_revolutions = 200;
+  const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
+  const Scene scene{model, casing, parameters, scope};
+  OrbitSearch search(scene);
+  MarchPlan plan{parameters.steps_per_revolution, 10};
+  const SettledMotion plain = settle(scene, rotor_of(scene, 2880), {}, plan);
+  plan.search = &search;
+  const SettledMotion searched = settle(scene, rotor_of(scene, 2880), {}, plan);
+  EXPECT_EQ(search.report().outcome, Outcome::marched);
+  EXPECT_EQ(searched.state.period_revolutions, 0);
+  EXPECT_EQ(searched.revolutions, plain.revolutions);
+  EXPECT_EQ(searched.recorded.displacement, plain.recorded.displacement);
 }
 
 /// A wheel that reaches no casing comes to rest: nothing is divided by its motion.

@@ -185,8 +185,8 @@ Eigen::MatrixXd projected(const Solver& solver) {
 }
 
 /// The values alone are much cheaper than Anasazi's Schur vectors.
-std::complex<double> largest_ritz_value(const Solver& solver) {
-  const Eigen::VectorXcd values = general_eigenvalues(projected(solver));
+std::complex<double> largest_eigenvalue(const Eigen::MatrixXd& projected) {
+  const Eigen::VectorXcd values = general_eigenvalues(projected);
   Eigen::Index place = 0;
   values.cwiseAbs().maxCoeff(&place);
   return values[place];
@@ -224,10 +224,12 @@ Multiplier of_krylov(const LinearMap& map, Eigen::Index size, const MultiplierGo
   for (int look = std::min(fewest_vectors / 2, vectors);; look = std::min(look + look / looks_to_double, vectors)) {
     solver.setStatusTest(Teuchos::rcp(new Test(look)));
     solver.iterate();
-    const std::complex<double> now = largest_ritz_value(solver);
+    const Eigen::MatrixXd small = projected(solver);
+    const std::complex<double> now = largest_eigenvalue(small);
     changes = {changes[1], changes[2], std::abs(std::abs(now) - std::abs(largest.value))};
     largest = {now, *std::max_element(changes.begin(), changes.end())};
-    if (look == vectors || (look >= fewest_vectors && is_exact_enough(largest, goal))) return largest;
+    const bool is_whole = look == vectors || small.rows() < look;
+    if (is_whole || (look >= fewest_vectors && is_exact_enough(largest, goal))) return largest;
   }
 }
 

@@ -33,7 +33,7 @@ class OrbitSearch {
   explicit OrbitSearch(const Scene& scene) : scene_(scene) {}
 
   /// Puts a march onto a stable orbit, and returns whether there is one. If there is none, ends the search and leaves
-  /// the march at a state that it has come to by itself, to the last bit.
+  /// the march at a state that it has come to by itself.
   ///
   /// The first march, from rest with a coarse step, is led by `revolution` until the distortion of the casing has
   /// grown, and for some revolutions more until an orbit is found nearby. Later ones continue from the last orbit and
@@ -55,6 +55,7 @@ class OrbitSearch {
   const std::optional<Growth>& excluded() const { return excluded_; }
 
  private:
+  /// The march keeps its state if there is no orbit.
   bool jump(TimeMarch& march);
   bool has_given_up() const { return report_.outcome == OrbitReport::Outcome::marched; }
   int recurrence(TimeMarch& march) const;

@@ -21,7 +21,7 @@ constexpr double smallest_margin = 1e-3;  // of the factor from 1
 constexpr double small_residual = 1e-4;   // of the factor: then it is exact enough
 constexpr double clear_residual = 0.1;    // of the distance of the factor from 1: then its side of 1 is clear
 constexpr int fewest_states = 6;          // before a residual counts
-constexpr int looks_to_double = 8;        // from one look at it to the next the states grow by this part
+constexpr int looks_to_double = 8;        // between two looks at it their number grows by one part in so many
 
 /// The march of the whole wheel, with the nodal diameters that the settled march leaves out as a state vector.
 class WholeWheel {

@@ -149,9 +149,9 @@ namespace {
 
 constexpr Eigen::Index dense = 40;  // numbers in a state: up to here the whole matrix costs fewer maps
 constexpr int fewest_vectors = 40, most_vectors = 200;  // of a Krylov space
-constexpr int looks_to_double = 4;    // from one look to the next the space grows by this part of itself
-constexpr double clear_distance = 5;  // of a magnitude from 1, in uncertainties
-constexpr double invariant = 1e-10;   // of the map: what leads out of a space is rounding
+constexpr int looks_to_double = 4;                      // between two looks the space grows by one part in so many
+constexpr double clear_distance = 5;                    // of a magnitude from 1, in uncertainties
+constexpr double invariant = 1e-10;                     // of the map: what leads out of a space is rounding
 
 Teuchos::ParameterList settings(Eigen::Index vectors) {
   Teuchos::ParameterList list;
@@ -161,19 +161,25 @@ Teuchos::ParameterList settings(Eigen::Index vectors) {
   return list;
 }
 
+std::complex<double> largest_eigenvalue(const Eigen::MatrixXd& matrix) {
+  const Eigen::VectorXcd values = general_eigenvalues(matrix);
+  Eigen::Index place = 0;
+  values.cwiseAbs().maxCoeff(&place);
+  return values[place];
+}
+
 /// By the whole matrix, column by column.
 Multiplier of_dense(const LinearMap& map, Eigen::Index size) {
   Eigen::MatrixXd matrix(size, size);
   for (Eigen::Index i = 0; i < size; ++i) matrix.col(i) = map(Eigen::VectorXd::Unit(size, i));
-  const Eigen::VectorXcd values = general_eigenvalues(matrix);
-  Eigen::Index largest = 0;
-  values.cwiseAbs().maxCoeff(&largest);
-  return {values[largest], static_cast<double>(size) * std::numeric_limits<double>::epsilon() * matrix.norm()};
+  return {largest_eigenvalue(matrix),
+          static_cast<double>(size) * std::numeric_limits<double>::epsilon() * matrix.norm()};
 }
 
 using Solver = Anasazi::BlockKrylovSchur<double, KrylovVectors, LinearMap>;
 
-/// The projected map, without the vectors that follow once the space is invariant, which are rounding.
+/// The projected map, without the vectors that follow once the space is invariant, which are rounding. Its
+/// eigenvalues alone are much cheaper than Anasazi's Schur vectors.
 Eigen::MatrixXd projected(const Solver& solver) {
   const auto state = solver.getState();
   const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> hessenberg(
@@ -182,14 +188,6 @@ Eigen::MatrixXd projected(const Solver& solver) {
   Eigen::Index count = 1;
   while (count < state.curDim && std::abs(hessenberg(count, count - 1)) > smallest) ++count;
   return hessenberg.topLeftCorner(count, count);
-}
-
-/// The values alone are much cheaper than Anasazi's Schur vectors.
-std::complex<double> largest_eigenvalue(const Eigen::MatrixXd& projected) {
-  const Eigen::VectorXcd values = general_eigenvalues(projected);
-  Eigen::Index place = 0;
-  values.cwiseAbs().maxCoeff(&place);
-  return values[place];
 }
 
 bool is_exact_enough(const Multiplier& largest, const MultiplierGoal& goal) {

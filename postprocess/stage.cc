@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/stage.h"
 
+#include <cblas.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <future>
@@ -163,6 +165,7 @@ std::string postprocess_tables(const CaseFile& file) {
 }
 
 void run_postprocess(const StageArguments& arguments, const PostprocessOptions& options) try {
+  openblas_set_num_threads(1);  // this program's own threads share its products
   if (arguments.action == Action::check) return check(read_inputs(arguments, options), options);
   const OutputLock lock(arguments.output);
   OutputFile output(arguments.output, OutputFile::Kind::folder);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/fields/cycle_stress.h"
 
-#include <cblas.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <utility>
 
 #include "cases/program/machine.h"
+#include "reduce/model/dense_product.h"
 #include "reduce/model/nodal_diameter.h"
 
 namespace tiprub::postprocess {
@@ -99,7 +98,7 @@ std::vector<Tensors> mean_stress(const WheelCycle& cycle, const Tensors& spin, i
 constexpr Eigen::Index nodes_at_once = 64;  // their components at one sample fit into a processor's first cache
 
 /// A column for each component, a row for each node: sums and products then run along the memory, several at once.
-using Components = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic>;
+using Components = Eigen::ArrayXXd;
 
 Components by_component(const Tensors& tensors, Eigen::Index first, Eigen::Index count) {
   return tensors.middleCols(first, count).transpose();
@@ -114,15 +113,6 @@ Eigen::ArrayXd von_mises_square(const Components& stress, Eigen::Index first = 0
 
 constexpr Eigen::Index rows_of_node = 9;      // x, y, z of the displacement, then the stress
 constexpr Eigen::Index samples_at_once = 32;  // of the sums at these nodes, which then stay in a second cache
-
-/// C = A B by the BLAS, which takes the processor's widest instructions; Eigen's products are compiled for the oldest
-/// one.
-void multiply(const Eigen::MatrixXd& A, const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::MatrixXd& C) {
-  C.resize(A.rows(), B.cols());
-  const auto length = [](Eigen::Index size) { return static_cast<int>(size); };
-  cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, length(C.rows()), length(C.cols()), length(A.cols()), 1.0,
-              A.data(), length(A.rows()), B.data(), length(B.outerStride()), 0.0, C.data(), length(C.rows()));
-}
 
 /// The factors of the real parts of a wave's fields, then of their imaginary ones: a column for the real part of each
 /// sum and another one for its imaginary part.
@@ -158,8 +148,10 @@ class Block {
 
   /// The waves at some samples, from the columns of these that real_factors() gave.
   void take_samples(const std::vector<Eigen::MatrixXd>& factors, Eigen::Index first, Eigen::Index count) {
-    for (std::size_t i = 0; i < factors.size(); ++i)
-      multiply(shapes_[i], factors[i].middleCols(2 * first, 2 * count), parts_[i]);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      parts_[i].setZero(shapes_[i].rows(), 2 * count);
+      add_product(shapes_[i], factors[i].middleCols(2 * first, 2 * count), parts_[i]);
+    }
   }
 
   /// The sum of the waves on a sector at one of these samples; `phases` as the waves.
@@ -273,7 +265,6 @@ class Maxima {
 
 CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int sector_count, const WaveRecovery& recover,
                          int most_fields, Progress& progress) {
-  openblas_set_num_threads(1);  // threads share the nodes
   int count = cycle.samples();
   std::vector<SampledWaves> waves = recovered(cycle, 0, count, recover, most_fields);
   std::vector<Tensors> mean;

@@ -27,7 +27,7 @@ static_assert(std::endian::native == std::endian::little, "the file says LittleE
 template <class Value>
 std::string encoded(const std::vector<Value>& values) {
   const std::string block(reinterpret_cast<const char*>(values.data()), sizeof(Value) * values.size());
-  const std::string packed = deflated(block);
+  const std::string packed = deflated(block, Packing::fast);
   const std::array<std::uint64_t, 4> head = {1, block.size(), 0, packed.size()};
   return base64({reinterpret_cast<const char*>(head.data()), sizeof head}) + base64(packed);
 }

@@ -2,11 +2,14 @@
 #include "postprocess/fields/stress_over_speed.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <set>
+#include <thread>
 
+#include "cases/program/machine.h"
 #include "cases/program/signal_cleanup.h"
 #include "cases/program/units.h"
 #include "mesh/cells/cell_kind.h"
@@ -270,10 +273,13 @@ Eigen::VectorXd stress_over_speed(const FieldsReader& reader, const Study& study
   }
   const SpeedStress stress(study.response.scene, modes);
   Eigen::VectorXd largest(static_cast<Eigen::Index>(speeds.size()));
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    stop_if_interrupted();
-    largest[static_cast<Eigen::Index>(i)] = stress.largest(speeds[i]);
-  }
+  std::atomic<std::size_t> next = 0;
+  work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
+    for (std::size_t i = 0; (i = next++) < speeds.size();) {
+      stop_if_interrupted();
+      largest[static_cast<Eigen::Index>(i)] = stress.largest(speeds[i]);
+    }
+  });
   return largest;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <memory>
+#include <mutex>
 #include <numbers>
 #include <numeric>
 
@@ -18,6 +19,7 @@ namespace tiprub::postprocess {
 namespace {
 
 constexpr double same_state = 1e-3;  // of the norm of the states
+std::mutex planning;                 // FFTW makes one plan at a time
 
 void require_dofs(Eigen::Index found, Eigen::Index asked) {
   if (found != asked)
@@ -122,14 +124,25 @@ WheelCycle wheel_cycle(const PeakVariation& peak, const SimulatedScene& scene, c
   return without_repeats(peak, scene, model);
 }
 
+namespace {
+
+void destroy(fftw_plan_s* plan) {
+  const std::lock_guard lock(planning);
+  fftw_destroy_plan(plan);
+}
+
+}  // namespace
+
 Eigen::MatrixXcd fourier_lines(Eigen::MatrixXcd states, int first_sample) {
   const auto dofs = static_cast<int>(states.rows()), samples = static_cast<int>(states.cols());
   Eigen::MatrixXcd lines(dofs, samples);
-  const std::unique_ptr<fftw_plan_s, decltype(&fftw_destroy_plan)> plan(
-      fftw_plan_many_dft(1, &samples, dofs, reinterpret_cast<fftw_complex*>(states.data()), nullptr, dofs, 1,
-                         reinterpret_cast<fftw_complex*>(lines.data()), nullptr, dofs, 1, FFTW_FORWARD,
-                         FFTW_ESTIMATE),
-      &fftw_destroy_plan);
+  const auto make_plan = [&] {
+    const std::lock_guard lock(planning);
+    return fftw_plan_many_dft(1, &samples, dofs, reinterpret_cast<fftw_complex*>(states.data()), nullptr, dofs, 1,
+                              reinterpret_cast<fftw_complex*>(lines.data()), nullptr, dofs, 1, FFTW_FORWARD,
+                              FFTW_ESTIMATE);
+  };
+  const std::unique_ptr<fftw_plan_s, decltype(&destroy)> plan(make_plan(), &destroy);
   fftw_execute(plan.get());
   for (int m = 0; m < samples; ++m) {
     const int turns = first_sample % samples * m % samples;

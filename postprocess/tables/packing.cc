@@ -25,14 +25,21 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-std::string deflated(const std::string& bytes) {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::string packed(size, '\0');
-  const int result =
-      compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
-  if (result != Z_OK) throw RunError("the data of a report can't be compressed: not enough memory");
-  packed.resize(size);
+std::string deflated(const std::string& bytes, Packing packing) {
+  const bool fast = packing == Packing::fast;
+  constexpr int most_memory = 9;
+  z_stream stream{};
+  if (deflateInit2(&stream, fast ? Z_BEST_SPEED : Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS, most_memory,
+                   fast ? Z_RLE : Z_DEFAULT_STRATEGY) != Z_OK)
+    throw RunError("the data of a report can't be compressed: not enough memory");
+  std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // NOLINT: zlib only reads it
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);  // there is room for all of it
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
   return packed;
 }
 

@@ -13,7 +13,9 @@ namespace tiprub::postprocess {
 std::string base64(const std::string& bytes);
 
 /// Compressed bytes as a browser's DecompressionStream("deflate") reads them (RFC 1950).
-std::string deflated(const std::string& bytes);
+/// `fast`, for numbers whose last digits are noise, takes a third of the time and gives a tenth more bytes.
+enum class Packing { small, fast };
+std::string deflated(const std::string& bytes, Packing packing = Packing::small);
 
 /// Arrays for a page: their numbers one after the other, little-endian, and a directory of where each array begins.
 /// The page's typed arrays read them in place.

@@ -11,6 +11,7 @@
 #include "cases/program/machine.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/free_faces.h"
+#include "reduce/model/dense_product.h"
 
 namespace tiprub {
 
@@ -255,13 +256,13 @@ Eigen::VectorXcd FieldsReader::shape(int nodal_diameter, Eigen::Index dof) const
 namespace {
 
 /// sum += shapes both. Threads share blocks of rows, so that the result does not depend on their number.
-void add_product(const Eigen::Ref<const Eigen::MatrixXf>& shapes, const Eigen::MatrixXd& both, Eigen::MatrixXd& sum) {
+void add_shapes(const Eigen::Ref<const Eigen::MatrixXf>& shapes, const Eigen::MatrixXd& both, Eigen::MatrixXd& sum) {
   std::atomic<Eigen::Index> next = 0;
   work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
     for (Eigen::Index first = 0; (first = next.fetch_add(rows_at_once)) < sum.rows();) {
       const Eigen::Index count = std::min(rows_at_once, sum.rows() - first);
       const Eigen::MatrixXd block = shapes.middleRows(first, count).cast<double>();
-      sum.middleRows(first, count).noalias() += block * both;
+      add_product(block, both, sum.middleRows(first, count));
     }
   });
 }
@@ -289,7 +290,7 @@ Eigen::MatrixXcd FieldsReader::expand(int nodal_diameter, const Eigen::MatrixXcd
     const auto factors = amplitudes.middleRows(first, count);
     Eigen::MatrixXd both(2 * count, 2 * columns);
     both << factors.real(), factors.imag(), -factors.imag(), factors.real();
-    add_product(shapes.leftCols(2 * count), both, fields);
+    add_shapes(shapes.leftCols(2 * count), both, fields);
   }
   Eigen::MatrixXcd whole(size, columns);
   whole.real() = fields.leftCols(columns);

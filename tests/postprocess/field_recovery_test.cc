@@ -259,8 +259,8 @@ TEST(VtuFile, NamesItsArraysAndCells) {
   std::filesystem::remove(path);
   EXPECT_NE(text.find("NumberOfPoints=\"32\" NumberOfCells=\"2\""), std::string::npos);
   EXPECT_NE(text.find("Name=\"stress\" type=\"Float32\" NumberOfComponents=\"6\""), std::string::npos);
-  // One block of 2 bytes, 10 when compressed; and what Python's zlib makes of the types, 19 19.
-  EXPECT_NE(text.find("AQAAAAAAAAACAAAAAAAAAAAAAAAAAAAACgAAAAAAAAA=eJyTlAQAAE0AMw=="), std::string::npos);
+  // One block of 2 bytes, 10 when compressed; and what Python's zlib, at its fastest, makes of the types, 19 19.
+  EXPECT_NE(text.find("AQAAAAAAAAACAAAAAAAAAAAAAAAAAAAACgAAAAAAAAA=eAGTlAQAAE0AMw=="), std::string::npos);
   EXPECT_NE(text.find("<DataArray Name=\"speed\" type=\"Float64\" NumberOfTuples=\"1\" format=\"ascii\">0.1"),
             std::string::npos);
   EXPECT_EQ(count(text, "<DataArray"), count(text, "</DataArray>"));

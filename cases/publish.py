@@ -74,6 +74,24 @@ def budget_line(row):
     return {"source": row["source"], "critical speed [rpm]": speed, **{name: number(row, column, "+.1f") for name, column in changes.items()}}
 
 
+def moves_most(rows, column):
+    """The source that changes a column most, and by how much. The sum of all, and a bound, are no sources."""
+    sources = [row for row in rows if number(row, column, ".1f") and not row["source"].startswith("root of") and not row["motion"].startswith("an upper bound")]
+    if not sources:
+        return ""
+    most = max(sources, key=lambda row: abs(float(row[column])))
+    return f"{most['source']}: {number(most, column, '+.1f')} %"
+
+
+def budgets_line(rows):
+    """A line of budgets.tsv, from the rows of a critical speed in error_budget.csv."""
+    columns = {"the speed": "change of speed [%]", "|u|": "change of |u| [%]", "the stress": "change of stress [%]"}
+    together = next(row for row in rows if row["source"].startswith("root of"))
+    return {"critical speed [rpm]": number(rows[0], "critical speed [rpm]", ",.0f"),
+            "all sources: speed, |u|, stress [%]": ", ".join(number(together, column, ".1f") for column in columns.values()),
+            **{f"moves {name} most": moves_most(rows, column) for name, column in columns.items()}}
+
+
 def write_table(path, lines):
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, list(lines[0]), delimiter="\t", lineterminator="\n")
@@ -129,7 +147,12 @@ def publish_case(programs, folder, expected):
         write_table(os.path.join(expected, "critical_speeds.tsv"), [peak_line(row) for row in critical])
     budget = rows_of(os.path.join(report, "error_budget.csv"))
     if budget:
-        write_table(os.path.join(expected, "budget.tsv"), [budget_line(row) for row in budget])
+        by_peak = {}
+        for row in budget:
+            by_peak.setdefault(row["critical speed [rpm]"], []).append(row)
+        largest = max(by_peak.values(), key=lambda rows: float(rows[0]["tip |u| [mm]"]))
+        write_table(os.path.join(expected, "budget.tsv"), [budget_line(row) for row in largest])
+        write_table(os.path.join(expected, "budgets.tsv"), [budgets_line(rows) for rows in by_peak.values()])
     copies = {**{name: name for name in TABLES}, **{f"figures/{name}.png": f"{copy}.png" for name, copy in PICTURES.items()}}
     for name, copy in copies.items():
         if os.path.exists(os.path.join(report, name)):

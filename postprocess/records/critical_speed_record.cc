@@ -150,21 +150,23 @@ PeakColumns contact_columns() {
 }
 
 PeakColumns stress_columns() {
-  return {stress_column("von Mises, vibration [MPa]",
-                        [](const FieldPeak& peak) { return peak.body.vibration * mpa_per_pa; }),
-          stress_column("von Mises, spin [MPa]", [](const FieldPeak& peak) { return peak.body.spin * mpa_per_pa; }),
-          stress_column("von Mises, both [MPa]", [](const FieldPeak& peak) { return peak.body.both * mpa_per_pa; }),
-          stress_column("where the vibration's is largest", [](const FieldPeak& peak) { return peak.where; }),
-          stress_column("part with the largest vibration stress", [](const FieldPeak& peak) { return peak.part; }),
-          stress_column("radius of the largest vibration stress [mm]",
-                        [](const FieldPeak& peak) { return peak.place[0] * mm_per_m; }),
-          stress_column("samples of the cycle", [](const FieldPeak& peak) { return peak.samples; }),
-          stress_column("in the tip patch, vibration [MPa]",
-                        [](const FieldPeak& peak) { return peak.tip_patch.vibration * mpa_per_pa; }),
-          stress_column("at the clamp's rim, vibration [MPa]",
-                        [](const FieldPeak& peak) { return peak.clamp_rim.vibration * mpa_per_pa; }),
-          stress_column("at the clamp's rim, both [MPa]",
-                        [](const FieldPeak& peak) { return peak.clamp_rim.both * mpa_per_pa; })};
+  return {
+      stress_column("von Mises, vibration [MPa]",
+                    [](const FieldPeak& peak) { return peak.body.vibration * mpa_per_pa; }),
+      stress_column("von Mises, spin [MPa]", [](const FieldPeak& peak) { return peak.body.spin * mpa_per_pa; }),
+      stress_column("von Mises, both [MPa]", [](const FieldPeak& peak) { return peak.body.both * mpa_per_pa; }),
+      stress_column("where the vibration's is largest", [](const FieldPeak& peak) { return peak.where; }),
+      stress_column("part with the largest vibration stress", [](const FieldPeak& peak) { return peak.part; }),
+      stress_column("radius of the largest vibration stress [mm]",
+                    [](const FieldPeak& peak) { return peak.place[0] * mm_per_m; }),
+      stress_column("a node moves by up to [mm]", [](const FieldPeak& peak) { return peak.displacement * mm_per_m; }),
+      stress_column("samples of the cycle", [](const FieldPeak& peak) { return peak.samples; }),
+      stress_column("in the tip patch, vibration [MPa]",
+                    [](const FieldPeak& peak) { return peak.tip_patch.vibration * mpa_per_pa; }),
+      stress_column("at the clamp's rim, vibration [MPa]",
+                    [](const FieldPeak& peak) { return peak.clamp_rim.vibration * mpa_per_pa; }),
+      stress_column("at the clamp's rim, both [MPa]",
+                    [](const FieldPeak& peak) { return peak.clamp_rim.both * mpa_per_pa; })};
 }
 
 PeakColumns cycle_columns() {
@@ -252,7 +254,9 @@ PeakColumns rounded_stress_columns() {
   return {stress_column("vibration [MPa]", [](const FieldPeak& peak) { return rounded_mpa(peak.body.vibration); }),
           stress_column("spin [MPa]", [](const FieldPeak& peak) { return rounded_mpa(peak.body.spin); }),
           stress_column("both [MPa]", [](const FieldPeak& peak) { return rounded_mpa(peak.body.both); }),
-          stress_column("stressed most", [](const FieldPeak& peak) { return peak.where; })};
+          stress_column("stressed most", [](const FieldPeak& peak) { return peak.where; }),
+          stress_column("a node moves by up to [mm]",
+                        [](const FieldPeak& peak) { return fixed(peak.displacement * mm_per_m, 2); })};
 }
 
 PeakColumns rounded_cycle_columns() {

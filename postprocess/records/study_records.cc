@@ -268,7 +268,7 @@ Table rule_score_record(const LinearRules& rules) {
 }
 
 Table stress_peak_record(const FieldStudy& fields) {
-  Table table{{"speed [rpm]", "largest displacement of the vibration [mm]", "von Mises, vibration [MPa]",
+  Table table{{"speed [rpm]", "a node moves by up to [mm]", "von Mises, vibration [MPa]",
                "von Mises, spin [MPa]", "von Mises, both [MPa]", "at sector", "at sample", "r [mm]", "theta [deg]",
                "z [mm]", "part"},
               {}};

@@ -79,7 +79,7 @@ bool is_minor(const std::string& column) {
   constexpr std::string_view minor =
       "|lies between [rpm]|along the normal [mm]|moves the speed most|moves |u| most|moves the stress most|"
       "peak lies between [rpm]|node|family|direction|detuning [%]|other waves|places rubbed, leading / trailing edge|"
-      "predicted by|spin [MPa]|alternating [MPa]|mean [MPa]|";
+      "predicted by|spin [MPa]|a node moves by up to [mm]|alternating [MPa]|mean [MPa]|";
   return minor.find("|" + column + "|") != std::string_view::npos;
 }
 

@@ -71,6 +71,12 @@ std::string not_located(const Study& study) {
   return text.empty() ? text : text + ".";
 }
 
+/// " (the mean over a segment; a node moves by up to 4.67 mm)"; empty for contact at points, where |u| is a node's.
+std::string farthest_node_text(const Study& study, const std::optional<FieldPeak>& peak) {
+  if (!peak || study.model.contact.kind != ContactKind::segments) return "";
+  return " (the mean over a segment; a node moves by up to " + fixed(peak->displacement * mm_per_m, 2) + " mm)";
+}
+
 std::string how_bad(const Study& study, const FieldResults& fields) {
   if (study.no_tip_touches())
     return "No tip touches the casing at any speed, so that nothing excites the wheel: the crest reaches " +
@@ -86,8 +92,8 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
   const bool more_elsewhere = study.amplitudes.largest.maxCoeff() > peak.amplitude;
   return counted(study.critical.size(), "critical speed") + ". The worst, at " + rpm_text(peak.speed) +
          ", moves the tip by " + fixed(largest_excursion(study.speed_at(peak.index).displacement) * mm_per_m, 2) +
-         " mm in all, and towards the casing by " + amplitude_text(study, peak.index) + "." +
-         stress_text(study, fields.peaks[*worst]) +
+         " mm in all" + farthest_node_text(study, fields.peaks[*worst]) + ", and towards the casing by " +
+         amplitude_text(study, peak.index) + "." + stress_text(study, fields.peaks[*worst]) +
          friction_text(study.response.speeds[static_cast<std::size_t>(peak.index)].friction) +
          (more_elsewhere ? " Where no peak is located, the amplitude is larger: at " + largest : "") +
          not_located(study) + still_rising(study);

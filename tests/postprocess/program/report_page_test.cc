@@ -292,6 +292,7 @@ TEST_F(Page, TellsTheStressAtEveryPeak) {
       EXPECT_EQ(peaks[i].at(stress_columns[k]), drawn[i].at(stress_columns[k]));
     }
     EXPECT_EQ(peaks[i].at("part with the largest vibration stress"), "ring");
+    EXPECT_EQ(peaks[i].at("a node moves by up to [mm]"), drawn[i].at("a node moves by up to [mm]"));
     EXPECT_EQ(peaks[i].at("radius of the largest vibration stress [mm]"), drawn[i].at("r [mm]"));
     EXPECT_GT(std::stoi(peaks[i].at("contact areas leading edge")), 0);
   }

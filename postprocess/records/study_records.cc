@@ -268,9 +268,8 @@ Table rule_score_record(const LinearRules& rules) {
 }
 
 Table stress_peak_record(const FieldStudy& fields) {
-  Table table{{"speed [rpm]", "a node moves by up to [mm]", "von Mises, vibration [MPa]",
-               "von Mises, spin [MPa]", "von Mises, both [MPa]", "at sector", "at sample", "r [mm]", "theta [deg]",
-               "z [mm]", "part"},
+  Table table{{"speed [rpm]", "a node moves by up to [mm]", "von Mises, vibration [MPa]", "von Mises, spin [MPa]",
+               "von Mises, both [MPa]", "at sector", "at sample", "r [mm]", "theta [deg]", "z [mm]", "part"},
               {}};
   for (const FieldPeak& peak : fields.peaks)
     table.rows.push_back({peak.speed * rpm_per_rad_s, peak.displacement * mm_per_m, peak.body.vibration * mpa_per_pa,

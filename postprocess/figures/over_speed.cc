@@ -60,7 +60,7 @@ ScriptTable bands(const std::vector<AvoidedBand>& avoided) {
 
 /// For the key: the concerns by grade, empty where no band has it.
 std::vector<std::string> concern_names(const std::vector<AvoidedBand>& avoided) {
-  std::vector<std::string> names(3);
+  std::vector<std::string> names(concerns);
   for (const AvoidedBand& band : avoided) names[static_cast<std::size_t>(band.concern)] = name_of(band.concern);
   return names;
 }

@@ -142,7 +142,8 @@ const ErrorBudget& worst_budget(const std::vector<ErrorBudget>& budgets) {
 
 BudgetSum sum_of(const ErrorBudget& budget) {
   return {sum_over_sources(budget, &BudgetRow::shift), sum_over_sources(budget, &BudgetRow::amplitude),
-          sum_over_sources(budget, &BudgetRow::excursion), sum_over_sources(budget, stress_change)};
+          sum_over_sources(budget, &BudgetRow::excursion), sum_over_sources(budget, stress_change),
+          sum_over_sources(budget, [](const BudgetRow& row) { return std::max(0.0, stress_change(row)); })};
 }
 
 namespace {

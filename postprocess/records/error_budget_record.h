@@ -48,6 +48,7 @@ const ErrorBudget& worst_budget(const std::vector<ErrorBudget>& budgets);
 /// out.
 struct BudgetSum {
   double shift = 0, amplitude = 0, excursion = 0, stress = 0;  ///< [1] as in BudgetRow
+  double stress_rise = 0;                                      ///< [1] of the rows that raise the stress
 };
 BudgetSum sum_of(const ErrorBudget& budget);
 

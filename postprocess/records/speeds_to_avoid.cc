@@ -12,12 +12,12 @@ namespace tiprub::postprocess {
 
 namespace {
 
-/// [1] What the error budget of each critical speed leaves open of its speed; 0 without a budget.
-std::vector<double> open_shifts(const Study& study, const FieldResults& fields) {
-  std::vector<double> shifts(study.critical.size(), 0.0);
+/// What the error budget of each critical speed leaves open; nothing without a budget.
+std::vector<BudgetSum> open_changes(const Study& study, const FieldResults& fields) {
+  std::vector<BudgetSum> changes(study.critical.size());
   for (const ErrorBudget& budget : error_budgets(study, fields))
-    shifts[static_cast<std::size_t>(budget.critical - study.critical.data())] = sum_of(budget).shift;
-  return shifts;
+    changes[static_cast<std::size_t>(budget.critical - study.critical.data())] = sum_of(budget);
+  return changes;
 }
 
 AvoidedBand widened(const SpeedRange& range, Concern concern, double widening) {
@@ -62,21 +62,40 @@ SpeedRange around(const Study& study, Eigen::Index index, const Holds& holds) {
   return {study.speed_at(low).speed, study.speed_at(high).speed};
 }
 
-void add_stressed(const Study& study, const FieldResults& fields, const std::vector<double>& shifts, double limit,
-                  Concern concern, std::vector<AvoidedBand>& all) {
+/// Bands round the critical speeds with a utilisation above a limit. `utilisation`: [1] by critical speed.
+std::vector<AvoidedBand> stressed(const Study& study, const FieldResults& fields,
+                                  const std::vector<BudgetSum>& changes, const std::vector<double>& utilisation,
+                                  double limit, Concern concern) {
   const Eigen::VectorXd& measure = fields.over_speed.size() > 0 ? fields.over_speed : study.amplitudes.largest;
+  std::vector<AvoidedBand> bands;
   for (std::size_t i = 0; i < study.critical.size(); ++i) {
-    const std::optional<FieldPeak>& stress = fields.peaks[i];
-    if (!stress || !stress->cycle || stress->cycle->goodman.value_or(0) <= limit) continue;
+    if (utilisation[i] <= limit) continue;
     const CriticalSpeed& peak = study.critical[i];
-    const double least = limit / *stress->cycle->goodman * measure[peak.index];
+    const double least = limit / utilisation[i] * measure[peak.index];
     const SpeedRange range = around(study, peak.index, [&](Eigen::Index k) { return measure[k] > least; });
-    all.push_back(
-        widened({std::min(range.low, peak.speed_low), std::max(range.high, peak.speed_high)}, concern, shifts[i]));
+    bands.push_back(widened({std::min(range.low, peak.speed_low), std::max(range.high, peak.speed_high)}, concern,
+                            changes[i].shift));
   }
+  return bands;
 }
 
-void add_beyond_clearance(const Study& study, const std::vector<double>& shifts, std::vector<AvoidedBand>& all) {
+/// [1] Goodman's utilisation at each critical speed; 0 where it is not known.
+std::vector<double> utilisations(const FieldResults& fields) {
+  std::vector<double> all;
+  for (const std::optional<FieldPeak>& peak : fields.peaks)
+    all.push_back(peak && peak->cycle ? peak->cycle->goodman.value_or(0) : 0);
+  return all;
+}
+
+/// The same with what the error budget adds to the stress, of those that are below the limit without.
+std::vector<double> raised(std::vector<double> utilisation, const std::vector<BudgetSum>& changes, double limit) {
+  for (std::size_t i = 0; i < utilisation.size(); ++i)
+    utilisation[i] *= utilisation[i] > limit ? 0 : 1 + changes[i].stress_rise;
+  return utilisation;
+}
+
+std::vector<AvoidedBand> beyond_clearance(const Study& study, const std::vector<BudgetSum>& changes) {
+  std::vector<AvoidedBand> bands;
   const auto beyond = [&](Eigen::Index k) {
     return study.amplitudes.largest[k] > study.speed_at(k).clearance[study.amplitudes.node[k]];
   };
@@ -86,28 +105,31 @@ void add_beyond_clearance(const Study& study, const std::vector<double>& shifts,
     double widening = 0;
     for (std::size_t i = 0; i < study.critical.size(); ++i)
       if (const double peak = study.critical[i].speed; range.low <= peak && peak <= range.high)
-        widening = std::max(widening, shifts[i]);
-    all.push_back(widened(range, Concern::beyond_clearance, widening));
+        widening = std::max(widening, changes[i].shift);
+    bands.push_back(widened(range, Concern::beyond_clearance, widening));
   }
+  return bands;
 }
 
 }  // namespace
 
 const char* name_of(Concern concern) {
-  constexpr std::array names = {"tip moves beyond the clearance", "Goodman above 0.5", "Goodman above 1"};
+  constexpr std::array<const char*, concerns> names = {"tip moves beyond the clearance", "Goodman above 0.5",
+                                                       "Goodman perhaps above 1", "Goodman above 1"};
   return names[static_cast<std::size_t>(concern)];
 }
 
 std::vector<AvoidedBand> speeds_to_avoid(const Study& study, const FieldResults& fields) {
-  const std::vector<double> shifts = open_shifts(study, fields);
-  std::array<std::vector<AvoidedBand>, 3> by_gravity;
-  add_stressed(study, fields, shifts, 1.0, Concern::above_limit, by_gravity[0]);
-  add_stressed(study, fields, shifts, 0.5, Concern::above_half, by_gravity[1]);
-  add_beyond_clearance(study, shifts, by_gravity[2]);
+  const std::vector<BudgetSum> changes = open_changes(study, fields);
+  const std::vector<double> utilisation = utilisations(fields);
+  const std::array<std::vector<AvoidedBand>, concerns> by_gravity = {
+      stressed(study, fields, changes, utilisation, 1.0, Concern::above_limit),
+      stressed(study, fields, changes, raised(utilisation, changes, 1.0), 1.0, Concern::perhaps_above_limit),
+      stressed(study, fields, changes, utilisation, 0.5, Concern::above_half), beyond_clearance(study, changes)};
   std::vector<AvoidedBand> all;
-  for (std::vector<AvoidedBand>& bands : by_gravity) {
+  for (const std::vector<AvoidedBand>& bands : by_gravity) {
     const std::vector<AvoidedBand> graver = all;
-    for (const AvoidedBand& band : joined(std::move(bands))) add_outside(band, graver, all);
+    for (const AvoidedBand& band : joined(bands)) add_outside(band, graver, all);
     std::ranges::sort(all, {}, [](const AvoidedBand& band) { return band.speeds.low; });
   }
   return all;
@@ -127,7 +149,8 @@ std::string range_text(const SpeedRange& range) {
 /// "Goodman above 0.5; Goodman above 1 from 18604 to 21188 rpm and from ..."; without speeds if it is one band.
 std::string concerns_of(const std::vector<AvoidedBand>& touching) {
   std::string text;
-  for (const Concern concern : {Concern::beyond_clearance, Concern::above_half, Concern::above_limit}) {
+  for (int grade = 0; grade < concerns; ++grade) {
+    const auto concern = static_cast<Concern>(grade);
     std::string speeds;
     for (const AvoidedBand& band : touching)
       if (band.concern == concern) speeds += (speeds.empty() ? " from " : " and from ") + range_text(band.speeds);

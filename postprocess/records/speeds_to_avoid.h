@@ -11,12 +11,16 @@ namespace tiprub::postprocess {
 
 /// Why a wheel should not run at a speed, the gravest reason last.
 enum class Concern {
-  beyond_clearance,  ///< a tip moves towards the casing by more than its running clearance
-  above_half,        ///< Goodman's utilisation is above 0.5
-  above_limit,       ///< it is above 1
+  beyond_clearance,     ///< a tip moves towards the casing by more than its running clearance
+  above_half,           ///< Goodman's utilisation is above 0.5
+  perhaps_above_limit,  ///< it is above 1 if the stress grows by what the error budget leaves open
+  above_limit,          ///< it is above 1
 };
 
-/// "tip moves beyond the clearance", "Goodman above 0.5", "Goodman above 1".
+constexpr int concerns = 4;
+
+/// "tip moves beyond the clearance", "Goodman above 0.5", "Goodman perhaps above 1", "Goodman above
+/// 1".
 const char* name_of(Concern concern);
 
 struct AvoidedBand {

@@ -111,6 +111,34 @@ TEST_F(SpeedsToAvoid, AreWidenedByTheErrorBudget) {
   expect_ascending(bands);
 }
 
+/// Symptom: friction made four of the five peaks of a wheel two to five times as high, and the page that said so
+/// elsewhere told its reader to avoid one of them. What lowers the stress does not count.
+TEST_F(SpeedsToAvoid, NameWhatTheErrorBudgetBringsAboveTheLimit) {
+  fields.varied.resize(study.critical.size());
+  const std::size_t worst = *worst_critical(study.critical);
+  const CriticalSpeed& peak = study.critical[worst];
+  set_goodman(worst, 0.4);
+  fields.peaks[worst]->body.vibration = 1e8;
+  PeakVariation friction;
+  friction.speed = peak.speed;
+  friction.amplitude = friction.excursion = peak.amplitude;
+  study.response.speeds[static_cast<std::size_t>(peak.index)].budget.push_back(friction);
+  FieldPeak varied;
+  for (const double change : {-0.9, 1.4}) {
+    varied.body.vibration = (1 + change) * fields.peaks[worst]->body.vibration;
+    fields.varied[worst] = {varied};
+    EXPECT_TRUE(speeds_to_avoid(study, fields).empty());
+  }
+  varied.body.vibration = 2.6 * fields.peaks[worst]->body.vibration;
+  fields.varied[worst] = {varied};
+  const auto bands = speeds_to_avoid(study, fields);
+  ASSERT_EQ(bands.size(), 1U);
+  EXPECT_EQ(bands[0].concern, Concern::perhaps_above_limit);
+  EXPECT_NE(bands_in_words(bands, fields).find("(Goodman perhaps above 1; "), std::string::npos);
+  set_goodman(worst, 1.1);
+  EXPECT_EQ(band_at(speeds_to_avoid(study, fields), peak.speed).concern, Concern::above_limit);
+}
+
 TEST_F(SpeedsToAvoid, AreToldWithTheirGrades) {
   const std::vector<AvoidedBand> bands = {{{1000, 1100}, Concern::above_half, 0},
                                           {{1500, 1600}, Concern::above_half, 0.01},

@@ -9,7 +9,7 @@ set xrange [speed_low:speed_high]
 set yrange [0:label_room*amplitude_high]
 set lmargin at screen 0.085
 set rmargin at screen 0.975
-set tmargin at screen 0.86
+set tmargin at screen 0.83
 set bmargin at screen 0.13
 set xlabel 'speed [rpm]'
 set ylabel 'amplitude [mm]'

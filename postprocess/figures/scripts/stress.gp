@@ -8,7 +8,7 @@ set xrange [speed_low:speed_high]
 set yrange [0:band_top]
 set lmargin at screen 0.085
 set rmargin at screen 0.975
-set tmargin at screen 0.84
+set tmargin at screen 0.79
 set bmargin at screen 0.16
 set xlabel 'speed [rpm]'
 set ylabel 'von Mises [MPa]'

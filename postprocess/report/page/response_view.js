@@ -62,7 +62,7 @@ function drawResponse(chart, selection) {
 function responseView(host, selection) {
   const {data} = selection;
   host.append(legend(['largest', 'largest on the tip line'], ['leading', 'leading edge'], ['trailing', 'trailing edge'],
-    ...[2, 1, 0].flatMap(grade => data.avoid.filter(band => band.grade === grade).slice(0, 1).map(band => [`avoid grade-${grade}`, band.concern])),
+    ...[3, 2, 1, 0].flatMap(grade => data.avoid.filter(band => band.grade === grade).slice(0, 1).map(band => [`avoid grade-${grade}`, band.concern])),
     ...(data.operating[1] > 0 ? [['operating', 'operating range']] : []), ['unsteady', 'not periodic'], ...(data.speeds.some(speed => speed.outside) ? [['outside', 'outside validity']] : []), ['chosen', 'shown speed'],
     ...(data.predicted.aliased.length ? [['aliased', 'rule with aliasing']] : []),
     ...(data.predicted.equation_2.length ? [['equation-2', 'eq. 2']] : []), ...data.others.map(({name}, k) => [`other other-${k % 6}`, name])));

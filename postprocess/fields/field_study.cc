@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numbers>
 #include <set>
@@ -14,6 +13,7 @@
 #include "cases/program/errors.h"
 #include "cases/program/machine.h"
 #include "cases/program/signal_cleanup.h"
+#include "postprocess/fields/node_stress.h"
 #include "postprocess/fields/stress_over_speed.h"
 #include "postprocess/tables/table.h"
 #include "reduce/model/reduced_model.h"
@@ -27,6 +27,7 @@ constexpr double near_segment = 0.2;                           // of it; its nod
 constexpr std::size_t recovery_memory = std::size_t{1} << 30;  // [bytes]
 constexpr double left_out_waves = 0.002;                       // [1] of the mean square of a motion
 constexpr std::size_t most_waves = 6;                          // of a motion, that are recovered
+constexpr double much_stressed = 0.3;                          // of the largest stress at a critical speed
 constexpr double m_per_mm = 1e-3;
 constexpr double largest_radius = 1e3;  // [m] of any wheel
 constexpr double unit_error = 1e-3;     // of the motion of a contact node, which is exact to single precision
@@ -210,14 +211,25 @@ FieldStudy without_motion(const FieldsReader& reader, const Study& study, double
   return fields;
 }
 
-/// What `recover` finds of each varied peak that has a cycle.
-std::vector<std::optional<FieldPeak>> varied_peaks(
-    const std::vector<std::optional<WheelCycle>>& cycles, const std::vector<PeakVariation>& budget,
-    const std::function<FieldPeak(const WheelCycle&, double speed)>& recover) {
-  std::vector<std::optional<FieldPeak>> peaks(cycles.size());
-  for (std::size_t i = 0; i < cycles.size(); ++i)
-    if (cycles[i]) peaks[i] = recover(*cycles[i], budget[i].speed);
-  return peaks;
+/// [Pa] The stress at the varied peaks that have a cycle, by critical speed.
+std::vector<std::vector<std::optional<double>>> varied_stress(const std::vector<CycleAtSpeed>& cycles,
+                                                              const LargestStress& largest, Progress& progress) {
+  std::vector<std::vector<std::optional<double>>> all;
+  for (const CycleAtSpeed& at : cycles) {
+    std::vector<std::optional<double>>& of_peak = all.emplace_back();
+    for (const std::optional<WheelCycle>& cycle : at.varied) {
+      stop_if_interrupted();
+      of_peak.push_back(cycle ? std::optional(largest(*cycle)) : std::nullopt);
+      for (int s = 0; cycle && s < cycle->samples(); ++s) progress.advance();
+    }
+  }
+  return all;
+}
+
+bool have_varied(const std::vector<CycleAtSpeed>& cycles) {
+  return std::ranges::any_of(cycles, [](const CycleAtSpeed& at) {
+    return std::ranges::any_of(at.varied, [](const auto& cycle) { return cycle.has_value(); });
+  });
 }
 
 /// A peak with its speed and the samples of its cycle.
@@ -259,7 +271,7 @@ FieldStudy recover_fields(const FieldsReader& reader, const Study& study,
   const int most_fields = fields_at_once(fields.sector);
   const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles), shown);
-  std::set<int> stressed;
+  std::set<int> stressed, much;
   const auto stress_of = [&](const WheelCycle& cycle, double speed) {
     const WaveField spin = spin_field(fields.sector, bricks, speed);
     require_sound_stress(spin, reader.path());
@@ -268,20 +280,24 @@ FieldStudy recover_fields(const FieldsReader& reader, const Study& study,
   const auto peak_of = [&](const CycleStress& stress, const WheelCycle& cycle, double speed) {
     return dated(field_peak(fields.sector, stress, fields.zones, places, strength), cycle, speed);
   };
-  for (const auto& [index, cycle, varied] : cycles) {
+  for (const auto& [index, cycle, varied] : cycles) {  // the varied ones follow, at nodes that are known then
     const SpeedResponse& response = study.response.speeds[index];
     const CycleStress stress = stress_of(cycle, response.speed);
     fields.peaks.push_back(peak_of(stress, cycle, response.speed));
     for (const int node : stressed_nodes(stress, fields.zones)) stressed.insert(node);
-    fields.varied.push_back(varied_peaks(varied, response.budget, [&](const WheelCycle& other, double speed) {
-      return peak_of(stress_of(other, speed), other, speed);
-    }));
+    for (const int node : nodes_above(much_stressed, stress, fields.zones)) much.insert(node);
     if (response.cycle)
       fields.moving.push_back(
           moving_wheel(reader, wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
                        response.speed, stress));
     if (index == worst && response.snapshot)
       recover_instant(response, recover, spin_field(fields.sector, bricks, response.speed), fields);
+  }
+  fields.varied.resize(cycles.size());
+  if (have_varied(cycles)) {
+    const NodeStress at_nodes(reader, {much.begin(), much.end()});
+    fields.varied =
+        varied_stress(cycles, largest_stress(at_nodes, reader, study.response.scene.nodal_diameters), progress);
   }
   fields.over_speed = stress_over_speed(reader, study, {stressed.begin(), stressed.end()});
   return fields;

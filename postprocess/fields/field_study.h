@@ -33,8 +33,9 @@ struct FieldStudy {
   WheelField vibration, spin;    ///< at the contact instant
   StressZones zones;             ///< where stress is read
   std::vector<FieldPeak> peaks;  ///< at every critical speed, and at the speed of the instant
-  /// By `peaks`: of each varied peak in SpeedResponse::budget that has a cycle.
-  std::vector<std::vector<std::optional<FieldPeak>>> varied;
+  /// [Pa] By `peaks`: the stress of the vibration at each varied peak in SpeedResponse::budget that has a cycle, as
+  /// FieldPeak::body has it; of the nodes that are much stressed at one of `peaks`.
+  std::vector<std::vector<std::optional<double>>> varied;
   std::vector<MovingWheel> moving;  ///< at every critical speed that has a cycle
   Eigen::VectorXd over_speed;       ///< [Pa] stress_over_speed(); empty if no speed has states
   /// [1] what each cell contributes to the mean errors that the mesh makes; empty if they are not estimated.
@@ -54,7 +55,7 @@ struct FieldResults {
   /// One per critical speed; nothing without full fields, or where the response holds no state of the rotor.
   std::vector<std::optional<FieldPeak>> peaks;
   /// One list per critical speed, as FieldStudy has them; may be empty.
-  std::vector<std::vector<std::optional<FieldPeak>>> varied;
+  std::vector<std::vector<std::optional<double>>> varied;
   double tip_patch = 0, clamp_rim = 0;  ///< [m] see StressZones
   /// [Pa] The largest stress of the vibration at every speed of the response, estimated by stress_over_speed(); empty
   /// without full fields.

@@ -6,14 +6,12 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <set>
 #include <thread>
 
 #include "cases/program/machine.h"
 #include "cases/program/signal_cleanup.h"
 #include "cases/program/units.h"
-#include "mesh/cells/cell_kind.h"
-#include "postprocess/fields/field_recovery.h"
+#include "postprocess/fields/node_stress.h"
 #include "postprocess/fields/wheel_cycle.h"
 #include "reduce/model/dense_eigen.h"
 #include "reduce/model/nodal_diameter.h"
@@ -31,41 +29,6 @@ constexpr double counts_for_time = 0.1;
 constexpr double least_window = 0.5;  // where stress is read through a window
 constexpr int instants_of_a_period = 16;
 constexpr Eigen::Index most_instants = 4096;
-
-/// The cells at some nodes, and those at their partners on the cuts, as a sector of its own.
-SectorFields cells_around(const SectorFields& sector, const std::vector<int>& nodes, std::vector<int>& used) {
-  std::set<int> wanted(nodes.begin(), nodes.end());
-  const std::vector<int>&low = sector.node_set("cyclic_low"), &high = sector.node_set("cyclic_high");
-  for (std::size_t k = 0; k < low.size(); ++k)
-    if (wanted.contains(low[k]) || wanted.contains(high[k])) wanted.insert({low[k], high[k]});
-  std::vector<int> cells;
-  std::set<int> around;
-  for (int cell = 0; cell < sector.cells.cols(); ++cell) {
-    const auto of_cell = nodes_of(sector.cells, cell);
-    if (std::none_of(of_cell.begin(), of_cell.end(), [&](int node) { return wanted.contains(node); })) continue;
-    cells.push_back(cell);
-    around.insert(of_cell.begin(), of_cell.end());
-  }
-  used.assign(around.begin(), around.end());
-  std::vector<int> place(static_cast<std::size_t>(sector.nodes.cols()), -1);
-  for (std::size_t i = 0; i < used.size(); ++i) place[static_cast<std::size_t>(used[i])] = static_cast<int>(i);
-  SectorFields part;
-  part.sector_count = sector.sector_count;
-  part.young = sector.young;
-  part.poisson = sector.poisson;
-  part.nodes = sector.nodes(Eigen::all, used);
-  part.cells = sector.cells(Eigen::all, cells).unaryExpr([&](int node) {
-    return node < 0 ? node : place[static_cast<std::size_t>(node)];
-  });
-  std::vector<int>&part_low = part.node_sets["cyclic_low"], &part_high = part.node_sets["cyclic_high"];
-  for (std::size_t k = 0; k < low.size(); ++k) {
-    const int first = place[static_cast<std::size_t>(low[k])], second = place[static_cast<std::size_t>(high[k])];
-    if (first < 0 || second < 0) continue;
-    part_low.push_back(first);
-    part_high.push_back(second);
-  }
-  return part;
-}
 
 /// A nodal diameter in its contact dofs and its lowest modes with these blocked.
 struct BlockedModes {
@@ -88,26 +51,6 @@ BlockedModes blocked_modes(const NodalDiameterModel& model, int n, Eigen::Index 
   BlockedModes modes{n, {}, basis.adjoint() * model.M * basis, {}};
   for (const Eigen::MatrixXcd& term : model.K.terms) modes.K.terms.emplace_back(basis.adjoint() * term * basis);
   return modes;
-}
-
-/// The stress at the nodes for each column of `basis`, from the cells around them.
-Eigen::MatrixXcd basis_stress(const FieldsReader& reader, const SectorFields& part, const CellStress& cells,
-                              const std::vector<int>& used, const std::vector<int>& places, int n,
-                              const Eigen::MatrixXcd& basis) {
-  Eigen::MatrixXcd moved(3 * static_cast<Eigen::Index>(used.size()), basis.rows());
-  for (Eigen::Index dof = 0; dof < basis.rows(); ++dof) {
-    const Eigen::VectorXcd shape = reader.shape(n, dof);
-    for (std::size_t i = 0; i < used.size(); ++i)
-      moved.block<3, 1>(3 * static_cast<Eigen::Index>(i), dof) = shape.segment<3>(3 * used[i]);
-  }
-  moved *= basis;
-  Eigen::MatrixXcd stress(6 * static_cast<Eigen::Index>(places.size()), basis.cols());
-  for (Eigen::Index k = 0; k < basis.cols(); ++k) {
-    WaveField wave{n, cartesian(part, moved.col(k)), {}};
-    add_stress(part, cells, wave);
-    stress.col(k) = wave.stress(Eigen::all, places).reshaped();
-  }
-  return stress;
 }
 
 /// The contact dofs of the travelling wave of a nodal diameter at every sample: x of u_j = Re(x e^{i n j alpha}).
@@ -259,17 +202,13 @@ std::vector<int> stressed_nodes(const CycleStress& stress, const StressZones& zo
 Eigen::VectorXd stress_over_speed(const FieldsReader& reader, const Study& study, const std::vector<int>& nodes) {
   if (nodes.empty()) return {};
   const std::vector<SpeedResponse>& speeds = study.response.speeds;
-  std::vector<int> used, places;
-  const SectorFields part = cells_around(reader.sector(), nodes, used);
-  const CellStress cells(part);
-  for (const int node : nodes)
-    places.push_back(static_cast<int>(std::lower_bound(used.begin(), used.end(), node) - used.begin()));
+  const NodeStress at_nodes(reader, nodes);
   std::vector<BlockedModes> modes;
   for (const int n : study.response.scene.nodal_diameters) {
     Eigen::MatrixXcd basis;
     modes.push_back(blocked_modes(study.model.nodal_diameters[static_cast<std::size_t>(n)], n,
                                   study.model.contact_dofs(), study.range.high, basis));
-    modes.back().stress = basis_stress(reader, part, cells, used, places, n, basis);
+    modes.back().stress = at_nodes.of(n, basis);
   }
   const SpeedStress stress(study.response.scene, modes);
   Eigen::VectorXd largest(static_cast<Eigen::Index>(speeds.size()));

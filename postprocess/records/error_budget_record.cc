@@ -52,15 +52,15 @@ std::string source_of(const PeakVariation& variation, ContactKind own) {
   return name_of(variation.what);
 }
 
-/// `stress` is that of the varied peak, if it was recovered.
-BudgetRow row_of(const PeakVariation& variation, const std::optional<FieldPeak>& stress,
-                 const SpeedResponse& response, const ErrorBudget& budget, ContactKind own) {
+/// `stress` [Pa] is that of the varied peak, if it was recovered.
+BudgetRow row_of(const PeakVariation& variation, const std::optional<double>& stress, const SpeedResponse& response,
+                 const ErrorBudget& budget, ContactKind own) {
   BudgetRow row{source_of(variation, own), variation.failure};
   if (!row.failure.empty()) return row;
   row.shift = variation.speed / response.speed - 1;
   row.amplitude = variation.amplitude / response.amplitude - 1;
   row.excursion = variation.excursion / budget.excursion - 1;
-  if (stress && budget.stress > 0) row.stress = stress->body.vibration / budget.stress - 1;
+  if (stress && budget.stress > 0) row.stress = *stress / budget.stress - 1;
   row.motion = motion_text(variation.motion, variation.period_beats);
   row.is_setting = variation.what == Variation::step;
   return row;

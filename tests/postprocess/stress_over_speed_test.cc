@@ -12,6 +12,7 @@
 #include <string>
 
 #include "postprocess/fields/field_recovery.h"
+#include "postprocess/fields/node_stress.h"
 #include "reduce/model/nodal_diameter.h"
 #include "synthetic_fields.h"
 #include "synthetic_scene.h"
@@ -132,6 +133,41 @@ TEST_F(StressOverSpeed, IsThatOfTheWholeRotorWhereTheMotionDoesNotRepeat) {
     const double whole = recovered(motions, revolutions / 4, 3 * revolutions / 4);
     EXPECT_NEAR(estimated(), whole, 0.03 * whole) << motions.size() << " waves, EO " << motions.front().engine_order;
   }
+}
+
+/// At some nodes, a cycle of the whole rotor has the stress that the whole sector has there.
+TEST_F(StressOverSpeed, OfACycleIsThatOfTheWholeSector) {
+  const std::vector<int>& diameters = study_.response.scene.nodal_diameters;
+  const std::vector<RotorMotion> motions = {balanced(2, 8, 1e-4), balanced(4, -6, 1e-4), balanced(0, 10, 0.5e-4)};
+  WheelCycle cycle;
+  cycle.sectors = study_.response.scene.independent_sectors;
+  for (const int n : diameters) {
+    Eigen::MatrixXcd& states =
+        cycle.states.emplace_back(Eigen::MatrixXcd::Zero(reader_->dofs(n), speed().samples_per_revolution));
+    for (const RotorMotion& motion : motions)
+      for (Eigen::Index s = 0; motion.nodal_diameter == n && s < states.cols(); ++s)
+        states.col(s) += motion.state * phase(motion, s, 0);
+  }
+  const double whole = recovered(motions);
+  EXPECT_NEAR(largest_stress(NodeStress(*reader_, nodes_), *reader_, diameters)(cycle), whole, 1e-10 * whole);
+  double of_parts = 0;
+  for (const int part : {0, 1, 2}) {
+    std::vector<int> some;
+    for (const int node : nodes_)
+      if (node % 3 == part) some.push_back(node);
+    of_parts = std::max(of_parts, largest_stress(NodeStress(*reader_, some), *reader_, diameters)(cycle));
+  }
+  EXPECT_NEAR(of_parts, whole, 1e-10 * whole);
+}
+
+TEST(NodesAbove, AreOfTheBodyAndAscending) {
+  CycleStress stress;
+  stress.vibration = Eigen::VectorXd(5);
+  stress.vibration << 29, 100, 31, 500, 90;
+  StressZones zones;
+  zones.at_node = {StressZone::body, StressZone::body, StressZone::body, StressZone::tip_patch,
+                   StressZone::clamp_rim};
+  EXPECT_EQ(nodes_above(0.3, stress, zones), (std::vector{1, 2}));
 }
 
 TEST_F(StressOverSpeed, IsProportionalAndZeroAtRest) {

@@ -22,12 +22,12 @@ namespace tiprub::postprocess {
 
 namespace {
 
-constexpr double same_place = 1e-6;                            // of the largest radius
-constexpr double near_segment = 0.2;                           // of it; its nodes surround a segment's centre
-constexpr std::size_t recovery_memory = std::size_t{1} << 30;  // [bytes]
-constexpr double left_out_waves = 0.002;                       // [1] of the mean square of a motion
-constexpr std::size_t most_waves = 6;                          // of a motion, that are recovered
-constexpr double much_stressed = 0.3;                          // of the largest stress at a critical speed
+constexpr double same_place = 1e-6;   // of the largest radius
+constexpr double near_segment = 0.2;  // of it; its nodes surround a segment's centre
+constexpr double least_memory = 1 << 30, most_memory = 8.0 * least_memory;  // [bytes] for the waves of a cycle
+constexpr double left_out_waves = 0.002;                                    // [1] of the mean square of a motion
+constexpr std::size_t most_waves = 6;                                       // of a motion, that are recovered
+constexpr double much_stressed = 0.3;  // of the largest stress at a critical speed
 constexpr double m_per_mm = 1e-3;
 constexpr double largest_radius = 1e3;  // [m] of any wheel
 constexpr double unit_error = 1e-3;     // of the motion of a contact node, which is exact to single precision
@@ -153,12 +153,12 @@ std::size_t worst_of(const std::vector<std::size_t>& speeds, const Eigen::Vector
   });
 }
 
-/// How many fields of a wave, with their stress, the memory is used for.
+/// How many fields of a wave, with their stress, the memory is used for. Samples that need more are taken in parts,
+/// which together need more fields.
 int fields_at_once(const SectorFields& sector) {
-  const std::size_t numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
-  const std::size_t field =
-      sizeof(std::complex<double>) * numbers_at_node * static_cast<std::size_t>(sector.nodes.cols());
-  return static_cast<int>(std::max<std::size_t>(1, recovery_memory / field));
+  const double numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
+  const double field = sizeof(std::complex<double>) * numbers_at_node * static_cast<double>(sector.nodes.cols());
+  return std::max(1, static_cast<int>(std::clamp(available_memory() / 3, least_memory, most_memory) / field));
 }
 
 WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,
@@ -211,25 +211,26 @@ FieldStudy without_motion(const FieldsReader& reader, const Study& study, double
   return fields;
 }
 
-/// [Pa] The stress at the varied peaks that have a cycle, by critical speed.
-std::vector<std::vector<std::optional<double>>> varied_stress(const std::vector<CycleAtSpeed>& cycles,
-                                                              const LargestStress& largest, Progress& progress) {
+/// [Pa] The stress at the varied peaks that have a cycle, by critical speed, at some nodes.
+std::vector<std::vector<std::optional<double>>> varied_stress(const FieldsReader& reader,
+                                                              const std::vector<int>& nodal_diameters,
+                                                              const std::set<int>& nodes,
+                                                              const std::vector<CycleAtSpeed>& cycles,
+                                                              Progress& progress) {
+  const NodeStress at_nodes(reader, {nodes.begin(), nodes.end()});
+  LargestStress largest;  // made for the first cycle
   std::vector<std::vector<std::optional<double>>> all;
   for (const CycleAtSpeed& at : cycles) {
-    std::vector<std::optional<double>>& of_peak = all.emplace_back();
-    for (const std::optional<WheelCycle>& cycle : at.varied) {
+    std::vector<std::optional<double>>& of_peak = all.emplace_back(at.varied.size());
+    for (std::size_t i = 0; i < at.varied.size(); ++i) {
       stop_if_interrupted();
-      of_peak.push_back(cycle ? std::optional(largest(*cycle)) : std::nullopt);
-      for (int s = 0; cycle && s < cycle->samples(); ++s) progress.advance();
+      if (!at.varied[i]) continue;
+      if (!largest) largest = largest_stress(at_nodes, reader, nodal_diameters);
+      of_peak[i] = largest(*at.varied[i]);
+      for (int s = 0; s < at.varied[i]->samples(); ++s) progress.advance();
     }
   }
   return all;
-}
-
-bool have_varied(const std::vector<CycleAtSpeed>& cycles) {
-  return std::ranges::any_of(cycles, [](const CycleAtSpeed& at) {
-    return std::ranges::any_of(at.varied, [](const auto& cycle) { return cycle.has_value(); });
-  });
 }
 
 /// A peak with its speed and the samples of its cycle.
@@ -293,12 +294,7 @@ FieldStudy recover_fields(const FieldsReader& reader, const Study& study,
     if (index == worst && response.snapshot)
       recover_instant(response, recover, spin_field(fields.sector, bricks, response.speed), fields);
   }
-  fields.varied.resize(cycles.size());
-  if (have_varied(cycles)) {
-    const NodeStress at_nodes(reader, {much.begin(), much.end()});
-    fields.varied =
-        varied_stress(cycles, largest_stress(at_nodes, reader, study.response.scene.nodal_diameters), progress);
-  }
+  fields.varied = varied_stress(reader, study.response.scene.nodal_diameters, much, cycles, progress);
   fields.over_speed = stress_over_speed(reader, study, {stressed.begin(), stressed.end()});
   return fields;
 }

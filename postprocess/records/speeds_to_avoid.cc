@@ -87,11 +87,16 @@ std::vector<double> utilisations(const FieldResults& fields) {
   return all;
 }
 
-/// The same with what the error budget adds to the stress, of those that are below the limit without.
-std::vector<double> raised(std::vector<double> utilisation, const std::vector<BudgetSum>& changes, double limit) {
-  for (std::size_t i = 0; i < utilisation.size(); ++i)
-    utilisation[i] *= utilisation[i] > limit ? 0 : 1 + changes[i].stress_rise;
-  return utilisation;
+/// The critical speeds below the limit whose error budget leaves a utilisation above it open. The peak that reaches
+/// it may be another one, so that no more is known of its width than where it lies.
+std::vector<AvoidedBand> perhaps_stressed(const Study& study, const std::vector<BudgetSum>& changes,
+                                          const std::vector<double>& utilisation, double limit) {
+  std::vector<AvoidedBand> bands;
+  for (std::size_t i = 0; i < study.critical.size(); ++i)
+    if (utilisation[i] <= limit && utilisation[i] * (1 + changes[i].stress_rise) > limit)
+      bands.push_back(widened({study.critical[i].speed_low, study.critical[i].speed_high},
+                              Concern::perhaps_above_limit, changes[i].shift));
+  return bands;
 }
 
 std::vector<AvoidedBand> beyond_clearance(const Study& study, const std::vector<BudgetSum>& changes) {
@@ -124,7 +129,7 @@ std::vector<AvoidedBand> speeds_to_avoid(const Study& study, const FieldResults&
   const std::vector<double> utilisation = utilisations(fields);
   const std::array<std::vector<AvoidedBand>, concerns> by_gravity = {
       stressed(study, fields, changes, utilisation, 1.0, Concern::above_limit),
-      stressed(study, fields, changes, raised(utilisation, changes, 1.0), 1.0, Concern::perhaps_above_limit),
+      perhaps_stressed(study, changes, utilisation, 1.0),
       stressed(study, fields, changes, utilisation, 0.5, Concern::above_half), beyond_clearance(study, changes)};
   std::vector<AvoidedBand> all;
   for (const std::vector<AvoidedBand>& bands : by_gravity) {

@@ -131,6 +131,8 @@ TEST_F(SpeedsToAvoid, NameWhatTheErrorBudgetBringsAboveTheLimit) {
   const auto bands = speeds_to_avoid(study, fields);
   ASSERT_EQ(bands.size(), 1U);
   EXPECT_EQ(bands[0].concern, Concern::perhaps_above_limit);
+  EXPECT_EQ(bands[0].speeds.low, (1 - bands[0].widening) * peak.speed_low);
+  EXPECT_EQ(bands[0].speeds.high, (1 + bands[0].widening) * peak.speed_high);
   EXPECT_NE(bands_in_words(bands, fields).find("(Goodman perhaps above 1; "), std::string::npos);
   set_goodman(worst, 1.1);
   EXPECT_EQ(band_at(speeds_to_avoid(study, fields), peak.speed).concern, Concern::above_limit);

@@ -58,9 +58,6 @@ struct CriticalSpeed {
   bool by_equation_2 = false;  ///< predicted by the linear rule
   bool by_aliasing = false;    ///< predicted by the rule with aliasing
 
-  /// [1] The rising wave's amplitude over the peak's. The shares of several waves add up to more than 1 if their
-  /// crests do not coincide.
-  double wave_share() const { return amplitude > 0 ? rising.amplitude / amplitude : 0.0; }
   /// [1] How uncertain the amplitude is by step and distance of the speeds, relative to it.
   double amplitude_slack() const;
   /// The wave after which the motion is called: the largest if only that has at least half of the amplitude, or else
@@ -69,6 +66,9 @@ struct CriticalSpeed {
     const double half = 0.5 * amplitude;
     return rising.amplitude < half && largest.amplitude >= half ? largest : rising;
   }
+  /// [1] Its amplitude over the peak's. The shares of several waves add up to more than 1 if their crests do not
+  /// coincide.
+  double wave_share() const { return amplitude > 0 ? naming_wave().amplitude / amplitude : 0.0; }
   /// Whether no wave has half of the amplitude.
   bool is_mixed() const { return naming_wave().amplitude < 0.5 * amplitude; }
   /// All named waves but naming_wave(), the largest first.

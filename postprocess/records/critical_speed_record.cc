@@ -126,15 +126,17 @@ PeakColumns amplitude_columns() {
 
 PeakColumns wave_columns() {
   return {
-      {"family", [](const PeakRow& peak) { return peak.critical.rising.family + 1; }},
-      {"nodal diameter", [](const PeakRow& peak) { return std::abs(peak.critical.rising.signed_nodal_diameter); }},
-      {"signed nodal diameter", [](const PeakRow& peak) { return peak.critical.rising.signed_nodal_diameter; }},
-      {"engine order", [](const PeakRow& peak) { return peak.critical.rising.engine_order; }},
+      {"family", [](const PeakRow& peak) { return peak.critical.naming_wave().family + 1; }},
+      {"nodal diameter",
+       [](const PeakRow& peak) { return std::abs(peak.critical.naming_wave().signed_nodal_diameter); }},
+      {"signed nodal diameter",
+       [](const PeakRow& peak) { return peak.critical.naming_wave().signed_nodal_diameter; }},
+      {"engine order", [](const PeakRow& peak) { return peak.critical.naming_wave().engine_order; }},
       {"wave", [](const PeakRow& peak) { return wave_names(peak.critical); }},
-      {"direction", [](const PeakRow& peak) { return name_of(peak.critical.rising.direction); }},
-      {"wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.rising.amplitude * mm_per_m; }},
-      {"natural frequency [Hz]", [](const PeakRow& peak) { return peak.critical.rising.natural_frequency; }},
-      {"detuning [%]", [](const PeakRow& peak) { return percent * peak.critical.rising.detuning; }},
+      {"direction", [](const PeakRow& peak) { return name_of(peak.critical.naming_wave().direction); }},
+      {"wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.naming_wave().amplitude * mm_per_m; }},
+      {"natural frequency [Hz]", [](const PeakRow& peak) { return peak.critical.naming_wave().natural_frequency; }},
+      {"detuning [%]", [](const PeakRow& peak) { return percent * peak.critical.naming_wave().detuning; }},
       {"wave share [1]", [](const PeakRow& peak) { return peak.critical.wave_share(); }},
       {"largest wave", [](const PeakRow& peak) { return wave_name(peak.critical.largest); }},
       {"largest wave amplitude [mm]", [](const PeakRow& peak) { return peak.critical.largest.amplitude * mm_per_m; }},
@@ -229,10 +231,7 @@ PeakColumns rounded_columns() {
           {"family", [](const PeakRow& peak) { return std::to_string(peak.critical.naming_wave().family + 1); }},
           {"wave", [](const PeakRow& peak) { return wave_names(peak.critical); }},
           {"runs", [](const PeakRow& peak) { return name_of(peak.critical.naming_wave().direction); }},
-          {"share [%]",
-           [](const PeakRow& peak) {
-             return fixed(percent * peak.critical.naming_wave().amplitude / peak.critical.amplitude, 0);
-           }},
+          {"share [%]", [](const PeakRow& peak) { return fixed(percent * peak.critical.wave_share(), 0); }},
           {"detuning [%]", [](const PeakRow& peak) { return signed_percent(peak.critical.naming_wave().detuning); }},
           {"other waves", [](const PeakRow& peak) { return other_waves(peak.critical, shown_others); }},
           {"areas LE/TE",

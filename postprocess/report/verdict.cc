@@ -142,7 +142,7 @@ std::string why(const Study& study) {
   std::string text = engine_order_name(wave.engine_order) + " drives family " + std::to_string(wave.family + 1) +
                      " on nodal diameter " + std::to_string(std::abs(wave.signed_nodal_diameter)) + " as a " +
                      name_of(wave.direction) + " wave (" + wave_name(wave) + "): " + mm(wave.amplitude) + ", " +
-                     fixed(percent * peak.wave_share(), 0) + " % of the amplitude, " +
+                     fixed(percent * wave.amplitude / peak.amplitude, 0) + " % of the amplitude, " +
                      fixed(percent * std::abs(wave.detuning), 1) + (wave.detuning < 0 ? " % below" : " % above") +
                      " that mode's frequency." + origin_text(wave, study.response.scene);
   if (peak.has_larger_wave())

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <complex>
-#include <iterator>
 #include <mutex>
 #include <set>
 #include <thread>

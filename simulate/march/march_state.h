@@ -20,8 +20,8 @@ RotorState state_of(const TimeMarch& march, const ReducedModel& model);
 /// Sets the state of a march. The share of modes that the march does not keep is lost.
 void put_state(const RotorState& state, const ReducedModel& model, TimeMarch& march);
 
-/// Everything that the next step of a march needs, so that restore() is exact to the bit. Only for contact laws
-/// without memory.
+/// Everything that the next step of a march needs, so that restore() is exact but for rounding, which also depends on
+/// the contact nodes that were closed before. Only for contact laws without memory.
 class MarchState {
  public:
   explicit MarchState(const TimeMarch& march);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -63,8 +64,8 @@ EvenLine trend(const std::vector<double>& changes, int count) {
 
 constexpr double quiet_motion = 1e-3;      // of the casing's amplitude: a smaller motion counts as rest
 constexpr double boundless_motion = 1e6;   // times amplitude and clearance: a larger motion has diverged
-constexpr int patience = 7, standing = 3;  // times min_revolutions: marched before wanders(), and judged by it
-constexpr int fewest_revolutions = 10;     // in place of min_revolutions there, so that the slope has a meaning
+constexpr int patience = 4, standing = 2;  // times min_revolutions: marched before wanders(), and judged by it
+constexpr int fewest_revolutions = 15;     // in place of min_revolutions there, so that the slope has a meaning
 constexpr std::size_t remembered = 24;     // revolutions, for the class of a motion that does not settle
 
 SteadyState make_judge(const Scene& scene, const TimeMarch& march) {
@@ -118,7 +119,7 @@ bool SteadyState::decays() const {
 
 bool SteadyState::stands(int count) const {
   const EvenLine line = trend(changes_.front(), count);
-  return std::abs(line.slope) <= 2 * line.uncertainty;
+  return std::abs(line.slope) <= std::max(2 * line.uncertainty, std::numbers::ln2 / count);
 }
 
 Settling::Settling(const Scene& scene, TimeMarch& march, int min_revolutions, StartMotion start)

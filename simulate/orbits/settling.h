@@ -45,8 +45,9 @@ class SteadyState {
   /// Whether the change per revolution clearly decreases: the slope of a line through the logarithms of the last
   /// changes is negative by more than twice its uncertainty.
   bool decays() const;
-  /// Whether the change per revolution neither decreases nor increases clearly over the last `count` revolutions: the
-  /// slope of this line is within twice its uncertainty.
+  /// Whether the change per revolution neither decreases nor increases clearly over the last `count` revolutions: a
+  /// line through its logarithms neither halves nor doubles, or its slope is within twice its uncertainty. Residuals
+  /// of a slow modulation are alike from one revolution to the next, so that this uncertainty is too small for them.
   bool stands(int count) const;
 
  private:
@@ -73,9 +74,9 @@ class Settling {
   void add(Eigen::VectorXd motion);
   /// Whether the motion has settled; false before the smallest allowed number of revolutions.
   bool settled() const;
-  /// Whether further marching is useless: the motion has not settled after seven times the smallest allowed number of
-  /// revolutions (at least 70; three times and 30 if it wandered before), and its change per revolution neither
-  /// decreases nor increases. An increasing change shows that the motion leaves an orbit, and it will then approach
+  /// Whether further marching is useless: the motion has not settled after four times the smallest allowed number of
+  /// revolutions (at least 60; twice and 30 if it wandered before), and its change per revolution neither decreases
+  /// nor increases. An increasing change shows that the motion leaves an orbit, and it will then approach
   /// another one.
   bool wanders() const;
   SettlingState state() const { return orbit_ ? *orbit_ : state_.judge(); }

@@ -30,6 +30,14 @@ Growth excluded_growth_held(const TimeMarch& orbit, const std::shared_ptr<const 
   return largest_growth(map, tangent.seed(), std::max(static_cast<int>(revolutions * maps), 1), maps);
 }
 
+/// A march at the same state. What a search leaves in the solver of the contact forces changes their rounding, which
+/// a motion without period amplifies: a march that is searched along stays the one that it would be.
+TimeMarch copy_of(const TimeMarch& march) {
+  TimeMarch copy(march.scene());
+  MarchState(march).restore(copy);
+  return copy;
+}
+
 /// The number of maps, at most `most`, after which a settled march is where it was.
 int maps_in_period(TimeMarch& settled, int most) {
   const SymmetricMap one(settled);
@@ -70,7 +78,7 @@ Growth excluded_growth_along(TimeMarch& settled, int period_revolutions, int rev
 
 bool OrbitSearch::reach(TimeMarch& march, const std::function<void()>& revolution) {
   if (has_given_up()) return false;
-  if (orbit_.state.size() > 0 ? jump(march) : look_along(march, revolution)) return true;
+  if (has_found() ? jump(march) : look_along(march, revolution)) return true;
   give_up();
   return false;
 }
@@ -91,24 +99,23 @@ bool OrbitSearch::look_along(TimeMarch& coarse, const std::function<void()>& rev
 }
 
 bool OrbitSearch::jump(TimeMarch& march) {
-  const MarchState before(march);
-  if (attempt([&] { return find(march); }).result.value_or(false)) return true;
-  before.restore(march);
-  return false;
+  TimeMarch searched = copy_of(march);
+  if (!attempt([&] { return find(searched); }).result.value_or(false)) return false;
+  MarchState(searched).restore(march);
+  return true;
 }
 
 /// The number of maps after which a march nearly returns, if its whole revolutions fit into a recording; else 1.
-int OrbitSearch::recurrence(TimeMarch& march) const {
+int OrbitSearch::recurrence(const TimeMarch& from) const {
+  TimeMarch march = copy_of(from);
   const int lobes = scene_.casing.lobes, maps = symmetric_maps_per_revolution(march.sector_count(), lobes);
   const SymmetricMap one(march);
   const Eigen::VectorXd start = one.state();
-  const MarchState before(march);
   Eigen::ArrayXd away = Eigen::ArrayXd::Zero(ClassLimits::longest_period * maps / lobes + 1);
   for (int k = 1; k < away.size(); ++k) {
     for (int i = 0; i < one.steps(); ++i) march.step();
     away[k] = (SymmetricMap(march, k).image() - start).norm();
   }
-  before.restore(march);
   for (int k = 2; k < away.size(); ++k)
     if (away[k] <= come_back * away.maxCoeff() && k / std::gcd(k, maps) <= scene_.parameters.recorded_revolutions)
       return k;
@@ -127,7 +134,7 @@ bool OrbitSearch::find(TimeMarch& march) {
   const double maps = map.tangents() + orbit.iterations + 1;
   report_.revolutions += maps / map.symmetric().maps_per_revolution();
   if (orbit.found == NewtonResult::Found::no) return false;
-  const bool is_first = orbit_.state.size() == 0;
+  const bool is_first = !has_found();
   if (is_first && !attracts(map, orbit, rough)) return false;  // stands() looks closer
   map.put(orbit.state);
   orbit_ = orbit;

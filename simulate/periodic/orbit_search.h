@@ -47,6 +47,8 @@ class OrbitSearch {
   /// Ends the search, because the march did not confirm the last orbit or no orbit was found.
   void give_up();
 
+  /// Whether an orbit has been found with any step.
+  bool has_found() const { return orbit_.state.size() > 0; }
   const OrbitReport& report() const { return report_; }
   /// The period of the orbit.
   int period_revolutions() const;
@@ -58,7 +60,7 @@ class OrbitSearch {
   /// The march keeps its state if there is no orbit.
   bool jump(TimeMarch& march);
   bool has_given_up() const { return report_.outcome == OrbitReport::Outcome::marched; }
-  int recurrence(TimeMarch& march) const;
+  int recurrence(const TimeMarch& from) const;
   bool look_along(TimeMarch& coarse, const std::function<void()>& revolution);
   bool find(TimeMarch& march);
   bool attracts(MarchedMap& map, const NewtonResult& orbit, double tolerance);

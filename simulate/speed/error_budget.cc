@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "simulate/march/march_state.h"
 #include "simulate/motion/attempt.h"
 #include "simulate/scene/friction_limit.h"
 #include "simulate/speed/followed_peak.h"
@@ -71,9 +72,10 @@ std::optional<RotorCycle> stressed_cycle(const SettledMotion& motion, int lobes)
   return cycle;
 }
 
-/// A speed marched within the tolerances.
-PeakVariation marched_peak(const Scene& scene, double speed) {
-  const RefinedMotion found = settle_within_tolerance(scene, rotor_of(scene, speed), {}, CycleChoice::kept);
+/// A speed marched within the tolerances from a state, which becomes that at the end.
+PeakVariation marched_peak(const Scene& scene, double speed, RotorState& state) {
+  const RefinedMotion found = settle_within_tolerance(scene, rotor_of(scene, speed), state, CycleChoice::kept);
+  state = state_of(*found.motion.march, scene.model);
   const Recorded& recorded = found.motion.recorded;
   PeakVariation peak;
   peak.speed = speed;
@@ -94,7 +96,8 @@ PeakVariation peak_near(const Scene& scene, const Origin& origin) {
   PeakVariation peak;
   for (int i = 0; i <= (top.jumps() ? retreats : 0); ++i) {
     const double speed = top.jumps() ? top.top.speed + i * away : top.vertex();
-    const PeakVariation found = marched_peak(scene, speed);
+    RotorState rest;
+    const PeakVariation found = marched_peak(scene, speed, rest);
     if (found.amplitude > peak.amplitude) peak = found;
     if (peak.amplitude >= still_there * top.top.amplitude) break;
   }
@@ -184,10 +187,10 @@ PeakVariation followed(const Scene& scene, const VariedScene& varied, const Orig
 using Beside = std::array<PeakVariation, 3>;
 
 /// One of them, marched with a given step size.
-PeakVariation marched_with(const Scene& scene, double speed, int steps_per_revolution) {
+PeakVariation marched_with(const Scene& scene, double speed, int steps_per_revolution, RotorState& state) {
   SimulateParameters parameters = scene.parameters;
   parameters.steps_per_revolution = steps_per_revolution;
-  return marched_peak({scene.model, scene.casing, parameters, scene.scope}, speed);
+  return marched_peak({scene.model, scene.casing, parameters, scene.scope}, speed, state);
 }
 
 /// The vertex of the parabola through three speeds, or the highest of them beside a jump.
@@ -207,11 +210,11 @@ PeakVariation with_half_step(const Scene& scene, double speed, int steps_per_rev
   const double gap = gap_beside * half_width_at(scene, speed);
   const auto found = attempt([&] {
     Beside whole, half;
-    share(helpers, whole.size() + half.size(), [&](std::size_t i) {
-      const bool halved = i < half.size();  // these take longer, and come first
-      const std::size_t place = i % half.size();
-      (halved ? half : whole)[place] = marched_with(scene, speed + (static_cast<double>(place) - 1) * gap,
-                                                    (halved ? 2 : 1) * steps_per_revolution);
+    share(helpers, whole.size(), [&](std::size_t i) {
+      const double there = speed + (static_cast<double>(i) - 1) * gap;
+      RotorState state;
+      whole[i] = marched_with(scene, there, steps_per_revolution, state);
+      half[i] = marched_with(scene, there, 2 * steps_per_revolution, state);
     });
     PeakVariation peak = half[1];
     peak.speed = speed + top_of(half) - top_of(whole);

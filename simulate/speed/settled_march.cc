@@ -31,6 +31,7 @@ constexpr double scatter = 1.6;            // true error over difference, measur
 constexpr std::size_t scatter_memory = 3;  // halvings
 constexpr double useless_halving = 0.9;    // of the difference before: the error does not fall
 constexpr int min_revolutions_again = 10;  // when the start has settled with twice the step
+constexpr double opening_settling = 0.2;   // of step_tolerance
 
 /// h < 2/omega_max, with and without damping, because the paper's eq. 13 damps at the middle instant.
 void require_stable_step(const TimeMarch& march, double omega_max) {
@@ -139,10 +140,9 @@ void start_march(const Scene& scene, const RotorState& start, TimeMarch& march) 
 
 /// The same motion with half the step.
 SettledMotion halved(const Scene& scene, const SettledMotion& coarse, const MarchPlan& before) {
-  const bool settled = coarse.state.settled == SettlingState::Settled::yes;
   const MarchPlan plan{2 * coarse.march->steps_per_revolution(),
                        std::min(min_revolutions_again, scene.parameters.min_revolutions), before.cycle, before.search,
-                       settled ? StartMotion::unknown : StartMotion::wanders};
+                       coarse.has_settled() ? StartMotion::unknown : StartMotion::wanders};
   SettledMotion finer = settle(scene, coarse.march->scene().rotor, state_of(*coarse.march, scene.model), plan);
   finer.revolutions += coarse.revolutions;
   return finer;
@@ -180,34 +180,30 @@ std::optional<OrbitSearch> search_for(const Scene& scene) {
   return OrbitSearch(scene);
 }
 
-/// The state of the orbit that a march from rest approaches, found with a coarse step; at rest if there is none.
-RotorState approach(const Scene& scene, const SharedRotor& rotor, OrbitSearch& search) {
+/// The motion from rest with twice the step, in which transients and searches cost half.
+SettledMotion opened(const Scene& scene, const SharedRotor& rotor, MarchPlan plan) {
   SimulateParameters parameters = scene.parameters;
-  parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
-  const int steps = steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed);
-  TimeMarch march(marched_scene(scene, rotor, steps));
-  const auto revolution = [&] {
-    for (int i = 0; i < steps; ++i) march.step();
-  };
-  if (attempt([&] { return search.reach(march, revolution); }).result.value_or(false))
-    return state_of(march, scene.model);
-  search.give_up();
-  return {};
+  parameters.steps_per_period /= 2;
+  parameters.settle_tolerance = std::max(parameters.settle_tolerance, opening_settling * parameters.step_tolerance);
+  plan.steps_per_revolution = steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed);
+  plan.cycle = CycleChoice::left;
+  return settle({scene.model, scene.casing, parameters, scene.scope}, rotor, {}, plan);
 }
 
-/// Halves the step until the tolerance is met.
+/// Halves the step until it is no longer than planned and the tolerance is met.
 RefinedMotion refined(const Scene& scene, const MarchPlan& plan, SettledMotion motion) {
   const double tolerance = scene.parameters.step_tolerance;
   RefinedMotion refined;
   std::vector<double> differences;
-  while (differences.size() < most_halvings && can_halve(*motion.march, tolerance)) {
+  while (motion.march->steps_per_revolution() < plan.steps_per_revolution ||
+         (differences.size() < most_halvings && can_halve(*motion.march, tolerance))) {
     SettledMotion finer = halved(scene, motion, plan);
     refined.halving = difference(finer.sampled(), motion.sampled(), scene.casing.lobes);
+    if (!motion.has_settled()) differences.clear();  // they do not tell an error of the step
     differences.push_back(refined.halving->value);
     refined.step_reached = estimated_error(differences) / tolerance;
     motion = std::move(finer);
-    const bool settled = motion.state.settled == SettlingState::Settled::yes;
-    if (!settled || *refined.step_reached <= 1 || is_useless(differences)) break;
+    if (!motion.has_settled() || *refined.step_reached <= 1 || is_useless(differences)) break;
   }
   refined.motion = std::move(motion);
   return refined;
@@ -232,17 +228,20 @@ RefinedMotion settle_within_tolerance(const Scene& scene, const SharedRotor& rot
                                       CycleChoice cycle) {
   const SimulateParameters& parameters = scene.parameters;
   std::optional<OrbitSearch> search = start.at_rest() ? search_for(scene) : std::nullopt;
-  RotorState orbit;
-  if (search) orbit = approach(scene, rotor, *search);
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed),
                        parameters.min_revolutions, cycle, search ? &*search : nullptr};
-  const auto run = [&](const RotorState& from) {
-    SettledMotion motion = settle(scene, rotor, from, plan);
-    const bool halves = parameters.steps_per_revolution == 0;
-    return halves ? refined(scene, plan, std::move(motion)) : RefinedMotion{std::move(motion), {}, {}, {}, {}};
+  const auto run = [&] {
+    if (parameters.steps_per_revolution > 0)
+      return RefinedMotion{settle(scene, rotor, start, plan), {}, {}, {}, {}};
+    if (start.at_rest()) {
+      auto opening = attempt([&] { return opened(scene, rotor, plan); });
+      if (opening.result) return refined(scene, plan, std::move(*opening.result));
+      if (search) search->give_up();  // its step may be beyond the limit of the scheme
+    }
+    return refined(scene, plan, settle(scene, rotor, start, plan));
   };
-  RefinedMotion found = run(orbit.at_rest() ? start : orbit);
-  if (!orbit.at_rest() && !search->stands(*found.motion.march)) found = run(start);
+  RefinedMotion found = run();
+  if (search && search->has_found() && !search->stands(*found.motion.march)) found = run();
   if (search) found.orbit = search->report();
   if (found.orbit.outcome == OrbitReport::Outcome::found) found.excluded = search->excluded();
   return found;

@@ -37,6 +37,7 @@ struct SettledMotion {
   double step_ratio = 0;            ///< [1] h omega_max / 2
   double compliance_condition = 0;  ///< [1] of W
 
+  bool has_settled() const { return state.settled == SettlingState::Settled::yes; }
   /// For difference(); refers to this motion.
   SampledMotion sampled() const {
     return {recorded.displacement, recorded.samples_per_revolution, recorded.revolutions, state.period_revolutions};
@@ -58,7 +59,7 @@ struct RefinedMotion {
 };
 
 /// The same, but halves the step until the settled motion changes by no more than step_tolerance; each march
-/// continues from the end of the last one. Halving also ends if it brings no improvement or if the motion does not
+/// continues from the end of the last one, and the first one, if from rest, takes steps twice as long. Halving also ends if it brings no improvement or if the motion does not
 /// settle: the difference then tells the accuracy reached. With [simulate] steps_per_revolution, marches with that
 /// step only.
 RefinedMotion settle_within_tolerance(const Scene& scene, const SharedRotor& rotor, const RotorState& start,

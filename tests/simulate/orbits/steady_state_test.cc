@@ -103,6 +103,13 @@ TEST(SteadyState, TellsAChangeThatStandsFromOneThatMoves) {
   for (const double rate : {0.9, 0.96, 1.04, 1.1}) EXPECT_FALSE(stands(rate)) << rate;
 }
 
+/// A slow modulation seems to fall or to grow for a while, with a slope that is far beyond its uncertainty.
+TEST(SteadyState, TellsASlowModulationFromOneThatFalls) {
+  SteadyState state(tolerance, 0.0);
+  for (int r = 0; r < 70; ++r) state.add(revolution(1e-3 * (1 + 0.3 * std::cos(0.05 * r)) * (r % 2 == 0 ? 1 : -1)));
+  EXPECT_TRUE(state.stands(30));
+}
+
 TEST(SteadyState, TakesAMotionBelowTheQuietNormForNone) {
   SteadyState state(tolerance, 1.0);
   for (int r = 0; r < 12; ++r) state.add(1e-6 * revolution(std::sin(r)));

@@ -173,13 +173,13 @@ TEST(SettledMarch, LeavesAMotionThatWandersBeforeAllRevolutionsAreMarched) {
   const Scene scene{model, casing, parameters, scope};
   const SettledMotion left = settle(scene, rotor_of(scene, 2880), {}, {parameters.steps_per_revolution, 10});
   EXPECT_EQ(left.state.period_revolutions, 0);
-  EXPECT_GE(left.revolutions, 70);
+  EXPECT_GE(left.revolutions, 60);
   EXPECT_LT(left.revolutions, 200);
   const MarchPlan again{parameters.steps_per_revolution, 10, CycleChoice::left, nullptr, StartMotion::wanders};
   const SettledMotion after = settle(scene, rotor_of(scene, 2880), state_of(*left.march, model), again);
   EXPECT_EQ(after.state.period_revolutions, 0);
   EXPECT_GE(after.revolutions, 30);
-  EXPECT_LT(after.revolutions, 70) << "its transient has passed";
+  EXPECT_LT(after.revolutions, 60) << "its transient has passed";
 }
 
 /// A scan's search for an orbit takes place along its own march, which goes on if there is none to be kept: the

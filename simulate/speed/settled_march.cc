@@ -197,13 +197,14 @@ RefinedMotion refined(const Scene& scene, const MarchPlan& plan, SettledMotion m
   std::vector<double> differences;
   while (motion.march->steps_per_revolution() < plan.steps_per_revolution ||
          (differences.size() < most_halvings && can_halve(*motion.march, tolerance))) {
+    const bool is_opening = motion.march->steps_per_revolution() < plan.steps_per_revolution;
     SettledMotion finer = halved(scene, motion, plan);
     refined.halving = difference(finer.sampled(), motion.sampled(), scene.casing.lobes);
-    if (!motion.has_settled()) differences.clear();  // they do not tell an error of the step
     differences.push_back(refined.halving->value);
     refined.step_reached = estimated_error(differences) / tolerance;
     motion = std::move(finer);
     if (!motion.has_settled() || *refined.step_reached <= 1 || is_useless(differences)) break;
+    if (is_opening) differences.clear();  // a step as long as its tells little of the finer ones
   }
   refined.motion = std::move(motion);
   return refined;

@@ -232,8 +232,7 @@ RefinedMotion settle_within_tolerance(const Scene& scene, const SharedRotor& rot
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed),
                        parameters.min_revolutions, cycle, search ? &*search : nullptr};
   const auto run = [&] {
-    if (parameters.steps_per_revolution > 0)
-      return RefinedMotion{settle(scene, rotor, start, plan), {}, {}, {}, {}};
+    if (parameters.steps_per_revolution > 0) return RefinedMotion{settle(scene, rotor, start, plan), {}, {}, {}, {}};
     if (start.at_rest()) {
       auto opening = attempt([&] { return opened(scene, rotor, plan); });
       if (opening.result) return refined(scene, plan, std::move(*opening.result));

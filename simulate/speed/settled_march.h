@@ -59,9 +59,9 @@ struct RefinedMotion {
 };
 
 /// The same, but halves the step until the settled motion changes by no more than step_tolerance; each march
-/// continues from the end of the last one, and the first one, if from rest, takes steps twice as long. Halving also ends if it brings no improvement or if the motion does not
-/// settle: the difference then tells the accuracy reached. With [simulate] steps_per_revolution, marches with that
-/// step only.
+/// continues from the end of the last one, and the first one, if from rest, takes steps twice as long. Halving also
+/// ends if it brings no improvement or if the motion does not settle: the difference then tells the accuracy reached.
+/// With [simulate] steps_per_revolution, marches with that step only.
 RefinedMotion settle_within_tolerance(const Scene& scene, const SharedRotor& rotor, const RotorState& start,
                                       CycleChoice cycle);
 

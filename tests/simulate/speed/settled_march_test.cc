@@ -31,9 +31,7 @@ struct TurningWheel {
   }
   Scene scene() const { return {model, casing, parameters, scope}; }
   SharedRotor rotor() const { return rotor_of(scene(), speed); }
-  int planned_steps() const {
-    return steps_per_revolution(scope, parameters, rotor()->first_frequency, speed);
-  }
+  int planned_steps() const { return steps_per_revolution(scope, parameters, rotor()->first_frequency, speed); }
   RefinedMotion refined() const { return settle_within_tolerance(scene(), rotor(), {}, CycleChoice::left); }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/stage.h"
 
+#include <cblas.h>
+
 #include <chrono>
 #include <filesystem>
 #include <iomanip>
@@ -253,6 +255,7 @@ std::string simulate_tables(const CaseFile& file) {
 }
 
 void run_simulate(const StageArguments& asked, int threads) {
+  openblas_set_num_threads(1);  // this program's own threads share the speeds
   StageArguments arguments = asked;
   Inputs inputs = read_inputs(arguments);
   if (arguments.action == Action::check) {

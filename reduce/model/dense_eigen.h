@@ -20,8 +20,7 @@ struct Eigenpairs {
 using RealEigenpairs = Eigenpairs<double>;
 using ComplexEigenpairs = Eigenpairs<std::complex<double>>;
 
-// The dense eigenproblems of all programs are solved in one unit, because the solvers take long to compile. If a
-// problem can't be solved, all values are NaN.
+// The dense eigenproblems of all programs, by LAPACK. If a problem can't be solved, all values are NaN.
 
 /// A x = lambda x of a Hermitian A, of which the lower triangle is read; vectors of unit length.
 RealEigenpairs eigenpairs(const Eigen::MatrixXd& A);

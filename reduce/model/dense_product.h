@@ -5,8 +5,8 @@
 
 namespace tiprub {
 
-/// C += A B. Programs that link a BLAS multiply with it, which takes the processor's widest instructions; Eigen's own
-/// products are compiled for the oldest processor.
+/// C += A B by the BLAS, which takes the processor's widest instructions; Eigen's own products are compiled for the
+/// oldest processor.
 void add_product(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen::Ref<const Eigen::MatrixXd>& B,
                  Eigen::Ref<Eigen::MatrixXd> C);
 

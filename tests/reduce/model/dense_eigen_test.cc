@@ -35,12 +35,12 @@ void try_hermitian() {
   EXPECT_TRUE(eigenvalues(A, Matrix(-B)).array().isNaN().all()) << "B is not positive definite";
 }
 
-TEST(LapackEigen, SolvesHermitianProblems) {
+TEST(DenseEigen, SolvesHermitianProblems) {
   try_hermitian<Eigen::MatrixXd>();
   try_hermitian<Eigen::MatrixXcd>();
 }
 
-TEST(LapackEigen, SolvesGeneralProblems) {
+TEST(DenseEigen, SolvesGeneralProblems) {
   const Eigen::MatrixXd A = Eigen::MatrixXd::Random(size, size);
   const GeneralEigenpairs found = general_eigenpairs(A);
   EXPECT_LT((A * found.vectors - found.vectors * found.values.asDiagonal()).norm(), rounding * size * A.norm());

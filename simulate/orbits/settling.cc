@@ -62,6 +62,10 @@ EvenLine trend(const std::vector<double>& changes, int count) {
   return fit_even_line(logarithms);
 }
 
+bool falls(const EvenLine& line) {
+  return line.slope + 2 * line.uncertainty < 0;
+}
+
 constexpr double quiet_motion = 1e-3;      // of the casing's amplitude: a smaller motion counts as rest
 constexpr double boundless_motion = 1e6;   // times amplitude and clearance: a larger motion has diverged
 constexpr int patience = 4, standing = 2;  // times min_revolutions: marched before wanders(), and judged by it
@@ -113,13 +117,12 @@ SettlingState SteadyState::judge() const {
 
 bool SteadyState::decays() const {
   if (changes_.front().size() < window) return false;
-  const EvenLine line = trend(changes_.front(), decay_window);
-  return line.slope + 2 * line.uncertainty < 0;
+  return falls(trend(changes_.front(), decay_window));
 }
 
 bool SteadyState::stands(int count) const {
   const EvenLine line = trend(changes_.front(), count);
-  return std::abs(line.slope) <= std::max(2 * line.uncertainty, std::numbers::ln2 / count);
+  return !falls(line) && line.slope <= std::max(2 * line.uncertainty, std::numbers::ln2 / count);
 }
 
 Settling::Settling(const Scene& scene, TimeMarch& march, int min_revolutions, StartMotion start)

@@ -45,9 +45,10 @@ class SteadyState {
   /// Whether the change per revolution clearly decreases: the slope of a line through the logarithms of the last
   /// changes is negative by more than twice its uncertainty.
   bool decays() const;
-  /// Whether the change per revolution neither decreases nor increases clearly over the last `count` revolutions: a
-  /// line through its logarithms neither halves nor doubles, or its slope is within twice its uncertainty. Residuals
-  /// of a slow modulation are alike from one revolution to the next, so that this uncertainty is too small for them.
+  /// Whether the change per revolution neither decreases nor increases clearly over the last `count` revolutions: the
+  /// slope of a line through its logarithms is within twice its uncertainty, or positive although the change
+  /// does not double. The uncertainty is too small for the rise of a slow modulation, because its residuals are not
+  /// independent.
   bool stands(int count) const;
 
  private:

@@ -46,8 +46,8 @@ class SteadyState {
   /// changes is negative by more than twice its uncertainty.
   bool decays() const;
   /// Whether the change per revolution neither decreases nor increases clearly over the last `count` revolutions: the
-  /// slope of a line through its logarithms is within twice its uncertainty, or positive although the change
-  /// does not double. The uncertainty is too small for the rise of a slow modulation, because its residuals are not
+  /// slope of a line through its logarithms is within twice its uncertainty, or it is positive, and the change does
+  /// not double. The uncertainty is too small for the rise of a slow modulation, because its residuals are not
   /// independent.
   bool stands(int count) const;
 

@@ -112,7 +112,7 @@ def components(cmake, build, work):
 
 
 def reader(cmake, prefix, source, folder, work):
-    """Of other libraries, it needs Eigen and HDF5 alone."""
+    """Of other libraries, it needs Eigen, HDF5, BLAS and LAPACK alone."""
     with open(os.path.join(prefix, "lib/cmake/Tiprub/TiprubTargets.cmake"), encoding="utf-8") as file:
         targets = file.read()
     assert "hdf5" in targets and not re.search("CLI11|tomlplusplus", targets), targets

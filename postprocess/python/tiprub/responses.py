@@ -235,7 +235,7 @@ class Response:
 
         >>> open_response("response.h5").critical_speeds[["speed [rpm]", "engine order", "direction"]]
            speed [rpm]  engine order direction
-        0      27000.0           2.0  backward
+        0      27000.0           6.0  standing
         """
         return self.table("critical_speeds")
 

@@ -93,7 +93,7 @@ def study(study_file, folder=None, jobs=None, progress=True, **variables):
     >>> table = study({"case": "case.toml", "model": "model.h5", "grid": {"lobes": {"key": "casing.lobes", "values": [2]}}}, progress=False)
     >>> table[["point", "lobes", "engine order"]]
          point  lobes  engine order
-    0  lobes_2      2             2
+    0  lobes_2      2             6
     """
     import pandas
     if isinstance(study_file, dict):

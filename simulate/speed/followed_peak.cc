@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <vector>
 
 #include "simulate/motion/attempt.h"
 
@@ -13,7 +14,8 @@ namespace tiprub::simulate {
 namespace {
 
 constexpr int first_steps[] = {-4, -2, -1, 0, 1, 2, 4};  // half-widths from the old top
-constexpr double stride = 2;                             // half-widths, where the response still rises
+constexpr double stride = 2;                             // half-widths, beyond an end that is not the foot
+constexpr double foot = 0.5;                             // of the largest amplitude: less is beside the peak
 constexpr double farthest = 0.1;                         // of the speed
 constexpr double fineness = 0.2;                         // of a half-width: the gaps beside a located top
 constexpr double fallen = 0.8;                           // of the top: less beside it is another motion
@@ -26,23 +28,37 @@ class SampledResponse {
     while (reach_down() || reach_up()) continue;
   }
 
+  /// Each maximum that may be the highest is sampled at every half-width around it, then the highest of them is
+  /// located.
   PeakTop located() {
-    auto top = highest();
-    while (true) {
-      const PeakTop found{sample(std::prev(top)), sample(top), sample(std::next(top))};
-      if (std::max(found.left_gap(), found.right_gap()) <= fineness * origin_.half_width) return found;
-      const double between = found.left_gap() > found.right_gap() ? found.top.speed - found.left_gap() / 2
-                                                                  : found.top.speed + found.right_gap() / 2;
-      if (!look(between)) throw NoMotion("the motion beside the peak could not be computed");
-      const auto inserted = curve_.find(between);
-      if (inserted->second > top->second) top = inserted;
+    for (bool all = false; !all;) {
+      all = true;
+      for (const double speed : maxima()) all = narrow(speed, origin_.half_width) && all;
     }
+    double speed = highest();
+    while (!narrow(speed, fineness * origin_.half_width)) speed = highest();
+    return at(speed);
   }
 
  private:
   using Curve = std::map<double, double>;
 
-  static SampledSpeed sample(Curve::const_iterator at) { return {at->first, at->second}; }
+  PeakTop at(double speed) const {
+    const auto top = curve_.find(speed);
+    const auto sample = [](Curve::const_iterator i) { return SampledSpeed{i->first, i->second}; };
+    return {sample(std::prev(top)), sample(top), sample(std::next(top))};
+  }
+
+  /// Looks into the middle of the wider gap beside a maximum, unless both are narrow enough. Returns whether they
+  /// are.
+  bool narrow(double speed, double enough) {
+    const PeakTop found = at(speed);
+    if (std::max(found.left_gap(), found.right_gap()) <= enough) return true;
+    const bool on_left = found.left_gap() > found.right_gap();
+    if (!look(on_left ? speed - found.left_gap() / 2 : speed + found.right_gap() / 2))
+      throw NoMotion("the motion beside the peak could not be computed");
+    return false;
+  }
 
   bool look(double speed) {
     const std::optional<double> amplitude = amplitude_at_(speed);
@@ -50,26 +66,41 @@ class SampledResponse {
     return amplitude.has_value();
   }
 
-  /// Looks beyond an end towards which the response rises. Returns whether there was anything to look at.
+  /// Looks beyond an end of the range that may not be the foot of the peak. Returns whether there was anything to
+  /// look at.
   bool reach_down() {
-    return curve_.size() > 1 && curve_.begin()->second > std::next(curve_.begin())->second &&
+    return curve_.size() > 1 && goes_on(curve_.begin()->second, std::next(curve_.begin())->second) &&
            reach(curve_.begin()->first - stride * origin_.half_width);
   }
   bool reach_up() {
-    return curve_.size() > 1 && curve_.rbegin()->second > std::next(curve_.rbegin())->second &&
+    return curve_.size() > 1 && goes_on(curve_.rbegin()->second, std::next(curve_.rbegin())->second) &&
            reach(curve_.rbegin()->first + stride * origin_.half_width);
   }
+  bool goes_on(double end, double before) const { return end > before || end > foot * largest(); }
   bool reach(double speed) { return std::abs(speed / origin_.speed - 1) <= farthest && look(speed); }
 
-  Curve::const_iterator highest() const {
-    auto best = curve_.end();
-    for (auto at = curve_.begin(); at != curve_.end(); ++at) {
-      if (at == curve_.begin() || std::next(at) == curve_.end()) continue;
-      const bool is_top = at->second > std::prev(at)->second && at->second >= std::next(at)->second;
-      if (is_top && (best == curve_.end() || at->second > best->second)) best = at;
+  double largest() const {
+    return std::max_element(curve_.begin(), curve_.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->second;
+  }
+
+  /// The speeds of the maxima that have at least half of the largest amplitude.
+  std::vector<double> maxima() const {
+    std::vector<double> speeds;
+    for (auto i = curve_.begin(); i != curve_.end(); ++i) {
+      if (i == curve_.begin() || std::next(i) == curve_.end()) continue;
+      const bool is_top = i->second > std::prev(i)->second && i->second >= std::next(i)->second;
+      if (is_top && i->second > foot * largest()) speeds.push_back(i->first);
     }
-    if (best == curve_.end()) throw NoMotion("no peak of the same engine order within a tenth of the speed");
-    return best;
+    return speeds;
+  }
+
+  double highest() const {
+    const std::vector<double> tops = maxima();
+    if (tops.empty()) throw NoMotion("no peak of the same engine order within a tenth of the speed");
+    return *std::max_element(tops.begin(), tops.end(),
+                             [this](double a, double b) { return curve_.at(a) < curve_.at(b); });
   }
 
   const PeakOrigin& origin_;

@@ -190,8 +190,7 @@ def hostile_names(bench):
     for up, down in zip(orders, orders[1:] + orders[:1]):
         folder.write("case.toml", bench.case + f'response_up = "{up}"\nresponse_down = "{down}"\n')
         folder.make()
-        folder.make("-n")
-        folder.make("clean", "-n")
+        folder.make("clean", "all", "-n")
         assert not os.path.exists(folder.file("P")), f"response_up = {up}, response_down = {down}"
     for order in orders:
         folder.write("case.toml", bench.case.replace('title = "Small disc"', f'title = "{order}"').replace(

@@ -75,6 +75,10 @@ class Bench:
         with open(os.path.join(self.work, name), "w", encoding="utf-8", errors="surrogateescape") as file:
             file.write(text)
 
+    def text(self, name):
+        with open(os.path.join(self.work, name), encoding="utf-8") as file:
+            return file.read()
+
     def start(self, *arguments):
         return subprocess.Popen(["make", *arguments, f"BIN={self.programs}"], cwd=self.work, env=self.environment, text=True,
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -101,8 +105,7 @@ def points_at_once(bench):
     assert all(run.returncode == 0 for run in both), said
     assert sum(text.count("wrote sector.msh") for text in said) == 1 and sum(text.count("tiprub-reduce: model.h5") for text in said) == 1, said
     bench.must_make("table")
-    with open(os.path.join(bench.work, "report", "study.txt"), encoding="utf-8") as file:
-        assert [line.split()[0] for line in file if "no report" in line] == ["heavy"]
+    assert [line.split()[0] for line in bench.text("report/study.txt").splitlines() if "no report" in line] == ["heavy"]
 
 
 def table_and_page(bench):
@@ -113,8 +116,7 @@ def table_and_page(bench):
     for point, clearance in (("clearance_0.13", "0.13"), ("clearance_0.12", "0.12"), ("heavy", "")):
         expected += [{"point": point, "clearance [mm]": clearance, **row} for row in bench.rows(f"runs/points/{point}/report/critical_speeds.csv")]
     assert joint == expected and {row["point"] for row in joint} >= {"clearance_0.12", "heavy"}, (joint, expected)
-    with open(os.path.join(bench.work, "report", "study.html"), encoding="utf-8") as file:
-        page = file.read()
+    page = bench.text("report/study.html")
     assert "Small &lt;study&gt;" in page and "3 of 3 points" in page and page.count("<svg") == 2, page[:2000]
     assert 'name="viewport"' in page and page.count('scope="col"') == 10 and page.count('role="img"') == 2, page[:2000]
     assert all(name in page for name in ("stress with spin [MPa]", "Goodman", "speeds to avoid")), page[:2000]
@@ -128,14 +130,18 @@ def only_what_changed(bench):
 
 
 def refusals(bench):
-    """By `make table` too, which reads the study for itself. No command of a study is run, and no folder is made elsewhere."""
+    """By `make table` too, which reads the study for itself. No command of a study is run, and no folder is made elsewhere or changed."""
+    bench.write("study.toml", STUDY)
+    bench.must_make("runs")
+    runs = bench.text("runs/Makefile")
     for before, after, *phrases in WRONG:
         assert before in STUDY
         bench.write("study.toml", STUDY.replace(before, after))
         said, code = bench.make("runs")
         assert code != 0 and all(phrase in said for phrase in phrases) and "Traceback" not in said, (after, said)
         assert "Traceback" not in bench.make("table")[0], after
-        bench.make("-n", "-C", "runs", "all")
+        assert bench.text("runs/Makefile") == runs, after
+    bench.make("-n", "-C", "runs", "all")
     around = os.path.dirname(bench.work)
     assert not glob.glob(os.path.join(bench.work, "**", "ran"), recursive=True) and not glob.glob(os.path.join(around, "evil*"))
 

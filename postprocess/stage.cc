@@ -116,7 +116,8 @@ std::pair<ReportContents, std::future<void>> run(Inputs inputs, const Postproces
   inputs.run.done("study");
   for (const fs::path& other : options.compared) {
     contents.others.push_back(read_other_report(other, study));
-    compare_cases(contents.others.back(), other, contents.source.title, contents.source.case_text);
+    compare_cases(contents.others.back(), contents.source.title,
+                  fs::is_directory(other) ? contents.source.case_text : swept_case(study.response));
   }
   const std::vector<Figure> figures = study_figures(study);
   std::future<void> drawing = start_drawing(figures, folder);

@@ -115,8 +115,11 @@ ReportNumbers from_folder(const fs::path& folder) {
   if (!fs::exists(file))
     throw InputError(folder.string() + ": has no " + numbers_file +
                      " to compare with; give the folder of a report that this version made, or a response.h5");
+  const fs::path case_file = folder / "case.toml";
   try {
-    return from_json(json::parse(read_text(file)));
+    ReportNumbers numbers = from_json(json::parse(read_text(file)));
+    if (fs::exists(case_file)) numbers.case_text = read_text(case_file);
+    return numbers;
   } catch (const json::exception& error) {
     throw InputError(file.string() + ": " + error.what());
   } catch (const InputError& error) {
@@ -129,7 +132,9 @@ ReportNumbers from_response(const fs::path& path, const Study& study) {
   Response response = read_response(path);
   check_together(study.model, response, path.string() + " (to compare; of another model, give its report)");
   const Study other = make_study(study.parameters, study.model, std::move(response), {});
-  return report_numbers(other, field_results(std::nullopt, other.critical));
+  ReportNumbers numbers = report_numbers(other, field_results(std::nullopt, other.critical));
+  numbers.case_text = swept_case(other.response);
+  return numbers;
 }
 
 }  // namespace
@@ -221,11 +226,14 @@ std::map<std::string, std::string> written_keys(const std::string& text) {
 
 }  // namespace
 
-void compare_cases(ReportNumbers& other, const fs::path& path, const std::string& title,
-                   const std::string& case_text) {
-  const fs::path file = path / "case.toml";
-  if (!fs::exists(file)) return;
-  const std::map<std::string, std::string> here = written_keys(case_text), there = written_keys(read_text(file));
+std::string swept_case(const Response& response) {
+  const std::string& text = response.scene.provenance;
+  return text.substr(0, text.find("\n# model\n"));
+}
+
+void compare_cases(ReportNumbers& other, const std::string& title, const std::string& case_text) {
+  if (other.case_text.empty()) return;
+  const std::map<std::string, std::string> here = written_keys(case_text), there = written_keys(other.case_text);
   std::map<std::string, std::string> all = here;
   all.insert(there.begin(), there.end());
   const auto value = [](const std::map<std::string, std::string>& keys, const std::string& key) {

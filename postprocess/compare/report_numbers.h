@@ -30,7 +30,8 @@ struct ReportNumbers {
   std::vector<ComparedPeak> peaks;   ///< ascending in speed
   /// Parts and totals up to engine_order_max. Of the spectra only the numbers of lines and revolutions are set.
   InteractionMap leading_map, trailing_map;
-  std::string avoid = {};  ///< the speeds to avoid in words; empty if the report does not tell them
+  std::string avoid = {};      ///< the speeds to avoid in words; empty if the report does not tell them
+  std::string case_text = {};  ///< of the other report or response; empty if it has no copy
 };
 
 ReportNumbers report_numbers(const Study& study, const FieldResults& fields);
@@ -43,9 +44,11 @@ std::string to_json(const ReportNumbers& numbers);
 /// if `path` is neither.
 ReportNumbers read_other_report(const std::filesystem::path& path, const Study& study);
 
-/// Names the other report by its title, and finds the keys that differ, from the copy of the case in its folder. Does
-/// nothing if `path` is a response or has no copy.
-void compare_cases(ReportNumbers& other, const std::filesystem::path& path, const std::string& title,
-                   const std::string& case_text);
+/// The case of a response, with the settings of its sweep.
+std::string swept_case(const Response& response);
+
+/// Names the other report by its title, and finds the keys that differ from those of `case_text`. Does nothing if the
+/// other one has no copy of its case.
+void compare_cases(ReportNumbers& other, const std::string& title, const std::string& case_text);
 
 }  // namespace tiprub::postprocess

@@ -41,18 +41,15 @@ TEST(Comparison, PairsPeaksOfOtherWavesByTheirPlaces) {
 
 /// What differs: the worst peaks, the keys, the grids.
 TEST(Comparison, TellsWhatDiffers) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "tiprub_compared_case";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "case.toml")
-      << "title = \"Wide\"\n[casing]\nlobes = 2  # as before\nclearance = [[0.0, 3e-4],\n"
-         "  [1.0, 3e-4]]\n# --set simulate.budget=\"none\"\n";
   ReportNumbers here, other;
   here.speed = here.amplitude = Eigen::VectorXd::LinSpaced(5, 1000, 2000);
   other.speed = other.amplitude = Eigen::VectorXd::LinSpaced(3, 1000, 2000);
   here.peaks = {{1100, 0.3, 6, -4, 1, std::nullopt}};
   other.peaks = {{1000, 0.2, 6, -4, 1, std::nullopt}};
-  compare_cases(other, folder, "Narrow",
-                "title = \"Narrow\"\n[casing]\nclearance = [[0.0, 2e-4], [1.0, 2e-4]]\nlobes = 2\n");
+  other.case_text =
+      "title = \"Wide\"\n[casing]\nlobes = 2  # as before\nclearance = [[0.0, 3e-4],\n"
+      "  [1.0, 3e-4]]\n# --set simulate.budget=\"none\"\n";
+  compare_cases(other, "Narrow", "title = \"Narrow\"\n[casing]\nclearance = [[0.0, 2e-4], [1.0, 2e-4]]\nlobes = 2\n");
   EXPECT_EQ(other.name, "Wide");
   EXPECT_EQ(other.changes,
             (std::vector<std::string>{"casing.clearance: [[0.0,2e-4],[1.0,2e-4]], there [[0.0,3e-4],[1.0,3e-4]]",
@@ -61,7 +58,17 @@ TEST(Comparison, TellsWhatDiffers) {
   for (const char* part : {"0.300 mm at 1100 rpm (EO 6 ND -4) here", "speed +10.0 %, amplitude +50.0 %",
                            "differ in casing.clearance", "5 from 1000 to 2000 rpm here, 3 from"})
     EXPECT_NE(words.find(part), std::string::npos) << part << "\n" << words;
-  std::filesystem::remove_all(folder);
+}
+
+/// Symptom: of a response that was compared, no key was told to differ. Its provenance holds the case of its model
+/// too.
+TEST(Comparison, TakesTheCaseOfAResponseFromItsProvenance) {
+  Response response;
+  response.scene.provenance = "# case\n[casing]\nlobes = 3\n\n# model\n# case\n[casing]\nlobes = 2\n";
+  ReportNumbers other;
+  other.case_text = swept_case(response);
+  compare_cases(other, "", "[casing]\nlobes = 4\n");
+  EXPECT_EQ(other.changes, std::vector<std::string>{"casing.lobes: 4, there 3"});
 }
 
 /// Peaks of the same wave 2 % lower and half as high; one that only the other has, one that only this has.

@@ -113,6 +113,19 @@ Bench make_bench(const ReducedModel& model, const Casing& casing, double speed, 
   return {std::move(rotor), std::move(march)};
 }
 
+SimulateParameters settling_parameters() {
+  SimulateParameters parameters;
+  parameters.damping = {0.005};
+  parameters.samples_per_revolution = 120;
+  parameters.recorded_revolutions = 2;
+  parameters.min_revolutions = 10;
+  parameters.max_revolutions = 80;
+  parameters.settle_tolerance = 1e-5;
+  parameters.casing_areas = 1;
+  parameters.steps_per_period = 400;
+  return parameters;
+}
+
 ReducedModel curved_wheel() {
   ReducedModel model = synthetic_wheel({});
   std::mt19937 source(7);

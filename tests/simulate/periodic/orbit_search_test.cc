@@ -50,16 +50,8 @@ struct Kept {
 
 /// One step for all: motions are compared.
 SimulateParameters parameters_for(const ReducedModel& model, const Casing& casing, double speed) {
-  SimulateParameters parameters;
-  parameters.damping = {0.005};
-  parameters.samples_per_revolution = 120;
-  parameters.recorded_revolutions = 2;
-  parameters.min_revolutions = 10;
-  parameters.max_revolutions = 80;
-  parameters.settle_tolerance = 1e-5;
-  parameters.casing_areas = 1;
+  SimulateParameters parameters = testing::settling_parameters();
   parameters.symmetry_check_revolutions = 24;
-  parameters.steps_per_period = 400;
   const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
   const Scene scene{model, casing, parameters, scope};
   parameters.steps_per_revolution =

@@ -13,20 +13,13 @@ namespace {
 struct TurningWheel {
   ReducedModel model = testing::synthetic_wheel({6, 3, 6});
   Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
-  SimulateParameters parameters;
+  SimulateParameters parameters = testing::settling_parameters();
   SceneScope scope;
   double speed;
 
   explicit TurningWheel(double turned) : speed(turned) {
-    parameters.damping = {0.005};
-    parameters.samples_per_revolution = 120;
-    parameters.recorded_revolutions = 2;
-    parameters.min_revolutions = 10;
     parameters.max_revolutions = 120;
-    parameters.settle_tolerance = 1e-5;
     parameters.step_tolerance = 2e-3;
-    parameters.casing_areas = 1;
-    parameters.steps_per_period = 400;
     scope = find_scope(model.sector_count, casing.lobes, parameters);
   }
   Scene scene() const { return {model, casing, parameters, scope}; }

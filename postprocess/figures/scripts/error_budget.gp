@@ -29,7 +29,7 @@ set ytics scale 0 ('' -1)
 set grid noytics
 set yzeroaxis linetype 1 linewidth 0.8 linecolor rgb frame_colour
 do for [p=1:panels] {
-  set xrange [-1.35*largest[p]:1.35*largest[p]]
+  set xrange [-1.5*largest[p]:1.5*largest[p]]
   tick = round_below(largest[p])
   set xtics (sprintf('%+g', -tick) -tick, '0' 0, sprintf('%+g', tick) tick)
   do for [r=1:rows] { set ytics add (p == 1 ? source[r] : '' r - 1) }

@@ -85,13 +85,16 @@ class SampledResponse {
         ->second;
   }
 
-  /// The speeds of the maxima that have at least half of the largest amplitude.
+  /// The speeds of the maxima that have more than half of the amplitude of the highest, which is not at an end.
   std::vector<double> maxima() const {
     std::vector<double> speeds;
     for (auto i = curve_.begin(); i != curve_.end(); ++i) {
       if (i == curve_.begin() || std::next(i) == curve_.end()) continue;
-      const bool is_top = i->second > std::prev(i)->second && i->second >= std::next(i)->second;
-      if (is_top && i->second > foot * largest()) speeds.push_back(i->first);
+      if (i->second > std::prev(i)->second && i->second >= std::next(i)->second) speeds.push_back(i->first);
+    }
+    if (!speeds.empty()) {
+      const double enough = foot * curve_.at(highest_of(speeds));
+      std::erase_if(speeds, [&](double speed) { return curve_.at(speed) <= enough; });
     }
     return speeds;
   }
@@ -99,7 +102,10 @@ class SampledResponse {
   double highest() const {
     const std::vector<double> tops = maxima();
     if (tops.empty()) throw NoMotion("no peak of the same engine order within a tenth of the speed");
-    return *std::max_element(tops.begin(), tops.end(),
+    return highest_of(tops);
+  }
+  double highest_of(const std::vector<double>& speeds) const {
+    return *std::max_element(speeds.begin(), speeds.end(),
                              [this](double a, double b) { return curve_.at(a) < curve_.at(b); });
   }
 

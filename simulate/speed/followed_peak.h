@@ -32,9 +32,10 @@ using AmplitudeAt = std::function<std::optional<double>(double speed)>;
 
 /// Finds the new place of a peak. The response is sampled within four half-widths around the old top, and in steps of
 /// two half-widths beyond an end towards which it rises, or which still has half of the largest amplitude, up to a
-/// tenth of the speed: a change may move a peak beyond a smaller one, or split it. The maxima that have more than
-/// half of the largest amplitude are sampled at every half-width; the highest of them is the peak. Its top is located
-/// until the intervals on both sides are at most a fifth of a half-width. Raises NoMotion if there is no maximum.
+/// tenth of the speed: a change may move a peak beyond a smaller one, or split it. The highest maximum, and those of
+/// more than half of its amplitude, are sampled at every half-width; the highest of them is the peak. Its top is
+/// located until the intervals on both sides are at most a fifth of a half-width. Raises NoMotion if there is no
+/// maximum.
 PeakTop follow_peak(const PeakOrigin& origin, const AmplitudeAt& amplitude_at);
 
 }  // namespace tiprub::simulate

@@ -65,6 +65,14 @@ TEST(FollowedPeak, IsTheHigherTopBeyondAShallowValley) {
   EXPECT_NEAR(follow_peak({14618, 73}, with_friction).top.speed, 14100, 15);
 }
 
+/// The response rises to a tenth of the speed, far above the peak.
+TEST(FollowedPeak, IsFoundBesideAMuchLargerOneThatIsOutOfReach) {
+  const auto below_another = [](double speed) {
+    return std::max(resonance(speed, 20010, 0.1, 60), resonance(speed, 22500, 1.5));
+  };
+  EXPECT_NEAR(followed(20000, below_another).vertex(), 20010, 2);
+}
+
 TEST(FollowedPeak, TellsAJump) {
   const auto falls = [](double speed) { return speed < 20050 ? 0.5 + (speed - 20000) / 1000 : 0.1; };
   const PeakTop found = followed(20000, falls);

@@ -75,12 +75,14 @@ def budget_line(row):
 
 
 def moves_most(rows, column):
-    """The source that changes a column most, and by how much. The sum of all, and a bound, are no sources."""
+    """The source that changes a column most, by how much, and the larger peak that this one joins. The sum of all, and a bound, are no
+    sources."""
     sources = [row for row in rows if number(row, column, ".1f") and not row["source"].startswith("root of") and not row["motion"].startswith("an upper bound")]
     if not sources:
         return ""
     most = max(sources, key=lambda row: abs(float(row[column])))
-    return f"{most['source']}: {number(most, column, '+.1f')} %"
+    joined = number(most, "joins the peak of [rpm]", ",.0f")
+    return f"{most['source']}: {number(most, column, '+.1f')} %" + (f", joins {joined} rpm" if joined else "")
 
 
 def budgets_line(rows):

@@ -24,6 +24,9 @@ struct BudgetRow {
   bool is_bound = false;    ///< an upper bound, far above what is likely; not in the sum
   bool is_setting =
       false;  ///< an error of the settings, which computing time can remove; other rows are data and physics
+  /// The largest of the critical speeds whose peaks come to the same place with this change, if it is larger than
+  /// that of the row: there is one peak then. Null otherwise.
+  const CriticalSpeed* joined = nullptr;
 };
 
 /// The error budget of one critical speed: the variations of tiprub-simulate, and the errors of the settings.

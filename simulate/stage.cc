@@ -3,6 +3,7 @@
 
 #include <cblas.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iomanip>
@@ -110,13 +111,35 @@ Inputs read_inputs(const StageArguments& arguments) {
           resolved,          {provenance, casing_table.written()}};
 }
 
+/// "casing: crests of up to 0.25 mm and clearances of 0.2 .. 0.236 mm at these speeds: a tip at rest overlaps the
+/// crests by up to 0.05 mm"
+std::string interference_text(const Inputs& inputs) {
+  const std::vector<double>& speeds = inputs.parameters.speeds;
+  const Eigen::VectorXd slow = inputs.casing.running_clearance(inputs.model.contact, speeds.front()),
+                        fast = inputs.casing.running_clearance(inputs.model.contact, speeds.back());
+  const double least = std::min(slow.minCoeff(), fast.minCoeff()), crest = inputs.casing.amplitude;
+  std::ostringstream text;
+  text << std::setprecision(3) << "casing: crests of up to " << mm_per_m * crest << " mm and clearances of "
+       << mm_per_m * least << " .. " << mm_per_m * std::max(slow.maxCoeff(), fast.maxCoeff())
+       << " mm at these speeds: ";
+  if (crest > least)
+    text << "a tip that does not vibrate overlaps the crests by up to " << mm_per_m * (crest - least) << " mm";
+  else
+    text << "no tip touches unless it vibrates by more than " << mm_per_m * (least - crest) << " mm";
+  return text.str();
+}
+
 /// Reports the scope and, if verbose, all parameters before it.
 void report_scope(const StageArguments& arguments, const Inputs& inputs, const SceneScope& scope) {
   const bool verbose = arguments.verbosity == Verbosity::verbose;
   if (verbose) say(arguments, inputs.resolved);
   if (!verbose && arguments.action != Action::check) return;
   for (const std::string& reason : scope.reasons) say(arguments, reason);
-  say(arguments, "friction: " + friction_limit(inputs.model).text());
+  say(arguments, interference_text(inputs));
+  say(arguments, (inputs.casing.has_friction() ? "friction: " : "friction: none in this case; ") +
+                     friction_limit(inputs.model).text());
+  if (inputs.parameters.examination == Examination::none)
+    say(arguments, "error budgets: none, because examine = \"none\"");
   for (const Variation term : inputs.open)
     say(arguments,
         std::string(name_of(term)) + ": swept without, then with it if it is needed (physics = \"as_needed\")");

@@ -5,12 +5,14 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "cases/program/case_settings.h"
 #include "cases/program/digest.h"
 #include "cases/program/printable.h"
 #include "cases/program/text_file.h"
+#include "cases/program/words.h"
 
 namespace tiprub {
 
@@ -33,24 +35,12 @@ std::string shortest(double value) {
   return out.str();
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 template <class Value, class Shown>
 std::string listed(const std::vector<Value>& values, const Shown& shown) {
   std::vector<std::string> words;
   words.reserve(values.size());
   for (const Value& value : values) words.push_back(shown(value));
   return "[" + joined(words) + "]";
-}
-
-/// What a list with this many numbers in a row holds.
-std::string items_of(std::size_t columns) {
-  if (columns == 1) return "numbers";
-  return columns == 2 ? "[x, y] pairs" : "lists of " + std::to_string(columns) + " numbers";
 }
 
 toml::table parse_case(const std::string& text, const std::string& file) {
@@ -71,6 +61,7 @@ struct CaseTable::Node {
   /// whole alive.
   std::shared_ptr<const toml::table> values = std::make_shared<toml::table>();
   std::vector<std::string> asked;
+  mutable std::set<std::string, std::less<>> looked_for;  ///< keys of which only the presence was asked
   struct Setting {
     std::string key, value, unit;
     std::string digest = {};  ///< of the file that the value names
@@ -189,6 +180,7 @@ std::string Range::describe() const {
 CaseTable::CaseTable(std::shared_ptr<Node> node) : node_(std::move(node)) {}
 
 bool CaseTable::has(std::string_view key) const {
+  node_->looked_for.emplace(key);
   return node_->values->contains(key);
 }
 
@@ -323,11 +315,19 @@ void CaseTable::reject(std::string_view key, const std::string& message, std::op
   node_->refuse(node_->where(node), key, (in_file ? " = " + in_quotes(**node->as_string()) : "") + " " + message);
 }
 
+void CaseTable::only_with(std::string_view key, std::string_view setting) const {
+  if (node_->values->contains(key))
+    reject(key, "belongs to " + std::string(setting) + "; set that, or remove this key");
+}
+
 void CaseTable::close() const {
+  std::vector<std::string> known = node_->asked;
+  for (const std::string& key : node_->looked_for)
+    if (std::ranges::find(known, key) == known.end()) known.push_back(key);
   for (const auto& [key, value] : *node_->values)
-    if (std::find(node_->asked.begin(), node_->asked.end(), key.str()) == node_->asked.end())
+    if (std::ranges::find(node_->asked, key.str()) == node_->asked.end())
       throw InputError(place(node_->file, key.source()) + "unknown key \"" + std::string(key.str()) + "\" in [" +
-                       node_->path + "]; known: " + joined(node_->asked));
+                       node_->path + "]" + meant(key.str(), known) + "; known: " + joined(known));
   for (const auto& [key, child] : node_->children) CaseTable(child).close();
 }
 

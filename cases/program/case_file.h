@@ -80,6 +80,8 @@ class CaseTable {
   /// rows, which may stand in a file of its own.
   [[noreturn]] void reject(std::string_view key, const std::string& message,
                            std::optional<std::size_t> row = std::nullopt) const;
+  /// Raises InputError if the table has a key that means something only with another setting ("shape = \"bumps\"").
+  void only_with(std::string_view key, std::string_view setting) const;
   /// Raises InputError at the first key that was not asked for, and lists the known ones.
   void close() const;
   /// All values that were read, defaults included: lines "key = value  # unit" in the order of reading.

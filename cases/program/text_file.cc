@@ -48,6 +48,12 @@ bool is_name(std::string_view word) {
   refuse_line(file, line.number, found + what);
 }
 
+bool is_hdf5(const std::filesystem::path& path) {
+  constexpr std::string_view signature = "\x89HDF";
+  std::string start(signature.size(), ' ');
+  return std::ifstream(path, std::ios::binary).read(start.data(), std::ssize(start)) && start == signature;
+}
+
 }  // namespace
 
 std::string place_in(std::string_view text, std::size_t offset) {
@@ -73,6 +79,7 @@ void require_utf8(const NamedText& file, const std::string& kind) {
 NamedText read_named_text(const std::filesystem::path& path, const std::string& kind) {
   std::error_code none;
   const std::uintmax_t size = std::filesystem::file_size(path, none);
+  if (!none && is_hdf5(path)) throw InputError(path.string() + ": is an HDF5 file; name " + kind + " here");
   if (!none && size > largest_text)
     throw InputError(path.string() + ": is larger than " + std::to_string(largest_text >> 20) + " MiB; name " + kind);
   NamedText file = read_named_bytes(path, kind);

@@ -31,7 +31,7 @@ PostprocessParameters read_postprocess_parameters(CaseTable& table) {
                                      "rpm, 0: no operating range is given");
   if (p.operating_min_rpm > p.operating_max_rpm)
     table.reject(table.has("operating_max_rpm") ? "operating_max_rpm" : "operating_min_rpm",
-                 "operating_max_rpm must be at least operating_min_rpm");
+                 "leaves no range: operating_max_rpm must be at least operating_min_rpm");
   p.operating_amplitude_mm =
       table.number("operating_amplitude_mm", p.operating_amplitude_mm, Range::at_least(0), "mm, that count");
   p.response_up = table.text("response_up", p.response_up);

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "cases/program/machine.h"
-#include "reduce/model/dense_product.h"
 #include "reduce/model/nodal_diameter.h"
 
 namespace tiprub::postprocess {
@@ -148,10 +147,8 @@ class Block {
 
   /// The waves at some samples, from the columns of these that real_factors() gave.
   void take_samples(const std::vector<Eigen::MatrixXd>& factors, Eigen::Index first, Eigen::Index count) {
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-      parts_[i].setZero(shapes_[i].rows(), 2 * count);
-      add_product(shapes_[i], factors[i].middleCols(2 * first, 2 * count), parts_[i]);
-    }
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      parts_[i].noalias() = shapes_[i] * factors[i].middleCols(2 * first, 2 * count);
   }
 
   /// The sum of the waves on a sector at one of these samples; `phases` as the waves.

@@ -11,7 +11,6 @@
 #include "cases/program/machine.h"
 #include "mesh/cells/cell_kind.h"
 #include "postprocess/fields/field_recovery.h"
-#include "reduce/model/dense_product.h"
 #include "reduce/model/nodal_diameter.h"
 
 namespace tiprub::postprocess {
@@ -64,9 +63,7 @@ class RealFactors {
   Eigen::MatrixXd times(const Eigen::MatrixXcd& B) const {
     Eigen::MatrixXd factors(2 * B.rows(), 2 * B.cols());
     factors << B.real(), B.imag(), B.imag(), -B.real();
-    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(both_.rows(), factors.cols());
-    add_product(both_, factors, product);
-    return product;
+    return both_ * factors;
   }
 
  private:

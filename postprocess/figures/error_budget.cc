@@ -16,14 +16,18 @@ Figure error_budget_figure(const ErrorBudget& budget) {
     at.push_back(fixed(stress, 0));
   }
   Table data{{"source", "kind", "change of speed [rpm]", "change of |u| [mm]", "change of stress [MPa]"}, {}};
-  const auto add = [&](const std::string& source, const char* kind, double shift, double further,
-                       const std::optional<double>& higher) {
-    data.rows.push_back({source, std::string(kind), shift * speed, further * excursion,
-                         stressed && higher ? Cell(*higher * stress) : Cell(NoNumber{})});
+  const auto times = [](const std::optional<double>& change, double value) {
+    return change ? Cell(*change * value) : Cell(NoNumber{});
+  };
+  const auto add = [&](const std::string& source, const char* kind, double shift,
+                       const std::optional<double>& further, const std::optional<double>& higher) {
+    data.rows.push_back({source, std::string(kind), shift * speed, times(further, excursion),
+                         times(stressed ? higher : std::nullopt, stress)});
   };
   for (const BudgetRow& row : budget.rows)
-    if (row.failure.empty() && !row.is_bound)
-      add(row.source, row.is_setting ? "setting" : "data", row.shift, row.excursion, row.stress);
+    if (row.failure.empty() && row.in_sum())
+      add(row.source, row.is_setting ? "setting" : "data", row.shift,
+          row.only_speed ? std::nullopt : std::optional(row.excursion), row.stress);
   const BudgetSum sum = sum_of(budget);
   add("all together", "sum", sum.shift, sum.excursion, sum.stress);
   const auto bound = std::ranges::find_if(budget.rows, &BudgetRow::is_bound);

@@ -2,6 +2,7 @@
 #include "postprocess/records/study_records.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -282,8 +283,18 @@ Table critical_speed_record(const Study& study, const FieldResults& fields) {
 }
 
 Table critical_speed_overview(const Study& study, const FieldResults& fields) {
-  return table_of(joined<PeakRow>({rounded_columns(), shown_stress_columns(fields), validity_columns()}),
-                  peaks_of(study, fields));
+  // A terminal has room for so many columns.
+  constexpr auto shown =
+      std::to_array<std::string_view>({"speed [rpm]", "located [rpm]", "tip |u| [mm]", "within [%]", "wave",
+                                       "share [%]", "vibration [MPa]", "Goodman", "outside validity"});
+  PeakColumns columns = joined<PeakRow>({rounded_columns(), shown_stress_columns(fields), validity_columns()});
+  std::erase_if(columns, [&](const auto& column) { return std::ranges::find(shown, column.name) == shown.end(); });
+  for (auto& column : columns)
+    if (column.name == std::string_view("wave"))
+      column.cell = [](const PeakRow& peak) { return wave_name(peak.critical.naming_wave()); };
+  columns.push_back(
+      {"motion", [](const PeakRow& peak) { return motion_text(peak.study.speed_at(peak.critical.index)); }});
+  return table_of(columns, peaks_of(study, fields));
 }
 
 Table critical_speed_motions(const Study& study) {

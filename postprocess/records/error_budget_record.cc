@@ -63,6 +63,14 @@ BudgetRow row_of(const PeakVariation& variation, const std::optional<double>& st
   if (stress && budget.stress > 0) row.stress = *stress / budget.stress - 1;
   row.motion = motion_text(variation.motion, variation.period_beats);
   row.is_setting = variation.what == Variation::step;
+  row.is_poorer = variation.what == Variation::gap && variation.setting == 1;
+  return row;
+}
+
+/// An error of the model's frequencies.
+BudgetRow of_frequencies(const std::string& source, double shift) {
+  BudgetRow row{source, "", shift};
+  row.only_speed = true;
   return row;
 }
 
@@ -76,12 +84,13 @@ void add_settings(const Study& study, const SpeedResponse& response, ErrorBudget
   if (const auto step = response.audit.halving_difference; step && !marched)
     budget.rows.push_back({"time step", response.audit.halving_failure, 0, *step, *step, *step});
   for (const Check& check : exactness_checks(study))
-    if (check.subject == "model" && check.worst) budget.rows.push_back({"reduced modes", "", *check.worst, 0, 0});
-  if (const auto shift = mesh_shift(study.model, critical.rising)) budget.rows.push_back({"mesh", "", -*shift, 0, 0});
+    if (check.subject == "model" && check.worst) budget.rows.push_back(of_frequencies("reduced modes", *check.worst));
+  if (const auto shift = mesh_shift(study.model, critical.rising))
+    budget.rows.push_back(of_frequencies("mesh", -*shift));
 }
 
-/// Whitehead (1966): in a wheel whose blades differ, one of N blades moves at most (1 + sqrt N)/2 times as far as in
-/// a wheel of equal ones.
+/// Whitehead (1966): in a linear wheel whose blades differ, one of N blades moves at most (1 + sqrt N)/2 times as far
+/// as in a wheel of equal ones under the same forces.
 BudgetRow differing_blades(int blades) {
   const double rise = (1 + std::sqrt(static_cast<double>(blades))) / 2 - 1;
   return {"blades that differ", "", 0, rise, rise, rise, "an upper bound, not in the sum", true};
@@ -113,11 +122,11 @@ double stress_change(const BudgetRow& row) {
   return row.stress.value_or(0);
 }
 
-/// The row with the largest absolute value, bounds excepted.
+/// The row of the sum with the largest absolute value.
 template <class Value>
 const BudgetRow& largest(const ErrorBudget& budget, Value value) {
   return *std::max_element(budget.rows.begin(), budget.rows.end(), [&](const BudgetRow& a, const BudgetRow& b) {
-    return a.is_bound || (!b.is_bound && std::abs(std::invoke(value, a)) < std::abs(std::invoke(value, b)));
+    return !a.in_sum() || (b.in_sum() && std::abs(std::invoke(value, a)) < std::abs(std::invoke(value, b)));
   });
 }
 
@@ -125,7 +134,7 @@ template <class Value>
 double sum_over_sources(const ErrorBudget& budget, Value value) {
   std::map<std::string, double> by_source;
   for (const BudgetRow& row : budget.rows) {
-    if (row.is_bound) continue;
+    if (!row.in_sum()) continue;
     double& most = by_source[row.source.substr(0, row.source.find(' '))];
     most = std::max(most, std::abs(std::invoke(value, row)));
   }
@@ -166,6 +175,13 @@ BudgetSum sum_of(const ErrorBudget& budget) {
   return {sum_over_sources(budget, &BudgetRow::shift), sum_over_sources(budget, &BudgetRow::amplitude),
           sum_over_sources(budget, &BudgetRow::excursion), sum_over_sources(budget, stress_change),
           sum_over_sources(budget, [](const BudgetRow& row) { return std::max(0.0, stress_change(row)); })};
+}
+
+std::string not_in_sum(const ErrorBudget& budget) {
+  std::string text;
+  for (const BudgetRow& row : budget.rows)
+    if (!row.failure.empty()) text += (text.empty() ? "" : ", ") + row.source;
+  return text;
 }
 
 namespace {
@@ -245,10 +261,11 @@ Table error_budget_record(const Study& study, const FieldResults& fields) {
       };
       const bool known = row.failure.empty();
       put(known, critical.speed * rpm_per_rad_s, row.shift);
-      put(known, critical.amplitude * mm_per_m, row.amplitude);
-      put(known, budget.excursion * mm_per_m, row.excursion);
+      put(known && !row.only_speed, critical.amplitude * mm_per_m, row.amplitude);
+      put(known && !row.only_speed, budget.excursion * mm_per_m, row.excursion);
       put(known && row.stress && budget.stress > 0, budget.stress * mpa_per_pa, stress_change(row));
-      cells.emplace_back(known ? row.motion : row.failure);
+      cells.emplace_back(known ? row.motion + (row.is_poorer ? "; for comparison, not in the sum" : "")
+                               : row.failure);
       cells.push_back(row.joined == nullptr ? Cell(NoNumber{}) : Cell(row.joined->speed * rpm_per_rad_s));
       table.rows.push_back(std::move(cells));
     };
@@ -256,7 +273,9 @@ Table error_budget_record(const Study& study, const FieldResults& fields) {
     add({"as computed", "", 0, 0, 0, 0, motion_text(response.motion, response.period_beats)});
     for (const BudgetRow& row : budget.rows) add(row);
     const BudgetSum sum = sum_of(budget);
-    add({"root of the sum of squares", "", sum.shift, sum.amplitude, sum.excursion, sum.stress});
+    const std::string missing = not_in_sum(budget);
+    add({"root of the sum of squares", "", sum.shift, sum.amplitude, sum.excursion, sum.stress,
+         missing.empty() ? "" : "without " + missing});
   }
   return table;
 }

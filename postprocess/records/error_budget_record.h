@@ -22,6 +22,10 @@ struct BudgetRow {
   std::optional<double> stress = {};
   std::string motion = {};  ///< class of the motion at the peak; empty if it was not marched
   bool is_bound = false;    ///< an upper bound, far above what is likely; not in the sum
+  bool is_poorer = false;   ///< a poorer model than that of the case, for comparison; not in the sum
+  bool only_speed = false;  ///< what it does to the amplitude, to |u| and to the stress is not known
+
+  bool in_sum() const { return !is_bound && !is_poorer; }
   bool is_setting =
       false;  ///< an error of the settings, which computing time can remove; other rows are data and physics
   /// The largest of the critical speeds whose peaks come to the same place with this change, if it is larger than
@@ -47,13 +51,15 @@ std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& f
 const ErrorBudget& worst_budget(const std::vector<ErrorBudget>& budgets);
 
 /// The sum over the sources: the root of the sum of squares, as if the sources were independent and their effects
-/// added up. Of the rows of one source, such as both signs of the clearance, only the largest counts. Bounds are left
-/// out.
+/// added up. Of the rows of one source, such as both signs of the clearance, only the largest counts. Bounds and
+/// poorer models are left out.
 struct BudgetSum {
   double shift = 0, amplitude = 0, excursion = 0, stress = 0;  ///< [1] as in BudgetRow
   double stress_rise = 0;                                      ///< [1] of the rows that raise the stress
 };
 BudgetSum sum_of(const ErrorBudget& budget);
+/// "friction 0.1, clearance +0.02 mm": the rows that have failed, so that the sum leaves them out.
+std::string not_in_sum(const ErrorBudget& budget);
 
 /// What a budget leaves open of one quantity of its critical speed.
 struct OpenQuantity {

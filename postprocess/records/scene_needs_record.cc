@@ -189,8 +189,43 @@ std::vector<ModelledEffect> known_effects(const Study& study) {
   return effects;
 }
 
+/// What to set or to compare, so that an effect is known or modelled; empty if nothing here does that.
+std::string settled_by(Effect effect) {
+  switch (effect) {
+    case Effect::friction:
+      return "simulate.budget = \"critical_speeds\", or casing.friction_coefficient";
+    case Effect::round_casing:
+    case Effect::casing_slope:
+    case Effect::blade_foreshortening:
+      return "simulate.gap = \"second_order\"";
+    case Effect::damping:
+      return "simulate.budget_damping";
+    case Effect::blade_clearance:
+      return "casing.blade_clearance";
+    case Effect::nodal_diameters:
+      return "simulate.nodal_diameters = \"all\", or when_symmetry_breaks = \"full_run\"";
+    case Effect::contact_resolution:
+      return "reduce.contact = \"segments\", reduce.contact_nodes";
+    case Effect::mesh:
+      return "reduce.refine, or element_order = 3";
+    case Effect::spin_stiffness:
+      return "reduce.prestress";
+    case Effect::time_step:
+      return "simulate.step_tolerance";
+    case Effect::settling:
+    case Effect::unsettled_motions:
+      return "simulate.max_revolutions";
+    case Effect::casing_wear:
+      return "postprocess.wear_coefficient of the lining";
+    default:
+      return "";
+  }
+}
+
 /// How to estimate an effect that has no estimate.
 std::string way_to_estimate(const ModelledEffect& known) {
+  const std::string keys = settled_by(known.effect);
+  if (!keys.empty()) return "compare with another value of " + keys;
   return known.treatment == Treatment::left_out ? "no program of this chain models it"
                                                 : "compare with settings that model it";
 }
@@ -265,39 +300,6 @@ std::string name_with_unit(Effect effect) {
 }
 
 namespace {
-
-/// What to set or to compare, so that an effect is known or modelled; empty if nothing here does that.
-std::string settled_by(Effect effect) {
-  switch (effect) {
-    case Effect::friction:
-      return "simulate.budget = \"critical_speeds\", or casing.friction_coefficient";
-    case Effect::round_casing:
-    case Effect::casing_slope:
-    case Effect::blade_foreshortening:
-      return "simulate.gap = \"second_order\"";
-    case Effect::damping:
-      return "simulate.budget_damping";
-    case Effect::blade_clearance:
-      return "casing.blade_clearance";
-    case Effect::nodal_diameters:
-      return "simulate.nodal_diameters = \"all\", or when_symmetry_breaks = \"full_run\"";
-    case Effect::contact_resolution:
-      return "reduce.contact = \"segments\", reduce.contact_nodes";
-    case Effect::mesh:
-      return "reduce.refine, or element_order = 3";
-    case Effect::spin_stiffness:
-      return "reduce.prestress";
-    case Effect::time_step:
-      return "simulate.step_tolerance";
-    case Effect::settling:
-    case Effect::unsettled_motions:
-      return "simulate.max_revolutions";
-    case Effect::casing_wear:
-      return "postprocess.wear_coefficient of the lining";
-    default:
-      return "";
-  }
-}
 
 /// What matters first, then what nobody knows; within each the largest size over its tolerance first.
 bool comes_first(const SceneNeed& a, const SceneNeed& b) {

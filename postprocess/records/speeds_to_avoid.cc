@@ -186,7 +186,9 @@ std::string bands_in_words(const std::vector<AvoidedBand>& bands, const FieldRes
   if (text.empty()) text = "No speed at which a tip moves beyond the clearance";
   const bool rated = std::any_of(fields.peaks.begin(), fields.peaks.end(),
                                  [](const auto& peak) { return peak && peak->cycle && peak->cycle->goodman; });
-  return text + (rated ? "." : "; Goodman's utilisation is not known without --fields and [material].");
+  if (rated || fields.peaks.empty()) return text + ".";
+  return text + "; Goodman's utilisation is not known without " +
+         (fields.has_stress() ? "endurance_limit and ultimate_strength in [material]." : "--fields.");
 }
 
 }  // namespace tiprub::postprocess

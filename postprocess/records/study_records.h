@@ -11,7 +11,7 @@ namespace tiprub::postprocess {
 
 /// The critical speeds with every digit and unit, for critical_speeds.csv. Stresses are empty without full fields.
 Table critical_speed_record(const Study& study, const FieldResults& fields);
-/// A shorter, rounded table for people; without stresses if there are no full fields.
+/// A rounded table as wide as a terminal; without stresses if there are no full fields.
 Table critical_speed_overview(const Study& study, const FieldResults& fields);
 /// Its two halves for the page, which is not wide enough for both side by side: the motion, and the stress.
 Table critical_speed_motions(const Study& study);

@@ -71,10 +71,11 @@ std::string not_located(const Study& study) {
   return text.empty() ? text : text + ".";
 }
 
-/// " (the mean over a segment; a node moves by up to 4.67 mm)"; empty for contact at points, where |u| is a node's.
+/// What |u| is, and how far a node moves; empty for contact at points, where |u| is a node's.
 std::string farthest_node_text(const Study& study, const std::optional<FieldPeak>& peak) {
   if (!peak || study.model.contact.kind != ContactKind::segments) return "";
-  return " (the mean over a segment; a node moves by up to " + fixed(peak->displacement * mm_per_m, 2) + " mm)";
+  return " (the mean over a segment, from the middle of its path; a node moves by up to " +
+         fixed(peak->displacement * mm_per_m, 2) + " mm from where the spin alone leaves it)";
 }
 
 std::string how_bad(const Study& study, const FieldResults& fields) {
@@ -121,7 +122,9 @@ std::string where(const Study& study, const FieldResults& fields) {
 /// " Engine order 6 is harmonic 3 of the 2 lobes of the casing; 10 sectors see it as 4 nodal diameters, since
 /// 6 = 10 - 4."
 std::string origin_text(const WaveLabel& wave, const SimulatedScene& scene) {
-  const int order = wave.engine_order, turns = order - wave.signed_nodal_diameter;
+  const auto order = static_cast<int>(std::lround(wave.engine_order));
+  if (order != wave.engine_order) return "";  // of a subharmonic motion
+  const int turns = order - wave.signed_nodal_diameter;
   std::string text;
   if (order > 0 && scene.lobes > 0 && order % scene.lobes == 0)
     text = " Engine order " + std::to_string(order) + " is harmonic " + std::to_string(order / scene.lobes) +
@@ -148,9 +151,11 @@ std::string why(const Study& study) {
   if (peak.has_larger_wave())
     text += " That wave rises most; the largest is " + wave_name(peak.largest) + " with " +
             mm(peak.largest.amplitude) + ".";
-  for (std::size_t i = 0; i < std::min<std::size_t>(2, peak.others.size()); ++i)
-    text += (i == 0 ? " Beside it: " : ", ") + wave_name(peak.others[i]) + " with " + mm(peak.others[i].amplitude);
-  return text + (peak.others.empty() ? "" : ".");
+  const std::size_t named = peak.has_larger_wave() ? 1 : 0;  // the largest of the others is named already
+  for (std::size_t i = named; i < std::min(named + 2, peak.others.size()); ++i)
+    text +=
+        (i == named ? " Beside it: " : ", ") + wave_name(peak.others[i]) + " with " + mm(peak.others[i].amplitude);
+  return text + (peak.others.size() <= named ? "" : ".");
 }
 
 std::string margin_text(const Study& study) {
@@ -203,6 +208,12 @@ const ErrorBudget* judged_budget(const std::vector<ErrorBudget>& budgets) {
   return budgets.empty() ? nullptr : &worst_budget(budgets);
 }
 
+std::string way_to_a_budget(const Study& study) {
+  return study.parameters.component == Component::normal
+             ? "simulate.budget = \"critical_speeds\""
+             : "error budgets are of the motion along the normal: postprocess.component = \"normal\"";
+}
+
 /// "The worst peak is not certain: outside validity (stress 1.09 of yield), 3 checks fail."
 std::string trust_sentence(const Study& study, const FieldResults& fields, const ErrorBudget* budget) {
   const std::optional<std::size_t> worst = worst_critical(study.critical);
@@ -214,25 +225,26 @@ std::string trust_sentence(const Study& study, const FieldResults& fields, const
   const CriticalSpeed& peak = study.critical[*worst];
   const bool budgeted = budget != nullptr && budget->critical == &peak;
   const std::string outside = outside_validity(study, *worst, fields);
+  const std::string missing = budgeted ? not_in_sum(*budget) : "";
   std::string text = "The worst peak is computed within " + significant(percent * peak.amplitude_slack(), 2) +
                      " % of its amplitude and -" + fixed((peak.speed - peak.speed_low) * rpm_per_rad_s, 0) + " +" +
                      fixed((peak.speed_high - peak.speed) * rpm_per_rad_s, 0) + " rpm, ";
-  text += budgeted ? "but data and physics leave " + significant(percent * sum_of(*budget).amplitude, 2) +
-                         " % of the amplitude and " + significant(percent * sum_of(*budget).shift, 2) +
-                         " % of the speed open"
-                   : "but what friction, damping and clearance change is not known (simulate.budget = "
-                     "\"critical_speeds\")";
+  text += budgeted
+              ? "but data and physics leave " + significant(percent * sum_of(*budget).amplitude, 2) +
+                    " % of the amplitude and " + significant(percent * sum_of(*budget).shift, 2) +
+                    " % of the speed uncertain" + (missing.empty() ? "" : ", and find no such peak with " + missing)
+              : "but what friction, damping and clearance change is not known (" + way_to_a_budget(study) + ")";
   if (!outside.empty()) text += "; it is outside validity: " + outside;
   return text + "; " + checked + ".";
 }
 
-/// "|u| is open by 32 %, most by damping 0.002 (+29 %)"
+/// "Budget: |u| uncertain by 32 %, most by damping 0.002 (+29 %)"
 void add_budget(const Study& study, const ErrorBudget& budget, std::vector<TrustLine>& lines) {
   const std::optional<std::size_t> worst = worst_critical(study.critical);
   const std::string place =
       worst && budget.critical == &study.critical[*worst] ? "" : " at " + rpm_text(budget.critical->speed);
   for (const OpenQuantity& open : open_quantities(budget))
-    lines.push_back({open.together, "Budget" + place + ": " + open.what + " open by " +
+    lines.push_back({open.together, "Budget" + place + ": " + open.what + " uncertain by " +
                                         significant(percent * open.together, 2) + " %, most by " + open.most});
 }
 
@@ -347,10 +359,10 @@ std::vector<Answer> verdict(const Study& study, const FieldResults& fields, cons
   std::vector<Answer> answers = {
       {"Not trustworthy", speeds_warning(study)},
       {"How bad", how_bad(study, fields)},
-      {"Where", where(study, fields)},
-      {"Why", why(study)},
       {"Avoid", study.no_tip_touches() ? "" : bands_in_words(speeds_to_avoid(study, fields), fields)},
       {"Margin", margin_text(study)},
+      {"Where", where(study, fields)},
+      {"Why", why(study)},
       {"Trust", trust(study, fields, needs)},
       {"Left out", what_matters(needs)}};
   return without_empty(std::move(answers));

@@ -11,7 +11,6 @@
 #include "cases/program/machine.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/free_faces.h"
-#include "reduce/model/dense_product.h"
 
 namespace tiprub {
 
@@ -262,7 +261,7 @@ void add_shapes(const Eigen::Ref<const Eigen::MatrixXf>& shapes, const Eigen::Ma
     for (Eigen::Index first = 0; (first = next.fetch_add(rows_at_once)) < sum.rows();) {
       const Eigen::Index count = std::min(rows_at_once, sum.rows() - first);
       const Eigen::MatrixXd block = shapes.middleRows(first, count).cast<double>();
-      add_product(block, both, sum.middleRows(first, count));
+      sum.middleRows(first, count).noalias() += block * both;
     }
   });
 }

@@ -78,7 +78,7 @@ Growth by_mean(WholeWheel& wheel, int revolutions) {
     state = wheel.advanced(state, 1);
     const double norm = state.norm();
     if (!(norm > 0)) return {};
-    if (2 * r >= revolutions) logarithms.push_back(std::log(norm));
+    if (2 * r >= revolutions || r + 1 == revolutions) logarithms.push_back(std::log(norm));
     state /= norm;
   }
   const auto count = static_cast<double>(logarithms.size());

@@ -81,7 +81,7 @@ double lines_for_most(const Eigen::VectorXd& lines, double spacing, double width
 
 EngineOrderBand::EngineOrderBand(int samples, double orders)
     : orders_(static_cast<int>(std::min(std::max(orders, 1.0), (samples - 1) / 2.0))), samples_(samples) {
-  if (orders >= (samples - 1) / 2.0) return;
+  if (orders_ >= (samples - 1) / 2) return;
   waves_.resize(samples, 2 * orders_ + 1);
   waves_.col(0).setConstant(1 / std::sqrt(samples));
   for (int k = 1; k <= orders_; ++k) {
@@ -104,6 +104,7 @@ MotionReading read_motion(const std::deque<Eigen::VectorXd>& revolutions, Eigen:
                           int lobes, Change change, double off_lines) {
   constexpr double rounding = 0.25;   // of a line
   constexpr double hann_width = 1.5;  // lines to each side that a line of Hann's window takes
+  constexpr double between = 2;       // lines that two neighbours must leave, or nothing could contradict the period
   const bool settled = change == Change::settled;
   const Eigen::VectorXd lines = lines_of(revolutions, channels, orders, settled ? Window::none : Window::hann);
   const double width = settled ? rounding : hann_width;
@@ -111,7 +112,7 @@ MotionReading read_motion(const std::deque<Eigen::VectorXd>& revolutions, Eigen:
   MotionReading reading;
   reading.off_beat_energy = share_beside(lines, beat, width);
   for (int k = 1; k <= ClassLimits::longest_period; ++k) {
-    if (beat / k <= 2 * width || share_beside(lines, beat / k, width) > off_lines) continue;
+    if (beat / k <= 2 * width + (settled ? 0 : between) || share_beside(lines, beat / k, width) > off_lines) continue;
     reading.period_beats = k;
     reading.motion = k == 1 ? MotionClass::periodic : MotionClass::subharmonic;
     return reading;

@@ -162,13 +162,19 @@ MotionReading Settling::reading() const {
 }
 
 bool Settling::settled() const {
-  return orbit_ || (revolutions_ >= min_revolutions_ && state_.judge().settled == SettlingState::Settled::yes);
+  return orbit_ || (revolutions_ >= min_revolutions_ && casing_has_grown() &&
+                    state_.judge().settled == SettlingState::Settled::yes);
+}
+
+bool Settling::casing_has_grown() const {
+  constexpr int turns = 2;  // with the whole distortion, so that each tip has met each crest and answered
+  return march_.step_count() >= (scene_.casing.grown_after() + turns) * march_.steps_per_revolution();
 }
 
 bool Settling::wanders() const {
   const int unit = std::max(min_revolutions_, fewest_revolutions);
   const int marched = unit * (start_ == StartMotion::wanders ? standing : patience);
-  return !settled() && revolutions_ >= marched && state_.stands(standing * unit);
+  return !settled() && revolutions_ >= marched && casing_has_grown() && state_.stands(standing * unit);
 }
 
 void Settling::advance() {

@@ -100,6 +100,8 @@ class Settling {
   void leave_orbit();
 
  private:
+  bool casing_has_grown() const;
+
   const Scene& scene_;
   TimeMarch& march_;
   EngineOrderBand band_;

@@ -85,7 +85,9 @@ bool OrbitSearch::reach(TimeMarch& march, const std::function<void()>& revolutio
 
 bool OrbitSearch::look_along(TimeMarch& coarse, const std::function<void()>& revolution) {
   const auto march_until = [&](std::int64_t revolutions) {
-    const std::int64_t steps = (scene_.casing.grown_after() + revolutions) * coarse.steps_per_revolution();
+    const std::int64_t most = scene_.parameters.max_revolutions - scene_.parameters.recorded_revolutions;
+    const std::int64_t steps =
+        std::min(scene_.casing.grown_after() + revolutions, most) * coarse.steps_per_revolution();
     while (coarse.step_count() < steps) revolution();
   };
   for (const int revolutions : tries) {

@@ -133,7 +133,10 @@ void read_shape(CaseTable& table, Casing& casing) {
   } else {
     casing.amplitude = table.number("amplitude", std::nullopt, Range::at_least(0), "m inward at the crest");
   }
-  if (casing.shape != CasingShape::bumps) return;
+  if (casing.shape != CasingShape::bumps) {
+    table.only_with("bump_width_deg", "shape = \"bumps\"");
+    return;
+  }
   const double width =
       table.number("bump_width_deg", 20.0, {0.0, 360.0 / casing.lobes, Range::LowEnd::excluded}, "deg");
   if (!casing.unusual) require_usual(table, "bump_width_deg", width, Range::at_least(1), "deg");
@@ -191,6 +194,8 @@ Casing read_casing(CaseTable& table) {
   if (casing.clearance_state == ClearanceState::at_speed)
     casing.clearance_speed =
         rad_s_per_rpm * table.number("clearance_speed_rpm", std::nullopt, Range::at_least(0), "rev/min");
+  else
+    table.only_with("clearance_speed_rpm", "clearance_state = \"at_speed\"");
   casing.clearance = points_over_chord(table, "clearance", "m");
   read_blade_clearance(table, casing);
   read_friction(table, casing);

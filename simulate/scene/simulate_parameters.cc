@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 #include "cases/program/units.h"
 #include "cases/program/usual_range.h"
@@ -40,7 +41,11 @@ std::vector<double> read_speeds(CaseTable& table) {
     const double low = table.number("speed_min_rpm", std::nullopt, Range::positive(), "rev/min");
     const double high = table.number("speed_max_rpm", std::nullopt, Range::positive(), "rev/min");
     const int count = table.integer("speed_count", 40, Range::between(2, count_max), "speeds, evenly spaced");
-    if (high <= low) table.reject("speed_max_rpm", "must be above speed_min_rpm");
+    if (high <= low) {
+      std::ostringstream text;
+      text << "= " << high << " must be above speed_min_rpm = " << low;
+      table.reject("speed_max_rpm", text.str());
+    }
     for (int i = 0; i < count; ++i) speeds.push_back(low + (high - low) * i / (count - 1));
   }
   for (double& speed : speeds) speed *= rad_s_per_rpm;
@@ -116,7 +121,11 @@ void read_budget(CaseTable& table, SimulateParameters& parameters) {
                                  {{"none", BudgetChoice::none},
                                   {"largest", BudgetChoice::largest},
                                   {"critical_speeds", BudgetChoice::critical_speeds}});
-  if (parameters.budget == BudgetChoice::none) return;
+  if (parameters.budget == BudgetChoice::none) {
+    for (const char* key : {"budget_friction", "budget_damping", "budget_clearance", "budget_model"})
+      table.only_with(key, "budget = \"critical_speeds\" or \"largest\"");
+    return;
+  }
   parameters.budget_friction = table.number("budget_friction", 0.1, Range::at_least(0), "of the contact force");
   parameters.budget_damping = table.numbers("budget_damping", std::vector<double>{2e-3, 5e-3}, damping_range,
                                             "of critical, each in turn, of all resolved modes");
@@ -195,9 +204,13 @@ void read_scheme(CaseTable& table, SimulateParameters& parameters) {
       {{"automatic", GapOrder::automatic}, {"linear", GapOrder::linear}, {"second_order", GapOrder::second_order}});
   if (parameters.scheme == Scheme::moreau_jean)
     parameters.theta = table.number("moreau_jean_theta", 0.5, Range::between(0.5, 1), "1/2 conserves, more damps");
+  else
+    table.only_with("moreau_jean_theta", "scheme = \"moreau_jean\"");
   if (parameters.scheme == Scheme::penalty)
     parameters.penalty_stiffness =
         table.number("penalty_stiffness", 100, Range::positive(), "static stiffnesses of the stiffest contact node");
+  else
+    table.only_with("penalty_stiffness", "scheme = \"penalty\"");
   const bool needs_modes = traits_of(parameters.scheme).quasi_static;
   parameters.modes =
       table.integer("modes", needs_modes ? std::nullopt : std::optional<int>(0),

@@ -5,9 +5,10 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <optional>
 #include <string>
+#include <unsupported/Eigen/FFT>
+#include <vector>
 
 #include "simulate/march/march_state.h"
 #include "simulate/motion/attempt.h"
@@ -25,15 +26,21 @@ constexpr int retreats = 3;          // from a jump
 
 /// The engine order with the largest mean square, over all contact nodes and directions.
 int largest_order(const Recorded& motion) {
-  const Eigen::Index samples = motion.displacement.rows();
-  const int orders = (motion.samples_per_revolution - 1) / 2;
-  const double angle = 2 * std::numbers::pi / motion.samples_per_revolution;
-  Eigen::MatrixXcd waves(orders, samples);
-  for (Eigen::Index s = 0; s < samples; ++s)
-    for (int order = 1; order <= orders; ++order)
-      waves(order - 1, s) = std::polar(1.0, -angle * static_cast<double>(order * s % motion.samples_per_revolution));
+  const int samples = motion.samples_per_revolution;
+  Eigen::MatrixXd revolution = motion.displacement.topRows(samples);
+  for (Eigen::Index first = samples; first < motion.displacement.rows(); first += samples)
+    revolution += motion.displacement.middleRows(first, samples);
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero((samples - 1) / 2);
+  Eigen::FFT<double> transform;
+  for (Eigen::Index channel = 0; channel < revolution.cols(); ++channel) {
+    const std::vector<double> signal(revolution.col(channel).begin(), revolution.col(channel).end());
+    std::vector<std::complex<double>> spectrum;
+    transform.fwd(spectrum, signal);
+    for (Eigen::Index k = 0; k < squares.size(); ++k)
+      squares[k] += std::norm(spectrum[static_cast<std::size_t>(k) + 1]);
+  }
   Eigen::Index largest = 0;
-  (waves * motion.displacement).rowwise().squaredNorm().maxCoeff(&largest);
+  squares.maxCoeff(&largest);
   return static_cast<int>(largest) + 1;
 }
 
@@ -49,12 +56,16 @@ double half_width_at(const Scene& scene, double speed) {
 }
 
 /// The amplitude with a coarse step; zero where another engine order is the largest, which is that of another peak.
-AmplitudeAt scanned(const Scene& scene, int order) {
-  return [&scene, order](double speed) -> std::optional<double> {
+/// `failure` becomes the reason why a speed has no motion.
+AmplitudeAt scanned(const Scene& scene, int order, std::string& failure) {
+  return [&scene, order, &failure](double speed) -> std::optional<double> {
     if (speed <= 0 || speed > scene.model.speed_max) return std::nullopt;
     const auto motion =
         attempt([&] { return settle_roughly(scene, rotor_of(scene, speed, OtherDiameters::unknown)); });
-    if (!motion.result) return std::nullopt;
+    if (!motion.result) {
+      failure = motion.failure;
+      return std::nullopt;
+    }
     const Recorded& recorded = motion.result->recorded;
     return largest_order(recorded) == order ? recorded.amplitude : 0;
   };
@@ -91,7 +102,12 @@ PeakVariation marched_peak(const Scene& scene, double speed, RotorState& state) 
 /// The peak near a speed, marched within the tolerances. Where the response jumps beside the top, the finer step may
 /// have jumped already; a speed a little farther from the jump is taken then.
 PeakVariation peak_near(const Scene& scene, const Origin& origin) {
-  const PeakTop top = follow_peak({origin.speed, half_width_at(scene, origin.speed)}, scanned(scene, origin.order));
+  std::string failure;
+  const auto scan = attempt([&] {
+    return follow_peak({origin.speed, half_width_at(scene, origin.speed)}, scanned(scene, origin.order, failure));
+  });
+  if (!scan.result) throw NoMotion(scan.failure + (failure.empty() ? "" : "; some speeds fail: " + failure));
+  const PeakTop& top = *scan.result;
   const double away = top.left.amplitude < top.right.amplitude ? top.right_gap() : -top.left_gap();
   PeakVariation peak;
   for (int i = 0; i <= (top.jumps() ? retreats : 0); ++i) {
@@ -119,6 +135,8 @@ VariedScene with_friction(const Scene& scene, double coefficient) {
   varied.casing.friction = {{0.0, coefficient}};
   if (const FrictionLimit limit = friction_limit(scene.model); coefficient >= limit.coefficient)
     varied.refusal = limit.text();
+  if (scene.parameters.contact == ContactRule::paper)
+    varied.refusal = "friction needs forces that only push, and the paper's rule also lets them pull";
   return varied;
 }
 

@@ -69,8 +69,8 @@ std::set<double> starts_of(const std::vector<double>& speeds, const FinishedSpee
   std::set<double> starts;
   SampledCurve curve;
   for (const double speed : speeds) {
-    if (finished.has(speed, Depth::examined)) starts.insert(speed);
     const SpeedResponse response = finished.read(speed, Depth::full);
+    if (response.depth >= Depth::examined) starts.insert(speed);
     if (response.failure.empty()) curve.push_back({speed, response.amplitude});
   }
   for (const std::size_t low : located_jumps(curve, {})) starts.insert({curve[low].speed, curve[low + 1].speed});

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "cases/program/errors.h"
@@ -47,6 +48,14 @@ FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std
   take_over_output(output);
 }
 
+namespace {
+
+double amplitude_of(const SpeedResponse& response) {
+  return response.failure.empty() ? response.amplitude : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
 /// The name holds the bits of the speed, so that it is exact.
 fs::path FinishedSpeeds::part(double speed, Depth depth) const {
   char name[32];
@@ -66,7 +75,7 @@ bool FinishedSpeeds::take_over(const fs::path& file) {
     if (part(only.speed, only.depth) != file) return false;
     note(only);
     return true;
-  } catch (const RunError&) {  // damaged: computed again
+  } catch (const FileError&) {  // damaged: computed again
     return false;
   }
 }
@@ -83,7 +92,7 @@ void FinishedSpeeds::take_over_output(const fs::path& output) {
   try {
     if (read_response_key(output) != key_ || seal_of(output) != Seal::whole) return;
     response = read_response(output);
-  } catch (const RunError&) {  // of another schema or damaged: it is replaced
+  } catch (const FileError&) {  // of another schema or damaged: it is replaced
     return;
   }
   for (const SpeedResponse& speed : response.speeds)
@@ -91,7 +100,7 @@ void FinishedSpeeds::take_over_output(const fs::path& output) {
 }
 
 void FinishedSpeeds::note(const SpeedResponse& response) {
-  (response.depth == Depth::scanned ? scanned_ : speeds_)[response.speed] = {response.depth, response.amplitude};
+  (response.depth == Depth::scanned ? scanned_ : speeds_)[response.speed] = {response.depth, amplitude_of(response)};
 }
 
 bool FinishedSpeeds::has(double speed, Depth depth) const {
@@ -101,7 +110,7 @@ bool FinishedSpeeds::has(double speed, Depth depth) const {
 }
 
 double FinishedSpeeds::amplitude(double speed, Depth depth) const {
-  if (!has(speed, depth)) return read(speed, depth).amplitude;  // another process kept it
+  if (!has(speed, depth)) return amplitude_of(read(speed, depth));  // another process kept it
   return (depth == Depth::scanned ? scanned_ : speeds_).at(speed).amplitude;
 }
 

@@ -35,7 +35,7 @@ class FinishedSpeeds {
   ResponseWriter writer(const std::filesystem::path& path, ResponseUse use = ResponseUse::kept) const;
   /// Writes a part under a scratch name, then renames it. Raises RunError if it can't be written.
   void keep(const SpeedResponse& response, const RotorState& end = {});
-  /// [m] Without reading the part again if this object kept it.
+  /// [m] NaN if the speed has failed. The part is not read again if this object kept it.
   double amplitude(double speed, Depth depth) const;
   /// Reads a part, scanned or full.
   SpeedResponse read(double speed, Depth depth) const;
@@ -57,7 +57,7 @@ class FinishedSpeeds {
   std::string generator_;
   struct Kept {
     Depth depth;
-    double amplitude;  ///< [m]
+    double amplitude;  ///< [m] NaN if it has failed
   };
   std::map<double, Kept> speeds_, scanned_;  ///< those that aren't scanned are full or more
   std::optional<OutputLock> lock_;           ///< the keeper's, on the output

@@ -2,6 +2,7 @@
 #include "simulate/sweep/sweep.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <functional>
 #include <iomanip>
@@ -116,7 +117,7 @@ class Sweep {
   }
 
  private:
-  using Amplitudes = std::map<double, double>;  ///< [m] over speed
+  using Amplitudes = std::map<double, double>;  ///< [m] over speed; NaN where it has failed
 
   // Begin and end
   void open(const SweepSettings& settings, const SceneOrigin& origin);
@@ -149,6 +150,7 @@ class Sweep {
   std::optional<FinishedSpeeds> finished_;
   Amplitudes full_, scanned_;  ///< of the leader only
   std::size_t computed_ = 0;
+  bool cut_short_ = false;  ///< by speed_count_max
 };
 
 void Sweep::open(const SweepSettings& settings, const SceneOrigin& origin) {
@@ -172,6 +174,7 @@ void Sweep::assemble(SweepOutcome& outcome) {
   ResponseWriter writer = finished_->writer(file.scratch());
   writer.add(frequency_table(scene_.model, scene_.parameters.damping, speeds().back(), threads_));
   outcome.tally.crest = crests(scene_);
+  outcome.tally.cut_short = cut_short_;
   for (const double speed : speeds()) {
     const SpeedResponse response = finished_->read(speed, Depth::full);
     outcome.tally.add(response);
@@ -209,9 +212,11 @@ void Sweep::compute(const char* what, const std::vector<SpeedTask>& tasks) {
   });
 }
 
+/// Without the speeds that have failed: beside them the response neither rises nor falls.
 SampledCurve curve(const std::map<double, double>& amplitudes) {
   SampledCurve samples;
-  for (const auto& [speed, amplitude] : amplitudes) samples.push_back({speed, amplitude});
+  for (const auto& [speed, amplitude] : amplitudes)
+    if (!std::isnan(amplitude)) samples.push_back({speed, amplitude});
   return samples;
 }
 
@@ -226,8 +231,12 @@ void Sweep::locate() {
 bool Sweep::round(const char* what, Depth depth, const std::function<std::vector<double>()>& choose) {
   std::vector<double> next;
   if (group_.leads()) next = choose();
+  std::erase_if(next, [&](double speed) { return found(depth).contains(speed); });
   const auto most = static_cast<std::size_t>(scene_.parameters.speed_count_max);
-  if (group_.leads() && found(depth).size() + next.size() > most) next.clear();
+  if (group_.leads() && found(depth).size() + next.size() > most) {
+    cut_short_ = true;
+    next.clear();
+  }
   group_.share(next);
   if (!next.empty()) compute(what, next, depth);
   return !next.empty();

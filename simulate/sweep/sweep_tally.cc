@@ -131,7 +131,7 @@ std::string SweepTally::text() const {
 }
 
 std::string SweepTally::untouched(const ContactLine& contact) const {
-  if (touching > 0 || motions.empty() || !(closest.gap > 0)) return "";
+  if (touching > 0 || failed > 0 || motions.empty() || !(closest.gap > 0)) return "";
   std::ostringstream out;
   out << "\nno tip touches the casing at any speed";
   if (std::isfinite(closest.gap)) {
@@ -146,6 +146,9 @@ std::string SweepTally::untouched(const ContactLine& contact) const {
 
 std::string SweepTally::warnings(const SimulateParameters& parameters) const {
   std::ostringstream out;
+  if (cut_short)
+    out << "\nspeed_count_max = " << parameters.speed_count_max
+        << " ended the search for peaks: some may be missing or not located";
   if (pulling > 0)
     out << "\nat " << pulling << " speeds contact forces are tensile in some steps, with a share of up to "
         << tension_share;

@@ -45,6 +45,7 @@ struct SweepTally {
   Eigen::VectorXd crest;            ///< [m] the largest distortion inward by contact node; empty if not known
   ClosestApproach closest;          ///< if `crest` is known
   std::string first_failure;
+  bool cut_short = false;  ///< whether speed_count_max ended the search for peaks
 
   void add(const SpeedResponse& response);
   std::string text() const;

@@ -54,9 +54,9 @@ TEST_P(WrongCase, IsRefusedAtItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Message, WrongCase,
     ::testing::Values(
-        Wrong{
-            "unknown_key", "[mesh]\nlength = 1.0\n  lenght = 2.0\n",
-            ":3:3: unknown key \"lenght\" in [mesh]; known: length, count, open, name, colour, speeds, curve, inner"},
+        Wrong{"unknown_key", "[mesh]\nlength = 1.0\n  lenght = 2.0\n",
+              ":3:3: unknown key \"lenght\" in [mesh] (did you mean length?); known: length, count, open, name, "
+              "colour, speeds, curve, inner"},
         Wrong{"unknown_inner_key", "[mesh]\nlength = 1.0\n[mesh.inner]\nwidth = 2.0\n",
               ":4:1: unknown key \"width\" in [mesh.inner]; known: depth"},
         Wrong{"missing", "\n[mesh]\ncount = 2\n", ":2:1: [mesh] has no length, and it has no default; add it"},
@@ -266,10 +266,10 @@ TEST_F(GoodCase, WrongSettingsAreRefusedByTheirText) {
   const std::string absent = ": removes a key that the case does not have; give it a value, or leave this out";
   for (const std::string setting : {"mesh.name=", "mesh.inner.depth= ", "reduce.name="})
     EXPECT_EQ(message(setting), "--set " + setting + absent);
-  EXPECT_EQ(
-      message("mesh.lenght=2"),
-      "--set mesh.lenght=2: unknown key \"lenght\" in [mesh]; known: length, count, open, name, colour, speeds, "
-      "curve, inner");
+  EXPECT_EQ(message("mesh.lenght=2"),
+            "--set mesh.lenght=2: unknown key \"lenght\" in [mesh] (did you mean length?); known: length, count, "
+            "open, name, colour, speeds, "
+            "curve, inner");
   EXPECT_EQ(message("mesh.inner.width=2"),
             "--set mesh.inner.width=2: unknown key \"width\" in [mesh.inner]; known: depth");
   EXPECT_EQ(message("mesh.length=-1"), "--set mesh.length=-1: [mesh] length = -1 must be more than 0 [m]");

@@ -44,6 +44,13 @@ TEST_F(CaseTexts, MustBeFiles) {
   EXPECT_EQ(reading("/dev/zero"), "/dev/zero: can't be read: it is no file; name a case file");
 }
 
+/// Symptom: with the files in the wrong order, a model was said to be larger than 4 MiB.
+TEST_F(CaseTexts, AreNoModels) {
+  write(path("model.h5"), "\x89HDF\r\n\x1a\n and more");
+  EXPECT_EQ(complaint<InputError>([&] { const CaseFile read(path("model.h5")); }),
+            path("model.h5").string() + ": is an HDF5 file; name a case file here");
+}
+
 TEST_F(CaseTexts, MustNotBeHuge) {
   write(path("case.toml"), "");
   std::filesystem::resize_file(path("case.toml"), std::uintmax_t(1) << 40);

@@ -94,7 +94,7 @@ def varied_peaks(bench):
     assert "jams" in found["friction 5"]["motion"], rows
     trust = json.loads(folder.read("other/summary.json"))["verdict"]["Trust"].split("\n")
     assert "data and physics leave" in trust[0], trust
-    opened = [float(re.search(r"open by (\S+) %, most by", line)[1]) for line in trust if line.startswith("Budget: ")]
+    opened = [float(re.search(r"uncertain by (\S+) %, most by", line)[1]) for line in trust if line.startswith("Budget: ")]
     assert len(opened) >= 3 and opened == sorted(opened, reverse=True), trust
 
 

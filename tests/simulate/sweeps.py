@@ -51,6 +51,14 @@ for name in ("two", "shared", "killed"):
     require(bench.read(name + ".h5") == bench.read("adaptive.h5"), f"  {name}: the same bytes")
 os.remove(bench.path("killed.h5"))
 
+# symptom: branches began at the speeds that the first process had examined itself
+bench.write("branches.toml", small.replace("speed_min_rpm = 9000", "speed_min_rpm = 9700").replace("speed_max_rpm = 12000", "speed_max_rpm = 11500")
+            .replace("speed_count = 12", "speed_count = 8").replace('speeds = "given"\n', "") + 'branches = "critical_speeds"\nbranch_steps = 3\n')
+run = bench.run("--threads", "2", case="branches.toml", output="branches.h5")
+require(" branches of orbits" in run.stderr, "branches: " + run.stderr.strip())
+subprocess.run(mpirun + bench.command("-q", "--threads", "1", case="branches.toml", output="branches_shared.h5"))
+require(bench.read("branches_shared.h5") == bench.read("branches.h5"), "  two processes: the same bytes")
+
 bench.write("orbit.toml", small + 'steady_state = "orbit"\n')
 run = bench.run("--threads", "1", case="orbit.toml", output="orbit.h5")
 require(run.returncode == 0, "orbits: " + run.stderr.strip())

@@ -62,6 +62,24 @@ TEST(MotionClass, TellsAFewLinesFromMany) {
   EXPECT_EQ(read_motion(revolutions(24, broadband), 2, 60, lobes, Change::stands).motion, MotionClass::broadband);
 }
 
+/// Symptom: with one lobe, half of all modulated motions were said to be subharmonic 1/7: within Hann's width of all
+/// of its multiples there was hardly a line that could contradict.
+TEST(MotionClass, NeedsLinesThatCouldContradictAPeriod) {
+  std::mt19937 source(1);
+  int found = 0, modulated = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double order = 2 + 3.0 * source() / std::mt19937::max();
+    const auto motion = [order](double angle) {
+      return std::cos(angle) + 0.3 * std::cos(2 * angle) + 0.5 * std::cos(order * angle + 1) +
+             0.2 * std::cos((order - 1) * angle);
+    };
+    const MotionReading reading = read_motion(revolutions(24, motion), 2, 60, 1, Change::stands);
+    modulated += reading.motion == MotionClass::modulated ? 1 : 0;
+    ++found;
+  }
+  EXPECT_GT(modulated, 0.8 * found);
+}
+
 TEST(MotionClass, LeavesADecayingMotionOpen) {
   const auto motion = [](double angle) { return driven(angle) + std::exp(-angle / 100) * std::cos(3.3 * angle); };
   EXPECT_EQ(read_motion(revolutions(24, motion), 2, 60, lobes, Change::decays).motion, MotionClass::not_settled);

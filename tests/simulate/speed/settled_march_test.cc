@@ -52,6 +52,16 @@ TEST(SettledMarch, TakesTheStepAskedForWhereAMotionDoesNotSettle) {
   EXPECT_EQ(found.halving->measure, MotionMeasure::spectrum);
 }
 
+/// Symptom: while the casing still grew, tips that it had not reached were said to be settled, without any contact.
+TEST(SettledMarch, DoesNotSettleBeforeTheCasingHasGrown) {
+  TurningWheel wheel(2000);
+  wheel.casing.ramp_revolutions = 60;
+  wheel.parameters.min_revolutions = 10;
+  const SettledMotion found = settle(wheel.scene(), wheel.rotor(), {}, {wheel.planned_steps(), 10});
+  EXPECT_GT(found.revolutions, 60);
+  EXPECT_GT(found.recorded.contact_steps, 0);
+}
+
 /// Central differences with a step between half of their limit and the limit.
 TEST(SettledMarch, BeginsWithTheStepAskedForWhereTwiceAsLongIsBeyondTheLimit) {
   TurningWheel wheel(2000);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "tests/cases/temporary_folder.h"
@@ -40,6 +41,13 @@ TEST_F(Finished, AreTakenOverByTheNextRun) {
   const FinishedSpeeds next = open();
   EXPECT_TRUE(next.has(1000, Depth::full));
   EXPECT_EQ(next.read(1000, Depth::full).failure, "it blew up");
+}
+
+/// Symptom: the amplitude was 0, so that the last speed before the failures passed for a peak and was examined.
+TEST_F(Finished, HaveNoAmplitudeWhereTheyFailed) {
+  FinishedSpeeds finished = open();
+  finished.keep(failed_at(1000));
+  EXPECT_TRUE(std::isnan(finished.amplitude(1000, Depth::full)));
 }
 
 /// A resumed sweep took the full result for the scan at the same speed, and went on to other speeds than before.

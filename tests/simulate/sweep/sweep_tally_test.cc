@@ -33,6 +33,10 @@ TEST(SweepTally, IsSilentWhereNothingIsWrong) {
   SweepTally tally;
   tally.add(held(9000));
   EXPECT_EQ(tally.warnings(), "");
+  tally.cut_short = true;
+  SimulateParameters parameters;
+  parameters.speed_count_max = 48;
+  EXPECT_NE(tally.warnings(parameters).find("speed_count_max = 48 ended the search"), std::string::npos);
   EXPECT_EQ(tally.text(), "1 periodic, 0 failed");
 }
 
@@ -51,6 +55,10 @@ TEST(SweepTally, SaysThatNothingTouches) {
       tally.untouched(contact),
       "\nno tip touches the casing at any speed: the gap closes to 8e-05 m at the least, at 12000 rev/min at the "
       "trailing edge; for contact, give [casing] less clearance or more distortion, in metres");
+  SweepTally closed =
+      tally;  // symptom: a speed at which the spin closes the clearance has failed, and counted for nothing
+  closed.failed = 1;
+  EXPECT_EQ(closed.untouched(contact), "");
   SpeedResponse touching = held(13000);
   touching.clearance = Eigen::Vector3d::Constant(2.1e-4);
   touching.contact_steps = 1;

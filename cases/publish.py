@@ -75,9 +75,9 @@ def budget_line(row):
 
 
 def moves_most(rows, column):
-    """The source that changes a column most, by how much, and the larger peak that this one joins. The sum of all, and a bound, are no
-    sources."""
-    sources = [row for row in rows if number(row, column, ".1f") and not row["source"].startswith("root of") and not row["motion"].startswith("an upper bound")]
+    """The source that changes a column most, by how much, and the larger peak that this one joins. What is not in
+    the sum, and the sum itself, are no sources."""
+    sources = [row for row in rows if number(row, column, ".1f") and not row["source"].startswith("root of") and not row["motion"].endswith("not in the sum")]
     if not sources:
         return ""
     most = max(sources, key=lambda row: abs(float(row[column])))
@@ -90,7 +90,8 @@ def budgets_line(rows):
     columns = {"the speed": "change of speed [%]", "|u|": "change of |u| [%]", "the stress": "change of stress [%]"}
     together = next(row for row in rows if row["source"].startswith("root of"))
     return {"critical speed [rpm]": number(rows[0], "critical speed [rpm]", ",.0f"),
-            "all sources: speed, |u|, stress [%]": ", ".join(number(together, column, ".1f") for column in columns.values()),
+            "all sources: speed, |u|, stress [%]": ", ".join(number(together, column, ".1f") for column in columns.values())
+            + together["motion"].replace("without", "; no such peak with"),
             **{f"moves {name} most": moves_most(rows, column) for name, column in columns.items()}}
 
 
@@ -108,6 +109,9 @@ def of_sweep(folder):
     found = {"speeds": str(len(speeds)), "range": f"{number(speeds[0], 'speed [rpm]', ',.0f')} to {number(speeds[-1], 'speed [rpm]', ',.0f')}",
              **{kind.replace(" ", "_"): str(sum(name.startswith(kind) for name in kinds)) for kind in MOTIONS},
              "unstable": str(sum(row.get("symmetry") == "breaking" for row in speeds))}
+    unsettled = next((row for row in rows_of(os.path.join(folder, "report", "exactness.csv")) if row["check"].startswith("unsettled motion")), None)
+    if unsettled:
+        found["unsettled"] = unsettled["speeds beyond the limit"]
     outside = [row for row in rows_of(os.path.join(folder, "report", "critical_speeds.csv")) if row["outside validity"]]
     return found | {"outside": str(len(outside))}
 
@@ -143,7 +147,8 @@ def publish_case(programs, folder, expected):
     critical, rules = rows_of(os.path.join(report, "critical_speeds.csv")), rows_of(os.path.join(report, "linear_rules.csv"))
     numbers = {**version_of(programs), **of_model(folder), **of_sweep(folder), "critical": str(len(critical)),
                **({} if not critical else of_largest(critical)),
-               **{f"rule.{row['rule'].split()[-1].strip('.')}.missed": row["missed"] for row in rules}}
+               **{f"rule.{row['rule'].split()[-1].strip('.')}.{key}": row[column] for row in rules
+                  for key, column in (("missed", "missed"), ("false", "false alarms"))}}
     write_numbers(os.path.join(expected, "numbers.tsv"), numbers)
     if critical:
         write_table(os.path.join(expected, "critical_speeds.tsv"), [peak_line(row) for row in critical])

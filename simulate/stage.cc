@@ -16,6 +16,7 @@
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
 #include "cases/program/units.h"
+#include "cases/program/written_keys.h"
 #include "reduce/model/model_doubts.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/scene/friction_limit.h"
@@ -34,7 +35,8 @@ struct Inputs {
   std::optional<ReducedModel> other_model;  ///< of the same wheel, for error budgets
   std::vector<Variation> open;              ///< terms of contact that physics = "as_needed" decides on
   SweepSettings settings;
-  std::string resolved;  ///< both tables with defaults, for -v
+  std::string resolved;     ///< both tables with defaults, for -v
+  std::string differences;  ///< of the case from that of the model
   SceneOrigin origin;
 
   const ReducedModel* other() const { return other_model ? &*other_model : nullptr; }
@@ -83,6 +85,21 @@ std::vector<Variation> open_terms(const CaseTable& casing, const CaseTable& simu
   return open;
 }
 
+/// A line for each key of [mesh] and [reduce] that the case of the model has with another value, after a line break.
+std::string differences_of_model(const std::string& case_text, const ReducedModel& model, const std::string& file) {
+  std::string text;
+  const auto of_model = written_keys(model.provenance);
+  for (const auto& [key, value] : written_keys(case_text)) {
+    const auto there = of_model.find(key);
+    if ((!key.starts_with("mesh.") && !key.starts_with("reduce.")) || there == of_model.end() ||
+        there->second == value)
+      continue;
+    text += "\n" + file + " was made with " + key + " = " + there->second + ", and the case has " + value +
+            "; the results are those of the model";
+  }
+  return text;
+}
+
 Inputs read_inputs(const StageArguments& arguments) {
   CaseFile case_file(arguments.inputs[0], arguments.settings);
   CaseTable casing_table = case_file.table("casing");
@@ -104,11 +121,12 @@ Inputs read_inputs(const StageArguments& arguments) {
   fit_to_model(parameters, model);
   require_friction_that_slides(casing_table, casing, parameters, model);
   const std::string resolved = "[casing]\n" + casing_table.resolved() + "[simulate]\n" + simulate_table.resolved();
+  const std::string differences =
+      differences_of_model(case_file.source(), model, arguments.inputs[1].filename().string());
   const std::string provenance = "# case\n" + case_file.source() + "\n# model\n" + model.provenance;
-  return {std::move(casing), std::move(parameters),
-          std::move(model),  std::move(other),
-          std::move(open),   {casing_table.settings(), simulate_table.settings()},
-          resolved,          {provenance, casing_table.written()}};
+  return {std::move(casing), std::move(parameters), std::move(model),
+          std::move(other),  std::move(open),       {casing_table.settings(), simulate_table.settings()},
+          resolved,          differences,           {provenance, casing_table.written()}};
 }
 
 /// "casing: crests of up to 0.25 mm and clearances of 0.2 .. 0.236 mm at these speeds: a tip at rest overlaps the
@@ -135,6 +153,7 @@ void report_scope(const StageArguments& arguments, const Inputs& inputs, const S
   if (verbose) say(arguments, inputs.resolved);
   if (!verbose && arguments.action != Action::check) return;
   for (const std::string& reason : scope.reasons) say(arguments, reason);
+  if (!inputs.differences.empty()) say(arguments, inputs.differences.substr(1));
   say(arguments, interference_text(inputs));
   say(arguments, (inputs.casing.has_friction() ? "friction: " : "friction: none in this case; ") +
                      friction_limit(inputs.model).text());
@@ -153,7 +172,8 @@ void report_outcome(const StageArguments& arguments, const Inputs& inputs, const
   if (outcome.scanned > 0) line << outcome.scanned << " more scanned; ";
   if (outcome.branches > 0) line << outcome.branches << " branches of orbits; ";
   line << outcome.computed << " computed now; " << std::fixed << std::setprecision(1) << spent.count() << " s"
-       << outcome.tally.untouched(inputs.model.contact) << outcome.tally.warnings(inputs.parameters);
+       << outcome.tally.untouched(inputs.model.contact) << outcome.tally.warnings(inputs.parameters)
+       << inputs.differences;
   say(arguments, line.str());
 }
 

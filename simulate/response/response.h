@@ -217,11 +217,12 @@ struct ClearanceRange {
 /// response.h5 in memory. Schema "tiprub-response".
 struct Response {
   SimulatedScene scene;
-  std::string key;                         ///< identifies everything that decides the result of a speed (run_key)
-  std::vector<SpeedResponse> speeds;       ///< ascending in speed
-  FrequencyTable frequencies = {};         ///< empty in the parts of an unfinished sweep
-  std::vector<OrbitBranch> branches = {};  ///< empty unless the case asks for them
-  Eigen::VectorXd scanned_speeds = {};     ///< [rad/s] ascending: where an adaptive sweep marched with a coarse step
+  std::string key;                          ///< identifies everything that decides the result of a speed (run_key)
+  std::vector<SpeedResponse> speeds;        ///< ascending in speed
+  FrequencyTable frequencies = {};          ///< empty in the parts of an unfinished sweep
+  std::vector<OrbitBranch> branches = {};   ///< empty unless the case asks for them
+  Eigen::VectorXd scanned_speeds = {};      ///< [rad/s] ascending: where an adaptive sweep marched with a coarse step
+  Eigen::VectorXd scanned_amplitudes = {};  ///< [m] there; negative where the march failed
 
   /// Over all contact nodes and all speeds that have a response.
   ClearanceRange clearances() const {

@@ -265,8 +265,8 @@ void ResponseWriter::add(const OrbitBranch& branch) {
   comment_multipliers(state_->file, branch_group(place), state_->scene);
 }
 
-void ResponseWriter::add_scanned(const Eigen::VectorXd& speeds) {
-  write_scanned_speeds(state_->file, speeds);
+void ResponseWriter::add_scanned(const Eigen::VectorXd& speeds, const Eigen::VectorXd& amplitudes) {
+  write_scan(state_->file, speeds, amplitudes);
 }
 
 void ResponseWriter::add_end(const RotorState& state) {
@@ -311,7 +311,7 @@ void write_response(const Response& response, const std::filesystem::path& path,
   if (response.frequencies.speed.size() > 0) writer.add(response.frequencies);
   for (const SpeedResponse& speed : response.speeds) writer.add(speed);
   for (const OrbitBranch& branch : response.branches) writer.add(branch);
-  writer.add_scanned(response.scanned_speeds);
+  writer.add_scanned(response.scanned_speeds, response.scanned_amplitudes);
   writer.close();
 }
 
@@ -328,7 +328,7 @@ Response read_response(const std::filesystem::path& path) {
   response.scene = read_scene(file, axes);
   response.frequencies = read_frequencies(file, response.scene.sector_count, axes);
   response.branches = read_branches(file, axes);
-  response.scanned_speeds = read_scanned_speeds(file, axes);
+  read_scan(file, axes, response.scanned_speeds, response.scanned_amplitudes);
   if (!file.exists("/speed")) return response;
   const std::vector<std::string> speeds = file.members("/speed");
   require_memory(file, speeds);

@@ -30,8 +30,8 @@ class ResponseWriter {
   /// Once, before or after the speeds.
   void add(const FrequencyTable& frequencies);
   void add(const OrbitBranch& branch);
-  /// The speeds that were scanned; once.
-  void add_scanned(const Eigen::VectorXd& speeds);
+  /// The speeds that were scanned, and the amplitudes there (Response); once.
+  void add_scanned(const Eigen::VectorXd& speeds, const Eigen::VectorXd& amplitudes);
   /// The state at the end of the last speed; for the parts of a sweep that starts each speed from the one before.
   void add_end(const RotorState& state);
   /// To be called last. Raises RunError if the file can't be written completely.

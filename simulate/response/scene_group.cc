@@ -16,6 +16,7 @@ namespace {
 
 const std::string frequency_group = "/frequencies";
 const std::string scanned_speeds = "/scanned_speed";
+const std::string scanned_amplitudes = "/scanned_amplitude";
 const std::string damping_of_modes = frequency_group + "/damping_ratio";
 const std::string damping_group = "/damping", family_axis = damping_group + "/family",
                   ratio_by_family = damping_group + "/ratio_by_family",
@@ -261,16 +262,20 @@ FrequencyTable read_frequencies(const Hdf5File& file, int sector_count, NamedAxe
   return table;
 }
 
-void write_scanned_speeds(Hdf5File& file, const Eigen::VectorXd& speeds) {
-  if (speeds.size() > 0) write_axis(file, scanned_speeds, speeds, "rad/s", "speeds scanned with a coarse step");
+void write_scan(Hdf5File& file, const Eigen::VectorXd& speeds, const Eigen::VectorXd& amplitudes) {
+  if (speeds.size() == 0) return;
+  write_axis(file, scanned_speeds, speeds, "rad/s", "speeds scanned with a coarse step");
+  if (amplitudes.size() > 0) file.write(scanned_amplitudes, amplitudes, "m");
 }
 
-Eigen::VectorXd read_scanned_speeds(const Hdf5File& file, NamedAxes& axes) {
-  if (!file.exists(scanned_speeds)) return {};
+void read_scan(const Hdf5File& file, NamedAxes& axes, Eigen::VectorXd& speeds, Eigen::VectorXd& amplitudes) {
+  if (!file.exists(scanned_speeds)) return;
   axes.require(scanned_speeds, {"scanned speeds"});
-  Eigen::VectorXd speeds = file.read_vector(scanned_speeds);
+  speeds = file.read_vector(scanned_speeds);
   require(increases(speeds) && speeds[0] >= 0, file, scanned_speeds + " must increase from 0 or more");
-  return speeds;
+  if (!file.exists(scanned_amplitudes)) return;
+  axes.require(scanned_amplitudes, {"scanned speeds"});
+  amplitudes = file.read_vector(scanned_amplitudes);
 }
 
 }  // namespace tiprub

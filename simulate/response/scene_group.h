@@ -15,8 +15,8 @@ void write_frequencies(Hdf5File& file, const FrequencyTable& frequencies);
 /// Returns an empty table if the file has none.
 FrequencyTable read_frequencies(const Hdf5File& file, int sector_count, NamedAxes& axes);
 
-void write_scanned_speeds(Hdf5File& file, const Eigen::VectorXd& speeds);
-/// Empty, if the file has none.
-Eigen::VectorXd read_scanned_speeds(const Hdf5File& file, NamedAxes& axes);
+void write_scan(Hdf5File& file, const Eigen::VectorXd& speeds, const Eigen::VectorXd& amplitudes);
+/// Leaves empty what the file does not have.
+void read_scan(const Hdf5File& file, NamedAxes& axes, Eigen::VectorXd& speeds, Eigen::VectorXd& amplitudes);
 
 }  // namespace tiprub

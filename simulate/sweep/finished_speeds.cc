@@ -50,8 +50,10 @@ FinishedSpeeds::FinishedSpeeds(const fs::path& output, SimulatedScene scene, std
 
 namespace {
 
+constexpr double no_amplitude = std::numeric_limits<double>::quiet_NaN();
+
 double amplitude_of(const SpeedResponse& response) {
-  return response.failure.empty() ? response.amplitude : std::numeric_limits<double>::quiet_NaN();
+  return response.failure.empty() ? response.amplitude : no_amplitude;
 }
 
 }  // namespace
@@ -97,6 +99,10 @@ void FinishedSpeeds::take_over_output(const fs::path& output) {
   }
   for (const SpeedResponse& speed : response.speeds)
     if (!has(speed.speed, speed.depth)) keep(speed);
+  for (Eigen::Index i = 0; i < response.scanned_amplitudes.size(); ++i) {
+    const double amplitude = response.scanned_amplitudes[i];
+    scanned_[response.scanned_speeds[i]] = {Depth::scanned, amplitude < 0 ? no_amplitude : amplitude};
+  }
 }
 
 void FinishedSpeeds::note(const SpeedResponse& response) {

@@ -77,6 +77,14 @@ Eigen::VectorXd speeds_of(const std::map<double, double>& amplitudes) {
   return speeds;
 }
 
+/// [m] The amplitudes; negative where there is none.
+Eigen::VectorXd amplitudes_of(const std::map<double, double>& amplitudes) {
+  Eigen::VectorXd all(static_cast<Eigen::Index>(amplitudes.size()));
+  Eigen::Index place = 0;
+  for (const auto& [speed, amplitude] : amplitudes) all[place++] = std::isnan(amplitude) ? -1 : amplitude;
+  return all;
+}
+
 /// [m] The largest distortion inward that each contact node meets in a turn, which begins at a crest.
 Eigen::VectorXd crests(const Scene& scene) {
   constexpr int points = 3600;
@@ -183,7 +191,7 @@ void Sweep::assemble(SweepOutcome& outcome) {
     writer.add(response);
   }
   for (const OrbitBranch& branch : branches) writer.add(branch);
-  writer.add_scanned(speeds_of(scanned_));
+  writer.add_scanned(speeds_of(scanned_), amplitudes_of(scanned_));
   writer.close();
   const bool all_failed = outcome.tally.failed == full_.size();
   if (!all_failed) file.commit();

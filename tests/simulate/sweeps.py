@@ -40,6 +40,9 @@ require(run.returncode == 0 and " more scanned" in run.stderr, "adaptive: " + ru
 with h5py.File(bench.path("adaptive.h5")) as file:
     scanned = file["scanned_speed"][:]
     require(len(scanned) > len(file["speed"]) and (scanned[1:] > scanned[:-1]).all(), "  and the response lists what was scanned")
+once = bench.read("adaptive.h5")
+run = bench.run("--threads", "1", case="adaptive.toml", output="adaptive.h5")  # symptom: the scan was computed again
+require("; 0 computed now" in run.stderr and bench.read("adaptive.h5") == once, "  nothing is computed twice: " + run.stderr.strip())
 bench.run("-q", "--threads", "2", case="adaptive.toml", output="two.h5")
 subprocess.run(mpirun + bench.command("-q", "--threads", "1", case="adaptive.toml", output="shared.h5"))
 process = subprocess.Popen(bench.command("-q", "--threads", "1", case="adaptive.toml", output="killed.h5"))

@@ -38,7 +38,7 @@ expect_message(no_arguments ARGUMENTS -q EXIT_CODE 2 ERRORS "case.toml is requir
 expect_message(unknown_option ARGUMENTS case.toml sector.msh --fast EXIT_CODE 2 ERRORS "--fast")
 expect_message(unknown_key KEY density LINE "densty = 7800.0" EXIT_CODE 2 ERRORS "[reduce] has no density")
 expect_message(misspelt_key KEY contact_nodes LINE "contact_node = 2" EXIT_CODE 2
-               ERRORS "case.toml:21:1: unknown key \"contact_node\" in [reduce]; known: accuracy, young_modulus")
+               ERRORS "case.toml:21:1: unknown key \"contact_node\" in [reduce] (did you mean contact_nodes?); known: accuracy, young_modulus")
 expect_message(negative_modulus KEY young_modulus LINE "young_modulus = -1.0" EXIT_CODE 2
                ERRORS "[reduce] young_modulus = -1 must be at least 1 and at most 1e+15 [Pa]")
 expect_message(wrong_prestress KEY density LINE "density = 7800.0\nprestress = \"none\"" EXIT_CODE 2

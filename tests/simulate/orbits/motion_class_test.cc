@@ -66,8 +66,9 @@ TEST(MotionClass, TellsAFewLinesFromMany) {
 /// of its multiples there was hardly a line that could contradict.
 TEST(MotionClass, NeedsLinesThatCouldContradictAPeriod) {
   std::mt19937 source(1);
-  int found = 0, modulated = 0;
-  for (int i = 0; i < 200; ++i) {
+  constexpr int motions = 200;
+  int modulated = 0;
+  for (int i = 0; i < motions; ++i) {
     const double order = 2 + 3.0 * source() / std::mt19937::max();
     const auto motion = [order](double angle) {
       return std::cos(angle) + 0.3 * std::cos(2 * angle) + 0.5 * std::cos(order * angle + 1) +
@@ -75,9 +76,8 @@ TEST(MotionClass, NeedsLinesThatCouldContradictAPeriod) {
     };
     const MotionReading reading = read_motion(revolutions(24, motion), 2, 60, 1, Change::stands);
     modulated += reading.motion == MotionClass::modulated ? 1 : 0;
-    ++found;
   }
-  EXPECT_GT(modulated, 0.8 * found);
+  EXPECT_GT(modulated, 0.8 * motions);
 }
 
 TEST(MotionClass, LeavesADecayingMotionOpen) {

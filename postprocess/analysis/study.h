@@ -45,6 +45,9 @@ struct Study {
   }
 
   const SpeedResponse& speed_at(Eigen::Index index) const { return response.speeds[static_cast<std::size_t>(index)]; }
+  double excursion_at(Eigen::Index index) const {  ///< [m]
+    return largest_excursion(speed_at(index).displacement, model.contact);
+  }
 };
 
 /// Computes everything, and reads the sweeps to compare. Needs inputs that passed check_together(). Raises what

@@ -77,7 +77,7 @@ json add_speed(PackedArrays& arrays, const Study& study, const FieldResults& fie
           {"largest", study.amplitudes.largest[i] * mm_per_m},
           {"leading", by_node(0, i) * mm_per_m},
           {"trailing", by_node(study.model.contact.trailing_edge(), i) * mm_per_m},
-          {"excursion", largest_excursion(speed.displacement) * mm_per_m},
+          {"excursion", study.excursion_at(i) * mm_per_m},
           {"stress", fields.over_speed.size() > 0 ? json(fields.over_speed[i] * mpa_per_pa) : json()},
           {"motion", motion_text(speed)},
           {"settled", speed.settled()},

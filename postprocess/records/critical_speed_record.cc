@@ -107,7 +107,7 @@ Column<PeakRow> blade_column(const char* name, double BladeExcursions::*of_blade
 
 /// [m] The motion of the tip in all directions together.
 double excursion(const PeakRow& peak) {
-  return largest_excursion(peak.study.speed_at(peak.critical.index).displacement);
+  return peak.study.excursion_at(peak.critical.index);
 }
 
 PeakColumns amplitude_columns() {

@@ -27,13 +27,15 @@ std::string change_text(double change) {
          " %";
 }
 
-/// "contact at points" of a model whose contact is of the other kind.
-std::string other_model(ContactKind kind, ContactKind own) {
-  if (kind == own) return "another model";
-  return kind == ContactKind::points ? "contact at points" : "contact on segments";
+/// "contact at points", "contact on segments", "another model of 28 segments".
+std::string other_model(int segments, const ContactLine& own) {
+  const int own_segments = own.kind == ContactKind::segments ? own.size() - own.splitter_nodes : 0;
+  if (segments == own_segments) return "another model";
+  if (segments == 0) return "contact at points";
+  return own_segments == 0 ? "contact on segments" : "another model of " + std::to_string(segments) + " segments";
 }
 
-std::string source_of(const PeakVariation& variation, ContactKind own) {
+std::string source_of(const PeakVariation& variation, const ContactLine& own) {
   constexpr int digits = 3;
   switch (variation.what) {
     case Variation::friction:
@@ -47,14 +49,14 @@ std::string source_of(const PeakVariation& variation, ContactKind own) {
     case Variation::step:
       return "half the time step";
     case Variation::model:
-      return other_model(variation.setting > 0 ? ContactKind::segments : ContactKind::points, own);
+      return other_model(static_cast<int>(variation.setting), own);
   }
   return name_of(variation.what);
 }
 
 /// `stress` [Pa] is that of the varied peak, if it was recovered.
 BudgetRow row_of(const PeakVariation& variation, const std::optional<double>& stress, const SpeedResponse& response,
-                 const ErrorBudget& budget, ContactKind own) {
+                 const ErrorBudget& budget, const ContactLine& own) {
   BudgetRow row{source_of(variation, own), variation.failure};
   if (!row.failure.empty()) return row;
   row.shift = variation.speed / response.speed - 1;
@@ -62,7 +64,7 @@ BudgetRow row_of(const PeakVariation& variation, const std::optional<double>& st
   row.excursion = variation.excursion / budget.excursion - 1;
   if (stress && budget.stress > 0) row.stress = *stress / budget.stress - 1;
   row.motion = motion_text(variation.motion, variation.period_beats);
-  row.is_setting = variation.what == Variation::step;
+  row.is_setting = variation.what == Variation::step || variation.what == Variation::model;
   row.is_poorer = variation.what == Variation::gap && variation.setting == 1;
   return row;
 }
@@ -152,11 +154,11 @@ std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& f
     if (response.budget.empty()) continue;
     const auto& stress = fields.peaks[i];
     ErrorBudget budget{
-        &study.critical[i], largest_excursion(response.displacement), stress ? stress->body.vibration : 0, {}};
+        &study.critical[i], study.excursion_at(study.critical[i].index), stress ? stress->body.vibration : 0, {}};
     for (std::size_t k = 0; k < response.budget.size(); ++k)
       budget.rows.push_back(row_of(response.budget[k],
                                    k < fields.varied[i].size() ? fields.varied[i][k] : std::nullopt, response, budget,
-                                   study.model.contact.kind));
+                                   study.model.contact));
     const std::size_t varied = budget.rows.size();
     add_settings(study, response, budget);
     for (std::size_t k = varied; k < budget.rows.size(); ++k) budget.rows[k].is_setting = true;
@@ -225,7 +227,7 @@ Table critical_speed_budgets(const Study& study, const FieldResults& fields) {
     std::vector<Cell> row = {
         fixed(critical.speed * rpm_per_rad_s, 0),
         fixed(critical.speed_low * rpm_per_rad_s, 0) + " .. " + fixed(critical.speed_high * rpm_per_rad_s, 0),
-        wave_names(critical), fixed(largest_excursion(study.speed_at(critical.index).displacement) * mm_per_m, 2),
+        wave_names(critical), fixed(study.excursion_at(critical.index) * mm_per_m, 2),
         fixed(critical.amplitude * mm_per_m, 3)};
     if (fields.has_stress()) row.insert(row.end(), {stress_text(fields.peaks[i]), goodman_text(fields.peaks[i])});
     row.insert(row.end(), {largest_text(budget, &BudgetRow::shift), largest_text(budget, &BudgetRow::excursion)});

@@ -71,11 +71,11 @@ std::string not_located(const Study& study) {
   return text.empty() ? text : text + ".";
 }
 
-/// What |u| is, and how far a node moves; empty for contact at points, where |u| is a node's.
-std::string farthest_node_text(const Study& study, const std::optional<FieldPeak>& peak) {
-  if (!peak || study.model.contact.kind != ContactKind::segments) return "";
-  return " (the mean over a segment, from the middle of its path; a node moves by up to " +
-         fixed(peak->displacement * mm_per_m, 2) + " mm from where the spin alone leaves it)";
+/// From where |u| is measured, and how far a node moves.
+std::string farthest_node_text(const std::optional<FieldPeak>& peak) {
+  if (!peak) return "";
+  return " (from the middle of its path; a node moves by up to " + fixed(peak->displacement * mm_per_m, 2) +
+         " mm from where the spin alone leaves it)";
 }
 
 std::string how_bad(const Study& study, const FieldResults& fields) {
@@ -92,8 +92,8 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
   const CriticalSpeed& peak = study.critical[*worst];
   const bool more_elsewhere = study.amplitudes.largest.maxCoeff() > peak.amplitude;
   return counted(study.critical.size(), "critical speed") + ". The worst, at " + rpm_text(peak.speed) +
-         ", moves the tip by " + fixed(largest_excursion(study.speed_at(peak.index).displacement) * mm_per_m, 2) +
-         " mm in all" + farthest_node_text(study, fields.peaks[*worst]) + ", and towards the casing by " +
+         ", moves the tip by " + fixed(study.excursion_at(peak.index) * mm_per_m, 2) + " mm in all" +
+         farthest_node_text(fields.peaks[*worst]) + ", and towards the casing by " +
          amplitude_text(study, peak.index) + "." + stress_text(study, fields.peaks[*worst]) +
          friction_text(study.response.speeds[static_cast<std::size_t>(peak.index)].friction) +
          (more_elsewhere ? " Where no peak is located, the amplitude is larger: at " + largest : "") +
@@ -260,9 +260,10 @@ void add_motion(const Study& study, const std::vector<SceneNeed>& needs, std::ve
   const SpeedResponse& response = study.speed_at(study.critical[*worst].index);
   const std::string seen = whole_wheel_text(response);
   if (!seen.empty())
-    lines.push_back({std::abs(whole_wheel(response)->blades->largest / largest_excursion(response.displacement) - 1),
-                     "Motion: " + motion_text(response) + "; seen on the whole wheel: " + seen +
-                         " mm (least, median, largest of the blades)"});
+    lines.push_back(
+        {std::abs(whole_wheel(response)->blades->largest / study.excursion_at(study.critical[*worst].index) - 1),
+         "Motion: " + motion_text(response) + "; seen on the whole wheel: " + seen +
+             " mm (least, median, largest of the blades)"});
 }
 
 void add_checks(const Study& study, std::vector<TrustLine>& lines) {

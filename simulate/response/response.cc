@@ -5,20 +5,75 @@
 #include <cmath>
 #include <vector>
 
+#include "reduce/model/reduced_model.h"
+
 namespace tiprub {
 
-double largest_excursion(const Eigen::MatrixXd& displacement) {
-  const Eigen::MatrixXd squares = (displacement.rowwise() - displacement.colwise().mean()).cwiseAbs2();
-  double largest = 0;
-  for (Eigen::Index node = 0; 3 * node + 2 < squares.cols(); ++node)
-    largest = std::max(largest, squares.middleCols(3 * node, 3).rowwise().sum().maxCoeff());
-  return std::sqrt(largest);
+namespace {
+
+/// [1] The value at an edge of a polynomial along the tip, as a sum over its means in the outermost segments.
+/// Segments are means with hat functions (see reduce/sector/contact_unknowns.h), the outermost one with half of a
+/// hat.
+std::vector<double> weights_at_edge(int segments) {
+  switch (segments) {
+    case 1:
+      return {1};
+    case 2:
+      return {2, -1};
+    case 3:
+      return {1.5, -0.5};
+    default:
+      return {33.0 / 18, -19.0 / 18, 4.0 / 18};
+  }
 }
 
-BladeExcursions blade_excursions(const Eigen::MatrixXd& displacement, int sectors) {
-  const Eigen::Index dofs = displacement.cols() / sectors;
-  std::vector<double> blades;
-  for (int j = 0; j < sectors; ++j) blades.push_back(largest_excursion(displacement.middleCols(j * dofs, dofs)));
+/// [m] Of one place; samples x 3.
+template <class Places>
+double excursion(const Places& places) {
+  return std::sqrt((places.rowwise() - places.colwise().mean()).rowwise().squaredNorm().maxCoeff());
+}
+
+/// [m] The largest excursion of the edges of one blade; its segments are `first` to `first + step * (count - 1)`.
+double edge_excursion(const Eigen::Ref<const Eigen::MatrixXd>& sector, int first, int step, int count) {
+  Eigen::MatrixX3d edge = Eigen::MatrixX3d::Zero(sector.rows(), 3);
+  for (const double weight : weights_at_edge(count)) {
+    edge += weight * sector.middleCols<3>(3 * first);
+    first += step;
+  }
+  return excursion(edge);
+}
+
+double excursion_of_edges(const Eigen::Ref<const Eigen::MatrixXd>& sector, const ContactLine& contact) {
+  if (contact.kind == ContactKind::points) return 0;
+  const int last = contact.size() - 1, main = contact.size() - contact.splitter_nodes;
+  double largest = std::max(edge_excursion(sector, 0, 1, main), edge_excursion(sector, main - 1, -1, main));
+  if (contact.splitter_nodes > 0)
+    largest = std::max({largest, edge_excursion(sector, main, 1, contact.splitter_nodes),
+                        edge_excursion(sector, last, -1, contact.splitter_nodes)});
+  return largest;
+}
+
+/// [m] Of the tips of each sector.
+std::vector<double> excursions(const Eigen::MatrixXd& displacement, const ContactLine& contact) {
+  std::vector<double> sectors;
+  const int dofs = 3 * contact.size();
+  for (Eigen::Index first = 0; first + dofs <= displacement.cols(); first += dofs) {
+    const auto sector = displacement.middleCols(first, dofs);
+    sectors.push_back(excursion_of_edges(sector, contact));
+    for (int node = 0; node < contact.size(); ++node)
+      sectors.back() = std::max(sectors.back(), excursion(sector.middleCols<3>(3 * node)));
+  }
+  return sectors;
+}
+
+}  // namespace
+
+double largest_excursion(const Eigen::MatrixXd& displacement, const ContactLine& contact) {
+  return std::ranges::max(excursions(displacement, contact));
+}
+
+BladeExcursions blade_excursions(const Eigen::MatrixXd& displacement, const ContactLine& contact) {
+  std::vector<double> blades = excursions(displacement, contact);
   std::ranges::sort(blades);
   const std::size_t half = blades.size() / 2;
   return {blades.front(), (blades[half] + blades[blades.size() - 1 - half]) / 2, blades.back()};

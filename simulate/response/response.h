@@ -16,6 +16,8 @@
 
 namespace tiprub {
 
+struct ContactLine;
+
 /// The name in response.h5: "periodic", "not settled", ...
 const char* name_of(MotionClass motion);
 /// The name in response.h5: "motion" or "spectrum".
@@ -60,8 +62,8 @@ struct BladeExcursions {
   bool operator==(const BladeExcursions&) const = default;
 };
 
-/// `displacement` as SpeedResponse has it, of this number of sectors.
-BladeExcursions blade_excursions(const Eigen::MatrixXd& displacement, int sectors);
+/// Each as largest_excursion().
+BladeExcursions blade_excursions(const Eigen::MatrixXd& displacement, const ContactLine& contact);
 
 /// The motion of a critical speed from another start.
 struct OtherStart {
@@ -81,7 +83,7 @@ enum class Variation {
   clearance,  ///< a change of the clearance of all blades [m]
   gap,        ///< the order of the gap in the displacements [1]
   step,       ///< steps in a revolution, twice those of the speed [1]
-  model,      ///< another model of the wheel; 0: with contact at points, 1: on segments
+  model,      ///< another model of the wheel, by the segments of each main blade; 0: contact at points
 };
 
 /// The name in response.h5: "friction", "damping", "clearance", "gap", "step", "model".
@@ -102,9 +104,12 @@ struct PeakVariation {
   std::optional<RotorCycle> cycle;
 };
 
-/// [m] How far a contact node moves from the middle of its path, the largest of all nodes and sectors. `displacement`
-/// as SpeedResponse has it.
-double largest_excursion(const Eigen::MatrixXd& displacement);
+/// [m] How far the tip moves from the middle of its path, where it moves farthest: the largest of all contact nodes
+/// and sectors, and of the edges of blades with contact on segments. The displacement of a segment is a mean, which
+/// the corner of a blade exceeds by a tenth or more; that of an edge is the value there of the parabola along the tip
+/// that has the means of the three outermost segments (of a straight line or a constant, if there are less than
+/// four). `displacement` as SpeedResponse has it.
+double largest_excursion(const Eigen::MatrixXd& displacement, const ContactLine& contact);
 
 /// How thoroughly a speed was computed.
 enum class Depth {

@@ -91,7 +91,7 @@ PeakVariation marched_peak(const Scene& scene, double speed, RotorState& state) 
   PeakVariation peak;
   peak.speed = speed;
   peak.amplitude = recorded.amplitude;
-  peak.excursion = largest_excursion(recorded.displacement);
+  peak.excursion = largest_excursion(recorded.displacement, scene.model.contact);
   peak.motion = found.motion.reading.motion;
   peak.period_beats = found.motion.reading.period_beats;
   peak.samples_per_revolution = recorded.samples_per_revolution;
@@ -163,8 +163,8 @@ VariedScene with_other_gap(const Scene& scene) {
 
 VariedScene with_other_model(const Scene& scene) {
   const ContactLine& tips = scene.other_model->contact;
-  VariedScene varied{Variation::model, tips.kind == ContactKind::segments ? 1.0 : 0.0, scene.casing,
-                     scene.parameters};
+  const double segments = tips.kind == ContactKind::segments ? tips.size() - tips.splitter_nodes : 0;
+  VariedScene varied{Variation::model, segments, scene.casing, scene.parameters};
   varied.model = scene.other_model;
   if (scene.parameters.gap == GapOrder::second_order && !tips.second_order)
     varied.refusal = "the other model does not hold the second order of the gap";

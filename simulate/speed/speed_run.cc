@@ -52,8 +52,7 @@ OtherStart compared(const Scene& scene, Start start, const Attempt<SettledMotion
   if (!other.result) return compared;
   const SampledMotion here = found.sampled(), there = other.result->sampled();
   compared.amplitude = other.result->recorded.amplitude;
-  compared.blades =
-      blade_excursions(there.displacement, static_cast<int>(there.displacement.cols() / scene.model.contact_dofs()));
+  compared.blades = blade_excursions(there.displacement, scene.model.contact);
   compared.motion = other.result->reading.motion;
   compared.period_beats = other.result->reading.period_beats;
   const bool comparable = here.samples_per_revolution == there.samples_per_revolution &&

@@ -20,6 +20,7 @@ from vtu import numbers_of, read_vtu
 
 SPEED_COUNT = 12
 REDUCTION_TOLERANCE = 0.001  # of the first 50 frequencies of the wheel
+EDGE_TOLERANCE = 0.03        # of the largest displacement of a corner
 ODD_SHARE = 0.01             # of the two-lobe response on odd nodal diameters
 SINGLE_PRECISION = 3e-6      # of the largest value
 ODD_ORDER_SPEEDS = 0.25      # of the speeds may have their highest peak off the even engine orders
@@ -224,6 +225,26 @@ def full_fields(programs, cases, work):
     assert wheel["connectivity"].max() < len(wheel["Points"]) and set(wheel["types"]) == {25}
 
 
+def tip_edges(programs, cases, work):
+    """The displacement that |u| takes at the edge of a blade on segments is that of its corner; the outermost segment has less."""
+    files = {name: os.path.join(work, f"segments_{name}.h5") for name in ("model", "fields", "response")}
+    case = os.path.join(work, "case.toml")
+    subprocess.run([os.path.join(programs, "tiprub-reduce"), "-q", case, os.path.join(work, "sector.msh"), "-o", files["model"],
+                    "--fields", files["fields"]], check=True)
+    subprocess.run([os.path.join(programs, "tiprub-simulate"), "-q", case, files["model"], "-o", files["response"], *(word for setting in (
+        'simulate.speeds="given"', "simulate.speed_min_rpm=14000", "simulate.speed_max_rpm=19800", "simulate.speed_count=2",
+        'simulate.examine="none"', 'simulate.budget="none"') for word in ("--set", setting))], check=True)
+    with h5py.File(files["fields"]) as fields, h5py.File(files["response"]) as response:
+        corner = fields["node_set/contact_line"][:1]
+        for group in response["speed"].values():
+            moved = snapshot_at(group, fields, int(response.attrs["sector_count"]), corner)[:, 0]
+            segments = group["displacement"][int(group["snapshot"].attrs["sample"])]
+            edge = numpy.tensordot(segments[:, :3], numpy.array([33, -19, 4]) / 18, (1, 0))
+            difference, of_mean = (abs(there - moved[:len(there)]).max() / abs(moved).max() for there in (edge, segments[:, 0]))
+            print(f"{group.attrs['speed']:.0f} rad/s: the corner differs by {difference:.2%} from the edge, by {of_mean:.1%} from the outermost segment")
+            assert difference < EDGE_TOLERANCE and of_mean > 3 * EDGE_TOLERANCE
+
+
 def up_to_date(programs, cases, work):
     """Nothing is made twice, and a change of one stage's table remakes that stage and what follows."""
     assert make(work, programs, "-q", "report/report.html").returncode == 0
@@ -239,7 +260,7 @@ def up_to_date(programs, cases, work):
     assert os.path.getmtime(os.path.join(work, "response.h5")) == before
 
 
-STEPS = {step.__name__: step for step in (run, reduction, nodal_diameters, engine_orders, critical_speeds, full_fields,
+STEPS = {step.__name__: step for step in (run, reduction, nodal_diameters, engine_orders, critical_speeds, full_fields, tip_edges,
                                          up_to_date)}
 
 if __name__ == "__main__":

@@ -118,6 +118,7 @@ STALE_response = $(STALE_rotor) $(call stale,simulate,$1,model.h5)
 response.h5: $(call STALE_response,response.h5)
 response_up.h5: $(if $(filter response_up.h5,$(RESPONSES)),$(call STALE_response,response_up.h5))
 response_down.h5: $(if $(filter response_down.h5,$(RESPONSES)),$(call STALE_response,response_down.h5))
+response.h5 response_up.h5 response_down.h5: $(call as_prerequisite,$(shell $(CHAIN) name_budget_model $(CASE_FILE) $(SETTINGS) $(FLAGS_simulate)))
 response.h5 response_up.h5 response_down.h5: %.h5: $(call as_prerequisite,$(or $(MODEL),model.h5))
 	@$(CHAIN) require_own $@ $*_full.h5 $*_plain.h5 $*_one_term.h5
 	$(LAUNCH) tiprub-simulate $(CASE_FILE) $(ROTOR) -o $@ $(patsubst response_%,--set 'simulate.sweep="%"',$(filter response_%,$*)) $(SETTINGS) $(SIMULATE_FLAGS) --times .chain/$*.csv

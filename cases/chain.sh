@@ -59,6 +59,12 @@ name_sweeps() { # CASE OPTION...
     -e 's/^response_(up|down) = "response_\1\.h5"$/\1/p; t' -e 's/^response_(up|down) = "[^"].*/other/p'
 }
 
+# Prints the file that error budgets compare with, if there is one.
+name_budget_model() { # CASE OPTION...
+  model=$(dirname "$1")/$(tiprub-simulate "$@" --tables 2> /dev/null | sed -nE 's/^budget_model = "(.+)"$/\1/p')
+  if test -f "$model"; then echo "$model"; fi
+}
+
 is_linked() { # FILE
   test -n "$MODEL_OF" && test "$(readlink "$1")" = "$MODEL_OF/$1"
 }

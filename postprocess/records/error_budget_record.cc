@@ -27,12 +27,12 @@ std::string change_text(double change) {
          " %";
 }
 
-/// "contact at points", "contact on segments", "another model of 28 segments".
+/// "contact at points", "contact on segments", "model of 28 segments".
 std::string other_model(int segments, const ContactLine& own) {
   const int own_segments = own.kind == ContactKind::segments ? own.size() - own.splitter_nodes : 0;
   if (segments == own_segments) return "another model";
   if (segments == 0) return "contact at points";
-  return own_segments == 0 ? "contact on segments" : "another model of " + std::to_string(segments) + " segments";
+  return own_segments == 0 ? "contact on segments" : "model of " + std::to_string(segments) + " segments";
 }
 
 std::string source_of(const PeakVariation& variation, const ContactLine& own) {

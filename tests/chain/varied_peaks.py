@@ -63,6 +63,16 @@ def check_model(bench, folder, budget):
     assert math.isclose(float(found["amplitude [mm]"]), float(row["amplitude [mm]"]), rel_tol=5e-3), (row, found)
 
 
+def check_make(folder):
+    """make computes the response again after the model has changed that its budgets compare with, and only then."""
+    flags = "SIMULATE_FLAGS=--set 'simulate.budget=\"largest\"' --set 'simulate.budget_model=\"segments.h5\"'"
+    os.utime(folder.file("segments.h5"), (0, 0))
+    folder.must_make(flags)
+    assert folder.would_run(flags) == []
+    os.utime(folder.file("segments.h5"))
+    assert folder.would_run(flags) == ["simulate", "postprocess"]
+
+
 def varied_peaks(bench):
     """A peak that is followed with the case's own damping, and with hardly any friction or change of the clearance, is the peak
     itself; what jams is named."""
@@ -88,6 +98,7 @@ def varied_peaks(bench):
     check_settings(rows)
     check_gap(rows, folder, run)
     check_model(bench, folder, budget)
+    check_make(folder)
     rows = budget("other", "simulate.budget_damping=[0.01]", "simulate.budget_friction=5")
     found = {row["source"]: row for row in rows}
     assert float(found["damping 0.01"]["change of amplitude [%]"]) > 5, rows

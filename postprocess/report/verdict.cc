@@ -71,13 +71,6 @@ std::string not_located(const Study& study) {
   return text.empty() ? text : text + ".";
 }
 
-/// From where |u| is measured, and how far a node moves.
-std::string farthest_node_text(const std::optional<FieldPeak>& peak) {
-  if (!peak) return "";
-  return " (from the middle of its path; a node moves by up to " + fixed(peak->displacement * mm_per_m, 2) +
-         " mm from where the spin alone leaves it)";
-}
-
 std::string how_bad(const Study& study, const FieldResults& fields) {
   if (study.no_tip_touches())
     return "No tip touches the casing at any speed, so that nothing excites the wheel: the crest reaches " +

@@ -85,9 +85,9 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
   const CriticalSpeed& peak = study.critical[*worst];
   const bool more_elsewhere = study.amplitudes.largest.maxCoeff() > peak.amplitude;
   return counted(study.critical.size(), "critical speed") + ". The worst, at " + rpm_text(peak.speed) +
-         ", moves the tip by " + fixed(study.excursion_at(peak.index) * mm_per_m, 2) + " mm in all" +
-         farthest_node_text(fields.peaks[*worst]) + ", and towards the casing by " +
-         amplitude_text(study, peak.index) + "." + stress_text(study, fields.peaks[*worst]) +
+         ", moves the tip by " + fixed(study.excursion_at(peak.index) * mm_per_m, 2) +
+         " mm in all, and towards the casing by " + amplitude_text(study, peak.index) + "." +
+         stress_text(study, fields.peaks[*worst]) +
          friction_text(study.response.speeds[static_cast<std::size_t>(peak.index)].friction) +
          (more_elsewhere ? " Where no peak is located, the amplitude is larger: at " + largest : "") +
          not_located(study) + still_rising(study);

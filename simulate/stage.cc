@@ -135,7 +135,8 @@ std::string interference_text(const Inputs& inputs) {
   const std::vector<double>& speeds = inputs.parameters.speeds;
   const Eigen::VectorXd slow = inputs.casing.running_clearance(inputs.model.contact, speeds.front()),
                         fast = inputs.casing.running_clearance(inputs.model.contact, speeds.back());
-  const double least = std::min(slow.minCoeff(), fast.minCoeff()), crest = inputs.casing.amplitude;
+  const double least = std::min(slow.minCoeff(), fast.minCoeff()),
+               crest = inputs.casing.crests(inputs.model.contact).maxCoeff();
   std::ostringstream text;
   text << std::setprecision(3) << "casing: crests of up to " << mm_per_m * crest << " mm and clearances of "
        << mm_per_m * least << " .. " << mm_per_m * std::max(slow.maxCoeff(), fast.maxCoeff())

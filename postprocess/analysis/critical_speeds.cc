@@ -133,7 +133,8 @@ std::optional<double> CriticalSpeed::spacing_over_half_width() const {
   std::optional<double> narrowest = rising.half_width;
   if (!narrowest) return std::nullopt;
   for (const WaveLabel& wave : others) narrowest = std::min(*narrowest, wave.half_width.value_or(*narrowest));
-  return *narrowest > 0 ? spacing / *narrowest : std::numeric_limits<double>::infinity();
+  if (!(*narrowest > 0)) return std::nullopt;  // without damping
+  return spacing / *narrowest;
 }
 
 double CriticalSpeed::amplitude_slack() const {

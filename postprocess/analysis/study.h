@@ -40,9 +40,7 @@ struct Study {
   /// The tips stay clear of the casing's crest at every simulated speed, so that nothing excites the wheel. The
   /// running clearance goes with the square of the speed, hence they stay clear between those speeds as well.
   /// At a speed that has failed, the spin may have closed the clearance.
-  bool no_tip_touches() const {
-    return failed.empty() && response.scene.casing_distortion.maxCoeff() <= response.clearances().low;
-  }
+  bool no_tip_touches() const { return failed.empty() && response.scene.crest() <= response.clearances().low; }
 
   const SpeedResponse& speed_at(Eigen::Index index) const { return response.speeds[static_cast<std::size_t>(index)]; }
   double excursion_at(Eigen::Index index) const {  ///< [m]

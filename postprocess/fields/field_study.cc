@@ -22,12 +22,12 @@ namespace tiprub::postprocess {
 
 namespace {
 
-constexpr double same_place = 1e-6;   // of the largest radius
-constexpr double near_segment = 0.2;  // of it; its nodes surround a segment's centre
-constexpr double least_memory = 1 << 30, most_memory = 8.0 * least_memory;  // [bytes] for the waves of a cycle
-constexpr double left_out_waves = 0.002;                                    // [1] of the mean square of a motion
-constexpr std::size_t most_waves = 6;                                       // of a motion, that are recovered
-constexpr double much_stressed = 0.3;  // of the largest stress at a critical speed
+constexpr double same_place = 1e-6;       // of the largest radius
+constexpr double near_segment = 0.2;      // of it; its nodes surround a segment's centre
+constexpr double wave_memory = 1 << 30;   // [bytes] for the waves of a cycle
+constexpr double left_out_waves = 0.002;  // [1] of the mean square of a motion
+constexpr std::size_t most_waves = 6;     // of a motion, that are recovered
+constexpr double much_stressed = 0.3;     // of the largest stress at a critical speed
 constexpr double m_per_mm = 1e-3;
 constexpr double largest_radius = 1e3;  // [m] of any wheel
 constexpr double unit_error = 1e-3;     // of the motion of a contact node, which is exact to single precision
@@ -153,12 +153,12 @@ std::size_t worst_of(const std::vector<std::size_t>& speeds, const Eigen::Vector
   });
 }
 
-/// How many fields of a wave, with their stress, the memory is used for. Samples that need more are taken in parts,
-/// which together need more fields.
+/// How many fields of a wave, with their stress, the memory is used for. Samples that need more are taken in parts.
+/// Where these begin decides the last digits, which must not depend on the memory of a machine.
 int fields_at_once(const SectorFields& sector) {
   const double numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
   const double field = sizeof(std::complex<double>) * numbers_at_node * static_cast<double>(sector.nodes.cols());
-  return std::max(1, static_cast<int>(std::clamp(available_memory() / 3, least_memory, most_memory) / field));
+  return std::max(1, static_cast<int>(wave_memory / field));
 }
 
 WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double frequency_share = 0.05;    // of the accuracy asked for, since a peak lies where its mode does
 constexpr double energy_limit = 1e-6;       // the balance closes to rounding
-constexpr double penetration_limit = 0.01;  // of the smallest running clearance
+constexpr double penetration_limit = 0.01;  // of the smallest running clearance, or of the crest
 constexpr double left_out_limit = 0.01;     // of the elastic energy
 constexpr double stable_growth = 1.0;       // per revolution
 constexpr double sweep_limit = 0.01;        // above it a sweep reached another motion (other_motions.h)
@@ -127,8 +127,9 @@ std::vector<Check> march_checks(const Study& study) {
 }
 
 std::vector<Check> contact_checks(const Study& study) {
-  return {check_speeds(study, "penetration", "of a node into the casing [mm]",
-                       penetration_limit * std::abs(study.response.clearances().low) * mm_per_m,
+  const double clearance = std::abs(study.response.clearances().low);
+  const double scale = clearance > 0 ? clearance : study.response.scene.crest();
+  return {check_speeds(study, "penetration", "of a node into the casing [mm]", penetration_limit * scale * mm_per_m,
                        [](const SpeedResponse& speed) { return speed.largest_penetration * mm_per_m; }),
           check_speeds(study, "steps left in penetration", "recorded steps that end with a node in the casing", 0,
                        [](const SpeedResponse& speed) { return static_cast<double>(speed.audit.leftover_steps); }),
@@ -166,7 +167,7 @@ Check range_check(const Study& study) {
       .limit = finding_spacing,
       .speeds = static_cast<int>(speeds.size()) - 1};
   const std::optional<double> damping = study.curves.smallest_damping_ratio();
-  if (damping && !study.no_tip_touches() && !speeds.empty())
+  if (damping && *damping > 0 && !study.no_tip_touches() && !speeds.empty())
     for (auto low = speeds.begin(), high = std::next(low); high != speeds.end(); ++low, ++high)
       add(check, (*high - *low) / (*damping * *low), *low);
   check.verdict = verdict_of(check);

@@ -171,6 +171,7 @@ SceneNeed wear_need(const Study& study) {
   const double coefficient = study.parameters.wear_coefficient;
   constexpr Effect effect = Effect::casing_wear;
   if (!(coefficient > 0)) return not_estimated(effect, "set postprocess.wear_coefficient");
+  if (study.model.contact.size() == 1) return not_estimated(effect, "raise reduce.contact_nodes");
   const SpeedResponse& response = study.judged_response();
   const CasingWear wear = casing_wear(response, study.response.scene, study.model.contact, coefficient, hour);
   const double allowed = wear_tolerance(study);

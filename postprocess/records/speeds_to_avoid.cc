@@ -101,8 +101,9 @@ std::vector<AvoidedBand> perhaps_stressed(const Study& study, const std::vector<
 
 std::vector<AvoidedBand> beyond_clearance(const Study& study, const std::vector<BudgetSum>& changes) {
   std::vector<AvoidedBand> bands;
+  const TipAmplitudes normal = tip_amplitudes(study.response, study.model.contact, Component::normal);
   const auto beyond = [&](Eigen::Index k) {
-    return study.amplitudes.largest[k] > study.speed_at(k).clearance[study.amplitudes.node[k]];
+    return (normal.by_node.col(k) - study.speed_at(k).clearance).maxCoeff() > 0;
   };
   for (Eigen::Index k = 0; k < study.amplitudes.largest.size(); ++k) {
     if (!beyond(k)) continue;

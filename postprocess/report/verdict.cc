@@ -20,14 +20,20 @@ std::string mm(double length) {
   return fixed(length * mm_per_m, 3) + " mm";
 }
 
-/// "0.265 mm, 2.2 times the running clearance there": half of the peak-to-peak at a speed.
+/// "0.265 mm, 2.2 times the running clearance there", or "0.187 mm": half of the peak-to-peak at a speed.
 std::string amplitude_text(const Study& study, Eigen::Index speed) {
   const double amplitude = study.amplitudes.largest[speed];
-  const double clearance =
-      study.response.speeds[static_cast<std::size_t>(speed)].clearance[study.amplitudes.node[speed]];
+  if (study.parameters.component != Component::normal) return mm(amplitude);
+  const double clearance = study.speed_at(speed).clearance[study.amplitudes.node[speed]];
   return mm(amplitude) + (clearance > 0 ? ", " + fixed(amplitude / clearance, 1) +
                                               " times the running clearance there (" + mm(clearance) + ")"
                                         : "");
+}
+
+/// ", and towards the casing by ", "; the axial displacement is "
+std::string before_amplitude(Component component) {
+  if (component == Component::normal) return ", and towards the casing by ";
+  return std::string("; the ") + name_of(component) + " is ";
 }
 
 std::string stress_text(const Study& study, const std::optional<FieldPeak>& peak) {
@@ -74,7 +80,7 @@ std::string not_located(const Study& study) {
 std::string how_bad(const Study& study, const FieldResults& fields) {
   if (study.no_tip_touches())
     return "No tip touches the casing at any speed, so that nothing excites the wheel: the crest reaches " +
-           mm(study.response.scene.casing_distortion.maxCoeff()) + " inward, and the smallest running clearance is " +
+           mm(study.response.scene.crest()) + " inward, and the smallest running clearance is " +
            mm(study.response.clearances().low) + ".";
   const std::optional<std::size_t> worst = worst_critical(study.critical);
   const std::string largest =
@@ -85,8 +91,8 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
   const CriticalSpeed& peak = study.critical[*worst];
   const bool more_elsewhere = study.amplitudes.largest.maxCoeff() > peak.amplitude;
   return counted(study.critical.size(), "critical speed") + ". The worst, at " + rpm_text(peak.speed) +
-         ", moves the tip by " + fixed(study.excursion_at(peak.index) * mm_per_m, 2) +
-         " mm in all, and towards the casing by " + amplitude_text(study, peak.index) + "." +
+         ", moves the tip by " + fixed(study.excursion_at(peak.index) * mm_per_m, 2) + " mm in all" +
+         before_amplitude(study.parameters.component) + amplitude_text(study, peak.index) + "." +
          stress_text(study, fields.peaks[*worst]) +
          friction_text(study.response.speeds[static_cast<std::size_t>(peak.index)].friction) +
          (more_elsewhere ? " Where no peak is located, the amplitude is larger: at " + largest : "") +
@@ -297,7 +303,7 @@ std::string march_text(const SimulatedScene& scene) {
 }
 
 std::string interference_text(const Study& study) {
-  const double crest = study.response.scene.casing_distortion.maxCoeff();
+  const double crest = study.response.scene.crest();
   const ClearanceRange clearances = study.response.clearances();
   const double low = crest - clearances.high, high = crest - clearances.low;
   return fixed(low * mm_per_m, 3) + " .. " + mm(high) + " (crest minus clearance, along the tip" +
@@ -364,7 +370,7 @@ std::vector<Answer> verdict(const Study& study, const FieldResults& fields, cons
 
 std::vector<Answer> scene_in_brief(const Study& study) {
   const SimulatedScene& scene = study.response.scene;
-  const double crest = scene.casing_distortion.maxCoeff();
+  const double crest = scene.crest();
   return without_empty(
       {{"Wheel",
         counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +

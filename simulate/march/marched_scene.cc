@@ -29,6 +29,8 @@ double MarchedScene::omega_max() const {
 
 SharedRotor rotor_of(const Scene& scene, double speed, OtherDiameters others) {
   const SimulateParameters& parameters = scene.parameters;
+  // The springs of a penalty are scaled by the stiffness of a tip, to which all nodal diameters contribute.
+  if (traits_of(parameters.scheme).springs) others = OtherDiameters::known;
   const ModeChoice modes{
       parameters.modes,
       traits_of(parameters.scheme).quasi_static ? ModeChoice::Others::quasi_static : ModeChoice::Others::dropped,

@@ -178,12 +178,14 @@ struct AskedAccuracy {
 
 /// The casing and the scene as they were simulated, for drawing and for the record.
 struct SimulatedScene {
-  AskedAccuracy asked;                 ///< the tolerances of the case
-  int sector_count = 0;                ///< N
-  int independent_sectors = 0;         ///< N / g
-  std::vector<int> nodal_diameters;    ///< those that were marched
-  Eigen::VectorXd casing_angle;        ///< [rad] 0 .. 2 pi
-  Eigen::VectorXd casing_distortion;   ///< [m] inward, at these angles, after the ramp
+  AskedAccuracy asked;                ///< the tolerances of the case
+  int sector_count = 0;               ///< N
+  int independent_sectors = 0;        ///< N / g
+  std::vector<int> nodal_diameters;   ///< those that were marched
+  Eigen::VectorXd casing_angle;       ///< [rad] 0 .. 2 pi
+  Eigen::VectorXd casing_distortion;  ///< [m] inward, at these angles, after the ramp
+  /// [m] the largest distortion, which may lie between these angles; empty if the file has none
+  std::optional<double> largest_distortion;
   int lobes = 0;                       ///< N_l: the casing repeats every 2 pi / lobes
   std::optional<Scheme> scheme;        ///< empty if the file has none
   std::optional<ContactRule> contact;  ///< likewise
@@ -197,6 +199,8 @@ struct SimulatedScene {
   std::string scope;                    ///< what was modelled and left out, and why; one reason per line
   std::string casing;                   ///< the table [casing] of the case, as TOML
   std::string provenance;               ///< the case and the provenance of the model, as text
+
+  double crest() const { return largest_distortion.value_or(casing_distortion.maxCoeff()); }  ///< [m] inward
 };
 
 /// A connected curve of orbits over speed, stable and unstable, in the order of arc length. Arrays over the orbits.

@@ -101,6 +101,7 @@ void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
   axes.require("/casing/clearance", {nodes_axis});
   scene.casing_angle = file.read_vector("/casing/angle");
   scene.casing_distortion = file.read_vector("/casing/distortion");
+  if (file.has_attribute("/casing", "crest")) scene.largest_distortion = file.number_attribute("/casing", "crest");
   scene.clearance = file.read_vector("/casing/clearance");
   scene.lobes = file.integer_attribute("/casing", "lobes");
   scene.clearance_state = named(clearance_state_names, file, "/casing", "clearance_state");
@@ -190,6 +191,7 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.write(clearance, scene.clearance, "m");
   file.describe(clearance, "clearance as the case gives it, of the tightest blade", {"/casing/contact_node"});
   file.set_attribute("/casing", "lobes", scene.lobes);
+  if (scene.largest_distortion) file.set_attribute("/casing", "crest", *scene.largest_distortion);
   if (std::isfinite(scene.resolved_frequency))
     file.set_attribute("/", "resolved_frequency", scene.resolved_frequency);
   write_damping(file, scene.damping);

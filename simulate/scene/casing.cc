@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
@@ -97,6 +98,16 @@ std::string Casing::friction_text() const {
 
 Eigen::VectorXd Casing::given_clearance(const ContactLine& contact) const {
   return arc_fractions(contact).unaryExpr([&](double fraction) { return linear_between(clearance, fraction); });
+}
+
+Eigen::VectorXd Casing::crests(const ContactLine& contact) const {
+  constexpr int points = 3600;  // of a turn that begins at a crest
+  const Eigen::VectorXd fractions = arc_fractions(contact);
+  Eigen::VectorXd highest = Eigen::VectorXd::Constant(fractions.size(), -std::numeric_limits<double>::infinity());
+  for (int point = 0; point < points; ++point)
+    for (Eigen::Index node = 0; node < fractions.size(); ++node)
+      highest[node] = std::max(highest[node], distortion(crest_angle + two_pi * point / points, fractions[node]));
+  return highest;
 }
 
 Eigen::VectorXd Casing::running_clearance(const ContactLine& contact, double speed) const {

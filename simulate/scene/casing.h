@@ -52,6 +52,8 @@ struct Casing {
 
   /// [m] inward, fully grown, at an absolute angle in rad and a fraction of the contact line's arc length.
   double distortion(double angle, double fraction) const;
+  /// [m] The largest distortion inward that each contact node meets in a turn.
+  Eigen::VectorXd crests(const ContactLine& contact) const;
   /// Factor of the distortion after so many revolutions: 0 .. 1, twice continuously differentiable.
   double ramp(double revolutions) const;
   /// Whole revolutions after which the distortion is fully grown.

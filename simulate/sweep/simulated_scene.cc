@@ -142,6 +142,7 @@ SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin) {
   described.casing_distortion = described.casing_angle.unaryExpr([&](double angle) {
     return fractions.unaryExpr([&](double fraction) { return scene.casing.distortion(angle, fraction); }).maxCoeff();
   });
+  described.largest_distortion = scene.casing.crests(scene.model.contact).maxCoeff();
   described.lobes = scene.casing.lobes;
   described.scheme = scene.parameters.scheme;
   described.contact = scene.parameters.contact;

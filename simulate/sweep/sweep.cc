@@ -85,19 +85,6 @@ Eigen::VectorXd amplitudes_of(const std::map<double, double>& amplitudes) {
   return all;
 }
 
-/// [m] The largest distortion inward that each contact node meets in a turn, which begins at a crest.
-Eigen::VectorXd crests(const Scene& scene) {
-  constexpr int points = 3600;
-  const Eigen::VectorXd fractions = arc_fractions(scene.model.contact);
-  Eigen::VectorXd highest = Eigen::VectorXd::Constant(fractions.size(), -std::numeric_limits<double>::infinity());
-  for (int point = 0; point < points; ++point) {
-    const double angle = scene.casing.crest_angle + 2 * std::numbers::pi * point / points;
-    for (Eigen::Index node = 0; node < fractions.size(); ++node)
-      highest[node] = std::max(highest[node], scene.casing.distortion(angle, fractions[node]));
-  }
-  return highest;
-}
-
 /// A speed of a sweep and how thoroughly it is to be computed.
 struct SpeedTask {
   double speed;  ///< [rad/s]
@@ -141,6 +128,7 @@ class Sweep {
   bool round(const char* what, Depth depth, const std::function<std::vector<double>()>& choose);
   std::vector<double> scan() const;  ///< to begin with
   LocationGoal goal() const;
+  int at_once() const;  ///< speeds that this process computes together
   Amplitudes& found(Depth depth) { return depth == Depth::scanned ? scanned_ : full_; }
 
   // Speeds
@@ -162,7 +150,7 @@ class Sweep {
 };
 
 void Sweep::open(const SweepSettings& settings, const SceneOrigin& origin) {
-  require_memory(scene_, threads_, available_memory());
+  require_memory(scene_, at_once() * group_.local_size(), available_memory());
   const std::string generator = program_version("tiprub-simulate");
   finished_.emplace(arguments_.output, simulated_scene(scene_, origin),
                     run_key(scene_.model, settings, scene_.parameters, generator, scene_.other_model), generator,
@@ -181,7 +169,7 @@ void Sweep::assemble(SweepOutcome& outcome) {
   OutputFile file(arguments_.output);
   ResponseWriter writer = finished_->writer(file.scratch());
   writer.add(frequency_table(scene_.model, scene_.parameters.damping, speeds().back(), threads_));
-  outcome.tally.crest = crests(scene_);
+  outcome.tally.crest = scene_.casing.crests(scene_.model.contact);
   outcome.tally.cut_short = cut_short_;
   for (const double speed : speeds()) {
     const SpeedResponse response = finished_->read(speed, Depth::full);
@@ -279,6 +267,13 @@ LocationGoal Sweep::goal() const {
   LocationGoal goal = LocationGoal::of_damping(scene_.parameters.damping.smallest());
   goal.peaks.prominence = scene_.parameters.peak_prominence;
   return goal;
+}
+
+int Sweep::at_once() const {
+  const SimulateParameters& parameters = scene_.parameters;
+  if (parameters.sweep != SweepDirection::rest) return 1;
+  if (parameters.speed_choice == SpeedChoice::adaptive) return threads_;
+  return std::min(threads_, static_cast<int>(parameters.speeds.size()));
 }
 
 Progress::Shown Sweep::shown() const {

@@ -235,5 +235,32 @@ TEST(SpeedSpacing, NothingIsMissedWhereNoTipTouches) {
             "inward, and the smallest running clearance is 0.560 mm.");
 }
 
+/// Without damping no spacing resolves a peak, and none is too wide by a number.
+TEST(SpeedSpacing, IsUnknownWithoutDamping) {
+  Response response = through(even(27, resonance(14711)));
+  for (Eigen::MatrixXd& ratios : response.frequencies.damping_ratio) ratios.setZero();
+  const Study study = study_of(std::move(response));
+  ASSERT_FALSE(study.critical.empty());
+  EXPECT_FALSE(study.critical[0].spacing_over_half_width());
+  EXPECT_TRUE(std::isfinite(study.critical[0].amplitude_high));
+  for (const Check& check : exactness_checks(study)) {
+    EXPECT_TRUE(std::isfinite(check.worst.value_or(0))) << check.subject;
+    if (check.subject.starts_with("speeds")) EXPECT_NE(check.verdict, CheckVerdict::passed) << check.subject;
+  }
+}
+
+/// The report shows another component, which no clearance limits.
+TEST(SpeedSpacing, AnotherComponentIsNoMotionTowardsTheCasing) {
+  PostprocessParameters parameters;
+  for (const auto& [component, text] : {std::pair(Component::normal, " mm in all, and towards the casing by "),
+                                        {Component::axial, " mm in all; the axial displacement is "}}) {
+    parameters.component = component;
+    const Study study = make_study(parameters, synthetic::model(), synthetic::resonant_sweep(synthetic::model()), {});
+    const Answer first = verdict(study, field_results(std::nullopt, study.critical), {}).front();
+    EXPECT_NE(first.text.find(text), std::string::npos) << first.text;
+    EXPECT_EQ(first.text.find("running clearance") == std::string::npos, component == Component::axial) << first.text;
+  }
+}
+
 }  // namespace
 }  // namespace tiprub::postprocess

@@ -161,5 +161,17 @@ TEST_F(SpeedsToAvoid, WhereATipMovesBeyondTheClearance) {
   EXPECT_EQ(bands[0].speeds.high, study.response.speeds[11].speed);
 }
 
+/// The node with the least clearance need not be the one that moves most, and it moves towards the casing whatever
+/// component the report shows.
+TEST_F(SpeedsToAvoid, WhereAnyNodeMovesBeyondItsClearance) {
+  const Eigen::Index most = study.amplitudes.node[10], other = most == 0 ? 1 : 0;
+  ASSERT_GT(study.amplitudes.by_node(other, 10), 1e-9);
+  study.response.speeds[10].clearance[other] = 1e-9;
+  EXPECT_EQ(speeds_to_avoid(study, fields).size(), 1U);
+  study.amplitudes.by_node.setZero();
+  study.amplitudes.largest.setZero();
+  EXPECT_EQ(speeds_to_avoid(study, fields).size(), 1U);
+}
+
 }  // namespace
 }  // namespace tiprub::postprocess

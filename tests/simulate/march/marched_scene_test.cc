@@ -68,6 +68,17 @@ TEST(MarchedScene, HasAllThatASchemeNeeds) {
   EXPECT_EQ(scene.omega_max(), penalised_omega_max(*scene.rotor, scene.setup.penalty_stiffness));
 }
 
+/// A scan leaves out the nodal diameters that do not move, but its springs are those of the march that follows.
+TEST(MarchedScene, ScalesSpringsByTheWholeTip) {
+  SimulateParameters parameters;
+  parameters.scheme = Scheme::penalty;
+  parameters.samples_per_revolution = 60;
+  const Casing casing = testing::lobed_casing(2, 1e-4, 3e-4);
+  const Scene scene{wheel, casing, parameters, find_scope(wheel.sector_count, casing.lobes, parameters)};
+  ASSERT_LT(scene.scope.nodal_diameters.size(), wheel.nodal_diameters.size());
+  EXPECT_EQ(rotor_of(scene, 900, OtherDiameters::unknown)->tip_stiffness, rotor_of(scene, 900)->tip_stiffness);
+}
+
 /// Symptom once: what ends the program (a disk that is full, say) and what ends a branch were one exception, and both
 /// were dropped where no orbit was found.
 TEST(Attempt, TakesThatThereIsNoMotionAndNothingElse) {

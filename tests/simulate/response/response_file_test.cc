@@ -74,7 +74,11 @@ class ResponseFile : public ::testing::Test {
 };
 
 TEST_F(ResponseFile, GivesBackTheScene) {
-  const Response response = two_speeds(), back = written_and_read(response);
+  Response response = two_speeds();
+  EXPECT_EQ(written_and_read(response).scene.crest(), 6.28);
+  response.scene.largest_distortion = 7;
+  const Response back = written_and_read(response);
+  EXPECT_EQ(back.scene.crest(), 7);
   EXPECT_EQ(back.key, "abc");
   EXPECT_EQ(back.scene.nodal_diameters, response.scene.nodal_diameters);
   EXPECT_EQ(back.scene.clearance, response.scene.clearance);

@@ -46,6 +46,21 @@ TEST(Casing, IsRoundBetweenItsBumps) {
   EXPECT_EQ(casing.distortion(1.5, 0), 0.0);
 }
 
+/// A bump so narrow that the response's half degrees miss its crest, and a table whose largest value is outward.
+TEST(Casing, KnowsItsCrestsInward) {
+  const ReducedModel model = testing::synthetic_wheel({});
+  Casing casing = testing::lobed_casing(2, 1e-4, 1e-3);
+  casing.shape = CasingShape::bumps;
+  casing.crest_angle = 0.25 * pi / 180;
+  casing.bump_width = pi / 180;
+  EXPECT_EQ(casing.crests(model.contact).size(), model.contact.size());
+  EXPECT_NEAR(casing.crests(model.contact).minCoeff(), 1e-4, 1e-18);
+  casing.shape = CasingShape::table;
+  casing.amplitude = 5e-4;
+  casing.table = PeriodicTable({{0.0, 0.5e-4}, {pi / 2, -5e-4}}, pi);
+  EXPECT_NEAR(casing.crests(model.contact).maxCoeff(), 0.5e-4, 1e-7);
+}
+
 TEST(Casing, GrowsSmoothly) {
   Casing casing = testing::lobed_casing(2, 1e-4, 1e-3);
   casing.ramp_revolutions = 4;

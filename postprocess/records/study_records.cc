@@ -139,10 +139,6 @@ void append_crossing(Table& table, const Study& study, const Crossing& crossing,
 
 }  // namespace
 
-std::string motion_text(MotionClass motion, int period_beats) {
-  return name_of(motion) + (motion == MotionClass::subharmonic ? " 1/" + std::to_string(period_beats) : "");
-}
-
 std::string motion_text(const SpeedResponse& speed) {
   const std::string motion = motion_text(speed.motion, speed.period_beats);
   switch (speed.audit.symmetry) {

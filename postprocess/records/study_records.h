@@ -17,9 +17,7 @@ Table critical_speed_overview(const Study& study, const FieldResults& fields);
 Table critical_speed_motions(const Study& study);
 Table critical_speed_stresses(const Study& study, const FieldResults& fields);
 
-/// "periodic", "subharmonic 1/3", "broadband", ...
-std::string motion_text(MotionClass motion, int period_beats);
-/// The same of a speed. A motion of equal sectors that is not stable on the whole wheel is "symmetric, unstable
+/// motion_text() of a speed. A motion of equal sectors that is not stable on the whole wheel is "symmetric, unstable
 /// (periodic)"; where that is open, "symmetric, stability open (periodic)".
 std::string motion_text(const SpeedResponse& speed);
 /// The motion from rest with all nodal diameters, which is what would be seen; null unless the speed was examined and

@@ -27,7 +27,6 @@ class PositionContact final : public ContactLaw {
   const Eigen::VectorXd& multipliers() const override { return impulses_.multipliers(); }
   const Eigen::VectorXd& correction() const override { return impulses_.correction(); }
   const std::vector<int>& closed() const override { return impulses_.closed(); }
-  std::int64_t factorizations() const override { return impulses_.factorizations(); }
   std::int64_t fallbacks() const override { return impulses_.fallbacks(); }
 
  private:
@@ -71,7 +70,6 @@ class VelocityContact final : public ContactLaw {
   const Eigen::VectorXd& multipliers() const override { return multipliers_; }
   const Eigen::VectorXd& correction() const override { return correction_; }
   const std::vector<int>& closed() const override { return closed_; }
-  std::int64_t factorizations() const override { return impulses_.factorizations(); }
   std::int64_t fallbacks() const override { return impulses_.fallbacks(); }
 
  private:

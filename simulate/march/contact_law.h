@@ -27,7 +27,6 @@ class ContactLaw {
   virtual const Eigen::VectorXd& correction() const = 0;
   /// Indices of the nodes that have a force, ascending.
   virtual const std::vector<int>& closed() const = 0;
-  virtual std::int64_t factorizations() const { return 0; }
   virtual std::int64_t fallbacks() const { return 0; }
 };
 

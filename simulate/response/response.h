@@ -20,6 +20,8 @@ struct ContactLine;
 
 /// The name in response.h5: "periodic", "not settled", ...
 const char* name_of(MotionClass motion);
+/// "periodic", "subharmonic 1/3", "broadband", ...
+std::string motion_text(MotionClass motion, int period_beats);
 /// The name in response.h5: "motion" or "spectrum".
 const char* name_of(MotionMeasure measure);
 

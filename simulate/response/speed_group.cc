@@ -248,6 +248,10 @@ const char* name_of(MotionClass motion) {
   return name_in(motion_names, motion);
 }
 
+std::string motion_text(MotionClass motion, int period_beats) {
+  return name_of(motion) + (motion == MotionClass::subharmonic ? " 1/" + std::to_string(period_beats) : "");
+}
+
 const char* name_of(MotionMeasure measure) {
   return name_in(measure_names, measure);
 }

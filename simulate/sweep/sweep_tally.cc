@@ -66,11 +66,6 @@ std::string breaking_text(const std::vector<double>& speeds, BrokenSymmetry brok
 
 }  // namespace
 
-std::string motion_name(const SpeedResponse& response) {
-  return response.motion == MotionClass::subharmonic ? "subharmonic 1/" + std::to_string(response.period_beats)
-                                                     : name_of(response.motion);
-}
-
 std::string speed_line(const SpeedResponse& response) {
   std::ostringstream text;
   text << response.speed * rpm_per_rad_s << " rev/min: ";
@@ -78,7 +73,7 @@ std::string speed_line(const SpeedResponse& response) {
     text << "failed: " << response.failure;
     return text.str();
   }
-  text << motion_name(response);
+  text << motion_text(response.motion, response.period_beats);
   text << " after " << response.revolutions << " revolutions of " << response.steps_per_revolution
        << " steps, change " << response.change << " (x " << response.change_rate << " a revolution), "
        << response.contact_steps << " steps in contact, energy closing error " << response.energy.closing_error;

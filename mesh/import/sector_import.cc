@@ -145,8 +145,10 @@ PeriodicCuts found_cuts(const CellMesh& mesh, const ImportParameters& parameters
   return cuts;
 }
 
-/// Why a mesh without cuts may be a sector, or empty.
-std::string doubt_about_no_cuts(const CellMesh& mesh, const ImportParameters& parameters) {
+/// Why a mesh whose number of sectors and cuts the case leaves open may be understood wrongly, or empty.
+std::string doubt_about(const CellMesh& mesh, const PeriodicCuts& cuts, const ImportParameters& parameters) {
+  if (parameters.sector_count > 0 || !parameters.selection.at("cyclic_low").empty()) return "";
+  if (!cuts.low.empty()) return doubt_about_cuts(mesh, cuts);
   const std::string other = where_found_cuts_pair(parameters);
   if (other.empty()) return doubt_about_one_body(mesh);
   return "no face, turned about the axis, is another one; " + other +
@@ -299,8 +301,7 @@ ImportedSector import_sector(const ImportParameters& given) {
   const PeriodicCuts cuts = cuts_of(mesh, parameters);
   const std::array<Tip, 2> tips = {tip_of(mesh, parameters, {"blade_tip", "contact", {}, {}}),
                                    tip_of(mesh, parameters, {"splitter_tip", "contact_splitter", {}, {}})};
-  const bool unsure = cuts.low.empty() && parameters.sector_count == 0;
-  const std::string doubt = unsure ? doubt_about_no_cuts(mesh, parameters) : "";
+  const std::string doubt = doubt_about(mesh, cuts, parameters);
   if (!doubt.empty() && !parameters.selection.at("disc").empty()) throw InputError(mesh.file + ": " + doubt);
   const std::vector<int> clamped = select_faces(mesh, "clamped", parameters.selection.at("clamped"));
   require_held(mesh, pairs_of(mesh, cuts), clamped);

@@ -204,5 +204,34 @@ TEST(ImportedMesh, SaysAboutWhichAxisThereAreCuts) {
   EXPECT_EQ(import_sector(parameters).description.find("warning"), std::string::npos);
 }
 
+/// Symptom: a whole wheel passed as one sector of 16, because the flanks of a blade, turned, are each other.
+TEST(ImportedMesh, DoubtsCutsOfAMeshThatGoesRoundTheAxis) {
+  ForeignMesh wheel = bricks({2, 16, 1}, [](double i, double j, double k) {
+    const double angle = 2 * std::numbers::pi * j / 16;
+    return Eigen::Vector3d((1 + i) * std::cos(angle), (1 + i) * std::sin(angle), k);
+  });
+  std::erase_if(wheel.cells,
+                [](const ForeignCell& cell) { return cell.nodes[0] % 100 == 3 && cell.number % 4 == 0; });
+  constexpr long around = 3200;  // of a node's number, see bricks()
+  for (ForeignCell& cell : wheel.cells)
+    for (long& node : cell.nodes)
+      if (node % 10000 > around) node -= around;
+  std::erase_if(wheel.nodes, [](const auto& node) { return node.first % 10000 > around; });
+  std::map<std::string, std::vector<long>> sets;
+  for (const auto& [number, at] : wheel.nodes) {
+    if (number % 100 == 1) sets["clamped"].push_back(number);                               // i = 0
+    if (number % 100 == 5 && (number / 100) % 100 == 1) sets["contact"].push_back(number);  // on a blade
+  }
+  ImportParameters parameters;
+  parameters.file = {"wheel.inp", deck_of(wheel, sets)};
+  parameters.selection["clamped"] = "clamped";
+  const std::string said = import_sector(parameters).description;
+  EXPECT_NE(said.find("\nwarning: the mesh goes round the axis, and its faces that were taken for cuts may be"),
+            std::string::npos)
+      << said;
+  parameters.sector_count = 1;
+  EXPECT_EQ(import_sector(parameters).description.find("warning"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tiprub::mesh

@@ -7,6 +7,7 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
+#include "cases/program/printable.h"
 #include "mesh/import/sector_import.h"
 #include "mesh/sector/sector_check.h"
 #include "mesh/sector/sector_file.h"
@@ -17,18 +18,24 @@ namespace tiprub::mesh {
 
 namespace {
 
-/// The sector is checked in memory, because an inverted element shows only there.
-NamedMesh mesh_wheel(const StageArguments& arguments, CaseTable& table) {
-  const Wheel wheel = read_wheel(table);
+/// To be called when the table has been read, before the work.
+void after_reading(const StageArguments& arguments, const MeshOptions& options, const CaseTable& table) {
+  refuse_overwriting({options.picture, arguments.output}, table.files());
   if (arguments.verbosity == Verbosity::verbose) say(arguments, table.resolved());
+}
+
+/// The sector is checked in memory, because an inverted element shows only there.
+NamedMesh mesh_wheel(const StageArguments& arguments, const MeshOptions& options, CaseTable& table) {
+  const Wheel wheel = read_wheel(table);
+  after_reading(arguments, options, table);
   const MeshedSector mesh = mesh_sector(wheel);
   say(arguments, describe(measure_sector(mesh, wheel), mesh, wheel));
   return named_groups(mesh);
 }
 
-NamedMesh import_mesh(const StageArguments& arguments, CaseTable& table) {
+NamedMesh import_mesh(const StageArguments& arguments, const MeshOptions& options, CaseTable& table) {
   const ImportParameters parameters = read_import_parameters(table);
-  if (arguments.verbosity == Verbosity::verbose) say(arguments, table.resolved());
+  after_reading(arguments, options, table);
   ImportedSector sector = import_sector(parameters);
   require_usual_radius(table, parameters, sector.largest_radius);
   say(arguments, sector.description);
@@ -38,7 +45,7 @@ NamedMesh import_mesh(const StageArguments& arguments, CaseTable& table) {
 /// The file given by --import replaces [mesh] mesh_file.
 std::vector<std::string> settings_of(const StageArguments& arguments, const std::string& import) {
   std::vector<std::string> settings = arguments.settings;
-  if (!import.empty()) settings.push_back("mesh.mesh_file='" + std::filesystem::absolute(import).string() + "'");
+  if (!import.empty()) settings.push_back("mesh.mesh_file=" + in_quotes(std::filesystem::absolute(import).string()));
   return settings;
 }
 
@@ -52,6 +59,10 @@ CaseTable mesh_table(const CaseFile& file) {
                      ", or name your own mesh for tiprub-reduce by MESH := wheel.msh, or your own model by MODEL := "
                      "wheel.h5, in the Makefile of the case, which then needs no [mesh]");
   }
+}
+
+void require_ending(const std::string& option, const std::filesystem::path& path, const char* ending) {
+  if (path.extension() != ending) throw InputError(option + " " + path.string() + ": must end in " + ending);
 }
 
 void draw(const StageArguments& arguments, const NamedMesh& mesh, const std::filesystem::path& path) {
@@ -74,13 +85,14 @@ std::string mesh_tables(const CaseFile& file) {
 }
 
 void run_mesh(const StageArguments& arguments, const MeshOptions& options) {
-  if (!options.picture.empty() && options.picture.extension() != ".svg")
-    throw InputError("--picture " + options.picture.string() + ": must end in .svg");
+  require_ending("-o", arguments.output, ".msh");  // by the ending gmsh chooses the format
+  if (!options.picture.empty()) require_ending("--picture", options.picture, ".svg");
   refuse_overwriting({options.picture, arguments.output}, arguments.inputs);
   CaseTable table = mesh_table(CaseFile(arguments.inputs[0], settings_of(arguments, options.import)));
   std::optional<OutputLock> lock;
   if (arguments.action == Action::run) lock.emplace(arguments.output);
-  const NamedMesh mesh = is_import(table) ? import_mesh(arguments, table) : mesh_wheel(arguments, table);
+  const NamedMesh mesh =
+      is_import(table) ? import_mesh(arguments, options, table) : mesh_wheel(arguments, options, table);
   if (!options.picture.empty()) draw(arguments, mesh, options.picture);
   if (arguments.action == Action::check) return;
   OutputFile output(arguments.output);

@@ -116,10 +116,24 @@ void write_matrix(const std::filesystem::path& path, const Eigen::MatrixXcd& mat
   output.commit();
 }
 
+/// CalculiX's stiffness under spin is that of the displaced shape, with spin softening.
+void require_known_spin(const ReductionParameters& parameters) {
+  if (parameters.verification_speeds.back() == 0) return;
+  if (parameters.prestress == Prestress::stress_only)
+    throw InputError(
+        "[reduce] prestress = \"stress_only\" takes the shape at rest, which CalculiX doesn't do; take "
+        "\"linear\" or \"nonlinear\", or leave only 0 in verification_speeds");
+  if (parameters.spin_softening == SpinSoftening::off)
+    throw InputError(
+        "[reduce] spin_softening = false leaves out what CalculiX always has; take true, or leave only 0 "
+        "in verification_speeds");
+}
+
 }  // namespace
 
 void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& parameters,
                           const std::filesystem::path& folder) {
+  require_known_spin(parameters);
   if (mesh.cubic != nullptr)
     throw InputError("[reduce] element_order = 3 makes cubic bricks, which CalculiX doesn't have; leave it at 2");
   for (int cell = 0; cell < mesh.cell_count(); ++cell)

@@ -58,7 +58,7 @@ class LinearAnalysis {
         factors_(std::move(factors)),
         parts_(parts_of(mesh)),
         contact_(mesh.contact_line),
-        dofs_(number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes))),
+        dofs_(number_dofs(mesh, std::vector<int>())),
         elasticity_(mesh, dofs_, parameters.material, parameters.threads),
         mass_(elasticity_.mass()) {
     for (int n = 0; n <= mesh.sector_count / 2; ++n) transforms_.emplace_back(dofs_, mesh.sector_count, n);
@@ -246,7 +246,7 @@ void print_tip(std::ostream& out, const LinearResults& results) {
 }  // namespace
 
 LinearResults linear_results(const SectorMesh& mesh, const ReductionParameters& parameters) {
-  const MemoryNeed need = memory_need(mesh, number_dofs(mesh, choose_contact_nodes(mesh, parameters.contact_nodes)),
+  const MemoryNeed need = memory_need(mesh, number_dofs(mesh, std::vector<int>()),
                                       {.factors = 1,
                                        .stiffnesses = 1,
                                        .columns = krylov_vectors * parameters.verification_modes,

@@ -65,15 +65,18 @@ void require_metres(const SectorMesh& mesh, const ReductionParameters& parameter
 MatrixFiles matrix_files(const ReduceOptions& options) {
   constexpr std::size_t most_speeds = 2;  // besides rest: eq. 7 has three terms
   MatrixFiles files{options.matrices[0], options.matrices[1], options.matrices[2], options.matrix_dofs, {}};
-  for (std::size_t k = 0; k + 1 < options.matrices_at.size(); k += 2) {
+  for (std::size_t k = 0; k < options.matrices_at.size(); k += 2) {
     double rpm = 0;
     const std::string& word = options.matrices_at[k];
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), rpm);
     if (error != std::errc() || end != word.data() + word.size() || !(rpm > 0 && rpm < 1e8))
       throw InputError("--matrix-at " + word + ": must be a speed in rpm, more than 0, and a file");
-    files.stiffness_at.emplace_back(rpm / rpm_per_rad_s, options.matrices_at[k + 1]);
-    for (std::size_t other = 0; other < k; other += 2)
-      if (options.matrices_at[other] == word) throw InputError("--matrix-at " + word + ": is given twice");
+    if (k + 1 == options.matrices_at.size())
+      throw InputError("--matrix-at " + word + ": must be followed by the file of K at this speed");
+    const double speed = rpm / rpm_per_rad_s;
+    for (const auto& [other, file] : files.stiffness_at)
+      if (other == speed) throw InputError("--matrix-at " + word + ": is given twice");
+    files.stiffness_at.emplace_back(speed, options.matrices_at[k + 1]);
   }
   if (files.stiffness_at.size() > most_speeds)
     throw InputError("--matrix-at: K may be given at two speeds besides rest: K0 + Omega^2 K1 + Omega^4 K2");
@@ -124,6 +127,8 @@ class Outputs {
     if (!reduces && options.calculix_folder.empty()) files = {options.modes_file};
     std::vector<std::filesystem::path> inputs = arguments.inputs;
     inputs.insert(inputs.end(), options.matrices.begin(), options.matrices.end());
+    inputs.push_back(options.matrix_dofs);
+    for (std::size_t k = 1; k < options.matrices_at.size(); k += 2) inputs.push_back(options.matrices_at[k]);
     refuse_overwriting(files, inputs);
     for (const std::filesystem::path& file : files)
       if (!file.empty()) locks_.emplace_back(file);

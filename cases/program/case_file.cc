@@ -38,7 +38,6 @@ std::string shortest(double value) {
 template <class Value, class Shown>
 std::string listed(const std::vector<Value>& values, const Shown& shown) {
   std::vector<std::string> words;
-  words.reserve(values.size());
   for (const Value& value : values) words.push_back(shown(value));
   return "[" + joined(words) + "]";
 }
@@ -68,6 +67,8 @@ struct CaseTable::Node {
   };
   std::vector<Setting> settings;                         ///< what was read, in the order of reading
   std::map<std::string, std::vector<std::string>> rows;  ///< of a list: where each of its rows stands
+  /// Those that were read, also by the tables inside.
+  std::shared_ptr<std::vector<std::filesystem::path>> files = std::make_shared<std::vector<std::filesystem::path>>();
   std::vector<std::pair<std::string, std::shared_ptr<Node>>> children;
 
   std::string where(const toml::node* node) const {
@@ -105,16 +106,14 @@ struct CaseTable::Node {
     return value;
   }
   std::filesystem::path path_beside(const std::string& name) const {
-    return std::filesystem::path(file).parent_path() / name;
+    return files->emplace_back(std::filesystem::path(file).parent_path() / name);
   }
-  NamedText file_beside(const std::string& name, const std::string& kind) const {
-    return read_named_text(path_beside(name), kind);
-  }
-  /// Of the file that the key which was read last names.
-  void note_digest(const NamedText& named) {
+  /// The file that the key which was read last names.
+  NamedText noted(NamedText named) {
     Digest digest;
     digest.add(named.text);
     settings.back().digest = digest.digits();
+    return named;
   }
 
   /// A row of a list: its numbers, and where the first and the last of them stand.
@@ -123,7 +122,7 @@ struct CaseTable::Node {
     std::vector<double> numbers;
   };
   std::vector<Row> rows_of_file(const std::string& name, std::size_t columns, std::string_view meaning) const {
-    const NamedText text = file_beside(name, "a file of numbers");
+    const NamedText text = read_named_text(path_beside(name), "a file of numbers");
     std::vector<Row> found;
     for (const NumberLine& line : lines_below_heading(text)) {
       require_words(text, line, columns, meaning);
@@ -227,15 +226,11 @@ std::string CaseTable::text(std::string_view key, std::optional<std::string> fal
 }
 
 NamedText CaseTable::file(std::string_view key, std::string_view kind) {
-  NamedText file = node_->file_beside(text(key, std::nullopt), std::string(kind));
-  node_->note_digest(file);
-  return file;
+  return node_->noted(read_named_text(node_->path_beside(text(key, std::nullopt)), std::string(kind)));
 }
 
 NamedText CaseTable::large_file(std::string_view key, std::string_view kind) {
-  NamedText file = read_named_bytes(node_->path_beside(text(key, std::nullopt)), std::string(kind));
-  node_->note_digest(file);
-  return file;
+  return node_->noted(read_named_bytes(node_->path_beside(text(key, std::nullopt)), std::string(kind)));
 }
 
 std::vector<double> CaseTable::numbers(std::string_view key, std::optional<std::vector<double>> fallback,
@@ -298,6 +293,7 @@ CaseTable CaseTable::table(std::string_view key) {
   auto child = std::make_shared<Node>();
   child->file = node_->file;
   child->path = node_->path + "." + std::string(key);
+  child->files = node_->files;
   if (node != nullptr) {
     if (!node->is_table()) throw InputError(node_->where(node) + "[" + child->path + "] must be a table");
     child->values = {node_->values, node->as_table()};
@@ -329,6 +325,10 @@ void CaseTable::close() const {
       throw InputError(place(node_->file, key.source()) + "unknown key \"" + std::string(key.str()) + "\" in [" +
                        node_->path + "]" + meant(key.str(), known) + "; known: " + joined(known));
   for (const auto& [key, child] : node_->children) CaseTable(child).close();
+}
+
+const std::vector<std::filesystem::path>& CaseTable::files() const {
+  return *node_->files;
 }
 
 CaseSettings CaseTable::settings() const {

@@ -88,6 +88,8 @@ class CaseTable {
   std::string resolved() const;
   /// The values that the case itself gives: TOML with sorted keys, without defaults and comments.
   std::string written() const;
+  /// The files that were read because a key names them, for refuse_overwriting().
+  const std::vector<std::filesystem::path>& files() const;
   /// The keys and values that were read, without the tables inside this one.
   CaseSettings settings() const;
 

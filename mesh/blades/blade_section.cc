@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <sstream>
 
 #include "mesh/curves/wheel_keys.h"
@@ -59,6 +60,19 @@ void require_on_wheel(const NamedText& file, int line, const MeridionalPoint& at
   message << "a point at r = " << at.r << " m, z = " << at.z << " m; r must be " << wheel_length.describe()
           << " m, and z at most that far off: is [mesh] length_unit right?";
   refuse_line(file, line, message.str());
+}
+
+double angle_beside(double other, double angle) {
+  constexpr double turn = 2 * std::numbers::pi;
+  return angle - turn * std::round((angle - other) / turn);
+}
+
+void count_angles_on(std::vector<BladeSection>& sections) {
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    for (std::size_t i = 0; i < sections[k].size(); ++i)
+      if (i > 0 || k > 0)
+        sections[k][i].theta =
+            angle_beside(i > 0 ? sections[k][i - 1].theta : sections[k - 1].front().theta, sections[k][i].theta);
 }
 
 BladeSection upright_section(const NamedText& file, int line, BladeSection section) {

@@ -58,6 +58,12 @@ std::vector<double> fractions_of_length(const BladeSection& section);
 /// Where half of the meridional length lies on either side.
 MeridionalPoint mid_chord(const BladeSection& section);
 
+/// An angle [rad], by whole turns the one nearest to another: files may count angles from -pi to pi.
+double angle_beside(double other, double angle);
+
+/// Takes jumps by whole turns out of the angles, from point to point and from section to section.
+void count_angles_on(std::vector<BladeSection>& sections);
+
 /// The section with positive half widths, whichever side the file gives first. Raises InputError at `line`, where the
 /// section begins, if it has too few points, if two of them coincide, or if its sides cross.
 BladeSection upright_section(const NamedText& file, int line, BladeSection section);

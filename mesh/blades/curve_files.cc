@@ -227,6 +227,7 @@ FileBlade read_profile_curve(const NamedText& file, double length, const Meridio
     if (loop.size() > most_points) refuse_line(file, line.number, "more points than any profile has");
   }
   end_profile();
+  count_angles_on(blade.sections);
   require_blade(file, blade.sections);
   return blade;
 }

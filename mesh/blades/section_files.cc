@@ -22,7 +22,7 @@ BladePoint section_point(const NamedText& file, const NumberLine& line, const Fi
   const MeridionalPoint at{number(0, "z") * units.length, number(1, "r") * units.length};
   require_on_wheel(file, line.number, at);
   const double one = angle_in(file, line, 2, "theta of side 1", units.angle);
-  const double other = angle_in(file, line, 3, "theta of side 2", units.angle);
+  const double other = angle_beside(one, angle_in(file, line, 3, "theta of side 2", units.angle));
   return {at, 0.5 * (one + other), 0.5 * (one - other)};
 }
 
@@ -189,6 +189,7 @@ FileBlade read_section_table(const NamedText& file, const FileUnits& units) {
     }
   }
   close();
+  count_angles_on(blade.sections);
   require_blade(file, blade.sections);
   return blade;
 }

@@ -49,17 +49,17 @@ class BdfReader : MeshReader {
   /// The name and eight fields (or four large ones); those that the line lacks are empty.
   std::vector<std::string> fields_of(std::string_view line) const {
     std::vector<std::string> fields;
-    std::size_t data = 8;
-    if (line.find(',') != std::string_view::npos) {
+    const bool free = line.find(',') != std::string_view::npos;
+    const std::string_view name = line.substr(0, free ? line.find(',') : small_width);
+    const bool large = name.find('*') != std::string_view::npos;
+    const std::size_t data = large ? 4 : 8;  // a further field names the next line
+    if (free) {
       for (const std::string_view field : comma_fields(line)) fields.emplace_back(field);
-      if (fields.size() > data + 1) fields.resize(data + 1);  // a further field names the next line
     } else {
-      fields.emplace_back(trimmed(line.substr(0, small_width)));
-      const bool large = fields[0].find('*') != std::string::npos;
-      data = large ? 4 : 8;
+      fields.emplace_back(trimmed(name));
       const std::string_view rest = line.substr(std::min(small_width, line.size()));
       for (const std::string_view field : column_fields(rest, large ? large_width : small_width))
-        if (fields.size() <= data) fields.emplace_back(field);
+        fields.emplace_back(field);
     }
     fields.resize(data + 1);
     return fields;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ansys' archive, as CDWRITE makes it: NBLOCK and EBLOCK in columns, components as CMBLOCK.
+// Ansys' archive, as CDWRITE makes it: ETBLOCK, NBLOCK and EBLOCK in columns, components as CMBLOCK.
 #include <algorithm>
 #include <map>
 
@@ -25,6 +25,7 @@ class CdbReader : MeshReader {
       if (words.empty()) continue;
       const std::string name = upper(words[0]);
       if (name == "ET" && words.size() > 2) types_[whole(words[1])] = type_of(words[2]);
+      if (name == "ETBLOCK") read_types();
       if (name == "NBLOCK") read_nodes();
       if (name == "EBLOCK") read_elements(words);
       if (name == "CMBLOCK") read_component(words);
@@ -59,6 +60,18 @@ class CdbReader : MeshReader {
         columns.whole_width > most || columns.number_width > most)
       lines_.refuse("must be the columns of the block, as (3i9,6e21.13e3) or (19i10)");
     return columns;
+  }
+
+  /// Of each type its number and Ansys' own.
+  void read_types() {
+    const Columns columns = read_columns();
+    while (const auto line = lines_.next()) {
+      const std::vector<std::string_view> fields = column_fields(*line, columns.whole_width);
+      if (!fields.empty() && fields[0] == "-1") return;
+      if (fields.size() < 2) lines_.refuse("an element type has a number and Ansys' number");
+      types_[whole(fields[0])] = type_of(fields[1]);
+    }
+    lines_.refuse("the block of element types has no end; is the file cut off?");
   }
 
   void read_nodes() {

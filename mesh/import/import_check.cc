@@ -50,6 +50,10 @@ double largest_gap(const CellMesh& mesh) {
   return gap;
 }
 
+bool goes_round(const CellMesh& mesh) {
+  return largest_gap(mesh) < std::numbers::pi / 2;
+}
+
 }  // namespace
 
 std::string extent_of(const CellMesh& mesh, const std::vector<int>& faces) {
@@ -67,8 +71,16 @@ std::string extent_of(const CellMesh& mesh, const std::vector<int>& faces) {
   return text.str();
 }
 
+std::string doubt_about_cuts(const CellMesh& mesh, const PeriodicCuts& cuts) {
+  if (!goes_round(mesh)) return "";
+  return "the mesh goes round the axis, and its faces that were taken for cuts may be the flanks of blades; set "
+         "[mesh] "
+         "sector_count = 1 if it is a whole wheel, or " +
+         std::to_string(cuts.sector_count) + " if it is a sector";
+}
+
 std::string doubt_about_one_body(const CellMesh& mesh) {
-  if (largest_gap(mesh) < std::numbers::pi / 2) return "";
+  if (goes_round(mesh)) return "";
   return "no face, turned about the axis, is another one, so that this is one body without neighbours; if it is a "
          "sector, mesh both cuts alike (gmsh: Periodic Surface), else set [mesh] sector_count = 1";
 }

@@ -12,6 +12,10 @@ namespace tiprub::mesh {
 /// stiffness would be singular. The pairs of faces of the cuts hold bodies together, too. `clamped` are free faces.
 void require_held(const CellMesh& mesh, const PeriodicCuts& pairs, const std::vector<int>& clamped);
 
+/// What is doubtful about cuts that a search found in a mesh that goes round the axis: the flanks of a whole wheel's
+/// blades may be turned into each other. Empty if a quarter turn or more is free of nodes.
+std::string doubt_about_cuts(const CellMesh& mesh, const PeriodicCuts& cuts);
+
 /// What is doubtful about a mesh without cuts that does not go round the axis: a quarter turn or more is free of its
 /// nodes. Empty if nothing is.
 std::string doubt_about_one_body(const CellMesh& mesh);

@@ -45,6 +45,8 @@ class InpReader : MeshReader {
       const Keyword keyword = keyword_of(*line);
       if (keyword.name == "INCLUDE")
         lines_.refuse("*INCLUDE leads to another file; give the file that holds the mesh, or put both into one");
+      if (keyword.name == "INSTANCE") require_unmoved();
+      if (keyword.name == "SYSTEM" && data()) refuse_system("*SYSTEM");
       if (keyword.name == "NODE") read_nodes(keyword);
       if (keyword.name == "ELEMENT") read_elements(keyword);
       if (keyword.name == "NSET") read_set(keyword, keyword.value("NSET"), mesh_.node_sets);
@@ -65,7 +67,26 @@ class InpReader : MeshReader {
     return std::nullopt;
   }
 
+  /// A line of data after *INSTANCE shifts the part, a second one turns it by its last number.
+  void require_unmoved() {
+    constexpr std::size_t angle = 6;  // behind two points of the axis
+    while (const auto line = data()) {
+      const std::vector<std::string_view> fields = comma_fields(*line);
+      for (std::size_t k = fields.size() > angle ? angle : 0; k < fields.size(); ++k)
+        if (!fields[k].empty() && lines_.number_in(fields[k], "a shift or an angle") != 0)
+          lines_.refuse(
+              "*INSTANCE shifts or turns its part, which is read where *NODE has it; write the part in its "
+              "place in the wheel");
+    }
+  }
+
+  [[noreturn]] void refuse_system(const std::string& keyword) const {
+    lines_.refuse(keyword + " gives coordinates in another system; write them as global x, y, z");
+  }
+
   void read_nodes(const Keyword& keyword) {
+    if (const std::string system = upper(keyword.value("SYSTEM")); !system.empty() && system != "R")
+      refuse_system("*NODE, SYSTEM=" + system);
     while (const auto line = data()) {
       const std::vector<std::string_view> fields = comma_fields(*line);
       const Eigen::Vector3d at = point_in(fields, 1);
@@ -127,6 +148,7 @@ class InpReader : MeshReader {
 
   void read_set(const Keyword& keyword, const std::string& name, std::map<std::string, std::vector<long>>& sets) {
     std::vector<long> set;
+    if (keyword.name == "NSET" && keyword.has("ELSET")) add_nodes_of(keyword.value("ELSET"), set);
     while (const auto line = data()) {
       const std::vector<std::string_view> fields = comma_fields(*line);
       if (keyword.has("GENERATE")) {
@@ -143,6 +165,25 @@ class InpReader : MeshReader {
       }
     }
     sets[name].insert(sets[name].end(), set.begin(), set.end());
+  }
+
+  void add_nodes_of(const std::string& cell_set, std::vector<long>& set) {
+    const auto cells = mesh_.cell_sets.find(cell_set);
+    if (cells == mesh_.cell_sets.end())
+      lines_.refuse("\"" + cell_set + "\" must be a set of elements that stands before");
+    for (const long number : cells->second) {
+      const ForeignCell* cell = cell_numbered(number);
+      const auto other = mesh_.others.find(number);
+      if (cell != nullptr) set.insert(set.end(), cell->nodes.begin(), cell->nodes.end());
+      if (other != mesh_.others.end()) set.insert(set.end(), other->second.begin(), other->second.end());
+    }
+  }
+
+  /// Null if the element is no solid that was read before.
+  const ForeignCell* cell_numbered(long number) {
+    for (std::size_t k = cell_of_.size(); k < mesh_.cells.size(); ++k) cell_of_.emplace(mesh_.cells[k].number, k);
+    const auto known = cell_of_.find(number);
+    return known == cell_of_.end() ? nullptr : &mesh_.cells[known->second];
   }
 
   /// A surface is a set of nodes or of faces of elements: "12, S3" or "set, S3".
@@ -169,11 +210,9 @@ class InpReader : MeshReader {
   }
 
   void add_face(long cell, const std::string& face, std::vector<long>& set) {
-    if (cell_of_.size() != mesh_.cells.size())
-      for (std::size_t k = cell_of_.size(); k < mesh_.cells.size(); ++k) cell_of_.emplace(mesh_.cells[k].number, k);
-    const auto known = cell_of_.find(cell);
-    if (known == cell_of_.end()) return;  // the face of a shell
-    const std::vector<long>& nodes = mesh_.cells[known->second].nodes;
+    const ForeignCell* known = cell_numbered(cell);
+    if (known == nullptr) return;  // the face of a shell
+    const std::vector<long>& nodes = known->nodes;
     const CellKind& kind = cell_kind(static_cast<int>(nodes.size()));
     // The corners of faces 1, 2, ... of a tetrahedron, a wedge and a brick.
     static const std::map<int, std::vector<std::vector<int>>> faces = {

@@ -123,9 +123,13 @@ std::string where_cuts_pair(const ImportParameters& parameters, const CutsIn& cu
   return "";
 }
 
+std::string where_found_cuts_pair(const ImportParameters& parameters) {
+  return where_cuts_pair(parameters,
+                         [](const CellMesh& given, int count) { return whole_cuts(given, find_cuts(given, count)); });
+}
+
 [[noreturn]] void refuse_cuts(const CellMesh& mesh, const ImportParameters& parameters) {
-  const std::string other = where_cuts_pair(
-      parameters, [](const CellMesh& given, int count) { return whole_cuts(given, find_cuts(given, count)); });
+  const std::string other = where_found_cuts_pair(parameters);
   throw InputError(mesh.file + ": no face, turned by 360/" + std::to_string(parameters.sector_count) +
                    " degrees about the axis, is another one; " +
                    (other.empty() ? "is axis right, is the mesh on both cuts the same (gmsh: Periodic Surface), and "
@@ -139,6 +143,16 @@ PeriodicCuts found_cuts(const CellMesh& mesh, const ImportParameters& parameters
   if (cuts.low.empty() && parameters.sector_count > 1) refuse_cuts(mesh, parameters);
   require_whole(mesh, cuts);
   return cuts;
+}
+
+/// Why a mesh whose number of sectors and cuts the case leaves open may be understood wrongly, or empty.
+std::string doubt_about(const CellMesh& mesh, const PeriodicCuts& cuts, const ImportParameters& parameters) {
+  if (parameters.sector_count > 0 || !parameters.selection.at("cyclic_low").empty()) return "";
+  if (!cuts.low.empty()) return doubt_about_cuts(mesh, cuts);
+  const std::string other = where_found_cuts_pair(parameters);
+  if (other.empty()) return doubt_about_one_body(mesh);
+  return "no face, turned about the axis, is another one; " + other +
+         ": set these, or, if this is one body without neighbours, sector_count = 1";
 }
 
 /// The cuts that the case names.
@@ -287,8 +301,7 @@ ImportedSector import_sector(const ImportParameters& given) {
   const PeriodicCuts cuts = cuts_of(mesh, parameters);
   const std::array<Tip, 2> tips = {tip_of(mesh, parameters, {"blade_tip", "contact", {}, {}}),
                                    tip_of(mesh, parameters, {"splitter_tip", "contact_splitter", {}, {}})};
-  const bool unsure = cuts.low.empty() && parameters.sector_count == 0;
-  const std::string doubt = unsure ? doubt_about_one_body(mesh) : "";
+  const std::string doubt = doubt_about(mesh, cuts, parameters);
   if (!doubt.empty() && !parameters.selection.at("disc").empty()) throw InputError(mesh.file + ": " + doubt);
   const std::vector<int> clamped = select_faces(mesh, "clamped", parameters.selection.at("clamped"));
   require_held(mesh, pairs_of(mesh, cuts), clamped);

@@ -22,41 +22,50 @@ constexpr int most_sectors = 1000;
 const char* key_of_width(const CaseTable& table, const SectorPlan& plan, double span) {
   if (plan.elements.fillet > 0) return "fillet_radius";
   if (table.has("blade_file")) return "blade_file";
-  return span == 0.0 ? "thickness_root" : "thickness_tip";
+  return span < 0.5 ? "thickness_root" : "thickness_tip";
 }
 
-[[noreturn]] void refuse_width(const CaseTable& table, const char* key, double station, double width, double room) {
+struct Place {
+  double station, span;
+};
+
+[[noreturn]] void refuse_width(const CaseTable& table, const SectorPlan& plan, const Place& at, double width,
+                               double room) {
   std::ostringstream text;
-  text << "makes blades cross: at " << station << " of the meridional length they take " << width
-       << " rad of the circle, and have " << room
+  text << "makes blades cross: at " << at.station << " of the meridional length and " << at.span
+       << " of the way from hub to tip they take " << width << " rad of the circle, and have " << room
        << " rad; make the blade or its fillet thinner, or its angle smaller";
-  table.reject(key, text.str());
+  table.reject(key_of_width(table, plan, at.span), text.str());
 }
 
 // At the hub the columns of a splitter also exist upstream of it.
-bool splitter_is_at(const SectorPlan& plan, double station, double span) {
-  return plan.blades == Blades::main_and_splitter && (span == 0.0 || station >= plan.splitter_start);
+bool splitter_is_at(const SectorPlan& plan, const Place& at) {
+  return plan.blades == Blades::main_and_splitter && (at.span == 0.0 || at.station >= plan.splitter_start);
 }
 
 // Neighbours must not meet in the narrower of the two passages; at the hub neither may reach the sector's cut, which
 // halves the passage behind the splitter.
-void check_widths_at(const CaseTable& table, const Wheel& wheel, double station, double span) {
+void check_widths_at(const CaseTable& table, const Wheel& wheel, const Place& at) {
   const SectorPlan& plan = wheel.plan;
-  const bool has_splitter = splitter_is_at(plan, station, span);
-  const double main = wheel.geometry->half_width(BladeKind::main, station, span);
-  const double neighbour = has_splitter ? wheel.geometry->half_width(BladeKind::splitter, station, span) : main;
+  const bool has_splitter = splitter_is_at(plan, at);
+  const double main = wheel.geometry->half_width(BladeKind::main, at.station, at.span);
+  const double neighbour = has_splitter ? wheel.geometry->half_width(BladeKind::splitter, at.station, at.span) : main;
   const double passage = has_splitter ? 1.0 - plan.splitter_pitch : 1.0;
   const double narrower = has_splitter ? std::min(plan.splitter_pitch, passage) : 1.0;
   if (main + neighbour >= narrower * plan.pitch())
-    refuse_width(table, key_of_width(table, plan, span), station, main + neighbour, narrower * plan.pitch());
+    refuse_width(table, plan, at, main + neighbour, narrower * plan.pitch());
   const double to_cut = 0.5 * passage * plan.pitch();
-  if (span == 0.0 && std::max(main, neighbour) >= to_cut)
-    refuse_width(table, key_of_width(table, plan, span), station, std::max(main, neighbour), to_cut);
+  if (at.span == 0.0 && std::max(main, neighbour) >= to_cut)
+    refuse_width(table, plan, at, std::max(main, neighbour), to_cut);
 }
 
 void check_widths(const CaseTable& table, const Wheel& wheel) {
-  for (int half = 0; half <= 2 * wheel.plan.elements.chord; ++half)
-    for (double span : {0.0, 1.0}) check_widths_at(table, wheel, wheel.plan.station(half), span);
+  const SectorPlan& plan = wheel.plan;
+  for (int half = 0; half <= 2 * plan.elements.chord; ++half) {
+    const double station = plan.station(half), fillet_end = wheel.geometry->fillet_end(station);
+    for (int layer = 0; layer <= 2 * plan.elements.span; ++layer)
+      check_widths_at(table, wheel, {station, plan.span(layer, fillet_end)});
+  }
 }
 
 // The key is also read for a wheel without splitters, so that the message can say what is wrong.

@@ -16,6 +16,7 @@ namespace tiprub::reduce {
 namespace {
 
 constexpr int most_rows = 30000000;
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // before what Excel writes as "CSV UTF-8"
 
 /// A text file line by line.
 class Lines {
@@ -27,7 +28,7 @@ class Lines {
   bool next(std::string& line) {
     if (!std::getline(in_, line)) return false;
     if (line.ends_with('\r')) line.pop_back();
-    ++number_;
+    if (++number_ == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     return true;
   }
   [[noreturn]] void refuse(const std::string& message) const {

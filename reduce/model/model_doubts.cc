@@ -3,6 +3,8 @@
 
 #include <sstream>
 
+#include "cases/program/units.h"
+
 namespace tiprub {
 
 namespace {
@@ -18,8 +20,8 @@ std::string shift_doubts(const Eigen::MatrixX3d& position, const Eigen::MatrixX3
   const double share = moved.cwiseQuotient(position.col(0)).maxCoeff(&node);
   if (share <= largest_shift) return "";
   std::ostringstream text;
-  text << "warning: spin moves the tip by " << moved[node] << " m at " << speed << " rad/s, " << 100 * share
-       << " % of its radius: are young_modulus [Pa], density [kg/m^3] and the speed right? ";
+  text << "warning: spin moves the tip by " << moved[node] << " m at " << speed * rpm_per_rad_s << " rpm, "
+       << 100 * share << " % of its radius: are young_modulus [Pa], density [kg/m^3] and the speed right? ";
   return text.str();
 }
 
@@ -32,10 +34,10 @@ std::string doubts(const ReducedModel& model) {
     text << "warning: the shape under spin leaves " << 100 * shape->imbalance
          << " % of the load out of balance between its speeds, more than polynomial_tolerance ("
          << 100 * shape->tolerance << " %); ";
-  const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
-  if (misfit.size() > 0 && misfit.maxCoeff() > tolerable_misfit)
+  const double misfit = polynomial_misfit(model).value_or(0);
+  if (misfit > tolerable_misfit)
     text << "warning: the shape changes too much for eq. 7 between its speeds, frequencies are off by up to "
-         << 100 * misfit.maxCoeff()
+         << 100 * misfit
          << " %; lower speed_max_rpm, leave polynomial_speeds at 0, or take prestress = \"linear\", for which eq. 7 "
             "is "
             "exact; ";

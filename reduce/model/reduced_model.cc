@@ -29,9 +29,8 @@ constexpr double unit_tolerance = 1e-6;
 constexpr double arc_tolerance = 1e-3;                // of a step along the contact line
 constexpr double half_circle = std::numbers::pi / 2;  // arc over chord: no tip bends more between two nodes
 constexpr double full_turn = 2 * std::numbers::pi;
-constexpr double most_twist = std::numbers::pi / 2;  // [rad] of a tip, from one contact node to the next
-constexpr double most_inward = -0.1;                 // mean radial component of the normals
-constexpr double least_distance = 1e-9;              // of the radius, between two contact nodes
+constexpr double most_inward = -0.1;     // mean radial component of the normals
+constexpr double least_distance = 1e-9;  // of the radius, between two contact nodes
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw FileError(message);
@@ -99,17 +98,13 @@ void check_normals(const ContactLine& contact, const std::string& name) {
   require(outward > most_inward, text.str());
 }
 
-/// Angles in degrees are told by their size, or by a tip that seems to turn by more than a quarter from node to node.
+/// Angles in degrees are told by their size.
 void check_place(const ContactLine& contact, Eigen::Index k, const std::string& name) {
   const double radius = contact.position(k, 0), theta = contact.position(k, 1);
   std::ostringstream place;
-  place
-      << name << ": /contact/position: row " << k << " has r = " << radius << " m and theta = " << theta
-      << " rad; r must be above 0, and theta within a turn, and within a quarter of one from node to node: is it in "
-         "degrees?";
-  const bool follows = k > 0 && k != contact.trailing_edge() + 1;
-  const double step = follows ? std::remainder(theta - contact.position(k - 1, 1), full_turn) : 0;
-  require(radius > 0 && std::abs(theta) <= full_turn && std::abs(step) <= most_twist, place.str());
+  place << name << ": /contact/position: row " << k << " has r = " << radius << " m and theta = " << theta
+        << " rad; r must be above 0, and theta within a turn: is it in degrees?";
+  require(radius > 0 && std::abs(theta) <= full_turn, place.str());
 }
 
 /// A splitter has the main blade's arc lengths, so that these do not tell its nodes from the main blade's.
@@ -210,11 +205,10 @@ void check(const MeshError& error, Eigen::Index nodal_diameters, Eigen::Index co
 
 /// Eq. 7 is exact for linear prestress, and nonlinear prestress is exact but for eq. 7.
 ModelledEffect spin_stiffness(const ReducedModel& model) {
-  const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
   const bool whole = model.prestress == Prestress::nonlinear && model.spin_softening == SpinSoftening::on;
   ModelledEffect effect{Effect::spin_stiffness, whole ? Treatment::modelled : Treatment::simplified,
                         model.stiffness_under_spin() + " prestress"};
-  if (model.prestress == Prestress::nonlinear && misfit.size() > 0) effect.size = misfit.maxCoeff();
+  if (model.prestress == Prestress::nonlinear) effect.size = polynomial_misfit(model);
   return effect;
 }
 
@@ -310,6 +304,15 @@ void check(const ReducedModel& model, const std::string& name) {
           name + ": /nodal_diameter/" + std::to_string(n));
   check(model.verification, model.nodal_diameters.size(), name);
   if (model.mesh_error) check(*model.mesh_error, expected, model.contact.size(), name + ": /mesh_error");
+}
+
+std::optional<double> polynomial_misfit(const ReducedModel& model) {
+  const Verification& verified = model.verification;
+  std::optional<double> largest;
+  for (Eigen::Index row = 0; row < verified.polynomial_misfit.rows(); ++row)
+    if (verified.speeds[row] <= model.speed_max)
+      largest = std::max(largest.value_or(0), verified.polynomial_misfit.row(row).maxCoeff());
+  return largest;
 }
 
 ModelError model_error(const ReducedModel& model, int most) {

@@ -145,6 +145,10 @@ void check(const ReducedModel& model, const std::string& name);
 /// it; 16 hexadecimal digits (see cases/program/digest.h). What is made from a model carries it.
 std::string digest(const ReducedModel& model);
 
+/// [1] The largest error of a frequency that is due to eq. 7 alone, at the verified speeds up to speed_max: the model
+/// holds no further. None where eq. 7 is exact or no such speed was verified.
+std::optional<double> polynomial_misfit(const ReducedModel& model);
+
 /// A model's frequencies against those of the unreduced sector that it came with.
 struct ModelError {
   int frequencies = 0;  ///< of the wheel, from the lowest; 0: the model came without any to compare with

@@ -2,6 +2,8 @@
 #include "reduce/model/reduced_model_file.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -215,9 +217,26 @@ void require_own_frequencies(const ReducedModel& model, const std::string& path)
     for (const Eigen::Index row : std::set<Eigen::Index>{0, rows - 1}) require_own_frequencies(model, n, row, path);
 }
 
-/// A digest says that the numbers belong together; those of a model without one are compared.
+/// Angles in degrees are also told by a tip that seems to turn by more than a quarter from node to node.
+void require_radians(const ContactLine& contact, const std::string& path) {
+  constexpr double turn = 2 * std::numbers::pi;
+  for (Eigen::Index k = 1; k < contact.size(); ++k) {
+    const double before = contact.position(k - 1, 1), theta = contact.position(k, 1);
+    if (k == contact.trailing_edge() + 1 || std::abs(std::remainder(theta - before, turn)) <= turn / 4) continue;
+    std::ostringstream text;
+    text << path << ": /contact/position: theta goes from " << before << " rad in row " << k - 1 << " to " << theta
+         << " rad in the next, more than a quarter of a turn: is it in degrees?";
+    throw FileError(text.str());
+  }
+}
+
+/// A digest says that a program wrote these numbers and that they belong together. Those of a model by hand are
+/// compared with each other.
 void require_whole(const Hdf5File& file, const ReducedModel& model) {
-  if (!file.has_attribute("/", "digest")) return require_own_frequencies(model, file.path());
+  if (!file.has_attribute("/", "digest")) {
+    require_radians(model.contact, file.path());
+    return require_own_frequencies(model, file.path());
+  }
   if (file.text_attribute("/", "digest") != digest(model))
     throw FileError(file.path() +
                     ": its numbers are not those that were written (attribute `digest`): it was damaged or changed; "
@@ -320,8 +339,8 @@ ReducedModel read_model(const std::filesystem::path& path) {
     model.nodal_diameters.push_back(read_nodal_diameter(file, group_of(n)));
   model.verification = read_verification(file, model.nodal_diameter_max());
   model.mesh_error = read_mesh_error(file);
-  model.effects = file.exists("/effects") ? read_effects(file) : effects_of(model);
   check(model, path.string());
+  model.effects = file.exists("/effects") ? read_effects(file) : effects_of(model);
   require_whole(file, model);
   return model;
 }

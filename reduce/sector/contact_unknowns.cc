@@ -181,7 +181,7 @@ Eigen::MatrixXd scaled(const SectorMesh& mesh, const BladeTip& blade, const TipI
 
 /// Whether the displacements of the segments are independent of each other.
 bool independent(const Eigen::MatrixXd& weights) {
-  constexpr double least_pivot = 1e-6;  // of the largest
+  constexpr double least_pivot = 1e-2;  // of the largest; 0.3 or more up to the nodes along a tip, below 1e-5 beyond
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weights.transpose());
   qr.setThreshold(least_pivot);
   return qr.rank() == weights.rows();
@@ -318,8 +318,10 @@ SectorDofs number_dofs(const SectorMesh& mesh, const ContactUnknowns& contact) {
 }
 
 ContactUnknowns choose_contact(const SectorMesh& mesh, std::optional<ContactKind> kind, int count) {
-  const std::vector<int> nodes = choose_contact_nodes(mesh, count);
-  if (kind.value_or(usual_kind(mesh)) == ContactKind::points) return {nodes, describe_contact(mesh, nodes)};
+  if (kind.value_or(usual_kind(mesh)) == ContactKind::points) {
+    const std::vector<int> nodes = choose_contact_nodes(mesh, count);
+    return {nodes, describe_contact(mesh, nodes)};
+  }
   const CubicFunctions* cubic = mesh.cubic.get();
   const BladeTip main = {"blade_tip",    "contact",         "main blade",
                          mesh.tip_faces, mesh.contact_line, cubic == nullptr ? nullptr : &cubic->tip_faces};

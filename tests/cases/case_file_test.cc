@@ -131,6 +131,18 @@ TEST_F(GoodCase, TakesListsFromFilesBesideIt) {
   EXPECT_EQ(table.resolved(), "speeds = [1, 2.5]  # rpm\ncurve = [[0, 1], [1, 2]]  # m\n");  // not the files' names
 }
 
+/// Symptom: the mesh that a case names was overwritten by what was made of it.
+TEST_F(GoodCase, TellsTheFilesThatWereRead) {
+  write(path("speeds.csv"), "1\n2.5\n");
+  write(path("blade.txt"), "section");
+  CaseTable table =
+      file("[mesh]\nblade = \"blade.txt\"\nlength = 1\n[mesh.inner]\nspeeds = \"speeds.csv\"\n").table("mesh");
+  EXPECT_TRUE(table.files().empty());
+  table.file("blade", "a blade file");
+  table.table("inner").numbers("speeds", std::nullopt, Range::any(), "rpm");
+  EXPECT_EQ(table.files(), (std::vector{path("blade.txt"), path("speeds.csv")}));
+}
+
 /// What a file that a list is taken from holds, and the message about it after its name.
 class WrongList : public TemporaryFolder, public ::testing::WithParamInterface<Wrong> {};
 

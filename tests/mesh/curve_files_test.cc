@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <ostream>
+#include <sstream>
 
 namespace tiprub::mesh::curve_files_test {
 namespace {
@@ -64,6 +66,27 @@ TEST(CurveFiles, RefusesABladeThatDoesNotReachTheHub) {
               cut_to_path(blade, hub_path, shroud_path, 0.0, "profile.curve", "hub.curve");
             }).find("m above hub.curve at 0 of its length; its first profile must lie on the hub or below"),
             std::string::npos);
+}
+
+/// Symptom: a blade near theta = 180 degrees, whose lean leads across, was refused as having inverted elements.
+TEST(CurveFiles, CountTheAnglesOnFromProfileToProfile) {
+  const MeridionalPath path = read_path_curve({"hub.curve", hub}, 1.0);
+  const auto blade = [&](double turn) {
+    std::ostringstream text;
+    for (int k = 0; k < 4; ++k) {
+      text << "# Profile\n";
+      for (int i = 0; i < 6; ++i) {
+        const int along = i < 4 ? i : 6 - i, side = i % 3 == 0 ? 0 : i < 3 ? 1 : -1;
+        const double r = 0.1 + 0.02 * k, theta = turn + 0.1 * k + 0.05 * along + 0.01 * side;
+        text << r * std::cos(theta) << " " << r * std::sin(theta) << " " << 0.01 * along << "\n";
+      }
+    }
+    return read_profile_curve({"profile.curve", text.str()}, 1.0, path);
+  };
+  const FileBlade at_zero = blade(0.0), across = blade(2.95);
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t i = 0; i < at_zero.sections[k].size(); ++i)
+      EXPECT_NEAR(across.sections[k][i].theta - at_zero.sections[k][i].theta, 2.95, 1e-4);
 }
 
 TEST(CurveFiles, SaysWhatIsWrongAndWhere) {

@@ -90,3 +90,36 @@ expect_message(import_msh_of_faces_only ${msh} OLD "4\n1 17 2 1 1 1 2 3 4 5 6 7 
                ERRORS "brick.msh: holds no cells; mesh in three dimensions (gmsh -3), and name the volume too")
 expect_message(picture_of_a_mesh ARGUMENTS case.toml --check --picture mesh.svg ERRORS "drew mesh.svg" WRITES mesh.svg)
 expect_message(picture_of_no_drawing ARGUMENTS case.toml --check --picture mesh.png EXIT_CODE 2 ERRORS "--picture mesh.png: must end in .svg")
+# Symptom: the mesh that was imported was overwritten.
+set(own INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/import.toml=case.toml ${bricks}/brick.msh EXIT_CODE 2)
+set(own_sets --set "mesh.clamped=" --set "mesh.contact=")
+expect_message(import_over_itself ${own} FILE case.toml OLD "brick.inp" NEW "brick.msh" ARGUMENTS case.toml -o ./brick.msh ${own_sets}
+               ERRORS "./brick.msh: would be written over brick.msh, which this run reads or writes too; give it another name")
+expect_message(import_over_the_option ${own} ARGUMENTS case.toml --import brick.msh -o brick.msh ${own_sets} ERRORS "brick.msh: would be written over ")
+expect_message(import_under_its_picture ${own} INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/import.toml=case.toml ${bricks}/brick.msh=brick.svg
+               ARGUMENTS case.toml --import brick.svg --picture brick.svg --set "mesh.mesh_format='msh'" ${own_sets} ERRORS "brick.svg: would be written over ")
+# Symptom: gmsh takes its format from the ending, and the message asked whether the disk was full.
+expect_message(import_into_another_format ARGUMENTS case.toml -o sector.unv EXIT_CODE 2 ERRORS "-o sector.unv: must end in .msh")
+expect_message(import_of_an_apostrophe INPUTS ${CMAKE_CURRENT_SOURCE_DIR}/import.toml=case.toml ${bricks}/brick.msh=f'x.msh
+               ARGUMENTS case.toml --import f'x.msh ${own_sets} --check ERRORS "f'x.msh: 20 nodes, 1 hex20")
+# Symptom: each of these was passed over without a word, and the mesh was another one than the file's.
+expect_message(import_bdf_of_large_free_fields ARGUMENTS case.toml --import brick.bdf ${other} FILE brick.bdf
+               OLD "GRID*                  5               0 4.000000000E+01-1.000000000E+01\n*        5.000000000E+00" NEW "GRID*,5,,40.0,-10.0,*A\n*A,20.0"
+               ERRORS "z from -0.005 to 0.02 m")
+set(instance OLD "*NSET, NSET=clamped")
+expect_message(import_of_an_instance_in_place ${instance} NEW "*INSTANCE, NAME=a, PART=p\n0., 0., 0.\n0., 0., 0., 0., 0., 1., 0.\n*NSET, NSET=clamped" WRITES sector.msh)
+expect_message(import_of_an_instance_shifted ${instance} NEW "*INSTANCE, NAME=a, PART=p\n0., 0., 0.5\n*NSET, NSET=clamped" EXIT_CODE 2
+               ERRORS "brick.inp:29: *INSTANCE shifts or turns its part, which is read where *NODE has it; write the part in its place in the wheel")
+expect_message(import_of_an_instance_turned ${instance} NEW "*INSTANCE, NAME=a, PART=p\n0., 0., 0.\n0., 0., 0., 0., 0., 1., 30.\n*NSET, NSET=clamped" EXIT_CODE 2
+               ERRORS "brick.inp:30: *INSTANCE shifts or turns its part")
+expect_message(import_of_cylindrical_nodes OLD "*Node, nset=all" NEW "*Node, nset=all, system=c" EXIT_CODE 2
+               ERRORS "brick.inp:4: *NODE, SYSTEM=C gives coordinates in another system; write them as global x, y, z")
+expect_message(import_of_a_system OLD "*Node, nset=all" NEW "*SYSTEM\n0., 0., 1.\n*Node, nset=all" EXIT_CODE 2
+               ERRORS "brick.inp:5: *SYSTEM gives coordinates in another system")
+expect_message(import_nodes_of_elements ${instance} NEW "*NSET, NSET=whole, ELSET=solid\n*NSET, NSET=clamped" ARGUMENTS case.toml --set "mesh.clamped='whole'" --check
+               ERRORS "clamped: 6 faces")
+expect_message(import_nodes_of_no_elements ${instance} NEW "*NSET, NSET=whole, ELSET=none\n*NSET, NSET=clamped" EXIT_CODE 2
+               ERRORS "brick.inp:28: \"none\" must be a set of elements that stands before")
+expect_message(import_cdb_with_a_block_of_types ARGUMENTS case.toml --import brick.cdb ${other} FILE brick.cdb OLD "ET,1,186\nET,2,SOLID187"
+               NEW "ETBLOCK,        2,        2\n(2i9,19a9)\n        1      186        0\n        2      187\n       -1" ERRORS "20 nodes, 1 hex20")
+expect_message(import_cdb_with_half_a_type ${cdb} OLD "ET,1,186" NEW "ETBLOCK,1,1\n(2i9,19a9)\n        1" ERRORS "an element type has a number and Ansys' number")

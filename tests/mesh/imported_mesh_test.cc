@@ -4,10 +4,14 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iomanip>
+#include <map>
 #include <numbers>
+#include <sstream>
 
 #include "mesh/import/import_check.h"
 #include "mesh/import/periodic_cuts.h"
+#include "mesh/import/sector_import.h"
 #include "mesh/import/selection.h"
 #include "tests/cases/complaint.h"
 
@@ -155,6 +159,78 @@ TEST(ImportedMesh, DoubtsOneBodyThatDoesNotGoRoundTheAxis) {
   };
   EXPECT_EQ(doubt_about_one_body(ring(2 * std::numbers::pi)), "");
   EXPECT_NE(doubt_about_one_body(ring(std::numbers::pi)), "");
+}
+
+/// An Abaqus deck of bricks. The sets hold nodes with these numbers, see bricks().
+std::string deck_of(const ForeignMesh& mesh, const std::map<std::string, std::vector<long>>& sets) {
+  std::ostringstream text;
+  text << std::setprecision(17) << "*NODE\n";
+  for (const auto& [number, at] : mesh.nodes)
+    text << number << ", " << at.x() << ", " << at.y() << ", " << at.z() << "\n";
+  text << "*ELEMENT, TYPE=C3D20\n";
+  for (const ForeignCell& cell : mesh.cells) {
+    text << cell.number;
+    for (std::size_t k = 0; k < cell.nodes.size(); ++k) text << (k == 10 ? ",\n" : ", ") << cell.nodes[k];
+    text << "\n";
+  }
+  for (const auto& [name, nodes] : sets) {
+    text << "*NSET, NSET=" << name << "\n";
+    for (const long node : nodes) text << node << ",\n";
+  }
+  return text.str();
+}
+
+/// Symptom: a sector about x, round which the nodes stand on all sides of z, passed as one body if `axis` was
+/// forgotten.
+TEST(ImportedMesh, SaysAboutWhichAxisThereAreCuts) {
+  const ForeignMesh sector = bricks({2, 4, 2}, [](double i, double j, double k) {
+    const double angle = 2 * std::numbers::pi / 12 * (j / 4 - 0.5), radius = 1 + 0.1 * i;
+    return Eigen::Vector3d(0.1 * (k - 1), -radius * std::sin(angle), radius * std::cos(angle));
+  });
+  std::map<std::string, std::vector<long>> sets;
+  for (const auto& [number, at] : sector.nodes) {
+    if (number % 100 == 1) sets["clamped"].push_back(number);  // i = 0
+    if (number % 100 == 5 && number / 10000 == 4 && at.y() >= 0) sets["contact"].push_back(number);
+  }
+  ImportParameters parameters;
+  parameters.file = {"sector.inp", deck_of(sector, sets)};
+  parameters.selection["clamped"] = "clamped";
+  const std::string about_x =
+      "no face, turned about the axis, is another one; with axis = \"x\" and sector_count = 12, "
+      "4 faces are: set these, or, if this is one body without neighbours, sector_count = 1";
+  EXPECT_NE(import_sector(parameters).description.find("\nwarning: " + about_x), std::string::npos)
+      << import_sector(parameters).description;
+  parameters.sector_count = 1;
+  EXPECT_EQ(import_sector(parameters).description.find("warning"), std::string::npos);
+}
+
+/// Symptom: a whole wheel passed as one sector of 16, because the flanks of a blade, turned, are each other.
+TEST(ImportedMesh, DoubtsCutsOfAMeshThatGoesRoundTheAxis) {
+  ForeignMesh wheel = bricks({2, 16, 1}, [](double i, double j, double k) {
+    const double angle = 2 * std::numbers::pi * j / 16;
+    return Eigen::Vector3d((1 + i) * std::cos(angle), (1 + i) * std::sin(angle), k);
+  });
+  std::erase_if(wheel.cells,
+                [](const ForeignCell& cell) { return cell.nodes[0] % 100 == 3 && cell.number % 4 == 0; });
+  constexpr long around = 3200;  // of a node's number, see bricks()
+  for (ForeignCell& cell : wheel.cells)
+    for (long& node : cell.nodes)
+      if (node % 10000 > around) node -= around;
+  std::erase_if(wheel.nodes, [](const auto& node) { return node.first % 10000 > around; });
+  std::map<std::string, std::vector<long>> sets;
+  for (const auto& [number, at] : wheel.nodes) {
+    if (number % 100 == 1) sets["clamped"].push_back(number);                               // i = 0
+    if (number % 100 == 5 && (number / 100) % 100 == 1) sets["contact"].push_back(number);  // on a blade
+  }
+  ImportParameters parameters;
+  parameters.file = {"wheel.inp", deck_of(wheel, sets)};
+  parameters.selection["clamped"] = "clamped";
+  const std::string said = import_sector(parameters).description;
+  EXPECT_NE(said.find("\nwarning: the mesh goes round the axis, and its faces that were taken for cuts may be"),
+            std::string::npos)
+      << said;
+  parameters.sector_count = 1;
+  EXPECT_EQ(import_sector(parameters).description.find("warning"), std::string::npos);
 }
 
 }  // namespace

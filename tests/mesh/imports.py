@@ -76,8 +76,8 @@ def main(mesh, reduce, split, case, work):
         foreign_formats.write(source, form, axis, f"{stem}.{form}")
         with open(stem + ".toml", "w", encoding="utf-8") as file:
             file.write(f'{rest}\n[mesh]\nlength_unit = "mm"\naxis = "{axis}"\n{keys}\n')
-        subprocess.run([mesh, stem + ".toml", "--import", f"{stem}.{form}", "-o", stem + ".msh"], check=True)
-        frequencies, arc = results(reduce, stem + ".toml", stem + ".msh")
+        subprocess.run([mesh, stem + ".toml", "--import", f"{stem}.{form}", "-o", stem + "_sector.msh"], check=True)
+        frequencies, arc = results(reduce, stem + ".toml", stem + "_sector.msh")
         worst = np.max(np.abs(frequencies / expected[kind][0] - 1))
         same_line = 'contact = ' not in keys or np.allclose(arc, expected[kind][1], atol=1e-9)
         print(f"{form} of {kind}: frequencies differ by up to {worst:.1e}{'' if same_line else ', another contact line'}")

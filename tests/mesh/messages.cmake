@@ -43,3 +43,4 @@ expect_message(inverted_element KEY back_profile LINE "back_profile = [[0.028, 0
 expect_message(two_runs_on_one_output PROGRAM flock .sector.msh.lock $<TARGET_FILE:tiprub-mesh> EXIT_CODE 1
                ERRORS "sector.msh: another process is writing it; wait for that, or give another -o" WRITES .sector.msh.lock)
 expect_message(no_folder ARGUMENTS -q case.toml -o no_such_folder/sector.msh EXIT_CODE 1 ERRORS "can't be written: no folder")
+expect_message(another_format ARGUMENTS case.toml -o sector.inp EXIT_CODE 2 ERRORS "-o sector.inp: must end in .msh")

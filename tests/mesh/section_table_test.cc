@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <cmath>
 #include <ostream>
+#include <sstream>
 
 namespace tiprub::mesh::section_table_test {
 namespace {
@@ -54,6 +57,28 @@ TEST(SectionTable, TakesTheSidesInEitherOrder) {
   for (std::size_t at = 0; (at = text.find("0.02 -0.02", at)) != std::string::npos;)
     text.replace(at, 10, "-0.02 0.02");
   EXPECT_DOUBLE_EQ(read_section_table({"blade.txt", text}, centimetres).sections[0][1].half_width, 0.02);
+}
+
+/// Symptom: a table whose angles jump from pi to -pi, between points, sides or sections, gave inverted elements.
+TEST(SectionTable, CountsTheAnglesOn) {
+  const auto blade = [](double turn) {
+    std::ostringstream text;
+    for (int k = 0; k < 3; ++k) {
+      text << "section\n";
+      for (int i = 0; i < 4; ++i) {
+        const double theta = turn + 0.2 * k + 0.1 * i;
+        text << i << " " << 10 + k << " " << std::remainder(theta + 0.03, 2 * EIGEN_PI) << " "
+             << std::remainder(theta - 0.03, 2 * EIGEN_PI) << "\n";
+      }
+    }
+    return read_section_table({"blade.txt", text.str()}, centimetres);
+  };
+  const FileBlade at_zero = blade(0.0), across = blade(2.9);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_NEAR(across.sections[k][i].theta - at_zero.sections[k][i].theta, 2.9, 1e-4);
+      EXPECT_NEAR(across.sections[k][i].half_width, 0.03, 1e-4);
+    }
 }
 
 struct Wrong {

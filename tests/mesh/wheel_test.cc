@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <filesystem>
+#include <fstream>
 #include <ostream>
 #include <string>
 
@@ -43,6 +45,26 @@ TEST(Wheel, TheLeadingEdgeLeansByItsKey) {
   const std::string text = case_text("fast_impeller");
   const Wheel leaning = wheel_from(test::with_keys(text, "tip_lean_deg = 9.0\n"));
   EXPECT_NEAR(lean(leaning) - lean(wheel_from(text)), EIGEN_PI / 20.0, 1e-12);
+}
+
+/// Symptom: blades that cross in the middle of the span were meshed, because only hub and tip were looked at.
+TEST(Wheel, BladesMustNotCrossBetweenHubAndTip) {
+  const std::string path = ::testing::TempDir() + "thick_in_the_middle.txt";
+  const auto said = [&](double middle) {
+    std::ofstream file(path);
+    for (const auto& [r, width] : {std::pair{0.06, 0.01}, {0.08, middle}, {0.1, 0.01}})
+      for (const double z : {-0.01, 0.0, 0.01})
+        file << (z < 0 ? "section\n" : "") << z << " " << r << " " << 0.5 * width << " " << -0.5 * width << "\n";
+    file.close();
+    return complaint("[mesh]\nfamily = \"blade_file\"\nblade_format = \"sections\"\nblade_file = \"" + path +
+                     "\"\nlength_unit = \"m\"\nblade_count = 12\ndisc = \"profile\"\nbore_radius = 0.03\n");
+  };
+  EXPECT_EQ(said(0.3), "");
+  EXPECT_NE(said(0.6).find("blade_file makes blades cross: at 0 of the meridional length and 0.375 of the "
+                           "way from hub to tip they take 0.535469 rad"),
+            std::string::npos)
+      << said(0.6);
+  std::filesystem::remove(path);
 }
 
 struct Wrong {

@@ -53,6 +53,9 @@ expect_message(segments_without_a_tip ${segments} OLD "\"blade_tip\"" NEW "\"end
 expect_message(segments_of_the_hub ${segments} OLD "2 7 \"hub\"\n2 8 \"blade_tip\"" NEW "2 7 \"blade_tip\"\n2 8 \"hub\"" EXIT_CODE 2
                ERRORS "sector.msh: the node at x y z = " "of the surface group \"blade_tip\" is clamped or lies on a cyclic face")
 expect_message(points_without_a_tip OLD "\"blade_tip\"" NEW "\"end\"" ERRORS "${sound}")
+# Symptom: --modes, which has no contact, was refused because of a line with fewer nodes than contact_nodes.
+expect_message(modes_with_a_short_line ARGUMENTS case.toml sector.msh --modes modes.h5 --set reduce.contact_nodes=9
+               OUTPUTS "speed_rpm nodal_diameter mode" WRITES modes.h5)
 expect_message(unknown_contact ARGUMENTS case.toml sector.msh --check --set "reduce.contact=\"lines\"" EXIT_CODE 2
                ERRORS "contact = \"lines\" must be one of: automatic, points, segments")
 # In millimetres the wheel would be a thousand times as large, and its tip as fast.

@@ -72,10 +72,11 @@ TEST_F(Results, ShareAllOfTheStrainEnergy) {
   const Eigen::MatrixXcd all = test::cyclic(rotor.at_rest(), rotor.dofs(), sectors, 1);
   const Eigen::MatrixXcd M = test::cyclic(rotor.mass(), rotor.dofs(), sectors, 1);
   const ComplexEigenpairs solved = eigenpairs(all, M);
+  // The shapes are found to 1e-5, see mode_tolerance.
   for (int k = 0; k < modes; ++k) {
     const Eigen::VectorXcd shape = solved.vectors.col(k);
     const double share = shape.dot(K * shape).real() / solved.values[k];
-    EXPECT_NEAR(results_->nodal_diameters[1].energy_share[0](0, k), share, 1e-6);
+    EXPECT_NEAR(results_->nodal_diameters[1].energy_share[0](0, k), share, 1e-5);
   }
 }
 

@@ -87,6 +87,27 @@ expect_message(polynomial_misses INPUTS ${here}/soft_plate.toml=case.toml ${made
                ERRORS "model.h5: warning: spin moves the tip by " "warning: the shape changes too much for eq. 7"
                "warning: the shape under spin leaves " "more than polynomial_tolerance (0.01 %)" WRITES model.h5)
 
+# Symptom: K at a further speed and the list of rows were written over, and a speed without its file was left out.
+set(matrices ${PROJECT_SOURCE_DIR}/tests/fuzz/matrices)
+set(rows --matrices stiffness.mtx mass.mtx nodes.csv --matrix-dofs rows.dof)
+set(message_defaults PROGRAM $<TARGET_FILE:tiprub-reduce> EXIT_CODE 2
+    INPUTS ${matrices}/case.toml ${matrices}/stiffness.mtx ${matrices}/stiffness.mtx=faster.mtx ${matrices}/mass.mtx ${matrices}/nodes.csv ${matrices}/rows.dof)
+expect_message(model_over_the_rows ARGUMENTS case.toml ${rows} -o rows.dof ERRORS "rows.dof: would be written over rows.dof")
+expect_message(model_over_a_further_matrix ARGUMENTS case.toml ${rows} --matrix-at 5000 faster.mtx -o faster.mtx ERRORS "faster.mtx: would be written over faster.mtx")
+expect_message(further_speed_without_a_matrix ARGUMENTS case.toml ${rows} --matrix-at 5000 faster.mtx 8000 -o model.h5
+               ERRORS "--matrix-at 8000: must be followed by the file of K at this speed")
+expect_message(further_speed_twice ARGUMENTS case.toml ${rows} --matrix-at 5000 faster.mtx --matrix-at 5000.0 faster.mtx -o model.h5
+               ERRORS "--matrix-at 5000.0: is given twice")
+set(message_fixtures reduce_plate_sector)
+set(message_defaults PROGRAM $<TARGET_FILE:tiprub-reduce> EXIT_CODE 2 INPUTS ${plate} ${made}/sector.msh)
+expect_message(decks_of_stress_only ARGUMENTS case.toml sector.msh --export-ccx decks --set reduce.prestress='stress_only' WRITES decks
+               ERRORS "[reduce] prestress = \"stress_only\" takes the shape at rest, which CalculiX doesn't do; take")
+expect_message(decks_without_softening ARGUMENTS case.toml sector.msh --export-ccx decks --set reduce.spin_softening=false WRITES decks
+               ERRORS "[reduce] spin_softening = false leaves out what CalculiX always has; take true")
+expect_message(decks_at_rest ARGUMENTS case.toml sector.msh --export-ccx decks --set reduce.spin_softening=false --set reduce.verification_speeds=[0.0]
+               EXIT_CODE 0 ERRORS "decks: CalculiX decks for 1 speeds" WRITES decks)
+
+set(message_defaults PROGRAM $<TARGET_FILE:tiprub-reduce> ARGUMENTS case.toml sector.msh INPUTS ${plate} ${made}/sector.msh)
 # A sector that tiprub-mesh didn't make.
 add_executable(gmsh_sector gmsh_sector.cc)
 target_link_libraries(gmsh_sector PRIVATE ${GMSH_LIBRARY})

@@ -70,6 +70,17 @@ TEST(ContactSegments, StandAtTheCentresOfTheirHats) {
   EXPECT_LT((line.normal - Eigen::RowVector3d(1, 0, 0).replicate(5, 1)).norm(), 1e-9);
 }
 
+/// Symptom: segments were limited by the nodes of the line, which may be fewer than those of the tip.
+TEST(ContactSegments, MayBeMoreThanTheNodesOfTheLine) {
+  SectorMesh mesh = blade(8, 20);
+  mesh.contact_line = {mesh.contact_line.front(), mesh.contact_line[8], mesh.contact_line.back()};
+  EXPECT_EQ(choose_contact(mesh, ContactKind::segments, 9).line.size(), 9);
+  EXPECT_EQ(complaint<InputError>([&] { choose_contact(mesh, ContactKind::points, 9); }),
+            mesh.file +
+                ": the line \"contact\" has 3 nodes, [reduce] contact_nodes = 9 asks for more; ask for fewer, "
+                "or refine the mesh along the blade");
+}
+
 /// Symptom: the arc lengths stopped at the ends of a line that is shorter than the tip, and the centres did not, so
 /// that the model was refused.
 TEST(ContactSegments, HaveArcLengthsOnWhereTheTipReachesFartherThanItsLine) {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reduce/matrices/matrix_files.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace tiprub::reduce {
+namespace {
+
+/// Symptom: Excel's "CSV UTF-8" begins with a byte order mark, and the column "node" or "x" behind it was not found.
+TEST(MatrixFiles, ReadATableWithAByteOrderMark) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "nodes_with_a_mark.csv";
+  std::ofstream(path) << "\xEF\xBB\xBFx,y,z,set\r\n0.1,0,0,clamped\r\n0.2,0,0,contact\r\n";
+  const NodeTable table = read_node_table(path);
+  std::filesystem::remove(path);
+  ASSERT_EQ(table.position.cols(), 2);
+  EXPECT_EQ(table.position(0, 1), 0.2);
+  EXPECT_EQ(table.place[1], NodePlace::contact);
+}
+
+}  // namespace
+}  // namespace tiprub::reduce

@@ -228,6 +228,7 @@ TEST_F(SceneNeeds, OneUncheckedSpeedLeavesSymmetryOpen) {
 TEST_F(SceneNeeds, SizesNonlinearPrestressWithoutSpinSofteningToo) {
   Study made = study();
   made.model.prestress = Prestress::nonlinear;
+  made.model.verification.speeds = Eigen::VectorXd::Zero(1);
   made.model.verification.polynomial_misfit = Eigen::MatrixXd::Constant(1, 1, 2e-4);
   for (const SpinSoftening softening : {SpinSoftening::on, SpinSoftening::off}) {
     made.model.spin_softening = softening;

@@ -53,8 +53,7 @@ Response two_speeds() {
   response.scene.clearance = Eigen::VectorXd::Constant(3, 1e-4);
   response.scene.clearance_state = ClearanceState::cold;
   response.speeds = {settled_speed(), {}};
-  response.speeds[1].speed = 200;
-  response.speeds[1].failure = "why";
+  response.speeds[1].speed = 200, response.speeds[1].failure = "why";
   response.frequencies = {Eigen::VectorXd::LinSpaced(5, 0, 200), {}};
   for (int modes : {3, 4, 5}) response.frequencies.by_nodal_diameter.emplace_back(Eigen::MatrixXd::Random(5, modes));
   return response;

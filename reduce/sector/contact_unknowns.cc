@@ -241,8 +241,8 @@ ContactUnknowns segments_of(const SectorMesh& mesh, const BladeTip& blade, int c
   const Eigen::MatrixXd weights = scaled(mesh, blade, tip);
   if (!independent(weights))
     throw InputError(mesh.file + ": [reduce] contact_nodes = " + std::to_string(count) +
-                     " asks for more segments than the " + std::to_string(tip.nodes.size()) +
-                     " nodes of the tip can tell apart; ask for fewer, or refine the mesh along the blade");
+                     " asks for more segments than the " + std::to_string(tip.nodes.size()) + " nodes of the " +
+                     blade.blade + "'s tip can tell apart; ask for fewer, or refine the mesh along the blade");
   const std::vector<int> points(tip.nodes.begin(), tip.nodes.begin() + tip.points);
   const Eigen::MatrixXd means = weights.leftCols(tip.points);
   const Eigen::VectorXd beside = arc_lengths_beside(mesh, mesh.contact_line, points);

@@ -15,7 +15,7 @@ MUST_BE = "/contact/blade must hold, for each of the 4 contact nodes, 0 for thos
 def of_lines():
     yield entry("contact_splitter.surface", lambda text: re.sub(r'1 12 "contact_splitter"\n(?s:(.*))"splitter_tip"', r'1 12 "line"\n\1"contact_splitter"', text),
                 "\"contact_splitter\" names neither a curve nor points")
-    yield entry("contact_splitter.short", lambda text: text, "the line \"contact_splitter\" has 5 nodes, [reduce] contact_nodes = 6 asks for more",
+    yield entry("contact_splitter.short", lambda text: text, "[reduce] contact_nodes = 6 asks for more segments than the 21 nodes of the splitter's tip can tell apart",
                 ("--set", "reduce.contact_nodes=6"))
     yield entry("splitter_tip.absent", lambda text: text.replace('"splitter_tip"', '"tip"'),
                 "has no surface group \"splitter_tip\" with the faces of the splitter's tip", ("--set", "reduce.contact=\"segments\""))

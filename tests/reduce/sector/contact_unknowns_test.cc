@@ -185,10 +185,9 @@ TEST(ContactSegments, RefuseMoreThanTheTipCanTellApart) {
   coarse.tip_faces = Eigen::Vector<int, 8>(node(0, 0), node(4, 0), node(4, 16), node(0, 16), node(2, 0), node(4, 8),
                                            node(2, 16), node(0, 8));
   EXPECT_EQ(refusal(coarse, 3), "");
-  EXPECT_EQ(
-      refusal(coarse, 9),
-      "the sector: [reduce] contact_nodes = 9 asks for more segments than the 8 nodes of the tip can tell apart; "
-      "ask for fewer, or refine the mesh along the blade");
+  EXPECT_EQ(refusal(coarse, 9),
+            "the sector: [reduce] contact_nodes = 9 asks for more segments than the 8 nodes of the main blade's tip "
+            "can tell apart; ask for fewer, or refine the mesh along the blade");
 }
 
 TEST(ContactSegments, RefuseALineOfOneNode) {

@@ -45,12 +45,11 @@ double edge_excursion(const Eigen::Ref<const Eigen::MatrixXd>& sector, int first
 
 double excursion_of_edges(const Eigen::Ref<const Eigen::MatrixXd>& sector, const ContactLine& contact) {
   if (contact.kind == ContactKind::points) return 0;
-  const int last = contact.size() - 1, main = contact.size() - contact.splitter_nodes;
-  double largest = std::max(edge_excursion(sector, 0, 1, main), edge_excursion(sector, main - 1, -1, main));
-  if (contact.splitter_nodes > 0)
-    largest = std::max({largest, edge_excursion(sector, main, 1, contact.splitter_nodes),
-                        edge_excursion(sector, last, -1, contact.splitter_nodes)});
-  return largest;
+  const int splitter = contact.splitter_nodes, main = contact.size() - splitter;
+  const double of_main = std::max(edge_excursion(sector, 0, 1, main), edge_excursion(sector, main - 1, -1, main));
+  if (splitter == 0) return of_main;
+  return std::max(
+      {of_main, edge_excursion(sector, main, 1, splitter), edge_excursion(sector, contact.size() - 1, -1, splitter)});
 }
 
 /// [m] Of the tips of each sector.

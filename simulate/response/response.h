@@ -109,7 +109,7 @@ struct PeakVariation {
 /// [m] How far the tip moves from the middle of its path, where it moves farthest: the largest of all contact nodes
 /// and sectors, and of the edges of blades with contact on segments. The displacement of a segment is a mean, which
 /// the corner of a blade exceeds by a tenth or more; that of an edge is the value there of the parabola along the tip
-/// that has the means of the three outermost segments (of a straight line or a constant, if there are less than
+/// that has the means of the three outermost segments (of a straight line or a constant, if there are fewer than
 /// four). `displacement` as SpeedResponse has it.
 double largest_excursion(const Eigen::MatrixXd& displacement, const ContactLine& contact);
 

@@ -129,8 +129,9 @@ RUNS := $(patsubst %,.chain/%.csv,$(if $(VALUES_mesh),sector) $(if $(VALUES_redu
   $(if $(MODEL_OF),$(MODEL_OF)/.chain/sector.csv $(MODEL_OF)/.chain/model.csv)
 REPORTED := model.h5 fields.h5 $(RESPONSES)
 STALE_report := $(foreach file,$(RESPONSES),$(call STALE_response,$(file))) $(call stale,postprocess,report/report.html,$(REPORTED))
-report/report.html: $(if $(strip $(STALE_report)),$(LOOKS)) $(call as_prerequisite,$(or $(MODEL),model.h5)) $(call as_prerequisite,$(ROTOR_FIELDS)) $(RESPONSES)
+BUDGET_FIELDS := $(if $(ROTOR_FIELDS),$(shell $(CHAIN) name_budget_fields $(CASE_FILE) $(SETTINGS) $(FLAGS_simulate)))
+report/report.html: $(if $(strip $(STALE_report)),$(LOOKS)) $(call as_prerequisite,$(or $(MODEL),model.h5)) $(call as_prerequisite,$(ROTOR_FIELDS)) $(call as_prerequisite,$(BUDGET_FIELDS)) $(RESPONSES)
 	tiprub-postprocess $(CASE_FILE) $(ROTOR) response.h5 $(if $(ROTOR_FIELDS),--fields $(if $(MODEL),$(call in_shell,$(FIELDS)),fields.h5)) \
-	  -o report $(SETTINGS) $(addprefix --runs ,$(shell ls $(RUNS) 2> /dev/null)) > /dev/null
+	  $(if $(BUDGET_FIELDS),--budget-fields $(call in_shell,$(BUDGET_FIELDS))) -o report $(SETTINGS) $(addprefix --runs ,$(shell ls $(RUNS) 2> /dev/null)) > /dev/null
 	@$(CHAIN) note report/report.html $(VALUES_postprocess) $(REPORTED)
 endif

@@ -65,6 +65,13 @@ name_budget_model() { # CASE OPTION...
   if test -f "$model"; then echo "$model"; fi
 }
 
+# Prints the full fields of that model, if make made both there.
+name_budget_fields() { # CASE OPTION...
+  model=$(name_budget_model "$@")
+  fields=${model%model.h5}fields.h5
+  if test "$fields" != "${model}fields.h5" && test -f "$fields"; then echo "$fields"; fi
+}
+
 is_linked() { # FILE
   test -n "$MODEL_OF" && test "$(readlink "$1")" = "$MODEL_OF/$1"
 }

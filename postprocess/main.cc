@@ -22,6 +22,9 @@ int main(int argc, char** argv) {
         "--fields", options.fields_file,
         "full fields, from tiprub-reduce --fields: adds displacement and stress on the whole wheel, and the "
         "stress at every critical speed");
+    app.add_option("--budget-fields", options.budget_fields,
+                   "full fields of [simulate] budget_model: adds the stress that this model has to the error budgets")
+        ->needs("--fields");
     app.add_option("--compare", options.compared,
                    "another report's folder, or another response of this model, whose response, maps and critical "
                    "speeds are shown beside these; may be repeated")

@@ -14,6 +14,7 @@
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/compare/comparison.h"
+#include "postprocess/fields/other_model_stress.h"
 #include "postprocess/figures/drawing.h"
 #include "postprocess/figures/study_figures.h"
 #include "postprocess/records/study_records.h"
@@ -44,7 +45,8 @@ Inputs read_inputs(const StageArguments& arguments, const PostprocessOptions& op
   CaseTable table = file.table("postprocess");
   Inputs inputs;
   std::vector<fs::path> files = arguments.inputs;
-  if (!options.fields_file.empty()) files.push_back(options.fields_file);
+  for (const fs::path& fields : {options.fields_file, options.budget_fields})
+    if (!fields.empty()) files.push_back(fields);
   files.insert(files.end(), options.compared.begin(), options.compared.end());
   inputs.run = RunRecord(files, options.runs);
   inputs.parameters = read_postprocess_parameters(table);
@@ -62,7 +64,7 @@ Inputs read_inputs(const StageArguments& arguments, const PostprocessOptions& op
   inputs.sweeps = {beside_case(inputs.parameters.response_up), beside_case(inputs.parameters.response_down)};
   std::vector<fs::path> others = options.runs;
   others.insert(others.end(), options.compared.begin(), options.compared.end());
-  others.insert(others.end(), {options.fields_file, inputs.sweeps.up, inputs.sweeps.down});
+  others.insert(others.end(), {options.fields_file, options.budget_fields, inputs.sweeps.up, inputs.sweeps.down});
   refuse_overwriting({arguments.output}, others);
   require_gnuplot();
   return inputs;
@@ -84,6 +86,14 @@ std::optional<FieldsReader> open_fields(const PostprocessOptions& options, const
   return fields;
 }
 
+/// Those of the model that error budgets compare with.
+std::optional<FieldsReader> open_budget_fields(const PostprocessOptions& options, const Response& response) {
+  if (options.budget_fields.empty()) return std::nullopt;
+  FieldsReader fields(options.budget_fields);
+  check_budget_fields(fields, response);
+  return fields;
+}
+
 std::vector<SceneNeed> needs_of(const Study& study, const std::optional<FieldsReader>& fields) {
   return scene_needs(study, fields ? field_effects(*fields, study.model, study.critical) : FieldEffects());
 }
@@ -101,6 +111,7 @@ void append(std::vector<Figure>& figures, const std::vector<Figure>& more) {
 /// Checks the inputs and prints what the scene needs, which takes no pictures and no stress.
 void check(Inputs inputs, const PostprocessOptions& options) {
   const std::optional<FieldsReader> fields = open_fields(options, inputs.model);
+  open_budget_fields(options, inputs.response);
   const Study study = study_of(inputs);
   for (const fs::path& other : options.compared) read_other_report(other, study);
   print(aligned_text(scene_needs_record(needs_of(study, fields))));
@@ -110,6 +121,7 @@ void check(Inputs inputs, const PostprocessOptions& options) {
 std::pair<ReportContents, std::future<void>> run(Inputs inputs, const PostprocessOptions& options,
                                                  const fs::path& folder, Progress::Shown shown) {
   const std::optional<FieldsReader> fields = open_fields(options, inputs.model);
+  const std::optional<FieldsReader> others = open_budget_fields(options, inputs.response);
   inputs.run.done("reading");
   ReportContents contents{.study = study_of(inputs), .source = std::move(inputs.source)};
   const Study& study = contents.study;
@@ -121,7 +133,7 @@ std::pair<ReportContents, std::future<void>> run(Inputs inputs, const Postproces
   }
   const std::vector<Figure> figures = study_figures(study);
   std::future<void> drawing = start_drawing(figures, folder);
-  if (fields) contents.fields = recover_fields(*fields, study, inputs.strength, shown);
+  if (fields) contents.fields = recover_fields(*fields, others ? &*others : nullptr, study, inputs.strength, shown);
   contents.field_results = field_results(contents.fields, study.critical);
   contents.numbers = report_numbers(study, contents.field_results);
   contents.needs = needs_of(study, fields);

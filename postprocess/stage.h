@@ -16,6 +16,7 @@ std::string postprocess_tables(const CaseFile& file);
 /// Optional inputs; each may be empty.
 struct PostprocessOptions {
   std::filesystem::path fields_file;            ///< empty: fields on the whole wheel are left out
+  std::filesystem::path budget_fields;          ///< of the model that error budgets compare with; may be empty
   std::vector<std::filesystem::path> compared;  ///< folders of other reports, or other responses of the same model
   std::vector<std::filesystem::path> runs;      ///< notes of the stages before (--times)
 };

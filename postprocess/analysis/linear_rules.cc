@@ -124,9 +124,9 @@ MovingWaves moving_waves(const Response& response, const std::vector<TravellingS
                                              order * speed * hz_per_rad_s, speed));
   }
   for (const CriticalSpeed& peak : critical)
-    if (const double order = std::round(peak.rising.engine_order);
-        std::abs(order - peak.rising.engine_order) < same_order)
-      enter(static_cast<int>(order), peak.rising.family);
+    if (const double order = std::round(peak.naming_wave().engine_order);
+        std::abs(order - peak.naming_wave().engine_order) < same_order)
+      enter(static_cast<int>(order), peak.naming_wave().family);
   return {{families.begin(), families.end()}, {engine_orders.begin(), engine_orders.end()}};
 }
 
@@ -151,9 +151,9 @@ void read_amplitudes(std::vector<Crossing>& crossings, const Response& response,
 }  // namespace
 
 bool predicts(const Crossing& crossing, const CriticalSpeed& critical, double tolerance) {
-  return std::abs(crossing.engine_order - critical.rising.engine_order) < same_order &&
-         crossing.signed_nodal_diameter == critical.rising.signed_nodal_diameter &&
-         crossing.family == critical.rising.family &&
+  return std::abs(crossing.engine_order - critical.naming_wave().engine_order) < same_order &&
+         crossing.signed_nodal_diameter == critical.naming_wave().signed_nodal_diameter &&
+         crossing.family == critical.naming_wave().family &&
          std::abs(crossing.speed - critical.speed) <= tolerance * critical.speed;
 }
 

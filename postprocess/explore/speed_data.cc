@@ -122,7 +122,7 @@ json critical_of(const Study& study, const FieldResults& fields) {
   for (std::size_t i = 0; i < all.size(); ++i)
     list.push_back({{"index", all[i].index},
                     {"wave", wave_names(all[i])},
-                    {"order", all[i].rising.engine_order},
+                    {"order", all[i].naming_wave().engine_order},
                     {"between", {all[i].speed_low * rpm_per_rad_s, all[i].speed_high * rpm_per_rad_s}},
                     {"slack", all[i].amplitude_slack()},
                     {"open", open_of(budgets, all[i])},

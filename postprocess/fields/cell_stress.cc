@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
 
+#include "cases/program/errors.h"
 #include "mesh/cells/cell_kind.h"
 
 namespace tiprub::postprocess {
@@ -96,6 +98,15 @@ ComplexTensors CellStress::sum(const Eigen::Matrix3Xcd& displacement) const {
 
 Tensors CellStress::average(const Eigen::Matrix3Xd& displacement) const {
   return sum(displacement).array().rowwise() / cells_at_node_.transpose().cast<double>().array();
+}
+
+CellStress sound_cells(const FieldsReader& reader) {
+  CellStress cells(reader.sector());
+  if (const auto& cell = cells.degenerate_cell())
+    throw InputError(reader.path() + ": /cells: cell " + std::to_string(*cell) +
+                     " is flat or turned inside out; it has no stress. Look at the mesh, and at the order of its "
+                     "nodes");
+  return cells;
 }
 
 Eigen::VectorXd von_mises(const Tensors& stress) {

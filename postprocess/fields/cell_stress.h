@@ -46,6 +46,9 @@ class CellStress {
   std::optional<Eigen::Index> degenerate_;
 };
 
+/// That of the cells of full fields. Raises InputError if a cell has none.
+CellStress sound_cells(const FieldsReader& reader);
+
 /// [Pa]
 Eigen::VectorXd von_mises(const Tensors& stress);
 

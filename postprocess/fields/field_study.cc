@@ -14,6 +14,7 @@
 #include "cases/program/machine.h"
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/fields/node_stress.h"
+#include "postprocess/fields/other_model_stress.h"
 #include "postprocess/fields/stress_over_speed.h"
 #include "postprocess/tables/table.h"
 #include "reduce/model/reduced_model.h"
@@ -28,6 +29,7 @@ constexpr double wave_memory = 1 << 30;   // [bytes] for the waves of a cycle
 constexpr double left_out_waves = 0.002;  // [1] of the mean square of a motion
 constexpr std::size_t most_waves = 6;     // of a motion, that are recovered
 constexpr double much_stressed = 0.3;     // of the largest stress at a critical speed
+constexpr double most_stressed = 0.5;     // of it: with more nodes, those of a finer mesh would not fit into memory
 constexpr double m_per_mm = 1e-3;
 constexpr double largest_radius = 1e3;  // [m] of any wheel
 constexpr double unit_error = 1e-3;     // of the motion of a contact node, which is exact to single precision
@@ -84,17 +86,6 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
   }
 }
 
-/// The cells of fields that fit the model.
-CellStress checked_cells(const FieldsReader& reader, const ReducedModel& model) {
-  check_together(reader, model, reader.path());
-  CellStress bricks(reader.sector());
-  if (const auto& cell = bricks.degenerate_cell())
-    throw InputError(reader.path() + ": /cells: cell " + std::to_string(*cell) +
-                     " is flat or turned inside out; it has no stress. Look at the mesh, and at the order of its "
-                     "nodes");
-  return bricks;
-}
-
 /// Squares of the stress are computed later, and stress beyond this limit comes from damaged numbers.
 void require_sound_stress(const WaveField& wave, const std::string& name) {
   constexpr double largest = 1e100;  // [Pa]
@@ -114,14 +105,16 @@ std::vector<std::size_t> recovered_speeds(const std::vector<CriticalSpeed>& all,
 struct CycleAtSpeed {
   std::size_t index;
   WheelCycle cycle;
-  std::vector<std::optional<WheelCycle>> varied;  ///< of each peak in SpeedResponse::budget that has one
+  /// Of each peak in SpeedResponse::budget that has one, but for those of another model.
+  std::vector<std::optional<WheelCycle>> varied;
 };
 
 std::vector<std::optional<WheelCycle>> varied_cycles(const std::vector<PeakVariation>& budget,
                                                      const SimulatedScene& scene, const ReducedModel& model) {
   std::vector<std::optional<WheelCycle>> cycles;
   for (const PeakVariation& peak : budget)
-    cycles.push_back(peak.cycle ? std::optional(wheel_cycle(peak, scene, model)) : std::nullopt);
+    cycles.push_back(peak.cycle && peak.model_digest.empty() ? std::optional(wheel_cycle(peak, scene, model))
+                                                             : std::nullopt);
   return cycles;
 }
 
@@ -233,6 +226,22 @@ std::vector<std::vector<std::optional<double>>> varied_stress(const FieldsReader
   return all;
 }
 
+/// Adds the stress at the varied peaks of another model, near nodes of the sector.
+void add_stress_of_other_model(const FieldsReader& other, const Response& response,
+                               const std::vector<CycleAtSpeed>& cycles, const std::vector<int>& nodes,
+                               FieldStudy& fields) {
+  LargestStress largest;  // made for the first cycle
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
+    const std::vector<PeakVariation>& budget = response.speeds[cycles[k].index].budget;
+    for (std::size_t i = 0; i < budget.size(); ++i) {
+      stop_if_interrupted();
+      if (!budget[i].cycle || budget[i].model_digest.empty()) continue;
+      if (!largest) largest = stress_of_other_model(other, fields.sector, nodes, fields.zones, response.scene);
+      fields.varied[k][i] = largest(whole_cycle(*budget[i].cycle, response.scene));
+    }
+  }
+}
+
 /// A peak with its speed and the samples of its cycle.
 FieldPeak dated(FieldPeak peak, const WheelCycle& cycle, double speed) {
   peak.speed = speed;
@@ -258,12 +267,14 @@ void recover_instant(const SpeedResponse& response, const WaveRecovery& recover,
 }  // namespace
 
 void check_fields(const FieldsReader& reader, const ReducedModel& model) {
-  checked_cells(reader, model);
+  check_together(reader, model, reader.path());
+  sound_cells(reader);
 }
 
-FieldStudy recover_fields(const FieldsReader& reader, const Study& study,
+FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other, const Study& study,
                           const std::optional<MaterialStrength>& strength, Progress::Shown shown) {
-  const CellStress bricks = checked_cells(reader, study.model);
+  check_together(reader, study.model, reader.path());
+  const CellStress bricks = sound_cells(reader);
   const std::vector<std::size_t> speeds = recovered_speeds(study.critical, study.amplitudes);
   const std::size_t worst = worst_of(speeds, study.amplitudes.largest);
   FieldStudy fields = without_motion(reader, study, study.response.speeds[worst].speed);
@@ -272,7 +283,7 @@ FieldStudy recover_fields(const FieldsReader& reader, const Study& study,
   const int most_fields = fields_at_once(fields.sector);
   const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles), shown);
-  std::set<int> stressed, much;
+  std::set<int> stressed, much, most;
   const auto stress_of = [&](const WheelCycle& cycle, double speed) {
     const WaveField spin = spin_field(fields.sector, bricks, speed);
     require_sound_stress(spin, reader.path());
@@ -287,6 +298,7 @@ FieldStudy recover_fields(const FieldsReader& reader, const Study& study,
     fields.peaks.push_back(peak_of(stress, cycle, response.speed));
     for (const int node : stressed_nodes(stress, fields.zones)) stressed.insert(node);
     for (const int node : nodes_above(much_stressed, stress, fields.zones)) much.insert(node);
+    for (const int node : nodes_above(most_stressed, stress, fields.zones)) most.insert(node);
     if (response.cycle)
       fields.moving.push_back(
           moving_wheel(reader, wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
@@ -295,6 +307,7 @@ FieldStudy recover_fields(const FieldsReader& reader, const Study& study,
       recover_instant(response, recover, spin_field(fields.sector, bricks, response.speed), fields);
   }
   fields.varied = varied_stress(reader, study.response.scene.nodal_diameters, much, cycles, progress);
+  if (other != nullptr) add_stress_of_other_model(*other, study.response, cycles, {most.begin(), most.end()}, fields);
   fields.over_speed = stress_over_speed(reader, study, {stressed.begin(), stressed.end()});
   return fields;
 }

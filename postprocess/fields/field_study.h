@@ -34,7 +34,8 @@ struct FieldStudy {
   StressZones zones;             ///< where stress is read
   std::vector<FieldPeak> peaks;  ///< at every critical speed, and at the speed of the instant
   /// [Pa] By `peaks`: the stress of the vibration at each varied peak in SpeedResponse::budget that has a cycle, as
-  /// FieldPeak::body has it; of the nodes that are much stressed at one of `peaks`.
+  /// FieldPeak::body has it; of the nodes that are much stressed at one of `peaks`, and of those of another model's
+  /// mesh near the most stressed ones.
   std::vector<std::vector<std::optional<double>>> varied;
   std::vector<MovingWheel> moving;  ///< at every critical speed that has a cycle
   Eigen::VectorXd over_speed;       ///< [Pa] stress_over_speed(); empty if no speed has states
@@ -45,8 +46,9 @@ struct FieldStudy {
 /// Raises InputError if the fields are of another model, or if a cell has no stress.
 void check_fields(const FieldsReader& reader, const ReducedModel& model);
 
-/// Recovers all full fields. Raises as check_fields() does.
-FieldStudy recover_fields(const FieldsReader& reader, const Study& study,
+/// Recovers all full fields. `other`: those of the model that error budgets compare with, which
+/// check_budget_fields() has accepted; may be null. Raises as check_fields() does.
+FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other, const Study& study,
                           const std::optional<MaterialStrength>& strength, Progress::Shown shown);
 
 /// What tables and page show of the full fields.

@@ -90,12 +90,7 @@ void require_dofs(const WheelCycle& cycle, const SimulatedScene& scene, const Re
 /// A `Motion` has a speed [rad/s], its samples per revolution and a cycle.
 template <class Motion>
 WheelCycle without_repeats(const Motion& motion, const SimulatedScene& scene, const ReducedModel& model) {
-  WheelCycle cycle;
-  cycle.sectors = scene.independent_sectors;
-  cycle.whole = true;
-  cycle.first_sample = motion.cycle->first_sample;
-  cycle.states = motion.cycle->displacement;
-  cycle.recorded_samples = cycle.samples();
+  WheelCycle cycle = whole_cycle(*motion.cycle, scene);
   require_dofs(cycle, scene, model);
   if (const int beats = std::lcm(scene.sector_count, scene.lobes);
       beats > 0 && motion.samples_per_revolution % beats == 0)
@@ -107,6 +102,16 @@ WheelCycle without_repeats(const Motion& motion, const SimulatedScene& scene, co
 
 int WheelCycle::histories() const {
   return std::gcd(turn, sectors);
+}
+
+WheelCycle whole_cycle(const RotorCycle& cycle, const SimulatedScene& scene) {
+  WheelCycle whole;
+  whole.sectors = scene.independent_sectors;
+  whole.whole = true;
+  whole.first_sample = cycle.first_sample;
+  whole.states = cycle.displacement;
+  whole.recorded_samples = whole.samples();
+  return whole;
 }
 
 WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model) {

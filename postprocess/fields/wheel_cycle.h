@@ -29,6 +29,9 @@ struct WheelCycle {
   int histories() const;
 };
 
+/// The cycle as it was recorded, with its repetitions.
+WheelCycle whole_cycle(const RotorCycle& cycle, const SimulatedScene& scene);
+
 /// From the cycle of a speed or, without one, from its snapshot; the speed must have either. States that differ by
 /// less than 1e-3 of their norm (of elastic energy) count as equal; the error of stress from a mesh is far larger.
 WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model);

@@ -69,7 +69,8 @@ Eigen::VectorXd outside_validity(const Study& study) {
 SpeedFrame speed_frame(const Study& study) {
   const Eigen::VectorXd rpm = rpm_of(study.response.speeds);
   int families = study.parameters.families;
-  for (const CriticalSpeed& critical : study.critical) families = std::max(families, critical.rising.family + 1);
+  for (const CriticalSpeed& critical : study.critical)
+    families = std::max(families, critical.naming_wave().family + 1);
   return {axis_of(rpm),
           rpm,
           rpm_of(study.failed),
@@ -102,7 +103,7 @@ void set_critical_speeds(Drawing& drawing, const SpeedFrame& frame, double frequ
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(frame.critical.size()), 2);
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     const CriticalSpeed& critical = frame.critical[static_cast<std::size_t>(i)];
-    const double frequency = critical.rising.engine_order * critical.speed * hz_per_rad_s;
+    const double frequency = critical.naming_wave().engine_order * critical.speed * hz_per_rad_s;
     rows.row(i) << critical.speed * rpm_per_rad_s, std::min(frequency, frequency_high);
   }
   drawing.tables.push_back({"critical", {rows}});

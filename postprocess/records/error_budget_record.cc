@@ -87,7 +87,7 @@ void add_settings(const Study& study, const SpeedResponse& response, ErrorBudget
     budget.rows.push_back({"time step", response.audit.halving_failure, 0, *step, *step, *step});
   for (const Check& check : exactness_checks(study))
     if (check.subject == "model" && check.worst) budget.rows.push_back(of_frequencies("reduced modes", *check.worst));
-  if (const auto shift = mesh_shift(study.model, critical.rising))
+  if (const auto shift = mesh_shift(study.model, critical.naming_wave()))
     budget.rows.push_back(of_frequencies("mesh", -*shift));
 }
 

@@ -163,7 +163,7 @@ FieldEffects field_effects(const FieldsReader& fields, const ReducedModel& model
   FieldEffects effects{.tip_span = tip_spans(fields.sector())};
   const CoriolisTerms terms(fields, model);
   for (const CriticalSpeed& peak : critical) {
-    const int n = std::abs(peak.rising.signed_nodal_diameter), family = peak.rising.family;
+    const int n = std::abs(peak.naming_wave().signed_nodal_diameter), family = peak.naming_wave().family;
     const double change = terms.change(n, family, peak.speed);
     if (!effects.coriolis || change > effects.coriolis->change) effects.coriolis = {change, peak.speed, n, family};
   }

@@ -129,7 +129,8 @@ SceneNeed diameters_need(const Study& study, const std::vector<Check>& checks) {
 
 SceneNeed mesh_need(const Study& study) {
   const std::optional<std::size_t> worst = worst_critical(study.critical);
-  const std::optional<double> shift = worst ? mesh_shift(study.model, study.critical[*worst].rising) : std::nullopt;
+  const std::optional<double> shift =
+      worst ? mesh_shift(study.model, study.critical[*worst].naming_wave()) : std::nullopt;
   if (!shift)
     return not_estimated(Effect::mesh,
                          study.model.mesh_error

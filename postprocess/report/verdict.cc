@@ -140,7 +140,7 @@ std::string why(const Study& study) {
   const std::optional<std::size_t> worst = worst_critical(study.critical);
   if (!worst) return "";
   const CriticalSpeed& peak = study.critical[*worst];
-  const WaveLabel& wave = peak.rising;
+  const WaveLabel& wave = peak.naming_wave();
   std::string text = engine_order_name(wave.engine_order) + " drives family " + std::to_string(wave.family + 1) +
                      " on nodal diameter " + std::to_string(std::abs(wave.signed_nodal_diameter)) + " as a " +
                      name_of(wave.direction) + " wave (" + wave_name(wave) + "): " + mm(wave.amplitude) + ", " +

@@ -102,8 +102,8 @@ struct PeakVariation {
   MotionClass motion = MotionClass::not_settled;
   int period_beats = 0;
   int samples_per_revolution = 0;
-  /// One period of a motion that repeats, some revolutions of another; none of another model, whose dofs differ.
-  std::optional<RotorCycle> cycle;
+  std::string model_digest;         ///< digest() of the model that was marched, if that is not the model of the scene
+  std::optional<RotorCycle> cycle;  ///< one period of a motion that repeats, some revolutions of another
 };
 
 /// [m] How far the tip moves from the middle of its path, where it moves farthest: the largest of all contact nodes

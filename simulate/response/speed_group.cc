@@ -145,6 +145,7 @@ void write_variation(Hdf5File& file, const std::string& group, const PeakVariati
   file.set_attribute(group, "excursion", variation.excursion);
   file.set_attribute(group, "motion", std::string(name_of(variation.motion)));
   file.set_attribute(group, "period_beats", variation.period_beats);
+  if (!variation.model_digest.empty()) file.set_attribute(group, "model_digest", variation.model_digest);
   if (!variation.cycle) return;
   file.set_attribute(group, "samples_per_revolution", variation.samples_per_revolution);
   file.set_attribute(group, "cycle_samples", static_cast<int>(variation.cycle->displacement.front().cols()));
@@ -163,11 +164,14 @@ PeakVariation read_variation(const Hdf5File& file, const std::string& group, con
   variation.excursion = bounded(file, group, "excursion", not_negative);
   variation.motion = value_named(motion_names, file.text_attribute(group, "motion"), where + ": motion");
   variation.period_beats = file.integer_attribute(group, "period_beats");
+  NamedAxes of_other_model(file);  // it has other dofs
+  if (file.has_attribute(group, "model_digest")) variation.model_digest = file.text_attribute(group, "model_digest");
   if (!file.exists(group + "/cycle")) return variation;
   bounded(file, group, "samples_per_revolution", at_least_one);
   variation.samples_per_revolution = file.integer_attribute(group, "samples_per_revolution");
   bounded(file, group, "cycle_samples", at_least_one);
-  variation.cycle = read_cycle(file, group + "/cycle", scene, axes, file.integer_attribute(group, "cycle_samples"));
+  variation.cycle = read_cycle(file, group + "/cycle", scene, variation.model_digest.empty() ? axes : of_other_model,
+                               file.integer_attribute(group, "cycle_samples"));
   return variation;
 }
 

@@ -194,7 +194,7 @@ PeakVariation followed(const Scene& scene, const VariedScene& varied, const Orig
       return peak_near({model, varied.casing, varied.parameters, scene.scope}, origin);
     });
   PeakVariation variation = found.result.value_or(PeakVariation{});
-  if (varied.model != nullptr) variation.cycle.reset();
+  if (varied.model != nullptr) variation.model_digest = digest(*varied.model);
   variation.what = varied.what;
   variation.setting = varied.setting;
   variation.failure = found.failure;

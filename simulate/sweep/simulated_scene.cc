@@ -89,7 +89,7 @@ ModelledEffect impact_instants(const SimulateParameters& parameters) {
 
 constexpr int casing_points = 721;  // of the casing's shape in the response: every half degree
 
-constexpr int content = 7;  // version of a speed's result: to be raised when its content or meaning changes
+constexpr int content = 8;  // version of a speed's result: to be raised when its content or meaning changes
 
 bool is_exempt(const std::string& key) {
   return std::any_of(exempt_keys().begin(), exempt_keys().end(),

@@ -39,7 +39,8 @@ def run(programs, cases, work):
     # At points, because the displacement of a segment is that of no node of fields.h5.
     with open(os.path.join(work, "Makefile"), "w", encoding="utf-8") as file:
         file.write("SETTINGS := --set 'reduce.contact=\"points\"'\n")
-        file.write(f"SIMULATE_FLAGS := --set simulate.speed_count={SPEED_COUNT} --set 'simulate.speeds=\"given\"'\ninclude {cases}/chain.mk\n")
+        file.write(f"SIMULATE_FLAGS := --set simulate.speed_count={SPEED_COUNT} --set 'simulate.speeds=\"given\"' "
+                   f"--set 'simulate.budget=\"largest\"'\ninclude {cases}/chain.mk\n")
     made = make(work, programs)
     print(made.stdout)
     assert made.returncode == 0

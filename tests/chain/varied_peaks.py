@@ -11,6 +11,9 @@ import sys
 
 import small_chain
 
+# The corner of the tip is inside it with contact at points, and on segments, whose centres lie farther inward.
+TIP_PATCH = "postprocess.tip_patch_mm=8.5"
+
 
 def check_settings(rows):
     """Half the step changes a peak within the step's tolerance. Blades that differ have Whitehead's bound, and the sum is the root
@@ -44,23 +47,39 @@ def check_gap(rows, folder, run):
 
 
 def check_model(bench, folder, budget):
-    """The peak of another model is that of a sweep with it; a model that is the same moves nothing."""
-    subprocess.run([os.path.join(bench.programs, "tiprub-reduce"), "case.toml", "sector.msh", "-o", "segments.h5", "-q",
-                    "--set", 'reduce.contact="segments"'], cwd=folder.path, check=True)
-    for model, source in (("model.h5", "another model"), ("segments.h5", "contact on segments")):
-        rows = budget("models", "simulate.budget_damping=[0.02]", f'simulate.budget_model="{model}"')
-        row = next(row for row in rows if row["source"] == source)
+    """The peak of another model is that of a sweep with it, and so is its stress; a model that is the same changes nothing."""
+    subprocess.run([os.path.join(bench.programs, "tiprub-reduce"), "case.toml", "sector.msh", "-o", "segments.h5", "-q", "--fields",
+                    "segments_fields.h5", "--set", 'reduce.contact="segments"'], cwd=folder.path, check=True)
+
+    def row_of(source, *arguments):
+        subprocess.run([os.path.join(bench.programs, "tiprub-postprocess"), "case.toml", "model.h5", "models.h5", "-o", "models", "-q",
+                        "--fields", "fields.h5", "--set", TIP_PATCH, *arguments], cwd=folder.path, check=True)
+        rows = csv.DictReader(folder.read("models/error_budget.csv").decode().splitlines())
+        return next(row for row in rows if row["source"] == source)
+
+    for model, fields, source in (("model.h5", "fields.h5", "another model"),
+                                  ("segments.h5", "segments_fields.h5", "contact on segments")):
+        budget("models", "simulate.budget_damping=[0.02]", f'simulate.budget_model="{model}"')
+        row = row_of(source)
         assert row["stress [MPa]"] == "NaN" and float(row["amplitude [mm]"]) > 0, row
-        moved = abs(float(row["change of speed [%]"]))
-        assert moved < 0.05 if model == "model.h5" else moved > 0.05, row
+        row = row_of(source, "--budget-fields", fields)
+        moved, stress = (abs(float(row[f"change of {what} [%]"])) for what in ("speed", "stress"))
+        assert moved < 0.05 and stress < 0.1 if model == "model.h5" else moved > 0.05 and stress > 0.1, row
+    refused = subprocess.run([os.path.join(bench.programs, "tiprub-postprocess"), "case.toml", "model.h5", "models.h5", "-o", "models", "-q",
+                              "--fields", "fields.h5", "--budget-fields", "fields.h5"], cwd=folder.path, text=True, stderr=subprocess.PIPE)
+    assert refused.returncode == 2 and "was not written with the model that the error budgets compare with" in refused.stderr, refused
+    speed = float(row["speed [rpm]"])
     subprocess.run([os.path.join(bench.programs, "tiprub-simulate"), "case.toml", "segments.h5", "-o", "segments_response.h5", "-q",
-                    *(word for setting in ('simulate.examine="none"', f"simulate.speeds_rpm=[{row['speed [rpm]']}]",
-                                           "simulate.step_tolerance=0.01", "simulate.max_revolutions=100") for word in ("--set", setting))],
+                    *(word for setting in (f"simulate.speeds_rpm=[{0.97 * speed}, {speed}, {1.03 * speed}]", "simulate.step_tolerance=0.01",
+                                           "simulate.max_revolutions=100") for word in ("--set", setting))],
                    cwd=folder.path, check=True)
-    subprocess.run([os.path.join(bench.programs, "tiprub-postprocess"), "case.toml", "segments.h5", "segments_response.h5", "-o", "alone", "-q"],
-                   cwd=folder.path, check=True)
-    found = next(csv.DictReader(folder.read("alone/speeds.csv").decode().splitlines()))
-    assert math.isclose(float(found["amplitude [mm]"]), float(row["amplitude [mm]"]), rel_tol=5e-3), (row, found)
+    subprocess.run([os.path.join(bench.programs, "tiprub-postprocess"), "case.toml", "segments.h5", "segments_response.h5", "-o", "alone", "-q",
+                    "--fields", "segments_fields.h5", "--set", TIP_PATCH], cwd=folder.path, check=True)
+    for table, of_sweep, of_budget in (("speeds", "amplitude [mm]", "amplitude [mm]"),
+                                       ("stress_peaks", "von Mises, vibration [MPa]", "stress [MPa]")):
+        found = next(found for found in csv.DictReader(folder.read(f"alone/{table}.csv").decode().splitlines())
+                     if math.isclose(float(found["speed [rpm]"]), speed))
+        assert math.isclose(float(found[of_sweep]), float(row[of_budget]), rel_tol=5e-3), (row, found)
 
 
 def check_make(folder):

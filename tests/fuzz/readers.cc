@@ -73,7 +73,7 @@ void read_fields(const fs::path& file, const fs::path&) {
 
 void check_report_of_fields(const fs::path& file, const fs::path& beside) {
   run_postprocess(check({beside / "case.toml", beside / "model.h5", beside / "response.h5"}),
-                  {.fields_file = file, .compared = {}, .runs = {}});
+                  {.fields_file = file, .budget_fields = {}, .compared = {}, .runs = {}});
 }
 
 void read_response_file(const fs::path& file, const fs::path&) {

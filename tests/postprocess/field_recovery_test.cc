@@ -7,9 +7,11 @@
 #include <complex>
 #include <filesystem>
 #include <numbers>
+#include <numeric>
 
 #include "mesh/cells/cell_kind.h"
 #include "postprocess/fields/field_vtu.h"
+#include "postprocess/fields/other_model_stress.h"
 #include "postprocess/fields/wheel_surface.h"
 #include "postprocess/tables/table.h"
 #include "reduce/model/nodal_diameter.h"
@@ -269,6 +271,27 @@ TEST(VtuFile, NamesItsArraysAndCells) {
   EXPECT_NE(read_text(path).find("<CellData>\n<DataArray Name=\"error\" type=\"Float32\" NumberOfComponents=\"1\""),
             std::string::npos);
   std::filesystem::remove(path);
+}
+
+TEST(OtherMesh, HasTheNodesThatAreNearest) {
+  const SectorFields sector = sector_of_bricks(20), other = sector_of_bricks(27);
+  StressZones zones;
+  zones.at_node.assign(static_cast<std::size_t>(other.nodes.cols()), StressZone::body);
+  std::vector<int> all(static_cast<std::size_t>(sector.nodes.cols())), others(zones.at_node.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::iota(others.begin(), others.end(), 0);
+  EXPECT_EQ(nodes_near(all, sector, other, zones), others);
+  const auto same_place = [&](int node) {
+    Eigen::Index same = 0;
+    EXPECT_LT((other.nodes.colwise() - sector.nodes.col(node)).colwise().norm().minCoeff(&same), 1e-12);
+    return static_cast<int>(same);
+  };
+  const int there = same_place(3);
+  const std::vector<int> found = nodes_near({3}, sector, other, zones);
+  EXPECT_TRUE(std::ranges::count(found, there) == 1 && found.size() < 5) << found.size();
+  for (const int node : all) EXPECT_EQ(std::ranges::count(found, same_place(node)), node == 3 ? 1 : 0) << node;
+  zones.at_node[static_cast<std::size_t>(there)] = StressZone::tip_patch;
+  EXPECT_EQ(std::ranges::count(nodes_near({3}, sector, other, zones), there), 0);
 }
 
 }  // namespace

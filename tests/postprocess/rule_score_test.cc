@@ -64,6 +64,16 @@ TEST(RuleScore, CountsAndWeighs) {
   EXPECT_EQ(study.rules.equation_2_score.predicted_share, 0.0);
 }
 
+TEST(RuleScore, TakesTheWaveThatNamesThePeak) {
+  CriticalSpeed critical;
+  critical.speed = 1000;
+  critical.amplitude = 1e-4;
+  critical.rising = {.engine_order = 4.167, .signed_nodal_diameter = -14, .amplitude = 4e-5, .family = 0};
+  critical.largest = {.engine_order = 4, .signed_nodal_diameter = 4, .amplitude = 6e-5, .family = 0};
+  EXPECT_EQ(score({{950, 63, 4, 4, 0, 1e-5}}, {4}, 0.1, {critical}).hits, 1);
+  EXPECT_EQ(score({{950, 63, 4, -4, 0, 1e-5}}, {4}, 0.1, {critical}).hits, 0);
+}
+
 TEST(RuleScore, WeighsAHitByItsAmplitude) {
   std::vector<CriticalSpeed> critical(2);
   critical[0].speed = critical[1].speed = 1000;

@@ -22,9 +22,7 @@ namespace {
 SpeedResponse settled_speed() {
   SpeedResponse speed;
   speed.speed = 100;
-  speed.steps_per_revolution = 40;
-  speed.samples_per_revolution = 4;
-  speed.recorded_revolutions = 2;
+  speed.steps_per_revolution = 40, speed.samples_per_revolution = 4, speed.recorded_revolutions = 2;
   speed.motion = MotionClass::subharmonic;
   speed.clearance = Eigen::Vector3d(1e-4, 2e-4, 3e-4);
   speed.displacement = Eigen::MatrixXd::Random(8, 2 * 3 * 3);
@@ -34,9 +32,11 @@ SpeedResponse settled_speed() {
   speed.snapshot = RotorSnapshot{5, 12.5, {Eigen::VectorXcd::Random(4), Eigen::VectorXcd::Random(7)}};
   speed.cycle = RotorCycle{4, {Eigen::MatrixXcd::Random(4, 4), Eigen::MatrixXcd::Random(7, 4)}};
   speed.audit.orbit = {OrbitReport::Outcome::marched, 4, 25, 1e-3, 1.1, 0.01, 2};
-  speed.budget.resize(2);
-  speed.budget[0].samples_per_revolution = 6;
+  speed.budget.resize(3);
+  speed.budget[0].samples_per_revolution = speed.budget[1].samples_per_revolution = 6;
   speed.budget[0].cycle = RotorCycle{0, {Eigen::MatrixXcd::Random(4, 3), Eigen::MatrixXcd::Random(7, 3)}};
+  speed.budget[1].model_digest = "of another model";
+  speed.budget[1].cycle = RotorCycle{0, {Eigen::MatrixXcd::Random(5, 2), Eigen::MatrixXcd::Random(9, 2)}};
   return speed;
 }
 
@@ -174,10 +174,10 @@ TEST_F(ResponseFile, GivesBackASpeed) {
   EXPECT_EQ(speed.cycle->first_sample, 4);
   EXPECT_EQ(speed.cycle->displacement, given.cycle->displacement);
   EXPECT_EQ(speed.audit.orbit, given.audit.orbit);
-  ASSERT_TRUE(speed.budget.size() == 2 && speed.budget[0].cycle);
+  ASSERT_TRUE(speed.budget.size() == 3 && speed.budget[0].cycle && speed.budget[1].cycle && !speed.budget[2].cycle);
   EXPECT_EQ(speed.budget[0].samples_per_revolution, 6);
   EXPECT_EQ(speed.budget[0].cycle->displacement, given.budget[0].cycle->displacement);
-  EXPECT_FALSE(speed.budget[1].cycle.has_value());
+  EXPECT_EQ(speed.budget[1].cycle->displacement, given.budget[1].cycle->displacement);
 }
 
 TEST_F(ResponseFile, GivesBackWhyASpeedFailed) {

@@ -31,8 +31,8 @@ do for [q = 1:3] {
   plot frontier(q) using 1:(100*$2) with steps linewidth 2 linecolor rgb "#0072b2" title "frontier of whole settings", \
     rows("mesh.tsv", "combination") using 8:(per_cent(12 + q)) with points pointtype 7 pointsize 0.9 linecolor rgb "#0072b2" title "a whole setting", \
     "" using 8:(per_cent(12 + q)):(strstrt(strcol(2), "the case") ? "" : word(strcol(2), 1)[1:strstrt(word(strcol(2)."", 1).",", ",") - 1]) with labels offset 0.8,0.6 font ",10" textcolor rgb "#0072b2" notitle, \
-    rows("mesh.tsv", "combination") using (strcol(2)[1:16] eq "the case: points" ? $8 : NaN):(per_cent(12 + q)) with points pointtype 6 pointsize 2.2 linewidth 2 linecolor rgb "#000000" title "the case: at points", \
-    rows("mesh.tsv", "combination") using (strcol(2)[1:20] eq "the case, by default" ? $8 : NaN):(per_cent(12 + q)) with points pointtype 4 pointsize 2.2 linewidth 2 linecolor rgb "#000000" title "the default: by segments", \
+    rows("mesh.tsv", "combination") using (strcol(2)[1:16] eq "the case: points" ? $8 : NaN):(per_cent(12 + q)) with points pointtype 6 pointsize 2.2 linewidth 2 linecolor rgb "#000000" title "case's mesh, at points", \
+    rows("mesh.tsv", "combination") using (strcol(2)[1:20] eq "the case, by default" ? $8 : NaN):(per_cent(12 + q)) with points pointtype 4 pointsize 2.2 linewidth 2 linecolor rgb "#000000" title "case's mesh, 10 segments", \
     rows("mesh.tsv", "finest") using (column(12 + q) > 0 ? $8 : NaN):(per_cent(12 + q)) with linespoints pointtype 8 linecolor rgb "#d55e00" title "the finest on each mesh"
   set tmargin at screen 0.45
   set bmargin at screen 0.08

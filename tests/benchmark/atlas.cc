@@ -151,7 +151,7 @@ Map modes() {
 Map rules() {
   return {"rule of contact",
           "steps a revolution",
-          {"default", "central differences", "eq. 14, eq. 15 as printed"},
+          {"default", "central differences", "eqs. 14 and 15, sign of eq. 14"},
           {960, 1920, 3840, 7680, 15360},
           [](std::size_t row, double steps) {
             Trial trial = stepped(made_wheel(2), steps);

@@ -221,7 +221,7 @@ def _(c):
     disc = energy_shares(c)["disc"]
     n, family = numpy.unravel_index(disc[:, 1:].argmax(), disc[:, 1:].shape)
     return disc[n, family + 1] > 0.1, \
-        f"of {disc.shape[1]} families the most has {family + 2}, on nodal diameter {n}: {percent(disc[n, family + 1])} of its strain energy in the disc"
+        f"of {disc.shape[1]} families, {family + 2} has the largest share of its strain energy in the disc, {percent(disc[n, family + 1])} on nodal diameter {n}"
 
 
 # --- 3.4 reduction -----------------------------------------------------------------------------------------------------------

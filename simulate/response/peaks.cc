@@ -52,6 +52,11 @@ ParabolaTop parabola_top(const std::array<double, 3>& places, const std::array<d
   return {offset, (rise - fall) / (left + right) * offset * offset};
 }
 
+double PeakTop::vertex() const {
+  return top.speed +
+         parabola_top({left.speed, top.speed, right.speed}, {left.amplitude, top.amplitude, right.amplitude}).offset;
+}
+
 double rise_beside(const Eigen::VectorXd& places, const Eigen::VectorXd& curve, Eigen::Index place, int step) {
   const auto slope = [&](Eigen::Index from, Eigen::Index to) {
     return (curve[to] - curve[from]) / std::abs(places[to] - places[from]);

@@ -30,6 +30,15 @@ struct ParabolaTop {
 /// The middle sample must be higher than one neighbour and not lower than the other; places must ascend.
 ParabolaTop parabola_top(const std::array<double, 3>& places, const std::array<double, 3>& values);
 
+/// The highest sample of a peak and its two neighbours.
+struct PeakTop {
+  SampledSpeed left, top, right;
+
+  double left_gap() const { return top.speed - left.speed; }    ///< [rad/s]
+  double right_gap() const { return right.speed - top.speed; }  ///< [rad/s]
+  double vertex() const;                                        ///< [rad/s] of the parabola through the three samples
+};
+
 /// The samples that are higher than both neighbours (the first of equal ones) and whose prominence is at least
 /// `share` of their height; ascending in index. The two ends are never peaks, because the curve may rise beyond them.
 std::vector<Peak> find_peaks(const Eigen::VectorXd& curve, double share);

@@ -110,8 +110,8 @@ PeakVariation peak_near(const Scene& scene, const Origin& origin) {
   const PeakTop& top = *scan.result;
   const double away = top.left.amplitude < top.right.amplitude ? top.right_gap() : -top.left_gap();
   PeakVariation peak;
-  for (int i = 0; i <= (top.jumps() ? retreats : 0); ++i) {
-    const double speed = top.jumps() ? top.top.speed + i * away : top.vertex();
+  for (int i = 0; i <= (jumps(top) ? retreats : 0); ++i) {
+    const double speed = jumps(top) ? top.top.speed + i * away : top.vertex();
     RotorState rest;
     const PeakVariation found = marched_peak(scene, speed, rest);
     if (found.amplitude > peak.amplitude) peak = found;
@@ -216,7 +216,7 @@ double top_of(const Beside& at) {
   const auto sample = [&](std::size_t i) { return SampledSpeed{at[i].speed, at[i].amplitude}; };
   const PeakTop top{sample(0), sample(1), sample(2)};
   const bool encloses = top.top.amplitude > std::max(top.left.amplitude, top.right.amplitude);
-  if (encloses && !top.jumps()) return top.vertex();
+  if (encloses && !jumps(top)) return top.vertex();
   return std::max_element(at.begin(), at.end(),
                           [](const PeakVariation& a, const PeakVariation& b) { return a.amplitude < b.amplitude; })
       ->speed;

@@ -116,13 +116,8 @@ class SampledResponse {
 
 }  // namespace
 
-bool PeakTop::jumps() const {
-  return std::min(left.amplitude, right.amplitude) < fallen * top.amplitude;
-}
-
-double PeakTop::vertex() const {
-  return top.speed +
-         parabola_top({left.speed, top.speed, right.speed}, {left.amplitude, top.amplitude, right.amplitude}).offset;
+bool jumps(const PeakTop& peak) {
+  return std::min(peak.left.amplitude, peak.right.amplitude) < fallen * peak.top.amplitude;
 }
 
 PeakTop follow_peak(const PeakOrigin& origin, const AmplitudeAt& amplitude_at) {

@@ -14,17 +14,8 @@ struct PeakOrigin {
   double half_width = 0;  ///< [rad/s] of the narrowest resonance there
 };
 
-/// The highest sample of a peak and its two neighbours.
-struct PeakTop {
-  SampledSpeed left, top, right;
-
-  double left_gap() const { return top.speed - left.speed; }
-  double right_gap() const { return right.speed - top.speed; }
-  /// Whether the response jumps beside the top: a neighbour has less than 80 % of its amplitude.
-  bool jumps() const;
-  /// [rad/s] The vertex of the parabola through the three samples.
-  double vertex() const;
-};
+/// Whether the response jumps beside a top: a neighbour has less than 80 % of its amplitude.
+bool jumps(const PeakTop& peak);
 
 /// The amplitude [m] at a speed [rad/s]: zero where the motion belongs to another peak, empty where there is no
 /// motion.

@@ -42,25 +42,14 @@ std::vector<Peak> candidates(const SampledCurve& curve, const LocationGoal& goal
   return named_peaks(amplitudes(curve), measure);
 }
 
-/// A peak's sample between its two neighbours.
-struct Triple {
-  const SampledSpeed &left, &top, &right;
-
-  double left_side() const { return top.speed - left.speed; }
-  double right_side() const { return right.speed - top.speed; }
-  ParabolaTop parabola() const {
-    return parabola_top({left.speed, top.speed, right.speed}, {left.amplitude, top.amplitude, right.amplitude});
-  }
-};
-
-Triple triple_at(const SampledCurve& curve, Eigen::Index place) {
+PeakTop top_at(const SampledCurve& curve, Eigen::Index place) {
   const auto i = static_cast<std::size_t>(place);
   return {curve[i - 1], curve[i], curve[i + 1]};
 }
 
-void close_in(const Triple& peak, const LocationGoal& goal, std::set<double>& next) {
+void close_in(const PeakTop& peak, const LocationGoal& goal, std::set<double>& next) {
   const double width = inside * goal.speed * peak.top.speed;
-  for (const auto& [side, sign] : {std::pair(peak.left_side(), -1.0), std::pair(peak.right_side(), 1.0)})
+  for (const auto& [side, sign] : {std::pair(peak.left_gap(), -1.0), std::pair(peak.right_gap(), 1.0)})
     if (side > goal.speed * peak.top.speed) next.insert(peak.top.speed + sign * std::max(width, side / lopsided));
 }
 
@@ -76,15 +65,14 @@ void halve_gaps(const SampledCurve& curve, Eigen::Index place, const LocationGoa
 }
 
 void refine_peak(const SampledCurve& curve, Eigen::Index place, const LocationGoal& goal, std::set<double>& next) {
-  const Triple peak = triple_at(curve, place);
-  const double left = peak.left_side(), right = peak.right_side(), wide = goal.speed * peak.top.speed;
-  const ParabolaTop parabola = peak.parabola();
+  const PeakTop peak = top_at(curve, place);
+  const double left = peak.left_gap(), right = peak.right_gap(), wide = goal.speed * peak.top.speed;
   if (std::max(left, right) <= wide) {
     halve_gaps(curve, place, goal, next);
   } else if (std::max(left, right) > lopsided * std::min(left, right)) {
     next.insert(peak.top.speed + (left > right ? -1 : 1) * step_out * std::min(left, right));
-  } else if (std::abs(parabola.offset) > wide / 2) {
-    next.insert(peak.top.speed + parabola.offset);
+  } else if (std::abs(peak.vertex() - peak.top.speed) > wide / 2) {
+    next.insert(peak.vertex());
   } else {
     close_in(peak, goal, next);
   }
@@ -175,12 +163,12 @@ std::vector<double> speeds_to_refine(const SampledCurve& curve, const LocationGo
 std::vector<double> speeds_to_confirm(const SampledCurve& scan, const SampledCurve& full, const LocationGoal& goal) {
   std::set<double> next;
   for (const Peak& peak : candidates(scan, goal)) {
-    const Triple triple = triple_at(scan, peak.index);
-    const double top = triple.top.speed + triple.parabola().offset;
+    const PeakTop highest = top_at(scan, peak.index);
+    const double top = highest.vertex();
     for (const double side : {-inside, 0.0, inside}) next.insert(top * (1 + side * goal.speed));
     for (const Eigen::Index place : {peak.left_valley, peak.right_valley}) {
       const double valley = scan[static_cast<std::size_t>(place)].speed;
-      if (!falls_between(full, valley, top, triple.top.amplitude)) next.insert(valley);
+      if (!falls_between(full, valley, top, highest.top.amplitude)) next.insert(valley);
     }
   }
   LocationGoal narrow = goal;

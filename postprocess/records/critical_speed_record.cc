@@ -251,7 +251,9 @@ std::string rounded_mpa(double stress) {
 }
 
 PeakColumns rounded_stress_columns() {
-  return {stress_column("vibration [MPa]", [](const FieldPeak& peak) { return rounded_mpa(peak.body.vibration); }),
+  return {stress_column(
+              "vibration [MPa]",
+              [](const FieldPeak& peak) { return (peak.cycle ? "" : "> ") + rounded_mpa(peak.body.vibration); }),
           stress_column("spin [MPa]", [](const FieldPeak& peak) { return rounded_mpa(peak.body.spin); }),
           stress_column("both [MPa]", [](const FieldPeak& peak) { return rounded_mpa(peak.body.both); }),
           stress_column("stressed most", [](const FieldPeak& peak) { return peak.where; }),

@@ -201,7 +201,8 @@ std::string largest_text(const ErrorBudget* budget, Value value) {
 
 std::string stress_text(const std::optional<FieldPeak>& stress) {
   if (!stress) return "";
-  return fixed(stress->body.vibration * mpa_per_pa, 0) + " / " + fixed(stress->body.both * mpa_per_pa, 0);
+  return (stress->cycle ? "" : "> ") + fixed(stress->body.vibration * mpa_per_pa, 0) + " / " +
+         fixed(stress->body.both * mpa_per_pa, 0);
 }
 
 std::string goodman_text(const std::optional<FieldPeak>& stress) {

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "postprocess/records/error_budget_record.h"
+#include "postprocess/records/study_records.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {
@@ -148,8 +149,34 @@ std::string widening_text(double widening) {
                       : "not widened without an error budget";
 }
 
+/// "27000 and 30000 rpm", or "6 speeds between 18750 and 23000 rpm"; ascending speeds [rad/s].
+std::string speeds_text(const std::vector<double>& speeds) {
+  if (speeds.size() == 1) return rpm_text(speeds.front());
+  const std::string first = fixed(speeds.front() * rpm_per_rad_s, 0), last = rpm_text(speeds.back());
+  return speeds.size() == 2 ? first + " and " + last
+                            : std::to_string(speeds.size()) + " speeds between " + first + " and " + last;
+}
+
 std::string range_text(const SpeedRange& range) {
   return fixed(range.low * rpm_per_rad_s, 0) + " to " + rpm_text(range.high);
+}
+
+/// "; Goodman's utilisation is not known without ...", "; not rated, because the response holds one instant of its
+/// motion: 21303 rpm"; empty if all critical speeds are rated.
+std::string not_rated(const FieldResults& fields) {
+  const auto has_goodman = [](const auto& peak) { return peak && peak->cycle && peak->cycle->goodman; };
+  if (fields.peaks.empty()) return "";
+  if (std::ranges::none_of(fields.peaks, has_goodman))
+    return std::string("; Goodman's utilisation is not known without ") +
+           (!fields.has_stress()   ? "--fields"
+            : !fields.has_cycles() ? "whole cycles of the motions (simulate.examine = \"critical_speeds\")"
+                                   : "endurance_limit and ultimate_strength in [material]");
+  std::vector<double> speeds;
+  for (const std::optional<FieldPeak>& peak : fields.peaks)
+    if (peak && !peak->cycle) speeds.push_back(peak->speed);
+  return speeds.empty()
+             ? ""
+             : "; not rated, because the response holds a single instant of the motion: " + speeds_text(speeds);
 }
 
 /// "Goodman above 0.5; Goodman above 1 from 18604 to 21188 rpm and from ..."; without speeds if it is one band.
@@ -185,11 +212,20 @@ std::string bands_in_words(const std::vector<AvoidedBand>& bands, const FieldRes
     first = std::next(last);
   }
   if (text.empty()) text = "No speed at which a tip moves beyond the clearance";
-  const bool rated = std::any_of(fields.peaks.begin(), fields.peaks.end(),
-                                 [](const auto& peak) { return peak && peak->cycle && peak->cycle->goodman; });
-  if (rated || fields.peaks.empty()) return text + ".";
-  return text + "; Goodman's utilisation is not known without " +
-         (fields.has_stress() ? "endurance_limit and ultimate_strength in [material]." : "--fields.");
+  return text + not_rated(fields) + ".";
+}
+
+std::string unknown_speeds(const Study& study) {
+  std::vector<double> failed, unstable;
+  for (const SpeedResponse& speed : study.failed) failed.push_back(speed.speed);
+  for (const SpeedResponse& speed : study.response.speeds)
+    if (speed.audit.symmetry == SymmetryVerdict::breaking && whole_wheel(speed) == nullptr)
+      unstable.push_back(speed.speed);
+  std::string text;
+  if (!failed.empty()) text += " Not computed, because the march failed: " + speeds_text(failed) + ".";
+  if (!unstable.empty())
+    text += " Blades may move farther where the symmetric motion is unstable: at " + speeds_text(unstable) + ".";
+  return text;
 }
 
 }  // namespace tiprub::postprocess

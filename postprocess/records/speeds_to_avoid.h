@@ -41,7 +41,11 @@ std::vector<AvoidedBand> speeds_to_avoid(const Study& study, const FieldResults&
 std::string reason_of(const AvoidedBand& band);
 
 /// "18362 to 21705 rpm (Goodman above 0.5; Goodman above 1 from 18604 to 21188 rpm; ...); ...": bands that touch are
-/// one. Or that there are none.
+/// one. Or that there are none. Then the critical speeds whose utilisation is not known.
 std::string bands_in_words(const std::vector<AvoidedBand>& bands, const FieldResults& fields);
+
+/// The speeds at which less is known than the bands suggest: those that failed, and those whose symmetric motion is
+/// unstable although the whole wheel was not marched. " 2 speeds failed: 27000 and 30000 rpm. ..."; may be empty.
+std::string unknown_speeds(const Study& study);
 
 }  // namespace tiprub::postprocess

@@ -200,10 +200,6 @@ std::string accuracy_sentence(const Study& study) {
 
 }  // namespace
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 std::vector<std::string> summary(const Study& study, const FieldResults& fields) {
   std::vector<std::string> lines;
   for (const std::string& line :

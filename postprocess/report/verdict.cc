@@ -10,24 +10,21 @@
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/speeds_to_avoid.h"
 #include "postprocess/records/study_records.h"
+#include "postprocess/report/margin.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {
 
 namespace {
 
-std::string mm(double length) {
-  return fixed(length * mm_per_m, 3) + " mm";
-}
-
 /// "0.265 mm, 2.2 times the running clearance there", or "0.187 mm": half of the peak-to-peak at a speed.
 std::string amplitude_text(const Study& study, Eigen::Index speed) {
   const double amplitude = study.amplitudes.largest[speed];
-  if (study.parameters.component != Component::normal) return mm(amplitude);
+  if (study.parameters.component != Component::normal) return mm_text(amplitude);
   const double clearance = study.speed_at(speed).clearance[study.amplitudes.node[speed]];
-  return mm(amplitude) + (clearance > 0 ? ", " + fixed(amplitude / clearance, 1) +
-                                              " times the running clearance there (" + mm(clearance) + ")"
-                                        : "");
+  return mm_text(amplitude) + (clearance > 0 ? ", " + fixed(amplitude / clearance, 1) +
+                                                   " times the running clearance there (" + mm_text(clearance) + ")"
+                                             : "");
 }
 
 /// ", and towards the casing by ", "; the axial displacement is "
@@ -38,10 +35,11 @@ std::string before_amplitude(Component component) {
 
 std::string stress_text(const Study& study, const std::optional<FieldPeak>& peak) {
   if (!peak) return "";
-  std::string text = " The vibration stress is " + mpa_text(peak->body.vibration) + ", and " +
-                     mpa_text(peak->body.both) + " with spin";
   const auto& cycle = peak->cycle;
-  if (!cycle || !cycle->goodman) return text + ".";
+  std::string text = std::string(" The vibration stress is ") + (cycle ? "" : "at least ") +
+                     mpa_text(peak->body.vibration) + ", and " + mpa_text(peak->body.both) + " with spin";
+  if (!cycle) return text + ", at the one instant of this motion that the response holds.";
+  if (!cycle->goodman) return text + ".";
   if (cycle->strength->yield) text += " (yield strength " + mpa_text(*cycle->strength->yield) + ")";
   return text + "; Goodman's utilisation is " + fixed(*cycle->goodman, 2) +
          (*cycle->goodman > 1 ? ", above the limit of 1" : "") + " (" + mpa_text(cycle->alternating) +
@@ -63,7 +61,7 @@ std::string still_rising(const Study& study) {
   for (const Eigen::Index end : rising_ends(study.amplitudes.largest, study.parameters.prominence))
     text += (text.empty() ? " The amplitude still rises towards " : " and ") +
             rpm_text(study.response.speeds[static_cast<std::size_t>(end)].speed) + " (" +
-            mm(study.amplitudes.largest[end]) + ")";
+            mm_text(study.amplitudes.largest[end]) + ")";
   return text.empty() ? "" : text + ": a peak may lie outside the simulated speeds.";
 }
 
@@ -71,7 +69,7 @@ std::string still_rising(const Study& study) {
 std::string not_located(const Study& study) {
   std::string text;
   for (const CriticalSpeed& peak : study.not_located)
-    text += (text.empty() ? " Not located, and no critical speeds: " : "; ") + mm(peak.amplitude) + " at " +
+    text += (text.empty() ? " Not located, and no critical speeds: " : "; ") + mm_text(peak.amplitude) + " at " +
             rpm_text(peak.speed) + ", a top that may lie anywhere between " +
             fixed(peak.speed_low * rpm_per_rad_s, 0) + " and " + rpm_text(peak.speed_high);
   return text.empty() ? text : text + ".";
@@ -80,8 +78,8 @@ std::string not_located(const Study& study) {
 std::string how_bad(const Study& study, const FieldResults& fields) {
   if (study.no_tip_touches())
     return "No tip touches the casing at any speed, so that nothing excites the wheel: the crest reaches " +
-           mm(study.response.scene.crest()) + " inward, and the smallest running clearance is " +
-           mm(study.response.clearances().low) + ".";
+           mm_text(study.response.scene.crest()) + " inward, and the smallest running clearance is " +
+           mm_text(study.response.clearances().low) + ".";
   const std::optional<std::size_t> worst = worst_critical(study.critical);
   const std::string largest =
       rpm_text(study.worst_response().speed) + ", " + amplitude_text(study, study.amplitudes.worst()) + ".";
@@ -143,53 +141,29 @@ std::string why(const Study& study) {
   const WaveLabel& wave = peak.naming_wave();
   std::string text = engine_order_name(wave.engine_order) + " drives family " + std::to_string(wave.family + 1) +
                      " on nodal diameter " + std::to_string(std::abs(wave.signed_nodal_diameter)) + " as a " +
-                     name_of(wave.direction) + " wave (" + wave_name(wave) + "): " + mm(wave.amplitude) + ", " +
+                     name_of(wave.direction) + " wave (" + wave_name(wave) + "): " + mm_text(wave.amplitude) + ", " +
                      fixed(percent * wave.amplitude / peak.amplitude, 0) + " % of the amplitude, " +
                      fixed(percent * std::abs(wave.detuning), 1) + (wave.detuning < 0 ? " % below" : " % above") +
                      " that mode's frequency." + origin_text(wave, study.response.scene);
   if (peak.has_larger_wave())
-    text += " That wave rises most; the largest is " + wave_name(peak.largest) + " with " +
-            mm(peak.largest.amplitude) + ".";
+    text += wave_name(wave) == wave_name(peak.largest)
+                ? " The wave that rises most is " + wave_name(peak.rising) + " with " +
+                      mm_text(peak.rising.amplitude) + "."
+                : " That wave rises most; the largest is " + wave_name(peak.largest) + " with " +
+                      mm_text(peak.largest.amplitude) + ".";
   const std::size_t named = peak.has_larger_wave() ? 1 : 0;  // the largest of the others is named already
   for (std::size_t i = named; i < std::min(named + 2, peak.others.size()); ++i)
-    text +=
-        (i == named ? " Beside it: " : ", ") + wave_name(peak.others[i]) + " with " + mm(peak.others[i].amplitude);
+    text += (i == named ? " Beside it: " : ", ") + wave_name(peak.others[i]) + " with " +
+            mm_text(peak.others[i].amplitude);
   return text + (peak.others.size() <= named ? "" : ".");
-}
-
-std::string margin_text(const Study& study) {
-  const PostprocessParameters& keys = study.parameters;
-  if (!(keys.operating_max_rpm > 0))
-    return "Not known: the case gives no operating range ([postprocess] operating_min_rpm, operating_max_rpm).";
-  const SpeedRange operating{keys.operating_min_rpm * rad_s_per_rpm, keys.operating_max_rpm * rad_s_per_rpm};
-  const OperatingMargin margin = operating_margin(study.critical, operating, keys.operating_amplitude_mm / mm_per_m);
-  double largest = 0;
-  for (std::size_t i = 0; i < study.response.speeds.size(); ++i)
-    if (study.response.speeds[i].speed >= operating.low && study.response.speeds[i].speed <= operating.high)
-      largest = std::max(largest, study.amplitudes.largest[static_cast<Eigen::Index>(i)]);
-  std::string text = "Operating range " + fixed(keys.operating_min_rpm, 0) + " to " + rpm_text(operating.high) + ": ";
-  text += margin.inside.empty() ? "no critical speed inside"
-                                : counted(margin.inside.size(), "critical speed") + " inside (";
-  for (std::size_t i = 0; i < margin.inside.size(); ++i)
-    text += fixed(margin.inside[i].speed * rpm_per_rad_s, 0) + (i + 1 < margin.inside.size() ? ", " : " rpm)");
-  const auto outside = [](const std::optional<SpeedMargin>& there, const std::string& which) {
-    return there ? "; the next " + which + ", " + rpm_text(there->speed) + ", is " +
-                       fixed(percent * there->margin, 1) + " % away"
-                 : std::string();
-  };
-  text += outside(margin.below, "below") + outside(margin.above, "above") + speeds_caveat(study) + ".";
-  text += " Inside it the tip moves towards the casing by up to " + mm(largest) + ".";
-  if (operating.low < study.range.low || operating.high > study.range.high)
-    text += " Not all of the range was simulated.";
-  return text;
 }
 
 /// "symmetry (1.52 at 22000 rpm, limit 1; 1 speed of 93)"; without the number if the limit is zero.
 std::string failed_text(const Check& check) {
   constexpr int digits = 3;
-  const std::string worst = check.limit > 0
-                                ? significant(check.worst.value_or(0), digits) + " at " + rpm_text(check.speed) +
-                                      ", limit " + significant(check.limit, digits) + "; "
+  const std::string worst = check.limit > 0 && check.worst
+                                ? significant(*check.worst, digits) + " at " + rpm_text(check.speed) + ", limit " +
+                                      significant(check.limit, digits) + "; "
                                 : "";
   return check.subject + " (" + worst + counted(static_cast<std::size_t>(check.beyond), "speed") + " of " +
          std::to_string(check.looked_at) + ")";
@@ -306,7 +280,7 @@ std::string interference_text(const Study& study) {
   const double crest = study.response.scene.crest();
   const ClearanceRange clearances = study.response.clearances();
   const double low = crest - clearances.high, high = crest - clearances.low;
-  return fixed(low * mm_per_m, 3) + " .. " + mm(high) + " (crest minus clearance, along the tip" +
+  return fixed(low * mm_per_m, 3) + " .. " + mm_text(high) + " (crest minus clearance, along the tip" +
          (low <= 0 && high <= 0 ? "; a tip that doesn't vibrate never touches)" : ")");
 }
 
@@ -356,11 +330,12 @@ std::string running_clearances(const Response& response) {
 }
 
 std::vector<Answer> verdict(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
+  const std::vector<AvoidedBand> bands = speeds_to_avoid(study, fields);
   std::vector<Answer> answers = {
       {"Not trustworthy", speeds_warning(study)},
       {"How bad", how_bad(study, fields)},
-      {"Avoid", study.no_tip_touches() ? "" : bands_in_words(speeds_to_avoid(study, fields), fields)},
-      {"Margin", margin_text(study)},
+      {"Avoid", study.no_tip_touches() ? "" : bands_in_words(bands, fields) + unknown_speeds(study)},
+      {"Margin", margin_text(study, bands)},
       {"Where", where(study, fields)},
       {"Why", why(study)},
       {"Trust", trust(study, fields, needs)},
@@ -376,7 +351,8 @@ std::vector<Answer> scene_in_brief(const Study& study) {
         counted(static_cast<std::size_t>(scene.sector_count), "sector") + ", " +
             counted(static_cast<std::size_t>(study.model.contact.size()), name_of(study.model.contact.kind)) +
             (study.model.contact.splitter_nodes > 0 ? " on a main blade and its splitter" : " on each tip")},
-       {"Casing", counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + mm(crest) + " inward at the crest"},
+       {"Casing",
+        counted(static_cast<std::size_t>(scene.lobes), "lobe") + ", " + mm_text(crest) + " inward at the crest"},
        {"Clearance", running_clearances(study.response)},
        {"Interference", interference_text(study)},
        {"Damping", damping_text(scene)},

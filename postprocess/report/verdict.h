@@ -36,7 +36,4 @@ std::string running_clearances(const Response& response);
 /// unusual. Each element is a paragraph.
 std::vector<std::string> summary(const Study& study, const FieldResults& fields);
 
-/// "1 speed", "3 speeds".
-std::string counted(std::size_t count, const std::string& what);
-
 }  // namespace tiprub::postprocess

@@ -151,6 +151,14 @@ std::string rpm_text(double speed) {
   return fixed(speed * rpm_per_rad_s, 0) + " rpm";
 }
 
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string mm_text(double length) {
+  return fixed(length * mm_per_m, 3) + " mm";
+}
+
 std::string mpa_text(double stress) {
   return fixed(stress * mpa_per_pa, 0) + " MPa";
 }

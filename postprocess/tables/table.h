@@ -59,6 +59,10 @@ inline constexpr double percent = 100.0;
 
 /// "12300 rpm" for a speed in rad/s.
 std::string rpm_text(double speed);
+/// "1 speed", "3 speeds".
+std::string counted(std::size_t count, const std::string& what);
+/// "0.265 mm" for a length in metres.
+std::string mm_text(double length);
 /// "583 MPa" for a stress in Pa.
 std::string mpa_text(double stress);
 

@@ -97,14 +97,22 @@ Damping read_damping(CaseTable& table) {
   return damping;
 }
 
-void require_modes_of_wheel(const CaseTable& table, const Damping& damping, int sector_count) {
+void require_modes_of_wheel(const CaseTable& table, const Damping& damping, const ReducedModel& model) {
   const std::vector<ModeDamping>& modes = damping.ratios().by_mode;
-  for (std::size_t row = 0; row < modes.size(); ++row)
-    if (modes[row].nodal_diameter > sector_count / 2)
+  for (std::size_t row = 0; row < modes.size(); ++row) {
+    const int n = modes[row].nodal_diameter, most = model.nodal_diameter_max();
+    if (n > most)
       table.reject(modes_key,
-                   "has nodal diameter " + std::to_string(modes[row].nodal_diameter) + ", and a wheel of " +
-                       std::to_string(sector_count) + " sectors has 0 to " + std::to_string(sector_count / 2),
+                   "has nodal diameter " + std::to_string(n) + ", and a wheel of " +
+                       std::to_string(model.sector_count) + " sectors has 0 to " + std::to_string(most),
                    row);
+    if (const auto families = model.nodal_diameters[static_cast<std::size_t>(n)].M.rows();
+        modes[row].family >= families)
+      table.reject(modes_key,
+                   "has family " + std::to_string(modes[row].family + 1) + ", and the model has " +
+                       std::to_string(families) + " on nodal diameter " + std::to_string(n),
+                   row);
+  }
 }
 
 }  // namespace tiprub::simulate

@@ -69,7 +69,7 @@ extern const Range damping_range;
 /// Reads the keys of [simulate] that give the damping of resolved modes. Raises InputError.
 Damping read_damping(CaseTable& table);
 
-/// Refuses the damping of a mode that a wheel of `sector_count` sectors does not have. Raises InputError at its row.
-void require_modes_of_wheel(const CaseTable& table, const Damping& damping, int sector_count);
+/// Refuses the damping of a mode that the model does not have. Raises InputError at its row.
+void require_modes_of_wheel(const CaseTable& table, const Damping& damping, const ReducedModel& model);
 
 }  // namespace tiprub::simulate

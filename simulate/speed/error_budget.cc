@@ -149,7 +149,10 @@ VariedScene with_damping(const Scene& scene, double ratio) {
 
 VariedScene with_clearance(const Scene& scene, double change) {
   VariedScene varied{Variation::clearance, change, scene.casing, scene.parameters};
-  for (auto& [place, clearance] : varied.casing.clearance) clearance += change;
+  for (auto& [place, clearance] : varied.casing.clearance) {
+    clearance += change;
+    if (clearance <= 0) varied.refusal = "the clearance of the case is not larger than budget_clearance";
+  }
   return varied;
 }
 

@@ -13,6 +13,7 @@ namespace tiprub::simulate {
 namespace {
 
 constexpr double same_motion = 1e-2;        // relative difference to the motion from rest
+constexpr double grazing = 1e-9;            // [m] rounding of an overlap
 constexpr double tolerated_tension = 1e-2;  // of the contact force
 
 std::string audit_text(const SpeedAudit& audit) {
@@ -126,8 +127,14 @@ std::string SweepTally::text() const {
 }
 
 std::string SweepTally::untouched(const ContactLine& contact) const {
-  if (touching > 0 || failed > 0 || motions.empty() || !(closest.gap > 0)) return "";
+  if (touching > 0 || failed > 0 || motions.empty()) return "";
   std::ostringstream out;
+  if (closest.gap <= -grazing) {
+    out << "\nno step met the casing, although its crests overlap the tips by up to " << std::setprecision(4)
+        << -closest.gap << " m: the crests are narrower than a step; give more steps_per_revolution";
+    return out.str();
+  }
+  if (closest.gap <= 0) return "";
   out << "\nno tip touches the casing at any speed";
   if (std::isfinite(closest.gap)) {
     const std::string place = contact.place_of(closest.node);

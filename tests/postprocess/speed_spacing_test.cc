@@ -203,6 +203,14 @@ TEST(SpeedSpacing, WhatIsTooFarApartIsSaidFirst) {
   EXPECT_EQ(speeds_caveat(coarse), " (not trustworthy: speeds too far apart)");
 }
 
+/// Symptom: without damping, where a resonance has no width, the distance of the speeds was not looked at.
+TEST(SpeedSpacing, IsNeverNarrowEnoughWithoutDamping) {
+  Response response = through(even(401, resonance(14711)));
+  for (Eigen::MatrixXd& ratios : response.frequencies.damping_ratio) ratios.setZero();
+  EXPECT_NE(speeds_warning(study_of(std::move(response))).find("speeds over the range (400 speeds of 400)"),
+            std::string::npos);
+}
+
 TEST(SpeedSpacing, TheMarginIsNotTrustedEither) {
   PostprocessParameters parameters;
   parameters.operating_min_rpm = 13000;

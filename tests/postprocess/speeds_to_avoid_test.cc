@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "postprocess/records/error_budget_record.h"
+#include "postprocess/report/margin.h"
+#include "postprocess/tables/table.h"
 #include "synthetic_scene.h"
 
 namespace tiprub::postprocess {
@@ -25,6 +27,12 @@ class SpeedsToAvoid : public ::testing::Test {
     peak.cycle = StressCycle{};
     peak.cycle->goodman = utilisation;
     fields.peaks[critical] = peak;
+  }
+
+  void add_failed(double rpm) {
+    SpeedResponse speed;
+    speed.speed = rpm * rad_s_per_rpm;
+    study.failed.push_back(speed);
   }
 
   Study study;
@@ -171,6 +179,52 @@ TEST_F(SpeedsToAvoid, WhereAnyNodeMovesBeyondItsClearance) {
   study.amplitudes.by_node.setZero();
   study.amplitudes.largest.setZero();
   EXPECT_EQ(speeds_to_avoid(study, fields).size(), 1U);
+}
+
+/// Symptom: a stress at one instant counted as none, so that the speed seemed safe, and strengths that were given
+/// were asked for.
+TEST_F(SpeedsToAvoid, NamesThePeaksThatAreNotRated) {
+  const std::size_t worst = *worst_critical(study.critical), other = worst == 0 ? 1 : 0;
+  FieldPeak instant;
+  instant.speed = 20000 * rad_s_per_rpm;
+  fields.peaks[other] = instant;
+  EXPECT_NE(bands_in_words({}, fields).find("not known without whole cycles"), std::string::npos);
+  set_goodman(worst, 0.1);
+  EXPECT_NE(bands_in_words({}, fields)
+                .find("not rated, because the response holds a single instant of the motion: 20000 rpm."),
+            std::string::npos);
+}
+
+TEST_F(SpeedsToAvoid, NamesWhatIsUnknown) {
+  study.failed.clear();
+  EXPECT_EQ(unknown_speeds(study), "");
+  for (const double rpm : {27000, 30000}) add_failed(rpm);
+  for (const std::size_t i : {1, 2, 4}) study.response.speeds[i].audit.symmetry = SymmetryVerdict::breaking;
+  OtherStart whole;
+  whole.start = Start::whole_wheel;
+  whole.blades = BladeExcursions{};
+  study.response.speeds[2].other_starts = {whole};
+  const auto rpm = [&](std::size_t i) { return fixed(study.response.speeds[i].speed * rpm_per_rad_s, 0); };
+  EXPECT_EQ(
+      unknown_speeds(study),
+      " Not computed, because the march failed: 27000 and 30000 rpm. Blades may move farther where the symmetric "
+      "motion is unstable: at " +
+          rpm(1) + " and " + rpm(4) + " rpm.");
+}
+
+/// Symptom: "no critical speed inside", and a motion of 0.000 mm, of a range in which nothing had been simulated.
+TEST_F(SpeedsToAvoid, TellTheOperatingRange) {
+  const auto within = [&](double low, double high) {
+    study.parameters.operating_min_rpm = low;
+    study.parameters.operating_max_rpm = high;
+    return margin_text(study, {{{14000 * rad_s_per_rpm, 15000 * rad_s_per_rpm}, Concern::above_limit}});
+  };
+  const std::string beyond = within(90000, 95000);
+  EXPECT_TRUE(beyond.ends_with(" No speed inside it was simulated.")) << beyond;
+  add_failed(14500);
+  const std::string inside = within(14500, 16000);
+  EXPECT_TRUE(inside.ends_with(" 1 speed inside it failed. Speeds to avoid reach into it: 14500 .. 15000 rpm."))
+      << inside;
 }
 
 }  // namespace

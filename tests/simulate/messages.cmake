@@ -118,6 +118,8 @@ expect_message(damping_of_a_mode_twice ${with_modes_twice} OLD "damping_ratio = 
                ERRORS "modes_twice.csv:2: [simulate] damping_by_mode has this mode twice; drop one")
 expect_message(damping_of_a_mode_of_another_wheel OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[4, 1, 0.001]]" EXIT_CODE 2
                ERRORS "damping_by_mode has nodal diameter 4, and a wheel of 6 sectors has 0 to 3")
+expect_message(damping_of_a_family_that_is_not_there OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[0, 1000, 0.001]]" EXIT_CODE 2
+               ERRORS "damping_by_mode has family 1000, and the model has")
 expect_message(damping_of_half_a_mode OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[1.5, 1, 0.001]]" EXIT_CODE 2
                ERRORS "damping_by_mode must begin with a nodal diameter, a whole number from 0 on")
 expect_message(damping_of_family_zero OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[1, 0, 0.001]]" EXIT_CODE 2

@@ -66,6 +66,19 @@ TEST(SweepTally, SaysThatNothingTouches) {
   EXPECT_EQ(tally.untouched(contact), "");
 }
 
+/// Symptom: a crest of one degree stood between two steps of every revolution, and the motion was at rest.
+TEST(SweepTally, SaysThatStepsPassTheCrestsBy) {
+  SweepTally tally;
+  tally.crest = Eigen::Vector3d::Constant(3e-4);
+  SpeedResponse at = held(9000);
+  at.clearance = Eigen::Vector3d(2e-4, 2e-4, 1e-4);
+  tally.add(at);
+  EXPECT_EQ(
+      tally.untouched({}),
+      "\nno step met the casing, although its crests overlap the tips by up to 0.0002 m: the crests are narrower "
+      "than a step; give more steps_per_revolution");
+}
+
 TEST(SweepTally, CountsSpeedsWithoutAStableOrbit) {
   SpeedResponse at = held(9000);
   at.audit.orbit = {OrbitReport::Outcome::marched, 1, 25, 1e-2, 1.2};

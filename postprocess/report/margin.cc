@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "postprocess/report/margin.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "postprocess/records/exactness_record.h"
+#include "postprocess/tables/table.h"
+
+namespace tiprub::postprocess {
+
+namespace {
+
+/// " Inside it the tip moves towards the casing by up to 0.013 mm.", and what else is known of the range.
+std::string inside_text(const Study& study, const SpeedRange& range, const std::vector<AvoidedBand>& bands) {
+  const auto holds = [&](double speed) { return range.low <= speed && speed <= range.high; };
+  std::optional<double> largest;
+  for (std::size_t i = 0; i < study.response.speeds.size(); ++i)
+    if (holds(study.response.speeds[i].speed))
+      largest = std::max(largest.value_or(0), study.amplitudes.largest[static_cast<Eigen::Index>(i)]);
+  std::string text = largest ? " Inside it the tip moves towards the casing by up to " + mm_text(*largest) + "."
+                             : " No speed inside it was simulated.";
+  if (largest && (range.low < study.range.low || range.high > study.range.high))
+    text += " Not all of the range was simulated.";
+  for (const CriticalSpeed& peak : study.not_located)
+    if (peak.speed_low <= range.high && range.low <= peak.speed_high)
+      text += " A peak of " + mm_text(peak.amplitude) + " that is not located may lie inside it.";
+  if (const auto failed = std::ranges::count_if(study.failed, holds, &SpeedResponse::speed); failed > 0)
+    text += " " + counted(static_cast<std::size_t>(failed), "speed") + " inside it failed.";
+  std::string avoided;
+  for (const AvoidedBand& band : bands)
+    if (const double low = std::max(band.speeds.low, range.low), high = std::min(band.speeds.high, range.high);
+        low < high)
+      avoided +=
+          (avoided.empty() ? "" : ", ") + fixed(low * rpm_per_rad_s, 0) + " .. " + fixed(high * rpm_per_rad_s, 0);
+  return avoided.empty() ? text : text + " Speeds to avoid reach into it: " + avoided + " rpm.";
+}
+
+}  // namespace
+
+std::string margin_text(const Study& study, const std::vector<AvoidedBand>& bands) {
+  const PostprocessParameters& keys = study.parameters;
+  if (!(keys.operating_max_rpm > 0))
+    return "Not known: the case gives no operating range ([postprocess] operating_min_rpm, operating_max_rpm).";
+  const SpeedRange operating{keys.operating_min_rpm * rad_s_per_rpm, keys.operating_max_rpm * rad_s_per_rpm};
+  const OperatingMargin margin = operating_margin(study.critical, operating, keys.operating_amplitude_mm / mm_per_m);
+  std::string text = "Operating range " + fixed(keys.operating_min_rpm, 0) + " to " + rpm_text(operating.high) + ": ";
+  text += margin.inside.empty() ? "no critical speed inside"
+                                : counted(margin.inside.size(), "critical speed") + " inside (";
+  for (std::size_t i = 0; i < margin.inside.size(); ++i)
+    text += fixed(margin.inside[i].speed * rpm_per_rad_s, 0) + (i + 1 < margin.inside.size() ? ", " : " rpm)");
+  const auto outside = [](const std::optional<SpeedMargin>& there, const std::string& which) {
+    return there ? "; the next " + which + ", " + rpm_text(there->speed) + ", is " +
+                       fixed(percent * there->margin, 1) + " % away"
+                 : std::string();
+  };
+  text += outside(margin.below, "below") + outside(margin.above, "above") + speeds_caveat(study) + ".";
+  return text + inside_text(study, operating, bands);
+}
+
+}  // namespace tiprub::postprocess

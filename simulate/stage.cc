@@ -320,7 +320,14 @@ void run_simulate(const StageArguments& asked, int threads) {
   SceneScope scope = inputs.scope();
   scope.reasons.insert(scope.reasons.end(), decided.begin(), decided.end());
   const std::vector<double> breaking = run(arguments, inputs, scope, threads, group).breaking;
-  if (breaking.empty() || inputs.parameters.when_symmetry_breaks == BrokenSymmetry::mark) return;
+  if (inputs.parameters.when_symmetry_breaks == BrokenSymmetry::mark) return;
+  if (breaking.empty()) {
+    if (const std::filesystem::path full = beside(arguments.output, "_full");
+        group.leads() && std::filesystem::exists(full))
+      say(arguments,
+          full.string() + " is left as it is: it is of an earlier run, and no speed breaks the symmetry now");
+    return;
+  }
   group.restart();
   run_whole_wheel(inputs, arguments, breaking, threads, group);
 }

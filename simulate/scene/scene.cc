@@ -84,7 +84,8 @@ SceneScope find_scope(int sector_count, int lobes, const SimulateParameters& par
   // eq. 17: p N +- n = k N_l for some whole p, k
   for (int n = 0; n <= sector_count / 2; n += scope.symmetry) scope.nodal_diameters.push_back(n);
   const int grid = symmetric_maps_per_revolution(sector_count, lobes);
-  scope.samples_per_revolution = static_cast<int>(rounded_up(parameters.samples_per_revolution, grid));
+  const int samples = std::max(parameters.samples_per_revolution, parameters.samples_per_lobe * lobes);
+  scope.samples_per_revolution = static_cast<int>(rounded_up(samples, grid));
   explain(scope, sector_count, lobes, grid, parameters);
   return scope;
 }

@@ -246,8 +246,9 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
                                              Range::between(4, count_max), "of the lowest frequency, at least");
   parameters.steps_per_revolution =
       table.integer("steps_per_revolution", 0, Range::between(0, 100 * count_max), "at least; 0: from the period");
-  parameters.samples_per_revolution =
-      table.integer("samples_per_revolution", 240, Range::between(2, count_max), "at least");
+  parameters.samples_per_revolution = table.integer("samples_per_revolution", 240, Range::between(2, count_max),
+                                                    "at least; default: at least 20 a lobe");
+  if (!table.has("samples_per_revolution")) parameters.samples_per_lobe = 20;
   read_revolutions(table, parameters);
   read_branches(table, parameters);
   require_orbits_in_this_build(table, parameters);

@@ -99,6 +99,7 @@ struct SimulateParameters {
   double steps_per_period = 200;    ///< least number per period of the lowest natural frequency, in the first march
   int steps_per_revolution = 0;     ///< least number, never halved; 0: steps_per_period applies
   int samples_per_revolution = 0;   ///< least number
+  int samples_per_lobe = 1;         ///< least number
   int recorded_revolutions = 0;
   int min_revolutions = 0;
   int max_revolutions = 0;

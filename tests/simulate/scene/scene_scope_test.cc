@@ -77,5 +77,14 @@ TEST(SceneScope, GivesAReasonForEachChoice) {
             std::string::npos);
 }
 
+/// Symptom: with 24 lobes and ten samples for each, the amplitude was a fifth too small.
+TEST(SceneScope, SamplesEachLobe) {
+  SimulateParameters parameters;
+  parameters.samples_per_revolution = 240;
+  parameters.samples_per_lobe = 20;
+  EXPECT_EQ(find_scope(6, 24, parameters).samples_per_revolution, 480);
+  EXPECT_EQ(find_scope(6, 2, parameters).samples_per_revolution, 240);
+}
+
 }  // namespace
 }  // namespace tiprub::simulate

@@ -2,9 +2,11 @@
 #include "postprocess/analysis/input_check.h"
 
 #include <algorithm>
-#include <sstream>
+#include <map>
+#include <regex>
 
 #include "cases/program/errors.h"
+#include "cases/program/written_keys.h"
 #include "postprocess/tables/table.h"
 #include "postprocess/waves/wave_label.h"
 #include "reduce/model/reduced_model.h"
@@ -71,13 +73,19 @@ void check_measures(const Response& response, const std::string& name) {
 }
 
 void check_casing(const std::string& casing, const SimulatedScene& scene, const std::string& name) {
-  if (casing == scene.casing) return;
-  std::istringstream here(casing), there(scene.casing);
-  std::string line, simulated;
-  while (std::getline(here, line) && std::getline(there, simulated) && line == simulated) {
-  }
-  throw InputError(name + ": was simulated with another [casing] than this case's: \"" + simulated + "\" there, \"" +
-                   line + "\" here; run tiprub-simulate again, or give the case (or --set) that it was made with");
+  const std::map<std::string, std::string> here = written_keys(casing), there = written_keys(scene.casing);
+  std::map<std::string, std::string> all = here;
+  all.insert(there.begin(), there.end());
+  const auto value = [](const std::map<std::string, std::string>& keys, const std::string& key) {
+    static const std::regex whole("([0-9])\\.0+(?![0-9])");  // 10.0 is 10
+    const auto found = keys.find(key);
+    return found == keys.end() ? "not given" : std::regex_replace(found->second, whole, "$1");
+  };
+  for (const auto& [key, either] : all)
+    if (value(here, key) != value(there, key))
+      throw InputError(name + ": was simulated with another [casing] than this case's: " + key + " is " +
+                       value(there, key) + " there and " + value(here, key) +
+                       " here; run tiprub-simulate again, or give the case (or --set) that it was made with");
 }
 
 void check_together(const ReducedModel& model, const Response& response, const std::string& name) {

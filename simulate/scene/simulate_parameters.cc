@@ -253,7 +253,7 @@ SimulateParameters read_simulate_parameters(CaseTable& table) {
   read_branches(table, parameters);
   require_orbits_in_this_build(table, parameters);
   require_law_without_memory(table, parameters);
-  parameters.casing_areas = table.integer("casing_areas", 200, Range::between(1, count_max), "around the casing");
+  parameters.casing_areas = table.integer("casing_areas", 200, Range::between(1, 100000), "around the casing");
   parameters.threads = table.integer("threads", 0, Range::between(0, 1024), "0: as many as the machine has");
   parameters.sweep = table.choice<SweepDirection>(
       "sweep", SweepDirection::rest,

@@ -25,8 +25,14 @@ TEST(InputCheck, RefusesAnotherCasing) {
   EXPECT_EQ(complaint<InputError>([&] { check_casing(scene.casing, scene, "r.h5"); }), "");
   EXPECT_EQ(
       complaint<InputError>([&] { check_casing("amplitude = 0.0001\nlobes = 3\n", scene, "r.h5"); }),
-      "r.h5: was simulated with another [casing] than this case's: \"lobes = 2\" there, \"lobes = 3\" here; run "
-      "tiprub-simulate again, or give the case (or --set) that it was made with");
+      "r.h5: was simulated with another [casing] than this case's: lobes is 2 there and 3 here; run tiprub-simulate "
+      "again, or give the case (or --set) that it was made with");
+  // Symptom: 2.0 was another number than 2, and of an added key another line was named.
+  EXPECT_EQ(complaint<InputError>([&] { check_casing("lobes = 2.0\namplitude = 0.0001\n", scene, "r.h5"); }), "");
+  EXPECT_NE(complaint<InputError>([&] {
+              check_casing("amplitude = 0.0001\nfriction = 0.10\nlobes = 2\n", scene, "r.h5");
+            }).find("friction is not given there and 0.10 here"),
+            std::string::npos);
 }
 
 }  // namespace

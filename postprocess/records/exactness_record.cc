@@ -167,16 +167,10 @@ Check range_check(const Study& study) {
       .limit = finding_spacing,
       .speeds = static_cast<int>(speeds.size()) - 1};
   const std::optional<double> damping = study.curves.smallest_damping_ratio();
-  if (!damping || study.no_tip_touches()) {
-    check.verdict = CheckVerdict::not_looked_at;
-    return check;
-  }
-  if (*damping == 0) {  // no distance is small enough for a resonance without width
+  const bool excited = damping && !study.no_tip_touches() && !speeds.empty();
+  if (excited && *damping == 0)  // no distance is small enough for a resonance without width
     check.looked_at = check.beyond = check.speeds;
-    check.verdict = verdict_of(check);
-    return check;
-  }
-  if (!speeds.empty())
+  if (excited && *damping > 0)
     for (auto low = speeds.begin(), high = std::next(low); high != speeds.end(); ++low, ++high)
       add(check, (*high - *low) / (*damping * *low), *low);
   check.verdict = verdict_of(check);

@@ -45,7 +45,8 @@ std::string reason_of(const AvoidedBand& band);
 std::string bands_in_words(const std::vector<AvoidedBand>& bands, const FieldResults& fields);
 
 /// The speeds at which less is known than the bands suggest: those that failed, and those whose symmetric motion is
-/// unstable although the whole wheel was not marched. " 2 speeds failed: 27000 and 30000 rpm. ..."; may be empty.
+/// unstable although the whole wheel was not marched. " Not computed, because the march failed: 27000 and 30000
+/// rpm."; may be empty.
 std::string unknown_speeds(const Study& study);
 
 }  // namespace tiprub::postprocess

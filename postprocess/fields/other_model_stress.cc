@@ -23,9 +23,10 @@ void require_dofs(const FieldsReader& other, const RotorCycle& cycle, const Simu
 }  // namespace
 
 void check_budget_fields(const FieldsReader& other, const Response& response) {
-  bool varied = false;
+  bool budgeted = false, varied = false;
   for (const SpeedResponse& speed : response.speeds)
     for (const PeakVariation& peak : speed.budget) {
+      budgeted = true;
       if (peak.model_digest.empty()) continue;
       varied = true;
       if (peak.model_digest != other.model_digest())
@@ -34,7 +35,7 @@ void check_budget_fields(const FieldsReader& other, const Response& response) {
                          "[simulate] budget_model");
       if (peak.cycle) require_dofs(other, *peak.cycle, response.scene);
     }
-  if (!varied)
+  if (budgeted && !varied)
     throw InputError(other.path() +
                      ": no error budget of the response compares with another model ([simulate] budget_model), whose "
                      "fields these could be; leave --budget-fields out, or simulate with that key");

@@ -11,7 +11,8 @@
 namespace tiprub::postprocess {
 
 /// Checks that the fields are of the model that the error budgets of the response compare with ([simulate]
-/// budget_model). Raises InputError if they are not, or if a cell has no stress.
+/// budget_model); a response without critical speeds has no budgets. Raises InputError if they are not, or if a cell
+/// has no stress.
 void check_budget_fields(const FieldsReader& other, const Response& response);
 
 /// The nodes in the body of another mesh of the same sector whose nearest node in `sector` is one of `nodes`;

@@ -65,9 +65,11 @@ def check_model(bench, folder, budget):
         row = row_of(source, "--budget-fields", fields)
         moved, stress = (abs(float(row[f"change of {what} [%]"])) for what in ("speed", "stress"))
         assert moved < 0.05 and stress < 0.1 if model == "model.h5" else moved > 0.05 and stress > 0.1, row
-    refused = subprocess.run([os.path.join(bench.programs, "tiprub-postprocess"), "case.toml", "model.h5", "models.h5", "-o", "models", "-q",
-                              "--fields", "fields.h5", "--budget-fields", "fields.h5"], cwd=folder.path, text=True, stderr=subprocess.PIPE)
-    assert refused.returncode == 2 and "was not written with the model that the error budgets compare with" in refused.stderr, refused
+    for response, reason in (("models.h5", "was not written with the model that the error budgets compare with"),
+                             ("same.h5", "no error budget of the response compares with another model")):
+        refused = subprocess.run([os.path.join(bench.programs, "tiprub-postprocess"), "case.toml", "model.h5", response, "-o", "models", "-q",
+                                  "--fields", "fields.h5", "--budget-fields", "fields.h5"], cwd=folder.path, text=True, stderr=subprocess.PIPE)
+        assert refused.returncode == 2 and reason in refused.stderr, refused
     speed = float(row["speed [rpm]"])
     subprocess.run([os.path.join(bench.programs, "tiprub-simulate"), "case.toml", "segments.h5", "-o", "segments_response.h5", "-q",
                     *(word for setting in (f"simulate.speeds_rpm=[{0.97 * speed}, {speed}, {1.03 * speed}]", "simulate.step_tolerance=0.01",

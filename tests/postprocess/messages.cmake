@@ -20,9 +20,9 @@ expect_message(no_case ARGUMENTS nowhere.toml model.h5 response.h5 -o report EXI
 expect_message(no_response ARGUMENTS case.toml model.h5 nowhere.h5 -o report EXIT_CODE 1 ERRORS "nowhere.h5")
 expect_message(no_fields ARGUMENTS case.toml model.h5 response.h5 --fields none.h5 -o report EXIT_CODE 1
                ERRORS "none.h5: no such file")
-expect_message(budget_fields_of_nothing INPUTS ${made}/case.toml ${made}/model.h5 ${made}/response.h5 ${made}/fields.h5 EXIT_CODE 2
-               ERRORS "fields.h5: no error budget of the response compares with another model"
-               ARGUMENTS case.toml model.h5 response.h5 --fields fields.h5 --budget-fields fields.h5 -o report)
+expect_message(budget_fields_without_a_budget INPUTS ${made}/case.toml ${made}/model.h5 ${made}/response.h5 ${made}/fields.h5
+               ARGUMENTS case.toml model.h5 response.h5 --fields fields.h5 --budget-fields fields.h5 --check -o report
+               OUTPUTS "wear of the casing")
 expect_message(budget_fields_alone ARGUMENTS case.toml model.h5 response.h5 --budget-fields fields.h5 -o report EXIT_CODE 2
                ERRORS "--budget-fields requires --fields")
 expect_message(no_times ARGUMENTS case.toml model.h5 response.h5 --runs none.csv -o report EXIT_CODE 1

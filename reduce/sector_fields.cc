@@ -23,6 +23,7 @@ SectorFields describe_sector(const SectorMesh& mesh, const std::vector<int>& con
                       {"contact_line", mesh.contact_line},
                       {"cyclic_low", in_file(mesh, mesh.cyclic_low)},
                       {"cyclic_high", in_file(mesh, mesh.cyclic_high)}};
+  if (!mesh.splitter_line.empty()) sector.node_sets["contact_splitter"] = mesh.splitter_line;
   sector.parts = mesh.parts;
   sector.mesh_digest = digest(mesh);
   sector.young = material.young;

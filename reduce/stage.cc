@@ -17,6 +17,7 @@
 
 #include "cases/program/output_file.h"
 #include "cases/program/process_group.h"
+#include "cases/program/text.h"
 #include "cases/program/units.h"
 #include "reduce/exports.h"
 #include "reduce/linear_results.h"
@@ -53,13 +54,11 @@ void require_metres(const SectorMesh& mesh, const ReductionParameters& parameter
   const double radius = mesh.nodes.topRows<2>().colwise().norm().maxCoeff();
   const double tip_speed = radius * parameters.speed_max;
   if (parameters.unusual || (tip_speed >= least && tip_speed <= most)) return;
-  std::ostringstream message;
-  message << mesh.file << ": a wheel of radius " << radius << " m has a tip speed of " << tip_speed
-          << " m/s at [reduce] speed_max_rpm; expected are " << least << " to " << most
-          << (tip_speed > most ? ": is the mesh in millimetres? It must be in metres"
-                               : ": is the speed in rpm, and the mesh in metres?")
-          << "; if it is meant, add unusual = true to [reduce]";
-  throw InputError(message.str());
+  throw InputError(text_of(mesh.file, ": a wheel of radius ", radius, " m has a tip speed of ", tip_speed,
+                           " m/s at [reduce] speed_max_rpm; expected are ", least, " to ", most,
+                           (tip_speed > most ? ": is the mesh in millimetres? It must be in metres"
+                                             : ": is the speed in rpm, and the mesh in metres?"),
+                           "; if it is meant, add unusual = true to [reduce]"));
 }
 
 MatrixFiles matrix_files(const ReduceOptions& options) {
@@ -147,9 +146,7 @@ class Outputs {
 
 std::string to_digits(double value) {
   constexpr int digits = 4;
-  std::ostringstream text;
-  text << std::setprecision(digits) << value;
-  return text.str();
+  return text_of(std::setprecision(digits), value);
 }
 
 std::string sectors_in_words(int count) {
@@ -251,9 +248,7 @@ std::string summary(const ReducedModel& model, const ReductionReport& report) {
 
 /// "1.2 %", of a share.
 std::string percent(double share) {
-  std::ostringstream text;
-  text << std::setprecision(share < 0.1 ? 2 : 3) << 100 * share << " %";
-  return text.str();
+  return text_of(std::setprecision(share < 0.1 ? 2 : 3), 100 * share, " %");
 }
 
 std::string mesh_error_in_words(const ReducedModel& model, const ReductionParameters& parameters,

@@ -15,6 +15,7 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
+#include "cases/program/text.h"
 #include "cases/program/units.h"
 #include "cases/program/written_keys.h"
 #include "reduce/model/model_doubts.h"
@@ -46,10 +47,8 @@ struct Inputs {
 void require_speed_of_model(const CaseTable& table, const char* key, double speed, const ReducedModel& model,
                             const std::filesystem::path& file) {
   if (speed <= model.speed_max * (1 + speed_tolerance)) return;
-  std::ostringstream text;
-  text << "goes to " << speed * rpm_per_rad_s << " rev/min, but " << file.string() << " holds up to "
-       << model.speed_max * rpm_per_rad_s << "; lower it, or reduce with a higher speed_max_rpm";
-  table.reject(key, text.str());
+  table.reject(key, text_of("goes to ", speed * rpm_per_rad_s, " rev/min, but ", file.string(), " holds up to ",
+                            model.speed_max * rpm_per_rad_s, "; lower it, or reduce with a higher speed_max_rpm"));
 }
 
 /// The model that error budgets compare with, if the case names one.
@@ -63,10 +62,8 @@ std::optional<ReducedModel> read_other_model(const CaseTable& table, const std::
     table.reject(key, "is of " + std::to_string(other.sector_count) + " sectors, and the model of " +
                           std::to_string(model.sector_count) + "; name another model of the same wheel");
   if (parameters.speeds.back() > other.speed_max * (1 + speed_tolerance)) {
-    std::ostringstream text;
-    text << "holds up to " << other.speed_max * rpm_per_rad_s << " rev/min, and the speeds go to "
-         << parameters.speeds.back() * rpm_per_rad_s << "; reduce it with a higher speed_max_rpm";
-    table.reject(key, text.str());
+    table.reject(key, text_of("holds up to ", other.speed_max * rpm_per_rad_s, " rev/min, and the speeds go to ",
+                              parameters.speeds.back() * rpm_per_rad_s, "; reduce it with a higher speed_max_rpm"));
   }
   return other;
 }
@@ -191,9 +188,7 @@ SweepOutcome run(const StageArguments& arguments, const Inputs& inputs, const Sc
 }
 
 std::string exact_text(double value) {
-  std::ostringstream text;
-  text << std::setprecision(std::numeric_limits<double>::max_digits10) << value;
-  return text.str();
+  return text_of(std::setprecision(std::numeric_limits<double>::max_digits10), value);
 }
 
 void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/program/case_file.h"
+#include "cases/program/text.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "cases/program/case_settings.h"
 #include "cases/program/digest.h"
@@ -23,16 +24,11 @@ constexpr std::array<std::string_view, 6> program_tables = {"mesh",     "reduce"
 
 /// With 6 digits if these are enough to read the same number again, and with 17 if not.
 std::string shortest(double value) {
-  std::ostringstream out;
-  out << value;
-  const std::string text = out.str();
+  const std::string text = text_of(value);
   double again = 0;
   std::from_chars(text.data(), text.data() + text.size(), again);
   if (again == value) return text;
-  out.str("");
-  out.precision(17);
-  out << value;
-  return out.str();
+  return text_of(std::setprecision(17), value);
 }
 
 template <class Value, class Shown>
@@ -338,9 +334,7 @@ CaseSettings CaseTable::settings() const {
 }
 
 std::string CaseTable::written() const {
-  std::ostringstream text;
-  text << *node_->values << "\n";
-  return text.str();
+  return text_of(*node_->values, "\n");
 }
 
 std::string CaseTable::resolved() const {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
+#include "cases/program/text.h"
 #include "mesh/curves/wheel_keys.h"
 
 namespace tiprub::mesh {
@@ -56,10 +56,9 @@ MeridionalPoint mid_chord(const BladeSection& section) {
 
 void require_on_wheel(const NamedText& file, int line, const MeridionalPoint& at) {
   if (wheel_length.holds(at.r) && std::abs(at.z) <= wheel_length.high) return;
-  std::ostringstream message;
-  message << "a point at r = " << at.r << " m, z = " << at.z << " m; r must be " << wheel_length.describe()
-          << " m, and z at most that far off: is [mesh] length_unit right?";
-  refuse_line(file, line, message.str());
+  refuse_line(file, line,
+              text_of("a point at r = ", at.r, " m, z = ", at.z, " m; r must be ", wheel_length.describe(),
+                      " m, and z at most that far off: is [mesh] length_unit right?"));
 }
 
 double angle_beside(double other, double angle) {
@@ -148,11 +147,10 @@ Nearest nearest_chord(const SectionSurface& main, double span, const MeridionalP
 }
 
 [[noreturn]] void refuse(const std::string& file, double span, const char* what, double amount, const char* unit) {
-  std::ostringstream message;
-  message << file << ": the splitter " << what << " by " << amount << " " << unit << " at " << span
-          << " of the span; it must stand on the main blade's mean surface, turned by its pitch fraction, and end "
-             "with it";
-  throw InputError(message.str());
+  throw InputError(
+      text_of(file, ": the splitter ", what, " by ", amount, " ", unit, " at ", span,
+              " of the span; it must stand on the main blade's mean surface, turned by its pitch fraction, and end "
+              "with it"));
 }
 
 SmoothTable find_starts(const std::string& file, const SectionSurface& main, const SectionSurface& splitter) {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
+#include "cases/program/text.h"
 #include "mesh/blades/blade_section.h"
 
 namespace tiprub::mesh {
@@ -62,10 +62,9 @@ class Cut {
 void require_on_hub(const Cut& cut, double chord, const std::string& blade_name, const std::string& hub_name) {
   const double first = cut.above_hub(chord, 0.0), last = cut.above_hub(chord, 1.0);
   if (first <= allowed_gap * last && cut.root(chord) < cut.tip(chord)) return;
-  std::ostringstream message;
-  message << blade_name << ": the blade stands from " << first << " to " << last << " m above " << hub_name << " at "
-          << chord << " of its length; its first profile must lie on the hub or below, its last one above";
-  throw InputError(message.str());
+  throw InputError(text_of(blade_name, ": the blade stands from ", first, " to ", last, " m above ", hub_name, " at ",
+                           chord,
+                           " of its length; its first profile must lie on the hub or below, its last one above"));
 }
 
 constexpr std::size_t coordinates = 3;

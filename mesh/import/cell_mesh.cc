@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 
 namespace tiprub::mesh {
 
@@ -101,9 +101,7 @@ class Translation {
 }  // namespace
 
 std::string CellMesh::place_of(int node) const {
-  std::ostringstream text;
-  text << "x y z = " << nodes.col(node).transpose() << " m";
-  return text.str();
+  return text_of("x y z = ", nodes.col(node).transpose(), " m");
 }
 
 CellMesh in_our_terms(const ForeignMesh& mesh, double length, Axis axis) {

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 
 namespace tiprub::mesh {
 
@@ -64,11 +64,9 @@ std::string extent_of(const CellMesh& mesh, const std::vector<int>& faces) {
       low = std::min(low, mesh.nodes.col(node).head<2>().norm());
       high = std::max(high, mesh.nodes.col(node).head<2>().norm());
     }
-  std::ostringstream text;
-  text << faces.size() << (faces.size() == 1 ? " face" : " faces") << ", r " << low;
-  if (high - low > one_radius * mesh.largest_radius()) text << " to " << high;
-  text << " m";
-  return text.str();
+  const std::string range =
+      high - low > one_radius * mesh.largest_radius() ? text_of(low, " to ", high) : text_of(low);
+  return text_of(faces.size(), faces.size() == 1 ? " face" : " faces", ", r ", range, " m");
 }
 
 std::string doubt_about_cuts(const CellMesh& mesh, const PeriodicCuts& cuts) {
@@ -100,11 +98,10 @@ void require_held(const CellMesh& mesh, const PeriodicCuts& pairs, const std::ve
     }
   const auto cells = std::count_if(mesh.cells.begin(), mesh.cells.end(),
                                    [&](const auto& cell) { return bodies.of(cell.front()) == *loose; });
-  std::ostringstream text;
-  text << mesh.file << ": the cells form " << all.size() << " bodies that share no node: one of " << cells
-       << " cells, with r from " << low << " to " << high
-       << " m, touches nothing that is clamped; join the volumes before meshing (gmsh: BooleanFragments)";
-  throw InputError(text.str());
+  throw InputError(
+      text_of(mesh.file, ": the cells form ", all.size(), " bodies that share no node: one of ", cells,
+              " cells, with r from ", low, " to ", high,
+              " m, touches nothing that is clamped; join the volumes before meshing (gmsh: BooleanFragments)"));
 }
 
 }  // namespace tiprub::mesh

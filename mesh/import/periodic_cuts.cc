@@ -9,10 +9,10 @@
 #include <numbers>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 
 namespace tiprub::mesh {
 
@@ -165,10 +165,8 @@ std::string wrong_pitch(const CellMesh& mesh, const PeriodicCuts& cuts) {
   if (!(count <= most_sectors)) return "the cuts are at the same angle about the axis; is axis right?";
   const bool alike = are_most(Search(mesh, cuts).turned_by(angle), cuts);
   if (!alike && std::abs(count - std::round(count)) <= unlike_pitch * count) return "";
-  std::ostringstream text;
-  text << "the cuts are " << angle * 180 / std::numbers::pi << " degrees apart, which is 360/" << count
-       << "; a sector needs 360/N";
-  return text.str();
+  return text_of("the cuts are ", angle * 180 / std::numbers::pi, " degrees apart, which is 360/", count,
+                 "; a sector needs 360/N");
 }
 
 }  // namespace

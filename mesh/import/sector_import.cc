@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/curves/wheel_keys.h"
 #include "mesh/import/foreign_mesh.h"
@@ -289,10 +290,10 @@ ImportParameters read_import_parameters(CaseTable& table) {
 void require_usual_radius(const CaseTable& table, const ImportParameters& parameters, double largest_radius) {
   constexpr double largest_usual = 5;  // [m]
   if (parameters.unusual || largest_radius <= largest_usual) return;
-  std::ostringstream text;
-  text << "makes this a wheel of " << largest_radius << " m radius, which is unusual: expected at most "
-       << largest_usual << " [m]; is the file in another unit? If it is meant, add unusual = true to this table";
-  table.reject("length_unit", text.str());
+  table.reject(
+      "length_unit",
+      text_of("makes this a wheel of ", largest_radius, " m radius, which is unusual: expected at most ",
+              largest_usual, " [m]; is the file in another unit? If it is meant, add unusual = true to this table"));
 }
 
 ImportedSector import_sector(const ImportParameters& given) {

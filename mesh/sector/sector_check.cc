@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 #include "mesh/cells/gauss_points.h"
 
 namespace tiprub::mesh {
@@ -169,21 +170,17 @@ const char* name_of(Region region) {
 }
 
 std::string place_of(const SectorCell& cell, const Wheel& wheel) {
-  std::ostringstream text;
-  const double middle = wheel.plan.station(2 * cell.station + 1);
-  text << name_of(cell.region) << ", at " << middle << " of the meridional length (station " << cell.station + 1
-       << " of " << wheel.plan.elements.chord << ", layer " << cell.layer + 1 << ", column " << cell.column + 1
-       << ")";
-  return text.str();
+  return text_of(name_of(cell.region), ", at ", wheel.plan.station(2 * cell.station + 1),
+                 " of the meridional length (station ", cell.station + 1, " of ", wheel.plan.elements.chord,
+                 ", layer ", cell.layer + 1, ", column ", cell.column + 1, ")");
 }
 
 void refuse_inverted(const SectorReport& report, const MeshedSector& mesh, const Wheel& wheel) {
   if (report.worst_scaled_jacobian > 0.0) return;
   const SectorCell& cell = mesh.cells[report.worst_cell];
-  std::ostringstream text;
-  text << "inverted element in the " << place_of(cell, wheel) << ": scaled Jacobian " << report.worst_scaled_jacobian
-       << ", must be more than 0; look at [mesh] " << wheel.geometry->keys_that_shape(cell.region);
-  throw InputError(text.str());
+  throw InputError(text_of("inverted element in the ", place_of(cell, wheel), ": scaled Jacobian ",
+                           report.worst_scaled_jacobian, ", must be more than 0; look at [mesh] ",
+                           wheel.geometry->keys_that_shape(cell.region)));
 }
 
 // The normal of the face that is turned away from the axis, at one of its nodes.

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <sstream>
 
+#include "cases/program/text.h"
 #include "cases/program/units.h"
 #include "mesh/blades/blade_section.h"
 #include "mesh/blades/curve_files.h"
@@ -140,9 +140,7 @@ double read_bore(CaseTable& table, const BladesOfFile& wheel) {
   const double bore = table.number("bore_radius", std::nullopt, wheel_length, "m");
   const double hub = std::min(wheel.hub(0.0).r, wheel.hub(1.0).r);
   if (bore < hub) return bore;
-  std::ostringstream message;
-  message << "must be less than the hub's radius, " << hub << " m at its smaller end";
-  table.reject("bore_radius", message.str());
+  table.reject("bore_radius", text_of("must be less than the hub's radius, ", hub, " m at its smaller end"));
 }
 
 void stand_on_profile(CaseTable& table, SectorPlan& plan, BladesOfFile& wheel) {
@@ -164,9 +162,8 @@ void stand_on_back_face(CaseTable& table, SectorPlan& plan, BladesOfFile& wheel)
   const double bore = read_bore(table, wheel), exit = wheel.hub(1.0).r;
   const SmoothTable back = read_back_profile(table);
   if (back.first_x() != bore || back.last_x() < (1.0 - printed) * exit) {
-    std::ostringstream message;
-    message << "must go from bore_radius to the hub's radius at the exit, " << exit << " m, or beyond";
-    table.reject("back_profile", message.str());
+    table.reject("back_profile",
+                 text_of("must go from bore_radius to the hub's radius at the exit, ", exit, " m, or beyond"));
   }
   read_common(table, plan, BackFace::fewest_stations);
   read_bore_elements(table, plan);

@@ -5,8 +5,8 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <sstream>
 
+#include "cases/program/text.h"
 #include "mesh/curves/wheel_keys.h"
 
 namespace tiprub::mesh {
@@ -31,11 +31,10 @@ struct Place {
 
 [[noreturn]] void refuse_width(const CaseTable& table, const SectorPlan& plan, const Place& at, double width,
                                double room) {
-  std::ostringstream text;
-  text << "makes blades cross: at " << at.station << " of the meridional length and " << at.span
-       << " of the way from hub to tip they take " << width << " rad of the circle, and have " << room
-       << " rad; make the blade or its fillet thinner, or its angle smaller";
-  table.reject(key_of_width(table, plan, at.span), text.str());
+  table.reject(key_of_width(table, plan, at.span),
+               text_of("makes blades cross: at ", at.station, " of the meridional length and ", at.span,
+                       " of the way from hub to tip they take ", width, " rad of the circle, and have ", room,
+                       " rad; make the blade or its fillet thinner, or its angle smaller"));
 }
 
 // At the hub the columns of a splitter also exist upstream of it.
@@ -135,10 +134,8 @@ void check_height(const CaseTable& table, const SectorPlan& plan, const WheelWit
   for (int half = 0; half <= 2 * plan.elements.chord; ++half) {
     const double station = plan.station(half), height = wheel.height(station, 1.0);
     if (radius < height) continue;
-    std::ostringstream message;
-    message << "= " << radius << " must be less than the blade's height, " << height << " m at " << station
-            << " of the meridional length";
-    table.reject("fillet_radius", message.str());
+    table.reject("fillet_radius", text_of("= ", radius, " must be less than the blade's height, ", height, " m at ",
+                                          station, " of the meridional length"));
   }
 }
 

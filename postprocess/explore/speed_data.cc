@@ -96,8 +96,8 @@ json add_speed(PackedArrays& arrays, const Study& study, const FieldResults& fie
 /// "586 MPa of the vibration, 643 MPa with spin; main blade near the root; Goodman's utilisation 1.23"
 json stress_of(const std::optional<FieldPeak>& peak) {
   if (!peak) return {};
-  return mpa_text(peak->body.vibration) + " of the vibration, " + mpa_text(peak->body.both) + " with spin" +
-         (peak->where.empty() ? "" : "; " + peak->where) +
+  return (peak->cycle ? "" : "at least ") + mpa_text(peak->body.vibration) + " of the vibration, " +
+         mpa_text(peak->body.both) + " with spin" + (peak->where.empty() ? "" : "; " + peak->where) +
          (peak->cycle && peak->cycle->goodman ? "; Goodman's utilisation " + fixed(*peak->cycle->goodman, 2) : "");
 }
 
@@ -128,7 +128,8 @@ json critical_of(const Study& study, const FieldResults& fields) {
                     {"open", open_of(budgets, all[i])},
                     {"goodman", goodman_of(fields.peaks[i])},
                     {"stress", stress_of(fields.peaks[i])},
-                    {"vibration", fields.peaks[i] ? json(fields.peaks[i]->body.vibration * mpa_per_pa) : json()}});
+                    {"vibration", fields.peaks[i] ? json(fields.peaks[i]->body.vibration * mpa_per_pa) : json()},
+                    {"over_cycle", fields.peaks[i] && fields.peaks[i]->cycle}});
   return list;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double default_patch = 0.05;  // of the tip line's length
 
-/// [m] To the line through the contact nodes, the columns of `line`; there may be only one.
+/// [m] To the line through some places, the columns of `line`; there may be only one.
 double distance_to_line(const Eigen::Vector3d& place, const Eigen::Matrix3Xd& line) {
   double nearest = (place - line.col(0)).norm();
   for (Eigen::Index k = 0; k + 1 < line.cols(); ++k) {
@@ -54,7 +54,9 @@ double tip_length(const SectorFields& sector) {
 StressZones stress_zones(const SectorFields& sector, double tip_patch) {
   const double length = tip_patch > 0 ? tip_patch : default_patch * tip_length(sector);
   StressZones zones{length, length, {}};
-  const Eigen::Matrix3Xd line = sector.nodes(Eigen::all, sector.node_set("contact"));
+  std::vector<Eigen::Matrix3Xd> lines = {sector.nodes(Eigen::all, tip_line(sector))};
+  if (const auto splitter = sector.node_sets.find("contact_splitter"); splitter != sector.node_sets.end())
+    lines.emplace_back(sector.nodes(Eigen::all, splitter->second));
   const std::set<int> edge = clamp_edge(sector);
   for (Eigen::Index node = 0; node < sector.nodes.cols(); ++node) {
     const Eigen::Vector3d place = sector.nodes.col(node);
@@ -63,7 +65,8 @@ StressZones stress_zones(const SectorFields& sector, double tip_patch) {
     };
     StressZone& zone = zones.at_node.emplace_back(StressZone::body);
     if (std::any_of(edge.begin(), edge.end(), near)) zone = StressZone::clamp_rim;
-    if (distance_to_line(place, line) <= length) zone = StressZone::tip_patch;
+    const auto reaches = [&](const Eigen::Matrix3Xd& line) { return distance_to_line(place, line) <= length; };
+    if (std::any_of(lines.begin(), lines.end(), reaches)) zone = StressZone::tip_patch;
   }
   if (std::find(zones.at_node.begin(), zones.at_node.end(), StressZone::body) == zones.at_node.end())
     throw InputError("no node is farther than " + std::to_string(length) +

@@ -17,13 +17,13 @@ namespace tiprub::postprocess {
 /// the mesh is refined.
 enum class StressZone {
   body,       ///< neither of the others
-  tip_patch,  ///< near the tip line: the casing pushes at single nodes
+  tip_patch,  ///< near the tip lines, the splitter's only if it is in contact: the casing pushes at single nodes
   clamp_rim,  ///< near the edge of the clamped surface
 };
 
 /// The zones of a sector. Their lengths do not depend on the mesh, so that meshes can be compared.
 struct StressZones {
-  double tip_patch = 0;             ///< [m] from the line through the contact nodes
+  double tip_patch = 0;             ///< [m] from the tip lines
   double clamp_rim = 0;             ///< [m] from the clamp's edge, in the meridional plane
   std::vector<StressZone> at_node;  ///< by node of the sector
 };

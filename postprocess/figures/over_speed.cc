@@ -65,11 +65,12 @@ std::vector<std::string> concern_names(const std::vector<AvoidedBand>& avoided) 
   return names;
 }
 
-/// Speed [rpm] and stress of the vibration [MPa] at the critical speeds whose stress was recovered.
-Eigen::MatrixXd recovered_stress(const FieldResults& fields) {
+/// Speed [rpm] and stress of the vibration [MPa] at the critical speeds whose stress was recovered over a cycle, or
+/// at one instant only.
+Eigen::MatrixXd recovered_stress(const FieldResults& fields, bool over_cycle) {
   std::vector<double> rpm, stress;
   for (const std::optional<FieldPeak>& peak : fields.peaks) {
-    if (!peak) continue;
+    if (!peak || peak->cycle.has_value() != over_cycle) continue;
     rpm.push_back(peak->speed * rpm_per_rad_s);
     stress.push_back(peak->body.vibration * mpa_per_pa);
   }
@@ -214,9 +215,10 @@ std::vector<int> by_energy(const InteractionMap& map) {
 Figure response_figure(const SpeedFrame& frame, const TipAmplitudes& amplitudes, const LinearRules& rules,
                        const std::vector<SpeedResponse>& speeds, Component component,
                        const std::vector<AvoidedBand>& avoided) {
+  const double highest = amplitudes.largest.maxCoeff();
   Figure figure = listed_figure("response", {{"component", name_of(component)}});
   figure.drawing.values = {{"speed", frame.axis},
-                           {"amplitude", DrawnRange{0, amplitudes.largest.maxCoeff() * mm_per_m}},
+                           {"amplitude", DrawnRange{0, highest > 0 ? highest * mm_per_m : 1}},
                            {"peak_name", peak_names(frame.critical)},
                            {"concern", concern_names(avoided)}};
   figure.drawing.tables = {bands(avoided),
@@ -235,8 +237,10 @@ Figure stress_figure(const SpeedFrame& frame, const FieldResults& fields, const 
   const double allowed = worst != nullptr ? allowed_alternating(*worst) * mpa_per_pa : 0;
   const double yield = worst != nullptr ? worst->strength->yield.value_or(0) * mpa_per_pa : 0;
   const Eigen::VectorXd estimated = fields.over_speed * mpa_per_pa;
-  const Eigen::MatrixXd recovered = recovered_stress(fields);
-  const double most_recovered = recovered.rows() > 0 ? recovered.col(1).maxCoeff() : 0.0;
+  const Eigen::MatrixXd recovered = recovered_stress(fields, true), at_least = recovered_stress(fields, false);
+  double most_recovered = 0;
+  for (const Eigen::MatrixXd* found : {&recovered, &at_least})
+    if (found->rows() > 0) most_recovered = std::max(most_recovered, found->col(1).maxCoeff());
   Figure figure = listed_figure("stress");
   figure.drawing.values = {
       {"speed", frame.axis},
@@ -245,7 +249,7 @@ Figure stress_figure(const SpeedFrame& frame, const FieldResults& fields, const 
       {"allowed_name", worst != nullptr ? "Goodman's rule allows, at a mean of " + mpa_text(worst->mean) : ""},
       {"yield", yield},
       {"concern", concern_names(avoided)}};
-  figure.drawing.tables = {bands(avoided), {"recovered", {recovered}}};
+  figure.drawing.tables = {bands(avoided), {"recovered", {recovered}}, {"at_least", {at_least}}};
   figure.data.header = {"speed [rpm]", "von Mises, vibration, estimated [MPa]"};
   for (Eigen::Index i = 0; i < estimated.size(); ++i) figure.data.rows.push_back({frame.speeds[i], estimated[i]});
   return figure;

@@ -241,9 +241,7 @@ PeakColumns rounded_columns() {
                     std::to_string(places(peak, peak.study.contact.trailing));
            }},
           {"motion",
-           [](const PeakRow& peak) { return motion_and_what_is_seen(peak.study.speed_at(peak.critical.index)); }},
-          {"eq. 2", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_equation_2); }},
-          {"aliasing", [](const PeakRow& peak) { return yes_or_no(peak.critical.by_aliasing); }}};
+           [](const PeakRow& peak) { return motion_and_what_is_seen(peak.study.speed_at(peak.critical.index)); }}};
 }
 
 std::string rounded_mpa(double stress) {
@@ -293,7 +291,9 @@ Table critical_speed_overview(const Study& study, const FieldResults& fields) {
   std::erase_if(columns, [&](const auto& column) { return std::ranges::find(shown, column.name) == shown.end(); });
   for (auto& column : columns)
     if (column.name == std::string_view("wave"))
-      column.cell = [](const PeakRow& peak) { return wave_name(peak.critical.naming_wave()); };
+      column.cell = [](const PeakRow& peak) {
+        return peak.critical.is_mixed() ? "mixed" : wave_name(peak.critical.naming_wave());
+      };
   columns.push_back(
       {"motion", [](const PeakRow& peak) { return motion_text(peak.study.speed_at(peak.critical.index)); }});
   return table_of(columns, peaks_of(study, fields));
@@ -306,7 +306,6 @@ Table critical_speed_motions(const Study& study) {
                                                          {"runs", "direction"},
                                                          {"areas LE/TE", "places rubbed, leading / trailing edge"}};
   PeakColumns columns = rounded_columns();
-  columns.resize(columns.size() - 2);
   columns.push_back({"predicted by", [](const PeakRow& peak) { return predicting_rules(peak.critical); }});
   columns[1].cell = [](const PeakRow& peak) { return interval(peak.critical); };
   for (auto& column : columns)

@@ -187,7 +187,8 @@ std::string paragraphs(const std::vector<std::string>& lines) {
 }
 
 /// Explains the stresses of the critical speeds, or why there are none.
-std::string stress_note(const FieldResults& fields) {
+std::string stress_note(const Study& study, const FieldResults& fields) {
+  if (study.critical.empty()) return "There is no critical speed at which stress could be given.";
   if (!fields.has_stress())
     return "Stress at the peaks is left out, because it requires full fields (--fields) and a response that holds "
            "the states of the rotor.";
@@ -371,7 +372,7 @@ std::string report_page(const ReportContents& contents, const std::filesystem::p
        {"critical_speeds", none ? "<p>None.</p>" : html_table(critical_speed_motions(study), Screen::main_columns)},
        {"critical_stresses",
         none || !fields.has_stress() ? "" : html_table(critical_speed_stresses(study, fields), Screen::main_columns)},
-       {"stress_note", stress_note(fields)},
+       {"stress_note", stress_note(study, fields)},
        {"budget", budget_section(study, fields)},
        {"figure_links", figure_links(figures)},
        {"scene", scene_items(study, fields, needs)},

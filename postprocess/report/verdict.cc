@@ -357,8 +357,10 @@ std::vector<Answer> scene_in_brief(const Study& study) {
        {"Interference", interference_text(study)},
        {"Damping", damping_text(scene)},
        {"March", march_text(scene)},
-       {"Speeds", std::to_string(study.response.speeds.size()) + " from " +
-                      fixed(study.range.low * rpm_per_rad_s, 0) + " to " + rpm_text(study.range.high)}});
+       {"Speeds",
+        std::to_string(study.response.speeds.size()) + " from " + fixed(study.range.low * rpm_per_rad_s, 0) + " to " +
+            rpm_text(study.range.high) +
+            (study.failed.empty() ? "" : ", and " + std::to_string(study.failed.size()) + " that failed")}});
 }
 
 }  // namespace tiprub::postprocess

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/basis/diameter_reduction.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "reduce/basis/cyclic_modes.h"
@@ -17,6 +18,7 @@ constexpr double mode_tolerance = 1e-2;
 // The fraction of Omega_max below which K, which changes with Omega^2, is nearer to K at rest than to K at full
 // speed.
 constexpr double nearer_to_rest = 0.7;
+constexpr int most_rounds = 10;  // of corrections
 
 }  // namespace
 
@@ -52,7 +54,12 @@ int DiameterReduction::correct(CraigBamptonBasis& basis) const {
   ModeFollowing modes = modes_between(basis, {corrected_speeds.begin(), corrected_speeds.end()});
   // The tolerance is applied to omega^2, whose error is twice that of omega: half of it is left for the error of the
   // estimate.
-  modes.correct(parameters_.frequency_tolerance);
+  const double tolerance = parameters_.frequency_tolerance;
+  for (int round = 0; round < most_rounds && modes.correct(tolerance); ++round) {
+    double largest = 0;
+    for (const FollowedModes& at_speed : modes.modes()) largest = std::max(largest, at_speed.error.maxCoeff());
+    if (largest * largest <= tolerance) break;  // each round squares the errors, if they are small
+  }
   basis.append(modes.corrections());
   basis.orthonormalise();
   return static_cast<int>(modes.corrections().cols());

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <sstream>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 #include "reduce/matrices/matrix_files.h"
 #include "reduce/sector/contact_line.h"
 #include "reduce/sector/cut_faces.h"
@@ -125,11 +125,10 @@ void require_mass(const Matrix& mass, const MatrixFiles& files, const Eigen::Mat
     throw InputError(files.mass.string() +
                      ": its rows are x of all nodes, then y, then z; expected are x, y, z of the first node, then of "
                      "the second, ...: sort them, or list them by --matrix-dofs");
-  std::ostringstream message;
-  message << files.mass.string() << ": gives " << masses(0, 0) << ", " << masses(1, 1) << ", " << masses(2, 2)
-          << " kg along x, y, z, which must be the same mass; does K stand before M, and are the rows those that "
-          << said_by(files) << " tell, x, y, z of each node?";
-  throw InputError(message.str());
+  throw InputError(
+      text_of(files.mass.string(), ": gives ", masses(0, 0), ", ", masses(1, 1), ", ", masses(2, 2),
+              " kg along x, y, z, which must be the same mass; does K stand before M, and are the rows those that ",
+              said_by(files), " tell, x, y, z of each node?"));
 }
 
 /// Refuses a K that resists rigid motions. The force that a rigid motion causes in a row, over the diagonal entry of

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "cases/program/text.h"
 #include "cases/program/units.h"
 
 namespace tiprub {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double largest_shift = 0.02;      // of the radius
 constexpr double tolerable_misfit = 0.001;  // error of a frequency caused by eq. 7
+constexpr double tolerable_error = 0.001;   // of a frequency, at the verification speeds
 
 }  // namespace
 
@@ -19,10 +21,8 @@ std::string shift_doubts(const Eigen::MatrixX3d& position, const Eigen::MatrixX3
   Eigen::Index node = 0;
   const double share = moved.cwiseQuotient(position.col(0)).maxCoeff(&node);
   if (share <= largest_shift) return "";
-  std::ostringstream text;
-  text << "warning: spin moves the tip by " << moved[node] << " m at " << speed * rpm_per_rad_s << " rpm, "
-       << 100 * share << " % of its radius: are young_modulus [Pa], density [kg/m^3] and the speed right? ";
-  return text.str();
+  return text_of("warning: spin moves the tip by ", moved[node], " m at ", speed * rpm_per_rad_s, " rpm, ",
+                 100 * share, " % of its radius: are young_modulus [Pa], density [kg/m^3] and the speed right? ");
 }
 
 std::string doubts(const ReducedModel& model) {
@@ -34,6 +34,11 @@ std::string doubts(const ReducedModel& model) {
     text << "warning: the shape under spin leaves " << 100 * shape->imbalance
          << " % of the load out of balance between its speeds, more than polynomial_tolerance ("
          << 100 * shape->tolerance << " %); ";
+  const ModelError error = model_error(model);
+  if (error.error > tolerable_error)
+    text << "warning: frequencies of the model are off by up to " << 100 * error.error << " % at "
+         << error.speed * rpm_per_rad_s
+         << " rpm; raise fixed_interface_modes and modes_at_speed, or lower frequency_tolerance; ";
   const double misfit = polynomial_misfit(model).value_or(0);
   if (misfit > tolerable_misfit)
     text << "warning: the shape changes too much for eq. 7 between its speeds, frequencies are off by up to "

@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 #include "cases/program/digest.h"
 #include "cases/program/errors.h"
 #include "cases/program/named_values.h"
+#include "cases/program/text.h"
 #include "reduce/model/dense_eigen.h"
 #include "reduce/model/nodal_diameter.h"
 
@@ -79,11 +79,10 @@ void check_step(const ContactLine& contact, Eigen::Index k, const std::string& n
   const double tolerance = k > contact.trailing_edge() ? half_circle - 1 : arc_tolerance;
   const Eigen::RowVector3d step = contact.position.row(k) - contact.position.row(k - 1);
   const double across = std::hypot(step[0], step[2]);
-  std::ostringstream text;
-  text << name << ": /contact/arc_length grows by " << along << " m from node " << k - 1 << " to node " << k
-       << ", but /contact/position has them " << across
-       << " m apart in the meridional plane; both must be in metres, from leading to trailing edge";
-  require(across <= along * (1 + tolerance) && along <= half_circle * across, text.str());
+  require(across <= along * (1 + tolerance) && along <= half_circle * across,
+          text_of(name, ": /contact/arc_length grows by ", along, " m from node ", k - 1, " to node ", k,
+                  ", but /contact/position has them ", across,
+                  " m apart in the meridional plane; both must be in metres, from leading to trailing edge"));
 }
 
 /// From blade to casing normals point away from the axis, or along it where the casing turns to the side.
@@ -92,19 +91,17 @@ void check_normals(const ContactLine& contact, const std::string& name) {
     require(std::abs(contact.normal.row(k).norm() - 1) < unit_tolerance,
             name + ": /contact/normal: row " + std::to_string(k) + " is not of unit length");
   const double outward = contact.normal.col(0).mean();
-  std::ostringstream text;
-  text << name << ": /contact/normal has the mean radial component " << outward << ", must be above " << most_inward
-       << ": normals point from the blade to the casing; reverse them";
-  require(outward > most_inward, text.str());
+  require(outward > most_inward,
+          text_of(name, ": /contact/normal has the mean radial component ", outward, ", must be above ", most_inward,
+                  ": normals point from the blade to the casing; reverse them"));
 }
 
 /// Angles in degrees are told by their size.
 void check_place(const ContactLine& contact, Eigen::Index k, const std::string& name) {
   const double radius = contact.position(k, 0), theta = contact.position(k, 1);
-  std::ostringstream place;
-  place << name << ": /contact/position: row " << k << " has r = " << radius << " m and theta = " << theta
-        << " rad; r must be above 0, and theta within a turn: is it in degrees?";
-  require(radius > 0 && std::abs(theta) <= full_turn, place.str());
+  require(radius > 0 && std::abs(theta) <= full_turn,
+          text_of(name, ": /contact/position: row ", k, " has r = ", radius, " m and theta = ", theta,
+                  " rad; r must be above 0, and theta within a turn: is it in degrees?"));
 }
 
 /// A splitter has the main blade's arc lengths, so that these do not tell its nodes from the main blade's.
@@ -158,10 +155,9 @@ void check(const ContactLine& contact, const std::string& name) {
 
 /// Frequencies of a rotor that is stable at the verified speeds; what is at most 0 has no relative error.
 void check_frequencies(const Eigen::MatrixXd& frequencies, const std::string& where) {
-  std::ostringstream text;
-  text << where << " holds " << frequencies.minCoeff()
-       << " Hz, must be above 0: the rotor must be held, and stable at the verified speeds";
-  require(frequencies.minCoeff() > 0, text.str());
+  require(frequencies.minCoeff() > 0,
+          text_of(where, " holds ", frequencies.minCoeff(),
+                  " Hz, must be above 0: the rotor must be held, and stable at the verified speeds"));
 }
 
 void check(const Verification& table, std::size_t nodal_diameters, const std::string& name) {

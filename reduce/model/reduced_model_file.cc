@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <sstream>
 
+#include "cases/program/text.h"
 #include "reduce/model/condensation.h"
 #include "reduce/model/hdf5_file.h"
 
@@ -203,11 +203,9 @@ void require_own_frequencies(const ReducedModel& model, std::size_t n, Eigen::In
   for (Eigen::Index mode = 0; mode < std::min(told.size(), found.size()); ++mode) {
     if (std::abs(found[mode] - told[mode]) <= std::max(tolerance * told[mode], of_highest * told.maxCoeff()))
       continue;
-    std::ostringstream text;
-    text << path << ": /verification" << group_of(static_cast<int>(n)) << "/reduced has " << told[mode]
-         << " Hz for mode " << mode << " at " << speed << " rad/s, but K and M of this nodal diameter give "
-         << found[mode] << " Hz; correct what is wrong, or leave out /verification";
-    throw FileError(text.str());
+    throw FileError(text_of(path, ": /verification", group_of(static_cast<int>(n)), "/reduced has ", told[mode],
+                            " Hz for mode ", mode, " at ", speed, " rad/s, but K and M of this nodal diameter give ",
+                            found[mode], " Hz; correct what is wrong, or leave out /verification"));
   }
 }
 
@@ -223,10 +221,8 @@ void require_radians(const ContactLine& contact, const std::string& path) {
   for (Eigen::Index k = 1; k < contact.size(); ++k) {
     const double before = contact.position(k - 1, 1), theta = contact.position(k, 1);
     if (k == contact.trailing_edge() + 1 || std::abs(std::remainder(theta - before, turn)) <= turn / 4) continue;
-    std::ostringstream text;
-    text << path << ": /contact/position: theta goes from " << before << " rad in row " << k - 1 << " to " << theta
-         << " rad in the next, more than a quarter of a turn: is it in degrees?";
-    throw FileError(text.str());
+    throw FileError(text_of(path, ": /contact/position: theta goes from ", before, " rad in row ", k - 1, " to ",
+                            theta, " rad in the next, more than a quarter of a turn: is it in degrees?"));
   }
 }
 

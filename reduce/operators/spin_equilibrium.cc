@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 #include "reduce/operators/speed_samples.h"
 
 namespace tiprub::reduce {
@@ -105,11 +105,9 @@ SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const Sec
     found.residual = residual;
   }
   if (found.residual <= tolerance) return found;
-  std::ostringstream message;
-  message << "the shape under spin doesn't converge: after " << found.iterations << " Newton steps " << found.residual
-          << " of the load is left, more than " << tolerance
-          << "; lower speed_max_rpm, or take prestress = \"linear\"";
-  throw RunError(message.str());
+  throw RunError(text_of("the shape under spin doesn't converge: after ", found.iterations, " Newton steps ",
+                         found.residual, " of the load is left, more than ", tolerance,
+                         "; lower speed_max_rpm, or take prestress = \"linear\""));
 }
 
 double spin_imbalance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,

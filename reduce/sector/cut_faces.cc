@@ -9,12 +9,12 @@
 #include <map>
 #include <numbers>
 #include <set>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/free_faces.h"
 
@@ -99,12 +99,6 @@ Eigen::Vector3d centre(const SectorMesh& mesh, const std::vector<int>& nodes) {
   return mesh.nodes(Eigen::all, nodes).rowwise().mean();
 }
 
-std::string in_metres(double length) {
-  std::ostringstream text;
-  text << length;
-  return text.str();
-}
-
 /// [m] the largest distance from a node of cyclic_low, turned, to the nearest one of cyclic_high.
 double largest_mismatch(const SectorMesh& mesh, int sector_count) {
   const Eigen::AngleAxisd turn(2 * std::numbers::pi / sector_count, Eigen::Vector3d::UnitZ());
@@ -128,12 +122,11 @@ std::string shift(const SectorMesh& mesh, int sector_count, double tolerance) {
   if (!pair(other, tolerance, angle).holds(other)) return "";
   const Eigen::Vector2d axis =
       (Eigen::Matrix2d::Identity() - Eigen::Rotation2Dd(angle).toRotationMatrix()).inverse() * by.head<2>();
-  std::ostringstream text;
-  text << "cyclic_high is cyclic_low turned by 360/" << sector_count << " degrees about z and then shifted by x "
-       << by.x() << ", y " << by.y() << ", z " << by.z()
-       << " m; the axis of rotation must be z through the origin, and "
-       << "these faces turn about x " << axis.x() << ", y " << axis.y() << " m: shift the mesh, or re-mesh the faces";
-  return text.str();
+  return text_of("cyclic_high is cyclic_low turned by 360/", sector_count, " degrees about z and then shifted by x ",
+                 by.x(), ", y ", by.y(), ", z ", by.z(),
+                 " m; the axis of rotation must be z through the origin, and "
+                 "these faces turn about x ",
+                 axis.x(), ", y ", axis.y(), " m: shift the mesh, or re-mesh the faces");
 }
 
 /// About an axis beside z the measured angle is no whole fraction of a turn, but close to one.
@@ -184,7 +177,7 @@ std::string alone(const SectorMesh& mesh, const Pairing& found) {
   return std::to_string(found.alone()) + " of " + std::to_string(mesh.cyclic_low.size()) +
          " nodes on cyclic_low have no partner among the " + std::to_string(mesh.cyclic_high.size()) +
          " on cyclic_high, turned by 360/" + std::to_string(found.sector_count) +
-         " degrees, within tolerance; the farthest is " + in_metres(farthest) + " m from the nearest; " +
+         " degrees, within tolerance; the farthest is " + text_of(farthest) + " m from the nearest; " +
          advice(farthest, mesh.nodes.topRows<2>().colwise().norm().maxCoeff());
 }
 

@@ -2,17 +2,15 @@
 #include "reduce/sector/sector_mesh.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "cases/program/digest.h"
+#include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 
 namespace tiprub::reduce {
 
 std::string place_text(const Eigen::Vector3d& position) {
-  std::ostringstream text;
-  text << "x y z = " << position.x() << " " << position.y() << " " << position.z() << " m";
-  return text.str();
+  return text_of("x y z = ", position.x(), " ", position.y(), " ", position.z(), " m");
 }
 
 std::string digest(const SectorMesh& mesh) {

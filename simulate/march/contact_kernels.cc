@@ -59,6 +59,7 @@ struct AddDyad {
   }
 };
 
+template <bool symmetric>
 struct Factorize {
   template <class Set>
   TIPRUB_INLINE static bool run(const Factor& factor, std::size_t size) {
@@ -69,33 +70,10 @@ struct Factorize {
       const double inverse = 1 / column[j];
       factor.inverse_pivot[j] = inverse;
       for (std::size_t c = j + 1; c < size; ++c) {
-        const double share = column[c] * inverse;
-        factor.upper[stride * c + j] = share;
         double* later = factor.lower + stride * c;
-        for (std::size_t i = vector_of(c); i < size; i += eight)
-          lanes8<Set>(later + i) -= lanes8<Set>(column + i) * share;
-      }
-      for (std::size_t i = vector_of(j); i < size; i += eight) lanes8<Set>(column + i) *= inverse;
-      for (std::size_t i = vector_of(j); i <= j; ++i) column[i] = 0;
-    }
-    return true;
-  }
-};
-
-struct FactorizeUnsymmetric {
-  template <class Set>
-  TIPRUB_INLINE static bool run(const Factor& factor, std::size_t size) {
-    const std::size_t stride = factor.stride;
-    for (std::size_t j = 0; j < size; ++j) {
-      double* column = factor.lower + stride * j;
-      if (!(column[j] > 0)) return false;
-      const double inverse = 1 / column[j];
-      factor.inverse_pivot[j] = inverse;
-      for (std::size_t c = j + 1; c < size; ++c) {
-        double* later = factor.lower + stride * c;
-        const double share = later[j] * inverse;
+        const double share = (symmetric ? column[c] : later[j]) * inverse;
         factor.upper[stride * c + j] = share;
-        for (std::size_t i = vector_of(j + 1); i < size; i += eight)
+        for (std::size_t i = vector_of(symmetric ? c : j + 1); i < size; i += eight)
           lanes8<Set>(later + i) -= lanes8<Set>(column + i) * share;
       }
       for (std::size_t i = vector_of(j); i < size; i += eight) lanes8<Set>(column + i) *= inverse;
@@ -176,11 +154,11 @@ void add_dyad(double* matrix, std::size_t stride, std::size_t size, const double
 }
 
 bool factorize(const Factor& factor, std::size_t size) {
-  return in_eights<Factorize>(factor, size);
+  return in_eights<Factorize<true>>(factor, size);
 }
 
 bool factorize_unsymmetric(const Factor& factor, std::size_t size) {
-  return in_eights<FactorizeUnsymmetric>(factor, size);
+  return in_eights<Factorize<false>>(factor, size);
 }
 
 void solve(const Factor& factor, std::size_t size, double* x) {

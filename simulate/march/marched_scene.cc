@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/march/marched_scene.h"
 
-#include <sstream>
-
+#include "cases/program/text.h"
 #include "simulate/motion/attempt.h"
 
 namespace tiprub::simulate {
@@ -14,11 +13,10 @@ Eigen::VectorXd open_clearance(const Scene& scene, double speed) {
   Eigen::VectorXd clearance = scene.casing.running_clearance(scene.model.contact, speed);
   Eigen::Index node = 0;
   if (clearance.minCoeff(&node) >= 0) return clearance;
-  std::ostringstream text;
-  text << "spin closes the clearance: contact node " << node << " (from 0, leading edge first"
-       << (node > scene.model.contact.trailing_edge() ? "; on the splitter" : "") << ") is left with "
-       << clearance[node] << " m at " << speed << " rad/s; widen [casing] clearance, or give the running one";
-  throw NoMotion(text.str());
+  throw NoMotion(text_of("spin closes the clearance: contact node ", node, " (from 0, leading edge first",
+                         (node > scene.model.contact.trailing_edge() ? "; on the splitter" : ""), ") is left with ",
+                         clearance[node], " m at ", speed,
+                         " rad/s; widen [casing] clearance, or give the running one"));
 }
 
 }  // namespace

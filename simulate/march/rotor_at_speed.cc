@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <utility>
 
 #include "cases/program/machine.h"
+#include "cases/program/text.h"
 #include "cases/program/units.h"
 #include "reduce/model/condensation.h"
 #include "reduce/model/dense_eigen.h"
@@ -29,12 +29,10 @@ struct Spectrum {
 Eigen::ArrayXd frequencies(const Eigen::VectorXd& squares, int nodal_diameter, double speed) {
   const double scale = squares.cwiseAbs().maxCoeff();
   if (squares.minCoeff() < -zero_eigenvalue * scale) {
-    std::ostringstream text;
-    text << "nodal diameter " << nodal_diameter << " has omega^2 = " << squares.minCoeff() << " (rad/s)^2 at "
-         << speed
-         << " rad/s: the rotor is statically unstable there, spin softening exceeds its stiffness; stay below "
-         << "this speed";
-    throw NoMotion(text.str());
+    throw NoMotion(
+        text_of("nodal diameter ", nodal_diameter, " has omega^2 = ", squares.minCoeff(), " (rad/s)^2 at ", speed,
+                " rad/s: the rotor is statically unstable there, spin softening exceeds its stiffness; stay below "
+                "this speed"));
   }
   return squares.array().max(0.0).sqrt();
 }

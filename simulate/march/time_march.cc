@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
+#include "cases/program/text.h"
 #include "simulate/march/wave_kernels.h"
 #include "simulate/motion/attempt.h"
 
@@ -221,13 +221,12 @@ void TimeMarch::require_sliding() const {
   for (const int i : contact_->closed()) {
     const bool rubs = drag_ratio()[2 * i] != 0 || drag_ratio()[2 * i + 1] != 0;
     if (!rubs || slide_[2 * i] * carried_[2 * i] > 0) continue;
-    std::ostringstream text;
-    text << "contact node " << i % width() << " (from 0) of sector " << i / width()
-         << " no longer slides forward: its velocity over the casing along the circumference is "
-         << slide_[2 * i] / time_step_ << " m/s after " << static_cast<double>(step_) / steps_per_revolution()
-         << " revolutions, and friction is modelled for tips that slide; raise the speed, or set [casing] "
-         << "friction_coefficient = 0";
-    throw NoMotion(text.str());
+    throw NoMotion(
+        text_of("contact node ", i % width(), " (from 0) of sector ", i / width(),
+                " no longer slides forward: its velocity over the casing along the circumference is ",
+                slide_[2 * i] / time_step_, " m/s after ", static_cast<double>(step_) / steps_per_revolution(),
+                " revolutions, and friction is modelled for tips that slide; raise the speed, or set [casing] "
+                "friction_coefficient = 0"));
   }
 }
 

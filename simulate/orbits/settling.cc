@@ -7,9 +7,9 @@
 #include <iterator>
 #include <numbers>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
+#include "cases/program/text.h"
 #include "simulate/motion/attempt.h"
 #include "simulate/orbits/recording.h"
 
@@ -137,10 +137,8 @@ Settling::Settling(const Scene& scene, TimeMarch& march, int min_revolutions, St
 void Settling::add(Eigen::VectorXd motion) {
   ++revolutions_;
   if (!(motion.cwiseAbs().maxCoeff() <= bound_)) {
-    std::ostringstream text;
-    text << "the motion grew beyond " << bound_ << " m in revolution " << revolutions_
-         << "; take smaller steps, or look at the model";
-    throw NoMotion(text.str());
+    throw NoMotion(text_of("the motion grew beyond ", bound_, " m in revolution ", revolutions_,
+                           "; take smaller steps, or look at the model"));
   }
   const Eigen::MatrixXd coefficients = band_.coefficients(motion);
   state_.add(coefficients.reshaped());

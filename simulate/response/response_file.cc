@@ -6,13 +6,13 @@
 #include <iomanip>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "cases/program/errors.h"
 #include "cases/program/machine.h"
+#include "cases/program/text.h"
 #include "reduce/model/hdf5_file.h"
 #include "simulate/response/named_axes.h"
 #include "simulate/response/scene_group.h"
@@ -56,11 +56,10 @@ void require_memory(const Hdf5File& file, const std::vector<std::string>& speeds
   for (const std::string& name : speeds) needed += size_of_speed(file, "/speed/" + name);
   const double available = available_memory();
   if (needed <= available) return;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << file.path() << ": its " << speeds.size() << " speeds take "
-       << needed / bytes_per_gib << " GiB, " << available / bytes_per_gib
-       << " GiB are available; take a larger machine, or simulate fewer speeds, samples or recorded revolutions";
-  throw RunError(text.str());
+  throw RunError(text_of(
+      std::fixed, std::setprecision(2), file.path(), ": its ", speeds.size(), " speeds take ", needed / bytes_per_gib,
+      " GiB, ", available / bytes_per_gib,
+      " GiB are available; take a larger machine, or simulate fewer speeds, samples or recorded revolutions"));
 }
 
 Hdf5File open_response(const std::filesystem::path& path) {

@@ -267,7 +267,9 @@ FrequencyTable read_frequencies(const Hdf5File& file, int sector_count, NamedAxe
 void write_scan(Hdf5File& file, const Eigen::VectorXd& speeds, const Eigen::VectorXd& amplitudes) {
   if (speeds.size() == 0) return;
   write_axis(file, scanned_speeds, speeds, "rad/s", "speeds scanned with a coarse step");
-  if (amplitudes.size() > 0) file.write(scanned_amplitudes, amplitudes, "m");
+  if (amplitudes.size() == 0) return;
+  file.write(scanned_amplitudes, amplitudes, "m");
+  file.describe(scanned_amplitudes, "amplitude of the scan; negative where the march failed", {scanned_speeds});
 }
 
 void read_scan(const Hdf5File& file, NamedAxes& axes, Eigen::VectorXd& speeds, Eigen::VectorXd& amplitudes) {

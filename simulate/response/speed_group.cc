@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <type_traits>
 
+#include "cases/program/text.h"
 #include "simulate/response/named_axes.h"
 #include "simulate/response/rotor_states.h"
 #include "simulate/response/speed_numbers.h"
@@ -52,11 +52,9 @@ void write_numbers(Hdf5File& file, const std::string& group, const SpeedResponse
 double bounded(const Hdf5File& file, const std::string& group, const std::string& name, Bounds bounds) {
   const double value = file.number_attribute(group, name);
   if (value >= bounds.low && value <= bounds.high) return value;
-  std::ostringstream must;
-  must << (value < bounds.low ? "at least " : "at most ") << (value < bounds.low ? bounds.low : bounds.high);
-  std::ostringstream is;
-  is << value;
-  throw FileError(file.path() + ": " + group + ": attribute " + name + " is " + is.str() + ", must be " + must.str());
+  throw FileError(file.path() + ": " + group + ": attribute " + name + " is " +
+                  (value < bounds.low ? text_of(value, ", must be at least ", bounds.low)
+                                      : text_of(value, ", must be at most ", bounds.high)));
 }
 
 void read_numbers(const Hdf5File& file, const std::string& group, SpeedResponse& speed) {

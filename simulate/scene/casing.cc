@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
+#include "cases/program/text.h"
 #include "cases/program/units.h"
 #include "cases/program/usual_range.h"
 #include "simulate/scene/damping.h"
@@ -23,10 +23,10 @@ void require_degrees(const CaseTable& table, const Casing& casing, const std::ve
   constexpr double least_share = 0.02;
   const double period = 360.0 / casing.lobes, first = points.front()[0], last = points.back()[0];
   if (casing.unusual || last - first >= least_share * period) return;
-  std::ostringstream text;
-  text << "has its angles from " << first << " to " << last << " deg, less than a fiftieth of the " << period
-       << " deg of a lobe; are they in radians? If they are meant, add unusual = true to this table";
-  table.reject("distortion_table", text.str(), points.size() - 1);
+  table.reject("distortion_table",
+               text_of("has its angles from ", first, " to ", last, " deg, less than a fiftieth of the ", period,
+                       " deg of a lobe; are they in radians? If they are meant, add unusual = true to this table"),
+               points.size() - 1);
 }
 
 void read_distortion_table(CaseTable& table, Casing& casing) {
@@ -90,10 +90,8 @@ bool Casing::has_friction() const {
 std::string Casing::friction_text() const {
   const auto [least, most] = std::minmax_element(
       friction.begin(), friction.end(), [](const auto& one, const auto& other) { return one[1] < other[1]; });
-  std::ostringstream text;
-  text << (*least)[1];
-  if ((*most)[1] > (*least)[1]) text << " .. " << (*most)[1] << " over the chord";
-  return text.str();
+  if ((*most)[1] > (*least)[1]) return text_of((*least)[1], " .. ", (*most)[1], " over the chord");
+  return text_of((*least)[1]);
 }
 
 Eigen::VectorXd Casing::given_clearance(const ContactLine& contact) const {
@@ -232,23 +230,21 @@ void require_blades_of_wheel(const CaseTable& table, const Casing& casing, const
 void require_ramp_within(const CaseTable& table, const Casing& casing, const SimulateParameters& parameters) {
   const int left = parameters.max_revolutions - parameters.recorded_revolutions;
   if (casing.ramp_revolutions <= left) return;
-  std::ostringstream text;
-  text << "= " << casing.ramp_revolutions << " is more than the " << left
-       << " revolutions that [simulate] max_revolutions leaves before the recording; lower it";
-  table.reject("ramp_revolutions", text.str());
+  table.reject("ramp_revolutions",
+               text_of("= ", casing.ramp_revolutions, " is more than the ", left,
+                       " revolutions that [simulate] max_revolutions leaves before the recording; lower it"));
 }
 
 void require_lengths_in_metres(const CaseTable& table, const Casing& casing, const ContactLine& contact) {
   const double radius = contact.position.col(0).maxCoeff(), largest_share = casing.unusual ? 0.1 : 0.02;
   const auto require = [&](const std::string& key, double length, std::optional<std::size_t> row = {}) {
     if (length <= largest_share * radius) return;
-    std::ostringstream text;
-    text << "has " << length << " m, more than a " << (casing.unusual ? "tenth" : "fiftieth")
-         << " of the tip's radius of " << radius << " m; it is in metres, not in millimetres"
-         << (casing.unusual ? "" : ". If it is meant, add unusual = true to this table");
+    const std::string text = text_of("has ", length, " m, more than a ", casing.unusual ? "tenth" : "fiftieth",
+                                     " of the tip's radius of ", radius, " m; it is in metres, not in millimetres",
+                                     casing.unusual ? "" : ". If it is meant, add unusual = true to this table");
     if (key == key_of_shape(CasingShape::profile))
-      throw InputError(casing.profile_file + ": [casing] profile " + text.str());
-    table.reject(key, text.str(), row);
+      throw InputError(casing.profile_file + ": [casing] profile " + text);
+    table.reject(key, text, row);
   };
   require(key_of_shape(casing.shape), casing.amplitude, casing.crest_row);
   for (std::size_t i = 0; i < casing.clearance.size(); ++i) require("clearance", casing.clearance[i][1], i);

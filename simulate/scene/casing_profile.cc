@@ -9,10 +9,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <sstream>
 #include <utility>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 #include "cases/program/text_file.h"
 #include "cases/program/units.h"
 
@@ -93,10 +93,9 @@ CasingProfile read_casing_profile(const NamedText& file, double period) {
     const double angle = radians_per_degree * number_in(file, lines[row], 0, "an angle [deg]");
     if (angle < 0 || angle >= period ||
         (!angles.empty() && angle <= angles.back() + PeriodicTable::closest * period)) {
-      std::ostringstream text;
-      text << "angles must increase in 0 .. " << period / radians_per_degree << " deg, that end excluded; "
-           << lines[row].words[0] << " doesn't";
-      refuse_line(file, lines[row].number, text.str());
+      refuse_line(file, lines[row].number,
+                  text_of("angles must increase in 0 .. ", period / radians_per_degree, " deg, that end excluded; ",
+                          lines[row].words[0], " doesn't"));
     }
     angles.push_back(angle);
     inward.emplace_back();

@@ -4,9 +4,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <optional>
-#include <sstream>
 #include <vector>
 
+#include "cases/program/text.h"
 #include "cases/program/units.h"
 #include "reduce/model/nodal_diameter.h"
 
@@ -59,10 +59,8 @@ FrictionLimit nearest(const ReducedModel& model, const Eigen::VectorXd& coeffici
 
 std::string FrictionLimit::text() const {
   if (coefficient == std::numeric_limits<double>::infinity()) return "no contact node jams, whatever the friction";
-  std::ostringstream text;
-  text << "from a friction coefficient of " << coefficient << " on, contact node " << node << " (from 0) jams at "
-       << speed * rpm_per_rad_s << " rev/min: friction pushes it into the casing";
-  return text.str();
+  return text_of("from a friction coefficient of ", coefficient, " on, contact node ", node, " (from 0) jams at ",
+                 speed * rpm_per_rad_s, " rev/min: friction pushes it into the casing");
 }
 
 FrictionLimit friction_limit(const ReducedModel& model, double speed) {
@@ -79,9 +77,7 @@ void require_friction_that_slides(const CaseTable& table, const Casing& casing, 
   const std::string key = "friction_coefficient";
   const Eigen::VectorXd coefficients = casing.friction_at(model.contact);
   if (const FrictionLimit limit = nearest(model, coefficients); coefficients[limit.node] >= limit.coefficient) {
-    std::ostringstream text;
-    text << "= " << coefficients[limit.node] << " is too large: " << limit.text() << "; lower it";
-    table.reject(key, text.str());
+    table.reject(key, text_of("= ", coefficients[limit.node], " is too large: ", limit.text(), "; lower it"));
   }
   if (parameters.contact == ContactRule::paper)
     table.reject(key, "needs forces that only push; set [simulate] contact = \"complementarity\"");

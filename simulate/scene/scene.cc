@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
-#include <sstream>
 
+#include "cases/program/text.h"
 #include "simulate/motion/attempt.h"
 
 namespace tiprub::simulate {
@@ -20,12 +20,6 @@ std::string listed(const std::vector<int>& values) {
   std::string text;
   for (int value : values) text += (text.empty() ? "" : ", ") + std::to_string(value);
   return text;
-}
-
-std::string short_text(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 
 double rounded_up(double value, double unit) {
@@ -51,9 +45,9 @@ void explain(SceneScope& scope, int sector_count, int lobes, int grid, const Sim
       parameters.steps_per_revolution > 0
           ? "steps a revolution: at least " + std::to_string(parameters.steps_per_revolution) + " as asked for" +
                 multiple
-          : "steps a revolution: at least " + short_text(parameters.steps_per_period) +
+          : "steps a revolution: at least " + text_of(parameters.steps_per_period) +
                 " a period of the lowest frequency, halved until that changes the motion by less than " +
-                short_text(parameters.step_tolerance) + multiple + "; by speed");
+                text_of(parameters.step_tolerance) + multiple + "; by speed");
   if (parameters.steady_state == SteadyStateMethod::orbit)
     scope.reasons.push_back("settled motions: by Newton's method for a fixed point of 1/" + std::to_string(grid) +
                             " of a revolution and a shift of " + std::to_string(sector_shift(sector_count, lobes)) +
@@ -98,9 +92,9 @@ int steps_per_revolution(const SceneScope& scope, const SimulateParameters& para
   const double steps = rounded_up(wanted, scope.samples_per_revolution);
   const int revolutions = std::max(1, parameters.max_revolutions);
   if (steps * revolutions > most_steps)
-    throw NoMotion("may take " + short_text(steps * revolutions) + " steps (" + std::to_string(revolutions) +
-                   " revolutions of " + short_text(steps) +
-                   "), more than ten minutes of marching for one speed; at most " + short_text(most_steps) +
+    throw NoMotion("may take " + text_of(steps * revolutions) + " steps (" + std::to_string(revolutions) +
+                   " revolutions of " + text_of(steps) +
+                   "), more than ten minutes of marching for one speed; at most " + text_of(most_steps) +
                    " are taken: raise the speed, or lower [simulate] max_revolutions or the steps");
   return static_cast<int>(steps);
 }

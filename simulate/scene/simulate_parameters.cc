@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 
+#include "cases/program/text.h"
 #include "cases/program/units.h"
 #include "cases/program/usual_range.h"
 
@@ -42,9 +42,7 @@ std::vector<double> read_speeds(CaseTable& table) {
     const double high = table.number("speed_max_rpm", std::nullopt, Range::positive(), "rev/min");
     const int count = table.integer("speed_count", 40, Range::between(2, count_max), "speeds, evenly spaced");
     if (high <= low) {
-      std::ostringstream text;
-      text << "= " << high << " must be above speed_min_rpm = " << low;
-      table.reject("speed_max_rpm", text.str());
+      table.reject("speed_max_rpm", text_of("= ", high, " must be above speed_min_rpm = ", low));
     }
     for (int i = 0; i < count; ++i) speeds.push_back(low + (high - low) * i / (count - 1));
   }

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <sstream>
 #include <utility>
 #include <vector>
 
+#include "cases/program/text.h"
 #include "simulate/march/march_state.h"
 #include "simulate/motion/attempt.h"
 
@@ -38,14 +38,12 @@ void require_stable_step(const TimeMarch& march, double omega_max) {
   const SchemeTraits traits = traits_of(march.scene().setup.scheme);
   const double step_ratio = march.time_step() * omega_max / 2;
   if (!traits.limits_step || step_ratio <= 1) return;
-  std::ostringstream text;
-  text << "central differences need h omega_max / 2 <= 1, and have " << step_ratio << " with "
-       << march.steps_per_revolution() << " steps a revolution (omega_max " << omega_max << " rad/s"
-       << (traits.springs ? ", the penalty's springs included" : "")
-       << "); set [simulate] steps_per_revolution to at least "
-       << std::ceil(march.steps_per_revolution() * step_ratio)
-       << (traits.springs ? ", a lower penalty_stiffness" : "") << ", or scheme = \"trigonometric\"";
-  throw NoMotion(text.str());
+  throw NoMotion(text_of("central differences need h omega_max / 2 <= 1, and have ", step_ratio, " with ",
+                         march.steps_per_revolution(), " steps a revolution (omega_max ", omega_max, " rad/s",
+                         (traits.springs ? ", the penalty's springs included" : ""),
+                         "); set [simulate] steps_per_revolution to at least ",
+                         std::ceil(march.steps_per_revolution() * step_ratio),
+                         (traits.springs ? ", a lower penalty_stiffness" : ""), ", or scheme = \"trigonometric\""));
 }
 
 /// With fewer modes than closed nodes no finite force can close all nodes.
@@ -53,11 +51,10 @@ void require_full_rank(const TimeMarch& march, int modes, double condition) {
   const SchemeTraits traits = traits_of(march.scene().setup.scheme);
   const bool dropped = !traits.quasi_static && march.rotor().waves[0].residual_compliance.size();
   if (!dropped || traits.springs || condition < worst_condition) return;
-  std::ostringstream text;
-  text << "the contact compliance has condition " << condition << ", at most " << worst_condition
-       << " is allowed: " << modes << " modes a nodal diameter can't move " << march.node_count()
-       << " contact nodes independently; raise [simulate] modes, or set scheme = \"residual_flexibility\"";
-  throw NoMotion(text.str());
+  throw NoMotion(
+      text_of("the contact compliance has condition ", condition, ", at most ", worst_condition,
+              " is allowed: ", modes, " modes a nodal diameter can't move ", march.node_count(),
+              " contact nodes independently; raise [simulate] modes, or set scheme = \"residual_flexibility\""));
 }
 
 /// A march of all nodal diameters from a symmetric state stays symmetric for hundreds of revolutions, even if that

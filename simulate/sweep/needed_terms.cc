@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <sstream>
 
+#include "cases/program/text.h"
 #include "cases/program/units.h"
 #include "reduce/model/nodal_diameter.h"
 
@@ -18,28 +18,18 @@ double largest_change(const TermEffect& effect) {
 }
 
 std::string percent_text(double share) {
-  std::ostringstream text;
   constexpr double large = 0.995;  // from where two digits would need an exponent
-  if (std::abs(share) >= large)
-    text << std::fixed << std::setprecision(0);
-  else
-    text << std::setprecision(2);
-  text << std::showpos << 100 * share << " %";
-  return text.str();
+  if (std::abs(share) >= large) return text_of(std::fixed, std::setprecision(0), std::showpos, 100 * share, " %");
+  return text_of(std::setprecision(2), std::showpos, 100 * share, " %");
 }
 
 std::string name_of_term(Variation term, const TermEffect* effect) {
   if (term == Variation::gap) return "the second order of the gap";
-  std::ostringstream text;
-  text << "friction";
-  if (effect != nullptr) text << " of " << effect->setting;
-  return text.str();
+  return effect != nullptr ? text_of("friction of ", effect->setting) : "friction";
 }
 
 std::string rpm_of(const TermEffect& effect) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << effect.speed * rpm_per_rad_s << " rev/min";
-  return text.str();
+  return text_of(std::fixed, std::setprecision(0), effect.speed * rpm_per_rad_s, " rev/min");
 }
 
 std::string not_known(const TermEffect& effect) {
@@ -95,12 +85,12 @@ Decision decide(Variation term, const std::vector<TermEffect>& effects, double a
                        (unknown != nullptr ? ", but " + not_known(*unknown)
                                            : ": no critical speed was found to judge it by")};
   const bool is_needed = largest_change(*worst) > accuracy;
-  std::ostringstream text;
-  text << name << " is " << (is_needed ? "on" : "off") << ": at " << rpm_of(*worst)
-       << " it changes the critical speed by " << percent_text(worst->shift) << " and stress by about "
-       << percent_text(worst->stress) << (is_needed ? ", more" : ", not more") << " than accuracy = " << accuracy;
-  if (unknown != nullptr && !is_needed) text << "; " << not_known(*unknown);
-  return {is_needed, text.str()};
+  std::string text =
+      text_of(name, " is ", is_needed ? "on" : "off", ": at ", rpm_of(*worst), " it changes the critical speed by ",
+              percent_text(worst->shift), " and stress by about ", percent_text(worst->stress),
+              is_needed ? ", more" : ", not more", " than accuracy = ", accuracy);
+  if (unknown != nullptr && !is_needed) text += "; " + not_known(*unknown);
+  return {is_needed, std::move(text)};
 }
 
 }  // namespace tiprub::simulate

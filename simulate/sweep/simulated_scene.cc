@@ -3,22 +3,16 @@
 
 #include <algorithm>
 #include <numbers>
-#include <sstream>
 #include <string>
 
 #include "cases/program/digest.h"
+#include "cases/program/text.h"
 #include "reduce/model/reduced_model.h"
 #include "simulate/scene/friction_limit.h"
 
 namespace tiprub::simulate {
 
 namespace {
-
-std::string text_of(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 
 ModelledEffect normal_contact(const SimulateParameters& parameters) {
   const std::string scheme = std::string("scheme ") + name_in(scheme_names, parameters.scheme);

@@ -11,7 +11,6 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "cases/program/machine.h"
 #include "cases/program/output_file.h"
 #include "cases/program/progress.h"
+#include "cases/program/text.h"
 #include "simulate/march/rotor_at_speed.h"
 #include "simulate/response/response_file.h"
 #include "simulate/speed/speed_run.h"
@@ -60,13 +60,11 @@ double memory_of_speed(const Scene& scene) {
 void require_memory(const Scene& scene, int threads, double available) {
   const double each = memory_of_speed(scene);
   if (threads * each <= available) return;
-  std::ostringstream text;
-  text
-      << "not enough memory: about " << std::setprecision(3) << threads * each / bytes_per_gib << " GiB are needed ("
-      << threads << " speeds at once, " << each / bytes_per_gib << " GiB each), " << available / bytes_per_gib
-      << " GiB are available; lower [simulate] samples_per_revolution, recorded_revolutions or casing_areas, or take "
-         "fewer threads";
-  throw RunError(text.str());
+  throw RunError(text_of(
+      std::setprecision(3), "not enough memory: about ", threads * each / bytes_per_gib, " GiB are needed (", threads,
+      " speeds at once, ", each / bytes_per_gib, " GiB each), ", available / bytes_per_gib,
+      " GiB are available; lower [simulate] samples_per_revolution, recorded_revolutions or casing_areas, or take "
+      "fewer threads"));
 }
 
 /// [rad/s] the speeds of amplitudes over speed.

@@ -108,9 +108,32 @@ TEST(StressZones, AreNearTheTipLineAndTheClampsEdge) {
   EXPECT_EQ(zone(4, 0), StressZone::body);
   EXPECT_EQ(zone(0, -4), StressZone::clamp_rim);
   EXPECT_EQ(zone(half_cells, -4), StressZone::clamp_rim);
+  EXPECT_EQ(zone(0, half_cells), StressZone::tip_patch);
+  EXPECT_EQ(zone(half_cells, half_cells), StressZone::tip_patch);
   const StressZones wider = stress_zones(made.sector, 0.01);
   EXPECT_EQ(wider.at_node[static_cast<std::size_t>(made.node.at({4, 0, half_cells - 1}))], StressZone::tip_patch);
   EXPECT_THROW(stress_zones(made.sector, 1), InputError);
+}
+
+/// The nodes next to the centres of segments end before the edges of the blade.
+TEST(StressZones, ReachTheEdgesOfABladeInContactBySegments) {
+  Made made = bladed_hub();
+  made.sector.node_sets["contact"] = {made.node.at({2, 0, half_cells}), made.node.at({half_cells - 2, 0, half_cells})};
+  const StressZones zones = stress_zones(made.sector, 0);
+  for (const int along : {0, half_cells})
+    EXPECT_EQ(zones.at_node[static_cast<std::size_t>(made.node.at({along, 0, half_cells}))], StressZone::tip_patch);
+}
+
+/// Between the end of the blade's tip line and the beginning of the splitter's there is none.
+TEST(StressZones, AreNotBetweenABladeAndItsSplitter) {
+  Made made = bladed_hub();
+  const int on_hub = made.node.at({4, 0, 0}), beside = made.node.at({6, 0, 0});
+  made.sector.node_sets["contact_splitter"] = {on_hub, beside};
+  const StressZones zones = stress_zones(made.sector, 0);
+  const auto zone = [&](int node) { return zones.at_node[static_cast<std::size_t>(node)]; };
+  EXPECT_EQ(zone(on_hub), StressZone::tip_patch);
+  EXPECT_EQ(zone(beside), StressZone::tip_patch);
+  EXPECT_EQ(zone(made.node.at({half_cells, 0, half_cells / 2})), StressZone::body);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Stress of the vibration over speed.
 # Reads speed_low, speed_high [rpm], stress_high [MPa]; allowed, yield [MPa], 0 if not known, allowed_name; what bands.gp
-# does; $recovered: speed [rpm], stress [MPa]. The figure's table: speed [rpm], stress [MPa].
+# does; $recovered, over a cycle, and $at_least, at one instant: speed [rpm], stress [MPa]. The figure's table: speed
+# [rpm], stress [MPa].
 band_top = 1.08*stress_high
 load 'scripts/bands.gp'
 set xrange [speed_low:speed_high]
@@ -16,5 +17,6 @@ set key at screen 0.53,0.985 center top horizontal maxrows 2
 plot @avoided, \
   figure_table skip 1 using 1:2 with lines linestyle estimated_stress title 'estimated', \
   $recovered using 1:2 with points linestyle recovered_stress title titled(recovered_rows, 'recovered'), \
+  $at_least using 1:2 with points linestyle stress_at_least title titled(at_least_rows, 'at least (one instant)'), \
   allowed > 0 ? allowed : NaN with lines linestyle allowed_stress title titled(allowed > 0, allowed_name), \
   yield > 0 ? yield : NaN with lines linestyle yield_strength title titled(yield > 0, 'yield strength')

@@ -127,6 +127,7 @@ zero_colour = '#777777'
 array band_colours[4] = ['#f7f2d2', '#fae6d8', '#ead9f2', '#f3ccd9']  # speeds to avoid, the gravest last
 estimated_stress = 71; set style line estimated_stress linewidth 1.6 linecolor rgb '#a3367f'
 recovered_stress = 72; set style line recovered_stress pointtype 7 pointsize 0.9 linecolor rgb '#a3367f'
+stress_at_least = 75; set style line stress_at_least pointtype 6 pointsize 0.9 linewidth 1.3 linecolor rgb '#a3367f'
 allowed_stress = 73; set style line allowed_stress linewidth 1.4 dashtype 2 linecolor rgb '#c2185b'
 yield_strength = 74; set style line yield_strength linewidth 1.4 dashtype 3 linecolor rgb tics_colour
 array budget_colours[3] = [vermilion, blue, '#999999']  # data and physics, settings, their sum

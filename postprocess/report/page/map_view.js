@@ -148,10 +148,10 @@ function mapView(host, selection, edge) {
 
 // Natural frequencies over speed by nodal diameter, engine orders, and the critical speeds at the frequencies of their waves.
 function campbellView(host, selection) {
-  const {data} = selection, rpm = data.speeds.map(speed => speed.rpm), moving = movingParts(data);
+  const {data} = selection, rpm = data.speeds.map(speed => speed.rpm), marched = marchedDiameters(data);
   const colourOf = n => `var(--series-${n % 8})`, curves = data.modes.map((mode, k) => ({...mode, hertz: data.array(`mode/${k}`)}));
-  const shown = curves.filter(curve => moving.includes(curve.nodal_diameter)), high = Math.max(...shown.flatMap(curve => [...curve.hertz]), 1);
-  host.append(legend(...moving.map(n => [`series-${n % 8}`, `ND ${n}`]), ['map-order', 'engine orders'], ['met', 'critical speeds'], ['chosen', 'shown speed']));
+  const shown = curves.filter(curve => marched.includes(curve.nodal_diameter)), high = Math.max(...shown.flatMap(curve => [...curve.hertz]), 1);
+  host.append(legend(...marched.map(n => [`series-${n % 8}`, `ND ${n}`]), ['map-order', 'engine orders'], ['met', 'critical speeds'], ['chosen', 'shown speed']));
   const chart = new Chart(host, {
     name: 'Campbell diagram', height: 380, right: 42, x: speedRange(data), y: {label: 'frequency [Hz]', range: [0, 1.05 * high]}, shared: selection,
     pick: x => pickSpeed(chart, selection, x), step: by => selection.step(by), middle: () => selection.speed.rpm,
@@ -175,6 +175,11 @@ function campbellView(host, selection) {
       ...rpm.map((speed, i) => [speed, ...shown.map(curve => curve.hertz[i])])],
   });
   selection.onChange(() => chart.draw());
+}
+
+// Nodal diameters of the modes that the march could move.
+function marchedDiameters({modes, sectors, held}) {
+  return [...new Set(modes.map(mode => mode.nodal_diameter))].filter(n => n % (sectors / held) === 0);
 }
 
 // Nodal diameters that move at all: an empty map tells nothing.

@@ -147,7 +147,7 @@ function placeAmong(bands, rpm) {
 // Stress and Goodman's utilisation as far as they are known; `stress` [MPa]: an estimate, or null.
 function loadOf({strength}, critical, stress) {
   if (critical && critical.vibration !== null)
-    return `${digits(critical.vibration, 3)} MPa${critical.goodman === null ? '' : `, Goodman's utilisation ${critical.goodman.toFixed(2)}`}`;
+    return `${critical.over_cycle ? '' : 'at least '}${digits(critical.vibration, 3)} MPa${critical.goodman === null ? '' : `, Goodman's utilisation ${critical.goodman.toFixed(2)}`}`;
   if (stress === null) return 'stress not known';
   return `about ${digits(stress, 2)} MPa${strength === null ? ''
     : `, Goodman's utilisation about ${(stress / strength.endurance + strength.mean / strength.ultimate).toFixed(2)} (with the mean stress of the worst critical speed)`}`;

@@ -28,13 +28,15 @@ export PATH := $(BIN):$(PATH)
 
 .PHONY: all clean look $(addprefix look_,mesh reduce simulate postprocess)
 .DELETE_ON_ERROR:
+# The programs leave no half files, and a whole one may be the work of hours.
+.PRECIOUS: sector.msh model.h5 fields.h5 response.h5 response_up.h5 response_down.h5
 all: report/report.html
 	@cat report/critical_speeds.txt
 
 blank := $() $()
 in_shell = '$(subst ','\'',$1)'
 as_prerequisite = $(subst $(blank),\ ,$1)
-CHAIN := BIN=$(call in_shell,$(BIN)) MODEL_OF=$(call in_shell,$(MODEL_OF)) MADE=$(call in_shell,$(MADE)) sh $(call in_shell,$(CHAIN_FOLDER)/chain.sh)
+CHAIN := env BIN=$(call in_shell,$(BIN)) MODEL_OF=$(call in_shell,$(MODEL_OF)) MADE=$(call in_shell,$(MADE)) sh $(call in_shell,$(CHAIN_FOLDER)/chain.sh)
 CASE_FILE := $(if $(CASE),$(call in_shell,$(CASE)),case.toml)
 MODEL_FILES := sector.msh model.h5 fields.h5
 ifneq ($(words $(MODEL_OF)),$(if $(MODEL_OF),1,0))
@@ -65,6 +67,7 @@ look_mesh look_reduce look_simulate look_postprocess: look_%:
 look: $(LOOKS)
 
 # look_STAGE if a file was made of other values or other files than there are now. Their dates do not suffice: clocks may be set back.
+own_file = $(if $1,own:$(call in_shell,$1))
 stale = $(if $(VALUES_$1),$(if $(shell $(CHAIN) is_made_of $2 $(VALUES_$1) $3),,look_$1))
 SWEPT := $(shell $(CHAIN) name_sweeps $(CASE_FILE) $(SETTINGS))
 ifneq ($(filter other,$(SWEPT)),)
@@ -91,47 +94,47 @@ $(MODEL_FILES): %: $(MODEL_OF)/%
 	ln -sf $< $@
 else ifndef MODEL
 STALE_mesh := $(call stale,mesh,sector.msh)
-STALE_reduce := $(STALE_mesh) $(call stale,reduce,fields.h5,sector.msh)
+# exec: a SIGTERM that make sends to its child reaches chain.sh, which passes it on.
+READ_reduce := $(if $(MESH),$(call own_file,$(MESH)),sector.msh)
+STALE_reduce := $(STALE_mesh) $(call stale,reduce,fields.h5,$(READ_reduce))
 ifndef MESH
 sector.msh: $(STALE_mesh)
-	@$(CHAIN) require_own $@
-	tiprub-mesh $(CASE_FILE) -o $@ $(SETTINGS) --times .chain/sector.csv
-	@$(CHAIN) note $@ $(VALUES_mesh)
+	@exec $(CHAIN) run $@ $(VALUES_mesh) -- \
+	  tiprub-mesh $(CASE_FILE) -o $@ $(SETTINGS) --times .chain/sector.csv
 endif
-REDUCE = tiprub-reduce $(CASE_FILE) $(if $(MESH),$(call in_shell,$(MESH)),sector.msh) -o model.h5 --fields fields.h5 $(SETTINGS) --times .chain/model.csv
-NOTE_MODEL = $(CHAIN) note 'fields.h5 model.h5' $(VALUES_reduce) sector.msh
+REDUCE = exec $(CHAIN) run 'fields.h5 model.h5' $(VALUES_reduce) $(READ_reduce) -- \
+  tiprub-reduce $(CASE_FILE) $(if $(MESH),$(call in_shell,$(MESH)),sector.msh) -o model.h5 --fields fields.h5 $(SETTINGS) --times .chain/model.csv
 fields.h5: $(STALE_reduce) $(call as_prerequisite,$(or $(MESH),sector.msh))
-	@$(CHAIN) require_own model.h5 $@
-	$(REDUCE)
-	@$(NOTE_MODEL)
+	@$(REDUCE)
 
 # The run that made fields.h5 has made model.h5 after it, unless somebody has removed that since. (make -n of 4.3 forgets half of a
 # rule for both files, &:.)
 model.h5: fields.h5
-	@test -e $@ -a ! $< -nt $@ || { $(REDUCE) && $(NOTE_MODEL); }
+	@test -e $@ -a ! $< -nt $@ || $(REDUCE)
 endif
 
 ROTOR := $(if $(MODEL),$(call in_shell,$(MODEL)),model.h5)
 ROTOR_FIELDS := $(if $(MODEL),$(FIELDS),fields.h5)
+BUDGET_MODEL := $(shell $(CHAIN) name_budget_model $(CASE_FILE) $(SETTINGS) $(FLAGS_simulate))
+BUDGET_FIELDS := $(if $(ROTOR_FIELDS),$(shell $(CHAIN) name_budget_fields $(CASE_FILE) $(SETTINGS) $(FLAGS_simulate)))
+READ_simulate := $(if $(MODEL),$(call own_file,$(MODEL)),model.h5) $(call own_file,$(BUDGET_MODEL))
+READ_postprocess := $(if $(MODEL),$(call own_file,$(FIELDS)),fields.h5) $(call own_file,$(BUDGET_FIELDS)) $(RESPONSES)
 STALE_rotor := $(STALE_reduce) $(LOOK)
-STALE_response = $(STALE_rotor) $(call stale,simulate,$1,model.h5)
+STALE_response = $(STALE_rotor) $(call stale,simulate,$1,$(READ_simulate))
 response.h5: $(call STALE_response,response.h5)
 response_up.h5: $(if $(filter response_up.h5,$(RESPONSES)),$(call STALE_response,response_up.h5))
 response_down.h5: $(if $(filter response_down.h5,$(RESPONSES)),$(call STALE_response,response_down.h5))
-response.h5 response_up.h5 response_down.h5: $(call as_prerequisite,$(shell $(CHAIN) name_budget_model $(CASE_FILE) $(SETTINGS) $(FLAGS_simulate)))
+response.h5 response_up.h5 response_down.h5: $(call as_prerequisite,$(BUDGET_MODEL))
 response.h5 response_up.h5 response_down.h5: %.h5: $(call as_prerequisite,$(or $(MODEL),model.h5))
-	@$(CHAIN) require_own $@ $*_full.h5 $*_plain.h5 $*_one_term.h5
-	$(LAUNCH) tiprub-simulate $(CASE_FILE) $(ROTOR) -o $@ $(patsubst response_%,--set 'simulate.sweep="%"',$(filter response_%,$*)) $(SETTINGS) $(SIMULATE_FLAGS) --times .chain/$*.csv
-	@$(CHAIN) note '$@ $*_full.h5 $*_plain.h5 $*_one_term.h5' $(VALUES_simulate) model.h5
+	@exec $(CHAIN) run '$@ $*_full.h5 $*_plain.h5 $*_one_term.h5' $(VALUES_simulate) $(READ_simulate) -- $(LAUNCH) \
+	  tiprub-simulate $(CASE_FILE) $(ROTOR) -o $@ $(patsubst response_%,--set 'simulate.sweep="%"',$(filter response_%,$*)) $(SETTINGS) $(SIMULATE_FLAGS) --times .chain/$*.csv
 
 # The report shows how long those stages took that this make, or that of MODEL_OF, has run. Their notes are looked for when it is made.
 RUNS := $(patsubst %,.chain/%.csv,$(if $(VALUES_mesh),sector) $(if $(VALUES_reduce),model) $(basename $(RESPONSES))) \
   $(if $(MODEL_OF),$(MODEL_OF)/.chain/sector.csv $(MODEL_OF)/.chain/model.csv)
-REPORTED := model.h5 fields.h5 $(RESPONSES)
-STALE_report := $(foreach file,$(RESPONSES),$(call STALE_response,$(file))) $(call stale,postprocess,report/report.html,$(REPORTED))
-BUDGET_FIELDS := $(if $(ROTOR_FIELDS),$(shell $(CHAIN) name_budget_fields $(CASE_FILE) $(SETTINGS) $(FLAGS_simulate)))
+STALE_report := $(foreach file,$(RESPONSES),$(call STALE_response,$(file))) $(call stale,postprocess,report/report.html,$(READ_simulate) $(READ_postprocess))
 report/report.html: $(if $(strip $(STALE_report)),$(LOOKS)) $(call as_prerequisite,$(or $(MODEL),model.h5)) $(call as_prerequisite,$(ROTOR_FIELDS)) $(call as_prerequisite,$(BUDGET_FIELDS)) $(RESPONSES)
 	tiprub-postprocess $(CASE_FILE) $(ROTOR) response.h5 $(if $(ROTOR_FIELDS),--fields $(if $(MODEL),$(call in_shell,$(FIELDS)),fields.h5)) \
 	  $(if $(BUDGET_FIELDS),--budget-fields $(call in_shell,$(BUDGET_FIELDS))) -o report $(SETTINGS) $(addprefix --runs ,$(shell ls $(RUNS) 2> /dev/null)) > /dev/null
-	@$(CHAIN) note report/report.html $(VALUES_postprocess) $(REPORTED)
+	@$(CHAIN) note report/report.html $(VALUES_postprocess) $(READ_simulate) $(READ_postprocess)
 endif

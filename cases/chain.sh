@@ -12,6 +12,8 @@
 # For each FILE that make has made there is .chain/FILE.sha256 with its digest. A file is make's own as long as its bytes have
 # this digest, or if it is a link into MODEL_OF. All other files are the user's, and are neither overwritten nor removed.
 # .chain/FILE.made_of tells what it was made of: the digest of the values that the stage read, and those of the files.
+# .chain/FILE.begun tells the same while the stage runs. If it is still there, the run was killed before it could note anything,
+# and a file that is newer is taken for what the run has made.
 PATH=$BIN:$PATH
 from_other_case='sector.msh model.h5 fields.h5'
 responses='_full _plain _one_term'  # that tiprub-simulate may write beside its output
@@ -39,11 +41,18 @@ missing() { # STAGE
   echo "tiprub-$1 is neither in $BIN nor on the PATH; on Debian it is in the package $package"
 }
 
-# The user's own files have no digests here: make looks at their age.
-made_of() { # VALUES FILE...
+# The user's own files may be large, and are not read: another one has another size or date, even if it is an older one. A copy of
+# the folder keeps both, but not the inodes.
+made_of() { # VALUES FILE|own:FILE...
   echo "$1"
   shift
-  for file; do cat ".chain/$file.sha256" "${MODEL_OF:-.}/.chain/$file.sha256" 2> /dev/null; done
+  for file; do
+    case $file in
+      --) break ;;
+      own:*) stat -Lc '%s %Y' "${file#own:}" ;;
+      *) cat ".chain/$file.sha256" "${MODEL_OF:-.}/.chain/$file.sha256" ;;
+    esac
+  done 2> /dev/null
 }
 
 # Prints "yes" if FILE was made of these values and files, as they are now.
@@ -61,7 +70,8 @@ name_sweeps() { # CASE OPTION...
 
 # Prints the file that error budgets compare with, if there is one.
 name_budget_model() { # CASE OPTION...
-  model=$(dirname "$1")/$(tiprub-simulate "$@" --tables 2> /dev/null | sed -nE 's/^budget_model = "(.+)"$/\1/p')
+  model=$(tiprub-simulate "$@" --tables 2> /dev/null | sed -nE 's/^budget_model = "(.+)"$/\1/p')
+  case $model in /*) ;; *) model=$(dirname "$1")/$model ;; esac
   if test -f "$model"; then echo "$model"; fi
 }
 
@@ -82,6 +92,7 @@ is_made() { # FILE
 
 # Prints those of the files that exist and that make has no digest of. They are not read, because make asks whenever it starts.
 name_others() { # FILE...
+  settle
   for file; do
     if test -e "$file" && ! test -e ".chain/$file.sha256" && ! is_linked "$file"; then echo "$file"; fi
   done
@@ -105,18 +116,63 @@ hint() {
   echo "make did not make it, and does not overwrite it; move it away, or name your own files as MESH and MODEL in the Makefile"
 }
 
-# Notes the digests of files that a stage has made, of which it may have left some out, and what the first was made of.
-note() { # 'FILE...' VALUES FILE...
-  for file in $1; do
-    test ! -e "$file" || sha256sum "$file" > ".chain/${file##*/}.sha256"
-  done
-  made=${1%% *}
+# Runs the command of a stage, which may leave out some of the files, and notes what it has made, even if a signal ends it.
+run() { # 'FILE...' VALUES FILE... -- COMMAND...
+  files=$1
   shift
-  made_of "$@" > ".chain/${made##*/}.made_of"
-  set_back "$made"
+  require_own $files
+  made=$(made_of "$@")
+  for file in $files; do echo "$made" > ".chain/$file.begun"; done
+  set_back ".chain/${files%% *}.begun"
+  while test "$1" != --; do shift; done
+  shift
+  show "$@"
+  trap : INT HUP                            # the terminal sends these to the program, too,
+  trap 'kill $! 2> /dev/null' TERM          # and make sends this to its child only
+  env --default-signal=INT,QUIT "$@" &      # which a shell has ignored in the background
+  while wait $!; code=$?; kill -0 $! 2> /dev/null; do :; done
+  trap '' INT HUP TERM
+  if test $code = 0; then
+    for file in $files; do keep "$file" "$made"; done
+  else
+    settle
+    for file in $files; do rm -f ".chain/$file.begun"; done
+  fi
+  return $code
 }
 
-# Gives the date of the file that was just made to make's own files that are dated ahead of it, by another clock or one that was
+# Prints a command as one may type it.
+show() { # WORD...
+  line=
+  for word; do
+    case $word in
+      '' | *[!A-Za-z0-9_./:=,+-]*) word="'$(printf %s "$word" | sed "s/'/'\\\\''/g")'" ;;
+    esac
+    line="$line $word"
+  done
+  printf '%s\n' "${line# }"
+}
+
+# Notes the digest of a file that was made, and what it was made of.
+keep() { # FILE MADE_OF
+  noted=.chain/${1##*/}
+  if test -e "$1"; then sha256sum "$1" > "$noted.sha256" && echo "$2" > "$noted.made_of"; fi && rm -f "$noted.begun"
+}
+
+# Does so for what a run has made that was ended or killed.
+settle() {
+  for mark in .chain/*.begun; do
+    file=$(basename "$mark" .begun)
+    if test -e "$mark" && test "$file" -nt "$mark"; then keep "$file" "$(cat "$mark")"; fi
+  done
+}
+
+note() { # FILE VALUES FILE...
+  keep "$1" "$(shift; made_of "$@")"
+  set_back "$1"
+}
+
+# Gives the date of a file that was just made to make's own files that are dated ahead of it, by another clock or one that was
 # set back. Otherwise make would make it again and again.
 set_back() { # FILE
   for file in $from_other_case response.h5 response_up.h5 response_down.h5; do
@@ -126,6 +182,7 @@ set_back() { # FILE
 
 # Removes what make has made. The user's own files stay, even if they have the same names.
 clean() { # OWN_FILE...
+  settle
   for file in $MADE $from_other_case $(for sweep in $sweeps; do for more in '' $responses; do echo "$sweep$more.h5"; done; done); do
     for own; do test "$own" != "$file" || continue 2; done
     if is_made "$file"; then

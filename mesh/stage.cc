@@ -8,6 +8,8 @@
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
 #include "cases/program/printable.h"
+#include "cases/program/written_keys.h"
+#include "mesh/cells/gmsh_file.h"
 #include "mesh/import/sector_import.h"
 #include "mesh/sector/sector_check.h"
 #include "mesh/sector/sector_file.h"
@@ -65,6 +67,15 @@ void require_ending(const std::string& option, const std::filesystem::path& path
   if (path.extension() != ending) throw InputError(option + " " + path.string() + ": must end in " + ending);
 }
 
+/// The keys that made a mesh, by which tiprub-reduce recognises that it is of another case. A mesh_file may be named
+/// on the command line of this stage alone.
+std::string keys_of_mesh(const CaseFile& file) {
+  std::string lines;
+  for (const auto& [key, value] : written_keys(file.source()))
+    if (key.starts_with("mesh.") && key != "mesh.mesh_file") lines += key + " = " + value + "\n";
+  return lines;
+}
+
 void draw(const StageArguments& arguments, const NamedMesh& mesh, const std::filesystem::path& path) {
   OutputFile output(path);
   write_file(output.scratch(), [&](std::ostream& file) { file << picture_of(mesh); });
@@ -88,7 +99,8 @@ void run_mesh(const StageArguments& arguments, const MeshOptions& options) {
   require_ending("-o", arguments.output, ".msh");  // by the ending gmsh chooses the format
   if (!options.picture.empty()) require_ending("--picture", options.picture, ".svg");
   refuse_overwriting({options.picture, arguments.output}, arguments.inputs);
-  CaseTable table = mesh_table(CaseFile(arguments.inputs[0], settings_of(arguments, options.import)));
+  const CaseFile case_file(arguments.inputs[0], settings_of(arguments, options.import));
+  CaseTable table = mesh_table(case_file);
   std::optional<OutputLock> lock;
   if (arguments.action == Action::run) lock.emplace(arguments.output);
   const NamedMesh mesh =
@@ -97,6 +109,7 @@ void run_mesh(const StageArguments& arguments, const MeshOptions& options) {
   if (arguments.action == Action::check) return;
   OutputFile output(arguments.output);
   write_mesh(mesh, output.scratch());
+  append_comments(keys_of_mesh(case_file), output.scratch());
   output.commit();
   say(arguments, "wrote " + arguments.output.string());
 }

@@ -19,6 +19,8 @@
 #include "cases/program/process_group.h"
 #include "cases/program/text.h"
 #include "cases/program/units.h"
+#include "cases/program/written_keys.h"
+#include "mesh/cells/gmsh_file.h"
 #include "reduce/exports.h"
 #include "reduce/linear_results.h"
 #include "reduce/matrices/matrix_sector.h"
@@ -41,6 +43,7 @@ struct Inputs {
   ReductionParameters parameters;
   SectorMesh mesh;
   std::string provenance;
+  std::string differences;  ///< for people: keys of [mesh] that the mesh was made with other values of
 };
 
 void tell(const StageArguments& arguments, const std::string& line) {
@@ -111,7 +114,12 @@ Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
   say_blas(arguments);
   SectorMesh mesh = read_sector(arguments, options, parameters);
   require_metres(mesh, parameters);
-  return {std::move(parameters), std::move(mesh), case_file.source()};
+  const std::filesystem::path file = arguments.inputs.size() > 1 ? arguments.inputs[1] : "";
+  const DifferingKeys of_mesh = differing_keys(file.filename().string(), appended_comments(file), case_file.source(),
+                                               {"mesh."}, "the model is that of the mesh");
+  std::string provenance = case_file.source();
+  for (const auto& [key, value] : of_mesh.made_with) provenance += "\n# --set " + key + " = " + value;
+  return {std::move(parameters), std::move(mesh), std::move(provenance), of_mesh.lines};
 }
 
 /// The files that this run may write. They are tried before the work and locked until its end.
@@ -307,6 +315,7 @@ void report(const StageArguments& arguments, const ReductionParameters& paramete
 /// What the leader of the processes does, or the only one.
 void lead(const StageArguments& arguments, const ReduceOptions& options, ProcessGroup& group) {
   const Inputs inputs = read(arguments, options);
+  if (!inputs.differences.empty()) tell(arguments, inputs.differences);
   if (arguments.action == Action::check) return check(arguments, inputs);
   const Outputs outputs(arguments, options);
   if (!options.calculix_folder.empty()) return export_decks(arguments, inputs, options.calculix_folder);

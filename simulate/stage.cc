@@ -82,21 +82,6 @@ std::vector<Variation> open_terms(const CaseTable& casing, const CaseTable& simu
   return open;
 }
 
-/// A line for each key of [mesh] and [reduce] that the case of the model has with another value, after a line break.
-std::string differences_of_model(const std::string& case_text, const ReducedModel& model, const std::string& file) {
-  std::string text;
-  const auto of_model = written_keys(model.provenance);
-  for (const auto& [key, value] : written_keys(case_text)) {
-    const auto there = of_model.find(key);
-    if ((!key.starts_with("mesh.") && !key.starts_with("reduce.")) || there == of_model.end() ||
-        there->second == value)
-      continue;
-    text += "\n" + file + " was made with " + key + " = " + there->second + ", and the case has " + value +
-            "; the results are those of the model";
-  }
-  return text;
-}
-
 Inputs read_inputs(const StageArguments& arguments) {
   CaseFile case_file(arguments.inputs[0], arguments.settings);
   CaseTable casing_table = case_file.table("casing");
@@ -119,7 +104,9 @@ Inputs read_inputs(const StageArguments& arguments) {
   require_friction_that_slides(casing_table, casing, parameters, model);
   const std::string resolved = "[casing]\n" + casing_table.resolved() + "[simulate]\n" + simulate_table.resolved();
   const std::string differences =
-      differences_of_model(case_file.source(), model, arguments.inputs[1].filename().string());
+      differing_keys(arguments.inputs[1].filename().string(), model.provenance, case_file.source(),
+                     {"mesh.", "reduce."}, "the results are those of the model")
+          .lines;
   const std::string provenance = "# case\n" + case_file.source() + "\n# model\n" + model.provenance;
   return {std::move(casing), std::move(parameters), std::move(model),
           std::move(other),  std::move(open),       {casing_table.settings(), simulate_table.settings()},

@@ -103,7 +103,7 @@ def over_steps(bench, quick_model):
     rows = []
     for k in range(HALVINGS):
         steps = FEWEST_STEPS * 2 ** k
-        rows.append((steps, bench.motion(f"steps{steps}", quick_model, {"steps_per_revolution": steps, "examine": "none"})))
+        rows.append((steps, bench.motion(f"steps{steps}", quick_model, {"steps_per_revolution": steps, "examine": '"none"'})))
     return rows
 
 

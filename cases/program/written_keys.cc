@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/program/written_keys.h"
 
+#include <algorithm>
 #include <cctype>
 #include <sstream>
 #include <string_view>
@@ -38,6 +39,23 @@ std::map<std::string, std::string> written_keys(const std::string& text) {
     if (open == 0) key.clear();
   }
   return keys;
+}
+
+DifferingKeys differing_keys(const std::string& file, const std::string& made_with, const std::string& case_text,
+                             std::initializer_list<std::string_view> tables, const std::string& consequence) {
+  DifferingKeys differing;
+  const auto of_file = written_keys(made_with);
+  for (const auto& in_case : written_keys(case_text)) {
+    const auto& [key, value] = in_case;
+    const auto there = of_file.find(key);
+    const auto is_of = [&](std::string_view table) { return in_case.first.starts_with(table); };
+    if (std::none_of(tables.begin(), tables.end(), is_of) || there == of_file.end() || there->second == value)
+      continue;
+    differing.lines += "\n" + file + " was made with " + key + " = " + there->second + ", and the case has " + value +
+                       "; " + consequence;
+    differing.made_with.insert(*there);
+  }
+  return differing;
 }
 
 }  // namespace tiprub

@@ -29,10 +29,11 @@ def rows_of(runs, point, table):
         return None
 
 
-def avoided(runs, point):
-    """The speeds to avoid, as the report of the point has them."""
+def verdict(runs, point):
+    """The speeds to avoid, and why the report of the point is not trustworthy; empty if it is."""
     with open(os.path.join(runs, "points", point, "report", "summary.json"), encoding="utf-8") as file:
-        return json.load(file)["verdict"].get("Avoid", "")
+        said = json.load(file)["verdict"]
+    return [said.get(answer, "") for answer in ("Avoid", "Not trustworthy")]
 
 
 class Results:
@@ -45,19 +46,19 @@ class Results:
                        for name, (labels, _) in study.points.items()]
 
     def summary(self):
-        """A line for each point: its largest amplitude, the largest stress of its critical speeds, these, and what to avoid."""
+        """A line for each point: its largest amplitude, the largest stress of its critical speeds, these, and the verdict."""
         yield ["point", *self.axes, "speeds", "failed", "largest amplitude [mm]", "at [rpm]", "stress with spin [MPa]", "Goodman", "critical speeds [rpm]",
-               "speeds to avoid"]
+               "speeds to avoid", "not trustworthy"]
         for name, labels, critical, speeds in self.points:
             if speeds is None:
-                yield [name, *labels, NOTE, *7 * [""]]
+                yield [name, *labels, NOTE, *8 * [""]]
                 continue
             computed = [row for row in speeds if not row["failure"]]
             top = max(computed, key=lambda row: float(row[AMPLITUDE]), default={})
             yield [name, *labels, str(len(speeds)), str(len(speeds) - len(computed)), top.get(AMPLITUDE, "")[:6], rounded(top.get(SPEED)),
                    largest(critical, STRESS, 0), largest(critical, GOODMAN, 2),
                    ", ".join(f"{rounded(row[SPEED])} (EO {float(row[WAVE[0]]):.4g} ND {float(row[WAVE[1]]):+g})" for row in critical),
-                   avoided(self.runs, name)]
+                   *verdict(self.runs, name)]
 
     def joint(self):
         """A line for each critical speed."""
@@ -147,7 +148,7 @@ PAGE = """<!doctype html>
 <html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>{title}</title>
 <style>body {{ font: 15px sans-serif; margin: 2em auto; padding: 0 1em; max-width: 1150px }}
 td, th {{ padding: .2em .7em; text-align: left; border-bottom: 1px solid #ddd }} td:first-child {{ white-space: nowrap }}
-td:nth-last-child(-n+2) {{ min-width: 18em }} table {{ border-collapse: collapse }} .wide, figure {{ margin: 0; overflow-x: auto }}
+td:nth-last-child(-n+3) {{ min-width: 18em }} table {{ border-collapse: collapse }} .wide, figure {{ margin: 0; overflow-x: auto }}
 svg {{ min-width: 640px; max-width: 100%; height: auto }}</style>
 <h1>{title}</h1>
 <p>{counts} All critical speeds with all their labels: <a href="study.csv">study.csv</a>.</p>

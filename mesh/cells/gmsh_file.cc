@@ -11,6 +11,8 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -21,6 +23,8 @@
 namespace tiprub {
 
 namespace {
+
+constexpr std::string_view comments_begin = "$Comments\n", comments_end = "$EndComments\n";
 
 /// An open file. gmsh reads it by its descriptor, so that it is the file whose first line was checked.
 class OpenFile {
@@ -233,6 +237,24 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
 
 GmshFile read_gmsh_file(const NamedText& contents) {
   return read_open_file(OpenFile(contents), contents.name);
+}
+
+void append_comments(const std::string& lines, const std::filesystem::path& path) {
+  std::ofstream file(path, std::ios::app);
+  file << comments_begin << lines << comments_end;
+  if (!file.flush()) throw RunError(path.string() + ": can't be written to its end; is the disk full?");
+}
+
+std::string appended_comments(const std::filesystem::path& path) {
+  constexpr std::streamoff longest = 1 << 20;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  file.seekg(std::max<std::streamoff>(size - longest, 0));
+  const std::string end{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t from = end.rfind(comments_begin);
+  if (from == std::string::npos || !end.ends_with(comments_end)) return "";
+  const std::size_t first = from + comments_begin.size();
+  return end.substr(first, end.size() - comments_end.size() - first);
 }
 
 }  // namespace tiprub

@@ -42,4 +42,9 @@ GmshFile read_gmsh_file(const std::filesystem::path& path);
 /// The same, of the contents of a file.
 GmshFile read_gmsh_file(const NamedText& contents);
 
+/// Adds a section of comments, which readers pass over, to the end of a file. Raises RunError if it can't be written.
+void append_comments(const std::string& lines, const std::filesystem::path& path);
+/// What append_comments() has added; empty if nothing.
+std::string appended_comments(const std::filesystem::path& path);
+
 }  // namespace tiprub

@@ -3,7 +3,10 @@
 // case control node sets "SPC 1", "SET 1".
 #include <array>
 #include <map>
+#include <set>
 
+#include "cases/program/errors.h"
+#include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/import/text_lines.h"
 
@@ -29,6 +32,7 @@ class BdfReader : MeshReader {
     while (const auto line = lines_.next()) {
       const std::string_view text = line->substr(0, line->find('$'));
       if (trimmed(text).empty()) continue;
+      require_one_section(text);
       const std::vector<std::string> fields = fields_of(text);
       const bool goes_on = fields[0].empty() || fields[0][0] == '+' || fields[0][0] == '*';
       if (goes_on && !card.name.empty()) {
@@ -38,6 +42,7 @@ class BdfReader : MeshReader {
       take(card);
       card = {upper(fields[0]), {fields.begin() + 1, fields.end()}, lines_.number()};
       if (card.name.ends_with('*')) card.name.pop_back();
+      require_written_out(card.name);
       if (card.name == "ENDDATA") break;
       if (card.name.starts_with("SET ")) read_case_set(text, card);
     }
@@ -46,6 +51,22 @@ class BdfReader : MeshReader {
   }
 
  private:
+  /// A superelement or a module has node numbers of its own, and a place that other entries give.
+  void require_one_section(std::string_view text) const {
+    const std::vector<std::string_view> words = blank_fields(text);
+    const std::string first = upper(words[0]);
+    if (first.starts_with("INCLUDE")) refuse_other_file("INCLUDE");
+    if (first == "BEGIN" && (words.size() > 2 || (words.size() == 2 && upper(words[1]) != "BULK")))
+      lines_.refuse(upper(trimmed(text)) +
+                    " begins a part of its own; write the model as one part, after BEGIN BULK");
+  }
+
+  /// "=" repeats the fields of the entry before.
+  void require_written_out(const std::string& name) const {
+    static const std::set<std::string> rules = {"CGEN", "CSUPER", "EGRID", "GRIDG", "SEBULK"};
+    if (rules.contains(name) || name.starts_with('=')) refuse_rule(name);
+  }
+
   /// The name and eight fields (or four large ones); those that the line lacks are empty.
   std::vector<std::string> fields_of(std::string_view line) const {
     std::vector<std::string> fields;
@@ -68,6 +89,7 @@ class BdfReader : MeshReader {
   void take(const Card& card) {
     static const std::map<std::string, int> solids = {{"CTETRA", 4}, {"CPYRAM", 5}, {"CPENTA", 6}, {"CHEXA", 8}};
     if (card.name == "GRID") add_grid(card);
+    if (card.name == "GRDSET") require_basic_system(card);
     if (const auto known = solids.find(card.name); known != solids.end()) add_solid(card, known->second);
     if (card.name == "CTRIA6" || card.name == "CQUAD8" || card.name == "CTRIA3" || card.name == "CQUAD4")
       add_shell(card);
@@ -84,10 +106,14 @@ class BdfReader : MeshReader {
     return lines_.whole_in(field(card, at), meaning);
   }
 
-  void add_grid(const Card& card) {
+  void require_basic_system(const Card& card) const {
     if (const std::string system = field(card, 1); !system.empty() && system != "0")
-      lines_.refuse("the GRID before is given in coordinate system " + system +
-                    "; write the file in the basic system, 0");
+      throw InputError(text_of(mesh_.file, ":", card.line, ": ", card.name, " gives places in coordinate system ",
+                               system, "; write the file in the basic system, 0"));
+  }
+
+  void add_grid(const Card& card) {
+    require_basic_system(card);
     const Eigen::Vector3d at = point_in(card.fields, 2);
     add_node(card.line, whole(card, 0, "a node's number"), at);
   }

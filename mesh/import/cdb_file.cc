@@ -2,6 +2,7 @@
 // Ansys' archive, as CDWRITE makes it: ETBLOCK, NBLOCK and EBLOCK in columns, components as CMBLOCK.
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "mesh/cells/cell_kind.h"
 #include "mesh/import/text_lines.h"
@@ -24,6 +25,8 @@ class CdbReader : MeshReader {
       const std::vector<std::string_view> words = comma_fields(*line);
       if (words.empty()) continue;
       const std::string name = upper(words[0]);
+      require_written_out(name, words);
+      note_system(name, words);
       if (name == "ET" && words.size() > 2) types_[whole(words[1])] = type_of(words[2]);
       if (name == "ETBLOCK") read_types();
       if (name == "NBLOCK") read_nodes();
@@ -34,6 +37,27 @@ class CdbReader : MeshReader {
   }
 
  private:
+  /// N and EN with the number -1 end a list.
+  void require_written_out(const std::string& name, const std::vector<std::string_view>& words) const {
+    static const std::set<std::string> rules = {
+        "N",     "FILL", "NGEN", "NSYM",  "NSCALE", "NMODIF", "NDELE",  "TRANSFER", "NUMMRG", "E",     "EN",
+        "EMORE", "EMID", "EGEN", "ENGEN", "ESYM",   "ENSYM",  "EMODIF", "EDELE",    "VMESH",  "VSWEEP"};
+    if (name == "/INPUT" || name == "CDREAD") refuse_other_file(name);
+    if (rules.contains(name) && std::find(words.begin(), words.end(), "-1") == words.end()) refuse_rule(name);
+  }
+
+  /// NBLOCK takes places in the active system. These commands define a system and activate it, but not where CDWRITE
+  /// lists the systems (LOCAL,R5.0,LOC,...).
+  void note_system(const std::string& name, const std::vector<std::string_view>& words) {
+    static const std::set<std::string> defining = {"LOCAL", "CLOCAL", "CS", "CSKP", "CSWPLA"};
+    const std::string first = words.size() > 1 ? upper(words[1]) : "";
+    if (name == "CSYS") system_ = first;
+    if (defining.contains(name) && !first.starts_with('R')) system_ = first;
+    if (name == "NBLOCK" && !system_.empty() && system_ != "0")
+      lines_.refuse("NBLOCK gives places in coordinate system " + system_ +
+                    "; write them in the global one (CSYS,0)");
+  }
+
   long whole(std::string_view word) const { return lines_.whole_in(word, "a number of the archive"); }
 
   /// "186" or "SOLID186".
@@ -163,6 +187,7 @@ class CdbReader : MeshReader {
     }
   }
 
+  std::string system_;          // the active coordinate system; empty or 0 is the global one
   std::map<long, long> types_;  // Ansys' number of an element type (186), by its number in the archive
 };
 

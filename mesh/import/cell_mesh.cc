@@ -6,6 +6,7 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/text.h"
+#include "mesh/import/text_lines.h"
 
 namespace tiprub::mesh {
 
@@ -15,6 +16,7 @@ class Translation {
  public:
   Translation(const ForeignMesh& from, double length, Axis axis) : from_(from), length_(length), axis_(axis) {
     made_.file = from.file;
+    made_.upper_names = from.upper_names;
   }
 
   CellMesh run() {
@@ -29,6 +31,10 @@ class Translation {
     for (std::size_t k = 0; k < places_.size(); ++k) made_.nodes.col(static_cast<Eigen::Index>(k)) = places_[k];
     made_.faces = free_faces(made_.nodes, made_.cells);
     for (const auto& [name, numbers] : from_.node_sets) made_.node_sets[name] = known(numbers);
+    for (const auto& [name, numbers] : from_.surfaces) {
+      made_.surfaces[name] = known(numbers);
+      made_.node_sets.try_emplace(name, made_.surfaces[name]);
+    }
     for (const auto& [name, numbers] : from_.cell_sets) add_cell_set(name, numbers);
     return std::move(made_);
   }
@@ -100,8 +106,13 @@ class Translation {
 
 }  // namespace
 
+std::string CellMesh::set_named(const std::string& name) const {
+  const std::string other = upper(name);
+  return upper_names && !node_sets.contains(name) && node_sets.contains(other) ? other : name;
+}
+
 std::string CellMesh::place_of(int node) const {
-  return text_of("x y z = ", nodes.col(node).transpose(), " m");
+  return text_of("x y z = ", nodes(0, node), " ", nodes(1, node), " ", nodes(2, node), " m");
 }
 
 CellMesh in_our_terms(const ForeignMesh& mesh, double length, Axis axis) {

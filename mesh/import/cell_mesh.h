@@ -18,10 +18,15 @@ struct CellMesh {
   Eigen::Matrix3Xd nodes;               ///< [m]; only those of solids
   std::vector<std::vector<int>> cells;  ///< in VTK's order
   std::vector<FreeFace> faces;
-  std::map<std::string, std::vector<int>> node_sets;  ///< nodes of sets of nodes, or of elements, in the file's order
+  /// Nodes of sets of nodes, else of surfaces, else of sets of elements, in the file's order.
+  std::map<std::string, std::vector<int>> node_sets;
+  std::map<std::string, std::vector<int>> surfaces;   ///< nodes of surfaces where these have names of their own
   std::map<std::string, std::vector<int>> cell_sets;  ///< solids of sets of elements
   std::set<std::string> sets_of_solids;               ///< the node sets that stand for solids only
+  bool upper_names = false;                           ///< see ForeignMesh
 
+  /// The name of the set that a key of the case means by `name`, or `name` if there is none.
+  std::string set_named(const std::string& name) const;
   /// [m] from the axis.
   double largest_radius() const { return nodes.topRows<2>().colwise().norm().maxCoeff(); }
   /// "x y z = ... m".

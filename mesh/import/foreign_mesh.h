@@ -24,6 +24,9 @@ struct ForeignMesh {
   std::map<long, std::vector<long>> others;  ///< nodes of elements that aren't solids, as shells on a surface
   std::map<std::string, std::vector<long>> node_sets;  ///< in the file's order
   std::map<std::string, std::vector<long>> cell_sets;  ///< numbers of cells, or of others
+  /// Nodes of surfaces where these have names of their own, of which a set of nodes may have the same.
+  std::map<std::string, std::vector<long>> surfaces;
+  bool upper_names = false;  ///< the format ignores the case of names; they are in upper case here
 };
 
 /// The readers of the formats. They raise InputError with the line.

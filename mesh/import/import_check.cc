@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "cases/program/errors.h"
 #include "cases/program/text.h"
@@ -52,6 +54,43 @@ double largest_gap(const CellMesh& mesh) {
 
 bool goes_round(const CellMesh& mesh) {
   return largest_gap(mesh) < std::numbers::pi / 2;
+}
+
+const FreeFace& face_of(const CellMesh& mesh, int face) {
+  return mesh.faces[static_cast<std::size_t>(face)];
+}
+
+using Edge = std::pair<int, int>;  // the smaller node first
+
+Edge edge_of(const FreeFace& face, std::size_t k) {
+  return std::minmax(face.nodes[k], face.nodes[(k + 1) % face.corners()]);
+}
+
+/// The faces at each edge.
+std::map<Edge, std::vector<int>> faces_at_edges(const CellMesh& mesh, const std::vector<int>& faces) {
+  std::map<Edge, std::vector<int>> found;
+  for (const int face : faces)
+    for (std::size_t k = 0; k < face_of(mesh, face).corners(); ++k)
+      found[edge_of(face_of(mesh, face), k)].push_back(face);
+  return found;
+}
+
+/// How many faces lie beyond the first node of a line, see require_along_tip().
+int faces_beyond(const CellMesh& mesh, const std::vector<int>& faces, const std::vector<int>& line) {
+  constexpr double round_edge = 0.05, of_a_face = 0.5;
+  const Eigen::Vector3d end = mesh.nodes.col(line[0]), outward = (end - mesh.nodes.col(line[1])).normalized();
+  const double length = (end - mesh.nodes.col(line.back())).norm();
+  return static_cast<int>(std::count_if(faces.begin(), faces.end(), [&](int number) {
+    const FreeFace& face = face_of(mesh, number);
+    std::vector<double> reach;
+    for (std::size_t k = 0; k < face.corners(); ++k)
+      reach.push_back(outward.dot(mesh.nodes.col(face.nodes[k]) - end));
+    const auto [low, high] = std::minmax_element(reach.begin(), reach.end());
+    const auto distance = [&](int node) { return (mesh.nodes.col(node) - mesh.nodes.col(face.nodes[0])).norm(); };
+    const bool at_end =
+        std::all_of(line.begin(), line.end(), [&](int node) { return distance(node) >= distance(line[0]); });
+    return at_end && *low > of_a_face * (*high - *low) && *low > round_edge * length;
+  }));
 }
 
 }  // namespace
@@ -102,6 +141,62 @@ void require_held(const CellMesh& mesh, const PeriodicCuts& pairs, const std::ve
       text_of(mesh.file, ": the cells form ", all.size(), " bodies that share no node: one of ", cells,
               " cells, with r from ", low, " to ", high,
               " m, touches nothing that is clamped; join the volumes before meshing (gmsh: BooleanFragments)"));
+}
+
+std::vector<int> off_the_cuts(const CellMesh& mesh, const PeriodicCuts& cuts, const std::vector<int>& clamped) {
+  std::set<int> cut(cuts.low.begin(), cuts.low.end());
+  cut.insert(cuts.high.begin(), cuts.high.end());
+  std::vector<int> off, on;
+  for (const int face : clamped) (cut.contains(face) ? on : off).push_back(face);
+  const auto edges = faces_at_edges(mesh, off);
+  const bool meant = std::any_of(on.begin(), on.end(), [&](int number) {
+    const FreeFace& face = face_of(mesh, number);
+    int held = 0;
+    for (std::size_t k = 0; k < face.corners(); ++k) held += edges.contains(edge_of(face, k)) ? 1 : 0;
+    return held < 2;
+  });
+  if (meant || (!on.empty() && on.size() == cut.size()))
+    throw InputError(
+        text_of(mesh.file, ": [mesh] clamped selects ", on.size(), on.size() == 1 ? " face" : " faces",
+                " of the cuts, inside the wheel; select the surface by which the wheel is held, as the bore"));
+  return off;
+}
+
+void require_one_surface(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key) {
+  constexpr double sharp_cosine = 0.5;  // of 60 degrees
+  const auto edges = faces_at_edges(mesh, faces);
+  for (const auto& [edge, at] : edges)
+    if (face_of(mesh, at.front()).normal.dot(face_of(mesh, at.back()).normal) < sharp_cosine)
+      throw InputError(mesh.file + ": [mesh] " + key + " selects faces on both sides of a sharp edge, at " +
+                       mesh.place_of(edge.first) + "; select the tip alone, without the flanks of the blade");
+  std::set<int> seen = {faces.front()};
+  for (std::vector<int> front = {faces.front()}; !front.empty();) {
+    const FreeFace& face = face_of(mesh, front.back());
+    front.pop_back();
+    for (std::size_t k = 0; k < face.corners(); ++k)
+      for (const int next : edges.at(edge_of(face, k)))
+        if (seen.insert(next).second) front.push_back(next);
+  }
+  if (seen.size() < faces.size())
+    throw InputError(text_of(mesh.file, ": [mesh] ", key, " selects surfaces that share no edge, one of ",
+                             seen.size(), " of the ", faces.size(), " faces; select the tip of one blade alone"));
+}
+
+void require_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& faces_key,
+                       const std::vector<int>& line, const std::string& line_key) {
+  std::set<int> nodes;
+  for (const int face : faces) nodes.insert(face_of(mesh, face).nodes.begin(), face_of(mesh, face).nodes.end());
+  const auto off = std::count_if(line.begin(), line.end(), [&](int node) { return !nodes.contains(node); });
+  const std::string keys = mesh.file + ": [mesh] " + line_key + " and " + faces_key;
+  if (off > 0)
+    throw InputError(text_of(keys, " don't belong together: ", off, " of the ", line.size(), " nodes of ", line_key,
+                             " are not on the faces of ", faces_key, "; name the line and the faces of one tip"));
+  const std::vector<int> reversed(line.rbegin(), line.rend());
+  for (const std::vector<int>* way : {&line, &reversed})
+    if (const int beyond = faces_beyond(mesh, faces, *way); beyond > 0)
+      throw InputError(text_of(keys, " don't belong together: ", beyond, " faces of ", faces_key,
+                               " lie beyond the end of ", line_key, " at ", mesh.place_of(way->front()),
+                               "; the line must run from the leading to the trailing edge"));
 }
 
 }  // namespace tiprub::mesh

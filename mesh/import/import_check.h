@@ -12,6 +12,21 @@ namespace tiprub::mesh {
 /// stiffness would be singular. The pairs of faces of the cuts hold bodies together, too. `clamped` are free faces.
 void require_held(const CellMesh& mesh, const PeriodicCuts& pairs, const std::vector<int>& clamped);
 
+/// The clamped faces that don't lie on a cut. Where two clamped surfaces meet at a cut, a face of the cut may have
+/// all its corners in their set, and two of its edges are edges of clamped faces; such a face is left out. Raises
+/// InputError if another face lies on a cut: the wheel would be held on a plane inside it.
+std::vector<int> off_the_cuts(const CellMesh& mesh, const PeriodicCuts& cuts, const std::vector<int>& clamped);
+
+/// Raises InputError, which names `key`, unless the faces of a tip are one surface without a sharp edge, of more than
+/// 60 degrees between neighbouring faces. A curved tip turns by far less from face to face, a flank by about 90.
+void require_one_surface(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key);
+
+/// Raises InputError, which names the keys, unless a given line runs along the whole tip: each of its nodes is one of
+/// the faces', and no face lies beyond an end of the line by more than one face (and 5 % of the line's length, for a
+/// round edge meshed with small faces).
+void require_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& faces_key,
+                       const std::vector<int>& line, const std::string& line_key);
+
 /// What is doubtful about cuts that a search found in a mesh that goes round the axis: the flanks of a whole wheel's
 /// blades may be turned into each other. Empty if a quarter turn or more is free of nodes.
 std::string doubt_about_cuts(const CellMesh& mesh, const PeriodicCuts& cuts);

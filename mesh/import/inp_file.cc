@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "mesh/cells/cell_kind.h"
 #include "mesh/import/text_lines.h"
@@ -11,10 +12,17 @@ namespace tiprub::mesh {
 
 namespace {
 
+/// A name as both programs understand it: only quotes keep its case.
+std::string name_in(std::string_view word) {
+  if (word.size() > 2 && word.starts_with('"') && word.ends_with('"'))
+    return std::string(word.substr(1, word.size() - 2));
+  return upper(word);
+}
+
 /// "*NSET, NSET=low, GENERATE".
 struct Keyword {
   std::string name;                           ///< "NSET"
-  std::map<std::string, std::string> values;  ///< "NSET": "low"; "GENERATE": ""
+  std::map<std::string, std::string> values;  ///< "NSET": "LOW"; "GENERATE": ""
 
   bool has(const char* key) const { return values.contains(key); }
   std::string value(const char* key) const { return has(key) ? values.at(key) : ""; }
@@ -29,22 +37,29 @@ Keyword keyword_of(std::string_view line) {
     if (i == 0)
       keyword.name = key;
     else
-      keyword.values[key] =
-          equals == std::string_view::npos ? "" : std::string(trimmed(fields[i].substr(equals + 1)));
+      keyword.values[key] = equals == std::string_view::npos ? "" : name_in(trimmed(fields[i].substr(equals + 1)));
   }
   return keyword;
 }
 
+/// Blanks may stand before a keyword.
+bool is_comment(std::string_view line) {
+  return trimmed(line).starts_with("**");
+}
+
+bool is_keyword(std::string_view line) {
+  return trimmed(line).starts_with('*') && !is_comment(line);
+}
+
 class InpReader : MeshReader {
  public:
-  explicit InpReader(const NamedText& file) : MeshReader(file) {}
+  explicit InpReader(const NamedText& file) : MeshReader(file) { mesh_.upper_names = true; }
 
   ForeignMesh read() {
     while (const auto line = lines_.next()) {
-      if (!line->starts_with('*') || line->starts_with("**")) continue;
-      const Keyword keyword = keyword_of(*line);
-      if (keyword.name == "INCLUDE")
-        lines_.refuse("*INCLUDE leads to another file; give the file that holds the mesh, or put both into one");
+      if (!is_keyword(*line)) continue;
+      const Keyword keyword = keyword_of(trimmed(*line));
+      require_written_out(keyword);
       if (keyword.name == "INSTANCE") require_unmoved();
       if (keyword.name == "SYSTEM" && data()) refuse_system("*SYSTEM");
       if (keyword.name == "NODE") read_nodes(keyword);
@@ -57,12 +72,22 @@ class InpReader : MeshReader {
   }
 
  private:
+  void require_written_out(const Keyword& keyword) const {
+    static const std::set<std::string> rules = {
+        "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYMMETRIC MODEL GENERATION"};
+    const bool mesh = keyword.name == "NODE" || keyword.name == "ELEMENT";
+    const bool library = keyword.name == "INSTANCE" && keyword.has("LIBRARY");
+    if (keyword.name == "INCLUDE" || keyword.name == "IMPORT" || library || (mesh && keyword.has("INPUT")))
+      refuse_other_file("*" + keyword.name);
+    if (rules.contains(keyword.name)) refuse_rule("*" + keyword.name);
+  }
+
   /// The next line of data before a keyword.
   std::optional<std::string_view> data() {
     while (const auto line = lines_.peek()) {
-      if (line->starts_with('*') && !line->starts_with("**")) return std::nullopt;
+      if (is_keyword(*line)) return std::nullopt;
       lines_.next();
-      if (!line->starts_with("**") && !trimmed(*line).empty()) return line;
+      if (!is_comment(*line) && !trimmed(*line).empty()) return line;
     }
     return std::nullopt;
   }
@@ -157,7 +182,7 @@ class InpReader : MeshReader {
       }
       for (const std::string_view field : fields) {
         if (field.empty()) continue;
-        const auto known = sets.find(std::string(field));  // a set may name others
+        const auto known = sets.find(name_in(field));  // a set may name others
         if (known != sets.end())
           set.insert(set.end(), known->second.begin(), known->second.end());
         else
@@ -188,11 +213,11 @@ class InpReader : MeshReader {
 
   /// A surface is a set of nodes or of faces of elements: "12, S3" or "set, S3".
   void read_surface(const Keyword& keyword) {
-    std::vector<long>& set = mesh_.node_sets[keyword.value("NAME")];
+    std::vector<long>& set = mesh_.surfaces[keyword.value("NAME")];
     const bool nodes = upper(keyword.value("TYPE")) == "NODE";
     while (const auto line = data()) {
       const std::vector<std::string_view> fields = comma_fields(*line);
-      const std::string name(fields.front());
+      const std::string name = name_in(fields.front());
       if (nodes) {
         if (mesh_.node_sets.contains(name))
           set.insert(set.end(), mesh_.node_sets[name].begin(), mesh_.node_sets[name].end());

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -73,8 +74,21 @@ class Parts {
  public:
   Parts(const CellMesh& mesh, const ImportParameters& parameters) : part_(mesh.cells.size()) {
     for (const char* key : part_keys)
-      if (const std::string& set = parameters.selection.at(key); !set.empty())
-        for (const int cell : select_cells(mesh, key, set)) part_[static_cast<std::size_t>(cell)] = key;
+      if (const std::string& set = parameters.selection.at(key); !set.empty()) {
+        const std::vector<int>& listed = select_cells(mesh, key, set);
+        const std::set<int> cells(listed.begin(), listed.end());
+        std::map<std::string, int> shared;  // by the part that has these solids already
+        for (const int cell : cells)
+          if (std::string& part = part_[static_cast<std::size_t>(cell)]; part.empty())
+            part = key;
+          else
+            ++shared[part];
+        if (shared.empty()) continue;
+        const auto& [part, count] = *shared.begin();
+        throw InputError(text_of(mesh.file, ": [mesh] ", part, " = \"", parameters.selection.at(part), "\" and ", key,
+                                 " = \"", set, "\" have ", count, count == 1 ? " element" : " elements",
+                                 " in common; each belongs to one part"));
+      }
   }
 
   std::vector<NamedMesh::Entity> entities(const CellMesh& mesh) const {
@@ -194,34 +208,37 @@ Tip tip_of(const CellMesh& mesh, const ImportParameters& parameters, Tip tip) {
   const std::string &faces = parameters.selection.at(tip.faces_key), &line = parameters.selection.at(tip.line_key);
   if (faces.empty() && line.empty()) return tip;
   if (!faces.empty()) tip.faces = select_faces(mesh, tip.faces_key, faces);
+  if (!faces.empty()) require_one_surface(mesh, tip.faces, tip.faces_key);
   tip.line = line.empty() ? line_along_tip(mesh, tip.faces, tip.faces_key, parameters.leading_edge)
                           : ordered_line(mesh, select_nodes(mesh, tip.line_key, line), parameters.leading_edge);
   if (tip.line.size() < 2)
     throw InputError(mesh.file + ": [mesh] " + tip.line_key +
                      " has one node in the meridional plane; it must run along the tip");
+  if (!faces.empty() && !line.empty()) require_along_tip(mesh, tip.faces, tip.faces_key, tip.line, tip.line_key);
   return tip;
 }
 
 /// The parameters with the sets of the file that bear the name of a key in place of keys that are not given. A
 /// splitter's tip by itself is only a name: contact there must be asked for.
 ImportParameters with_own_names(ImportParameters p, const CellMesh& mesh) {
+  for (auto& [key, name] : p.selection) name = mesh.set_named(name);
   const auto has = [&](const char* name) {
-    const auto set = mesh.node_sets.find(name);
+    const auto set = mesh.node_sets.find(mesh.set_named(name));
     return set != mesh.node_sets.end() && !set->second.empty();
   };
   for (const char* key : selection_keys) p.selection.try_emplace(key);
   const auto empty = [&](const char* key) { return p.selection.at(key).empty(); };
   const auto take = [&](const char* key) {
-    if (empty(key) && has(key)) p.selection.at(key) = key;
+    if (empty(key) && has(key)) p.selection.at(key) = mesh.set_named(key);
   };
   take("contact");
   take("blade_tip");
   if (empty("splitter_tip")) take("contact_splitter");
   if (!empty("contact_splitter")) take("splitter_tip");
   if (empty("cyclic_low") && has("cyclic_low") && has("cyclic_high"))
-    for (const char* cut : {"cyclic_low", "cyclic_high"}) p.selection.at(cut) = cut;
+    for (const char* cut : {"cyclic_low", "cyclic_high"}) p.selection.at(cut) = mesh.set_named(cut);
   for (const char* part : part_keys)
-    if (mesh.cell_sets.contains(part)) take(part);
+    if (mesh.cell_sets.contains(mesh.set_named(part))) take(part);
   if (empty("contact") && empty("blade_tip"))
     throw InputError(mesh.file +
                      ": [mesh] needs blade_tip, the faces of the main blade's tip, or contact, nodes along it; there "
@@ -304,7 +321,8 @@ ImportedSector import_sector(const ImportParameters& given) {
                                    tip_of(mesh, parameters, {"splitter_tip", "contact_splitter", {}, {}})};
   const std::string doubt = doubt_about(mesh, cuts, parameters);
   if (!doubt.empty() && !parameters.selection.at("disc").empty()) throw InputError(mesh.file + ": " + doubt);
-  const std::vector<int> clamped = select_faces(mesh, "clamped", parameters.selection.at("clamped"));
+  const std::vector<int> clamped =
+      off_the_cuts(mesh, cuts, select_faces(mesh, "clamped", parameters.selection.at("clamped")));
   require_held(mesh, pairs_of(mesh, cuts), clamped);
   ImportedSector sector;
   sector.largest_radius = mesh.largest_radius();

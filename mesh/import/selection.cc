@@ -178,13 +178,16 @@ std::string names_of_sets(const CellMesh& mesh) {
 std::vector<int> select_faces(const CellMesh& mesh, const std::string& key, const std::string& selection) {
   IsIn is_in = by_geometry(mesh, key, selection);
   if (!is_in) {
-    if (mesh.sets_of_solids.contains(selection))
+    const auto surface = mesh.surfaces.find(selection);
+    const bool is_surface = surface != mesh.surfaces.end() && !surface->second.empty();
+    if (!is_surface && mesh.sets_of_solids.contains(selection))
       refuse(mesh, key,
              "= \"" + selection +
                  "\" is a set of solids, not of faces; name the set of the faces or of their nodes, or select them "
                  "by cylinder, plane or normal");
     std::vector<char> marked(static_cast<std::size_t>(mesh.nodes.cols()), 0);
-    for (const int node : select_nodes(mesh, key, selection)) marked[static_cast<std::size_t>(node)] = 1;
+    for (const int node : is_surface ? surface->second : select_nodes(mesh, key, selection))
+      marked[static_cast<std::size_t>(node)] = 1;
     is_in = every_corner([marked](int node) { return marked[static_cast<std::size_t>(node)] != 0; });
   }
   std::vector<int> faces;

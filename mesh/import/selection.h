@@ -9,7 +9,8 @@
 namespace tiprub::mesh {
 
 /// The free faces that a key of [mesh] selects, as numbers in CellMesh::faces. `selection` is one of
-///   the name of a set                       all corners of the face are in the set;
+///   the name of a set                       all corners of the face are in the set; a surface of this name comes
+///                                           before a set of nodes, and that before a set of elements;
 ///   "cylinder RADIUS", "plane x|y|z PLACE"  [m] all corners lie on it, to 1e-4 of the largest radius;
 ///   "normal X Y Z"                          the normal of the face has this direction, to 5 degrees.
 /// Raises InputError, which lists the available sets.

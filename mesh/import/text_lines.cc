@@ -74,6 +74,16 @@ void MeshReader::refuse_linear(int line, const std::string& what) const {
                    "tetrahedra, 15-node wedges or 20-node bricks");
 }
 
+void MeshReader::refuse_other_file(const std::string& statement) const {
+  lines_.refuse(statement + " leads to another file; give the file that holds the mesh, or put both into one");
+}
+
+void MeshReader::refuse_rule(const std::string& statement) const {
+  lines_.refuse(statement +
+                " makes, moves or removes nodes or elements by a rule that isn't followed here; write all nodes and "
+                "elements out");
+}
+
 void MeshReader::add_node(int line, long number, const Eigen::Vector3d& at) {
   const std::string where = mesh_.file + ":" + std::to_string(line) + ": node " + std::to_string(number);
   if (number <= 0) throw InputError(where + " must have a number above 0");

@@ -2,6 +2,7 @@
 #include "reduce/basis/diameter_reduction.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "reduce/basis/cyclic_modes.h"
@@ -18,7 +19,8 @@ constexpr double mode_tolerance = 1e-2;
 // The fraction of Omega_max below which K, which changes with Omega^2, is nearer to K at rest than to K at full
 // speed.
 constexpr double nearer_to_rest = 0.7;
-constexpr int most_rounds = 10;  // of corrections
+constexpr int most_rounds = 10;        // of corrections
+constexpr double squared_away = 1e-3;  // error of omega^2 of which one round leaves about the square
 
 }  // namespace
 
@@ -51,18 +53,21 @@ CraigBamptonBasis DiameterReduction::start_basis() const {
 }
 
 int DiameterReduction::correct(CraigBamptonBasis& basis) const {
-  ModeFollowing modes = modes_between(basis, {corrected_speeds.begin(), corrected_speeds.end()});
   // The tolerance is applied to omega^2, whose error is twice that of omega: half of it is left for the error of the
   // estimate.
   const double tolerance = parameters_.frequency_tolerance;
-  for (int round = 0; round < most_rounds && modes.correct(tolerance); ++round) {
+  int added = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    ModeFollowing modes = modes_between(basis, {corrected_speeds.begin(), corrected_speeds.end()});
+    if (!modes.correct(tolerance)) break;
+    basis.append(modes.corrections());
+    basis.orthonormalise();
+    added += static_cast<int>(modes.corrections().cols());
     double largest = 0;
     for (const FollowedModes& at_speed : modes.modes()) largest = std::max(largest, at_speed.error.maxCoeff());
-    if (largest * largest <= tolerance) break;  // each round squares the errors, if they are small
+    if (largest <= std::max(std::sqrt(tolerance), squared_away)) break;
   }
-  basis.append(modes.corrections());
-  basis.orthonormalise();
-  return static_cast<int>(modes.corrections().cols());
+  return added;
 }
 
 Eigen::MatrixXd DiameterReduction::unreduced_frequencies(const CraigBamptonBasis& basis) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/sector/contact_unknowns.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "cases/program/errors.h"
+#include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/cells/gauss_points.h"
 #include "reduce/sector/added_functions.h"
@@ -80,6 +82,11 @@ class TipIntegrals {
     loads = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(nodes.size()));
     for (Eigen::Index face = 0; face < tip.faces.cols(); ++face) add(tip, face);
   }
+
+  /// The place of a node in `nodes`.
+  int number(int node) const { return number_.at(node); }
+  /// [m] Of the blade's own line.
+  double length() const { return length_; }
 
   std::vector<int> nodes;  ///< points, then those that stand for odd functions of cubic bricks
   Eigen::Index points = 0;
@@ -235,22 +242,73 @@ void require_tip(const SectorMesh& mesh, const BladeTip& blade) {
                      "line in the mesher, or take \"points\"");
 }
 
+/// [m^2] In the direction r, theta, z of the middle of a face: its normal times its area.
+Eigen::Vector3d area_of(const Eigen::Matrix3Xd& corners) {
+  const Eigen::Vector3d normal = corners.cols() == 3
+                                     ? (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0))
+                                     : (corners.col(2) - corners.col(0)).cross(corners.col(3) - corners.col(1));
+  const Eigen::Vector3d middle = corners.rowwise().mean();
+  const double angle = std::atan2(middle.y(), middle.x());
+  return Eigen::AngleAxisd(-angle, Eigen::Vector3d::UnitZ()) * normal / 2;
+}
+
+/// The faces must be those of the tip that the line runs along, from end to end, and no flanks of the blade.
+void require_faces_along_line(const SectorMesh& mesh, const BladeTip& blade, const TipIntegrals& tip,
+                              const Eigen::MatrixX3d& normals) {
+  constexpr double least_facing = 0.5;  // cosine between the normals of a face and of the casing beside it
+  constexpr double most_beyond = 0.3;   // of the tip's area, beyond the ends of the line
+  const std::string group = std::string("surface group \"") + blade.faces_group + "\"",
+                    line = std::string("line \"") + blade.line_group + "\"";
+  double beyond = 0, all = 0, largest = 0;
+  for (Eigen::Index face = 0; face < blade.faces.cols(); ++face) {
+    const Eigen::VectorXi nodes = nodes_of(blade.faces, face), corners = nodes.head(nodes.size() == 6 ? 3 : 4);
+    const Eigen::Vector3d area = area_of(mesh.nodes(Eigen::all, corners));
+    Eigen::RowVector3d casing = Eigen::RowVector3d::Zero();
+    double s = 0;
+    for (const int node : corners) {
+      casing += normals.row(tip.number(node));
+      s += tip.arc_length[tip.number(node)] / static_cast<double>(corners.size());
+    }
+    if (std::abs(casing.normalized().dot(area)) < least_facing * area.norm())
+      throw InputError(mesh.file + ": the face at " + mesh.place_of(corners[0]) + " of the " + group +
+                       " does not face the casing, the surface of revolution of the " + line +
+                       "; the group must hold the " + blade.blade + "'s tip, and no other surface");
+    all += area.norm();
+    largest = std::max(largest, (mesh.nodes.col(corners[0]) - mesh.nodes.col(corners[2])).norm());
+    if (s < 0 || s > tip.length()) beyond += area.norm();
+  }
+  const Eigen::Matrix3Xd places =
+      mesh.nodes(Eigen::all, std::vector<int>(tip.nodes.begin(), tip.nodes.begin() + tip.points));
+  for (const int node : blade.line)
+    if ((places.colwise() - mesh.nodes.col(node)).colwise().norm().minCoeff() > largest)
+      throw InputError(mesh.file + ": the node at " + mesh.place_of(node) + " of the " + line + " is not on the " +
+                       group + "; both must be those of the " + blade.blade + "'s tip");
+  if (beyond > most_beyond * all)
+    throw InputError(text_of(mesh.file, ": the ", line, " ends before the ", group, ", of which ",
+                             std::lround(100 * beyond / all), " % lie beyond its ends; it must run along all of the ",
+                             blade.blade, "'s tip, from leading to trailing edge"));
+}
+
 ContactUnknowns segments_of(const SectorMesh& mesh, const BladeTip& blade, int count) {
   require_tip(mesh, blade);
   const TipIntegrals tip(mesh, blade, count);
-  const Eigen::MatrixXd weights = scaled(mesh, blade, tip);
-  if (!independent(weights))
+  const std::vector<int> points(tip.nodes.begin(), tip.nodes.begin() + tip.points);
+  const Eigen::VectorXd beside = arc_lengths_beside(mesh, mesh.contact_line, points);
+  const Eigen::MatrixX3d normals = normals_beside(describe_contact(mesh, blade.line), beside);
+  const auto refuse_count = [&] {
     throw InputError(mesh.file + ": [reduce] contact_nodes = " + std::to_string(count) +
                      " asks for more segments than the " + std::to_string(tip.nodes.size()) + " nodes of the " +
                      blade.blade + "'s tip can tell apart; ask for fewer, or refine the mesh along the blade");
-  const std::vector<int> points(tip.nodes.begin(), tip.nodes.begin() + tip.points);
+  };
+  if (count > tip.points) refuse_count();
+  const Eigen::MatrixXd weights = scaled(mesh, blade, tip);
+  if (!independent(weights)) refuse_count();
+  require_faces_along_line(mesh, blade, tip, normals);
   const Eigen::MatrixXd means = weights.leftCols(tip.points);
-  const Eigen::VectorXd beside = arc_lengths_beside(mesh, mesh.contact_line, points);
   ContactLine line;
   line.kind = ContactKind::segments;
   line.position = means * cylindrical_places(mesh, points);
   line.arc_length = means * beside;
-  const Eigen::MatrixX3d normals = normals_beside(describe_contact(mesh, blade.line), beside);
   line.normal = (means * normals).rowwise().normalized();
   line.static_shift.terms = {Eigen::MatrixX3d::Zero(count, 3)};
   ContactUnknowns unknowns{nearest_nodes(mesh, blade.line, line.arc_length), line, tip.nodes, weights};

@@ -159,7 +159,8 @@ std::string cause(const SectorMesh& mesh, double tolerance) {
     const std::array<int, 3> order = axis == 0 ? std::array{1, 2, 0} : std::array{2, 0, 1};  // the axis comes last
     other.nodes = mesh.nodes(order, Eigen::all);
     for (int exchanged = 0; exchanged < 2; ++exchanged, std::swap(other.cyclic_low, other.cyclic_high))
-      if (pair(other, tolerance).holds(other))
+      // A sector that is symmetric about x or y has cuts that a half turn about it exchanges.
+      if (const Pairing turned = pair(other, tolerance); turned.sector_count > 2 && turned.holds(other))
         return std::string("the wheel turns about ") + axes[axis] + "; the axis of rotation must be z: turn the mesh";
   }
   return "";
@@ -172,7 +173,16 @@ std::string advice(double mismatch, double radius) {
                                        : "mesh both cuts alike (gmsh: Periodic Surface)";
 }
 
+std::string not_one_to_one(const SectorMesh& mesh, const Pairing& found) {
+  const std::string counts = std::to_string(mesh.cyclic_low.size()) + " nodes on cyclic_low and " +
+                             std::to_string(mesh.cyclic_high.size()) + " on cyclic_high do not pair one to one";
+  const int twice = listed_twice(found.partners);
+  if (twice < 0) return counts + "; mesh both cuts alike (gmsh: Periodic Surface)";
+  return counts + ": two have the partner at " + mesh.place_of(twice) + "; merge nodes at the same place";
+}
+
 std::string alone(const SectorMesh& mesh, const Pairing& found) {
+  if (found.alone() == 0) return not_one_to_one(mesh, found);
   const double farthest = largest_mismatch(mesh, found.sector_count);
   return std::to_string(found.alone()) + " of " + std::to_string(mesh.cyclic_low.size()) +
          " nodes on cyclic_low have no partner among the " + std::to_string(mesh.cyclic_high.size()) +

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "cases/program/units.h"
 #include "cases/program/usual_range.h"
@@ -115,7 +116,8 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
                    "of a frequency, at quarters of the top speed; what the basis misses joins it");
   if (is_mesh) read_polynomial(table, p);
   p.verification_modes = table.integer("verification_modes", 6, Range::between(1, 100), "a nodal diameter");
-  if (!std::is_sorted(p.verification_speeds.begin(), p.verification_speeds.end()))
+  if (std::adjacent_find(p.verification_speeds.begin(), p.verification_speeds.end(), std::greater_equal<>()) !=
+      p.verification_speeds.end())
     table.reject("verification_speeds", "must increase");
   p.verification_tolerance =
       table.number("verification_tolerance", 2e-5, {0.0, 1.0, Range::LowEnd::excluded}, "of omega^2, estimated");

@@ -165,6 +165,22 @@ void read_cut_faces(const GmshFile& file, const NodeNumbers& numbers, double tol
   require_whole_cuts(mesh);
 }
 
+/// A clamp on a cut would hold the wheel in planes inside it.
+void require_clamp_off_cuts(const GmshFile& file, const NodeNumbers& numbers, const SectorMesh& mesh) {
+  for (const std::vector<int>* cut : {&mesh.cyclic_low, &mesh.cyclic_high}) {
+    const std::set<int> nodes(cut->begin(), cut->end());
+    const auto on_cut = [&](std::size_t tag) { return nodes.contains(numbers.find(tag)); };
+    for (const GmshElements& elements : file.group(2, "clamped")) {
+      const auto width = static_cast<std::ptrdiff_t>(elements.nodes_per_element());
+      for (auto at = elements.nodes.begin(); at != elements.nodes.end(); at += width)
+        if (std::all_of(at, at + width, on_cut))
+          throw InputError(mesh.file + ": the face at " + mesh.place_of(numbers.find(*at)) +
+                           " of the surface group \"clamped\" lies on a cut, inside the wheel; take the cuts out of "
+                           "this group");
+    }
+  }
+}
+
 /// The faces of a blade's tip. Not all reductions need them: they are none if the mesh doesn't name them, or not by
 /// faces of its cells.
 Eigen::MatrixXi read_tip(const GmshFile& file, const std::string& name, const NodeNumbers& numbers) {
@@ -261,6 +277,7 @@ SectorMesh read_sector_mesh(const std::filesystem::path& path, double tolerance)
   require_faces_of_cells(file, numbers, mesh);
   read_cut_faces(file, numbers, tolerance, mesh);
   mesh.clamped = read_surface(file, "clamped", numbers, mesh.file);
+  require_clamp_off_cuts(file, numbers, mesh);
   mesh.tip_faces = read_tip(file, "blade_tip", numbers);
   mesh.contact_line = read_line(file, "contact", numbers, mesh);
   if (mesh.contact_line.empty())

@@ -118,15 +118,17 @@ def table_and_page(bench):
     assert joint == expected and {row["point"] for row in joint} >= {"clearance_0.12", "heavy"}, (joint, expected)
     page = bench.text("report/study.html")
     assert "Small &lt;study&gt;" in page and "3 of 3 points" in page and page.count("<svg") == 2, page[:2000]
-    assert 'name="viewport"' in page and page.count('scope="col"') == 10 and page.count('role="img"') == 2, page[:2000]
+    assert 'name="viewport"' in page and page.count('scope="col"') == 11 and page.count('role="img"') == 2, page[:2000]
     assert all(name in page for name in ("stress with spin [MPa]", "Goodman", "speeds to avoid")), page[:2000]
     assert 'href="../runs/points/heavy/report/report.html"' in page and "http://" not in page.replace("http://www.w3.org", "")
 
 
 def only_what_changed(bench):
-    bench.write("study.toml", STUDY.replace("0.12e-3", "0.11e-3"))
+    bench.write("study.toml", STUDY.replace("0.12e-3", "0.11e-3") + '"simulate.speeds" = "given"\n')
     said = bench.must_make()
-    assert said.count("tiprub-simulate ") == 1 and "casing.clearance=[[0.0, 0.00011]]" in said and "tiprub-reduce" not in said, said
+    assert said.count("tiprub-simulate ") == 2 and "casing.clearance=[[0.0, 0.00011]]" in said and "tiprub-reduce" not in said, said
+    distrusted = [line for line in bench.text("report/study.txt").splitlines() if "The speeds are too far apart: " in line]
+    assert [line.split()[0] for line in distrusted] == ["heavy"], "symptom: the table did not say which reports are not trustworthy"
 
 
 def refusals(bench):

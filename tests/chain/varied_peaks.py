@@ -84,13 +84,22 @@ def check_model(bench, folder, budget):
         assert math.isclose(float(found[of_sweep]), float(row[of_budget]), rel_tol=5e-3), (row, found)
 
 
-def check_make(folder):
-    """make computes the response again after the model has changed that its budgets compare with, and only then."""
+def check_make(bench, folder):
+    """make computes the response again after the model has changed that its budgets compare with, and only then. Symptom: a
+    model with an absolute path was not watched, and its fields were not passed."""
+    for place in (".", folder.path):
+        for name, file in (("name_budget_model", "model.h5"), ("name_budget_fields", "fields.h5")):
+            said = subprocess.run(["sh", os.path.join(bench.cases, "chain.sh"), name, "case.toml", "--set", 'simulate.budget="largest"',
+                                   "--set", f'simulate.budget_model="{place}/model.h5"'], cwd=folder.path, text=True, check=True,
+                                  env={**os.environ, "BIN": bench.programs}, stdout=subprocess.PIPE).stdout.strip()
+            assert os.path.normpath(os.path.join(folder.path, said)) == folder.file(file), said
     flags = "SIMULATE_FLAGS=--set 'simulate.budget=\"largest\"' --set 'simulate.budget_model=\"segments.h5\"'"
     os.utime(folder.file("segments.h5"), (0, 0))
     folder.must_make(flags)
     assert folder.would_run(flags) == []
     os.utime(folder.file("segments.h5"))
+    assert folder.would_run(flags) == ["simulate", "postprocess"]
+    os.utime(folder.file("segments.h5"), (1, 1))
     assert folder.would_run(flags) == ["simulate", "postprocess"]
 
 
@@ -119,7 +128,7 @@ def varied_peaks(bench):
     check_settings(rows)
     check_gap(rows, folder, run)
     check_model(bench, folder, budget)
-    check_make(folder)
+    check_make(bench, folder)
     rows = budget("other", "simulate.budget_damping=[0.01]", "simulate.budget_friction=5")
     found = {row["source"]: row for row in rows}
     assert float(found["damping 0.01"]["change of amplitude [%]"]) > 5, rows

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -131,6 +132,102 @@ TEST(ImportedMesh, SuggestsNoHalfTurnAboutTheMiddleOfASector) {
   EXPECT_TRUE(could_be_meant(about_z, named_cuts(about_z, cuts.low, cuts.high, 0)));
   EXPECT_TRUE(mostly_pair(about_x, half_turn));
   EXPECT_FALSE(could_be_meant(about_x, half_turn));
+}
+
+/// Symptom: the nodes of a cut passed as the clamped surface, and the wheel was held on a plane inside it.
+TEST(ImportedMesh, RefusesToClampACut) {
+  const CellMesh mesh = in_metres(bricks({2, 4, 1}, [](double i, double j, double k) {
+    const double angle = 2 * std::numbers::pi / 6 * j / 4, radius = 1 + 0.1 * i;
+    return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0.1 * k);
+  }));
+  const PeriodicCuts cuts = find_cuts(mesh, 6);
+  ASSERT_EQ(cuts.low.size(), 2u);
+  const auto clamping = [&](const std::vector<int>& faces) {
+    return complaint<InputError>([&] { off_the_cuts(mesh, cuts, faces); });
+  };
+  const std::string refused =
+      " of the cuts, inside the wheel; select the surface by which the wheel is held, as the bore";
+  EXPECT_EQ(clamping(cuts.low), "bricks: [mesh] clamped selects 2 faces" + refused);
+  std::vector<int> all, inner;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const FreeFace& face = mesh.faces[f];
+    all.push_back(static_cast<int>(f));
+    if (std::all_of(face.nodes.begin(), face.nodes.end(),
+                    [&](int node) { return mesh.nodes.col(node).head<2>().norm() < 1.15; }))
+      inner.push_back(static_cast<int>(f));
+  }
+  EXPECT_EQ(clamping(all), "bricks: [mesh] clamped selects 4 faces" + refused);
+  // Bore, front and back: the nodes of these are all corners of a face of each cut, too.
+  EXPECT_EQ(inner.size(), 14u);
+  EXPECT_EQ(off_the_cuts(mesh, cuts, inner).size(), 12u);
+}
+
+/// The faces at k = 1 of two plates of 8 bricks, with a gap between them.
+CellMesh two_blades(const Place& place) {
+  ForeignMesh mesh = bricks({8, 3, 1}, place);
+  std::erase_if(mesh.cells, [](const ForeignCell& cell) { return cell.number > 8 && cell.number <= 16; });
+  return in_metres(mesh);
+}
+
+/// Symptom: faces of flanks and of other blades passed for a tip.
+TEST(ImportedMesh, RefusesATipThatIsNotOneSurface) {
+  const auto selecting = [](const CellMesh& mesh, const std::string& where) {
+    return complaint<InputError>(
+        [&] { require_one_surface(mesh, select_faces(mesh, "blade_tip", where), "blade_tip"); });
+  };
+  const CellMesh blades =
+      two_blades([](double i, double j, double k) { return Eigen::Vector3d(1 + k, 0.1 * j, 0.1 * i); });
+  EXPECT_EQ(selecting(blades, "plane x 2"),
+            "bricks: [mesh] blade_tip selects surfaces that share no edge, one of 8 of the 16 faces; select the tip "
+            "of one blade alone");
+  EXPECT_EQ(complaint<InputError>([&] {
+              line_along_tip(blades, select_faces(blades, "blade_tip", "plane x 2"), "blade_tip", LeadingEdge::low_z);
+            }),
+            "bricks: [mesh] blade_tip selects faces that have no single edge round them; select the tip of one blade "
+            "alone, or name a set of nodes along it as contact");
+  // The tip of an impeller turns from axial to radial, here with few faces.
+  CellMesh curved = in_metres(bricks({3, 1, 1}, [](double i, double j, double k) {
+    const double angle = std::numbers::pi / 2 * i / 3, radius = 1 - 0.1 * k;
+    return Eigen::Vector3d(2 - radius * std::cos(angle), 0.1 * j, radius * std::sin(angle));
+  }));
+  curved.node_sets["tip"] = curved.node_sets["blade"] = {};
+  for (int node = 0; node < curved.nodes.cols(); ++node) {
+    const double radius = std::hypot(curved.nodes(0, node) - 2, curved.nodes(2, node));
+    if (radius < 0.901) curved.node_sets["tip"].push_back(node);
+    if (radius < 0.901 || curved.nodes(1, node) < 0.01) curved.node_sets["blade"].push_back(node);
+  }
+  EXPECT_EQ(selecting(curved, "tip"), "");
+  EXPECT_NE(selecting(curved, "blade").find("blade_tip selects faces on both sides of a sharp edge, at x y z ="),
+            std::string::npos);
+}
+
+/// Symptom: a line along the splitter, or along half of the tip, passed with the faces of the main blade's tip.
+TEST(ImportedMesh, RefusesALineThatIsNotAlongItsTip) {
+  const CellMesh mesh =
+      two_blades([](double i, double j, double k) { return Eigen::Vector3d(1 + k, 0.1 * j, 0.1 * i); });
+  std::vector<int> tip;  // of the blade at small y
+  for (const int face : select_faces(mesh, "blade_tip", "plane x 2"))
+    if (mesh.nodes(1, mesh.faces[static_cast<std::size_t>(face)].nodes[0]) < 0.15) tip.push_back(face);
+  ASSERT_EQ(tip.size(), 8u);
+  const auto along = [&](double y, double low, double high) {
+    std::vector<int> line;
+    for (int node = 0; node < mesh.nodes.cols(); ++node) {
+      const Eigen::Vector3d at = mesh.nodes.col(node);
+      if (at.x() > 1.99 && std::abs(at.y() - y) < 0.01 && at.z() > low - 0.01 && at.z() < high + 0.01)
+        line.push_back(node);
+    }
+    line = ordered_line(mesh, line, LeadingEdge::low_z);
+    return complaint<InputError>([&] { require_along_tip(mesh, tip, "blade_tip", line, "contact"); });
+  };
+  EXPECT_EQ(along(0, 0, 0.8), "");
+  EXPECT_EQ(along(0.05, 0.1, 0.7), "") << "shorter by one face at each end";
+  EXPECT_EQ(
+      along(0.3, 0, 0.8),
+      "bricks: [mesh] contact and blade_tip don't belong together: 17 of the 17 nodes of contact are not on the "
+      "faces of blade_tip; name the line and the faces of one tip");
+  EXPECT_EQ(along(0, 0, 0.4),
+            "bricks: [mesh] contact and blade_tip don't belong together: 3 faces of blade_tip lie beyond the end of "
+            "contact at x y z =   2   0 0.4 m; the line must run from the leading to the trailing edge");
 }
 
 /// Symptom: a blade that was not joined to its disc passed, and long after the stiffness was not positive definite.

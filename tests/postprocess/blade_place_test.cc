@@ -118,7 +118,8 @@ TEST(StressZones, AreNearTheTipLineAndTheClampsEdge) {
 /// The nodes next to the centres of segments end before the edges of the blade.
 TEST(StressZones, ReachTheEdgesOfABladeInContactBySegments) {
   Made made = bladed_hub();
-  made.sector.node_sets["contact"] = {made.node.at({2, 0, half_cells}), made.node.at({half_cells - 2, 0, half_cells})};
+  made.sector.node_sets["contact"] = {made.node.at({2, 0, half_cells}),
+                                      made.node.at({half_cells - 2, 0, half_cells})};
   const StressZones zones = stress_zones(made.sector, 0);
   for (const int along : {0, half_cells})
     EXPECT_EQ(zones.at_node[static_cast<std::size_t>(made.node.at({along, 0, half_cells}))], StressZone::tip_patch);

@@ -51,7 +51,7 @@ expect_message(segments ${segments} ERRORS "${sound}")
 expect_message(segments_without_a_tip ${segments} OLD "\"blade_tip\"" NEW "\"end\"" EXIT_CODE 2
                ERRORS "sector.msh: has no surface group \"blade_tip\" with the faces of the main blade's tip")
 expect_message(segments_of_the_hub ${segments} OLD "2 7 \"hub\"\n2 8 \"blade_tip\"" NEW "2 7 \"blade_tip\"\n2 8 \"hub\"" EXIT_CODE 2
-               ERRORS "sector.msh: the node at x y z = " "of the surface group \"blade_tip\" is clamped or lies on a cyclic face")
+               ERRORS "sector.msh: the node at x y z = " "of the line \"contact\" is not on the surface group \"blade_tip\"; both must be")
 expect_message(points_without_a_tip OLD "\"blade_tip\"" NEW "\"end\"" ERRORS "${sound}")
 # Symptom: --modes, which has no contact, was refused because of a line with fewer nodes than contact_nodes.
 expect_message(modes_with_a_short_line ARGUMENTS case.toml sector.msh --modes modes.h5 --set reduce.contact_nodes=9
@@ -61,6 +61,9 @@ expect_message(unknown_contact ARGUMENTS case.toml sector.msh --check --set "red
 # In millimetres the wheel would be a thousand times as large, and its tip as fast.
 expect_message(millimetres FILE case.toml OLD "speed_max_rpm = 30000.0" NEW "speed_max_rpm = 3e7" EXIT_CODE 2
                ERRORS "sector.msh: a wheel of radius 0.1 m has a tip speed of 314159 m/s at [reduce] speed_max_rpm" "is the mesh in millimetres?")
+
+expect_message(mesh_of_another_case FILE case.toml OLD "blade_count = 6" NEW "blade_count = 8"
+               ERRORS "sector.msh was made with mesh.blade_count = 6, and the case has 8; the model is that of the mesh" "${sound}")
 
 # What physics leaves no room for, and what overflowed: E = 1e200 and 1e-300 ended in a segmentation fault.
 set(message_defaults ${message_defaults} FILE case.toml)

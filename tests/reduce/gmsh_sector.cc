@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sector that tiprub-mesh didn't make: one eighth of a disc, meshed by gmsh (transfinite, recombined, extruded).
 //
-// usage: gmsh_sector KIND SECTOR.msh; KIND is hex20, hex27, hex8 or inverted (hex20 mirrored in z).
+// usage: gmsh_sector KIND SECTOR.msh; KIND is hex20, hex27, hex8, inverted (hex20 mirrored in z)
+// or held_cut (the group clamped holds a cut, too).
 #include <gmsh.h>
 
 #include <cmath>
@@ -19,8 +20,8 @@ int point(double radius, double angle) {
   return gmsh::model::geo::addPoint(radius * std::cos(angle), radius * std::sin(angle), 0.0);
 }
 
-void name(int dimension, int entity, const std::string& group) {
-  gmsh::model::setPhysicalName(dimension, gmsh::model::addPhysicalGroup(dimension, {entity}), group);
+void name(int dimension, const std::vector<int>& entities, const std::string& group) {
+  gmsh::model::setPhysicalName(dimension, gmsh::model::addPhysicalGroup(dimension, entities), group);
 }
 
 /// The edge that stands on the rim in the middle between the cuts.
@@ -32,7 +33,7 @@ int tip_edge(double angle) {
   return found.at(0).second;
 }
 
-void draw() {
+void draw(bool holds_cut) {
   namespace geo = gmsh::model::geo;
   const double alpha = 2 * std::numbers::pi / sectors;
   const int centre = geo::addPoint(0, 0, 0);
@@ -50,11 +51,12 @@ void draw() {
   gmsh::vectorpair made;  // top, volume, then the sides in the order of the curves
   geo::extrude({{2, face}}, 0, 0, height, made, {steps_in_height}, {}, true);
   geo::synchronize();
-  name(3, made.at(1).second, "sector");
-  name(2, made.at(2).second, "cyclic_low");
-  name(2, made.at(5).second, "cyclic_high");
-  name(2, made.at(6).second, "clamped");
-  name(1, tip_edge(alpha / 2), "contact");
+  const int cut = made.at(2).second, inside = made.at(6).second;
+  name(3, {made.at(1).second}, "sector");
+  name(2, {cut}, "cyclic_low");
+  name(2, {made.at(5).second}, "cyclic_high");
+  name(2, holds_cut ? std::vector{inside, cut} : std::vector{inside}, "clamped");
+  name(1, {tip_edge(alpha / 2)}, "contact");
 }
 
 void mirror() {
@@ -74,7 +76,7 @@ int main(int argc, char** argv) {
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setNumber("Mesh.ElementOrder", kind == "hex8" ? 1 : 2);
   gmsh::option::setNumber("Mesh.SecondOrderIncomplete", kind == "hex27" ? 0 : 1);
-  draw();
+  draw(kind == "held_cut");
   gmsh::model::mesh::generate(3);
   if (kind == "inverted") mirror();
   gmsh::write(argv[2]);

@@ -111,7 +111,7 @@ set(message_defaults PROGRAM $<TARGET_FILE:tiprub-reduce> ARGUMENTS case.toml se
 # A sector that tiprub-mesh didn't make.
 add_executable(gmsh_sector gmsh_sector.cc)
 target_link_libraries(gmsh_sector PRIVATE ${GMSH_LIBRARY})
-foreach(kind hex20 hex27 hex8 inverted)
+foreach(kind hex20 hex27 hex8 inverted held_cut)
   add_test(NAME reduce.gmsh_${kind} COMMAND gmsh_sector ${kind} ${made}/gmsh_${kind}.msh)
   set_tests_properties(reduce.gmsh_${kind} PROPERTIES FIXTURES_SETUP reduce_gmsh_sectors)
 endforeach()
@@ -122,6 +122,8 @@ expect_message(gmsh_sector_hex8 INPUTS ${plate} ${made}/gmsh_hex8.msh=sector.msh
                ERRORS "elements of gmsh type 5; it must hold tet10" "corners only: make them quadratic")
 expect_message(gmsh_sector_inverted INPUTS ${plate} ${made}/gmsh_inverted.msh=sector.msh EXIT_CODE 2
                ERRORS "is inverted or flat near x y z = ")
+expect_message(gmsh_sector_held_cut INPUTS ${plate} ${made}/gmsh_held_cut.msh=sector.msh EXIT_CODE 2
+               ERRORS "sector.msh: the face at x y z = " " of the surface group \"clamped\" lies on a cut, inside the wheel")
 
 # Of 600 sectors with 500 modes at 301 nodal diameters, under 1.5 GB of data.
 add_test(NAME reduce.mesh_large_disc COMMAND tiprub-mesh -q ${here}/large_disc.toml -o ${made}/large_disc.msh)

@@ -196,5 +196,42 @@ TEST(ContactSegments, RefuseALineOfOneNode) {
   EXPECT_NE(refusal(mesh, 1).find("the line \"contact\" has one node"), std::string::npos);
 }
 
+std::string complaint(const SectorMesh& mesh, int count) {
+  return tiprub::complaint<InputError>([&] { choose_contact(mesh, ContactKind::segments, count); });
+}
+
+TEST(ContactSegments, AreRefusedOnFlanks) {
+  SectorMesh mesh = blade(8, 20);
+  const test::BrickGrid grid({2, 2, 8}, 20, test::Around::open);
+  Eigen::VectorXi flank(8);
+  flank << grid.node(2, 0, 0), grid.node(4, 0, 0), grid.node(4, 0, 2), grid.node(2, 0, 2), grid.node(3, 0, 0),
+      grid.node(4, 0, 1), grid.node(3, 0, 2), grid.node(2, 0, 1);
+  mesh.tip_faces.conservativeResize(Eigen::NoChange, mesh.tip_faces.cols() + 1);
+  mesh.tip_faces.rightCols(1) = flank;
+  EXPECT_NE(complaint(mesh, 5).find(" of the surface group \"blade_tip\" does not face the casing, "),
+            std::string::npos)
+      << complaint(mesh, 5);
+}
+
+TEST(ContactSegments, AreRefusedBesideALineThatLeavesOutAPart) {
+  SectorMesh mesh = blade(8, 20);
+  mesh.contact_line.resize(9);  // of 17
+  EXPECT_NE(complaint(mesh, 5).find("of which 50 % lie beyond its ends"), std::string::npos) << complaint(mesh, 5);
+}
+
+TEST(ContactSegments, AreRefusedBesideALineElsewhere) {
+  SectorMesh mesh = blade(8, 20);
+  const test::BrickGrid grid({2, 2, 8}, 20, test::Around::open);
+  for (std::size_t k = 0; k < mesh.contact_line.size(); ++k)
+    mesh.contact_line[k] = grid.node(0, 2, static_cast<int>(k));  // at the root
+  EXPECT_NE(complaint(mesh, 5).find(" of the line \"contact\" is not on the surface group \"blade_tip\""),
+            std::string::npos)
+      << complaint(mesh, 5);
+}
+
+TEST(ContactSegments, AreAtMostAsManyAsNodes) {
+  EXPECT_NE(complaint(blade(2, 20), 200).find("asks for more segments than the "), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tiprub::reduce::contact_unknowns_test

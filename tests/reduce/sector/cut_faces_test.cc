@@ -47,6 +47,27 @@ TEST(CutFaces, NameAnotherAxis) {
   EXPECT_EQ(complaint(mesh), "the sector: the wheel turns about y; the axis of rotation must be z: turn the mesh");
 }
 
+/// A half turn about x exchanges the cuts of a sector that is symmetric about x.
+TEST(CutFaces, AreNotThoseOfAnotherAxisWhereTheyAreOnlyRounded) {
+  const test::BrickGrid grid({2, 2, 2}, 20, test::Around::open);
+  SectorMesh mesh = grid.place([](const Eigen::Vector3d& at) -> Eigen::Vector3d {
+    const double theta = std::numbers::pi / 3 * (at[1] - 0.5), r = 0.03 + 0.05 * at[0];
+    return {r * std::cos(theta), r * std::sin(theta), 0.02 * (at[2] - 0.5)};
+  });
+  mesh.cyclic_low = grid.layer(1, 0);
+  mesh.cyclic_high = grid.layer(1, 4);
+  for (const int node : mesh.cyclic_high) mesh.nodes(0, node) += node % 2 == 0 ? 3e-7 : -3e-7;
+  EXPECT_NE(complaint(mesh).find("raise [reduce] cyclic_tolerance"), std::string::npos) << complaint(mesh);
+}
+
+TEST(CutFaces, NameNodesAtTheSamePlace) {
+  SectorMesh mesh = test::skewed_annulus(7).sector();
+  mesh.nodes.col(mesh.cyclic_low[1]) = mesh.nodes.col(mesh.cyclic_low[0]);
+  mesh.nodes.col(mesh.cyclic_high[1]) = mesh.nodes.col(mesh.cyclic_high[0]);
+  EXPECT_NE(complaint(mesh).find(" do not pair one to one: two have the partner at x y z = "), std::string::npos)
+      << complaint(mesh);
+}
+
 TEST(CutFaces, SayHowManyNodesStandAlone) {
   SectorMesh mesh = test::skewed_annulus(7).sector();
   mesh.nodes.col(mesh.cyclic_high.front()).z() += 1e-3;

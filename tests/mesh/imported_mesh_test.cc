@@ -227,7 +227,7 @@ TEST(ImportedMesh, RefusesALineThatIsNotAlongItsTip) {
       "faces of blade_tip; name the line and the faces of one tip");
   EXPECT_EQ(along(0, 0, 0.4),
             "bricks: [mesh] contact and blade_tip don't belong together: 3 faces of blade_tip lie beyond the end of "
-            "contact at x y z =   2   0 0.4 m; the line must run from the leading to the trailing edge");
+            "contact at x y z = 2 0 0.4 m; the line must run from the leading to the trailing edge");
 }
 
 /// Symptom: a blade that was not joined to its disc passed, and long after the stiffness was not positive definite.

@@ -166,7 +166,8 @@ void check(const StageArguments& arguments, const Inputs& inputs) {
   const CheckedSector checked = check_sector(mesh, inputs.parameters);
   tell(arguments, "the case and the sector are sound: " + sectors_in_words(mesh.sector_count) + ", " +
                       std::to_string(mesh.file_node_count()) + " nodes, " + mesh.kinds_in_words() + ", " +
-                      std::to_string(checked.dofs) + " dofs, " + to_digits(checked.mass) + " kg");
+                      std::to_string(checked.dofs) + " dofs, " + to_digits(checked.mass) + " kg" +
+                      inputs.differences);
 }
 
 void export_decks(const StageArguments& arguments, const Inputs& inputs, const std::string& folder) {
@@ -185,7 +186,7 @@ void find_modes(const StageArguments& arguments, const Inputs& inputs, const std
   tell(arguments, file + ": " + results.doubts + std::to_string(inputs.parameters.verification_modes) + " modes of " +
                       std::to_string(results.nodal_diameters.size()) + " nodal diameters at " +
                       std::to_string(results.speed_count()) + " speeds, of " + std::to_string(results.sector_dofs) +
-                      " dofs");
+                      " dofs" + inputs.differences);
 }
 
 /// Reduces, and writes the full fields beside it if a file is wanted for them.
@@ -301,12 +302,12 @@ void tell_details(const StageArguments& arguments, const ReductionReport& report
                        " shapes dropped");
 }
 
-void report(const StageArguments& arguments, const ReductionParameters& parameters, const ReducedModel& model,
+void report(const StageArguments& arguments, const Inputs& inputs, const ReducedModel& model,
             const ReductionReport& report, const std::string& matrix_market_folder) {
   if (arguments.verbosity == Verbosity::verbose) tell_details(arguments, report);
   tell(arguments, arguments.output.string() + ": " + doubts(model) + summary(model, report) +
-                      units_in_words(model, report) + mesh_error_in_words(model, parameters, report) +
-                      factors_in_words(parameters, report));
+                      units_in_words(model, report) + mesh_error_in_words(model, inputs.parameters, report) +
+                      factors_in_words(inputs.parameters, report) + inputs.differences);
   if (!matrix_market_folder.empty())
     tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
                         " nodal diameters in Matrix Market");
@@ -315,14 +316,13 @@ void report(const StageArguments& arguments, const ReductionParameters& paramete
 /// What the leader of the processes does, or the only one.
 void lead(const StageArguments& arguments, const ReduceOptions& options, ProcessGroup& group) {
   const Inputs inputs = read(arguments, options);
-  if (!inputs.differences.empty()) tell(arguments, inputs.differences);
   if (arguments.action == Action::check) return check(arguments, inputs);
   const Outputs outputs(arguments, options);
   if (!options.calculix_folder.empty()) return export_decks(arguments, inputs, options.calculix_folder);
   if (!options.modes_file.empty()) return find_modes(arguments, inputs, options.modes_file);
   ReductionReport made;
   const ReducedModel model = run(arguments, inputs, options, made, group);
-  report(arguments, inputs.parameters, model, made, options.matrix_market_folder);
+  report(arguments, inputs, model, made, options.matrix_market_folder);
 }
 
 /// What the others do: nothing but their part of a reduction.

@@ -12,9 +12,10 @@ namespace tiprub {
 /// copy that an output keeps has the keys of the command line behind "# --set ".
 std::map<std::string, std::string> written_keys(const std::string& text);
 
-/// The keys of some tables, "mesh.", that two texts have with different values, with a line for each, after a line
-/// break: "sector.msh was made with mesh.blade_count = 6, and the case has 8" and what follows from it.
+/// The keys of some tables, such as "mesh.", whose values in the case differ from those that a file was made with.
 struct DifferingKeys {
+  /// For each of them, after a line break: "sector.msh was made with mesh.blade_count = 6, and the case has 8; " and
+  /// the consequence.
   std::string lines;
   std::map<std::string, std::string> made_with;  ///< their values in the file
 };

@@ -58,10 +58,10 @@ Inputs read_inputs(const StageArguments& arguments, const PostprocessOptions& op
   check_together(inputs.model, inputs.response, arguments.inputs[2].string());
   if (file.has("casing"))
     check_casing(file.table("casing").written(), inputs.response.scene, arguments.inputs[2].string());
-  const auto beside_case = [&](const std::string& name) {
-    return name.empty() ? fs::path() : arguments.inputs[0].parent_path() / name;
+  const auto beside_response = [&](const std::string& name) {
+    return name.empty() ? fs::path() : arguments.inputs[2].parent_path() / name;
   };
-  inputs.sweeps = {beside_case(inputs.parameters.response_up), beside_case(inputs.parameters.response_down)};
+  inputs.sweeps = {beside_response(inputs.parameters.response_up), beside_response(inputs.parameters.response_down)};
   std::vector<fs::path> others = options.runs;
   others.insert(others.end(), options.compared.begin(), options.compared.end());
   others.insert(others.end(), {options.fields_file, options.budget_fields, inputs.sweeps.up, inputs.sweeps.down});

@@ -212,7 +212,7 @@ class Folders:
         try:
             tables(self.programs, "simulate", self.study.files["case"], settings)
             if re.search(r'^response_(up|down) = "[^"]', tables(self.programs, "postprocess", self.study.files["case"], settings), re.M):
-                raise Wrong("[postprocess] response_up and response_down lie beside a case, where points have no files; leave them out")
+                raise Wrong("[postprocess] response_up and response_down are responses that a study does not compute; leave them out")
             files, waits_on = self.model(settings)
         except Wrong as wrong:
             raise Wrong(f"point {name}: {wrong}") from None

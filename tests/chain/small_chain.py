@@ -154,6 +154,9 @@ def sweeps(bench):
     with open(folder.file("report/report.html"), encoding="utf-8") as page:
         assert "sweep" in page.read()
     assert folder.up_to_date()
+    elsewhere = bench.empty("sweeps_elsewhere", "CASE := ../sweeps/case.toml\nMODEL_OF := ../rotor\nSETTINGS := --set casing.lobes=3\n")
+    bench.folder("rotor")
+    elsewhere.must_make()  # symptom: its report read the sweep beside that case, which is of another casing
     os.rename(folder.file("response_up.h5"), folder.file("mine.h5"))
     folder.write("case.toml", bench.case + 'response_up = "mine.h5"\n')
     said = folder.must_make()

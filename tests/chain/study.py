@@ -57,7 +57,7 @@ WRONG = (('"casing.lobes" = 3', '"casing.lobs" = 3', "point heavy: ", 'unknown k
          (STUDY, 'case = "small_disc.toml"\ngrid = 3\n', "[grid]: must be a table"),
          (STUDY, "\udcff\udcfe", "study.toml: "),
          (STUDY, "case = " + 5000 * "[", "study.toml: "),
-         ('"postprocess.prominence" = 0.001', "\"postprocess.response_up\" = \"response_up.h5\"", "response_up and response_down lie beside a case"),
+         ('"postprocess.prominence" = 0.001', "\"postprocess.response_up\" = \"response_up.h5\"", "response_up and response_down are responses that a study"),
          ('title =', 'title', "study.toml: "))
 
 

@@ -6,7 +6,9 @@ usage: fill_pages.py           writes README.md of all cases and of tests/benchm
        fill_pages.py --check   fails if a page differs from its tables
 
 A case's expected/*numbers.tsv hold a key and its value in a line. A KEY that names a table of expected/, NAME.tsv or NAME.csv, stands for
-the whole table. A key of another case, and each on the first page, begins with the name of the case: impeller_quick/largest.rpm.
+the whole table. budget:PEAK:SOURCE:COLUMN looks into expected/error_budget.csv: PEAK counts the critical speeds from 1, or is "largest" for that
+with the largest motion of the tip; SOURCE has "_" for blanks; COLUMN is a key of BUDGET_COLUMNS. A key of another case, and each on the first
+page, begins with the name of the case: impeller_quick/largest.rpm.
 """
 import csv
 import glob
@@ -20,11 +22,19 @@ BENCHMARK_PAGE = os.path.join(CASES, "..", "tests", "benchmark", "README.md")
 CELL = re.compile(r"<!-- (\S+) -->(.*?)<!---->", re.S)
 HTML = re.compile(r"^<!-- (\S+) -->[^\n]", re.M)  # Markdown takes the line for HTML, and ends the paragraph
 SEPARATORS = {".tsv": "\t", ".csv": ","}
+BUDGET_COLUMNS = {"rpm": ("speed [rpm]", ",.0f"), "u_mm": ("tip |u| [mm]", ".2f"), "mpa": ("stress [MPa]", ",.0f"),
+                  "speed": ("change of speed [%]", "+.1f"), "u": ("change of |u| [%]", "+.0f"), "stress": ("change of stress [%]", "+.0f")}
 
 
 def rows_of(path):
     with open(path, newline="", encoding="utf-8") as file:
         return list(csv.reader(file, delimiter=SEPARATORS[os.path.splitext(path)[1]]))
+
+
+def rounded(value, form):
+    """The value as text. A zero has no sign."""
+    text = format(value, form)
+    return text if any(digit in "123456789" for digit in text) else text.lstrip("+-")
 
 
 def numbers_of(folder):
@@ -38,7 +48,25 @@ def table_of(path):
     return "\n".join(["", head, "|" + "---|" * len(rows_of(path)[0]), *rows, ""])
 
 
+def in_budget(key, folder):
+    """What a source of the error budget changes at a critical speed, rounded; None where there is no such source."""
+    _, peak, source, column = key.split(":")
+    path = os.path.join(folder, "expected", "error_budget.csv")
+    if not os.path.exists(path):
+        return None
+    head, *lines = rows_of(path)
+    rows = [dict(zip(head, line)) for line in lines]
+    peaks = [row for row in rows if row["source"] == "as computed"]
+    chosen = max(peaks, key=lambda row: float(row["tip |u| [mm]"])) if peak == "largest" else peaks[int(peak) - 1]
+    name, form = BUDGET_COLUMNS[column]
+    values = [float(row[name]) for row in rows
+              if row["critical speed [rpm]"] == chosen["critical speed [rpm]"] and row["source"].replace(" ", "_") == source]
+    return rounded(values[0], form) if values else None
+
+
 def value_of(key, folder, numbers, page):
+    if key.startswith("budget:"):
+        numbers = {key: value for value in [in_budget(key, folder)] if value}
     if os.path.splitext(key)[1] in SEPARATORS:
         path = os.path.join(folder, "expected", key)
         if os.path.exists(path):

@@ -17,6 +17,8 @@ import sys
 import h5py
 import numpy
 
+from fill_pages import rounded
+
 PICTURES = {"interaction_map_leading_edge": "interaction_map", **{name: name for name in (
     "error_budget", "interaction_map_trailing_edge", "interaction_map_parts", "campbell", "contact_map_leading_edge", "contact_map_trailing_edge", "branches")}}
 TABLES = ("critical_speeds.txt", "error_budget.csv", "scene_needs.csv", "exactness.csv", "linear_rules.csv", "branches.csv", "sweeps.csv")
@@ -31,10 +33,9 @@ def rows_of(path):
 
 
 def number(row, column, form):
-    """The rounded value of a cell; empty if the cell is, or if it is no number. A zero has no sign."""
+    """The rounded value of a cell; empty if the cell is, or if it is no number."""
     value = float(row.get(column) or "nan")
-    text = "" if numpy.isnan(value) else format(value, form)
-    return text.lstrip("+-") if text and not any(digit in "123456789" for digit in text) else text
+    return "" if numpy.isnan(value) else rounded(value, form)
 
 
 def percent(row, column):
@@ -67,11 +68,21 @@ def peak_line(row):
             "from other starts": row["motions from other starts"]}
 
 
+def changes(row):
+    columns = {"change of speed [%]": "change of speed [%]", "of |u| [%]": "change of |u| [%]", "of the stress [%]": "change of stress [%]"}
+    return {name: number(row, column, "+.1f") for name, column in columns.items()}
+
+
 def budget_line(row):
     """A line of budget.tsv. The sum of all sources is a change, and no speed."""
     speed = "" if row["source"].startswith("root of") else number(row, "speed [rpm]", ",.0f")
-    changes = {"change of speed [%]": "change of speed [%]", "of |u| [%]": "change of |u| [%]", "of the stress [%]": "change of stress [%]"}
-    return {"source": row["source"], "critical speed [rpm]": speed, **{name: number(row, column, "+.1f") for name, column in changes.items()}}
+    return {"source": row["source"], "critical speed [rpm]": speed, **changes(row)}
+
+
+def other_model_lines(rows):
+    """The lines of other_model.tsv: what the model that error budgets compare with changes at each critical speed."""
+    return [{"critical speed [rpm]": number(row, "critical speed [rpm]", ",.0f"), "with the other model [rpm]": number(row, "speed [rpm]", ",.0f") or "not found",
+             **changes(row)} for row in rows if row["source"].startswith("model of")]
 
 
 def moves_most(rows, column):
@@ -160,6 +171,9 @@ def publish_case(programs, folder, expected):
         largest = max(by_peak.values(), key=lambda rows: float(rows[0]["tip |u| [mm]"]))
         write_table(os.path.join(expected, "budget.tsv"), [budget_line(row) for row in largest])
         write_table(os.path.join(expected, "budgets.tsv"), [budgets_line(rows) for rows in by_peak.values()])
+        other_model = other_model_lines(budget)
+        if other_model:
+            write_table(os.path.join(expected, "other_model.tsv"), other_model)
     copies = {**{name: name for name in TABLES}, **{f"figures/{name}.png": f"{copy}.png" for name, copy in PICTURES.items()}}
     for name, copy in copies.items():
         if os.path.exists(os.path.join(report, name)):

@@ -8,11 +8,20 @@ MADE_FOLDER is a case that make has made.
 """
 import csv
 import os
+import re
 import shutil
 import subprocess
 import sys
 
 PAGE = "Of <!-- speeds -->0<!----> speeds, the largest at <!-- largest.rpm -->0<!----> rpm:\n\n<!-- critical_speeds.tsv -->\n<!---->\n"
+BUDGET = """critical speed [rpm],source,speed [rpm],change of speed [%],tip |u| [mm],change of |u| [%],stress [MPa],change of stress [%]
+9000.1,as computed,9000.1,0,2.5,0,1200,0
+9000.1,friction 0.1,8910.1,-1,2.25,-10,1199,-0.04
+9900.2,as computed,9900.2,0,0.5,0,90,0
+9900.2,friction 0.1,9999.2,1,1.0,100,99,10
+"""
+BUDGET_PAGE = "With friction" + "".join(f" <!-- budget:{key} -->0<!---->" for key in (
+    "largest:friction_0.1:u", "1:friction_0.1:stress", "2:friction_0.1:rpm", "2:as_computed:u_mm"))
 
 
 def rows_of(path, delimiter=","):
@@ -47,6 +56,20 @@ def main(programs, cases, made, work):
     with open(page, encoding="utf-8") as file:
         text = file.read()
     assert f"Of <!-- speeds -->{numbers['speeds']}<!----> speeds" in text and table[0]["wave"] in text, text
+    fills_from_the_budget(work, page, expected)
+
+
+def fills_from_the_budget(work, page, expected):
+    for path, text in ((os.path.join(expected, "error_budget.csv"), BUDGET), (page, BUDGET_PAGE)):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+    assert fill(work).returncode == 0
+    with open(page, encoding="utf-8") as file:
+        text = file.read()
+    assert re.findall(r"-->([^<]+)<!---->", text) == ["-10", "0", "9,999", "0.50"], text
+    with open(page, "w", encoding="utf-8") as file:
+        file.write(BUDGET_PAGE.replace("friction_0.1", "friction_0.2"))
+    assert "the cell budget:largest:friction_0.2:u stands in no table" in fill(work).stderr
 
 
 if __name__ == "__main__":

@@ -78,7 +78,8 @@ FAULTS = [
 def copy_of(root, copy):
     shutil.rmtree(copy, ignore_errors=True)
     documents = ["README.md", "cases/equations.md", "cases/paper/expected/check_numbers.tsv",
-                 "cases/impeller_quick/expected/numbers.tsv", "CMakeLists.txt", ".github/CHANGELOG.md", ".github/CITATION.cff"]
+                 "cases/impeller_quick/expected/numbers.tsv", "cases/impeller_quick/expected/error_budget.csv",
+                 "CMakeLists.txt", ".github/CHANGELOG.md", ".github/CITATION.cff"]
     for path in source_tree.files(root) + documents:
         if os.path.isfile(os.path.join(root, path)):
             os.makedirs(os.path.join(copy, os.path.dirname(path)), exist_ok=True)

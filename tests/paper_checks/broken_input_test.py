@@ -8,6 +8,7 @@ import contextlib
 import io
 import os
 import sys
+import tempfile
 from types import SimpleNamespace
 
 import numpy
@@ -94,4 +95,12 @@ assert verdict(36, pushing(0.0)) and not verdict(36, pushing(-1.0))  # a casing 
 assert verdict(74, touching(0, 5)) and not verdict(74, touching(3, 0))
 assert on_the_zig_zag(moving({6: 6, 8: 2}), (6, 8))[0]
 assert not on_the_zig_zag(moving({6: 3, 8: 2}), (6, 8))[0]  # EO 6 where EO 3 belongs
+
+with tempfile.TemporaryDirectory() as folder:  # symptom: a case whose file lies in another folder could not be checked
+    os.mkdir(os.path.join(folder, "report"))
+    with open(os.path.join(folder, "report", "case.toml"), "w", encoding="utf-8") as file:
+        file.write('[mesh]\nblades = 10\n# --set casing.lobes=3\n# --set simulate.gap="linear"\n')
+    elsewhere = Case.__new__(Case)
+    elsewhere.folder = folder
+    assert elsewhere.arguments[1:] == ["--set", "casing.lobes=3", "--set", 'simulate.gap="linear"'], elsewhere.arguments
 print("broken inputs do not hold, and the exit codes say so")

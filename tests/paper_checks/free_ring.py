@@ -18,15 +18,15 @@ class FreeRing:
         rpm = sorted(float(row["speed [rpm]"]) for row in case.critical)
         if not rpm:
             raise CannotBeMade(f"{case.name} has no critical speed")
-        with open(case.path("case.toml"), encoding="utf-8") as file:
-            kept = [line for line in file if not line.startswith(RANGE_KEYS)]
-        settings = os.path.join(context.work, case.name + "_free_ring.toml")
-        with open(settings, "w", encoding="utf-8") as file:
-            file.writelines(kept)
+        path = os.path.join(context.work, case.name + "_free_ring.toml")
+        with open(path, "w", encoding="utf-8") as file:
+            file.writelines(line for line in case.written.splitlines(keepends=True) if not line.startswith(RANGE_KEYS))
+        settings = [setting for setting in case.settings if not setting.removeprefix("simulate.").startswith(RANGE_KEYS)]
         response = os.path.join(context.work, case.name + "_free_ring.h5")
-        keys = ('nodal_diameters="all"', 'speeds="given"', 'examine="none"', f"speeds_rpm={[x * (1 - NEAR) for x in rpm]}")
-        context.run_program("tiprub-simulate", settings, case.path("model.h5"), "-o", response,
-                            *(word for key in keys for word in ("--set", "simulate." + key)))
+        settings += ['simulate.nodal_diameters="all"', 'simulate.speeds="given"', 'simulate.examine="none"',
+                     f"simulate.speeds_rpm={[x * (1 - NEAR) for x in rpm]}"]
+        context.run_program("tiprub-simulate", path, case.path("model.h5"), "-o", response,
+                            *(word for setting in settings for word in ("--set", setting)))
         with h5py.File(response) as file:
             assert int(file.attrs["independent_sectors"]) == case.sectors
             self.speeds = [Speed(group, case.model.normal, case.sectors) for group in file["speed"].values() if not group.attrs["failure"]]

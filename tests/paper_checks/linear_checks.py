@@ -54,7 +54,7 @@ def _(c):
 
 @check(5, "there are at least 2 elements through the blade, 3 along its root and 3 through the disc")
 def _(c):
-    said = c.run_program("tiprub-mesh", os.path.join(c.wheel, "case.toml"), "--check", "-v")
+    said = c.run_program("tiprub-mesh", *c.wheel.arguments, "--check", "-v")
     chord, disc, blade = (int(re.search(rf"(\d+) (?:elements )?{words}", said).group(1))
                           for words in ("along the chord", "through the disc", "through the blade"))
     return blade >= 2 and chord >= 3 and disc >= 3, f"{blade} through the blade, {chord} along its root, {disc} through the disc"
@@ -202,8 +202,7 @@ def energy_shares(c):
     """Nodal diameters x families of each part's share of the strain energy at rest, of the unreduced sector."""
     path = os.path.join(c.work, "modes.h5")
     if not os.path.exists(path):
-        c.run_program("tiprub-reduce", os.path.join(c.wheel, "case.toml"), os.path.join(c.wheel, "sector.msh"), "--modes", path,
-                      "--set", "reduce.verification_speeds=[0.0]")
+        c.run_program("tiprub-reduce", *c.wheel.arguments, c.wheel.path("sector.msh"), "--modes", path, "--set", "reduce.verification_speeds=[0.0]")
     with h5py.File(path) as file:
         groups = [file[f"nodal_diameter/{n}/energy_share"] for n in range(len(file["nodal_diameter"]))]
         return {part: numpy.array([group[part][0] for group in groups]) for part in groups[0]}

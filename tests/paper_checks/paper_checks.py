@@ -29,12 +29,11 @@ class Context:
         self.cases = [Case(folder) for folder in folders]
         self.any_case = self.cases[0]
         # The wheel's own case: the one that holds [mesh], which others may share.
-        self.wheel = next((case.folder for case in self.cases
-                           if "[mesh]" in open(case.path("case.toml"), encoding="utf-8").read()), self.any_case.folder)
+        self.wheel = next((case for case in self.cases if "[mesh]" in case.written), self.any_case)
 
     @functools.cached_property
     def mesh(self):
-        return Mesh(os.path.join(self.wheel, "sector.msh"))
+        return Mesh(self.wheel.path("sector.msh"))
 
     @functools.cached_property
     def model(self):

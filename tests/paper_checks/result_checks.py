@@ -113,10 +113,11 @@ def _(c):
     critical = numpy.array([float(row["speed [rpm]"]) for row in two.critical])
     near = numpy.array([abs(critical / rpm - 1).min() < 0.02 if len(critical) else False for rpm in two.rpm])
     inside, outside = extra[near].mean(), extra[~near].mean()  # more speeds near a critical one do no harm here
+    even = [percent(extra[which & two.even].mean()) for which in (near, ~near)]
     places = places[two.even]
     return (places == 2).mean() > 0.5 and inside > outside, \
         (f"two places at {percent((places == 2).mean())} of the even speeds, median {numpy.median(places):.0f}; more than two at {percent(inside)} "
-         f"of the speeds within 2 % of a critical one and at {percent(outside)} of the others")
+         f"of the speeds within 2 % of a critical one and at {percent(outside)} of the others (even speeds alone: {even[0]} and {even[1]})")
 
 
 @check(73, "two lobes: in these bands EO 6 meets families above the first")
@@ -146,9 +147,7 @@ def _(c):
 def _(c):
     two = c.lobed(2)
     middle, _, lag = two.report("contact_drift.csv")  # the middle of an edge's contact turns over at resonances; the edges' lag doesn't
-    with open(os.path.join(c.wheel, "case.toml"), encoding="utf-8") as file:
-        text = file.read()
-    stiffness, density = (float(re.search(rf"^{key} = (\S+)", text, flags=re.M).group(1)) for key in ("young_modulus", "density"))
+    stiffness, density = (float(re.search(rf"^{key} = (\S+)", c.wheel.written, flags=re.M).group(1)) for key in ("young_modulus", "density"))
     chord = float(lag["tip length [m]"]) / (stiffness / density) ** 0.5  # the fastest wave along a bar of this material
     r2, *times = (float(lag[key]) for key in ("R^2", "slope [s]", "median lag [s]", "lower quartile [s]", "upper quartile [s]"))
     slope, median, low, high = (1e6 * time for time in times)

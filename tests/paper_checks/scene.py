@@ -264,6 +264,22 @@ class Case:
     def path(self, *names):
         return os.path.join(self.folder, *names)
 
+    @functools.cached_property
+    def written(self):
+        """The text of its case, from the report, because the file itself may lie in another folder."""
+        with open(self.path("report", "case.toml"), encoding="utf-8") as file:
+            return file.read()
+
+    @property
+    def settings(self):
+        """What --set changed; a report tells it in comments."""
+        return re.findall(r"^# --set (.*)$", self.written, flags=re.M)
+
+    @property
+    def arguments(self):
+        """The case and its settings, for a program."""
+        return [self.path("report", "case.toml"), *(word for setting in self.settings for word in ("--set", setting))]
+
     def report(self, name):
         return read_table(self.path("report", name))
 

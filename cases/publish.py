@@ -4,8 +4,8 @@
 
 usage: publish.py PROGRAMS_FOLDER CASE_FOLDER
 
-numbers.tsv names the version and the commit of the programs, and the day. The commit ends with "+" if files differed from it. A study has
-no report: its own tables and pictures are copied, and version_numbers.tsv names the same.
+numbers.tsv names the version and the commit of the programs, and the day. The commit ends with "+" if files differed from it. A study, which
+has no case of its own, has its tables and pictures copied, and version_numbers.tsv names the same.
 """
 import csv
 import datetime
@@ -183,8 +183,8 @@ def publish_case(programs, folder, expected):
 def main(programs, folder):
     expected = os.path.join(folder, "expected")
     os.makedirs(expected, exist_ok=True)
-    made = os.path.exists(os.path.join(folder, "report", "critical_speeds.csv"))
-    (publish_case if made else publish_study)(programs, folder, expected)
+    is_case = os.path.exists(os.path.join(folder, "case.toml"))  # a study may hold the report of its last run
+    (publish_case if is_case else publish_study)(programs, folder, expected)
 
 
 if __name__ == "__main__":

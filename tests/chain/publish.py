@@ -57,6 +57,17 @@ def main(programs, cases, made, work):
         text = file.read()
     assert f"Of <!-- speeds -->{numbers['speeds']}<!----> speeds" in text and table[0]["wave"] in text, text
     fills_from_the_budget(work, page, expected)
+    publishes_a_study(programs, cases, work, report)
+
+
+def publishes_a_study(programs, cases, work, report):
+    """Symptom: a study that left the report of its last run was taken for a case without a model."""
+    study = os.path.join(work, "study")
+    shutil.copytree(report, os.path.join(study, "report"))
+    with open(os.path.join(study, "peaks.tsv"), "w", encoding="utf-8") as file:
+        file.write("speed\n9000\n")
+    subprocess.run([sys.executable, "-B", os.path.join(cases, "publish.py"), programs, study], check=True)
+    assert sorted(os.listdir(os.path.join(study, "expected"))) == ["peaks.tsv", "version_numbers.tsv"]
 
 
 def fills_from_the_budget(work, page, expected):

@@ -48,63 +48,41 @@ struct Work {
 
 constexpr char lower = 'L';
 
-int solve(char job, Matrix<double>& A, Matrix<double>* B, Eigen::VectorXd& values, Work<double>& work) {
+int solve(char job, Matrix<double>& A, Matrix<double>& B, Eigen::VectorXd& values, Work<double>& work) {
   const int n = static_cast<int>(A.rows()), type = 1;
   int info = 0;
-  if (B == nullptr)
+  if (B.size() == 0)
     dsyevd_(&job, &lower, &n, A.data(), &n, values.data(), work.scalars.data(), &work.scalar_count,
             work.integers.data(), &work.integer_count, &info);
   else
-    dsygvd_(&type, &job, &lower, &n, A.data(), &n, B->data(), &n, values.data(), work.scalars.data(),
+    dsygvd_(&type, &job, &lower, &n, A.data(), &n, B.data(), &n, values.data(), work.scalars.data(),
             &work.scalar_count, work.integers.data(), &work.integer_count, &info);
   return info;
 }
 
-int solve(char job, Matrix<Complex>& A, Matrix<Complex>* B, Eigen::VectorXd& values, Work<Complex>& work) {
+int solve(char job, Matrix<Complex>& A, Matrix<Complex>& B, Eigen::VectorXd& values, Work<Complex>& work) {
   const int n = static_cast<int>(A.rows()), type = 1;
   int info = 0;
-  if (B == nullptr)
+  if (B.size() == 0)
     zheevd_(&job, &lower, &n, A.data(), &n, values.data(), work.scalars.data(), &work.scalar_count, work.reals.data(),
             &work.real_count, work.integers.data(), &work.integer_count, &info);
   else
-    zhegvd_(&type, &job, &lower, &n, A.data(), &n, B->data(), &n, values.data(), work.scalars.data(),
+    zhegvd_(&type, &job, &lower, &n, A.data(), &n, B.data(), &n, values.data(), work.scalars.data(),
             &work.scalar_count, work.reals.data(), &work.real_count, work.integers.data(), &work.integer_count,
             &info);
   return info;
 }
 
-/// The values, and the vectors in place of A if the job asks for them.
+/// The vectors only if the job asks for them.
 template <class Scalar>
-Eigen::VectorXd hermitian(char job, Matrix<Scalar>& A, Matrix<Scalar>* B) {
+tiprub::Eigenpairs<Scalar> hermitian(char job, Matrix<Scalar> A, Matrix<Scalar> B) {
   Eigen::VectorXd values(A.rows());
-  if (A.rows() == 0) return values;
+  if (A.rows() == 0) return {std::move(values), std::move(A)};
   Work<Scalar> work;
   solve(job, A, B, values, work);
   work.allocate();
   if (solve(job, A, B, values, work) != 0 || !values.allFinite())
     values.setConstant(std::numeric_limits<double>::quiet_NaN());
-  return values;
-}
-
-template <class Scalar>
-Eigen::VectorXd values_of(Matrix<Scalar> A) {
-  return hermitian<Scalar>('N', A, nullptr);
-}
-
-template <class Scalar>
-Eigen::VectorXd values_of(Matrix<Scalar> A, Matrix<Scalar> B) {
-  return hermitian<Scalar>('N', A, &B);
-}
-
-template <class Scalar>
-tiprub::Eigenpairs<Scalar> pairs_of(Matrix<Scalar> A) {
-  Eigen::VectorXd values = hermitian<Scalar>('V', A, nullptr);
-  return {std::move(values), std::move(A)};
-}
-
-template <class Scalar>
-tiprub::Eigenpairs<Scalar> pairs_of(Matrix<Scalar> A, Matrix<Scalar> B) {
-  Eigen::VectorXd values = hermitian<Scalar>('V', A, &B);
   return {std::move(values), std::move(A)};
 }
 
@@ -137,30 +115,17 @@ Eigen::VectorXcd general(Eigen::MatrixXd A, Eigen::MatrixXd* vectors) {
 
 namespace tiprub {
 
-RealEigenpairs eigenpairs(const Eigen::MatrixXd& A) {
-  return pairs_of<double>(A);
-}
-ComplexEigenpairs eigenpairs(const Eigen::MatrixXcd& A) {
-  return pairs_of<Complex>(A);
-}
-Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& A) {
-  return values_of<double>(A);
-}
-Eigen::VectorXd eigenvalues(const Eigen::MatrixXcd& A) {
-  return values_of<Complex>(A);
-}
-
 RealEigenpairs eigenpairs(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  return pairs_of<double>(A, B);
+  return hermitian<double>('V', A, B);
 }
 ComplexEigenpairs eigenpairs(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) {
-  return pairs_of<Complex>(A, B);
+  return hermitian<Complex>('V', A, B);
 }
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  return values_of<double>(A, B);
+  return hermitian<double>('N', A, B).values;
 }
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) {
-  return values_of<Complex>(A, B);
+  return hermitian<Complex>('N', A, B).values;
 }
 
 GeneralEigenpairs general_eigenpairs(const Eigen::MatrixXd& A) {

@@ -22,17 +22,12 @@ using ComplexEigenpairs = Eigenpairs<std::complex<double>>;
 
 // The dense eigenproblems of all programs, by LAPACK. If a problem can't be solved, all values are NaN.
 
-/// A x = lambda x of a Hermitian A, of which the lower triangle is read; vectors of unit length.
-RealEigenpairs eigenpairs(const Eigen::MatrixXd& A);
-ComplexEigenpairs eigenpairs(const Eigen::MatrixXcd& A);
-Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& A);
-Eigen::VectorXd eigenvalues(const Eigen::MatrixXcd& A);
-
 /// A x = lambda B x of Hermitian A and B, B positive definite, of which the lower triangles are read; x^H B x = 1.
-RealEigenpairs eigenpairs(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-ComplexEigenpairs eigenpairs(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B);
-Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-Eigen::VectorXd eigenvalues(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B);
+/// Without B it is the unit matrix.
+RealEigenpairs eigenpairs(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B = {});
+ComplexEigenpairs eigenpairs(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B = {});
+Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B = {});
+Eigen::VectorXd eigenvalues(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B = {});
 
 /// A x = lambda x of any real A, in no order; vectors of unit length.
 struct GeneralEigenpairs {

@@ -3,12 +3,14 @@
 
 #include <cholmod.h>
 
+#include <Eigen/CholmodSupport>
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "cases/program/errors.h"
@@ -78,17 +80,7 @@ void CholmodFactor::factorize(const SymmetricMatrix& stiffness) {
   Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t> shifted = stiffness;
   for (int dof = interior_; dof < interior_ + interface_; ++dof)
     shifted.valuePtr()[shifted.outerIndexPtr()[dof]] += shift_;  // the diagonal is a column's first entry
-  cholmod_sparse view{};
-  view.nrow = view.ncol = static_cast<std::size_t>(shifted.rows());
-  view.nzmax = static_cast<std::size_t>(shifted.nonZeros());
-  view.p = shifted.outerIndexPtr();
-  view.i = shifted.innerIndexPtr();
-  view.x = shifted.valuePtr();
-  view.stype = -1;  // lower triangle
-  view.itype = CHOLMOD_LONG;
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.sorted = view.packed = 1;
+  cholmod_sparse view = Eigen::viewAsCholmod(std::as_const(shifted).selfadjointView<Eigen::Lower>());
   factor_ = cholmod_l_analyze(&view, &common_);
   if (factor_ != nullptr) cholmod_l_factorize(&view, factor_, &common_);
   require_factor(common_.status, stiffness.rows());

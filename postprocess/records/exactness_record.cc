@@ -123,7 +123,7 @@ std::vector<Check> march_checks(const Study& study) {
       check_speeds(study, "energy", "closing error of the balance [1]", energy_limit,
                    [](const SpeedResponse& speed) { return speed.energy.closing_error; }),
       check_speeds(study, "massless and truncated modes", "share of the elastic energy [1]", left_out_limit,
-                   [](const SpeedResponse& speed) { return speed.audit.left_out_energy; })};
+                   [](const SpeedResponse& speed) { return speed.left_out_energy; })};
 }
 
 std::vector<Check> contact_checks(const Study& study) {
@@ -132,9 +132,9 @@ std::vector<Check> contact_checks(const Study& study) {
   return {check_speeds(study, "penetration", "of a node into the casing [mm]", penetration_limit * scale * mm_per_m,
                        [](const SpeedResponse& speed) { return speed.largest_penetration * mm_per_m; }),
           check_speeds(study, "steps left in penetration", "recorded steps that end with a node in the casing", 0,
-                       [](const SpeedResponse& speed) { return static_cast<double>(speed.audit.leftover_steps); }),
+                       [](const SpeedResponse& speed) { return static_cast<double>(speed.leftover_steps); }),
           check_speeds(study, "tension", "tensile share of the contact force [1]", 0,
-                       [](const SpeedResponse& speed) { return speed.audit.tension_share; })};
+                       [](const SpeedResponse& speed) { return speed.tension_share; })};
 }
 
 /// The verdicts are those of simulate, which knows how certain its growth is.

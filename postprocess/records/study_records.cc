@@ -63,17 +63,16 @@ SpeedColumns step_columns() {
 }
 
 SpeedColumns audit_columns() {
-  return {
-      {"steps left in penetration", [](const SpeedRow& speed) { return count(speed.response.audit.leftover_steps); }},
-      {"tensile share of contact force", [](const SpeedRow& speed) { return speed.response.audit.tension_share; }},
-      {"change by the last halving of the step",
-       [](const SpeedRow& speed) { return optional_cell(speed.response.audit.halving_difference); }},
-      {"symmetry",
-       [](const SpeedRow& speed) { return std::string(name_in(symmetry_names, speed.response.audit.symmetry)); }},
-      {"growth per revolution of nodal diameters left out",
-       [](const SpeedRow& speed) { return optional_cell(speed.response.audit.excluded_growth); }},
-      {"difference from rest",
-       [](const SpeedRow& speed) { return optional_cell(speed.response.audit.rest_difference); }}};
+  return {{"steps left in penetration", [](const SpeedRow& speed) { return count(speed.response.leftover_steps); }},
+          {"tensile share of contact force", [](const SpeedRow& speed) { return speed.response.tension_share; }},
+          {"change by the last halving of the step",
+           [](const SpeedRow& speed) { return optional_cell(speed.response.audit.halving_difference); }},
+          {"symmetry",
+           [](const SpeedRow& speed) { return std::string(name_in(symmetry_names, speed.response.audit.symmetry)); }},
+          {"growth per revolution of nodal diameters left out",
+           [](const SpeedRow& speed) { return optional_cell(speed.response.audit.excluded_growth); }},
+          {"difference from rest",
+           [](const SpeedRow& speed) { return optional_cell(speed.response.audit.rest_difference); }}};
 }
 
 SpeedColumns map_columns() {

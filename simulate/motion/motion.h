@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -112,6 +113,36 @@ struct RotorCycle {
   int first_sample = 0;  ///< recorded sample of the first column; the last column is the last sample
   /// [m in contact rows] by nodal diameter, dofs x samples; each column as RotorSnapshot::displacement.
   std::vector<Eigen::MatrixXcd> displacement;
+};
+
+/// Some revolutions of a march, sample by sample, and the numbers that were collected with them.
+struct RecordedMotion {
+  int samples_per_revolution = 0;
+  int recorded_revolutions = 0;  ///< as the case says, or one period of a settled motion if that is less
+  /// [m] r, theta, z in the rotor frame, without the static shift; samples x (sector, node, component), the last
+  /// index fastest.
+  Eigen::MatrixXd displacement;
+  /// [N] along -normal, never negative with complementarity; the mean over the sample interval that starts at the
+  /// sample; samples x (sector, node).
+  Eigen::MatrixXd contact_force;
+  /// Steps in contact by area of the casing, over the recorded revolutions; (sector, node) x areas. Area a spans
+  /// the absolute angles 2 pi a/areas .. 2 pi (a+1)/areas.
+  Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic> contact_count;
+  /// At the first recorded sample with the largest contact force; files may have none.
+  std::optional<RotorSnapshot> snapshot;
+  std::optional<RotorCycle> cycle;  ///< if it was asked for: at examined speeds
+  double amplitude = 0;  ///< [m] half of the peak-to-peak normal displacement, largest of all nodes and sectors
+  double chatter = 0;    ///< [1] share of the mean square above the band of resolved frequencies
+  int chatter_node = 0;  ///< contact node with most chatter
+  EnergyLedger energy;
+  FrictionLoad friction;
+  double largest_penetration = 0;   ///< [m] of any node; 0 if none
+  double smallest_multiplier = 0;   ///< [N] below zero where the casing pulled
+  std::int64_t contact_steps = 0;   ///< steps with at least one closed node
+  std::int64_t tension_steps = 0;   ///< steps with a negative multiplier (with the paper's rule only)
+  std::int64_t leftover_steps = 0;  ///< steps that leave a node clearly in the casing
+  double tension_share = 0;         ///< [1] share of tensile forces in the sum of the magnitudes of contact forces
+  double left_out_energy = 0;       ///< [1] share of the elastic energy in modes without mass or dropped
 };
 
 }  // namespace tiprub

@@ -66,7 +66,7 @@ Recording::Recording(const TimeMarch& march, const Grid& grid)
   const Eigen::Index samples = static_cast<Eigen::Index>(grid.samples_per_revolution) * grid.revolutions;
   const Eigen::Index points = static_cast<Eigen::Index>(sectors_) * nodes_;
   kept_.samples_per_revolution = grid.samples_per_revolution;
-  kept_.revolutions = grid.revolutions;
+  kept_.recorded_revolutions = grid.revolutions;
   kept_.displacement = Eigen::MatrixXd::Zero(samples, 3 * points);
   kept_.contact_force = Eigen::MatrixXd::Zero(samples, points);
   kept_.contact_count.setZero(points, grid.casing_areas);
@@ -198,11 +198,12 @@ double Recording::normal_amplitude() const {
   return largest;
 }
 
-Recorded Recording::finish(const TimeMarch& march) {
-  kept_.snapshot.sample = hardest_sample_;
-  kept_.snapshot.force = march.symmetry() * kept_.contact_force.row(hardest_sample_).cwiseAbs().sum();
+RecordedMotion Recording::finish(const TimeMarch& march) {
+  RotorSnapshot& snapshot = kept_.snapshot.emplace();
+  snapshot.sample = hardest_sample_;
+  snapshot.force = march.symmetry() * kept_.contact_force.row(hardest_sample_).cwiseAbs().sum();
   for (std::size_t i = 0; i < hardest_.size(); ++i)
-    kept_.snapshot.displacement.emplace_back(rotor_->waves[i].shapes * hardest_[i]);
+    snapshot.displacement.emplace_back(rotor_->waves[i].shapes * hardest_[i]);
   if (grid_.cycle_revolutions > 0) {
     RotorCycle& cycle = kept_.cycle.emplace();
     cycle.first_sample = (grid_.revolutions - grid_.cycle_revolutions) * grid_.samples_per_revolution;
@@ -212,7 +213,9 @@ Recorded Recording::finish(const TimeMarch& march) {
   kept_.amplitude = normal_amplitude();
   kept_.energy = audit_.ledger(march);
   kept_.friction = friction_load(march);
-  kept_.chatter = chatter_.share();
+  const ChatterAudit::Share chatter = chatter_.share();
+  kept_.chatter = chatter.share;
+  kept_.chatter_node = chatter.node;
   kept_.left_out_energy = audit_.left_out_share();
   if (pulling_ > 0) kept_.tension_share = pulling_ / (pulling_ + pushing_);
   return std::move(kept_);

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "simulate/march/time_march.h"
@@ -37,29 +35,6 @@ class ChatterAudit {
   Eigen::ArrayXd band_squares_;   ///< [m^2] sum over samples
 };
 
-/// Some revolutions of a march, sample by sample, and the numbers that were collected with them.
-struct Recorded {
-  int samples_per_revolution = 0;
-  int revolutions = 0;
-  Eigen::MatrixXd displacement;   ///< [m] r, theta, z; samples x (sector, node, component)
-  Eigen::MatrixXd contact_force;  ///< [N] along -normal, means over the samples' intervals; samples x (sector, node)
-  /// Number of steps in contact for each area of the casing; (sector, node) x areas.
-  Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic> contact_count;
-  RotorSnapshot snapshot;           ///< of the sample with the largest contact force
-  std::optional<RotorCycle> cycle;  ///< if it was asked for
-  double amplitude = 0;  ///< [m] half of the peak-to-peak normal displacement, largest of all nodes and sectors
-  double largest_penetration = 0;   ///< [m] 0 if there is none
-  double smallest_multiplier = 0;   ///< [N] negative if the casing pulled
-  std::int64_t contact_steps = 0;   ///< number of steps with at least one closed node
-  std::int64_t tension_steps = 0;   ///< number of steps with a negative multiplier
-  std::int64_t leftover_steps = 0;  ///< number of steps that leave a node clearly in the casing
-  double tension_share = 0;         ///< [1] share of tensile forces in the sum of the forces' magnitudes
-  double left_out_energy = 0;       ///< [1] share of the elastic energy in modes that have no mass or are dropped
-  EnergyLedger energy;
-  FrictionLoad friction;
-  ChatterAudit::Share chatter;
-};
-
 /// Marches some revolutions and records them.
 class Recording {
  public:
@@ -76,7 +51,7 @@ class Recording {
   /// Marches one revolution. Returns its normal displacements as march_revolution() does.
   Eigen::VectorXd revolution(TimeMarch& march);
   /// Completes the recording and moves it out; to be called once.
-  Recorded finish(const TimeMarch& march);
+  RecordedMotion finish(const TimeMarch& march);
 
  private:
   void take_states(const TimeMarch& march, int sample);
@@ -102,7 +77,7 @@ class Recording {
   std::vector<Eigen::VectorXcd> hardest_;  ///< modal coordinates at the sample with the largest contact force so far
   int hardest_sample_ = -1;
   std::vector<Eigen::MatrixXcd> cycle_;  ///< modal coordinates at all samples of the last revolutions; m x samples
-  Recorded kept_;
+  RecordedMotion kept_;
   Eigen::MatrixXd drag_, torque_;  ///< [N], [N m] means over the samples' intervals; samples x sectors; with friction
   double pushing_ = 0, pulling_ = 0;  ///< [N] sums of the forces' magnitudes
 };

@@ -41,10 +41,7 @@ struct SpeedAudit {
   /// [1] relative difference to the same speed from rest, for a sweep that carries its state along
   std::optional<double> rest_difference;
   OrbitReport orbit;
-  double left_out_energy = 0;       ///< [1] share of the elastic energy in modes without mass or dropped
   double compliance_condition = 0;  ///< [1] condition number of W
-  std::int64_t leftover_steps = 0;  ///< recorded steps that leave a node clearly in the casing
-  double tension_share = 0;         ///< [1] share of tensile forces in the sum of the magnitudes of contact forces
 };
 
 /// A start from which a critical speed is marched again.
@@ -124,47 +121,23 @@ enum class Depth {
 /// The settled response at one speed. Recorded sample s lies at the rotor angle 2 pi s / samples_per_revolution. Only
 /// the first `independent_sectors` = N / g sectors are kept, with g = gcd(N, lobes): sector j moves as sector
 /// j mod (N / g) at every instant.
-struct SpeedResponse {
+struct SpeedResponse : RecordedMotion {
   double speed = 0;     ///< [rad/s]
   std::string failure;  ///< empty, or why this speed has no response; then the arrays are empty
   int steps_per_revolution = 0;
-  int samples_per_revolution = 0;
-  int recorded_revolutions = 0;  ///< as the case says, or one period of a settled motion if that is less
-  int revolutions = 0;           ///< marched in all, the recorded ones included
+  int revolutions = 0;  ///< marched in all, the recorded ones included
   Depth depth = Depth::full;
-  double amplitude = 0;  ///< [m] half of the peak-to-peak normal displacement, largest of all nodes and sectors
   MotionClass motion = MotionClass::not_settled;
   int period_beats = 0;        ///< period of a periodic (1) or subharmonic motion, else 0
   int period_revolutions = 0;  ///< period of a settled motion; 0 if it has not settled
   double off_beat_energy = 0;  ///< [1] share of the mean square in the band that is at no multiple of lobes x Omega
-  double chatter = 0;          ///< [1] share of the mean square above the band
-  int chatter_node = 0;        ///< contact node with most chatter
   double change = 0;           ///< [1] relative change of the motion over the last period, or revolution
   double change_rate = 0;      ///< [1] factor of that change per revolution; below 1 it decays
 
   bool settled() const { return period_revolutions > 0; }
 
-  Eigen::VectorXd clearance;  ///< [m] at the contact nodes at this speed, spin included; n_c
-  /// [m] r, theta, z in the rotor frame, without the static shift; samples x (sector, node, component), the last
-  /// index fastest.
-  Eigen::MatrixXd displacement;
-  /// [N] along -normal, never negative with complementarity; the mean over the sample interval that starts at the
-  /// sample; samples x (sector, node).
-  Eigen::MatrixXd contact_force;
-  /// Steps in contact by area of the casing, over the recorded revolutions; (sector, node) x areas. Area a spans
-  /// the absolute angles 2 pi a/areas .. 2 pi (a+1)/areas.
-  Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic> contact_count;
-  /// At the first recorded sample with the largest contact force; files may have none.
-  std::optional<RotorSnapshot> snapshot;
-  std::optional<RotorCycle> cycle;  ///< at examined speeds
-
-  EnergyLedger energy;
-  FrictionLoad friction;
+  Eigen::VectorXd clearance;          ///< [m] at the contact nodes at this speed, spin included; n_c
   double step_ratio = 0;              ///< h omega_max / 2; central differences are stable below 1
-  double largest_penetration = 0;     ///< [m] of any node, over the recorded revolutions; 0 if none
-  double smallest_multiplier = 0;     ///< [N] below zero where the casing pulled
-  std::int64_t contact_steps = 0;     ///< recorded steps with at least one closed node
-  std::int64_t tension_steps = 0;     ///< recorded steps with a negative multiplier (with the paper's rule only)
   std::int64_t solver_fallbacks = 0;  ///< steps in which the active-set method cycled and Murty's method took over
   SpeedAudit audit;
   std::vector<OtherStart> other_starts;  ///< of an examined speed

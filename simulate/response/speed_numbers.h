@@ -145,10 +145,10 @@ void visit_audit(Speed& speed, Visit visit) {
   visit({"excluded_growth_uncertainty", "1", "uncertainty of that growth", not_negative},
         audit.excluded_growth_uncertainty);
   visit({"rest_difference", "1", "relative difference to the motion from rest", not_negative}, audit.rest_difference);
-  visit({"left_out_energy", "1", "elastic energy of modes left out, of all", any}, audit.left_out_energy);
+  visit({"left_out_energy", "1", "elastic energy of modes left out, of all", any}, speed.left_out_energy);
   visit({"compliance_condition", "1", "condition number of W", not_negative}, audit.compliance_condition);
-  visit({"leftover_steps", "1", "recorded steps that leave a node in the casing", whole}, audit.leftover_steps);
-  visit({"tension_share", "1", "share of tensile contact force", share}, audit.tension_share);
+  visit({"leftover_steps", "1", "recorded steps that leave a node in the casing", whole}, speed.leftover_steps);
+  visit({"tension_share", "1", "share of tensile contact force", share}, speed.tension_share);
 }
 
 /// Calls `visit(meaning, value)` with every number of a speed: one list for the writers and the reader. The value is

@@ -25,7 +25,7 @@ constexpr double still_there = 0.8;  // of the scanned height: the motion at the
 constexpr int retreats = 3;          // from a jump
 
 /// The engine order with the largest mean square, over all contact nodes and directions.
-int largest_order(const Recorded& motion) {
+int largest_order(const RecordedMotion& motion) {
   const int samples = motion.samples_per_revolution;
   Eigen::MatrixXd revolution = motion.displacement.topRows(samples);
   for (Eigen::Index first = samples; first < motion.displacement.rows(); first += samples)
@@ -66,7 +66,7 @@ AmplitudeAt scanned(const Scene& scene, int order, std::string& failure) {
       failure = motion.failure;
       return std::nullopt;
     }
-    const Recorded& recorded = motion.result->recorded;
+    const RecordedMotion& recorded = motion.result->recorded;
     return largest_order(recorded) == order ? recorded.amplitude : 0;
   };
 }
@@ -87,7 +87,7 @@ std::optional<RotorCycle> stressed_cycle(const SettledMotion& motion, int lobes)
 PeakVariation marched_peak(const Scene& scene, double speed, RotorState& state) {
   const RefinedMotion found = settle_within_tolerance(scene, rotor_of(scene, speed), state, CycleChoice::kept);
   state = state_of(*found.motion.march, scene.model);
-  const Recorded& recorded = found.motion.recorded;
+  const RecordedMotion& recorded = found.motion.recorded;
   PeakVariation peak;
   peak.speed = speed;
   peak.amplitude = recorded.amplitude;

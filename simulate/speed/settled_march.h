@@ -30,7 +30,7 @@ struct MarchPlan {
 /// A march at its settled motion, or as near to it as the allowed revolutions lead, and the recording of that motion.
 struct SettledMotion {
   std::unique_ptr<TimeMarch> march;  ///< at the end of the recording
-  Recorded recorded;
+  RecordedMotion recorded;
   MotionReading reading;
   SettlingState state;
   int revolutions = 0;              ///< in all, the recorded ones included
@@ -40,7 +40,8 @@ struct SettledMotion {
   bool has_settled() const { return state.settled == SettlingState::Settled::yes; }
   /// For difference(); refers to this motion.
   SampledMotion sampled() const {
-    return {recorded.displacement, recorded.samples_per_revolution, recorded.revolutions, state.period_revolutions};
+    return {recorded.displacement, recorded.samples_per_revolution, recorded.recorded_revolutions,
+            state.period_revolutions};
   }
 };
 

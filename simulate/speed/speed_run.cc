@@ -112,37 +112,19 @@ void report(const Attempt<MotionDifference>& halving, SpeedAudit& audit) {
 /// The part of a motion that response.h5 keeps.
 SpeedResponse response_of(SettledMotion motion) {
   SpeedResponse response;
+  static_cast<RecordedMotion&>(response) = std::move(motion.recorded);
   response.steps_per_revolution = motion.march->steps_per_revolution();
-  response.samples_per_revolution = motion.recorded.samples_per_revolution;
-  response.recorded_revolutions = motion.recorded.revolutions;
   response.revolutions = motion.revolutions;
-  response.amplitude = motion.recorded.amplitude;
   response.motion = motion.reading.motion;
   response.period_beats = motion.reading.period_beats;
   response.off_beat_energy = motion.reading.off_beat_energy;
   response.period_revolutions = motion.state.period_revolutions;
   response.change = motion.state.change;
   response.change_rate = motion.state.rate;
-  response.chatter = motion.recorded.chatter.share;
-  response.chatter_node = motion.recorded.chatter.node;
   response.clearance = motion.march->scene().obstacle.clearance();
-  response.displacement = std::move(motion.recorded.displacement);
-  response.contact_force = std::move(motion.recorded.contact_force);
-  response.contact_count = std::move(motion.recorded.contact_count);
-  response.snapshot = std::move(motion.recorded.snapshot);
-  response.cycle = std::move(motion.recorded.cycle);
-  response.energy = motion.recorded.energy;
-  response.friction = motion.recorded.friction;
   response.step_ratio = motion.step_ratio;
-  response.largest_penetration = motion.recorded.largest_penetration;
-  response.smallest_multiplier = motion.recorded.smallest_multiplier;
-  response.contact_steps = motion.recorded.contact_steps;
-  response.tension_steps = motion.recorded.tension_steps;
   response.solver_fallbacks = motion.march->contact().fallbacks();
-  response.audit.left_out_energy = motion.recorded.left_out_energy;
   response.audit.compliance_condition = motion.compliance_condition;
-  response.audit.leftover_steps = motion.recorded.leftover_steps;
-  response.audit.tension_share = motion.recorded.tension_share;
   return response;
 }
 

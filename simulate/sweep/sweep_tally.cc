@@ -16,8 +16,9 @@ constexpr double same_motion = 1e-2;        // relative difference to the motion
 constexpr double grazing = 1e-9;            // [m] rounding of an overlap
 constexpr double tolerated_tension = 1e-2;  // of the contact force
 
-std::string audit_text(const SpeedAudit& audit) {
+std::string audit_text(const SpeedResponse& response) {
   std::ostringstream text;
+  const SpeedAudit& audit = response.audit;
   const OrbitReport& orbit = audit.orbit;
   if (orbit.outcome == OrbitReport::Outcome::found)
     text << ", an orbit (residual " << orbit.residual << ", " << orbit.revolutions << " revolutions of maps), ";
@@ -35,7 +36,7 @@ std::string audit_text(const SpeedAudit& audit) {
   if (audit.symmetry == SymmetryVerdict::breaking) text << ": symmetry-breaking";
   if (audit.symmetry == SymmetryVerdict::undecided) text << ": undecided";
   if (audit.rest_difference) text << ", " << *audit.rest_difference << " from the motion from rest";
-  if (audit.left_out_energy > 0) text << ", modes left out hold " << audit.left_out_energy << " of the energy";
+  if (response.left_out_energy > 0) text << ", modes left out hold " << response.left_out_energy << " of the energy";
   return text.str();
 }
 
@@ -79,16 +80,16 @@ std::string speed_line(const SpeedResponse& response) {
        << " steps, change " << response.change << " (x " << response.change_rate << " a revolution), "
        << response.contact_steps << " steps in contact, energy closing error " << response.energy.closing_error;
   if (response.tension_steps > 0)
-    text << ", " << response.tension_steps << " steps with tensile contact forces (share "
-         << response.audit.tension_share << ")";
-  if (response.audit.leftover_steps > 0)
-    text << ", " << response.audit.leftover_steps << " steps leave up to " << response.largest_penetration
+    text << ", " << response.tension_steps << " steps with tensile contact forces (share " << response.tension_share
+         << ")";
+  if (response.leftover_steps > 0)
+    text << ", " << response.leftover_steps << " steps leave up to " << response.largest_penetration
          << " m of penetration";
   if (response.solver_fallbacks > 0) text << ", " << response.solver_fallbacks << " solver fallbacks";
   if (response.friction.rub_power_mean)
     text << ", friction takes " << *response.friction.rub_power_mean << " W, at most "
          << *response.friction.rub_power_largest << " W";
-  text << audit_text(response.audit) << ", cond W " << response.audit.compliance_condition;
+  text << audit_text(response) << ", cond W " << response.audit.compliance_condition;
   return text.str();
 }
 
@@ -101,7 +102,7 @@ void SweepTally::add(const SpeedResponse& response) {
   if (response.contact_steps > 0) ++touching;
   if (crest.size() > 0) closest = std::min(closest, approach(response, crest));
   if (response.tension_steps > 0) ++pulling;
-  if (response.audit.leftover_steps > 0) ++penetrating;
+  if (response.leftover_steps > 0) ++penetrating;
   if (response.audit.symmetry == SymmetryVerdict::breaking) breaking.push_back(response.speed);
   if (response.audit.orbit.outcome == OrbitReport::Outcome::marched) ++marched;
   if (response.audit.orbit.multiplier > 0 && response.contact_steps > 0) ++judged;
@@ -110,7 +111,7 @@ void SweepTally::add(const SpeedResponse& response) {
   farthest = std::max(farthest, response.audit.step_reached.value_or(0));
   if (response.audit.halving_difference) ++halved;
   largest_halving = std::max(largest_halving, response.audit.halving_difference.value_or(0));
-  tension_share = std::max(tension_share, response.audit.tension_share);
+  tension_share = std::max(tension_share, response.tension_share);
   rub_power = std::max(rub_power, response.friction.rub_power_mean.value_or(0));
 }
 

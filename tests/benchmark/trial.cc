@@ -123,7 +123,7 @@ const SpeedResponse& reference_of(const Trial& trial, Reference& reference) {
 std::string note_of(const SpeedResponse& at) {
   std::ostringstream text;
   text.precision(2);
-  if (at.audit.tension_share > 0) text << "pulls " << 100 * at.audit.tension_share << " % of the force";
+  if (at.tension_share > 0) text << "pulls " << 100 * at.tension_share << " % of the force";
   if (at.contact_steps == 0) text << "no contact";
   if (!repeats(at.motion)) text << (text.str().empty() ? "" : ", ") << name_of(at.motion);
   return text.str();

@@ -30,13 +30,13 @@ TEST(PapersRuleLimit, PullsAndLeavesNodesInTheCasing) {
   for (int steps : {6000, 24000}) {
     const SpeedResponse inside = rub(ContactRule::complementarity, steps), outside = rub(ContactRule::paper, steps);
     EXPECT_EQ(inside.tension_steps, 0);
-    EXPECT_EQ(inside.audit.leftover_steps, 0);
-    EXPECT_EQ(inside.audit.tension_share, 0.0);
+    EXPECT_EQ(inside.leftover_steps, 0);
+    EXPECT_EQ(inside.tension_share, 0.0);
     EXPECT_GE(inside.smallest_multiplier, 0.0);
     EXPECT_LT(inside.largest_penetration, 1e-11 * 1.5e-4);
     EXPECT_GT(outside.tension_steps, 0) << steps;
-    EXPECT_GT(outside.audit.leftover_steps, 0) << steps;
-    EXPECT_GT(outside.audit.tension_share, 0.0);
+    EXPECT_GT(outside.leftover_steps, 0) << steps;
+    EXPECT_GT(outside.tension_share, 0.0);
     EXPECT_LT(outside.smallest_multiplier, 0.0);
     EXPECT_GT(outside.largest_penetration, 1e-8 * 1.5e-4);
   }
@@ -88,9 +88,9 @@ TEST(FewModesLimit, IsNoneWithResidualFlexibility) {
     const SpeedResponse at = with_modes(Scheme::residual_flexibility, modes);
     EXPECT_EQ(at.failure, "");
     EXPECT_EQ(at.tension_steps, 0);
-    EXPECT_LT(at.audit.left_out_energy, last);
-    EXPECT_GT(at.audit.left_out_energy, 0);
-    last = at.audit.left_out_energy;
+    EXPECT_LT(at.left_out_energy, last);
+    EXPECT_GT(at.left_out_energy, 0);
+    last = at.left_out_energy;
   }
 }
 

@@ -20,7 +20,7 @@ void expect_agreement(double friction, int count) {
     EXPECT_EQ(at.trigonometric.failure + at.central.failure, "");
     EXPECT_GT(at.trigonometric.contact_steps, 0) << at.speed;
     EXPECT_EQ(at.trigonometric.tension_steps + at.central.tension_steps, 0) << at.speed;
-    EXPECT_EQ(at.trigonometric.audit.leftover_steps + at.central.audit.leftover_steps, 0) << at.speed;
+    EXPECT_EQ(at.trigonometric.leftover_steps + at.central.leftover_steps, 0) << at.speed;
     if (at.agree())
       ++agreeing;
     else

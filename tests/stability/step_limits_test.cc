@@ -104,7 +104,7 @@ TEST(PenaltyLimit, IsRefusedWithItsNumbersAndReportsPenetration) {
   const SpeedResponse inside = response(1000), outside = response(110000);
   EXPECT_EQ(inside.failure, "");
   EXPECT_GT(inside.largest_penetration, 1e-9);
-  EXPECT_GT(inside.audit.leftover_steps, 0);
+  EXPECT_GT(inside.leftover_steps, 0);
   EXPECT_NE(outside.failure.find("the penalty's springs included"), std::string::npos) << outside.failure;
 }
 

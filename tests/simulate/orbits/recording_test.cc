@@ -16,7 +16,7 @@ constexpr int samples = 60;
 
 struct RecordedBench {
   testing::Bench bench;
-  Recorded recorded;
+  RecordedMotion recorded;
 };
 
 /// Some revolutions of a wheel that hits two lobes.
@@ -53,9 +53,9 @@ TEST(Recording, SnapshotIsTheSampleOfTheLargestForce) {
   const ReducedModel model = testing::synthetic_wheel({});
   for (const int symmetry : {1, 2}) {
     const RecordedBench made = recorded_motion(model, symmetry, 2, 0);
-    const Recorded& recorded = made.recorded;
+    const RecordedMotion& recorded = made.recorded;
     EXPECT_FALSE(recorded.cycle.has_value());
-    const RotorSnapshot& snapshot = recorded.snapshot;
+    const RotorSnapshot& snapshot = *recorded.snapshot;
     const Eigen::VectorXd forces = recorded.contact_force.rowwise().sum();
     EXPECT_GT(forces.maxCoeff(), 0);
     EXPECT_DOUBLE_EQ(forces[snapshot.sample], forces.maxCoeff());
@@ -73,7 +73,7 @@ TEST(Recording, CycleHoldsEverySampleOfTheLastRevolutions) {
   const ReducedModel model = testing::synthetic_wheel({});
   for (const int kept : {1, 3, 5}) {
     const RecordedBench made = recorded_motion(model, 2, 3, kept);
-    const Recorded& recorded = made.recorded;
+    const RecordedMotion& recorded = made.recorded;
     ASSERT_TRUE(recorded.cycle.has_value());
     const RotorCycle& cycle = *recorded.cycle;
     EXPECT_EQ(cycle.first_sample, (3 - std::min(kept, 3)) * samples);
@@ -86,9 +86,9 @@ TEST(Recording, CycleHoldsEverySampleOfTheLastRevolutions) {
       const Eigen::Index sample = cycle.first_sample + column;
       const Eigen::VectorXd there = recorded.displacement.row(sample).transpose();
       EXPECT_LT((contact_motion(states, made, model) - there).norm(), 1e-12 * size) << "sample " << sample;
-      if (sample != recorded.snapshot.sample) continue;
+      if (sample != recorded.snapshot->sample) continue;
       for (std::size_t i = 0; i < states.size(); ++i)
-        EXPECT_LT((states[i] - recorded.snapshot.displacement[i]).norm(), 1e-12 * size);
+        EXPECT_LT((states[i] - recorded.snapshot->displacement[i]).norm(), 1e-12 * size);
     }
   }
 }
@@ -104,7 +104,7 @@ TEST(Recording, CountsTheStepsThatAnAreaHas) {
     for (int i = 0; i < warm_up; ++i) march_revolution(bench.march, samples);
     Recording recording(bench.march, {samples, revolutions, areas, 1e-12, 0});
     for (int i = 0; i < revolutions; ++i) recording.revolution(bench.march);
-    const Recorded recorded = recording.finish(bench.march);
+    const RecordedMotion recorded = recording.finish(bench.march);
     for (int sector = 0; sector < bench.march.sectors(); ++sector)
       for (int node = 0; node < model.contact.size(); ++node) {
         const CasingSteps way{model.contact.position(node, 1), sector, model.sector_count, steps};

@@ -328,7 +328,7 @@ const std::vector<Wrong> wrong_speeds = {
      "attribute samples_per_revolution is 1, must be at least 2"},
     {"fewer than no steps", [](Response& r) { first(r).contact_steps = -3; },
      "attribute contact_steps is -3, must be at least 0"},
-    {"more steps than are counted", [](Response& r) { first(r).audit.leftover_steps = 10000000000000000; },
+    {"more steps than are counted", [](Response& r) { first(r).leftover_steps = 10000000000000000; },
      "attribute leftover_steps is 1e+16"},
     {"a negative amplitude", [](Response& r) { first(r).amplitude = -1; }, "attribute amplitude is -1"},
     {"a node that there isn't", [](Response& r) { first(r).chatter_node = 3; },

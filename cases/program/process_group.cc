@@ -10,13 +10,9 @@
 #include <sanitizer/lsan_interface.h>
 #endif
 
-#include "cases/program/mpirun.h"
-
 namespace tiprub {
 
 namespace {
-
-constexpr long long beyond_any_list = 1LL << 40;
 
 // Components of MPI lose memory, and are no longer loaded when leaks are looked for: no suppression can name them.
 #ifdef TIPRUB_SANITIZED
@@ -80,10 +76,6 @@ std::size_t ProcessGroup::add(long long increment) {
   return static_cast<std::size_t>(before);
 }
 
-std::size_t ProcessGroup::next() {
-  return add(1);
-}
-
 void ProcessGroup::restart() {
   shared_->counter = 0;
   if (shared_->window == MPI_WIN_NULL) return;
@@ -94,10 +86,6 @@ void ProcessGroup::restart() {
     MPI_Win_unlock(0, shared_->window);
   }
   MPI_Barrier(MPI_COMM_WORLD);
-}
-
-void ProcessGroup::stop() {
-  add(beyond_any_list);
 }
 
 void ProcessGroup::agree(const std::exception_ptr& failure) {

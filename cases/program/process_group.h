@@ -2,11 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <vector>
 
 namespace tiprub {
+
+/// Whether mpirun or srun started this process, as the environment variables of Open MPI, of MPICH and Intel MPI, and
+/// of Slurm's PMIx tell.
+inline bool started_together() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
+    if (std::getenv(name) != nullptr) return true;
+  return false;
+}
 
 /// Starts MPI, for one call of it at a time; and ends it.
 void start_mpi();
@@ -36,11 +45,11 @@ class ProcessGroup {
 
   /// Returns 0, 1, 2, ...: each number goes to one caller only, in any thread of any process. It is one atomic
   /// addition in the memory of the leader; no process waits for another.
-  std::size_t next();
+  std::size_t next() { return add(1); }
   /// Lets next() start again at 0. All processes must call it after the last number of a list has been taken.
   void restart();
   /// From now on next() gives numbers beyond any list.
-  void stop();
+  void stop() { add(beyond_any_list); }
   /// Waits for all processes, which must all call it. If some have failed, raises the failure of the first of them
   /// there and FailedElsewhere in the others, which would otherwise wait for ever. After that it waits no more.
   void agree(const std::exception_ptr& failure);
@@ -62,6 +71,8 @@ class ProcessGroup {
 
  private:
   struct Shared;
+  static constexpr long long beyond_any_list = 1LL << 40;
+
   std::size_t add(long long increment);
 
   int rank_ = 0, size_ = 1, local_size_ = 1;

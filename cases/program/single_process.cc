@@ -3,16 +3,9 @@
 #include <atomic>
 
 #include "cases/program/errors.h"
-#include "cases/program/mpirun.h"
 #include "cases/program/process_group.h"
 
 namespace tiprub {
-
-namespace {
-
-constexpr long long beyond_any_list = 1LL << 40;
-
-}  // namespace
 
 struct ProcessGroup::Shared {
   std::atomic<long long> counter = 0;
@@ -22,8 +15,7 @@ ProcessGroup::ProcessGroup() : shared_(std::make_unique<Shared>()) {
   if (started_together())
     throw RunError(
         "mpirun started this program, which was built without MPI (TIPRUB_MPI=OFF), so that each process would do "
-        "all "
-        "the work; start it without mpirun, and share the speeds with --threads");
+        "all the work; start it without mpirun, and share the speeds with --threads");
 }
 
 ProcessGroup::~ProcessGroup() = default;
@@ -32,16 +24,8 @@ std::size_t ProcessGroup::add(long long increment) {
   return static_cast<std::size_t>(shared_->counter.fetch_add(increment));
 }
 
-std::size_t ProcessGroup::next() {
-  return add(1);
-}
-
 void ProcessGroup::restart() {
   shared_->counter = 0;
-}
-
-void ProcessGroup::stop() {
-  add(beyond_any_list);
 }
 
 void ProcessGroup::agree(const std::exception_ptr& failure) {

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reduce/operators/scratch_folder.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <string>
@@ -26,39 +20,21 @@ std::filesystem::path new_folder(const std::filesystem::path& parent) {
   return name;
 }
 
-/// Starts the shell, in a session of its own: a signal to the terminal's or to mpirun's processes passes it by.
-int start_watcher(int waits_for, const std::string& folder) {
-  constexpr const char* script = "read -r end; exec rm -rf -- \"$1\"";
-  std::array<const char*, 6> arguments = {"sh", "-c", script, "sh", folder.c_str(), nullptr};
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, waits_for, STDIN_FILENO);
-  for (const int output : {STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&files, output, "/dev/null", O_WRONLY, 0);
-  posix_spawnattr_t session;
-  posix_spawnattr_init(&session);
-  posix_spawnattr_setflags(&session, POSIX_SPAWN_SETSID);
-  pid_t process = -1;
-  if (posix_spawn(&process, "/bin/sh", &files, &session, const_cast<char* const*>(arguments.data()), environ) != 0)
-    process = -1;
-  posix_spawnattr_destroy(&session);
-  posix_spawn_file_actions_destroy(&files);
-  return process;
-}
-
 }  // namespace
 
 ScratchFolder::ScratchFolder(const std::filesystem::path& parent) : path_(new_folder(parent)) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;  // the folder then stays if the process is killed
-  alive_ = ends[1];
-  watcher_ = start_watcher(ends[0], path_.string());
-  ::close(ends[0]);
+  // Reads the name of the folder until this process closes the pipe or ends. It has a session of its own: a signal to
+  // the processes of the terminal or of mpirun passes it by.
+  constexpr const char* watcher =
+      "exec setsid sh -c 'folder=$(cat; echo .); exec rm -rf -- \"${folder%.}\"' >/dev/null 2>&1";
+  watcher_ = ::popen(watcher, "we");
+  if (watcher_ == nullptr) return;  // the folder then stays if the process is killed
+  std::fputs(path_.c_str(), watcher_);
+  std::fflush(watcher_);
 }
 
 ScratchFolder::~ScratchFolder() {
-  if (alive_ >= 0) ::close(alive_);
-  if (watcher_ > 0) ::waitpid(watcher_, nullptr, 0);
+  if (watcher_ != nullptr) ::pclose(watcher_);
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 
 namespace tiprub::reduce {
@@ -20,8 +21,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
-  int alive_ = -1;  ///< end of a pipe; the shell waits until all copies of it are closed
-  int watcher_ = -1;
+  std::FILE* watcher_ = nullptr;  ///< a pipe to the shell
 };
 
 }  // namespace tiprub::reduce

@@ -131,8 +131,4 @@ NamedMesh named_groups(const MeshedSector& mesh) {
   return named;
 }
 
-void write_sector(const MeshedSector& mesh, const std::filesystem::path& path) {
-  write_mesh(named_groups(mesh), path);
-}
-
 }  // namespace tiprub::mesh

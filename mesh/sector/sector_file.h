@@ -32,7 +32,4 @@ void write_mesh(const NamedMesh& mesh, const std::filesystem::path& path);
 /// The sector with the named groups that mesh/format.md lists.
 NamedMesh named_groups(const MeshedSector& mesh);
 
-/// Writes these.
-void write_sector(const MeshedSector& mesh, const std::filesystem::path& path);
-
 }  // namespace tiprub::mesh

@@ -15,12 +15,6 @@ constexpr double dependence_tolerance = 1e-10;  // of a unit direction, in squar
 
 }  // namespace
 
-// eq. 10: Y_r = T^H Y T for Y = K0, K1, K2, M.
-Eigen::MatrixXcd project(const CyclicTransformation& transform, const SymmetricMatrix& matrix,
-                         const Eigen::MatrixXcd& basis) {
-  return hermitian_part(basis.adjoint() * transform.apply(matrix, basis));
-}
-
 CraigBamptonBasis::CraigBamptonBasis(const CyclicTransformation& transform, const SymmetricMatrix& mass,
                                      std::vector<const SymmetricMatrix*> stiffness,
                                      const Eigen::MatrixXcd& constraint_modes)

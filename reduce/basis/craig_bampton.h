@@ -73,8 +73,4 @@ class CraigBamptonBasis {
   Eigen::MatrixXcd weights_;                          // raw shapes without constraint modes x generalized dofs
 };
 
-/// eq. 10: T^H Y T for a sector matrix and a basis; Hermitian, and real for a standing transform.
-Eigen::MatrixXcd project(const CyclicTransformation& transform, const SymmetricMatrix& matrix,
-                         const Eigen::MatrixXcd& basis);
-
 }  // namespace tiprub::reduce

@@ -32,7 +32,7 @@ class ReadBack {
  public:
   explicit ReadBack(const MeshedSector& mesh) {
     const std::filesystem::path path = scratch_file("read_back");
-    write_sector(mesh, path);
+    write_mesh(named_groups(mesh), path);
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::open(path.string());
@@ -122,8 +122,8 @@ TEST(SectorFile, ABareDiscHasItsContactOnTheRim) {
 
 TEST(SectorFile, SameInputSameBytes) {
   const std::filesystem::path first = scratch_file("first"), second = scratch_file("second");
-  write_sector(sector_from(case_text("fast_impeller")), first);
-  write_sector(sector_from(case_text("fast_impeller")), second);
+  write_mesh(named_groups(sector_from(case_text("fast_impeller"))), first);
+  write_mesh(named_groups(sector_from(case_text("fast_impeller"))), second);
   EXPECT_EQ(bytes_of(first), bytes_of(second));
   EXPECT_GT(bytes_of(first).size(), 0u);
   std::filesystem::remove(first);
@@ -131,7 +131,7 @@ TEST(SectorFile, SameInputSameBytes) {
 }
 
 TEST(SectorFile, AFileThatCannotBeWrittenIsAnError) {
-  EXPECT_THROW(write_sector(sector_from(test::annular_plate(1)), "/no/such/folder/sector.msh"), RunError);
+  EXPECT_THROW(write_mesh(named_groups(sector_from(test::annular_plate(1))), "/no/such/folder/sector.msh"), RunError);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "reduce/model/dense_eigen.h"
+
 namespace tiprub::reduce::test {
 
 Eigen::MatrixXd dense(const SymmetricMatrix& lower) {
@@ -27,6 +29,11 @@ Eigen::MatrixXcd phase_matrix(const SectorDofs& dofs, int sector_count, int noda
 Eigen::MatrixXcd cyclic(const SymmetricMatrix& matrix, const SectorDofs& dofs, int sector_count, int nodal_diameter) {
   const Eigen::MatrixXcd T = phase_matrix(dofs, sector_count, nodal_diameter);
   return T.adjoint() * dense(matrix) * T;
+}
+
+Eigen::MatrixXcd project(const CyclicTransformation& transform, const SymmetricMatrix& matrix,
+                         const Eigen::MatrixXcd& basis) {
+  return hermitian_part(basis.adjoint() * transform.apply(matrix, basis));
 }
 
 Eigen::MatrixXd solved(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b) {

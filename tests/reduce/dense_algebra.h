@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include "reduce/operators/cyclic_transformation.h"
 #include "reduce/sector/rotating_elasticity.h"
 
 namespace tiprub::reduce::test {
@@ -15,6 +16,10 @@ Eigen::MatrixXcd phase_matrix(const SectorDofs& dofs, int sector_count, int noda
 
 /// T^H Y T written out.
 Eigen::MatrixXcd cyclic(const SymmetricMatrix& matrix, const SectorDofs& dofs, int sector_count, int nodal_diameter);
+
+/// eq. 10: T^H Y T for a sector matrix and a basis; Hermitian, and real for a standing transform.
+Eigen::MatrixXcd project(const CyclicTransformation& transform, const SymmetricMatrix& matrix,
+                         const Eigen::MatrixXcd& basis);
 
 /// A^-1 b of a Hermitian positive definite A.
 Eigen::MatrixXd solved(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);

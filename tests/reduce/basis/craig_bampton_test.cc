@@ -12,6 +12,7 @@ namespace {
 
 using test::cyclic;
 using test::difference;
+using test::project;
 using test::TestRotor;
 
 constexpr int sectors = 5;

@@ -12,6 +12,7 @@ namespace tiprub::reduce::mode_following_test {
 namespace {
 
 using test::cyclic;
+using test::project;
 using test::TestRotor;
 
 constexpr int sectors = 5, count = 6;

@@ -69,7 +69,7 @@ bool is_known(const MeshError& error) {
 class Reducer {
  public:
   Reducer(const SectorMesh& mesh, const ReductionParameters& parameters, Progress& progress, FieldsWriter* fields,
-          ProcessGroup& group)
+          ProcessGroup* group)
       : mesh_(mesh),
         parameters_(parameters),
         progress_(progress),
@@ -80,8 +80,8 @@ class Reducer {
         factors_{FactorMethod::cholmod, parameters.scratch_folder} {
     for (int n = 0; n <= mesh.sector_count / 2; ++n) transforms_.emplace_back(dofs_, mesh.sector_count, n);
     std::vector<double> with_fields = {fields == nullptr ? 0.0 : 1.0};
-    group.agree(nullptr);
-    group.share(with_fields);
+    if (group != nullptr) group->agree(nullptr);
+    if (group != nullptr) group->share(with_fields);
     with_fields_ = with_fields.front() != 0;
   }
 
@@ -107,7 +107,7 @@ class Reducer {
     report.newton_residual = sector.shape().equilibria.newton_residual;
     timed(report, "shape under spin");
     ReducedModel model = describe(sector.shape());
-    if (group_.leads() && sector.elasticity() != nullptr)
+    if (leads() && sector.elasticity() != nullptr)
       model.contact.second_order = second_order_gap(sector, at_rest, contact_);
     timed(report, "second order of the gap");
     sector.sample();
@@ -122,7 +122,7 @@ class Reducer {
       return reduce_diameters({sector, at_rest, at_top, mesh_error ? &*mesh_error : nullptr}, model, report);
     });
     timed(report, "modes, bases, verification");
-    if (!group_.leads()) return model;
+    if (!leads()) return model;
     fit_polynomial(stiffness, sector.samples(), parameters_, model);  // eq. 7
     find_reduced_frequencies(model);
     timed(report, "model");
@@ -130,6 +130,8 @@ class Reducer {
   }
 
  private:
+  bool leads() const { return group_ == nullptr || group_->leads(); }
+
   /// The data that all nodal diameters share.
   struct Shared {
     const SpinningSector& sector;
@@ -157,7 +159,8 @@ class Reducer {
     const MemoryNeed need = memory_need_of(samples);
     report.memory_available = available_at_start_;
     report.memory_by_cholmod = need.total(FactorMethod::cholmod);
-    report.factor_method = factors_.method = choose_method(need, parameters_, group_.local_size());
+    report.factor_method = factors_.method =
+        choose_method(need, parameters_, group_ == nullptr ? 1 : group_->local_size());
     start_threads(need, factors_.method, parameters_.threads);
     report.memory_needed = need.total(factors_.method);
   }
@@ -284,10 +287,12 @@ class Reducer {
       if (model.mesh_error && n == 0) model.mesh_error->compliance = std::move(result.compliance_errors);
       of_cells.keep(n, result);
     };
-    share_diameters(
-        group_, static_cast<int>(diameters), parameters_.threads, [&](int n) { return reduce_diameter(shared, n); },
-        keep);
-    if (model.mesh_error && group_.leads()) {
+    const auto reduce = [&](int n) { return reduce_diameter(shared, n); };
+    if (group_ == nullptr || group_->size() == 1)
+      reduce_in_rounds(static_cast<int>(diameters), parameters_.threads, reduce, keep);
+    else
+      share_diameters(*group_, static_cast<int>(diameters), parameters_.threads, reduce, keep);
+    if (model.mesh_error && leads()) {
       report.mesh_error_unknown = !is_known(*model.mesh_error);
       report.mesh_error_unknown ? model.mesh_error.reset() : of_cells.write(fields_);
     }
@@ -349,7 +354,7 @@ class Reducer {
   const ReductionParameters& parameters_;
   Progress& progress_;
   FieldsWriter* fields_;
-  ProcessGroup& group_;
+  ProcessGroup* group_;
   bool with_fields_ = false;  ///< the leader writes them
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::clock_t processor_ = std::clock();
@@ -364,10 +369,10 @@ class Reducer {
 }  // namespace
 
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown shown,
-                    ReductionReport& report, FieldsWriter* fields, ProcessGroup& group) {
-  Progress progress("reducing", Reducer::steps(mesh, group.size()), shown);
+                    ReductionReport& report, FieldsWriter* fields, ProcessGroup* group) {
+  Progress progress("reducing", Reducer::steps(mesh, group == nullptr ? 1 : group->size()), shown);
   ReducedModel model = Reducer(mesh, parameters, progress, fields, group).run(report);
-  if (group.leads()) model.effects = effects_of(model);
+  if (group == nullptr || group->leads()) model.effects = effects_of(model);
   return model;
 }
 

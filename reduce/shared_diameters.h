@@ -27,11 +27,16 @@ struct DiameterResult {
 /// The independent components of shape k of a basis.
 using ShapeOfBasis = std::function<Eigen::VectorXcd(Eigen::Index k)>;
 
+/// Reduces nodal diameters 0 .. `diameters` - 1, as many at once as there are threads, and keeps them in order, so
+/// that fields.h5 has the same bytes every time.
+void reduce_in_rounds(int diameters, int threads, const std::function<DiameterResult(int n)>& reduce,
+                      const std::function<void(int n, DiameterResult, const ShapeOfBasis&)>& keep);
+
 /// Calls reduce(n) for each nodal diameter in process n modulo their number, and keep(n, result, shapes) in the
-/// leader, in ascending order, so that fields.h5 has the same bytes every time; all must call this. They work in
-/// rounds of as many nodal diameters as they have threads. After each round the leader gets the results, bit for bit,
-/// and all end if one has failed. The shapes arrive one at a time, because they are large; if a result has some,
-/// keep() must ask for all of them, in their order.
+/// leader, in ascending order; all must call this. They work in rounds of as many nodal diameters as they have
+/// threads. After each round the leader gets the results, bit for bit, and all end if one has failed. The shapes
+/// arrive one at a time, because they are large; if a result has some, keep() must ask for all of them, in their
+/// order.
 void share_diameters(ProcessGroup& group, int diameters, int threads,
                      const std::function<DiameterResult(int n)>& reduce,
                      const std::function<void(int n, DiameterResult, const ShapeOfBasis&)>& keep);

@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "reduce/reduction.h"
 #include "reduce/sector/rotating_elasticity.h"
 #include "tests/reduce/brick_grid.h"
 
@@ -64,12 +63,5 @@ class TestRotor {
 
 /// A rotor of one sector whose contact nodes are the first and the last of the tip line.
 TestRotor tip_rotor(const Annulus& annulus, const Material& material = steel());
-
-/// The model of a sector, reduced by this process alone.
-inline ReducedModel reduced(const SectorMesh& mesh, const ReductionParameters& parameters, ReductionReport& report,
-                            FieldsWriter* fields = nullptr) {
-  ProcessGroup alone;
-  return reduce(mesh, parameters, Progress::Shown::never, report, fields, alone);
-}
 
 }  // namespace tiprub::reduce::test

@@ -206,7 +206,7 @@ TEST(CubicModel, HasContactAtMidSideNodesAndFieldsAtTheNodesOfTheFile) {
   const std::string path = testing::TempDir() + "cubic_fields.h5";
   FieldsWriter writer(path, "test");
   ReductionReport report;
-  const ReducedModel model = test::reduced(mesh, parameters, report, &writer);
+  const ReducedModel model = reduce(mesh, parameters, Progress::Shown::never, report, &writer);
   writer.close(digest(model));
   TestRotor rotor(mesh, given.contact_line);
   EXPECT_EQ(report.sector_dofs, rotor.dofs().sector());

@@ -155,17 +155,18 @@ Check symmetry_check(const Study& study) {
   return check;
 }
 
-/// Between the speeds that were simulated, scanned, or failed: a resonance with the smallest damping of all modes may
-/// hide there, unless nothing excites the wheel.
+/// Between the speeds that were simulated or scanned without failure: a resonance with the smallest damping of all
+/// modes may hide there, unless nothing excites the wheel.
 Check range_check(const Study& study) {
-  std::set<double> speeds(study.response.scanned_speeds.begin(), study.response.scanned_speeds.end());
-  for (const auto* list : {&study.response.speeds, &study.failed})
-    for (const SpeedResponse& speed : *list) speeds.insert(speed.speed);
+  std::set<double> speeds;
+  for (Eigen::Index k = 0; k < study.response.scanned_speeds.size(); ++k)
+    if (study.response.scanned_amplitudes[k] >= 0) speeds.insert(study.response.scanned_speeds[k]);
+  for (const SpeedResponse& speed : study.response.speeds) speeds.insert(speed.speed);
   Check check{
       .subject = "speeds over the range",
       .what = "distance of neighbours, scanned ones too, over the half-width of the least damped resonance [1]",
       .limit = finding_spacing,
-      .speeds = static_cast<int>(speeds.size()) - 1};
+      .speeds = std::max(static_cast<int>(speeds.size()) - 1, 0)};
   const std::optional<double> damping = study.curves.smallest_damping_ratio();
   const bool excited = damping && !study.no_tip_touches() && !speeds.empty();
   if (excited && *damping == 0)  // no distance is small enough for a resonance without width

@@ -110,7 +110,11 @@ std::string sweep_sentence(const Study& study) {
     ++apart;
     if (largest == nullptr || change(compared) > change(*largest)) largest = &compared;
   }
-  if (largest == nullptr) return "Sweeps up and down reach the same motions as marches from rest.";
+  const auto shared = std::ranges::count_if(study.sweeps, [](const SweepComparison& at) { return at.up || at.down; });
+  if (shared == 0) return "The sweeps share no speed with the response from rest.";
+  if (largest == nullptr)
+    return "At " + counted(static_cast<std::size_t>(shared), "speed") + " of " + std::to_string(study.sweeps.size()) +
+           ", sweeps reach the same motions as marches from rest.";
   return "At " + counted(apart, "speed") +
          " more than one motion exists: sweeps differ from the response from rest, most at " +
          rpm_text(study.response.speeds[static_cast<std::size_t>(largest->index)].speed) + ", by " +

@@ -203,6 +203,18 @@ TEST(SpeedSpacing, WhatIsTooFarApartIsSaidFirst) {
   EXPECT_EQ(speeds_caveat(coarse), " (not trustworthy: speeds too far apart)");
 }
 
+/// Symptom: of 153 speeds, a block that had failed counted as simulated, and a resonance in it was said to be
+/// excluded.
+TEST(SpeedSpacing, FailedSpeedsLeaveAGap) {
+  for (const bool fail : {false, true}) {
+    Response response = through(even(401, resonance(14711)));
+    if (fail)
+      for (std::size_t k = 200; k < 300; ++k) response.speeds[k].failure = "diverged";
+    const std::vector<Check> checks = exactness_checks(study_of(std::move(response)));
+    EXPECT_EQ(check_of(checks, "speeds over the range").verdict, fail ? CheckVerdict::failed : CheckVerdict::passed);
+  }
+}
+
 /// Symptom: without damping, where a resonance has no width, the distance of the speeds was not looked at.
 TEST(SpeedSpacing, IsNeverNarrowEnoughWithoutDamping) {
   Response response = through(even(401, resonance(14711)));
@@ -227,6 +239,7 @@ TEST(SpeedSpacing, ScannedSpeedsCloseTheRange) {
   Response response = through(even(27, [](double rpm) { return 1e-6 * rpm; }));
   EXPECT_TRUE(speeds_too_far_apart(study_of(response)));
   response.scanned_speeds = Eigen::VectorXd::LinSpaced(209, 12000 * rad_s_per_rpm, 18000 * rad_s_per_rpm);
+  response.scanned_amplitudes = Eigen::VectorXd::Zero(209);
   EXPECT_FALSE(speeds_too_far_apart(study_of(response)));
 }
 

@@ -4,8 +4,8 @@
 
 usage: publish.py PROGRAMS_FOLDER CASE_FOLDER
 
-numbers.tsv names the version and the commit of the programs, and the day. The commit ends with "+" if files differed from it. A study, which
-has no case of its own, has its tables and pictures copied, and version_numbers.tsv names the same.
+numbers.tsv names the version and the commit of the programs, and the day. The commit ends with "+" if files differed from it. Of a study,
+which has no case of its own, tables and pictures are copied, and version_numbers.tsv names the same.
 """
 import csv
 import datetime

@@ -215,6 +215,19 @@ TEST(SpeedSpacing, FailedSpeedsLeaveAGap) {
   }
 }
 
+/// Symptom: a report said that sweeps reach the same motions where no speed had been compared.
+TEST(SpeedSpacing, SweepsAreToldWithTheNumberOfSpeedsThatTheyShare) {
+  Study study = study_of(even(27, resonance(14711)));
+  const auto tells = [&](const std::string& sentence) {
+    const std::vector<std::string> lines = summary(study, field_results(std::nullopt, study.critical));
+    return std::find(lines.begin(), lines.end(), sentence) != lines.end();
+  };
+  study.sweeps.assign(3, SweepComparison());
+  EXPECT_TRUE(tells("The sweeps share no speed with the response from rest."));
+  study.sweeps[1].up = SweptSpeed();
+  EXPECT_TRUE(tells("At 1 speed of 3, sweeps reach the same motions as marches from rest."));
+}
+
 /// Symptom: without damping, where a resonance has no width, the distance of the speeds was not looked at.
 TEST(SpeedSpacing, IsNeverNarrowEnoughWithoutDamping) {
   Response response = through(even(401, resonance(14711)));

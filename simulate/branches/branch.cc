@@ -28,6 +28,8 @@ constexpr int newton_iterations = 10;  // of a step that is not shortened
 constexpr double linear_tolerance = 1e-3;
 constexpr double longest_step = 8;  // first steps
 constexpr double shortest_step = 1e-4;
+constexpr double correction = 0.2;       // of a step, at most
+constexpr double kink = 0.01;            // of the state: a shorter correction is never refused
 constexpr double at_bound = 1e-9;        // of the speed
 constexpr double there_and_back = 1e-5;  // of the speed, between two folds
 
@@ -60,26 +62,52 @@ Teuchos::RCP<Teuchos::ParameterList> settings(double speed, const BranchLimits& 
   return list;
 }
 
-/// Whether the residual is small against the state, which may grow a hundredfold along a branch.
-bool has_small_residual(const NOX::Solver::Generic& solver) {
-  const NOX::Abstract::Group& now = solver.getSolutionGroup();
-  const auto* extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedVector*>(&now.getX());
-  const double size = extended ? extended->getXVec()->norm() : now.getX().norm();
-  return now.isF() && now.getNormF() <= residual * size;
-}
-
-Teuchos::RCP<NOX::StatusTest::Generic> test() {
-  auto any = Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR));
-  any->addStatusTest(Teuchos::rcp(new StopsWhen(has_small_residual)));
-  any->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(newton_iterations)));
-  return any;
-}
-
 /// One orbit.
 struct Point {
   double speed;           ///< [rad/s]
   Eigen::VectorXd state;  ///< of the family
 };
+
+/// The orbit's state, without the speed.
+Eigen::Map<const Eigen::VectorXd> state_of(const NOX::Solver::Generic& solver) {
+  const NOX::Abstract::Vector& whole = solver.getSolutionGroup().getX();
+  const auto* extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedVector*>(&whole);
+  return numbers(extended ? *extended->getXVec() : whole);
+}
+
+/// Whether the residual is small against the state, which may grow a hundredfold along a branch.
+bool has_small_residual(const NOX::Solver::Generic& solver) {
+  const NOX::Abstract::Group& now = solver.getSolutionGroup();
+  return now.isF() && now.getNormF() <= residual * state_of(solver).norm();
+}
+
+/// Whether the iteration has ended at an orbit that is far from the predicted one, for the step that was made: other
+/// branches pass nearby, and Newton's method may end on one of them. A kink of the branch is passed with short steps.
+class LeavesBranch {
+ public:
+  explicit LeavesBranch(const std::vector<Point>& points) : points_(points) {}
+
+  bool operator()(const NOX::Solver::Generic& solver) {
+    const auto state = state_of(solver);
+    if (solver.getNumIterations() == 0) predicted_ = state;
+    if (points_.empty() || !has_small_residual(solver)) return false;
+    const Eigen::VectorXd& before = points_.back().state;
+    return (state - predicted_).norm() > std::max(correction * (state - before).norm(), kink * before.norm());
+  }
+
+ private:
+  const std::vector<Point>& points_;
+  Eigen::VectorXd predicted_;
+};
+
+/// Refers to the points.
+Teuchos::RCP<NOX::StatusTest::Generic> test_after(const std::vector<Point>& points) {
+  auto any = Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR));
+  any->addStatusTest(Teuchos::rcp(new StopsWhen(LeavesBranch(points), NOX::StatusTest::Failed)));
+  any->addStatusTest(Teuchos::rcp(new StopsWhen(has_small_residual)));
+  any->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(newton_iterations)));
+  return any;
+}
 
 /// One side of a branch, from its start.
 struct Side {
@@ -117,7 +145,7 @@ Side follow_side(const Scene& scene, double speed, int steps_per_revolution, con
   const auto group = Teuchos::rcp(new OrbitGroup(
       global, [&](double at) { return family.at(at); }, speed, state));
   group->call_at_solutions([&](double at, const Eigen::VectorXd& found) { side.points.push_back({at, found}); });
-  LOCA::Stepper stepper(global, group, test(), list);
+  LOCA::Stepper stepper(global, group, test_after(side.points), list);
   try {
     stepper.run();
   } catch (const NoMotion&) {  // the rotor is unstable or the clearance is closed: the branch ends there

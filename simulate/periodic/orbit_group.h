@@ -32,18 +32,18 @@ void be_quiet(Teuchos::ParameterList& printing);
 class StopsWhen final : public NOX::StatusTest::Generic {
  public:
   using Condition = std::function<bool(const NOX::Solver::Generic&)>;
-  explicit StopsWhen(Condition holds) : holds_(std::move(holds)) {}
+  using Status = NOX::StatusTest::StatusType;
+  explicit StopsWhen(Condition holds, Status then = Status::Converged) : holds_(std::move(holds)), then_(then) {}
 
-  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
-                                          NOX::StatusTest::CheckType /*type*/) override {
-    return status_ = holds_(solver) ? NOX::StatusTest::Converged : NOX::StatusTest::Unconverged;
+  Status checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType /*type*/) override {
+    return status_ = holds_(solver) ? then_ : Status::Unconverged;
   }
-  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  Status getStatus() const override { return status_; }
   std::ostream& print(std::ostream& stream, int /*indent*/) const override { return stream; }
 
  private:
   Condition holds_;
-  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+  Status then_, status_ = Status::Unevaluated;
 };
 
 /// The equation F(x; p) - x = 0 as NOX and LOCA see it: a state x, its residual, and solutions with the Jacobian DF -

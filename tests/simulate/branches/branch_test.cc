@@ -14,6 +14,7 @@
 #include "simulate/speed/speed_run.h"
 #include "tests/simulate/branches/exact_orbit.h"
 #include "tests/simulate/branches/one_sided_spring.h"
+#include "tests/simulate/one_sector.h"
 #include "tests/simulate/periodic/rebounding_mass.h"
 #include "tests/simulate/synthetic_wheel.h"
 
@@ -170,6 +171,42 @@ TEST(Branch, HasFoldsThatConvergeToTheExactOnes) {
   }
   expect_first_order(lower, "lower fold");
   expect_first_order(upper, "upper fold");
+}
+
+/// A mass on two coupled springs, one of them along the normal. An event-driven continuation, which locates each
+/// impact to rounding, gave the fold and the amplitudes [m] at the start and, behind the fold, at 5360.81 rpm. Other
+/// branches pass nearby; symptom once: a step ended on one of them, and folds were reported where the branch has
+/// none.
+TEST(Branch, StaysOnItsBranchWhereOthersPassNearby) {
+  constexpr double rpm = std::numbers::pi / 30, start = 5318.03975 * rpm, fold = 5374.64 * rpm,
+                   behind = 5360.81 * rpm;
+  constexpr double mass = 0.02;
+  ReducedModel wheel = testing::one_sector();
+  NodalDiameterModel only;
+  Eigen::MatrixXcd K = 8e4 * Eigen::MatrixXcd::Identity(3, 3);
+  K(1, 1) = 3e4;
+  K(0, 1) = K(1, 0) = 2e4;
+  only.K.terms = {K};
+  only.M = mass * Eigen::MatrixXcd::Identity(3, 3);
+  wheel.nodal_diameters = {only};
+  Bed bed(std::move(wheel), testing::lobed_casing(2, 0.13e-3, 0.12e-3), 0.003);
+  constexpr int steps = 480;
+  const Eigen::VectorXd orbit = bed.orbit(start, steps, 15);
+  const Scene scene = bed.scene();
+  const OrbitBranch branch = follow_branch(scene, start, steps, orbit, {5300 * rpm, 5390 * rpm, 1e-3, 200});
+  const auto begun = std::ranges::find_if(branch.speed, [&](double at) { return std::abs(at / start - 1) < 1e-9; });
+  ASSERT_NE(begun, branch.speed.end());
+  EXPECT_NEAR(branch.amplitude[begun - branch.speed.begin()], 123.81e-6, 0.2e-6);
+  ASSERT_EQ(branch.folds.size(), 1);
+  EXPECT_NEAR(branch.folds[0] / fold, 1, 1e-4);
+  EXPECT_EQ(branch.ends[0], "end of the range");
+  EXPECT_EQ(branch.ends[1], "end of the range");
+  const Eigen::Index last = branch.speed.size() - 1;
+  EXPECT_NEAR(branch.speed[last], 5300 * rpm, 1e-6);
+  Eigen::Index i = last;
+  while (branch.speed[i] < behind) --i;
+  const double along = (behind - branch.speed[i]) / (branch.speed[i + 1] - branch.speed[i]);
+  EXPECT_NEAR(branch.amplitude[i] + along * (branch.amplitude[i + 1] - branch.amplitude[i]), 144.76e-6, 0.8e-6);
 }
 
 /// Symptom once: behind the fold of a rigid impact the branch turned back along the orbit it came from, or ended at

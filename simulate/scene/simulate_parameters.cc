@@ -149,6 +149,11 @@ void require_budgets_to_decide_by(const CaseTable& table, const SimulateParamete
     reject("needs forces that only push; set contact = \"complementarity\"");
 }
 
+/// "= \"critical_speeds\""
+std::string written(BranchChoice choice) {
+  return choice == BranchChoice::speeds ? "= \"speeds\"" : "= \"critical_speeds\"";
+}
+
 /// Packagers may leave out Trilinos, which finds periodic motions.
 void require_orbits_in_this_build([[maybe_unused]] const CaseTable& table,
                                   [[maybe_unused]] const SimulateParameters& parameters) {
@@ -156,8 +161,8 @@ void require_orbits_in_this_build([[maybe_unused]] const CaseTable& table,
   const std::string what = " needs a build with TIPRUB_ORBITS=ON; set ";
   if (parameters.steady_state == SteadyStateMethod::orbit)
     table.reject("steady_state", "= \"orbit\"" + what + "steady_state = \"march\"");
-  if (parameters.branches == BranchChoice::critical_speeds)
-    table.reject("branches", "= \"critical_speeds\"" + what + "branches = \"none\"");
+  if (parameters.branches != BranchChoice::none)
+    table.reject("branches", written(parameters.branches) + what + "branches = \"none\"");
 #endif
 }
 
@@ -169,14 +174,16 @@ void require_law_without_memory(CaseTable& table, const SimulateParameters& para
       "\"penalty\"; set another scheme, or ";
   if (parameters.steady_state == SteadyStateMethod::orbit)
     table.reject("steady_state", "= \"orbit\"" + what + "steady_state = \"march\"");
-  if (parameters.branches == BranchChoice::critical_speeds)
-    table.reject("branches", "= \"critical_speeds\"" + what + "branches = \"none\"");
+  if (parameters.branches != BranchChoice::none)
+    table.reject("branches", written(parameters.branches) + what + "branches = \"none\"");
 }
 
 void read_branches(CaseTable& table, SimulateParameters& parameters) {
   parameters.branches =
       table.choice<BranchChoice>("branches", BranchChoice::none,
-                                 {{"none", BranchChoice::none}, {"critical_speeds", BranchChoice::critical_speeds}});
+                                 {{"none", BranchChoice::none},
+                                  {"critical_speeds", BranchChoice::critical_speeds},
+                                  {"speeds", BranchChoice::speeds}});
   parameters.branch_range =
       table.number("branch_range", 0.03, {0, 0.5, Range::LowEnd::excluded}, "of a speed, to either side");
   parameters.branch_steps = table.integer("branch_steps", 60, Range::between(1, 10000), "to either side, at most");

@@ -60,7 +60,8 @@ enum class SteadyStateMethod {
 /// Which orbits are followed over speed after the sweep.
 enum class BranchChoice {
   none,
-  critical_speeds,  ///< those at the examined speeds
+  critical_speeds,  ///< those at the examined speeds and at both sides of each jump
+  speeds,           ///< those at all speeds
 };
 
 /// What is done about speeds whose symmetric motion is unstable.

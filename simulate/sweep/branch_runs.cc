@@ -64,13 +64,13 @@ std::optional<OrbitBranch> branch_from(const Scene& scene, double speed) {
   return followed.result.value_or(std::nullopt);
 }
 
-/// The examined speeds, and both sides of each jump.
-std::set<double> starts_of(const std::vector<double>& speeds, const FinishedSpeeds& finished) {
+/// The speeds at which branches may begin; see BranchChoice.
+std::set<double> starts_of(BranchChoice choice, const std::vector<double>& speeds, const FinishedSpeeds& finished) {
   std::set<double> starts;
   SampledCurve curve;
   for (const double speed : speeds) {
     const SpeedResponse response = finished.read(speed, Depth::full);
-    if (response.depth >= Depth::examined) starts.insert(speed);
+    if (response.depth >= Depth::examined || choice == BranchChoice::speeds) starts.insert(speed);
     if (response.failure.empty()) curve.push_back({speed, response.amplitude});
   }
   for (const std::size_t low : located_jumps(curve, {})) starts.insert({curve[low].speed, curve[low + 1].speed});
@@ -85,7 +85,7 @@ std::vector<OrbitBranch> follow_branches(const Scene& scene, const std::vector<d
   const bool asked =
       scene.parameters.branches != BranchChoice::none && scene.parameters.sweep == SweepDirection::rest;
   if (!asked || !has_symmetric_map(scene)) return branches;
-  const std::set<double> starts = starts_of(speeds, finished);
+  const std::set<double> starts = starts_of(scene.parameters.branches, speeds, finished);
   Progress progress("branches", starts.size(), shown);
   for (const double speed : starts) {
     const double amplitude = finished.read(speed, Depth::full).amplitude;

@@ -70,6 +70,14 @@ TEST_F(BranchRuns, BeginAtBothSidesOfAJump) {
   EXPECT_EQ(branches[1].start, 2004);
 }
 
+TEST_F(BranchRuns, BeginAtEverySpeedOnNoOtherBranchIfAsked) {
+  deepest_ = Depth::full;
+  const std::vector<OrbitBranch> branches = follow(BranchChoice::speeds, SweepDirection::rest);
+  ASSERT_EQ(branches.size(), 2u);
+  EXPECT_EQ(branches[0].start, 1990);
+  EXPECT_EQ(branches[1].start, 2100);
+}
+
 TEST_F(BranchRuns, FollowNoneUnlessAsked) {
   EXPECT_TRUE(follow(BranchChoice::none, SweepDirection::rest).empty());
   EXPECT_TRUE(follow(BranchChoice::critical_speeds, SweepDirection::up).empty());

@@ -216,12 +216,10 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
   return all;
 }
 
-std::optional<std::size_t> worst_critical(const std::vector<CriticalSpeed>& critical) {
-  const auto worst =
-      std::max_element(critical.begin(), critical.end(),
-                       [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.amplitude < b.amplitude; });
-  if (worst == critical.end()) return std::nullopt;
-  return static_cast<std::size_t>(worst - critical.begin());
+std::optional<std::size_t> largest_critical(const std::vector<CriticalSpeed>& critical) {
+  const auto largest = std::ranges::max_element(critical, {}, &CriticalSpeed::amplitude);
+  if (largest == critical.end()) return std::nullopt;
+  return static_cast<std::size_t>(largest - critical.begin());
 }
 
 OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, const SpeedRange& operating,

@@ -91,7 +91,7 @@ std::vector<CriticalSpeed> critical_speeds(const Response& response, const Conta
                                            const PostprocessParameters& parameters);
 
 /// Index of the one with the largest amplitude; nothing if there is none.
-std::optional<std::size_t> worst_critical(const std::vector<CriticalSpeed>& critical);
+std::optional<std::size_t> largest_critical(const std::vector<CriticalSpeed>& critical);
 
 /// How far an end of the operating range is from the nearest critical speed outside it.
 struct SpeedMargin {

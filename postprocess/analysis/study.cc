@@ -47,8 +47,8 @@ Eigen::Index shown_speed(const Response& response, const TipAmplitudes& amplitud
 }  // namespace
 
 const SpeedResponse& Study::judged_response() const {
-  const std::optional<std::size_t> worst = worst_critical(critical);
-  return worst ? speed_at(critical[*worst].index) : worst_response();
+  const std::optional<std::size_t> largest = largest_critical(critical);
+  return largest ? speed_at(critical[*largest].index) : worst_response();
 }
 
 Study make_study(const PostprocessParameters& parameters, ReducedModel model, Response response,

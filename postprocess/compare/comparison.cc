@@ -2,6 +2,7 @@
 #include "postprocess/compare/comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "postprocess/figures/maps.h"
@@ -141,9 +142,11 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+/// As worst_critical() has it.
 const ComparedPeak& worst_of(const std::vector<ComparedPeak>& peaks) {
-  return *std::max_element(peaks.begin(), peaks.end(),
-                           [](const ComparedPeak& a, const ComparedPeak& b) { return a.amplitude < b.amplitude; });
+  return *std::ranges::max_element(peaks, {}, [](const ComparedPeak& peak) {
+    return std::array{peak.goodman.value_or(0), peak.stress.value_or(0), peak.amplitude};
+  });
 }
 
 std::string worst_text(const ComparedPeak& peak) {

@@ -154,7 +154,8 @@ ReportNumbers report_numbers(const Study& study, const FieldResults& fields) {
     numbers.peaks.push_back(
         {critical.speed * rpm_per_rad_s, critical.amplitude * mm_per_m, critical.naming_wave().engine_order,
          critical.naming_wave().signed_nodal_diameter, critical.naming_wave().family + 1,
-         fields.peaks[i] ? std::optional(fields.peaks[i]->body.both * mpa_per_pa) : std::nullopt,
+         fields.peaks[i] && fields.peaks[i]->cycle ? std::optional(fields.peaks[i]->body.both * mpa_per_pa)
+                                                   : std::nullopt,
          fields.peaks[i] && fields.peaks[i]->cycle ? fields.peaks[i]->cycle->goodman : std::nullopt});
   }
   return numbers;

@@ -17,8 +17,8 @@ struct ComparedPeak {
   double amplitude = 0;  ///< [mm]
   double engine_order = 0;
   int signed_nodal_diameter = 0;
-  int family = 0;                      ///< from 1
-  std::optional<double> stress;        ///< [MPa] von Mises, spin and vibration; where the report has it
+  int family = 0;                ///< from 1
+  std::optional<double> stress;  ///< [MPa] von Mises, spin and vibration, over a whole cycle; where the report has it
   std::optional<double> goodman = {};  ///< [1] utilisation, likewise
 };
 

@@ -13,9 +13,10 @@ namespace tiprub::postprocess {
 /// The data of the page's linked views, packed by PackedArrays. For every speed, for the contact nodes of both
 /// edges and for the sectors that the response holds: motion (the component asked for, and the normal and
 /// tangential ones for the orbit) [mm], contact force [N], two-way spectrum up to the highest engine order that is
-/// drawn [mm], and the column of the contact map [1], and the largest stress [MPa] that stress_over_speed()
-/// estimates. Further, the speeds to avoid [rpm], the natural frequencies [Hz] of the drawn families and, with other
-/// reports, their responses and maps. The page adds the two directions of a nodal diameter and computes nothing else.
+/// drawn [mm], and the column of the contact map [1], the largest stress [MPa] that stress_over_speed()
+/// estimates, and utilisation_over_speed(). Further, the speeds to avoid [rpm], the natural frequencies [Hz] of the
+/// drawn families and, with other reports, their responses and maps. The page adds the two directions of a nodal
+/// diameter and computes nothing else.
 std::string speed_data(const Study& study, const FieldResults& fields, const std::vector<ReportNumbers>& others);
 
 /// The data from which the page draws the wheel, packed by PackedArrays: the surface of a sector, the natural

@@ -9,6 +9,7 @@
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/speeds_to_avoid.h"
 #include "postprocess/records/study_records.h"
+#include "postprocess/records/utilisation.h"
 #include "postprocess/tables/packing.h"
 #include "postprocess/tables/table.h"
 
@@ -58,8 +59,8 @@ int drawn_lines(const SpeedFrame& frame, const TravellingSpectrum& spectrum, dou
   return std::min(spectrum.lines(), static_cast<int>(orders * spectrum.revolutions) + 1);
 }
 
-json add_speed(PackedArrays& arrays, const Study& study, const FieldResults& fields, const SpeedFrame& frame,
-               Eigen::Index i) {
+json add_speed(PackedArrays& arrays, const Study& study, const FieldResults& fields,
+               const Eigen::VectorXd& utilisation, const SpeedFrame& frame, Eigen::Index i) {
   const SpeedResponse& speed = study.response.speeds[static_cast<std::size_t>(i)];
   const std::vector<Edge> edges = edges_of(study.waves, study.contact);
   const TravellingSpectrum& spectrum = edges[0].map.columns[static_cast<std::size_t>(i)].spectrum;
@@ -79,6 +80,7 @@ json add_speed(PackedArrays& arrays, const Study& study, const FieldResults& fie
           {"trailing", by_node(study.model.contact.trailing_edge(), i) * mm_per_m},
           {"excursion", study.excursion_at(i) * mm_per_m},
           {"stress", fields.over_speed.size() > 0 ? json(fields.over_speed[i] * mpa_per_pa) : json()},
+          {"goodman", utilisation.size() > 0 ? json(utilisation[i]) : json()},
           {"motion", motion_text(speed)},
           {"settled", speed.settled()},
           {"step_error", step_error(speed, study.response.scene.asked).value_or(0)},
@@ -231,9 +233,10 @@ json add_others(PackedArrays& arrays, const std::vector<ReportNumbers>& others) 
 std::string speed_data(const Study& study, const FieldResults& fields, const std::vector<ReportNumbers>& others) {
   const SpeedFrame frame = speed_frame(study);
   PackedArrays arrays;
+  const Eigen::VectorXd utilisation = utilisation_over_speed(study, fields);
   json speeds = json::array(), failed = json::array();
   for (Eigen::Index i = 0; i < study.amplitudes.largest.size(); ++i)
-    speeds.push_back(add_speed(arrays, study, fields, frame, i));
+    speeds.push_back(add_speed(arrays, study, fields, utilisation, frame, i));
   for (const SpeedResponse& speed : study.failed) failed.push_back(speed.speed * rpm_per_rad_s);
   return arrays.packed({{"sectors", study.model.sector_count},
                         {"held", study.response.scene.independent_sectors},

@@ -337,19 +337,23 @@ bool FieldResults::has_cycles() const {
 
 const StressCycle* FieldResults::worst_cycle() const {
   const StressCycle* worst = nullptr;
-  for (const std::optional<FieldPeak>& peak : peaks)
+  const auto look_at = [&](const std::optional<FieldPeak>& peak) {
     if (peak && peak->cycle && peak->cycle->goodman && (worst == nullptr || *peak->cycle->goodman > *worst->goodman))
       worst = &*peak->cycle;
+  };
+  for (const std::optional<FieldPeak>& peak : peaks) look_at(peak);
+  look_at(of_no_critical);
   return worst;
 }
 
 FieldResults field_results(const std::optional<FieldStudy>& fields, const std::vector<CriticalSpeed>& critical) {
-  FieldResults results{scope_of(fields), std::vector<std::optional<FieldPeak>>(critical.size()), {}};
+  FieldResults results{scope_of(fields), std::vector<std::optional<FieldPeak>>(critical.size())};
   results.varied.resize(critical.size());
   if (!fields) return results;
   results.tip_patch = fields->zones.tip_patch;
   results.clamp_rim = fields->zones.clamp_rim;
   results.over_speed = fields->over_speed;
+  if (critical.empty() && !fields->peaks.empty()) results.of_no_critical = fields->peaks.front();
   for (std::size_t i = 0; i < critical.size(); ++i)
     for (std::size_t k = 0; k < fields->peaks.size(); ++k) {
       if (fields->peaks[k].speed != critical[i].speed) continue;

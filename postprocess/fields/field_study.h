@@ -25,8 +25,8 @@ struct MovingWheel {
 /// Full fields of a study.
 struct FieldStudy {
   SectorFields sector;
-  double speed = 0;              ///< [rad/s] the worst critical speed, of the modes and the contact instant
-  NaturalModes modes;            ///< at that speed
+  double speed = 0;    ///< [rad/s] the critical speed of the largest amplitude, of the modes and the contact instant
+  NaturalModes modes;  ///< at that speed
   bool has_instant = false;      ///< whether the response holds the rotor's state; if not, what follows is empty
   double angle = 0;              ///< [rad] of the rotor at the contact instant, from the start of the recording
   double force = 0;              ///< [N] all contact forces then
@@ -56,8 +56,10 @@ struct FieldResults {
   std::string scope;  ///< one line: what was recovered, or why nothing was
   /// One per critical speed; nothing without full fields, or where the response holds no state of the rotor.
   std::vector<std::optional<FieldPeak>> peaks;
+  /// At the largest amplitude, if no speed is critical; otherwise nothing.
+  std::optional<FieldPeak> of_no_critical = {};
   /// One list per critical speed, as FieldStudy has them; may be empty.
-  std::vector<std::vector<std::optional<double>>> varied;
+  std::vector<std::vector<std::optional<double>>> varied = {};
   double tip_patch = 0, clamp_rim = 0;  ///< [m] see StressZones
   /// [Pa] The largest stress of the vibration at every speed of the response, estimated by stress_over_speed(); empty
   /// without full fields.

@@ -59,7 +59,7 @@ std::vector<Figure> response_figures(const Study& study, const FieldResults& fie
   std::vector<Figure> figures = {response_figure(frame, study.amplitudes, study.rules, study.response.speeds,
                                                  study.parameters.component, avoided)};
   if (const auto budgets = error_budgets(study, fields); !budgets.empty())
-    figures.push_back(error_budget_figure(worst_budget(budgets)));
+    figures.push_back(error_budget_figure(largest_budget(budgets)));
   if (fields.over_speed.size() > 0) figures.push_back(stress_figure(frame, fields, avoided));
   return figures;
 }

@@ -169,7 +169,7 @@ std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& f
   return budgets;
 }
 
-const ErrorBudget& worst_budget(const std::vector<ErrorBudget>& budgets) {
+const ErrorBudget& largest_budget(const std::vector<ErrorBudget>& budgets) {
   return *std::ranges::max_element(budgets, {}, [](const ErrorBudget& budget) { return budget.critical->amplitude; });
 }
 

@@ -48,7 +48,7 @@ Table critical_speed_budgets(const Study& study, const FieldResults& fields);
 std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& fields);
 
 /// The budget of the critical speed with the largest amplitude; the list must not be empty.
-const ErrorBudget& worst_budget(const std::vector<ErrorBudget>& budgets);
+const ErrorBudget& largest_budget(const std::vector<ErrorBudget>& budgets);
 
 /// The sum over the sources: the root of the sum of squares, as if the sources were independent and their effects
 /// added up. Of the rows of one source, such as both signs of the clearance, only the largest counts. Bounds and

@@ -16,13 +16,19 @@ namespace tiprub::postprocess {
 
 namespace {
 
-/// [m] The length of the tip line that belongs to a node: half way to its neighbours.
+/// [m] The length of the tip line that belongs to a node or segment: half way to its neighbours. The centre of an
+/// outermost segment, whose weight falls from the edge, lies half as far from the edge as from the next centre.
 double width_of(const ContactLine& contact, int node) {
   const bool on_splitter = node > contact.trailing_edge();
   const int first = on_splitter ? contact.trailing_edge() + 1 : 0;
   const int last = on_splitter ? contact.size() - 1 : contact.trailing_edge();
   const int before = std::max(node - 1, first), after = std::min(node + 1, last);
-  return 0.5 * (contact.arc_length[after] - contact.arc_length[before]);
+  const auto inset = [&](int edge, int next) {
+    const bool is_end = contact.kind == ContactKind::segments && (before == edge || after == edge);
+    return is_end ? 0.5 * std::abs(contact.arc_length[next] - contact.arc_length[edge]) : 0;
+  };
+  return 0.5 * (contact.arc_length[after] - contact.arc_length[before] + inset(first, std::min(first + 1, last)) +
+                inset(last, std::max(last - 1, first)));
 }
 
 /// [1] The share of the casing's areas that any blade touches at a contact node. The counts of sector j are those of

@@ -128,16 +128,16 @@ SceneNeed diameters_need(const Study& study, const std::vector<Check>& checks) {
 }
 
 SceneNeed mesh_need(const Study& study) {
-  const std::optional<std::size_t> worst = worst_critical(study.critical);
+  const std::optional<std::size_t> largest = largest_critical(study.critical);
   const std::optional<double> shift =
-      worst ? mesh_shift(study.model, study.critical[*worst].naming_wave()) : std::nullopt;
+      largest ? mesh_shift(study.model, study.critical[*largest].naming_wave()) : std::nullopt;
   if (!shift)
     return not_estimated(Effect::mesh,
                          study.model.mesh_error
-                             ? "reduce with more verification_modes: it takes the mode of the worst peak"
+                             ? "reduce with more verification_modes: it takes the mode of the largest peak"
                              : "compare with tiprub-reduce --set reduce.refine=1");
   return estimated(Effect::mesh, *shift, frequency_limit,
-                   "of the mode that makes the critical speed at " + rpm_text(study.critical[*worst].speed) +
+                   "of the mode that makes the critical speed at " + rpm_text(study.critical[*largest].speed) +
                        ", from functions that the mesh lacks; the compliance of the tip is up to " +
                        significant(100 * study.model.mesh_error->compliance.maxCoeff(), 2) + " % too small");
 }

@@ -7,6 +7,7 @@
 
 #include "postprocess/records/error_budget_record.h"
 #include "postprocess/records/study_records.h"
+#include "postprocess/records/utilisation.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {
@@ -63,59 +64,52 @@ SpeedRange around(const Study& study, Eigen::Index index, const Holds& holds) {
   return {study.speed_at(low).speed, study.speed_at(high).speed};
 }
 
-/// Bands round the critical speeds with a utilisation above a limit. `utilisation`: [1] by critical speed.
-std::vector<AvoidedBand> stressed(const Study& study, const FieldResults& fields,
-                                  const std::vector<BudgetSum>& changes, const std::vector<double>& utilisation,
-                                  double limit, Concern concern) {
-  const Eigen::VectorXd& measure = fields.over_speed.size() > 0 ? fields.over_speed : study.amplitudes.largest;
+/// Bands round the speeds at which something holds. A critical speed inside a band is inside with its interval and
+/// with what its error budget leaves open.
+template <class Holds>
+std::vector<AvoidedBand> bands_where(const Study& study, const std::vector<BudgetSum>& changes, Concern concern,
+                                     const Holds& holds) {
   std::vector<AvoidedBand> bands;
-  for (std::size_t i = 0; i < study.critical.size(); ++i) {
-    if (utilisation[i] <= limit) continue;
-    const CriticalSpeed& peak = study.critical[i];
-    const double least = limit / utilisation[i] * measure[peak.index];
-    const SpeedRange range = around(study, peak.index, [&](Eigen::Index k) { return measure[k] > least; });
-    bands.push_back(widened({std::min(range.low, peak.speed_low), std::max(range.high, peak.speed_high)}, concern,
-                            changes[i].shift));
+  for (Eigen::Index k = 0; k < study.amplitudes.largest.size(); ++k) {
+    if (!holds(k)) continue;
+    SpeedRange range = around(study, k, holds);
+    double widening = 0;
+    for (std::size_t i = 0; i < study.critical.size(); ++i) {
+      const CriticalSpeed& peak = study.critical[i];
+      if (!holds(peak.index) || peak.speed < range.low || peak.speed > range.high) continue;
+      range = {std::min(range.low, peak.speed_low), std::max(range.high, peak.speed_high)};
+      widening = std::max(widening, changes[i].shift);
+    }
+    bands.push_back(widened(range, concern, widening));
   }
   return bands;
-}
-
-/// [1] Goodman's utilisation at each critical speed; 0 where it is not known.
-std::vector<double> utilisations(const FieldResults& fields) {
-  std::vector<double> all;
-  for (const std::optional<FieldPeak>& peak : fields.peaks)
-    all.push_back(peak && peak->cycle ? peak->cycle->goodman.value_or(0) : 0);
-  return all;
 }
 
 /// The critical speeds below the limit whose error budget leaves a utilisation above it open. The peak that reaches
 /// it may be another one, so that no more is known of its width than where it lies.
 std::vector<AvoidedBand> perhaps_stressed(const Study& study, const std::vector<BudgetSum>& changes,
-                                          const std::vector<double>& utilisation, double limit) {
+                                          const Eigen::VectorXd& utilisation, double limit) {
   std::vector<AvoidedBand> bands;
+  if (utilisation.size() == 0) return bands;
   for (std::size_t i = 0; i < study.critical.size(); ++i)
-    if (utilisation[i] <= limit && utilisation[i] * (1 + changes[i].stress_rise) > limit)
+    if (const double here = utilisation[study.critical[i].index];
+        here <= limit && here * (1 + changes[i].stress_rise) > limit)
       bands.push_back(widened({study.critical[i].speed_low, study.critical[i].speed_high},
                               Concern::perhaps_above_limit, changes[i].shift));
   return bands;
 }
 
 std::vector<AvoidedBand> beyond_clearance(const Study& study, const std::vector<BudgetSum>& changes) {
-  std::vector<AvoidedBand> bands;
   const TipAmplitudes normal = tip_amplitudes(study.response, study.model.contact, Component::normal);
-  const auto beyond = [&](Eigen::Index k) {
+  return bands_where(study, changes, Concern::beyond_clearance, [&](Eigen::Index k) {
     return (normal.by_node.col(k) - study.speed_at(k).clearance).maxCoeff() > 0;
-  };
-  for (Eigen::Index k = 0; k < study.amplitudes.largest.size(); ++k) {
-    if (!beyond(k)) continue;
-    const SpeedRange range = around(study, k, beyond);
-    double widening = 0;
-    for (std::size_t i = 0; i < study.critical.size(); ++i)
-      if (const double peak = study.critical[i].speed; range.low <= peak && peak <= range.high)
-        widening = std::max(widening, changes[i].shift);
-    bands.push_back(widened(range, Concern::beyond_clearance, widening));
-  }
-  return bands;
+  });
+}
+
+std::vector<AvoidedBand> stressed(const Study& study, const std::vector<BudgetSum>& changes,
+                                  const Eigen::VectorXd& utilisation, double limit, Concern concern) {
+  if (utilisation.size() == 0) return {};
+  return bands_where(study, changes, concern, [&](Eigen::Index k) { return utilisation[k] > limit; });
 }
 
 }  // namespace
@@ -128,11 +122,11 @@ const char* name_of(Concern concern) {
 
 std::vector<AvoidedBand> speeds_to_avoid(const Study& study, const FieldResults& fields) {
   const std::vector<BudgetSum> changes = open_changes(study, fields);
-  const std::vector<double> utilisation = utilisations(fields);
+  const Eigen::VectorXd utilisation = utilisation_over_speed(study, fields);
   const std::array<std::vector<AvoidedBand>, concerns> by_gravity = {
-      stressed(study, fields, changes, utilisation, 1.0, Concern::above_limit),
+      stressed(study, changes, utilisation, 1.0, Concern::above_limit),
       perhaps_stressed(study, changes, utilisation, 1.0),
-      stressed(study, fields, changes, utilisation, 0.5, Concern::above_half), beyond_clearance(study, changes)};
+      stressed(study, changes, utilisation, 0.5, Concern::above_half), beyond_clearance(study, changes)};
   std::vector<AvoidedBand> all;
   for (const std::vector<AvoidedBand>& bands : by_gravity) {
     const std::vector<AvoidedBand> graver = all;

@@ -32,8 +32,8 @@ struct AvoidedBand {
 };
 
 /// The bands in ascending speed; none overlap, and where several concerns meet, the gravest one has the band. Stress
-/// is known at critical speeds; beside one, it is taken to fall as the estimate of stress over speed does, or as the
-/// amplitude without that estimate, and its band spans at least the interval in which that speed lies.
+/// is that of utilisation_over_speed(). A band ends at the nearest speeds at which its concern does not hold, and
+/// spans at least the interval of each critical speed inside.
 std::vector<AvoidedBand> speeds_to_avoid(const Study& study, const FieldResults& fields);
 
 /// "Goodman above 1, 3.4 % at each end by the error budget", or "Goodman above 0.5, not widened without an error

@@ -18,8 +18,12 @@ std::string inside_text(const Study& study, const SpeedRange& range, const std::
   for (std::size_t i = 0; i < study.response.speeds.size(); ++i)
     if (holds(study.response.speeds[i].speed))
       largest = std::max(largest.value_or(0), study.amplitudes.largest[static_cast<Eigen::Index>(i)]);
-  std::string text = largest ? " Inside it the tip moves towards the casing by up to " + mm_text(*largest) + "."
-                             : " No speed inside it was simulated.";
+  std::string text =
+      largest ? (study.parameters.component == Component::normal
+                     ? std::string(" Inside it the tip moves towards the casing by up to ")
+                     : std::string(" Inside it the ") + name_of(study.parameters.component) + " is up to ") +
+                    mm_text(*largest) + "."
+              : " No speed inside it was simulated.";
   if (largest && (range.low < study.range.low || range.high > study.range.high))
     text += " Not all of the range was simulated.";
   for (const CriticalSpeed& peak : study.not_located)

@@ -170,6 +170,7 @@ std::string stress_sentence(const Study& study, const FieldResults& fields) {
   const FieldPeak* worst = nullptr;
   for (const std::optional<FieldPeak>& peak : fields.peaks)
     if (peak && (worst == nullptr || peak->body.vibration > worst->body.vibration)) worst = &*peak;
+  if (fields.of_no_critical) worst = &*fields.of_no_critical;
   if (worst == nullptr) return "";
   return "The vibration stresses the wheel most at " + rpm_text(worst->speed) + ": von Mises " +
          mpa_text(worst->body.vibration) + (worst->where.empty() ? "" : ", " + worst->where) + "; with spin " +

@@ -10,6 +10,7 @@
 #include "postprocess/records/exactness_record.h"
 #include "postprocess/records/speeds_to_avoid.h"
 #include "postprocess/records/study_records.h"
+#include "postprocess/records/utilisation.h"
 #include "postprocess/report/margin.h"
 #include "postprocess/tables/table.h"
 
@@ -80,12 +81,12 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
     return "No tip touches the casing at any speed, so that nothing excites the wheel: the crest reaches " +
            mm_text(study.response.scene.crest()) + " inward, and the smallest running clearance is " +
            mm_text(study.response.clearances().low) + ".";
-  const std::optional<std::size_t> worst = worst_critical(study.critical);
+  const std::optional<std::size_t> worst = worst_critical(study, fields);
   const std::string largest =
       rpm_text(study.worst_response().speed) + ", " + amplitude_text(study, study.amplitudes.worst()) + ".";
   if (!worst)
     return "No critical speed: the amplitude has no peak that stands out and is located. It is largest at " +
-           largest + not_located(study) + still_rising(study);
+           largest + stress_text(study, fields.of_no_critical) + not_located(study) + still_rising(study);
   const CriticalSpeed& peak = study.critical[*worst];
   const bool more_elsewhere = study.amplitudes.largest.maxCoeff() > peak.amplitude;
   return counted(study.critical.size(), "critical speed") + ". The worst, at " + rpm_text(peak.speed) +
@@ -93,8 +94,7 @@ std::string how_bad(const Study& study, const FieldResults& fields) {
          before_amplitude(study.parameters.component) + amplitude_text(study, peak.index) + "." +
          stress_text(study, fields.peaks[*worst]) +
          friction_text(study.response.speeds[static_cast<std::size_t>(peak.index)].friction) +
-         (more_elsewhere ? " Where no peak is located, the amplitude is larger: at " + largest : "") +
-         not_located(study) + still_rising(study);
+         (more_elsewhere ? " The amplitude is largest at " + largest : "") + not_located(study) + still_rising(study);
 }
 
 /// "contact node 9 of 0 .. 9 (trailing edge)", or "contact segment ...".
@@ -107,7 +107,7 @@ std::string node_text(const Study& study, int node) {
 
 std::string where(const Study& study, const FieldResults& fields) {
   if (study.no_tip_touches()) return "";
-  const std::optional<std::size_t> worst = worst_critical(study.critical);
+  const std::optional<std::size_t> worst = worst_critical(study, fields);
   std::string text =
       "The tip at " +
       node_text(study, study.amplitudes.node[worst ? study.critical[*worst].index : study.amplitudes.worst()]);
@@ -134,8 +134,8 @@ std::string origin_text(const WaveLabel& wave, const SimulatedScene& scene) {
          (n == 0 ? "" : (n < 0 ? " - " : " + ") + std::to_string(std::abs(n))) + ".";
 }
 
-std::string why(const Study& study) {
-  const std::optional<std::size_t> worst = worst_critical(study.critical);
+std::string why(const Study& study, const FieldResults& fields) {
+  const std::optional<std::size_t> worst = worst_critical(study, fields);
   if (!worst) return "";
   const CriticalSpeed& peak = study.critical[*worst];
   const WaveLabel& wave = peak.naming_wave();
@@ -176,9 +176,12 @@ struct TrustLine {
   std::string text;
 };
 
-/// The error budget of the worst critical speed, or of the worst one that has any; nullptr without budgets.
-const ErrorBudget* judged_budget(const std::vector<ErrorBudget>& budgets) {
-  return budgets.empty() ? nullptr : &worst_budget(budgets);
+/// The error budget of the worst critical speed or, if it has none, of the largest one that has; nullptr without
+/// budgets.
+const ErrorBudget* judged_budget(const std::vector<ErrorBudget>& budgets, const CriticalSpeed* worst) {
+  if (budgets.empty()) return nullptr;
+  const auto found = std::ranges::find(budgets, worst, &ErrorBudget::critical);
+  return found == budgets.end() ? &largest_budget(budgets) : &*found;
 }
 
 std::string way_to_a_budget(const Study& study) {
@@ -187,14 +190,22 @@ std::string way_to_a_budget(const Study& study) {
              : "error budgets are of the motion along the normal: postprocess.component = \"normal\"";
 }
 
+/// " The largest motion is outside validity: ..."; empty if it is inside.
+std::string outside_text(const Study& study) {
+  const GapTerms& gap = study.gap[static_cast<std::size_t>(study.amplitudes.worst())];
+  return gap.beyond() ? " The largest motion is outside validity: " + gap.in_words() + "." : "";
+}
+
 /// "The worst peak is not certain: outside validity (stress 1.09 of yield), 3 checks fail."
-std::string trust_sentence(const Study& study, const FieldResults& fields, const ErrorBudget* budget) {
-  const std::optional<std::size_t> worst = worst_critical(study.critical);
+std::string trust_sentence(const Study& study, const FieldResults& fields, std::optional<std::size_t> worst,
+                           const ErrorBudget* budget) {
   const std::vector<Check> checks = exactness_checks(study);
   const auto failed = static_cast<std::size_t>(std::ranges::count(checks, CheckVerdict::failed, &Check::verdict));
   const std::string checked =
       failed == 0 ? "no check fails" : counted(failed, "check") + (failed == 1 ? " fails" : " fail");
-  if (!worst) return std::string(failed == 0 ? "No" : "Some") + " doubt about the computation: " + checked + ".";
+  if (!worst)
+    return std::string(failed == 0 && study.failed.empty() ? "No" : "Some") +
+           " doubt about the computation: " + checked + "." + outside_text(study);
   const CriticalSpeed& peak = study.critical[*worst];
   const bool budgeted = budget != nullptr && budget->critical == &peak;
   const std::string outside = outside_validity(study, *worst, fields);
@@ -212,31 +223,28 @@ std::string trust_sentence(const Study& study, const FieldResults& fields, const
 }
 
 /// "Budget: |u| uncertain by 32 %, most by damping 0.002 (+29 %)"
-void add_budget(const Study& study, const ErrorBudget& budget, std::vector<TrustLine>& lines) {
-  const std::optional<std::size_t> worst = worst_critical(study.critical);
-  const std::string place =
-      worst && budget.critical == &study.critical[*worst] ? "" : " at " + rpm_text(budget.critical->speed);
+void add_budget(const ErrorBudget& budget, const CriticalSpeed* worst, std::vector<TrustLine>& lines) {
+  const std::string place = budget.critical == worst ? "" : " at " + rpm_text(budget.critical->speed);
   for (const OpenQuantity& open : open_quantities(budget))
     lines.push_back({open.together, "Budget" + place + ": " + open.what + " uncertain by " +
                                         significant(percent * open.together, 2) + " %, most by " + open.most});
 }
 
 /// What makes the worst critical speed less certain beside its budget.
-void add_motion(const Study& study, const std::vector<SceneNeed>& needs, std::vector<TrustLine>& lines) {
+void add_motion(const Study& study, const std::vector<SceneNeed>& needs, const CriticalSpeed* worst,
+                std::vector<TrustLine>& lines) {
   constexpr double hour = 3600;  // [s]
   for (const SceneNeed& need : needs)
     if (need.effect.effect == Effect::casing_wear && need.over_tolerance() > 1)
       lines.push_back({need.over_tolerance(), "Wear reaches a tenth of the clearance in " +
                                                   significant(hour / need.over_tolerance(), 2) + " s"});
-  const std::optional<std::size_t> worst = worst_critical(study.critical);
-  if (!worst) return;
-  const SpeedResponse& response = study.speed_at(study.critical[*worst].index);
+  if (worst == nullptr) return;
+  const SpeedResponse& response = study.speed_at(worst->index);
   const std::string seen = whole_wheel_text(response);
   if (!seen.empty())
-    lines.push_back(
-        {std::abs(whole_wheel(response)->blades->largest / study.excursion_at(study.critical[*worst].index) - 1),
-         "Motion: " + motion_text(response) + "; seen on the whole wheel: " + seen +
-             " mm (least, median, largest of the blades)"});
+    lines.push_back({std::abs(whole_wheel(response)->blades->largest / study.excursion_at(worst->index) - 1),
+                     "Motion: " + motion_text(response) + "; seen on the whole wheel: " + seen +
+                         " mm (least, median, largest of the blades)"});
 }
 
 void add_checks(const Study& study, std::vector<TrustLine>& lines) {
@@ -249,12 +257,15 @@ void add_checks(const Study& study, std::vector<TrustLine>& lines) {
 /// A sentence, then a line for each doubt, the largest first.
 std::string trust(const Study& study, const FieldResults& fields, const std::vector<SceneNeed>& needs) {
   const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
+  const std::optional<std::size_t> place = worst_critical(study, fields);
+  const CriticalSpeed* const worst = place ? &study.critical[*place] : nullptr;
+  const ErrorBudget* const budget = judged_budget(budgets, worst);
   std::vector<TrustLine> lines;
-  if (const ErrorBudget* budget = judged_budget(budgets)) add_budget(study, *budget, lines);
-  add_motion(study, needs, lines);
+  if (budget != nullptr) add_budget(*budget, worst, lines);
+  add_motion(study, needs, worst, lines);
   add_checks(study, lines);
   std::ranges::stable_sort(lines, std::greater(), &TrustLine::size);
-  std::string text = trust_sentence(study, fields, judged_budget(budgets));
+  std::string text = trust_sentence(study, fields, place, budget);
   for (const TrustLine& line : lines) text += "\n" + line.text + ".";
   for (const auto& [verdict, words] : {std::pair(CheckVerdict::undecided, "Undecided: "),
                                        std::pair(CheckVerdict::not_looked_at, "Not looked at: ")}) {
@@ -337,7 +348,7 @@ std::vector<Answer> verdict(const Study& study, const FieldResults& fields, cons
       {"Avoid", study.no_tip_touches() ? "" : bands_in_words(bands, fields) + unknown_speeds(study)},
       {"Margin", margin_text(study, bands)},
       {"Where", where(study, fields)},
-      {"Why", why(study)},
+      {"Why", why(study, fields)},
       {"Trust", trust(study, fields, needs)},
       {"Left out", what_matters(needs)}};
   return without_empty(std::move(answers));

@@ -71,6 +71,17 @@ Growth largest_ritz_value(const Eigen::MatrixXd& hessenberg, double next) {
   return {factor, next * std::abs(vector[vector.size() - 1])};
 }
 
+/// Of numbers in succession, which depend on each other: from the means of four parts, with 95 % by Student's
+/// distribution.
+double uncertainty_of_mean(const Eigen::ArrayXd& values) {
+  constexpr Eigen::Index parts = 4;
+  constexpr double student = 3.18;  // of three degrees of freedom
+  const Eigen::Index length = values.size() / parts;
+  if (length == 0) return 0;
+  const Eigen::ArrayXd means = values.tail(length * parts).reshaped(length, parts).colwise().mean().transpose();
+  return student * std::sqrt((means - means.mean()).square().sum() / ((parts - 1) * parts));
+}
+
 Growth by_mean(WholeWheel& wheel, int revolutions) {
   Eigen::VectorXd state = wheel.seed();
   std::vector<double> logarithms;
@@ -81,10 +92,9 @@ Growth by_mean(WholeWheel& wheel, int revolutions) {
     if (2 * r >= revolutions || r + 1 == revolutions) logarithms.push_back(std::log(norm));
     state /= norm;
   }
-  const auto count = static_cast<double>(logarithms.size());
   const Eigen::Map<const Eigen::ArrayXd> values(logarithms.data(), static_cast<Eigen::Index>(logarithms.size()));
   const double factor = std::exp(values.mean());
-  return {factor, 2 * factor * std::sqrt((values - values.mean()).square().sum() / std::max(count - 1, 1.0) / count)};
+  return {factor, factor * uncertainty_of_mean(values)};
 }
 
 }  // namespace

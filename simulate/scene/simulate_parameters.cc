@@ -179,11 +179,10 @@ void require_law_without_memory(CaseTable& table, const SimulateParameters& para
 }
 
 void read_branches(CaseTable& table, SimulateParameters& parameters) {
-  parameters.branches =
-      table.choice<BranchChoice>("branches", BranchChoice::none,
-                                 {{"none", BranchChoice::none},
-                                  {"critical_speeds", BranchChoice::critical_speeds},
-                                  {"speeds", BranchChoice::speeds}});
+  parameters.branches = table.choice<BranchChoice>("branches", BranchChoice::none,
+                                                   {{"none", BranchChoice::none},
+                                                    {"critical_speeds", BranchChoice::critical_speeds},
+                                                    {"speeds", BranchChoice::speeds}});
   parameters.branch_range =
       table.number("branch_range", 0.03, {0, 0.5, Range::LowEnd::excluded}, "of a speed, to either side");
   parameters.branch_steps = table.integer("branch_steps", 60, Range::between(1, 10000), "to either side, at most");

@@ -61,7 +61,7 @@ enum class SteadyStateMethod {
 enum class BranchChoice {
   none,
   critical_speeds,  ///< those at the examined speeds and at both sides of each jump
-  speeds,           ///< those at all speeds
+  speeds,           ///< and those at all other speeds with a periodic motion
 };
 
 /// What is done about speeds whose symmetric motion is unstable.

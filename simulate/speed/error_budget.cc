@@ -55,8 +55,8 @@ double half_width_at(const Scene& scene, double speed) {
   return speed * std::clamp(scene.parameters.damping.smallest(), least_half_width, most_half_width);
 }
 
-/// The amplitude with a coarse step; zero where another engine order is the largest, which is that of another peak.
-/// `failure` becomes the reason why a speed has no motion.
+/// The amplitude with a coarse step; negative where another engine order is the largest, which is that of another
+/// peak. `failure` becomes the reason why a speed has no motion.
 AmplitudeAt scanned(const Scene& scene, int order, std::string& failure) {
   return [&scene, order, &failure](double speed) -> std::optional<double> {
     if (speed <= 0 || speed > scene.model.speed_max) return std::nullopt;
@@ -67,7 +67,7 @@ AmplitudeAt scanned(const Scene& scene, int order, std::string& failure) {
       return std::nullopt;
     }
     const RecordedMotion& recorded = motion.result->recorded;
-    return largest_order(recorded) == order ? recorded.amplitude : 0;
+    return largest_order(recorded) == order ? recorded.amplitude : -recorded.amplitude;
   };
 }
 

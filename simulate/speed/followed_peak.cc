@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "simulate/motion/attempt.h"
@@ -35,9 +36,13 @@ class SampledResponse {
       all = true;
       for (const double speed : maxima()) all = narrow(speed, origin_.half_width) && all;
     }
-    double speed = highest();
-    while (!narrow(speed, fineness * origin_.half_width)) speed = highest();
-    return at(speed);
+    for (;;) {
+      const double speed = highest();
+      if (!narrow(speed, fineness * origin_.half_width)) continue;
+      const PeakTop top = at(speed);
+      if (!goes_on_as_another(top)) return top;
+      no_tops_.insert(speed);
+    }
   }
 
  private:
@@ -62,8 +67,19 @@ class SampledResponse {
 
   bool look(double speed) {
     const std::optional<double> amplitude = amplitude_at_(speed);
-    if (amplitude) curve_[speed] = *amplitude;
-    return amplitude.has_value();
+    if (!amplitude) return false;
+    curve_[speed] = std::max(*amplitude, 0.0);
+    if (*amplitude < 0) others_[speed] = -*amplitude;
+    return true;
+  }
+
+  /// Beside the top of a peak the response may also jump to another motion.
+  bool goes_on_as_another(const PeakTop& found) const {
+    const auto goes_on = [&](const SampledSpeed& beside) {
+      const auto other = others_.find(beside.speed);
+      return other != others_.end() && other->second >= fallen * found.top.amplitude;
+    };
+    return goes_on(found.left) || goes_on(found.right);
   }
 
   /// Looks beyond an end of the range that may not be the foot of the peak. Returns whether there was anything to
@@ -89,7 +105,7 @@ class SampledResponse {
   std::vector<double> maxima() const {
     std::vector<double> speeds;
     for (auto i = curve_.begin(); i != curve_.end(); ++i) {
-      if (i == curve_.begin() || std::next(i) == curve_.end()) continue;
+      if (i == curve_.begin() || std::next(i) == curve_.end() || no_tops_.contains(i->first)) continue;
       if (i->second > std::prev(i)->second && i->second >= std::next(i)->second) speeds.push_back(i->first);
     }
     if (!speeds.empty()) {
@@ -111,7 +127,9 @@ class SampledResponse {
 
   const PeakOrigin& origin_;
   const AmplitudeAt& amplitude_at_;
-  Curve curve_;
+  Curve curve_;               ///< zero where the motion belongs to another peak
+  Curve others_;              ///< the amplitude there
+  std::set<double> no_tops_;  ///< maxima of the curve at its ends towards another peak
 };
 
 }  // namespace

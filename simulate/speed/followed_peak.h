@@ -17,7 +17,7 @@ struct PeakOrigin {
 /// Whether the response jumps beside a top: a neighbour has less than 80 % of its amplitude.
 bool jumps(const PeakTop& peak);
 
-/// The amplitude [m] at a speed [rad/s]: zero where the motion belongs to another peak, empty where there is no
+/// The amplitude [m] at a speed [rad/s]: negative where the motion belongs to another peak, empty where there is no
 /// motion.
 using AmplitudeAt = std::function<std::optional<double>(double speed)>;
 
@@ -25,8 +25,8 @@ using AmplitudeAt = std::function<std::optional<double>(double speed)>;
 /// two half-widths beyond an end towards which it rises, or which still has half of the largest amplitude, up to a
 /// tenth of the speed: a change may move a peak beyond a smaller one, or split it. The highest maximum, and those of
 /// more than half of its amplitude, are sampled at every half-width; the highest of them is the peak. Its top is
-/// located until the intervals on both sides are at most a fifth of a half-width. Raises NoMotion if there is no
-/// maximum.
+/// located until the intervals on both sides are at most a fifth of a half-width. It is no top if the response goes
+/// on there as that of another peak. Raises NoMotion if there is no maximum.
 PeakTop follow_peak(const PeakOrigin& origin, const AmplitudeAt& amplitude_at);
 
 }  // namespace tiprub::simulate

@@ -70,7 +70,8 @@ std::set<double> starts_of(BranchChoice choice, const std::vector<double>& speed
   SampledCurve curve;
   for (const double speed : speeds) {
     const SpeedResponse response = finished.read(speed, Depth::full);
-    if (response.depth >= Depth::examined || choice == BranchChoice::speeds) starts.insert(speed);
+    const bool asked = choice == BranchChoice::speeds && response.motion == MotionClass::periodic;
+    if (response.depth >= Depth::examined || asked) starts.insert(speed);
     if (response.failure.empty()) curve.push_back({speed, response.amplitude});
   }
   for (const std::size_t low : located_jumps(curve, {})) starts.insert({curve[low].speed, curve[low + 1].speed});

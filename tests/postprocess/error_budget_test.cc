@@ -50,7 +50,7 @@ class ErrorBudgets : public ::testing::Test {
 /// with a larger peak, 6 % away.
 TEST_F(ErrorBudgets, NameTheLargerPeakThatASmallOneJoins) {
   ASSERT_GE(study.critical.size(), 2U);
-  const CriticalSpeed& large = study.critical[*worst_critical(study.critical)];
+  const CriticalSpeed& large = study.critical[*largest_critical(study.critical)];
   const CriticalSpeed& small = study.critical[&large == study.critical.data() ? 1 : 0];
   vary(large, 1.01 * large.speed);
   vary(small, 1.011 * large.speed);

@@ -144,13 +144,12 @@ function placeAmong(bands, rpm) {
   return `Outside the speeds to avoid: ${digits(away, 3)} rpm (${digits(100 * away / rpm, 2)} %) from ${named(nearest)}`;
 }
 
-// Stress and Goodman's utilisation as far as they are known; `stress` [MPa]: an estimate, or null.
-function loadOf({strength}, critical, stress) {
+// Stress and Goodman's utilisation as far as they are known; `stress` [MPa], `goodman` [1]: estimates, or null.
+function loadOf(critical, stress, goodman) {
   if (critical && critical.vibration !== null)
     return `${critical.over_cycle ? '' : 'at least '}${digits(critical.vibration, 3)} MPa${critical.goodman === null ? '' : `, Goodman's utilisation ${critical.goodman.toFixed(2)}`}`;
   if (stress === null) return 'stress not known';
-  return `about ${digits(stress, 2)} MPa${strength === null ? ''
-    : `, Goodman's utilisation about ${(stress / strength.endurance + strength.mean / strength.ultimate).toFixed(2)} (with the mean stress of the worst critical speed)`}`;
+  return `about ${digits(stress, 2)} MPa${goodman === null ? '' : `, Goodman's utilisation about ${goodman.toFixed(2)}`}`;
 }
 
 // How sure the numbers of a simulated speed are.
@@ -166,12 +165,12 @@ function certaintyOf(speed, critical) {
 function verdictAt(selection) {
   const {data, speed, critical, asked} = selection, between = selection.askedBetween;
   if (asked !== null && !between && Math.abs(asked - speed.rpm) >= 0.5) return 'Not known: outside the simulated speeds.';
-  const excursion = between ? selection.between(asked, 'excursion').value : speed.excursion;
-  const stress = between && speed.stress !== null ? selection.between(asked, 'stress').value : speed.stress;
+  const [excursion, stress, goodman] = ['excursion', 'stress', 'goodman'].map(
+    what => between && speed[what] !== null ? selection.between(asked, what).value : speed[what]);
   const sure = between ? `on the line between ${between.low.toFixed(0)} and ${between.high.toFixed(0)} rpm, where a peak may be missed`
     : certaintyOf(speed, critical);
   return `${placeAmong(data.avoid, between ? asked : speed.rpm)}. |u| ${mmOf(excursion)}, ${
-    loadOf(data, between ? null : critical, stress)}. How sure: ${sure}${data.caveat}.`;
+    loadOf(between ? null : critical, stress, goodman)}. How sure: ${sure}${data.caveat}.`;
 }
 
 // What happens at the shown speed, in words.

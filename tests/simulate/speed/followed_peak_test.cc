@@ -81,6 +81,20 @@ TEST(FollowedPeak, TellsAJump) {
   EXPECT_GT(found.top.speed, 20050 - 0.2 * half_width);
 }
 
+/// Symptom: a budget told of a peak where the engine order changes on the flank of another one.
+TEST(FollowedPeak, IsNotWhereTheResponseGoesOnAsAnotherPeak) {
+  const auto of_two_orders = [](double speed) {
+    const double amplitude = std::max(resonance(speed, 20100, 0.6), resonance(speed, 20900, 1.0, 200));
+    return speed < 20750 ? amplitude : -amplitude;
+  };
+  ASSERT_GT(of_two_orders(20740), of_two_orders(20100));
+  EXPECT_NEAR(followed(20000, of_two_orders).vertex(), 20100, 2);
+  EXPECT_THROW(followed(20000, [](double speed) { return speed < 20150 ? speed / 20000 : -speed / 20000; }),
+               NoMotion);
+  const auto jumps_down = [](double speed) { return speed < 20050 ? speed / 20000 : -0.1; };
+  EXPECT_TRUE(jumps(followed(20000, jumps_down)));
+}
+
 /// Nothing to follow: it rises on, belongs to another engine order, or no speed has a motion.
 TEST(FollowedPeak, IsRefusedWhereThereIsNone) {
   EXPECT_THROW(followed(20000, [](double speed) { return speed / 20000; }), NoMotion);

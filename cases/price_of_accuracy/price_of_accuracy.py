@@ -173,6 +173,18 @@ def table(name, chain, rows):
             file.write("\t".join([group, title, str(dofs), *(f"{value:.1f}" for value in [*seconds, sum(seconds)]),
                                   *(f"{value:.6g}" for value in values), wave, *(f"{value:.2e}" for value in errors)]) + "\n")
             file.flush()
+    page_table(name)
+
+
+def page_table(name):
+    """page_NAME: seconds and errors in percent, as the page shows them; a run that failed is left out."""
+    with open(name, newline="", encoding="utf-8") as file:
+        rows = [row for row in csv.DictReader(file, delimiter="\t") if row["in all [s]"]]
+    with open(f"page_{name}", "w", encoding="utf-8") as file:
+        file.write("\t".join(["", "", "s", "critical speed [%]", "motion [%]", "stress [%]"]) + "\n")
+        for row in rows:
+            errors = [100 * float(row[column]) for column in ("error of the speed", "of the corner", "of the stress")]
+            file.write("\t".join([row["group"], row["name"], format(float(row["in all [s]"]), ".0f"), *(f"{error:.2g}" for error in errors)]) + "\n")
 
 
 def main(programs, cases, what):

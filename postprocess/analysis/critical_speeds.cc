@@ -222,11 +222,9 @@ std::optional<std::size_t> largest_critical(const std::vector<CriticalSpeed>& cr
   return static_cast<std::size_t>(largest - critical.begin());
 }
 
-OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, const SpeedRange& operating,
-                                 double smallest_amplitude) {
+OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, const SpeedRange& operating) {
   OperatingMargin margin;
-  for (const CriticalSpeed& peak : critical) {  // ascending in speed
-    if (peak.amplitude < smallest_amplitude) continue;
+  for (const CriticalSpeed& peak : critical) {
     if (peak.speed_high < operating.low)
       margin.below = {peak.speed, (operating.low - peak.speed_high) / operating.low};
     else if (peak.speed_low <= operating.high)

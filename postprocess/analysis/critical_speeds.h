@@ -105,8 +105,7 @@ struct OperatingMargin {
   std::optional<SpeedMargin> below, above;  ///< the nearest outside; nothing if there is none
 };
 
-/// Leaves out critical speeds with an amplitude of less than `smallest_amplitude` [m].
-OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, const SpeedRange& operating,
-                                 double smallest_amplitude);
+/// `critical`: ascending in speed.
+OperatingMargin operating_margin(const std::vector<CriticalSpeed>& critical, const SpeedRange& operating);
 
 }  // namespace tiprub::postprocess

@@ -184,7 +184,12 @@ std::string comparison_in_words(const ReportNumbers& here, const ReportNumbers& 
   }
   for (std::size_t i = 0; i < other.changes.size(); ++i)
     text += (i == 0 ? " The cases differ in " : "; ") + other.changes[i];
-  return text + (other.changes.empty() ? "" : ".") + grids_text(here, other);
+  if (!other.component.empty() && other.component != here.component)
+    text += std::string(other.changes.empty() ? "" : ".") + " Amplitudes cannot be compared: here of the " +
+            here.component + ", there of the " + other.component + ".";
+  else if (!other.changes.empty())
+    text += ".";
+  return text + grids_text(here, other);
 }
 
 Table reports_record(const ReportNumbers& this_one, const std::vector<ReportNumbers>& others) {

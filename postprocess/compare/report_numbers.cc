@@ -103,7 +103,8 @@ ReportNumbers from_json(const json& numbers) {
                      {},
                      map_from(numbers.at("maps").at("leading")),
                      map_from(numbers.at("maps").at("trailing")),
-                     numbers.value("avoid", std::string())};
+                     numbers.value("avoid", std::string()),
+                     numbers.value("component", std::string())};
   require(read.speed.size() > 0 && read.speed.size() == read.amplitude.size(),
           "speeds and amplitudes differ in number");
   for (const json& peak : numbers.at("critical_speeds")) read.peaks.push_back(peak_from(peak));
@@ -148,7 +149,8 @@ ReportNumbers report_numbers(const Study& study, const FieldResults& fields) {
                         {},
                         up_to(study.waves.leading, orders),
                         up_to(study.waves.trailing, orders),
-                        bands_in_words(speeds_to_avoid(study, fields), fields)};
+                        bands_in_words(speeds_to_avoid(study, fields), fields),
+                        name_of(study.parameters.component)};
   for (std::size_t i = 0; i < study.critical.size(); ++i) {
     const CriticalSpeed& critical = study.critical[i];
     numbers.peaks.push_back(
@@ -175,6 +177,7 @@ std::string to_json(const ReportNumbers& numbers) {
                {"schema_version", schema_version},
                {"response", {{"speed_rpm", list_of(numbers.speed)}, {"largest_mm", list_of(numbers.amplitude)}}},
                {"avoid", numbers.avoid},
+               {"component", numbers.component},
                {"critical_speeds", std::move(peaks)},
                {"maps", {{"leading", map_json(numbers.leading_map)}, {"trailing", map_json(numbers.trailing_map)}}}})
              .dump() +

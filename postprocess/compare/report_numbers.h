@@ -31,6 +31,7 @@ struct ReportNumbers {
   /// Parts and totals up to engine_order_max. Of the spectra only the numbers of lines and revolutions are set.
   InteractionMap leading_map, trailing_map;
   std::string avoid = {};      ///< the speeds to avoid in words; empty if the report does not tell them
+  std::string component = {};  ///< name_of() the one of all amplitudes; empty if unknown
   std::string case_text = {};  ///< of the other report or response; empty if it has no copy
 };
 

@@ -214,7 +214,11 @@ std::string goodman_text(const std::optional<FieldPeak>& stress) {
 }  // namespace
 
 Table critical_speed_budgets(const Study& study, const FieldResults& fields) {
-  Table table{{"critical speed [rpm]", "lies between [rpm]", "wave", "tip |u| [mm]", "along the normal [mm]"}, {}};
+  Table table{
+      {"critical speed [rpm]", "lies between [rpm]", "wave", "tip |u| [mm]",
+       study.parameters.component == Component::normal ? std::string("along the normal [mm]")
+                                                       : std::string(name_of(study.parameters.component)) + " [mm]"},
+      {}};
   if (fields.has_stress()) table.header.insert(table.header.end(), {"vibration / with spin [MPa]", "Goodman"});
   table.header.insert(table.header.end(),
                       {"moves the speed most", "moves |u| most", "validity: second order / interference"});

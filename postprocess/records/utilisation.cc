@@ -39,9 +39,10 @@ Eigen::VectorXd utilisation_over_speed(const Study& study, const FieldResults& f
     const auto [index, cycle] = *std::ranges::min_element(rated, {}, [&](const RatedCycle& at) {
       return std::abs(study.speed_at(at.index).speed - study.speed_at(k).speed);
     });
-    utilisation[k] = index == k ? *cycle->goodman
-                                : goodman_utilisation(*cycle->strength,
-                                                      cycle->alternating * estimate[k] / estimate[index], cycle->mean);
+    utilisation[k] =
+        index == k
+            ? *cycle->goodman
+            : goodman_utilisation(*cycle->strength, cycle->alternating * estimate[k] / estimate[index], cycle->mean);
   }
   return utilisation;
 }

@@ -40,14 +40,26 @@ std::string inside_text(const Study& study, const SpeedRange& range, const std::
   return avoided.empty() ? text : text + " Speeds to avoid reach into it: " + avoided + " rpm.";
 }
 
+/// The critical speeds that move or stress the wheel enough to count.
+std::vector<CriticalSpeed> that_count(const Study& study, const FieldResults& fields) {
+  std::vector<CriticalSpeed> counted;
+  for (std::size_t i = 0; i < study.critical.size(); ++i) {
+    const std::optional<FieldPeak>& stress = fields.peaks[i];
+    const bool breaks = stress && stress->cycle && stress->cycle->goodman.value_or(0) > 1;
+    if (breaks || study.critical[i].amplitude >= study.parameters.operating_amplitude_mm / mm_per_m)
+      counted.push_back(study.critical[i]);
+  }
+  return counted;
+}
+
 }  // namespace
 
-std::string margin_text(const Study& study, const std::vector<AvoidedBand>& bands) {
+std::string margin_text(const Study& study, const FieldResults& fields, const std::vector<AvoidedBand>& bands) {
   const PostprocessParameters& keys = study.parameters;
   if (!(keys.operating_max_rpm > 0))
     return "Not known: the case gives no operating range ([postprocess] operating_min_rpm, operating_max_rpm).";
   const SpeedRange operating{keys.operating_min_rpm * rad_s_per_rpm, keys.operating_max_rpm * rad_s_per_rpm};
-  const OperatingMargin margin = operating_margin(study.critical, operating, keys.operating_amplitude_mm / mm_per_m);
+  const OperatingMargin margin = operating_margin(that_count(study, fields), operating);
   std::string text = "Operating range " + fixed(keys.operating_min_rpm, 0) + " to " + rpm_text(operating.high) + ": ";
   text += margin.inside.empty() ? "no critical speed inside"
                                 : counted(margin.inside.size(), "critical speed") + " inside (";

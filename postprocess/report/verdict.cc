@@ -346,7 +346,7 @@ std::vector<Answer> verdict(const Study& study, const FieldResults& fields, cons
       {"Not trustworthy", speeds_warning(study)},
       {"How bad", how_bad(study, fields)},
       {"Avoid", study.no_tip_touches() ? "" : bands_in_words(bands, fields) + unknown_speeds(study)},
-      {"Margin", margin_text(study, bands)},
+      {"Margin", margin_text(study, fields, bands)},
       {"Where", where(study, fields)},
       {"Why", why(study, fields)},
       {"Trust", trust(study, fields, needs)},

@@ -146,6 +146,7 @@ TEST(Comparison, ReadsTheNumbersOfAReport) {
   EXPECT_EQ(there.peaks.front().stress, 125);
   EXPECT_EQ(there.peaks.front().goodman, 0.75);
   EXPECT_EQ(there.avoid, here.avoid);
+  EXPECT_EQ(there.component, "displacement along the casing normal");
   for (const auto& row : comparison_record(here, there).rows) EXPECT_EQ(number(row[3]), 0);
   ASSERT_EQ(there.leading_map.columns.size(), here.leading_map.columns.size());
   for (std::size_t i = 0; i < there.leading_map.columns.size(); ++i) {
@@ -155,6 +156,17 @@ TEST(Comparison, ReadsTheNumbersOfAReport) {
     EXPECT_TRUE(a.total.isApprox(b.total, 1e-14));
     EXPECT_TRUE(a.total.isApprox(study.waves.first().columns[i].total.head(a.total.size()), 1e-14));
   }
+}
+
+/// Symptom: an axial displacement was compared with one along the normal.
+TEST(Comparison, TellsThatComponentsDiffer) {
+  const Study study = made_study();
+  const ReportNumbers here = report_numbers(study, field_results(std::nullopt, study.critical));
+  ReportNumbers there = here;
+  const auto told = [&] { return comparison_in_words(here, there).find("cannot be compared") != std::string::npos; };
+  EXPECT_FALSE(told());
+  there.component = name_of(Component::axial);
+  EXPECT_TRUE(told());
 }
 
 TEST(Comparison, RefusesWhatIsNoReport) {

@@ -148,7 +148,7 @@ std::vector<CriticalSpeed> peaks_at(const std::vector<std::pair<double, double>>
 /// From the nearer end of the interval in which the critical speed lies.
 TEST(OperatingMargin, IsToTheNearestCriticalSpeedOutside) {
   const auto critical = peaks_at({{800, 2e-4}, {890, 1e-4}, {990, 3e-4}, {1500, 1e-4}, {2205, 2e-4}, {2500, 2e-4}});
-  const OperatingMargin margin = operating_margin(critical, {1000, 2000}, 0);
+  const OperatingMargin margin = operating_margin(critical, {1000, 2000});
   ASSERT_EQ(margin.inside.size(), 2U);  // the ends count
   EXPECT_EQ(margin.inside[0].speed, 990);
   EXPECT_EQ(margin.inside[1].speed, 1500);
@@ -157,15 +157,6 @@ TEST(OperatingMargin, IsToTheNearestCriticalSpeedOutside) {
   EXPECT_NEAR(margin.below->margin, 0.1, rounding);
   EXPECT_EQ(margin.above->speed, 2205);
   EXPECT_NEAR(margin.above->margin, 0.1, rounding);
-}
-
-TEST(OperatingMargin, LeavesSmallOnesOut) {
-  const auto critical = peaks_at({{800, 2e-4}, {900, 1e-4}, {1500, 1e-4}});
-  const OperatingMargin margin = operating_margin(critical, {1000, 2000}, 1.5e-4);
-  EXPECT_TRUE(margin.inside.empty());
-  ASSERT_TRUE(margin.below);
-  EXPECT_EQ(margin.below->speed, 800);
-  EXPECT_FALSE(margin.above);
 }
 
 }  // namespace

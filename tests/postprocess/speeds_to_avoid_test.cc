@@ -263,12 +263,28 @@ TEST_F(SpeedsToAvoid, NamesWhatIsUnknown) {
           rpm(1) + " and " + rpm(4) + " rpm.");
 }
 
+/// Symptom: a critical speed with a utilisation above 1 did not count, because it moves the tip by little.
+TEST_F(SpeedsToAvoid, SmallMotionsCountForTheMarginIfTheyBreakTheWheel) {
+  const CriticalSpeed& peak = study.critical.front();
+  study.parameters.operating_min_rpm = 0.99 * peak.speed * rpm_per_rad_s;
+  study.parameters.operating_max_rpm = 1.01 * peak.speed * rpm_per_rad_s;
+  study.parameters.operating_amplitude_mm = 2 * peak.amplitude * mm_per_m;
+  const auto counts = [&] {
+    return margin_text(study, fields, {}).find("no critical speed inside") == std::string::npos;
+  };
+  EXPECT_FALSE(counts());
+  set_goodman(0, 0.9);
+  EXPECT_FALSE(counts());
+  set_goodman(0, 1.1);
+  EXPECT_TRUE(counts());
+}
+
 /// Symptom: "no critical speed inside", and a motion of 0.000 mm, of a range in which nothing had been simulated.
 TEST_F(SpeedsToAvoid, TellTheOperatingRange) {
   const auto within = [&](double low, double high) {
     study.parameters.operating_min_rpm = low;
     study.parameters.operating_max_rpm = high;
-    return margin_text(study, {{{14000 * rad_s_per_rpm, 15000 * rad_s_per_rpm}, Concern::above_limit}});
+    return margin_text(study, fields, {{{14000 * rad_s_per_rpm, 15000 * rad_s_per_rpm}, Concern::above_limit}});
   };
   const std::string beyond = within(90000, 95000);
   EXPECT_TRUE(beyond.ends_with(" No speed inside it was simulated.")) << beyond;

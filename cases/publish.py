@@ -133,6 +133,14 @@ def of_model(folder):
     return {"first_hz": f"{min(rest):.0f} to {max(rest):.0f}"} if len(rest) else {}
 
 
+def of_branches(folder):
+    """The speeds of the folds of all branches."""
+    with h5py.File(os.path.join(folder, "response.h5")) as response:
+        branches = response["branch"].values() if "branch" in response else []
+        folds = sorted(30 / numpy.pi * speed for branch in branches if "fold" in branch for speed in branch["fold"][:])
+    return {f"fold.{place}": rounded(speed, ",.0f") for place, speed in enumerate(folds, 1)}
+
+
 def of_largest(rows):
     """Numbers of the critical speed with the largest motion of the tip."""
     row = max(rows, key=lambda row: float(row["tip |u| [mm]"]))
@@ -156,7 +164,7 @@ def publish_study(programs, folder, expected):
 def publish_case(programs, folder, expected):
     report = os.path.join(folder, "report")
     critical, rules = rows_of(os.path.join(report, "critical_speeds.csv")), rows_of(os.path.join(report, "linear_rules.csv"))
-    numbers = {**version_of(programs), **of_model(folder), **of_sweep(folder), "critical": str(len(critical)),
+    numbers = {**version_of(programs), **of_model(folder), **of_sweep(folder), **of_branches(folder), "critical": str(len(critical)),
                **({} if not critical else of_largest(critical)),
                **{f"rule.{row['rule'].split()[-1].strip('.')}.{key}": row[column] for row in rules
                   for key, column in (("missed", "missed"), ("false", "false alarms"))}}

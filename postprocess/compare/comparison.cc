@@ -142,12 +142,23 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// As worst_critical() has it.
-const ComparedPeak& worst_of(const std::vector<ComparedPeak>& peaks) {
-  return *std::ranges::max_element(peaks, {}, [](const ComparedPeak& peak) {
-    return std::array{peak.goodman.value_or(0), peak.stress.value_or(0), peak.amplitude};
-  });
-}
+/// By which numbers the worst peaks of reports are found: by those that all of them have.
+struct Severity {
+  bool goodman = true, stress = true;
+
+  void keep_those_of(const ReportNumbers& numbers) {
+    if (numbers.peaks.empty()) return;
+    goodman =
+        goodman && std::ranges::any_of(numbers.peaks, &std::optional<double>::has_value, &ComparedPeak::goodman);
+    stress = stress && std::ranges::any_of(numbers.peaks, &std::optional<double>::has_value, &ComparedPeak::stress);
+  }
+  /// As worst_critical() has it; the list must not be empty.
+  const ComparedPeak& worst_of(const std::vector<ComparedPeak>& peaks) const {
+    return *std::ranges::max_element(peaks, {}, [&](const ComparedPeak& peak) {
+      return std::array{goodman ? peak.goodman.value_or(0) : 0, stress ? peak.stress.value_or(0) : 0, peak.amplitude};
+    });
+  }
+};
 
 std::string worst_text(const ComparedPeak& peak) {
   return fixed(peak.amplitude, 3) + " mm at " + fixed(peak.speed, 0) + " rpm (" + wave_of(peak) + ")";
@@ -176,7 +187,9 @@ std::string comparison_in_words(const ReportNumbers& here, const ReportNumbers& 
     text = std::to_string(here.peaks.size()) + " critical speeds here, " + std::to_string(other.peaks.size()) +
            " there.";
   } else {
-    const ComparedPeak &worst = worst_of(here.peaks), &there = worst_of(other.peaks);
+    Severity severity;
+    for (const ReportNumbers* numbers : {&here, &other}) severity.keep_those_of(*numbers);
+    const ComparedPeak &worst = severity.worst_of(here.peaks), &there = severity.worst_of(other.peaks);
     text = "The worst critical speed is " + worst_text(worst) + " here and " + worst_text(there) + " there: speed " +
            signed_percent(worst.speed / there.speed) + ", amplitude " +
            signed_percent(worst.amplitude / there.amplitude) + "; " + std::to_string(here.peaks.size()) +
@@ -196,6 +209,9 @@ Table reports_record(const ReportNumbers& this_one, const std::vector<ReportNumb
   Table table{{"report", "keys that differ", "critical speeds", "worst [rpm]", "worst wave", "worst amplitude [mm]",
                "its stress with spin [MPa]", "its Goodman", "speeds to avoid"},
               {}};
+  Severity severity;
+  severity.keep_those_of(this_one);
+  for (const ReportNumbers& other : others) severity.keep_those_of(other);
   const auto add = [&](const ReportNumbers& numbers, const std::string& name) {
     std::string changes;
     for (const std::string& change : numbers.changes) changes += (changes.empty() ? "" : "; ") + change;
@@ -203,7 +219,7 @@ Table reports_record(const ReportNumbers& this_one, const std::vector<ReportNumb
     if (numbers.peaks.empty()) {
       row.insert(row.end(), 5, std::string());
     } else {
-      const ComparedPeak& worst = worst_of(numbers.peaks);
+      const ComparedPeak& worst = severity.worst_of(numbers.peaks);
       row.insert(row.end(), {worst.speed, wave_of(worst), worst.amplitude, optional_cell(worst.stress),
                              optional_cell(worst.goodman)});
     }

@@ -169,6 +169,22 @@ TEST(Comparison, TellsThatComponentsDiffer) {
   EXPECT_TRUE(told());
 }
 
+/// Symptom: of two reports of one sweep, of which one had no stresses, each named another worst peak.
+TEST(Comparison, JudgesTheWorstPeaksByWhatBothReportsHave) {
+  ReportNumbers here, there;
+  here.speed = there.speed = Eigen::Vector2d(1000, 2000);
+  here.peaks = {{.speed = 1000, .amplitude = 2, .stress = {}}, {.speed = 2000, .amplitude = 1, .stress = {}}};
+  there.peaks = here.peaks;
+  there.peaks[1].goodman = 3;
+  const auto worst = [&] {
+    return std::pair(number(reports_record(here, {there}).rows[0][3]),
+                     number(reports_record(here, {there}).rows[1][3]));
+  };
+  EXPECT_EQ(worst(), std::pair(1000.0, 1000.0));
+  here.peaks[1].goodman = 2;
+  EXPECT_EQ(worst(), std::pair(2000.0, 2000.0));
+}
+
 TEST(Comparison, RefusesWhatIsNoReport) {
   const Study study = made_study();
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "no_report";

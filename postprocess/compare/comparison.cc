@@ -2,7 +2,6 @@
 #include "postprocess/compare/comparison.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "postprocess/figures/maps.h"
@@ -142,25 +141,12 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// By which numbers the worst peaks of reports are found: by those that all of them have.
-struct Severity {
-  bool goodman = true, stress = true;
+/// Reports with and without stresses have only the amplitude in common.
+const ComparedPeak& largest_of(const std::vector<ComparedPeak>& peaks) {
+  return *std::ranges::max_element(peaks, {}, &ComparedPeak::amplitude);
+}
 
-  void keep_those_of(const ReportNumbers& numbers) {
-    if (numbers.peaks.empty()) return;
-    goodman =
-        goodman && std::ranges::any_of(numbers.peaks, &std::optional<double>::has_value, &ComparedPeak::goodman);
-    stress = stress && std::ranges::any_of(numbers.peaks, &std::optional<double>::has_value, &ComparedPeak::stress);
-  }
-  /// As worst_critical() has it; the list must not be empty.
-  const ComparedPeak& worst_of(const std::vector<ComparedPeak>& peaks) const {
-    return *std::ranges::max_element(peaks, {}, [&](const ComparedPeak& peak) {
-      return std::array{goodman ? peak.goodman.value_or(0) : 0, stress ? peak.stress.value_or(0) : 0, peak.amplitude};
-    });
-  }
-};
-
-std::string worst_text(const ComparedPeak& peak) {
+std::string peak_text(const ComparedPeak& peak) {
   return fixed(peak.amplitude, 3) + " mm at " + fixed(peak.speed, 0) + " rpm (" + wave_of(peak) + ")";
 }
 
@@ -182,22 +168,22 @@ std::string grids_text(const ReportNumbers& here, const ReportNumbers& other) {
 }  // namespace
 
 std::string comparison_in_words(const ReportNumbers& here, const ReportNumbers& other) {
+  const bool comparable = other.component.empty() || other.component == here.component;
   std::string text;
   if (here.peaks.empty() || other.peaks.empty()) {
     text = std::to_string(here.peaks.size()) + " critical speeds here, " + std::to_string(other.peaks.size()) +
            " there.";
   } else {
-    Severity severity;
-    for (const ReportNumbers* numbers : {&here, &other}) severity.keep_those_of(*numbers);
-    const ComparedPeak &worst = severity.worst_of(here.peaks), &there = severity.worst_of(other.peaks);
-    text = "The worst critical speed is " + worst_text(worst) + " here and " + worst_text(there) + " there: speed " +
-           signed_percent(worst.speed / there.speed) + ", amplitude " +
-           signed_percent(worst.amplitude / there.amplitude) + "; " + std::to_string(here.peaks.size()) +
-           " critical speeds here, " + std::to_string(other.peaks.size()) + " there.";
+    const ComparedPeak &largest = largest_of(here.peaks), &there = largest_of(other.peaks);
+    text = "The largest critical speed is " + peak_text(largest) + " here and " + peak_text(there) +
+           " there: speed " + signed_percent(largest.speed / there.speed) +
+           (comparable ? ", amplitude " + signed_percent(largest.amplitude / there.amplitude) : "") + "; " +
+           std::to_string(here.peaks.size()) + " critical speeds here, " + std::to_string(other.peaks.size()) +
+           " there.";
   }
   for (std::size_t i = 0; i < other.changes.size(); ++i)
     text += (i == 0 ? " The cases differ in " : "; ") + other.changes[i];
-  if (!other.component.empty() && other.component != here.component)
+  if (!comparable)
     text += std::string(other.changes.empty() ? "" : ".") + " Amplitudes cannot be compared: here of the " +
             here.component + ", there of the " + other.component + ".";
   else if (!other.changes.empty())
@@ -206,12 +192,9 @@ std::string comparison_in_words(const ReportNumbers& here, const ReportNumbers& 
 }
 
 Table reports_record(const ReportNumbers& this_one, const std::vector<ReportNumbers>& others) {
-  Table table{{"report", "keys that differ", "critical speeds", "worst [rpm]", "worst wave", "worst amplitude [mm]",
+  Table table{{"report", "keys that differ", "critical speeds", "largest [rpm]", "its wave", "its amplitude [mm]",
                "its stress with spin [MPa]", "its Goodman", "speeds to avoid"},
               {}};
-  Severity severity;
-  severity.keep_those_of(this_one);
-  for (const ReportNumbers& other : others) severity.keep_those_of(other);
   const auto add = [&](const ReportNumbers& numbers, const std::string& name) {
     std::string changes;
     for (const std::string& change : numbers.changes) changes += (changes.empty() ? "" : "; ") + change;
@@ -219,9 +202,9 @@ Table reports_record(const ReportNumbers& this_one, const std::vector<ReportNumb
     if (numbers.peaks.empty()) {
       row.insert(row.end(), 5, std::string());
     } else {
-      const ComparedPeak& worst = severity.worst_of(numbers.peaks);
-      row.insert(row.end(), {worst.speed, wave_of(worst), worst.amplitude, optional_cell(worst.stress),
-                             optional_cell(worst.goodman)});
+      const ComparedPeak& largest = largest_of(numbers.peaks);
+      row.insert(row.end(), {largest.speed, wave_of(largest), largest.amplitude, optional_cell(largest.stress),
+                             optional_cell(largest.goodman)});
     }
     row.emplace_back(numbers.avoid);
     table.rows.push_back(std::move(row));

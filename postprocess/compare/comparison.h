@@ -18,8 +18,8 @@ Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& othe
 /// The same for each of the others, one after the other; of several, the first column names the report.
 Table comparison_record(const ReportNumbers& this_one, const std::vector<ReportNumbers>& others);
 
-/// A row for this report and for each other one: the keys of its case that differ, its worst critical speed, and the
-/// speeds to avoid.
+/// A row for this report and for each other one: the keys of its case that differ, its largest critical speed, and
+/// the speeds to avoid.
 Table reports_record(const ReportNumbers& this_one, const std::vector<ReportNumbers>& others);
 
 /// The interaction maps of both reports side by side, for the edge asked for.

@@ -38,7 +38,10 @@ struct FieldStudy {
   /// mesh near the most stressed ones.
   std::vector<std::vector<std::optional<double>>> varied;
   std::vector<MovingWheel> moving;  ///< at every critical speed that has a cycle
-  Eigen::VectorXd over_speed;       ///< [Pa] stress_over_speed(); empty if no speed has states
+  Eigen::VectorXd over_speed;       ///< [Pa] the largest of stress_over_speed(); empty if no speed has states
+  /// [1] Goodman's utilisation at every speed of the response, estimated with the stress that over_speed has as the
+  /// alternating one and that of the spin as the mean, at the same nodes; empty without strengths.
+  Eigen::VectorXd utilisation;
   /// [1] what each cell contributes to the mean errors that the mesh makes; empty if they are not estimated.
   Eigen::VectorXd mesh_error_of_frequencies, mesh_error_of_compliances;
 };
@@ -64,6 +67,7 @@ struct FieldResults {
   /// [Pa] The largest stress of the vibration at every speed of the response, estimated by stress_over_speed(); empty
   /// without full fields.
   Eigen::VectorXd over_speed = {};
+  Eigen::VectorXd utilisation = {};  ///< [1] FieldStudy::utilisation
 
   bool has_stress() const;
   /// Whether a critical speed's stress is that of a whole cycle.

@@ -87,9 +87,11 @@ class SpeedStress {
  public:
   SpeedStress(const SimulatedScene& scene, const std::vector<BlockedModes>& modes) : scene_(scene), modes_(modes) {}
 
-  double largest(const SpeedResponse& response) const {
+  /// [Pa] at each of the nodes.
+  Eigen::VectorXd largest(const SpeedResponse& response, Eigen::Index nodes) const {
     const std::vector<StressWave> waves = without_small(waves_of(response));
-    if (waves.empty()) return 0;
+    Eigen::VectorXd largest = Eigen::VectorXd::Zero(nodes);
+    if (waves.empty()) return largest;
     double highest = 1;
     for (const StressWave& wave : waves)
       if (wave.stress.norm() > counts_for_time * waves.front().stress.norm())
@@ -107,10 +109,10 @@ class SpeedStress {
             factor * std::sin(angle);
       }
     }
-    double largest = 0;
     for (int j = 0; j < scene_.independent_sectors; ++j) {
       const Eigen::MatrixXd stress = parts_on(waves, j) * phases;
-      largest = std::max(largest, von_mises(stress.reshaped(6, stress.size() / 6)).maxCoeff());
+      const Eigen::VectorXd now = von_mises(stress.reshaped(6, stress.size() / 6));
+      largest = largest.cwiseMax(now.reshaped(nodes, instants).rowwise().maxCoeff());
     }
     return largest;
   }
@@ -199,7 +201,24 @@ std::vector<int> stressed_nodes(const CycleStress& stress, const StressZones& zo
   return body;
 }
 
-Eigen::VectorXd stress_over_speed(const FieldsReader& reader, const Study& study, const std::vector<int>& nodes) {
+std::vector<int> governing_nodes(const CycleStress& stress, const StressZones& zones,
+                                 const std::optional<MaterialStrength>& strength) {
+  std::vector<int> nodes;
+  const auto add_largest = [&](const auto& severity) {
+    int largest = -1;
+    for (int node = 0; node < stress.vibration.size(); ++node)
+      if (zones.at_node[static_cast<std::size_t>(node)] == StressZone::body &&
+          (largest < 0 || severity(node) > severity(largest)))
+        largest = node;
+    if (largest >= 0) nodes.push_back(largest);
+  };
+  add_largest([&](int node) { return stress.vibration[node]; });
+  if (strength)
+    add_largest([&](int node) { return goodman_utilisation(*strength, stress.vibration[node], stress.spin[node]); });
+  return nodes;
+}
+
+Eigen::MatrixXd stress_over_speed(const FieldsReader& reader, const Study& study, const std::vector<int>& nodes) {
   if (nodes.empty()) return {};
   const std::vector<SpeedResponse>& speeds = study.response.speeds;
   const NodeStress at_nodes(reader, nodes);
@@ -211,12 +230,13 @@ Eigen::VectorXd stress_over_speed(const FieldsReader& reader, const Study& study
     modes.back().stress = at_nodes.of(n, basis);
   }
   const SpeedStress stress(study.response.scene, modes);
-  Eigen::VectorXd largest(static_cast<Eigen::Index>(speeds.size()));
+  const auto count = static_cast<Eigen::Index>(nodes.size());
+  Eigen::MatrixXd largest(count, static_cast<Eigen::Index>(speeds.size()));
   std::atomic<std::size_t> next = 0;
   work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
     for (std::size_t i = 0; (i = next++) < speeds.size();) {
       stop_if_interrupted();
-      largest[static_cast<Eigen::Index>(i)] = stress.largest(speeds[i]);
+      largest.col(static_cast<Eigen::Index>(i)) = stress.largest(speeds[i], count);
     }
   });
   return largest;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 #include <vector>
 
 #include "postprocess/analysis/study.h"
@@ -13,9 +14,15 @@ namespace tiprub::postprocess {
 /// The nodes of the body with the largest stress of the vibration.
 std::vector<int> stressed_nodes(const CycleStress& stress, const StressZones& zones);
 
-/// [Pa] The largest von Mises stress of the vibration at some nodes, for every speed of the response, in its order.
+/// The node of the body with the largest stress of the vibration and, with strengths, that with the largest
+/// utilisation by Goodman's rule, if the vibration alternates and the spin is the mean.
+std::vector<int> governing_nodes(const CycleStress& stress, const StressZones& zones,
+                                 const std::optional<MaterialStrength>& strength);
+
+/// [Pa] The largest von Mises stress of the vibration at each of some nodes, for every speed of the response, in its
+/// order; nodes x speeds.
 ///
-/// The response holds the states of the whole rotor only at critical speeds, but the motion of the contact dofs at
+/// The response holds the cycles of the whole rotor only at critical speeds, but the motion of the contact dofs at
 /// all of them. That motion is a sum of waves c e^{i (k Omega t + n j alpha)}. The generalized dofs g of each wave
 /// follow by dynamic condensation, with the blocks of the nodal diameter's matrices and omega = k Omega,
 ///
@@ -28,6 +35,6 @@ std::vector<int> stressed_nodes(const CycleStress& stress, const StressZones& zo
 ///
 /// The estimate is low where the largest stress lies at another node. `nodes`: ascending, each once; without any, the
 /// result is empty.
-Eigen::VectorXd stress_over_speed(const FieldsReader& reader, const Study& study, const std::vector<int>& nodes);
+Eigen::MatrixXd stress_over_speed(const FieldsReader& reader, const Study& study, const std::vector<int>& nodes);
 
 }  // namespace tiprub::postprocess

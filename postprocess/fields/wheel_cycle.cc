@@ -115,7 +115,10 @@ WheelCycle whole_cycle(const RotorCycle& cycle, const SimulatedScene& scene) {
 }
 
 WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model) {
-  if (response.cycle) return without_repeats(response, scene, model);
+  return response.cycle ? without_repeats(response, scene, model) : wheel_instant(response, scene, model);
+}
+
+WheelCycle wheel_instant(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model) {
   WheelCycle instant;
   instant.sectors = scene.independent_sectors;
   instant.first_sample = response.snapshot->sample;

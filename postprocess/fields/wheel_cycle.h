@@ -35,7 +35,9 @@ WheelCycle whole_cycle(const RotorCycle& cycle, const SimulatedScene& scene);
 /// From the cycle of a speed or, without one, from its snapshot; the speed must have either. States that differ by
 /// less than 1e-3 of their norm (of elastic energy) count as equal; the error of stress from a mesh is far larger.
 WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model);
-/// The same for a varied peak that has a cycle.
+/// The single sample of a speed's snapshot, which it must have.
+WheelCycle wheel_instant(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model);
+/// The cycle of a varied peak that has one.
 WheelCycle wheel_cycle(const PeakVariation& peak, const SimulatedScene& scene, const ReducedModel& model);
 
 /// The Fourier coefficients of states at evenly spaced samples of a cycle; dofs x lines. The phase of line m over R

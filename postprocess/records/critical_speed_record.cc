@@ -28,7 +28,8 @@ using PeakColumns = std::vector<Column<PeakRow>>;
 PeakRows peaks_of(const Study& study, const FieldResults& fields) {
   PeakRows peaks;
   for (std::size_t i = 0; i < study.critical.size(); ++i)
-    peaks.push_back({study, study.critical[i], fields.peaks[i], outside_validity(study, i, fields)});
+    peaks.push_back({study, study.critical[i], fields.peaks[i],
+                     outside_validity(study, study.critical[i].index, fields.peaks[i])});
   return peaks;
 }
 

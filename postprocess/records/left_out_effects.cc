@@ -17,7 +17,8 @@ namespace tiprub::postprocess {
 namespace {
 
 /// [m] The length of the tip line that belongs to a node or segment: half way to its neighbours. The centre of an
-/// outermost segment, whose weight falls from the edge, lies half as far from the edge as from the next centre.
+/// outermost segment, whose weight falls from the edge, lies half as far from the edge as from the next centre; of
+/// two segments, as far.
 double width_of(const ContactLine& contact, int node) {
   const bool on_splitter = node > contact.trailing_edge();
   const int first = on_splitter ? contact.trailing_edge() + 1 : 0;
@@ -25,7 +26,8 @@ double width_of(const ContactLine& contact, int node) {
   const int before = std::max(node - 1, first), after = std::min(node + 1, last);
   const auto inset = [&](int edge, int next) {
     const bool is_end = contact.kind == ContactKind::segments && (before == edge || after == edge);
-    return is_end ? 0.5 * std::abs(contact.arc_length[next] - contact.arc_length[edge]) : 0;
+    const double share = last - first == 1 ? 1 : 0.5;
+    return is_end ? share * std::abs(contact.arc_length[next] - contact.arc_length[edge]) : 0;
   };
   return 0.5 * (contact.arc_length[after] - contact.arc_length[before] + inset(first, std::min(first + 1, last)) +
                 inset(last, std::max(last - 1, first)));

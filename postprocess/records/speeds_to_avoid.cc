@@ -43,7 +43,9 @@ std::vector<AvoidedBand> joined(std::vector<AvoidedBand> bands) {
 
 /// What is left of a band outside others, which are ascending and do not overlap.
 void add_outside(AvoidedBand band, const std::vector<AvoidedBand>& others, std::vector<AvoidedBand>& all) {
+  const bool is_point = band.speeds.low == band.speeds.high;  // where a single speed was computed
   for (const AvoidedBand& other : others) {
+    if (is_point && other.speeds.low <= band.speeds.low && band.speeds.low <= other.speeds.high) return;
     if (other.speeds.high <= band.speeds.low || other.speeds.low >= band.speeds.high) continue;
     if (band.speeds.low < other.speeds.low) {
       all.push_back(band);
@@ -51,7 +53,7 @@ void add_outside(AvoidedBand band, const std::vector<AvoidedBand>& others, std::
     }
     band.speeds.low = other.speeds.high;
   }
-  if (band.speeds.low < band.speeds.high) all.push_back(band);
+  if (is_point || band.speeds.low < band.speeds.high) all.push_back(band);
 }
 
 /// The speeds around one at which something holds, to the nearest ones at which it does not.
@@ -155,12 +157,11 @@ std::string range_text(const SpeedRange& range) {
   return fixed(range.low * rpm_per_rad_s, 0) + " to " + rpm_text(range.high);
 }
 
-/// "; Goodman's utilisation is not known without ...", "; not rated, because the response holds one instant of its
+/// "; Goodman's utilisation is not known without ...", "; estimated, because the response holds one instant of its
 /// motion: 21303 rpm"; empty if all critical speeds are rated.
 std::string not_rated(const FieldResults& fields) {
   const auto has_goodman = [](const auto& peak) { return peak && peak->cycle && peak->cycle->goodman; };
-  if (fields.peaks.empty()) return "";
-  if (std::ranges::none_of(fields.peaks, has_goodman))
+  if (std::ranges::none_of(fields.peaks, has_goodman) && !has_goodman(fields.of_no_critical))
     return std::string("; Goodman's utilisation is not known without ") +
            (!fields.has_stress()   ? "--fields"
             : !fields.has_cycles() ? "whole cycles of the motions (simulate.examine = \"critical_speeds\")"
@@ -170,7 +171,7 @@ std::string not_rated(const FieldResults& fields) {
     if (peak && !peak->cycle) speeds.push_back(peak->speed);
   return speeds.empty()
              ? ""
-             : "; not rated, because the response holds a single instant of the motion: " + speeds_text(speeds);
+             : "; estimated, because the response holds a single instant of the motion: " + speeds_text(speeds);
 }
 
 /// "Goodman above 0.5; Goodman above 1 from 18604 to 21188 rpm and from ..."; without speeds if it is one band.

@@ -41,7 +41,7 @@ std::vector<AvoidedBand> speeds_to_avoid(const Study& study, const FieldResults&
 std::string reason_of(const AvoidedBand& band);
 
 /// "18362 to 21705 rpm (Goodman above 0.5; Goodman above 1 from 18604 to 21188 rpm; ...); ...": bands that touch are
-/// one. Or that there are none. Then the critical speeds whose utilisation is not known.
+/// one. Or that there are none. Then the critical speeds whose utilisation is estimated or not known.
 std::string bands_in_words(const std::vector<AvoidedBand>& bands, const FieldResults& fields);
 
 /// The speeds at which less is known than the bands suggest: those that failed, and those whose symmetric motion is

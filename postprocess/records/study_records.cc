@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "postprocess/analysis/other_motions.h"
+#include "postprocess/records/utilisation.h"
 #include "postprocess/tables/table.h"
 #include "simulate/response/speed_numbers.h"
 
@@ -19,8 +20,9 @@ struct SpeedRow {
   const TravellingSpectrum& spectrum;
   const ContactMaps& contact;
   const GapTerms& gap;
-  Eigen::Index index;            ///< in the response's speeds
-  std::optional<double> stress;  ///< [Pa] FieldResults::over_speed
+  Eigen::Index index;                 ///< in the response's speeds
+  std::optional<double> stress;       ///< [Pa] FieldResults::over_speed
+  std::optional<double> utilisation;  ///< [1] utilisation_over_speed()
 };
 
 using SpeedColumns = std::vector<Column<SpeedRow>>;
@@ -48,7 +50,9 @@ Cell megapascals(const std::optional<double>& stress) {
 }
 
 SpeedColumns estimated_stress_columns() {
-  return {{"von Mises, vibration, estimated [MPa]", [](const SpeedRow& speed) { return megapascals(speed.stress); }}};
+  return {{"von Mises, vibration, estimated [MPa]", [](const SpeedRow& speed) { return megapascals(speed.stress); }},
+          {"Goodman utilisation, estimated [1]",
+           [](const SpeedRow& speed) { return speed.utilisation ? Cell(*speed.utilisation) : Cell(std::string()); }}};
 }
 
 SpeedColumns step_columns() {
@@ -164,12 +168,14 @@ std::string whole_wheel_text(const SpeedResponse& speed) {
 }
 
 Table speed_record(const Study& study, const FieldResults& fields) {
+  const Eigen::VectorXd utilisation = utilisation_over_speed(study, fields);
   std::vector<SpeedRow> speeds;
   for (const SpeedResponse& response : study.response.speeds) {
     const auto index = static_cast<Eigen::Index>(speeds.size());
     speeds.push_back({response, study.amplitudes.largest[index], study.waves.first().columns[speeds.size()].spectrum,
                       study.contact, study.gap[speeds.size()], index,
-                      fields.over_speed.size() > 0 ? std::optional(fields.over_speed[index]) : std::nullopt});
+                      fields.over_speed.size() > 0 ? std::optional(fields.over_speed[index]) : std::nullopt,
+                      utilisation.size() > 0 ? std::optional(utilisation[index]) : std::nullopt});
   }
   Table table = table_of(joined<SpeedRow>({motion_columns(), estimated_stress_columns(), step_columns(),
                                            audit_columns(), map_columns()}),
@@ -284,9 +290,8 @@ Table mode_record(const FieldStudy& fields) {
   return table;
 }
 
-std::string outside_validity(const Study& study, std::size_t critical, const FieldResults& fields) {
-  const GapTerms& gap = study.gap[static_cast<std::size_t>(study.critical[critical].index)];
-  const std::optional<FieldPeak>& stress = fields.peaks[critical];
+std::string outside_validity(const Study& study, Eigen::Index index, const std::optional<FieldPeak>& stress) {
+  const GapTerms& gap = study.gap[static_cast<std::size_t>(index)];
   std::string text = gap.beyond() ? gap.in_words() : "";
   if (stress && stress->yield_share.value_or(0) > 1)
     text += (text.empty() ? "" : "; ") + std::string("stress ") + fixed(*stress->yield_share, 2) + " of yield";
@@ -294,8 +299,9 @@ std::string outside_validity(const Study& study, std::size_t critical, const Fie
 }
 
 std::string validity_in_short(const Study& study, std::size_t critical, const FieldResults& fields) {
-  if (outside_validity(study, critical, fields).empty()) return "inside";
-  const GapTerms& gap = study.gap[static_cast<std::size_t>(study.critical[critical].index)];
+  const Eigen::Index index = study.critical[critical].index;
+  if (outside_validity(study, index, fields.peaks[critical]).empty()) return "inside";
+  const GapTerms& gap = study.gap[static_cast<std::size_t>(index)];
   return "outside: " + (gap.beyond() ? significant(gap.together * mm_per_m, 2) + " / " +
                                            significant(gap.interference * mm_per_m, 2) + " mm"
                                      : std::string("yield"));

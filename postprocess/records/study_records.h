@@ -52,9 +52,9 @@ Table stress_peak_record(const FieldStudy& fields);
 /// The frequency of every natural mode that was examined, and each part's share in it; modes.csv.
 Table mode_record(const FieldStudy& fields);
 
-/// What the motion at a critical speed leaves of the range in which its model holds, with the numbers; empty if it
-/// stays inside.
-std::string outside_validity(const Study& study, std::size_t critical, const FieldResults& fields);
+/// What the motion at a speed of the response leaves of the range in which its model holds, with the numbers; empty
+/// if it stays inside. `stress`: there, if it is known.
+std::string outside_validity(const Study& study, Eigen::Index index, const std::optional<FieldPeak>& stress);
 
 /// "inside", "outside: 0.12 / 0.037 mm" (the gap's terms of second order and the interference), "outside: yield".
 std::string validity_in_short(const Study& study, std::size_t critical, const FieldResults& fields);

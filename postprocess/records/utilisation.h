@@ -9,9 +9,8 @@
 
 namespace tiprub::postprocess {
 
-/// [1] Goodman's utilisation at every speed of the response; empty if no cycle is rated. It is exact where a cycle
-/// is. Elsewhere FieldResults::over_speed, times its ratio to the alternating stress of the nearest rated speed,
-/// stands for the alternating stress, and the mean stress is that speed's.
+/// [1] Goodman's utilisation at every speed of the response: that of the cycle where one was recovered, elsewhere the
+/// estimate FieldResults::utilisation; empty without that.
 Eigen::VectorXd utilisation_over_speed(const Study& study, const FieldResults& fields);
 
 /// The critical speed with the largest utilisation; of those of equal or no utilisation, that with the largest stress

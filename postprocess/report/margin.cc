@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "postprocess/records/exactness_record.h"
+#include "postprocess/records/utilisation.h"
 #include "postprocess/tables/table.h"
 
 namespace tiprub::postprocess {
@@ -42,12 +43,11 @@ std::string inside_text(const Study& study, const SpeedRange& range, const std::
 
 /// The critical speeds that move or stress the wheel enough to count.
 std::vector<CriticalSpeed> that_count(const Study& study, const FieldResults& fields) {
+  const Eigen::VectorXd utilisation = utilisation_over_speed(study, fields);
   std::vector<CriticalSpeed> counted;
-  for (std::size_t i = 0; i < study.critical.size(); ++i) {
-    const std::optional<FieldPeak>& stress = fields.peaks[i];
-    const bool breaks = stress && stress->cycle && stress->cycle->goodman.value_or(0) > 1;
-    if (breaks || study.critical[i].amplitude >= study.parameters.operating_amplitude_mm / mm_per_m)
-      counted.push_back(study.critical[i]);
+  for (const CriticalSpeed& peak : study.critical) {
+    const bool breaks = utilisation.size() > 0 && utilisation[peak.index] > 1;
+    if (breaks || peak.amplitude >= study.parameters.operating_amplitude_mm / mm_per_m) counted.push_back(peak);
   }
   return counted;
 }

@@ -171,8 +171,10 @@ std::string stress_sentence(const Study& study, const FieldResults& fields) {
   for (const std::optional<FieldPeak>& peak : fields.peaks)
     if (peak && (worst == nullptr || peak->body.vibration > worst->body.vibration)) worst = &*peak;
   if (fields.of_no_critical) worst = &*fields.of_no_critical;
-  if (worst == nullptr) return "";
-  return "The vibration stresses the wheel most at " + rpm_text(worst->speed) + ": von Mises " +
+  if (worst == nullptr || !(worst->body.vibration > 0)) return "";
+  return (fields.of_no_critical
+              ? "The vibration at the speed of the largest amplitude, " + rpm_text(worst->speed) + ": von Mises "
+              : "The vibration stresses the wheel most at " + rpm_text(worst->speed) + ": von Mises ") +
          mpa_text(worst->body.vibration) + (worst->where.empty() ? "" : ", " + worst->where) + "; with spin " +
          mpa_text(worst->body.both) + " (spin alone " + mpa_text(worst->body.spin) + ")" +
          (worst->cycle ? ", the largest of the cycle" : ", at one instant") + ". Inside the tip patch it is " +

@@ -191,9 +191,9 @@ std::string way_to_a_budget(const Study& study) {
 }
 
 /// " The largest motion is outside validity: ..."; empty if it is inside.
-std::string outside_text(const Study& study) {
-  const GapTerms& gap = study.gap[static_cast<std::size_t>(study.amplitudes.worst())];
-  return gap.beyond() ? " The largest motion is outside validity: " + gap.in_words() + "." : "";
+std::string largest_outside(const Study& study, const FieldResults& fields) {
+  const std::string outside = outside_validity(study, study.amplitudes.worst(), fields.of_no_critical);
+  return outside.empty() ? "" : " The largest motion is outside validity: " + outside + ".";
 }
 
 /// "The worst peak is not certain: outside validity (stress 1.09 of yield), 3 checks fail."
@@ -205,10 +205,12 @@ std::string trust_sentence(const Study& study, const FieldResults& fields, std::
       failed == 0 ? "no check fails" : counted(failed, "check") + (failed == 1 ? " fails" : " fail");
   if (!worst)
     return std::string(failed == 0 && study.failed.empty() ? "No" : "Some") +
-           " doubt about the computation: " + checked + "." + outside_text(study);
+           " doubt about the computation: " + checked +
+           (study.failed.empty() ? "" : ", " + counted(study.failed.size(), "speed") + " failed") + "." +
+           largest_outside(study, fields);
   const CriticalSpeed& peak = study.critical[*worst];
   const bool budgeted = budget != nullptr && budget->critical == &peak;
-  const std::string outside = outside_validity(study, *worst, fields);
+  const std::string outside = outside_validity(study, peak.index, fields.peaks[*worst]);
   const std::string missing = budgeted ? not_in_sum(*budget) : "";
   std::string text = "The worst peak is computed within " + significant(percent * peak.amplitude_slack(), 2) +
                      " % of its amplitude and -" + fixed((peak.speed - peak.speed_low) * rpm_per_rad_s, 0) + " +" +

@@ -77,7 +77,7 @@ double uncertainty_of_mean(const Eigen::ArrayXd& values) {
   constexpr Eigen::Index parts = 4;
   constexpr double student = 3.18;  // of three degrees of freedom
   const Eigen::Index length = values.size() / parts;
-  if (length == 0) return 0;
+  if (length == 0) return 1;  // too few to tell
   const Eigen::ArrayXd means = values.tail(length * parts).reshaped(length, parts).colwise().mean().transpose();
   return student * std::sqrt((means - means.mean()).square().sum() / ((parts - 1) * parts));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -64,17 +65,20 @@ std::optional<OrbitBranch> branch_from(const Scene& scene, double speed) {
   return followed.result.value_or(std::nullopt);
 }
 
-/// The speeds at which branches may begin; see BranchChoice.
-std::set<double> starts_of(BranchChoice choice, const std::vector<double>& speeds, const FinishedSpeeds& finished) {
-  std::set<double> starts;
+/// The examined speeds and both sides of each jump; then, if they are asked for, all others with a periodic motion.
+std::vector<double> starts_of(BranchChoice choice, const std::vector<double>& speeds,
+                              const FinishedSpeeds& finished) {
+  std::set<double> first, others;
   SampledCurve curve;
   for (const double speed : speeds) {
     const SpeedResponse response = finished.read(speed, Depth::full);
-    const bool asked = choice == BranchChoice::speeds && response.motion == MotionClass::periodic;
-    if (response.depth >= Depth::examined || asked) starts.insert(speed);
+    if (response.depth >= Depth::examined) first.insert(speed);
+    if (choice == BranchChoice::speeds && response.motion == MotionClass::periodic) others.insert(speed);
     if (response.failure.empty()) curve.push_back({speed, response.amplitude});
   }
-  for (const std::size_t low : located_jumps(curve, {})) starts.insert({curve[low].speed, curve[low + 1].speed});
+  for (const std::size_t low : located_jumps(curve, {})) first.insert({curve[low].speed, curve[low + 1].speed});
+  std::vector<double> starts(first.begin(), first.end());
+  std::ranges::set_difference(others, first, std::back_inserter(starts));
   return starts;
 }
 
@@ -86,7 +90,7 @@ std::vector<OrbitBranch> follow_branches(const Scene& scene, const std::vector<d
   const bool asked =
       scene.parameters.branches != BranchChoice::none && scene.parameters.sweep == SweepDirection::rest;
   if (!asked || !has_symmetric_map(scene)) return branches;
-  const std::set<double> starts = starts_of(scene.parameters.branches, speeds, finished);
+  const std::vector<double> starts = starts_of(scene.parameters.branches, speeds, finished);
   Progress progress("branches", starts.size(), shown);
   for (const double speed : starts) {
     const double amplitude = finished.read(speed, Depth::full).amplitude;

@@ -98,7 +98,7 @@ TEST(Comparison, PairsPeaksByTheirWaves) {
   EXPECT_EQ(number(table.rows.back()[8]), 100);
 }
 
-/// Of several reports a table has a row for each, with the worst peak and the bands; the other one says which peaks
+/// Of several reports a table has a row for each, with the largest peak and the bands; the other one says which peaks
 /// are whose.
 TEST(Comparison, TellsWorstPeaksAndBandsOfSeveral) {
   ReportNumbers here, wide, still;
@@ -114,14 +114,14 @@ TEST(Comparison, TellsWorstPeaksAndBandsOfSeveral) {
     const auto column = std::find(table.header.begin(), table.header.end(), name) - table.header.begin();
     return csv_cell(table.rows[row].at(static_cast<std::size_t>(column)));
   };
-  EXPECT_EQ(cell(0, "worst [rpm]"), "12000");
+  EXPECT_EQ(cell(0, "largest [rpm]"), "12000");
   EXPECT_EQ(cell(0, "its Goodman"), "1.2");
   EXPECT_EQ(cell(0, "speeds to avoid"), here.avoid);
   EXPECT_EQ(cell(1, "report"), "Wide");
   EXPECT_NE(cell(1, "keys that differ").find("casing.lobes: 2, there 3; simulate.gap"), std::string::npos);
   EXPECT_EQ(cell(1, "its stress with spin [MPa]"), "");
   EXPECT_EQ(cell(2, "critical speeds"), "0");
-  EXPECT_EQ(cell(2, "worst [rpm]"), "");
+  EXPECT_EQ(cell(2, "largest [rpm]"), "");
   const Table pairs = comparison_record(here, std::vector{wide, still});
   ASSERT_EQ(pairs.rows.size(), 4U);
   EXPECT_EQ(pairs.header.front(), "report");
@@ -167,22 +167,6 @@ TEST(Comparison, TellsThatComponentsDiffer) {
   EXPECT_FALSE(told());
   there.component = name_of(Component::axial);
   EXPECT_TRUE(told());
-}
-
-/// Symptom: of two reports of one sweep, of which one had no stresses, each named another worst peak.
-TEST(Comparison, JudgesTheWorstPeaksByWhatBothReportsHave) {
-  ReportNumbers here, there;
-  here.speed = there.speed = Eigen::Vector2d(1000, 2000);
-  here.peaks = {{.speed = 1000, .amplitude = 2, .stress = {}}, {.speed = 2000, .amplitude = 1, .stress = {}}};
-  there.peaks = here.peaks;
-  there.peaks[1].goodman = 3;
-  const auto worst = [&] {
-    return std::pair(number(reports_record(here, {there}).rows[0][3]),
-                     number(reports_record(here, {there}).rows[1][3]));
-  };
-  EXPECT_EQ(worst(), std::pair(1000.0, 1000.0));
-  here.peaks[1].goodman = 2;
-  EXPECT_EQ(worst(), std::pair(2000.0, 2000.0));
 }
 
 TEST(Comparison, RefusesWhatIsNoReport) {

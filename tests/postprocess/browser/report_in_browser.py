@@ -306,10 +306,10 @@ def check_comparison(browser, program, work):
     tables = browser.value("[...document.querySelector('#compared').closest('section').querySelectorAll('tbody')].map(body => body.rows.length)")
     assert tables == [3, len(rows) // 2, len(rows) // 2], tables
     reports = rows_of(os.path.join(compared, "reports.csv"))
-    assert [row["report"] for row in reports][::2] == ["this report", "report"] and len({row["worst [rpm]"] for row in reports}) == 1, reports
+    assert [row["report"] for row in reports][::2] == ["this report", "report"] and len({row["largest [rpm]"] for row in reports}) == 1, reports
     assert reports[0]["speeds to avoid"].endswith("Goodman's utilisation is not known without --fields.") and reports[1]["its stress with spin [MPa]"], reports
     words = browser.value("document.querySelector('#compared').closest('section').querySelector('h3 + p').textContent")
-    assert words.startswith("The worst critical speed is") and "speed +0.0 %, amplitude +0.0 %" in words and "differ" not in words, words
+    assert words.startswith("The largest critical speed is") and "speed +0.0 %, amplitude +0.0 %" in words and "differ" not in words, words
     own = readout(browser, 1, 0.6, 0.5)
     browser.value("(choice => { choice.value = '1'; choice.dispatchEvent(new Event('change')); })"
                   "(document.querySelector('select[aria-label=\"Maps of\"]'))")

@@ -37,6 +37,7 @@ class BranchRuns : public TemporaryFolder {
         response.depth = deepest_;
       else
         response.amplitude *= raised_;
+      if (speed == examined_) response.depth = Depth::examined;
       finished.keep(response);
     }
     return follow_branches(scene, speeds_, finished, Progress::Shown::never);
@@ -46,6 +47,7 @@ class BranchRuns : public TemporaryFolder {
   const Casing casing_ = testing::lobed_casing(3, 2e-4, 1e-4);
   std::vector<double> speeds_{1990, 2000, 2100};
   Depth deepest_ = Depth::examined;  ///< of all speeds but the last
+  double examined_ = 0;              ///< [rad/s] a speed that is examined in any case
   double raised_ = 1;                ///< the last amplitude, as if a jump came before it
 };
 
@@ -75,6 +77,16 @@ TEST_F(BranchRuns, BeginAtEverySpeedOnNoOtherBranchIfAsked) {
   const std::vector<OrbitBranch> branches = follow(BranchChoice::speeds, SweepDirection::rest);
   ASSERT_EQ(branches.size(), 2u);
   EXPECT_EQ(branches[0].start, 1990);
+  EXPECT_EQ(branches[1].start, 2100);
+}
+
+/// Symptom: a critical speed at the end of a branch that had begun at a lower speed got none of its own.
+TEST_F(BranchRuns, BeginAtExaminedSpeedsFirst) {
+  deepest_ = Depth::full;
+  examined_ = 2000;
+  const std::vector<OrbitBranch> branches = follow(BranchChoice::speeds, SweepDirection::rest);
+  ASSERT_EQ(branches.size(), 2u);
+  EXPECT_EQ(branches[0].start, 2000) << "the branch passes 1990 rad/s";
   EXPECT_EQ(branches[1].start, 2100);
 }
 

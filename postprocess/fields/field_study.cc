@@ -15,6 +15,7 @@
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/fields/node_stress.h"
 #include "postprocess/fields/other_model_stress.h"
+#include "postprocess/fields/stress_between.h"
 #include "postprocess/fields/stress_over_speed.h"
 #include "postprocess/tables/table.h"
 #include "reduce/model/reduced_model.h"
@@ -249,37 +250,20 @@ FieldPeak dated(FieldPeak peak, const WheelCycle& cycle, double speed) {
   return peak;
 }
 
-/// Some speeds with a snapshot, at even distances.
-std::vector<std::size_t> speeds_between(const Study& study) {
-  constexpr int most = 48;
-  const std::vector<SpeedResponse>& speeds = study.response.speeds;
-  std::set<std::size_t> chosen;
-  for (int i = 0; i < most; ++i) {
-    const double place = study.range.low + (study.range.high - study.range.low) * i / (most - 1);
-    const auto nearest = std::ranges::min_element(
-        speeds, {}, [&](const SpeedResponse& speed) { return std::abs(speed.speed - place); });
-    if (nearest->snapshot) chosen.insert(static_cast<std::size_t>(nearest - speeds.begin()));
-  }
-  return {chosen.begin(), chosen.end()};
-}
+/// Nodes of the body at which more is computed than the stress of the recovered cycles.
+struct WatchedNodes {
+  std::set<int> stressed;    ///< over speed
+  std::set<int> much, most;  ///< where the budgets' peaks stress this model, and another one
 
-/// What is estimated between the recovered speeds. `spin`: at the highest speed; stress grows with its square.
-void estimate_over_speed(const FieldsReader& reader, const Study& study, const std::vector<int>& nodes,
-                         const WaveField& spin, const std::optional<MaterialStrength>& strength, FieldStudy& fields) {
-  const Eigen::MatrixXd stress = stress_over_speed(reader, study, nodes);
-  if (stress.size() == 0) return;
-  fields.over_speed = stress.colwise().maxCoeff();
-  if (!strength) return;
-  const Eigen::VectorXd of_spin = von_mises(spin.stress.real());
-  fields.utilisation = Eigen::VectorXd::Zero(stress.cols());
-  for (Eigen::Index k = 0; k < stress.cols(); ++k) {
-    const double share = std::pow(study.speed_at(k).speed / study.range.high, 2);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      fields.utilisation[k] = std::max(
-          fields.utilisation[k],
-          goodman_utilisation(*strength, stress(static_cast<Eigen::Index>(i), k), share * of_spin[nodes[i]]));
+  static void add(std::set<int>& to, const std::vector<int>& nodes) { to.insert(nodes.begin(), nodes.end()); }
+  void add_those_of(const CycleStress& stress, const StressZones& zones,
+                    const std::optional<MaterialStrength>& strength) {
+    add(stressed, stressed_nodes(stress, zones));
+    add(stressed, governing_nodes(stress, zones, strength));
+    add(much, nodes_above(much_stressed, stress, zones));
+    add(most, nodes_above(most_stressed, stress, zones));
   }
-}
+};
 
 /// The whole wheel at the snapshot of a speed.
 void recover_instant(const SpeedResponse& response, const WaveRecovery& recover, const WaveField& spin,
@@ -312,32 +296,22 @@ FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other,
   FieldStudy fields = without_motion(reader, study, study.response.speeds[worst].speed);
   const BladePlaces places(fields.sector);
   const WaveRecovery recover = wave_recovery(reader, bricks, study.response.scene.nodal_diameters);
-  const int most_fields = fields_at_once(fields.sector);
   const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles) + speeds_between(study).size(), shown);
-  std::set<int> stressed, much, most;
-  const auto stress_of = [&](const WheelCycle& cycle, double speed) {
+  const StressOf stress_of = [&](const WheelCycle& cycle, double speed) {
     const WaveField spin = spin_field(fields.sector, bricks, speed);
     require_sound_stress(spin, reader.path());
-    return cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, most_fields, progress);
+    return cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, fields_at_once(fields.sector),
+                        progress);
   };
-  const auto peak_of = [&](const CycleStress& stress, const WheelCycle& cycle, double speed) {
-    return dated(field_peak(fields.sector, stress, fields.zones, places, strength), cycle, speed);
-  };
-  const auto look_at = [&](const std::vector<int>& nodes) { stressed.insert(nodes.begin(), nodes.end()); };
-  for (const std::size_t index : speeds_between(study)) {
-    const SpeedResponse& response = study.response.speeds[index];
-    const WheelCycle instant = wheel_instant(response, study.response.scene, study.model);
-    look_at(governing_nodes(stress_of(instant, response.speed), fields.zones, strength));
-  }
+  WatchedNodes nodes;
+  nodes.add(nodes.stressed, nodes_between(study, fields.zones, strength, stress_of));
   for (const auto& [index, cycle, varied] : cycles) {  // the varied ones follow, at nodes that are known then
     const SpeedResponse& response = study.response.speeds[index];
     const CycleStress stress = stress_of(cycle, response.speed);
-    fields.peaks.push_back(peak_of(stress, cycle, response.speed));
-    look_at(stressed_nodes(stress, fields.zones));
-    look_at(governing_nodes(stress, fields.zones, strength));
-    for (const int node : nodes_above(much_stressed, stress, fields.zones)) much.insert(node);
-    for (const int node : nodes_above(most_stressed, stress, fields.zones)) most.insert(node);
+    fields.peaks.push_back(
+        dated(field_peak(fields.sector, stress, fields.zones, places, strength), cycle, response.speed));
+    nodes.add_those_of(stress, fields.zones, strength);
     if (response.cycle)
       fields.moving.push_back(
           moving_wheel(reader, wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
@@ -345,10 +319,11 @@ FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other,
     if (index == worst && response.snapshot)
       recover_instant(response, recover, spin_field(fields.sector, bricks, response.speed), fields);
   }
-  fields.varied = varied_stress(reader, study.response.scene.nodal_diameters, much, cycles, progress);
-  if (other != nullptr) add_stress_of_other_model(*other, study.response, cycles, {most.begin(), most.end()}, fields);
-  estimate_over_speed(reader, study, {stressed.begin(), stressed.end()},
-                      spin_field(fields.sector, bricks, study.range.high), strength, fields);
+  fields.varied = varied_stress(reader, study.response.scene.nodal_diameters, nodes.much, cycles, progress);
+  if (other != nullptr)
+    add_stress_of_other_model(*other, study.response, cycles, {nodes.most.begin(), nodes.most.end()}, fields);
+  fields.estimated = estimated_stress(reader, study, {nodes.stressed.begin(), nodes.stressed.end()},
+                                      spin_field(fields.sector, bricks, study.range.high), strength);
   return fields;
 }
 
@@ -392,8 +367,8 @@ FieldResults field_results(const std::optional<FieldStudy>& fields, const std::v
   if (!fields) return results;
   results.tip_patch = fields->zones.tip_patch;
   results.clamp_rim = fields->zones.clamp_rim;
-  results.over_speed = fields->over_speed;
-  results.utilisation = fields->utilisation;
+  results.over_speed = fields->estimated.vibration;
+  results.utilisation = fields->estimated.utilisation;
   if (critical.empty() && !fields->peaks.empty()) results.of_no_critical = fields->peaks.front();
   for (std::size_t i = 0; i < critical.size(); ++i)
     for (std::size_t k = 0; k < fields->peaks.size(); ++k) {

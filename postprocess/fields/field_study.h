@@ -10,6 +10,7 @@
 #include "postprocess/fields/field_peak.h"
 #include "postprocess/fields/field_recovery.h"
 #include "postprocess/fields/natural_modes.h"
+#include "postprocess/fields/stress_between.h"
 #include "postprocess/fields/wheel_cycle.h"
 
 namespace tiprub::postprocess {
@@ -38,10 +39,7 @@ struct FieldStudy {
   /// mesh near the most stressed ones.
   std::vector<std::vector<std::optional<double>>> varied;
   std::vector<MovingWheel> moving;  ///< at every critical speed that has a cycle
-  Eigen::VectorXd over_speed;       ///< [Pa] the largest of stress_over_speed(); empty if no speed has states
-  /// [1] Goodman's utilisation at every speed of the response, estimated with the stress that over_speed has as the
-  /// alternating one and that of the spin as the mean, at the same nodes; empty without strengths.
-  Eigen::VectorXd utilisation;
+  EstimatedStress estimated;        ///< at every speed of the response
   /// [1] what each cell contributes to the mean errors that the mesh makes; empty if they are not estimated.
   Eigen::VectorXd mesh_error_of_frequencies, mesh_error_of_compliances;
 };
@@ -64,10 +62,8 @@ struct FieldResults {
   /// One list per critical speed, as FieldStudy has them; may be empty.
   std::vector<std::vector<std::optional<double>>> varied = {};
   double tip_patch = 0, clamp_rim = 0;  ///< [m] see StressZones
-  /// [Pa] The largest stress of the vibration at every speed of the response, estimated by stress_over_speed(); empty
-  /// without full fields.
-  Eigen::VectorXd over_speed = {};
-  Eigen::VectorXd utilisation = {};  ///< [1] FieldStudy::utilisation
+  Eigen::VectorXd over_speed = {};      ///< [Pa] EstimatedStress::vibration; empty without full fields
+  Eigen::VectorXd utilisation = {};     ///< [1] EstimatedStress::utilisation
 
   bool has_stress() const;
   /// Whether a critical speed's stress is that of a whole cycle.

@@ -250,18 +250,21 @@ FieldPeak dated(FieldPeak peak, const WheelCycle& cycle, double speed) {
   return peak;
 }
 
+void add(const std::vector<int>& nodes, std::set<int>& to) {
+  to.insert(nodes.begin(), nodes.end());
+}
+
 /// Nodes of the body at which more is computed than the stress of the recovered cycles.
 struct WatchedNodes {
   std::set<int> stressed;    ///< over speed
   std::set<int> much, most;  ///< where the budgets' peaks stress this model, and another one
 
-  static void add(std::set<int>& to, const std::vector<int>& nodes) { to.insert(nodes.begin(), nodes.end()); }
   void add_those_of(const CycleStress& stress, const StressZones& zones,
                     const std::optional<MaterialStrength>& strength) {
-    add(stressed, stressed_nodes(stress, zones));
-    add(stressed, governing_nodes(stress, zones, strength));
-    add(much, nodes_above(much_stressed, stress, zones));
-    add(most, nodes_above(most_stressed, stress, zones));
+    add(stressed_nodes(stress, zones), stressed);
+    add(governing_nodes(stress, zones, strength), stressed);
+    add(nodes_above(much_stressed, stress, zones), much);
+    add(nodes_above(most_stressed, stress, zones), most);
   }
 };
 
@@ -305,7 +308,7 @@ FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other,
                         progress);
   };
   WatchedNodes nodes;
-  nodes.add(nodes.stressed, nodes_between(study, fields.zones, strength, stress_of));
+  add(nodes_between(study, fields.zones, strength, stress_of), nodes.stressed);
   for (const auto& [index, cycle, varied] : cycles) {  // the varied ones follow, at nodes that are known then
     const SpeedResponse& response = study.response.speeds[index];
     const CycleStress stress = stress_of(cycle, response.speed);

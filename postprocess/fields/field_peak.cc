@@ -74,9 +74,6 @@ StressZones stress_zones(const SectorFields& sector, double tip_patch) {
   return zones;
 }
 
-namespace {
-
-/// The first node of a zone with the largest value; -1 if the zone is empty.
 Eigen::Index largest_in(StressZone zone, const StressZones& zones, const Eigen::VectorXd& values) {
   Eigen::Index largest = -1;
   for (Eigen::Index node = 0; node < values.size(); ++node)
@@ -84,6 +81,8 @@ Eigen::Index largest_in(StressZone zone, const StressZones& zones, const Eigen::
       largest = node;
   return largest;
 }
+
+namespace {
 
 StressMaxima maxima_of(StressZone zone, const StressZones& zones, const CycleStress& stress) {
   const auto largest = [&](const Eigen::VectorXd& values) {

@@ -35,6 +35,9 @@ StressZones stress_zones(const SectorFields& sector, double tip_patch);
 /// [m] The length of the tip line.
 double tip_length(const SectorFields& sector);
 
+/// The first node of a zone with the largest value; -1 if the zone is empty.
+Eigen::Index largest_in(StressZone zone, const StressZones& zones, const Eigen::VectorXd& values);
+
 /// [Pa] The largest von Mises stresses over a zone's nodes, all sectors and all samples.
 struct StressMaxima {
   double vibration = 0;  ///< of the vibration alone

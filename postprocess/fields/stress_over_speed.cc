@@ -203,18 +203,12 @@ std::vector<int> stressed_nodes(const CycleStress& stress, const StressZones& zo
 
 std::vector<int> governing_nodes(const CycleStress& stress, const StressZones& zones,
                                  const std::optional<MaterialStrength>& strength) {
-  std::vector<int> nodes;
-  const auto add_largest = [&](const auto& severity) {
-    int largest = -1;
-    for (int node = 0; node < stress.vibration.size(); ++node)
-      if (zones.at_node[static_cast<std::size_t>(node)] == StressZone::body &&
-          (largest < 0 || severity(node) > severity(largest)))
-        largest = node;
-    if (largest >= 0) nodes.push_back(largest);
-  };
-  add_largest([&](int node) { return stress.vibration[node]; });
-  if (strength)
-    add_largest([&](int node) { return goodman_utilisation(*strength, stress.vibration[node], stress.spin[node]); });
+  std::vector<int> nodes = {static_cast<int>(largest_in(StressZone::body, zones, stress.vibration))};
+  if (!strength) return nodes;
+  Eigen::VectorXd utilisation(stress.vibration.size());
+  for (Eigen::Index node = 0; node < utilisation.size(); ++node)
+    utilisation[node] = goodman_utilisation(*strength, stress.vibration[node], stress.spin[node]);
+  nodes.push_back(static_cast<int>(largest_in(StressZone::body, zones, utilisation)));
   return nodes;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <ostream>
+#include <regex>
 #include <set>
 
 #include "cases/program/errors.h"
@@ -129,6 +130,17 @@ void require_known_spin(const ReductionParameters& parameters) {
         "in verification_speeds");
 }
 
+/// Of an earlier run: the matrices of another model would pass for coefficients of this one.
+void remove_other_matrices(const std::filesystem::path& folder, const std::set<std::filesystem::path>& written) {
+  static const std::regex ours("n[0-9]+_(K[0-9]+|M)\\.mtx");
+  std::error_code ignored;
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path name = entry.path().filename();
+    if (!written.contains(name) && std::regex_match(name.string(), ours))
+      std::filesystem::remove(entry.path(), ignored);
+  }
+}
+
 }  // namespace
 
 void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& parameters,
@@ -154,6 +166,12 @@ void write_matrix_market(const ReducedModel& model, const std::filesystem::path&
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) throw RunError(folder.string() + ": can't be made: " + failure.message());
+  std::set<std::filesystem::path> written;
+  const auto write = [&](const std::string& name, const Eigen::MatrixXcd& matrix, bool standing,
+                         const std::string& about) {
+    write_matrix(folder / name, matrix, standing, about);
+    written.insert(name);
+  };
   for (std::size_t n = 0; n < model.nodal_diameters.size(); ++n) {
     const NodalDiameterModel& matrices = model.nodal_diameters[n];
     const bool standing = is_standing(static_cast<int>(n), model.sector_count);
@@ -163,11 +181,12 @@ void write_matrix_market(const ReducedModel& model, const std::filesystem::path&
                               std::to_string(model.contact_dofs()) + " dofs are r, theta, z of the contact nodes; ";
     for (int k = 0; k <= matrices.K.highest(); ++k) {
       const std::string name = "K" + std::to_string(k);
-      write_matrix(folder / (stem + name + ".mtx"), matrices.K.coefficient(k), standing,
-                   about + name + " in N/m" + (k == 0 ? "" : " s^" + std::to_string(2 * k)));
+      write(stem + name + ".mtx", matrices.K.coefficient(k), standing,
+            about + name + " in N/m" + (k == 0 ? "" : " s^" + std::to_string(2 * k)));
     }
-    write_matrix(folder / (stem + "M.mtx"), matrices.M, standing, about + "M in kg");
+    write(stem + "M.mtx", matrices.M, standing, about + "M in kg");
   }
+  remove_other_matrices(folder, written);
 }
 
 }  // namespace tiprub::reduce

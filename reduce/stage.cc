@@ -309,12 +309,25 @@ void report(const StageArguments& arguments, const Inputs& inputs, const Reduced
                       units_in_words(model, report) + mesh_error_in_words(model, inputs.parameters, report) +
                       factors_in_words(inputs.parameters, report) + inputs.differences);
   if (!matrix_market_folder.empty())
-    tell(arguments, matrix_market_folder + ": K0, K1, K2, M of " + std::to_string(model.nodal_diameters.size()) +
+    tell(arguments, matrix_market_folder + ": K0 to K" + std::to_string(model.nodal_diameters.front().K.highest()) +
+                        " and M of " + std::to_string(model.nodal_diameters.size()) +
                         " nodal diameters in Matrix Market");
+}
+
+/// Refuses outputs that the run would not write.
+void require_one_purpose(const ReduceOptions& options) {
+  if (options.calculix_folder.empty() && options.modes_file.empty()) return;
+  if (!options.calculix_folder.empty() && !options.modes_file.empty())
+    throw InputError("--export-ccx and --modes exclude each other; run tiprub-reduce once for each");
+  if (!options.fields_file.empty() || !options.matrix_market_folder.empty())
+    throw InputError(
+        "--fields and --export-matrix-market belong to a reduction, which --export-ccx and --modes leave out; run "
+        "tiprub-reduce once more for them");
 }
 
 /// What the leader of the processes does, or the only one.
 void lead(const StageArguments& arguments, const ReduceOptions& options, ProcessGroup& group) {
+  require_one_purpose(options);
   const Inputs inputs = read(arguments, options);
   if (arguments.action == Action::check) return check(arguments, inputs);
   const Outputs outputs(arguments, options);

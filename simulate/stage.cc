@@ -119,16 +119,16 @@ std::string interference_text(const Inputs& inputs) {
   const std::vector<double>& speeds = inputs.parameters.speeds;
   const Eigen::VectorXd slow = inputs.casing.running_clearance(inputs.model.contact, speeds.front()),
                         fast = inputs.casing.running_clearance(inputs.model.contact, speeds.back());
-  const double least = std::min(slow.minCoeff(), fast.minCoeff()),
-               crest = inputs.casing.crests(inputs.model.contact).maxCoeff();
+  const Eigen::VectorXd least = slow.cwiseMin(fast), crests = inputs.casing.crests(inputs.model.contact);
+  const double overlap = (crests - least).maxCoeff();
   std::ostringstream text;
-  text << std::setprecision(3) << "casing: crests of up to " << mm_per_m * crest << " mm and clearances of "
-       << mm_per_m * least << " .. " << mm_per_m * std::max(slow.maxCoeff(), fast.maxCoeff())
-       << " mm at these speeds: ";
-  if (crest > least)
-    text << "a tip that does not vibrate overlaps the crests by up to " << mm_per_m * (crest - least) << " mm";
+  text << std::setprecision(3) << "casing: crests of up to " << mm_per_m * crests.maxCoeff()
+       << " mm and clearances of " << mm_per_m * least.minCoeff() << " .. "
+       << mm_per_m * std::max(slow.maxCoeff(), fast.maxCoeff()) << " mm at these speeds: ";
+  if (overlap > 0)
+    text << "a tip that does not vibrate overlaps the crests by up to " << mm_per_m * overlap << " mm";
   else
-    text << "no tip touches unless it vibrates by more than " << mm_per_m * (least - crest) << " mm";
+    text << "no tip touches unless it vibrates by more than " << -mm_per_m * overlap << " mm";
   return text.str();
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "cases/program/errors.h"
@@ -102,7 +103,9 @@ void read_array(Lines& lines, int size, bool symmetric, Triplets& entries) {
     }
 }
 
-void read_entries(Lines& lines, int size, bool symmetric, Triplets& entries) {
+/// Returns how many there are.
+std::size_t read_entries(Lines& lines, int size, bool symmetric, Triplets& entries) {
+  std::size_t count = 0;
   for (std::string line; lines.next(line);) {
     if (line.find_first_not_of(" \t") == std::string::npos) continue;
     const auto [row, column, value] = lines.numbers<3>(line, "row, column and a finite value");
@@ -110,7 +113,9 @@ void read_entries(Lines& lines, int size, bool symmetric, Triplets& entries) {
     if (size > 0 && std::max(i, j) >= size)
       lines.refuse("an entry lies outside the " + std::to_string(size) + " rows");
     add(entries, i, j, value, symmetric);
+    ++count;
   }
+  return count;
 }
 
 void require_symmetric(const Eigen::SparseMatrix<double>& matrix, const std::string& name) {
@@ -142,6 +147,7 @@ Eigen::SparseMatrix<double> read_symmetric_matrix(const std::filesystem::path& p
   std::string line;
   int size = 0;
   MatrixHead head;
+  std::optional<double> listed;  // entries by the head of the file
   if (!lines.next(line)) lines.refuse("is empty");
   if (line.starts_with("%%")) {
     head = head_of(lines, line);
@@ -151,6 +157,7 @@ Eigen::SparseMatrix<double> read_symmetric_matrix(const std::filesystem::path& p
     const std::array<double, 2> shape = [&]() -> std::array<double, 2> {
       if (head.array) return lines.numbers<2>(line, "rows and columns");
       const auto [rows, columns, count] = lines.numbers<3>(line, "rows, columns and entries");
+      listed = count;
       return {rows, columns};
     }();
     size = row_in(lines, shape[0]) + 1;
@@ -161,8 +168,10 @@ Eigen::SparseMatrix<double> read_symmetric_matrix(const std::filesystem::path& p
   }
   if (head.array)
     read_array(lines, size, head.symmetric, entries);
-  else
-    read_entries(lines, size, head.symmetric, entries);
+  else if (const std::size_t count = read_entries(lines, size, head.symmetric, entries);
+           listed && *listed != static_cast<double>(count))
+    lines.refuse("has " + std::to_string(count) + " entries, and its head lists " +
+                 std::to_string(static_cast<long long>(*listed)) + "; is the file cut off?");
   for (const Eigen::Triplet<double>& entry : entries) size = std::max(size, entry.row() + 1);
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());

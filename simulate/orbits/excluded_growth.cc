@@ -17,6 +17,8 @@ namespace tiprub::simulate {
 namespace {
 
 constexpr double seed_share = 1e-8;       // of the settled motion
+constexpr double visible_share = 0.1;     // of it: more than contacts that switch within a step can disturb it
+constexpr double linear = 0.9;            // least ratio of the factors from these two, if the growth is linear
 constexpr double smallest_margin = 1e-3;  // of the factor from 1
 constexpr double small_residual = 1e-4;   // of the factor: then it is exact enough
 constexpr double clear_residual = 0.1;    // of the distance of the factor from 1: then its side of 1 is clear
@@ -26,7 +28,8 @@ constexpr int looks_to_double = 8;        // between two looks at it their numbe
 /// The march of the whole wheel, with the nodal diameters that the settled march leaves out as a state vector.
 class WholeWheel {
  public:
-  explicit WholeWheel(const TimeMarch& settled)
+  /// The states that it takes are multiples of a `share` of the settled motion.
+  WholeWheel(const TimeMarch& settled, double share)
       : march_(whole(settled.scene())), first_(settled.wave_count()), excluded_(march_, first_) {
     for (std::size_t i = 0; i < first_; ++i) {
       const Eigen::Index modes = settled.wave(i).modes();
@@ -34,7 +37,7 @@ class WholeWheel {
       march_.set_state(i, now, settled.increments(i).head(modes));
       size_ += (settled.wave(i).omega.cwiseMax(settled.rotor().speed) * now.array().abs()).square().sum();
     }
-    size_ = seed_share * std::sqrt(size_);
+    size_ = share * std::sqrt(size_);
     march_.set_step(settled.step_count());
   }
 
@@ -97,6 +100,14 @@ Growth by_mean(WholeWheel& wheel, int revolutions) {
   return {factor, factor * uncertainty_of_mean(values)};
 }
 
+/// The growth of disturbances of this share of the motion.
+Growth growth_from(double share, const TimeMarch& settled, int period, int revolutions) {
+  WholeWheel wheel(settled, share);
+  if (period == 0) return by_mean(wheel, revolutions);
+  const auto map = [&](const Eigen::VectorXd& state) { return wheel.advanced(state, period); };
+  return largest_growth(map, wheel.seed(), std::max(revolutions / period, 1), 1.0 / period);
+}
+
 }  // namespace
 
 Eigen::VectorXd seeded_disturbance(const TimeMarch& march, std::size_t first_wave) {
@@ -144,10 +155,11 @@ Growth largest_growth(const std::function<Eigen::VectorXd(const Eigen::VectorXd&
 }
 
 Growth excluded_growth(const TimeMarch& settled, int period, int revolutions) {
-  WholeWheel wheel(settled);
-  if (period == 0) return by_mean(wheel, revolutions);
-  const auto map = [&](const Eigen::VectorXd& state) { return wheel.advanced(state, period); };
-  return largest_growth(map, wheel.seed(), std::max(revolutions / period, 1), 1.0 / period);
+  const Growth small = growth_from(seed_share, settled, period, revolutions);
+  const MarchSetup& setup = settled.scene().setup;
+  if (maps_states(setup.scheme, setup.contact) || judge(small) != SymmetryVerdict::breaking) return small;
+  const Growth visible = growth_from(visible_share, settled, period, revolutions);
+  return visible.factor < linear * small.factor ? visible : small;
 }
 
 SymmetryVerdict judge(const Growth& growth) {

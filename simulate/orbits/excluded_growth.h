@@ -32,11 +32,15 @@ Growth largest_growth(const std::function<Eigen::VectorXd(const Eigen::VectorXd&
 /// hundreds of revolutions. After each period their state is scaled back to that size, before it can be lost in
 /// rounding or change the contact.
 ///
-/// With a `period` (whole revolutions) the factor is largest_growth() of this map. Without a period (0) it is the
-/// mean growth over the second half of the revolutions, and the uncertainty is twice its standard error.
+/// With penalty, Moreau-Jean and the paper's rule, contacts that switch within a step disturb the motion in each
+/// revolution by up to some percent of its energy norm, which is no growth. If a disturbance grows with these, it is
+/// followed from a tenth of the motion as well, and this factor counts if it is clearly smaller.
 ///
-/// Marches at most `revolutions`. A revolution costs g times that of the symmetric march, and more for the larger
-/// contact problem. Raises NoMotion if the contact problem of the whole wheel has no solution.
+/// With a `period` (whole revolutions) the factor is largest_growth() of this map. Without a period (0) it is the
+/// mean growth over the second half of the revolutions, with the 95 % uncertainty of a mean of four parts.
+///
+/// Marches at most `revolutions` from each size. A revolution costs g times that of the symmetric march, and more for
+/// the larger contact problem. Raises NoMotion if the contact problem of the whole wheel has no solution.
 Growth excluded_growth(const TimeMarch& settled, int period, int revolutions);
 
 /// `breaking` or `holds` if the factor differs from 1 by more than its uncertainty and by more than a thousandth;

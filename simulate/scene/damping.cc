@@ -12,10 +12,11 @@ namespace {
 
 constexpr double beyond_verified = 2;  // times the highest verified frequency
 
-/// Of resolved modes.
-std::vector<double> all_given(const DampingRatios& ratios) {
+/// Of modes up to the frequency `resolved` [Hz].
+std::vector<double> all_given(const DampingRatios& ratios, double resolved) {
   std::vector<double> given = ratios.by_family;
-  for (const auto& [frequency, ratio] : ratios.by_frequency) given.push_back(ratio);
+  for (const auto& [frequency, ratio] : ratios.by_frequency)
+    given.push_back(frequency > resolved ? linear_between(ratios.by_frequency, resolved) : ratio);
   for (const ModeDamping& mode : ratios.by_mode) given.push_back(mode.ratio);
   return given;
 }
@@ -82,12 +83,12 @@ double Damping::ratio(int nodal_diameter, int family, double frequency) const {
 }
 
 double Damping::largest() const {
-  const std::vector<double> given = all_given(ratios_);
+  const std::vector<double> given = all_given(ratios_, resolved_);
   return *std::max_element(given.begin(), given.end());
 }
 
 double Damping::smallest() const {
-  const std::vector<double> given = all_given(ratios_);
+  const std::vector<double> given = all_given(ratios_, resolved_);
   return *std::min_element(given.begin(), given.end());
 }
 

@@ -115,6 +115,13 @@ bool FinishedSpeeds::has(double speed, Depth depth) const {
   return place != kept.end() && place->second.depth >= depth;
 }
 
+bool FinishedSpeeds::forget_deeper(double speed, Depth depth) {
+  const auto place = speeds_.find(speed);
+  if (place == speeds_.end() || place->second.depth <= depth) return false;
+  speeds_.erase(place);
+  return true;
+}
+
 double FinishedSpeeds::amplitude(double speed, Depth depth) const {
   if (!has(speed, depth)) return amplitude_of(read(speed, depth));  // another process kept it
   return (depth == Depth::scanned ? scanned_ : speeds_).at(speed).amplitude;

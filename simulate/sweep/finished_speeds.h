@@ -31,6 +31,8 @@ class FinishedSpeeds {
   /// Whether the speed is there, computed as thoroughly as wanted or more. A scanned speed is kept beside a full one
   /// and is never replaced by it, because the next round of a sweep depends on it.
   bool has(double speed, Depth depth) const;
+  /// Forgets a speed that is there, computed more thoroughly than this. Returns whether it was.
+  bool forget_deeper(double speed, Depth depth);
   /// A writer of a file with the scene and the key of this sweep.
   ResponseWriter writer(const std::filesystem::path& path, ResponseUse use = ResponseUse::kept) const;
   /// Writes a part under a scratch name, then renames it. Raises RunError if it can't be written.

@@ -123,6 +123,7 @@ class Sweep {
   void compute(const char* what, const std::vector<SpeedTask>& tasks);
   void locate();
   void examine();
+  void replace_deeper();
   bool round(const char* what, Depth depth, const std::function<std::vector<double>()>& choose);
   std::vector<double> scan() const;  ///< to begin with
   LocationGoal goal() const;
@@ -142,7 +143,8 @@ class Sweep {
   int threads_;
   ProcessGroup& group_;
   std::optional<FinishedSpeeds> finished_;
-  Amplitudes full_, scanned_;  ///< of the leader only
+  Amplitudes full_, scanned_;      ///< of the leader only
+  std::map<double, Depth> asked_;  ///< how thoroughly each of full_ is to be computed
   std::size_t computed_ = 0;
   bool cut_short_ = false;  ///< by speed_count_max
 };
@@ -190,6 +192,19 @@ void Sweep::compute_rounds() {
   if (scene_.parameters.sweep != SweepDirection::rest) return;
   if (scene_.parameters.speed_choice == SpeedChoice::adaptive) locate();
   if (scene_.parameters.examination == Examination::critical_speeds) examine();
+  replace_deeper();
+}
+
+/// Computes speeds again that an earlier run into the same file has examined, and this one has not: they would pass
+/// for critical speeds.
+void Sweep::replace_deeper() {
+  for (const Depth depth : {Depth::full, Depth::examined}) {
+    std::vector<double> speeds;
+    for (const auto& [speed, asked] : asked_)
+      if (asked == depth && finished_->forget_deeper(speed, depth)) speeds.push_back(speed);
+    group_.share(speeds);
+    if (!speeds.empty()) compute("speeds", speeds, depth);
+  }
 }
 
 void Sweep::compute(const char* what, const std::vector<double>& speeds, Depth depth) {
@@ -202,7 +217,10 @@ void Sweep::compute(const char* what, const std::vector<SpeedTask>& tasks) {
   compute_missing(what, tasks);
   group_.together([&] {
     if (!group_.leads()) return;
-    for (const auto& [speed, depth] : tasks) found(depth)[speed] = finished_->amplitude(speed, depth);
+    for (const auto& [speed, depth] : tasks) {
+      found(depth)[speed] = finished_->amplitude(speed, depth);
+      if (depth != Depth::scanned) asked_[speed] = depth;
+    }
   });
 }
 

@@ -5,6 +5,8 @@
 
 #include <fstream>
 
+#include "cases/program/errors.h"
+
 namespace tiprub::reduce {
 namespace {
 
@@ -17,6 +19,21 @@ TEST(MatrixFiles, ReadATableWithAByteOrderMark) {
   ASSERT_EQ(table.position.cols(), 2);
   EXPECT_EQ(table.position(0, 1), 0.2);
   EXPECT_EQ(table.place[1], NodePlace::contact);
+}
+
+/// Symptom: a stiffness at speed that was cut off passed as a whole one, and the rotor was called unstable.
+TEST(MatrixFiles, RefuseAMatrixThatIsCutOff) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "cut_off.mtx";
+  std::ofstream(path) << "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 2.5\n2 1 1.0\n";
+  try {
+    read_symmetric_matrix(path);
+    ADD_FAILURE() << "was read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("has 2 entries, and its head lists 3; is the file cut off?"),
+              std::string::npos)
+        << error.what();
+  }
+  std::filesystem::remove(path);
 }
 
 }  // namespace

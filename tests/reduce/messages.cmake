@@ -68,7 +68,12 @@ expect_message(no_sector FILE sector.msh OLD "\"sector\"" NEW "\"wheel\"" EXIT_C
 expect_message(unstable_at_top_speed KEY young_modulus LINE "young_modulus = 1e5\nunusual = true\nprestress = \"stress_only\"" EXIT_CODE 1
                ERRORS "at 5000 rpm: the stiffness is not positive definite: the rotor is unstable")
 expect_message(matrix_market ARGUMENTS case.toml sector.msh --export-matrix-market matrices
-               ERRORS "matrices: K0, K1, K2, M of 4 nodal diameters" WRITES matrices model.h5)
+               ERRORS "matrices: K0 to K2 and M of 4 nodal diameters" WRITES matrices model.h5)
+# Symptom: the fields and the matrices were silently not written.
+expect_message(modes_and_fields ARGUMENTS case.toml sector.msh --modes modes.h5 --fields fields.h5 EXIT_CODE 2
+               ERRORS "--fields and --export-matrix-market belong to a reduction, which --export-ccx and --modes leave out")
+expect_message(modes_and_decks ARGUMENTS case.toml sector.msh --modes modes.h5 --export-ccx decks EXIT_CODE 2
+               ERRORS "--export-ccx and --modes exclude each other; run tiprub-reduce once for each")
 expect_message(modes ARGUMENTS case.toml sector.msh --modes modes.h5
                OUTPUTS "speed_rpm nodal_diameter mode frequency_hz branch mac energy_disc" WRITES modes.h5)
 expect_message(modes_of_a_soft_wheel KEY young_modulus LINE "young_modulus = 1e8\nunusual = true" ARGUMENTS case.toml sector.msh --modes modes.h5

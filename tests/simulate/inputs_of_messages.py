@@ -44,7 +44,7 @@ TEXTS = {"case.toml": CASE, "text.h5": "text", "profile.csv": "angle_deg, 0.0, 1
          "long.csv": "angle_deg, 0.0\n0, 0.2\n", "damping.csv": "Hz, ratio\n100, 0.001\n2e3, 0.002\n", "overdamped.csv": "100, 0.001\n2e3, 2\n",
          "modes.csv": "ND, family, ratio\n0, 1, 0.001\n2, 1, 0.003\n", "modes_twice.csv": "0, 1, 0.001\n0, 1, 0.002\n",
          "distortion.csv": "deg, m\n0, -1e-4\n30, 0.2\n60, 1e-4\n", "speeds.csv": "9000\n10000\n9500\n",
-         "clearance.csv": "fraction, m\n0, 1.5e-4\n1, 0.12\n"}
+         "edges.csv": "angle_deg, 0.0, 1.0\n0, 0.0, 2e-4\n90, 0.0, -2e-4\n", "clearance.csv": "fraction, m\n0, 1.5e-4\n1, 0.12\n"}
 for name, text in TEXTS.items():
     with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
         file.write(text)

@@ -93,7 +93,7 @@ expect_message(table_beyond_a_lobe OLD "shape = \"cosine\"\nlobes = 2\namplitude
 expect_message(amplitude_of_a_table OLD "shape = \"cosine\""
                NEW "shape = \"table\"\ndistortion_table = [[0, 0], [90, 1e-4]]" EXIT_CODE 2
                ERRORS "unknown key \"amplitude\" in [casing]")
-foreach(file profile long damping overdamped modes modes_twice speeds clearance distortion)
+foreach(file profile long damping overdamped modes modes_twice speeds clearance distortion edges)
   set(with_${file} INPUTS ${made}/case.toml ${made}/model.h5 ${made}/${file}.csv)
 endforeach()
 expect_message(word_in_a_profile ${with_profile} OLD "shape = \"cosine\"" NEW "shape = \"profile\"\nprofile = \"profile.csv\""
@@ -101,6 +101,10 @@ expect_message(word_in_a_profile ${with_profile} OLD "shape = \"cosine\"" NEW "s
 expect_message(profile_in_millimetres ${with_long} OLD "shape = \"cosine\"\nlobes = 2\namplitude = 2.0e-4"
                NEW "shape = \"profile\"\nlobes = 2\nprofile = \"long.csv\"" EXIT_CODE 2
                ERRORS "long.csv: [casing] profile has 0.2 m, more than a fiftieth of the tip's radius")
+# Symptom: the crest at one edge was held against the clearance at the other.
+expect_message(crests_at_one_edge ${with_edges} OLD "shape = \"cosine\"\nlobes = 2\namplitude = 2.0e-4\nclearance = [[0.0, 1.5e-4], [1.0, 1.2e-4]]"
+               NEW "shape = \"profile\"\nlobes = 2\nprofile = \"edges.csv\"\nclearance = [[0.0, 1e-4], [1.0, 3e-4]]" ARGUMENTS case.toml model.h5 --check
+               ERRORS "crests of up to 0.2 mm and clearances of 0.1 .. 0.3 mm at these speeds: no tip touches unless it vibrates by more than 0.1 mm")
 expect_message(distortion_in_millimetres_in_a_file ${with_distortion} OLD "shape = \"cosine\"\nlobes = 2\namplitude = 2.0e-4"
                NEW "shape = \"table\"\nlobes = 2\ndistortion_table = \"distortion.csv\"" EXIT_CODE 2
                ERRORS "distortion.csv:3: [casing] distortion_table has 0.2 m, more than a fiftieth of the tip's radius")

@@ -53,6 +53,11 @@ bench.run("-q", "--threads", "1", case="adaptive.toml", output="killed.h5")
 for name in ("two", "shared", "killed"):
     require(bench.read(name + ".h5") == bench.read("adaptive.h5"), f"  {name}: the same bytes")
 os.remove(bench.path("killed.h5"))
+# symptom: speeds that the run before had examined passed for critical speeds, and branches began at them
+plain = ("-q", "--threads", "1", "--set", 'simulate.examine="none"')
+bench.run(*plain, case="adaptive.toml", output="two.h5")
+bench.run(*plain, case="adaptive.toml", output="plain.h5")
+require(bench.read("two.h5") == bench.read("plain.h5") != once, "  after a run that examined: the same bytes as without it")
 
 # symptom: branches began at the speeds that the first process had examined itself
 bench.write("branches.toml", small.replace("speed_min_rpm = 9000", "speed_min_rpm = 9700").replace("speed_max_rpm = 12000", "speed_max_rpm = 11500")

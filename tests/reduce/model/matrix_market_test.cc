@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace tiprub::reduce {
@@ -39,13 +40,18 @@ Eigen::MatrixXcd some_matrix(double phase) {
   return A + A.adjoint().eval();
 }
 
-TEST(MatrixMarket, ReadsBackBitByBit) {
+ReducedModel some_model() {
   ReducedModel model;
   model.sector_count = 3;
   model.contact.arc_length = Eigen::VectorXd::Zero(1);
   for (const double phase : {0.0, 1.0})
     model.nodal_diameters.push_back(
         {{{some_matrix(phase), 2 * some_matrix(phase), 3 * some_matrix(phase)}}, 4 * some_matrix(phase)});
+  return model;
+}
+
+TEST(MatrixMarket, ReadsBackBitByBit) {
+  const ReducedModel model = some_model();
   const auto folder = std::filesystem::path(::testing::TempDir()) / "matrix_market";
   std::filesystem::remove_all(folder);
   write_matrix_market(model, folder);
@@ -60,6 +66,23 @@ TEST(MatrixMarket, ReadsBackBitByBit) {
                                : "%%MatrixMarket matrix array complex hermitian");
     }
   }
+}
+
+/// Symptom: K3 and the second nodal diameter of an earlier model stayed beside K0, K1 and K2 of another.
+TEST(MatrixMarket, LeavesNoMatricesOfAnEarlierModel) {
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "matrix_market_again";
+  std::filesystem::remove_all(folder);
+  ReducedModel model = some_model();
+  for (NodalDiameterModel& of : model.nodal_diameters) of.K.terms.push_back(of.M);
+  write_matrix_market(model, folder);
+  EXPECT_TRUE(exists(folder / "n1_K3.mtx"));
+  std::ofstream(folder / "n0_notes.mtx") << "of somebody else";
+  model = some_model();
+  model.nodal_diameters.pop_back();
+  write_matrix_market(model, folder);
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename());
+  EXPECT_EQ(names, (std::set<std::string>{"n0_K0.mtx", "n0_K1.mtx", "n0_K2.mtx", "n0_M.mtx", "n0_notes.mtx"}));
 }
 
 }  // namespace

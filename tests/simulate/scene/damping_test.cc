@@ -24,6 +24,17 @@ TEST(Damping, IsByFrequencyLinearBetweenPoints) {
   EXPECT_EQ(damping.largest(), 0.006);
 }
 
+/// Symptom: a point that no mode reaches made the scan seven times as dense.
+TEST(Damping, IsSmallestAndLargestAmongResolvedModes) {
+  Damping damping(Damping::Table{{0, 0.02}, {6000, 0.02}, {10000, 0.0002}, {20000, 0.5}});
+  EXPECT_EQ(damping.smallest(), 0.0002);
+  damping.set_beyond(6000, 0.02);
+  EXPECT_EQ(damping.smallest(), 0.02);
+  EXPECT_EQ(damping.largest(), 0.02);
+  damping.set_beyond(8000, 0.02);
+  EXPECT_DOUBLE_EQ(damping.smallest(), 0.0101);
+}
+
 TEST(Damping, IsAnotherOneBeyondTheResolvedFrequency) {
   Damping damping{0.002};
   damping.set_beyond(8000, 0.02);

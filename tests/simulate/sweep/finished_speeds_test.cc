@@ -43,6 +43,18 @@ TEST_F(Finished, AreTakenOverByTheNextRun) {
   EXPECT_EQ(next.read(1000, Depth::full).failure, "it blew up");
 }
 
+/// Symptom: a speed that the run before had examined passed for a critical speed of this one.
+TEST_F(Finished, AreForgottenIfTheyAreDeeperThanAsked) {
+  SpeedResponse examined = failed_at(1000);
+  examined.depth = Depth::examined;
+  FinishedSpeeds finished = open();
+  finished.keep(examined);
+  EXPECT_FALSE(finished.forget_deeper(1000, Depth::examined));
+  EXPECT_FALSE(finished.forget_deeper(2000, Depth::full));
+  EXPECT_TRUE(finished.forget_deeper(1000, Depth::full));
+  EXPECT_FALSE(finished.has(1000, Depth::full));
+}
+
 /// Symptom: the amplitude was 0, so that the last speed before the failures passed for a peak and was examined.
 TEST_F(Finished, HaveNoAmplitudeWhereTheyFailed) {
   FinishedSpeeds finished = open();

@@ -144,6 +144,8 @@ void report_scope(const StageArguments& arguments, const Inputs& inputs, const S
                      friction_limit(inputs.model).text());
   if (inputs.parameters.examination == Examination::none)
     say(arguments, "error budgets: none, because examine = \"none\"");
+  else if (inputs.parameters.sweep != SweepDirection::rest)
+    say(arguments, "error budgets: none, because a sweep up or down examines no speeds");
   for (const Variation term : inputs.open)
     say(arguments,
         std::string(name_of(term)) + ": swept without, then with it if it is needed (physics = \"as_needed\")");

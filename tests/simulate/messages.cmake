@@ -251,5 +251,7 @@ expect_message(check ${check} ERRORS "at least 200 a period of the lowest freque
 # Four times the tolerance: half the steps.
 expect_message(check_of_coarser_steps ${check} OLD "damping_ratio" NEW "step_tolerance = 2e-2\ndamping_ratio"
                ERRORS "at least 100 a period")
+expect_message(check_of_a_sweep ${check} OLD "damping_ratio" NEW "sweep = \"up\"\nbudget = \"largest\"\ndamping_ratio"
+               ERRORS "error budgets: none, because a sweep up or down examines no speeds")
 expect_message(check_of_an_orbit ${check} OLD "damping_ratio" NEW "steady_state = \"orbit\"\ndamping_ratio"
                ERRORS "settled motions: by Newton's method for a fixed point of 1/6 of a revolution and a shift of 1 sectors")

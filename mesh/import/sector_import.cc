@@ -214,6 +214,7 @@ Tip tip_of(const CellMesh& mesh, const ImportParameters& parameters, Tip tip) {
   if (tip.line.size() < 2)
     throw InputError(mesh.file + ": [mesh] " + tip.line_key +
                      " has one node in the meridional plane; it must run along the tip");
+  if (!line.empty()) require_one_line(mesh, select_nodes(mesh, tip.line_key, line), tip.line, tip.line_key);
   if (!faces.empty() && !line.empty()) require_along_tip(mesh, tip.faces, tip.faces_key, tip.line, tip.line_key);
   return tip;
 }

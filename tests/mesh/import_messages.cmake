@@ -84,6 +84,9 @@ expect_message(import_unv_of_few_nodes ${unv} OLD "         7       116" NEW "  
 # Of gmsh's own format: each brick stands there twice, once for each of its groups, and the groups have the names of the keys.
 set(msh ARGUMENTS case.toml --import brick.msh --set "mesh.clamped=" --set "mesh.contact=" --check FILE brick.msh)
 expect_message(import_of_msh ${msh} ERRORS "20 nodes, 1 hex20" "no cuts: one body" "contact: 4 nodes")
+# Symptom: the nodes of the whole tip became a line across it.
+expect_message(import_tip_as_contact ARGUMENTS case.toml --import brick.msh --set "mesh.clamped=" --set "mesh.contact='blade_tip'" --check EXIT_CODE 2
+               ERRORS "brick.msh: [mesh] contact has nodes side by side across the tip, at x y z = 0.06 " "; name nodes along one line of the tip, as its middle")
 expect_message(import_msh_of_corners_only ${msh} OLD "1 17 2 1 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15" NEW "1 5 2 1 1 1 2 3 4 5 6 7 8" EXIT_CODE 2
                ERRORS "brick.msh: volume group \"sector\": bricks that have corners only bend too stiffly; mesh again with Mesh.ElementOrder = 2")
 expect_message(import_msh_of_faces_only ${msh} OLD "4\n1 17 2 1 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15\n2 17 2 2 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15\n" NEW "2\n" EXIT_CODE 2

@@ -176,6 +176,10 @@ PeriodicCuts cuts_by_name(const CellMesh& mesh, const ImportParameters& paramete
                     &high_name = parameters.selection.at("cyclic_high");
   const std::vector<int> low = select_faces(mesh, "cyclic_low", low_name),
                          high = select_faces(mesh, "cyclic_high", high_name);
+  if (low == high)
+    throw InputError(text_of(mesh.file, ": [mesh] cyclic_low = \"", low_name, "\" and cyclic_high = \"", high_name,
+                             "\" select the same ", low.size(), low.size() == 1 ? " face" : " faces",
+                             "; name one cut of the sector by each"));
   const CutsIn cuts_in = [&](const CellMesh& given, int count) { return named_cuts(given, low, high, count); };
   const PeriodicCuts cuts = cuts_in(mesh, parameters.sector_count);
   if (mostly_pair(mesh, cuts)) return cuts;
@@ -184,8 +188,10 @@ PeriodicCuts cuts_by_name(const CellMesh& mesh, const ImportParameters& paramete
   const auto faces_of = [](const std::vector<int>& faces, const std::string& name) {
     return " " + std::to_string(faces.size()) + " faces of \"" + name + "\"";
   };
+  const bool no_count = parameters.sector_count == 0 && cuts.sector_count == most_sectors;  // as at the same angle
   throw InputError(mesh.file + ": " + (paired == 0 ? "none" : std::to_string(paired)) + " of the" +
-                   faces_of(low, low_name) + ", turned by 360/" + std::to_string(cuts.sector_count) + " degrees, " +
+                   faces_of(low, low_name) + ", turned " +
+                   (no_count ? "about the axis, " : "by 360/" + std::to_string(cuts.sector_count) + " degrees, ") +
                    (paired <= 1 ? "is" : "are") + " among the" + faces_of(high, high_name) + "; " +
                    (other.empty() ? why_unpaired(mesh, cuts) : other));
 }

@@ -25,6 +25,8 @@ expect_message(import_lacks_a_number FILE case.toml OLD "clamped = \"clamped\"" 
                ERRORS "clamped = \"plane x\" lacks a number")
 expect_message(import_of_no_plane FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"plane r 1\"" EXIT_CODE 2
                ERRORS "must be plane x, y or z and a place")
+expect_message(import_of_no_normal FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"normal 0 0 0\"" EXIT_CODE 2
+               ERRORS "brick.inp: [mesh] clamped = \"normal 0 0 0\" has no direction; give a vector that is not zero")
 expect_message(import_one_cut FILE case.toml OLD "contact = " NEW "cyclic_low = \"contact\"\ncontact = " EXIT_CODE 2
                ERRORS "cyclic_low needs the other cut beside it")
 expect_message(import_no_tip OLD "NSET=contact" NEW "NSET=tip" ARGUMENTS case.toml --set "mesh.contact=''" --check EXIT_CODE 2
@@ -37,7 +39,10 @@ expect_message(import_cuts_of_no_pitch ${named} NEW "cyclic_low = \"plane y -0.0
 expect_message(import_cuts_that_are_none ${named} NEW "cyclic_low = \"plane y -0.01\"\ncyclic_high = \"plane x 0.06\"\nsector_count = 12\ncontact = "
                ERRORS "turned by 360/12 degrees, is among the 1 faces of \"plane x 0.06\"; their centres differ in r or z; is each name that of a whole cut, and is axis right?")
 expect_message(import_cuts_at_one_angle ${named} NEW "cyclic_low = \"plane x 0.04\"\ncyclic_high = \"plane x 0.04\"\ncontact = "
-               ERRORS "the cuts are at the same angle about the axis; is axis right?")
+               ERRORS "brick.inp: [mesh] cyclic_low = \"plane x 0.04\" and cyclic_high = \"plane x 0.04\" select the same 1 face; name one cut of the sector by each")
+# Symptom: the message spoke of a turn by 360/1000 degrees, which nobody had asked for.
+expect_message(import_cuts_behind_each_other ${named} NEW "cyclic_low = \"plane x 0.04\"\ncyclic_high = \"plane x 0.06\"\ncontact = "
+               ERRORS "brick.inp: none of the 1 faces of \"plane x 0.04\", turned about the axis, is among the 1 faces of \"plane x 0.06\"; their centres differ in r or z")
 set(alone "warning: no face, turned about the axis, is another one, so that this is one body without neighbours; if it is a sector, mesh both cuts alike")
 expect_message(import_of_one_body ERRORS "no cuts: one body" ${alone} "else set [mesh] sector_count = 1" WRITES sector.msh)
 expect_message(import_of_a_disc_without_cuts FILE case.toml OLD "contact = " NEW "disc = \"solid\"\ncontact = " EXIT_CODE 2

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nastran's bulk data: free, small and large fields. Properties become cell sets "PID 3", constraints and sets of the
 // case control node sets "SPC 1", "SET 1".
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -142,24 +143,43 @@ class BdfReader : MeshReader {
     mesh_.cell_sets["PID " + field(card, 1)].push_back(number);
   }
 
-  /// Adds numbers, and ranges "first THRU last".
+  /// Adds numbers, and ranges "first THRU last". EXCEPT takes numbers out of the range before it, up to a number
+  /// beyond its end, which is a member again.
   void add_set(const std::string& name, const std::vector<std::string>& words, std::size_t first) {
     constexpr long most = 10000000;
     std::vector<long>& set = mesh_.node_sets[name];
+    long last = 0;  // of the latest range
+    bool excepting = false;
     for (std::size_t at = first; at < words.size(); ++at) {
       if (words[at].empty()) continue;
-      if (upper(words[at]) != "THRU") {
-        set.push_back(lines_.whole_in(words[at], "a node"));
+      if (upper(words[at]) == "EXCEPT") {
+        if (last == 0) lines_.refuse("EXCEPT stands after a range, first THRU last");
+        excepting = true;
         continue;
       }
-      const long last = at + 1 < words.size() ? lines_.whole_in(words[++at], "a node") : -1;
+      if (upper(words[at]) != "THRU") {
+        const long number = lines_.whole_in(words[at], "a node");
+        excepting = excepting && number <= last;
+        if (excepting)
+          std::erase(set, number);
+        else
+          set.push_back(number);
+        continue;
+      }
+      last = at + 1 < words.size() ? lines_.whole_in(words[++at], "a node") : -1;
       if (set.empty() || last < set.back() || last - set.back() > most)
         lines_.refuse("THRU stands between a number and a larger one");
       for (long number = set.back() + 1; number <= last; ++number) set.push_back(number);
     }
   }
 
-  /// Reads a set such as "SET 3 = 1, 2, THRU, 9". A comma at the end of a line continues it on the next.
+  static bool is_word_of_numbers(const std::string& word) {
+    const std::string name = upper(word);
+    return name == "THRU" || name == "EXCEPT" || name.find_first_not_of("0123456789") == std::string::npos;
+  }
+
+  /// Reads a set such as "SET 3 = 1, 2, THRU, 9". A comma at the end of a line continues it on the next. Sets of all
+  /// nodes, of frequencies or of names are not of use here.
   void read_case_set(std::string_view text, Card& card) {
     std::string all(text);
     while (trimmed(all).ends_with(','))
@@ -173,7 +193,7 @@ class BdfReader : MeshReader {
     std::vector<std::string> words;
     for (const std::string_view part : comma_fields(std::string_view(all).substr(equals + 1)))
       for (const std::string_view word : blank_fields(part)) words.emplace_back(word);
-    if (words.size() == 1 && (upper(words[0]) == "ALL" || upper(words[0]) == "NONE")) return;
+    if (!std::all_of(words.begin(), words.end(), is_word_of_numbers)) return;
     add_set(upper(trimmed(std::string_view(all).substr(0, equals))), words, 0);
   }
 };

@@ -159,3 +159,13 @@ expect_message(import_of_a_surface_and_a_set ${instance} NEW "*SURFACE, NAME=ALL
 # Symptom: of two parts with the same elements only the second was written.
 expect_message(import_of_parts_that_overlap FILE case.toml OLD "contact = " NEW "disc = \"solid\"\nmain_blade = \"Solid\"\nsector_count = 1\ncontact = " EXIT_CODE 2
                ERRORS "brick.inp: [mesh] disc = \"SOLID\" and main_blade = \"SOLID\" have 1 element in common; each belongs to one part")
+# Symptom: sets of the case control that are of no use here made the file unreadable.
+set(set_7 ARGUMENTS case.toml --import brick.bdf --set "mesh.clamped='SPC 1'" --set "mesh.contact='SET 7'" --check FILE brick.bdf OLD "SET 7 = 2, 6, 18")
+expect_message(import_bdf_of_a_set_with_exceptions ${set_7} NEW "SET 7 = 2 THRU 6 EXCEPT 3, 4,\n5, 18" ERRORS "contact: 3 nodes")
+expect_message(import_bdf_of_an_exception_alone ${set_7} NEW "SET 7 = 2 EXCEPT 3" EXIT_CODE 2 ERRORS "brick.bdf:3: EXCEPT stands after a range, first THRU last")
+foreach(words "ALL EXCEPT 5" "0.1, 0.2" "ACCE, DISP/1")
+  string(MAKE_C_IDENTIFIER "${words}" name)
+  expect_message(import_bdf_of_a_set_of_${name} ARGUMENTS case.toml --import brick.bdf ${other} FILE brick.bdf OLD "SET 7 = 2, 6, 18" NEW "SET 7 = ${words}" ERRORS "20 nodes, 1 hex20")
+  expect_message(import_bdf_by_a_set_of_${name} ${set_7} NEW "SET 7 = ${words}" EXIT_CODE 2
+                 ERRORS "brick.bdf: [mesh] contact = \"SET 7\": there is no set of this name with nodes of solids; there are: PID 3, SPC 1")
+endforeach()

@@ -2,6 +2,7 @@
 // CalculiX's and Abaqus' decks. Only what describes the mesh is read; steps, materials and the like are passed over.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 #include <set>
 
@@ -58,7 +59,7 @@ class InpReader : MeshReader {
   ForeignMesh read() {
     while (const auto line = lines_.next()) {
       if (!is_keyword(*line)) continue;
-      const Keyword keyword = keyword_of(trimmed(*line));
+      const Keyword keyword = keyword_of(with_continuations(*line));
       require_written_out(keyword);
       if (keyword.name == "INSTANCE") require_unmoved();
       if (keyword.name == "SYSTEM" && data()) refuse_system("*SYSTEM");
@@ -72,6 +73,19 @@ class InpReader : MeshReader {
   }
 
  private:
+  /// A comma at the end of a keyword's line continues it on the next. Where that line is a keyword or begins with a
+  /// number, the comma stands there by mistake.
+  std::string with_continuations(std::string_view line) {
+    std::string text(trimmed(line));
+    while (text.ends_with(',')) {
+      const std::string_view more = trimmed(lines_.peek().value_or(""));
+      if (more.empty() || std::isalpha(static_cast<unsigned char>(more.front())) == 0) break;
+      text += more;
+      lines_.next();
+    }
+    return text;
+  }
+
   void require_written_out(const Keyword& keyword) const {
     static const std::set<std::string> rules = {
         "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYMMETRIC MODEL GENERATION"};

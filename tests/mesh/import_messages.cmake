@@ -159,6 +159,9 @@ expect_message(import_of_a_surface_and_a_set ${instance} NEW "*SURFACE, NAME=ALL
 # Symptom: of two parts with the same elements only the second was written.
 expect_message(import_of_parts_that_overlap FILE case.toml OLD "contact = " NEW "disc = \"solid\"\nmain_blade = \"Solid\"\nsector_count = 1\ncontact = " EXIT_CODE 2
                ERRORS "brick.inp: [mesh] disc = \"SOLID\" and main_blade = \"SOLID\" have 1 element in common; each belongs to one part")
+# Symptom: a keyword that goes on in the next line lost its name.
+expect_message(import_of_a_long_keyword OLD "*NSET, NSET=clamped" NEW "*NSET,\n  NSET=clamped" WRITES sector.msh)
+expect_message(import_of_a_keyword_with_a_comma OLD "NSET=clamped" NEW "NSET=clamped," WRITES sector.msh)
 # Symptom: sets of the case control that are of no use here made the file unreadable.
 set(set_7 ARGUMENTS case.toml --import brick.bdf --set "mesh.clamped='SPC 1'" --set "mesh.contact='SET 7'" --check FILE brick.bdf OLD "SET 7 = 2, 6, 18")
 expect_message(import_bdf_of_a_set_with_exceptions ${set_7} NEW "SET 7 = 2 THRU 6 EXCEPT 3, 4,\n5, 18" ERRORS "contact: 3 nodes")

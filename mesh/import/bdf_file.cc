@@ -94,10 +94,21 @@ class BdfReader : MeshReader {
     if (const auto known = solids.find(card.name); known != solids.end()) add_solid(card, known->second);
     if (card.name == "CTRIA6" || card.name == "CQUAD8" || card.name == "CTRIA3" || card.name == "CQUAD4")
       add_shell(card);
+    if (card.name == "PSOLID") mesh_.materials.insert(field(card, 1));
+    if (is_mass_or_constraint(card)) ++mesh_.not_read[card.name];
     if (card.name == "SPC1") add_set("SPC " + field(card, 0), card.fields, 2);
     if (card.name == "SPC")
       for (const std::size_t at : {1, 4})
         if (!field(card, at).empty()) mesh_.node_sets["SPC " + field(card, 0)].push_back(whole(card, at, "a node"));
+  }
+
+  /// The case control has lines such as "MPC     = 5", too.
+  static bool is_mass_or_constraint(const Card& card) {
+    static const std::set<std::string> names = {"CONM1", "CONM2", "CMASS1", "CMASS2", "CMASS3",  "CMASS4", "MPC",
+                                                "RBAR",  "RBAR1", "RROD",   "RTRPLT", "RSPLINE", "RBE1",   "RBE2",
+                                                "RBE3",  "CBUSH", "CELAS1", "CELAS2", "CELAS3",  "CELAS4"};
+    const std::string number = field(card, 0);
+    return names.contains(card.name) && !number.empty() && number.front() >= '0' && number.front() <= '9';
   }
 
   static std::string field(const Card& card, std::size_t at) {

@@ -279,6 +279,17 @@ std::string described(const CellMesh& mesh, const PeriodicCuts& cuts, const std:
   return text.str();
 }
 
+/// What a file holds that the import passes over although it changes the wheel, as lines.
+std::string warnings_of(const ForeignMesh& file) {
+  std::string text, kinds;
+  for (const auto& [kind, count] : file.not_read)
+    kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
+  if (!kinds.empty()) text += "\nwarning: not read: " + kinds + "; the sector lacks them";
+  if (file.materials.size() > 1)
+    text += text_of("\nwarning: ", file.materials.size(), " materials; tiprub-reduce takes the material of the case");
+  return text;
+}
+
 }  // namespace
 
 bool is_import(const CaseTable& table) {
@@ -321,7 +332,8 @@ void require_usual_radius(const CaseTable& table, const ImportParameters& parame
 }
 
 ImportedSector import_sector(const ImportParameters& given) {
-  const CellMesh mesh = in_our_terms(read(given), given.length, given.axis);
+  const ForeignMesh file = read(given);
+  const CellMesh mesh = in_our_terms(file, given.length, given.axis);
   const ImportParameters parameters = with_own_names(given, mesh);
   const PeriodicCuts cuts = cuts_of(mesh, parameters);
   const std::array<Tip, 2> tips = {tip_of(mesh, parameters, {"blade_tip", "contact", {}, {}}),
@@ -345,7 +357,8 @@ ImportedSector import_sector(const ImportParameters& given) {
   for (const Tip& tip : tips)
     if (!tip.line.empty())
       sector.mesh.entities.push_back({1, {tip.line_key}, {{line2, pieces_of({tip.line.begin(), tip.line.end()})}}});
-  sector.description = described(mesh, cuts, tips, clamped) + (doubt.empty() ? "" : "\nwarning: " + doubt);
+  sector.description =
+      described(mesh, cuts, tips, clamped) + (doubt.empty() ? "" : "\nwarning: " + doubt) + warnings_of(file);
   return sector;
 }
 

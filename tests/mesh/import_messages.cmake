@@ -159,6 +159,41 @@ expect_message(import_of_a_surface_and_a_set ${instance} NEW "*SURFACE, NAME=ALL
 # Symptom: of two parts with the same elements only the second was written.
 expect_message(import_of_parts_that_overlap FILE case.toml OLD "contact = " NEW "disc = \"solid\"\nmain_blade = \"Solid\"\nsector_count = 1\ncontact = " EXIT_CODE 2
                ERRORS "brick.inp: [mesh] disc = \"SOLID\" and main_blade = \"SOLID\" have 1 element in common; each belongs to one part")
+# Symptom: elements that fill a volume were passed over, and the wheel lacked it.
+foreach(type SC8R CSS8 COH3D8 DC3D8 AC3D8 F3D8 Q3D8 U1)
+  expect_message(import_of_${type} ${instance} NEW "*ELEMENT, TYPE=${type}\n8, 1, 2, 3, 4, 5, 6, 7, 8\n*NSET, NSET=clamped" EXIT_CODE 2
+                 ERRORS "brick.inp:28: elements of type ${type} are not known; C3D10, C3D15 and C3D20 (also C3D10M, C3D20R) are, and shells and beams are left out; mesh every volume with these solids, or delete the elements")
+endforeach()
+expect_message(import_without_a_type OLD "type=C3D20R, " NEW "" EXIT_CODE 2 ERRORS "brick.inp:25: elements without a TYPE are not known")
+foreach(type S8R STRI65 DS8 M3D8 SFM3D8 CPS8 CPE8 CAX8 B32 T3D3 R3D4)
+  expect_message(import_with_a_skin_of_${type} ${instance} NEW "*ELEMENT, TYPE=${type}, ELSET=skin\n8, 1, 4, 8, 5, 12, 20, 16, 17\n*NSET, NSET=clamped"
+                 ARGUMENTS case.toml --set "mesh.clamped='skin'" --check ERRORS "clamped: 1 face")
+endforeach()
+expect_message(import_of_removed_elements ${instance} NEW "*MODEL CHANGE, TYPE=ELEMENT, REMOVE\n7\n*NSET, NSET=clamped" EXIT_CODE 2
+               ERRORS "brick.inp:28: *MODEL CHANGE makes, moves or removes nodes or elements by a rule that isn't followed here")
+expect_message(import_of_a_removed_contact ${instance} NEW "*MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE\na, b\n*NSET, NSET=clamped" WRITES sector.msh)
+expect_message(import_of_a_part_twice ${instance} NEW "*INSTANCE, NAME=a, PART=p\n*END INSTANCE\n*INSTANCE, NAME=b, PART=P\n*NSET, NSET=clamped" EXIT_CODE 2
+               ERRORS "brick.inp:30: *INSTANCE places the part P again, which is read once; write the wheel as one part")
+foreach(reader NREAD EREAD UPGEOM)
+  expect_message(import_cdb_of_${reader} ${cdb} OLD "FINISH" NEW "${reader},1,1,1,blade,rst\nFINISH" ERRORS "${reader} leads to another file")
+endforeach()
+# Symptom: masses and constraints were passed over without a word.
+set(lacks "; the sector lacks them")
+expect_message(import_with_masses ${instance} NEW "*ELEMENT, TYPE=MASS, ELSET=masses\n8, 2\n9, 3\n*MASS, ELSET=masses\n0.5\n*EQUATION\n2\n1, 1, 1., 2, 1, -1.\n*TIE, NAME=t\na, b\n*TIE, CYCLIC SYMMETRY, NAME=c\na, b\n*NSET, NSET=clamped"
+               ERRORS "warning: not read: 1 *EQUATION, 1 *TIE, 2 MASS${lacks}" WRITES sector.msh)
+expect_message(import_bdf_with_masses ARGUMENTS case.toml --import brick.bdf ${other} FILE brick.bdf OLD "SPC1,1,123,16" NEW "CONM2,9,2,0,0.5\nRBE2,10,2,123,3,6\nRBE2*,11,3,123,+\n*,7\nSPC1,1,123,16"
+               ERRORS "warning: not read: 1 CONM2, 2 RBE2${lacks}")
+expect_message(import_cdb_with_constraints ARGUMENTS case.toml --import brick.cdb ${other} FILE brick.cdb OLD "FINISH"
+               NEW "CP,1,UX,3,4\nCE,R5.0,DEFI,       2,       1,  0.0\nCE,R5.0,NODE,       3,UX  ,  1.0\nCE,7,0,3,UX,1,5,UX,-1\nCE,7,0,6,UX,1\nFINISH"
+               ERRORS "warning: not read: 2 CE, 1 CP${lacks}")
+expect_message(import_cdb_with_a_mass ARGUMENTS case.toml --import brick.cdb ${other} FILE brick.cdb OLD "       -1\nCMBLOCK,CLAMPED"
+               NEW "        1       21        1        1        0        0        0        0        1        0        8        2\n       -1\nCMBLOCK,CLAMPED" ERRORS "warning: not read: 1 MASS21${lacks}")
+expect_message(import_unv_with_a_mass ARGUMENTS case.toml --import brick.unv ${other} FILE brick.unv OLD "    -1\n    -1\n  2467"
+               NEW "         8       161         1         1         7         1\n         5\n    -1\n    -1\n  2467" ERRORS "warning: not read: 1 of descriptor 161${lacks}")
+set(materials "warning: 2 materials; tiprub-reduce takes the material of the case")
+expect_message(import_of_two_materials OLD "*MATERIAL, NAME=metal" NEW "*SOLID SECTION, ELSET=solid, MATERIAL=metal\n*SOLID SECTION, ELSET=other, MATERIAL=foam\n*MATERIAL, NAME=metal"
+               ERRORS ${materials} WRITES sector.msh)
+expect_message(import_bdf_of_two_materials ARGUMENTS case.toml --import brick.bdf ${other} FILE brick.bdf OLD "SPC1,1,123,16" NEW "PSOLID,3,1\nPSOLID,4,2\nPSOLID,5,2\nSPC1,1,123,16" ERRORS ${materials})
 # Symptom: a keyword that goes on in the next line lost its name.
 expect_message(import_of_a_long_keyword OLD "*NSET, NSET=clamped" NEW "*NSET,\n  NSET=clamped" WRITES sector.msh)
 expect_message(import_of_a_keyword_with_a_comma OLD "NSET=clamped" NEW "NSET=clamped," WRITES sector.msh)

@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <map>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "mesh/import/import_check.h"
@@ -321,6 +322,24 @@ std::string deck_of(const ForeignMesh& mesh, const std::map<std::string, std::ve
     for (const long node : nodes) text << node << ",\n";
   }
   return text.str();
+}
+
+/// Symptom: two bricks of different materials passed as one wheel without a word.
+TEST(ImportedMesh, NotesTheMaterialsOfAnArchive) {
+  std::ostringstream text;
+  text << "ET,1,186\nEBLOCK,19,SOLID\n(19i9)\n";
+  for (const int material : {1, 2}) {
+    for (const int field : {material, 1, 1, 1, 0, 0, 0, 0, 20, 0, material}) text << std::setw(9) << field;
+    for (int node = 1; node <= 20; ++node) text << (node == 9 ? "\n" : "") << std::setw(9) << node;
+    text << "\n";
+  }
+  text << "       -1\n";
+  EXPECT_EQ(read_cdb({"wheel.cdb", text.str()}).materials, (std::set<std::string>{"1", "2"}));
+}
+
+TEST(ImportedMesh, TellsARequestForConstraintsFromConstraints) {
+  const ForeignMesh mesh = read_bdf({"wheel.bdf", "MPC     = 5\nMPC = 5\nBEGIN BULK\nMPC,5,1,1,1.,2,1,-1.\n"});
+  EXPECT_EQ(mesh.not_read, (std::map<std::string, int>{{"MPC", 1}}));
 }
 
 /// Symptom: a sector about x, round which the nodes stand on all sides of z, passed as one body if `axis` was

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nastran's bulk data: free, small and large fields. Properties become cell sets "PID 3", constraints and sets of the
 // case control node sets "SPC 1", "SET 1".
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -93,10 +94,21 @@ class BdfReader : MeshReader {
     if (const auto known = solids.find(card.name); known != solids.end()) add_solid(card, known->second);
     if (card.name == "CTRIA6" || card.name == "CQUAD8" || card.name == "CTRIA3" || card.name == "CQUAD4")
       add_shell(card);
+    if (card.name == "PSOLID") mesh_.materials.insert(field(card, 1));
+    if (is_mass_or_constraint(card)) ++mesh_.not_read[card.name];
     if (card.name == "SPC1") add_set("SPC " + field(card, 0), card.fields, 2);
     if (card.name == "SPC")
       for (const std::size_t at : {1, 4})
         if (!field(card, at).empty()) mesh_.node_sets["SPC " + field(card, 0)].push_back(whole(card, at, "a node"));
+  }
+
+  /// The case control has lines such as "MPC     = 5", too.
+  static bool is_mass_or_constraint(const Card& card) {
+    static const std::set<std::string> names = {"CONM1", "CONM2", "CMASS1", "CMASS2", "CMASS3",  "CMASS4", "MPC",
+                                                "RBAR",  "RBAR1", "RROD",   "RTRPLT", "RSPLINE", "RBE1",   "RBE2",
+                                                "RBE3",  "CBUSH", "CELAS1", "CELAS2", "CELAS3",  "CELAS4"};
+    const std::string number = field(card, 0);
+    return names.contains(card.name) && !number.empty() && number.front() >= '0' && number.front() <= '9';
   }
 
   static std::string field(const Card& card, std::size_t at) {
@@ -142,24 +154,43 @@ class BdfReader : MeshReader {
     mesh_.cell_sets["PID " + field(card, 1)].push_back(number);
   }
 
-  /// Adds numbers, and ranges "first THRU last".
+  /// Adds numbers, and ranges "first THRU last". EXCEPT takes numbers out of the range before it, up to a number
+  /// beyond its end, which is a member again.
   void add_set(const std::string& name, const std::vector<std::string>& words, std::size_t first) {
     constexpr long most = 10000000;
     std::vector<long>& set = mesh_.node_sets[name];
+    long last = 0;  // of the latest range
+    bool excepting = false;
     for (std::size_t at = first; at < words.size(); ++at) {
       if (words[at].empty()) continue;
-      if (upper(words[at]) != "THRU") {
-        set.push_back(lines_.whole_in(words[at], "a node"));
+      if (upper(words[at]) == "EXCEPT") {
+        if (last == 0) lines_.refuse("EXCEPT stands after a range, first THRU last");
+        excepting = true;
         continue;
       }
-      const long last = at + 1 < words.size() ? lines_.whole_in(words[++at], "a node") : -1;
+      if (upper(words[at]) != "THRU") {
+        const long number = lines_.whole_in(words[at], "a node");
+        excepting = excepting && number <= last;
+        if (excepting)
+          std::erase(set, number);
+        else
+          set.push_back(number);
+        continue;
+      }
+      last = at + 1 < words.size() ? lines_.whole_in(words[++at], "a node") : -1;
       if (set.empty() || last < set.back() || last - set.back() > most)
         lines_.refuse("THRU stands between a number and a larger one");
       for (long number = set.back() + 1; number <= last; ++number) set.push_back(number);
     }
   }
 
-  /// Reads a set such as "SET 3 = 1, 2, THRU, 9". A comma at the end of a line continues it on the next.
+  static bool is_word_of_numbers(const std::string& word) {
+    const std::string name = upper(word);
+    return name == "THRU" || name == "EXCEPT" || name.find_first_not_of("0123456789") == std::string::npos;
+  }
+
+  /// Reads a set such as "SET 3 = 1, 2, THRU, 9". A comma at the end of a line continues it on the next. Sets of all
+  /// nodes, of frequencies or of names are not of use here.
   void read_case_set(std::string_view text, Card& card) {
     std::string all(text);
     while (trimmed(all).ends_with(','))
@@ -173,7 +204,7 @@ class BdfReader : MeshReader {
     std::vector<std::string> words;
     for (const std::string_view part : comma_fields(std::string_view(all).substr(equals + 1)))
       for (const std::string_view word : blank_fields(part)) words.emplace_back(word);
-    if (words.size() == 1 && (upper(words[0]) == "ALL" || upper(words[0]) == "NONE")) return;
+    if (!std::all_of(words.begin(), words.end(), is_word_of_numbers)) return;
     add_set(upper(trimmed(std::string_view(all).substr(0, equals))), words, 0);
   }
 };

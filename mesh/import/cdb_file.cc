@@ -27,6 +27,7 @@ class CdbReader : MeshReader {
       const std::string name = upper(words[0]);
       require_written_out(name, words);
       note_system(name, words);
+      if (name == "CP" || name == "CE") note_constraint(name, words);
       if (name == "ET" && words.size() > 2) types_[whole(words[1])] = type_of(words[2]);
       if (name == "ETBLOCK") read_types();
       if (name == "NBLOCK") read_nodes();
@@ -42,7 +43,8 @@ class CdbReader : MeshReader {
     static const std::set<std::string> rules = {
         "N",     "FILL", "NGEN", "NSYM",  "NSCALE", "NMODIF", "NDELE",  "TRANSFER", "NUMMRG", "E",     "EN",
         "EMORE", "EMID", "EGEN", "ENGEN", "ESYM",   "ENSYM",  "EMODIF", "EDELE",    "VMESH",  "VSWEEP"};
-    if (name == "/INPUT" || name == "CDREAD") refuse_other_file(name);
+    static const std::set<std::string> readers = {"/INPUT", "CDREAD", "NREAD", "EREAD", "UPGEOM"};
+    if (readers.contains(name)) refuse_other_file(name);
     if (rules.contains(name) && std::find(words.begin(), words.end(), "-1") == words.end()) refuse_rule(name);
   }
 
@@ -56,6 +58,14 @@ class CdbReader : MeshReader {
     if (name == "NBLOCK" && !system_.empty() && system_ != "0")
       lines_.refuse("NBLOCK gives places in coordinate system " + system_ +
                     "; write them in the global one (CSYS,0)");
+  }
+
+  /// CP and CE are "CE,2,0,..." or, from CDWRITE, "CE,R5.0,DEFI,2,...", which lines "CE,R5.0,NODE,..." go on. Further
+  /// lines of the same number add nodes.
+  void note_constraint(const std::string& name, const std::vector<std::string_view>& words) {
+    const bool written = words.size() > 3 && upper(words[1]).starts_with('R');
+    if (words.size() < 2 || (written && upper(words[2]) == "NODE")) return;
+    if (constraints_.emplace(name, written ? words[3] : words[1]).second) ++mesh_.not_read[name];
   }
 
   long whole(std::string_view word) const { return lines_.whole_in(word, "a number of the archive"); }
@@ -133,6 +143,7 @@ class CdbReader : MeshReader {
         else
           lines_.refuse("the last element lacks nodes; is the file cut off?");
       add_element(number, types_.contains(type) ? types_.at(type) : type, nodes);
+      if (!mesh_.cells.empty() && mesh_.cells.back().number == number) mesh_.materials.emplace(fields[0]);
     }
     lines_.refuse("the block of elements has no end; is the file cut off?");
   }
@@ -140,6 +151,8 @@ class CdbReader : MeshReader {
   void add_element(long number, long type, const std::vector<long>& nodes) {
     constexpr long brick20 = 186, tetrahedron10 = 187, older_brick20 = 95, older_tetrahedron10 = 92, brick8 = 185,
                    older_brick8 = 45, tetrahedron4 = 285;
+    static const std::map<long, std::string> masses_and_constraints = {
+        {14, "COMBIN14"}, {21, "MASS21"}, {40, "COMBIN40"}, {174, "CONTA174"}, {175, "CONTA175"}, {184, "MPC184"}};
     if (type == brick8 || type == older_brick8 || type == tetrahedron4)
       refuse_linear(lines_.number(), "SOLID" + std::to_string(type));
     if ((type == tetrahedron10 || type == older_tetrahedron10) && nodes.size() == 10)
@@ -148,6 +161,8 @@ class CdbReader : MeshReader {
       mesh_.cells.push_back({number, collapsed(nodes)});
     else
       mesh_.others[number] = nodes;
+    if (const auto kind = masses_and_constraints.find(type); kind != masses_and_constraints.end())
+      ++mesh_.not_read[kind->second];
   }
 
   /// A brick whose corners coincide is a wedge (K = L, O = P), a pyramid (M = N = O = P) or a tetrahedron (both).
@@ -187,6 +202,7 @@ class CdbReader : MeshReader {
     }
   }
 
+  std::set<std::pair<std::string, std::string>> constraints_;  // CP and CE, by their numbers
   std::string system_;          // the active coordinate system; empty or 0 is the global one
   std::map<long, long> types_;  // Ansys' number of an element type (186), by its number in the archive
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/cell_mesh.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <set>
 
@@ -113,6 +114,21 @@ std::string CellMesh::set_named(const std::string& name) const {
 
 std::string CellMesh::place_of(int node) const {
   return text_of("x y z = ", nodes(0, node), " ", nodes(1, node), " ", nodes(2, node), " m");
+}
+
+Eigen::Vector3d centre(const CellMesh& mesh, const FreeFace& face) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < face.corners(); ++k) sum += mesh.nodes.col(face.nodes[k]);
+  return sum / static_cast<double>(face.corners());
+}
+
+double area(const CellMesh& mesh, const FreeFace& face) {
+  const auto edge = [&](std::size_t k) -> Eigen::Vector3d {
+    return mesh.nodes.col(face.nodes[k]) - mesh.nodes.col(face.nodes[0]);
+  };
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t k = 2; k < face.corners(); ++k) sum += edge(k - 1).cross(edge(k));
+  return 0.5 * sum.norm();
 }
 
 CellMesh in_our_terms(const ForeignMesh& mesh, double length, Axis axis) {

@@ -33,6 +33,10 @@ struct CellMesh {
   std::string place_of(int node) const;
 };
 
+/// Of the corners of a face [m], and of the polygon between them [m^2].
+Eigen::Vector3d centre(const CellMesh& mesh, const FreeFace& face);
+double area(const CellMesh& mesh, const FreeFace& face);
+
 enum class Axis { x, y, z };
 
 /// `length` [m] is the file's unit. Raises InputError if there are no solids, if they name nodes that don't exist, or

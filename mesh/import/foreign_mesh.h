@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,10 @@ struct ForeignMesh {
   std::map<std::string, std::vector<long>> cell_sets;  ///< numbers of cells, or of others
   /// Nodes of surfaces where these have names of their own, of which a set of nodes may have the same.
   std::map<std::string, std::vector<long>> surfaces;
-  bool upper_names = false;  ///< the format ignores the case of names; they are in upper case here
+  /// Masses, springs and constraints that are not read, by the format's name for the kind: how many there are.
+  std::map<std::string, int> not_read;
+  std::set<std::string> materials;  ///< of solids, by the file's names or numbers
+  bool upper_names = false;         ///< the format ignores the case of names; they are in upper case here
 };
 
 /// The readers of the formats. They raise InputError with the line.

@@ -21,9 +21,15 @@ std::vector<int> off_the_cuts(const CellMesh& mesh, const PeriodicCuts& cuts, co
 /// 60 degrees between neighbouring faces. A curved tip turns by far less from face to face, a flank by about 90.
 void require_one_surface(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key);
 
+/// Raises InputError, which names `key`, unless the given nodes form one line, of which `line` has those that
+/// ordered_line() kept: none was left out beside another, and none makes the line turn back, as the nodes of a whole
+/// tip do.
+void require_one_line(const CellMesh& mesh, const std::vector<int>& nodes, const std::vector<int>& line,
+                      const std::string& key);
+
 /// Raises InputError, which names the keys, unless a given line runs along the whole tip: each of its nodes is one of
-/// the faces', and no face lies beyond an end of the line by more than one face (and 5 % of the line's length, for a
-/// round edge meshed with small faces).
+/// the faces', no face lies beyond an end of the line by more than one face (and 5 % of the line's length, for a
+/// round edge meshed with small faces), and at most 30 % of the tip's area lies beyond the ends.
 void require_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& faces_key,
                        const std::vector<int>& line, const std::string& line_key);
 

@@ -2,6 +2,8 @@
 // CalculiX's and Abaqus' decks. Only what describes the mesh is read; steps, materials and the like are passed over.
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <initializer_list>
 #include <map>
 #include <set>
 
@@ -51,6 +53,19 @@ bool is_keyword(std::string_view line) {
   return trimmed(line).starts_with('*') && !is_comment(line);
 }
 
+using Prefixes = std::initializer_list<const char*>;
+
+/// Types that lie on the surface of solids and often only name it: shells, membranes, surface, plane, axisymmetric
+/// and rigid elements, beams, pipes and trusses. Continuum shells (SC8R, CSS8) are solids.
+constexpr Prefixes sheets_and_lines = {"S3",  "S4",  "S6",  "S8",  "S9",  "STRI", "DS", "M3D",  "SFM3D", "CPS", "CPE",
+                                       "CAX", "R2D", "R3D", "RAX", "SAX", "B2",   "B3", "PIPE", "T2D",   "T3D"};
+constexpr Prefixes masses_and_connectors = {"MASS",    "ROTARYI", "SPRING", "DASHPOT",
+                                            "CONN2D2", "CONN3D2", "DCOUP",  "GAP"};
+
+bool starts_with_any(const std::string& type, const Prefixes& prefixes) {
+  return std::any_of(prefixes.begin(), prefixes.end(), [&](const char* prefix) { return type.starts_with(prefix); });
+}
+
 class InpReader : MeshReader {
  public:
   explicit InpReader(const NamedText& file) : MeshReader(file) { mesh_.upper_names = true; }
@@ -58,9 +73,13 @@ class InpReader : MeshReader {
   ForeignMesh read() {
     while (const auto line = lines_.next()) {
       if (!is_keyword(*line)) continue;
-      const Keyword keyword = keyword_of(trimmed(*line));
+      const Keyword keyword = keyword_of(with_continuations(*line));
       require_written_out(keyword);
+      note_constraint(keyword);
+      if (keyword.name == "INSTANCE") require_single(keyword);
       if (keyword.name == "INSTANCE") require_unmoved();
+      if (keyword.name == "SOLID SECTION" && keyword.has("MATERIAL"))
+        mesh_.materials.insert(keyword.value("MATERIAL"));
       if (keyword.name == "SYSTEM" && data()) refuse_system("*SYSTEM");
       if (keyword.name == "NODE") read_nodes(keyword);
       if (keyword.name == "ELEMENT") read_elements(keyword);
@@ -72,6 +91,27 @@ class InpReader : MeshReader {
   }
 
  private:
+  /// A comma at the end of a keyword's line continues it on the next. Where that line is a keyword or begins with a
+  /// number, the comma stands there by mistake.
+  std::string with_continuations(std::string_view line) {
+    std::string text(trimmed(line));
+    while (text.ends_with(',')) {
+      const std::string_view more = trimmed(lines_.peek().value_or(""));
+      if (more.empty() || std::isalpha(static_cast<unsigned char>(more.front())) == 0) break;
+      text += more;
+      lines_.next();
+    }
+    return text;
+  }
+
+  /// Counts what joins nodes without elements. The cuts of a sector are found without their *TIE.
+  void note_constraint(const Keyword& keyword) {
+    static const std::set<std::string> constraints = {
+        "EQUATION",          "TIE", "MPC", "COUPLING", "KINEMATIC COUPLING", "DISTRIBUTING COUPLING", "RIGID BODY",
+        "NONSTRUCTURAL MASS"};
+    if (constraints.contains(keyword.name) && !keyword.has("CYCLIC SYMMETRY")) ++mesh_.not_read["*" + keyword.name];
+  }
+
   void require_written_out(const Keyword& keyword) const {
     static const std::set<std::string> rules = {
         "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYMMETRIC MODEL GENERATION"};
@@ -79,7 +119,15 @@ class InpReader : MeshReader {
     const bool library = keyword.name == "INSTANCE" && keyword.has("LIBRARY");
     if (keyword.name == "INCLUDE" || keyword.name == "IMPORT" || library || (mesh && keyword.has("INPUT")))
       refuse_other_file("*" + keyword.name);
-    if (rules.contains(keyword.name)) refuse_rule("*" + keyword.name);
+    const bool elements_change = keyword.name == "MODEL CHANGE" && keyword.value("TYPE") != "CONTACT PAIR";
+    if (rules.contains(keyword.name) || elements_change) refuse_rule("*" + keyword.name);
+  }
+
+  /// The nodes of a part are read once.
+  void require_single(const Keyword& keyword) {
+    const std::string part = keyword.value("PART");
+    if (!part.empty() && !instanced_.insert(part).second)
+      lines_.refuse("*INSTANCE places the part " + part + " again, which is read once; write the wheel as one part");
   }
 
   /// The next line of data before a keyword.
@@ -121,15 +169,16 @@ class InpReader : MeshReader {
     }
   }
 
-  /// The number of nodes of a solid of this type (C3D20R, C3D10M), or 0 for any other element.
+  /// The number of nodes of a solid of this type (C3D20R, C3D10M), or 0 for an element that is no solid.
   std::size_t nodes_of_type(const std::string& type) const {
-    if (!type.starts_with("C3D")) return 0;
-    const std::string rest = type.substr(3);
-    for (const char* linear : {"8", "6", "5", "4"})
-      if (rest.starts_with(linear)) refuse_linear(lines_.number(), type);
+    if (starts_with_any(type, sheets_and_lines) || starts_with_any(type, masses_and_connectors)) return 0;
+    for (const char* linear : {"C3D8", "C3D6", "C3D5", "C3D4"})
+      if (type.starts_with(linear)) refuse_linear(lines_.number(), type);
     for (const int nodes : {20, 15, 10})
-      if (rest.starts_with(std::to_string(nodes))) return static_cast<std::size_t>(nodes);
-    lines_.refuse("elements of type " + type + " are not known; C3D10, C3D15 and C3D20 (also C3D10M, C3D20R) are");
+      if (type.starts_with("C3D" + std::to_string(nodes))) return static_cast<std::size_t>(nodes);
+    lines_.refuse((type.empty() ? "elements without a TYPE" : "elements of type " + type) +
+                  " are not known; C3D10, C3D15 and C3D20 (also C3D10M, C3D20R) are, and shells and beams are left "
+                  "out; mesh every volume with these solids, or delete the elements");
   }
 
   void read_elements(const Keyword& keyword) {
@@ -145,19 +194,20 @@ class InpReader : MeshReader {
       if (goes_on && numbers.size() <= width) continue;
       if (width > 0 && numbers.size() != width + 1)
         lines_.refuse("an element of type " + type + " has " + std::to_string(numbers.size() - 1) + " nodes");
-      add_element(numbers, width > 0, set);
+      add_element(numbers, type, set);
       numbers.clear();
     }
     if (!numbers.empty()) lines_.refuse("the last element of type " + type + " lacks nodes; is the file cut off?");
   }
 
-  void add_element(const std::vector<long>& numbers, bool solid, const std::string& set) {
+  void add_element(const std::vector<long>& numbers, const std::string& type, const std::string& set) {
     if (numbers.empty()) return;
     const std::vector<long> nodes(numbers.begin() + 1, numbers.end());
-    if (solid)
+    if (type.starts_with("C3D"))
       mesh_.cells.push_back({numbers.front(), nodes});
     else
       mesh_.others[numbers.front()] = nodes;
+    if (starts_with_any(type, masses_and_connectors)) ++mesh_.not_read[type];
     if (!set.empty()) mesh_.cell_sets[set].push_back(numbers.front());
   }
 
@@ -256,6 +306,7 @@ class InpReader : MeshReader {
   }
 
   std::map<long, std::size_t> cell_of_;
+  std::set<std::string> instanced_;  // parts
 };
 
 }  // namespace

@@ -26,21 +26,6 @@ constexpr double most_faces = 0.9;          // of the smaller cut
 constexpr double unlike_cuts_agree = 0.01;  // of the largest radius, their centres
 constexpr double unlike_pitch = 0.005;      // of the angle between cuts that are meshed differently
 
-Eigen::Vector3d centre(const CellMesh& mesh, const FreeFace& face) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < face.corners(); ++k) sum += mesh.nodes.col(face.nodes[k]);
-  return sum / static_cast<double>(face.corners());
-}
-
-double area(const CellMesh& mesh, const FreeFace& face) {
-  const auto edge = [&](std::size_t k) -> Eigen::Vector3d {
-    return mesh.nodes.col(face.nodes[k]) - mesh.nodes.col(face.nodes[0]);
-  };
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t k = 2; k < face.corners(); ++k) sum += edge(k - 1).cross(edge(k));
-  return 0.5 * sum.norm();
-}
-
 /// The centre of area of a cut: differently meshed cuts of the same shape have the same one.
 Eigen::Vector3d centre(const CellMesh& mesh, const std::vector<int>& cut) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

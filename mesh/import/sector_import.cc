@@ -176,6 +176,10 @@ PeriodicCuts cuts_by_name(const CellMesh& mesh, const ImportParameters& paramete
                     &high_name = parameters.selection.at("cyclic_high");
   const std::vector<int> low = select_faces(mesh, "cyclic_low", low_name),
                          high = select_faces(mesh, "cyclic_high", high_name);
+  if (low == high)
+    throw InputError(text_of(mesh.file, ": [mesh] cyclic_low = \"", low_name, "\" and cyclic_high = \"", high_name,
+                             "\" select the same ", low.size(), low.size() == 1 ? " face" : " faces",
+                             "; name one cut of the sector by each"));
   const CutsIn cuts_in = [&](const CellMesh& given, int count) { return named_cuts(given, low, high, count); };
   const PeriodicCuts cuts = cuts_in(mesh, parameters.sector_count);
   if (mostly_pair(mesh, cuts)) return cuts;
@@ -184,8 +188,10 @@ PeriodicCuts cuts_by_name(const CellMesh& mesh, const ImportParameters& paramete
   const auto faces_of = [](const std::vector<int>& faces, const std::string& name) {
     return " " + std::to_string(faces.size()) + " faces of \"" + name + "\"";
   };
+  const bool no_count = parameters.sector_count == 0 && cuts.sector_count == most_sectors;  // as at the same angle
   throw InputError(mesh.file + ": " + (paired == 0 ? "none" : std::to_string(paired)) + " of the" +
-                   faces_of(low, low_name) + ", turned by 360/" + std::to_string(cuts.sector_count) + " degrees, " +
+                   faces_of(low, low_name) + ", turned " +
+                   (no_count ? "about the axis, " : "by 360/" + std::to_string(cuts.sector_count) + " degrees, ") +
                    (paired <= 1 ? "is" : "are") + " among the" + faces_of(high, high_name) + "; " +
                    (other.empty() ? why_unpaired(mesh, cuts) : other));
 }
@@ -214,6 +220,7 @@ Tip tip_of(const CellMesh& mesh, const ImportParameters& parameters, Tip tip) {
   if (tip.line.size() < 2)
     throw InputError(mesh.file + ": [mesh] " + tip.line_key +
                      " has one node in the meridional plane; it must run along the tip");
+  if (!line.empty()) require_one_line(mesh, select_nodes(mesh, tip.line_key, line), tip.line, tip.line_key);
   if (!faces.empty() && !line.empty()) require_along_tip(mesh, tip.faces, tip.faces_key, tip.line, tip.line_key);
   return tip;
 }
@@ -272,6 +279,17 @@ std::string described(const CellMesh& mesh, const PeriodicCuts& cuts, const std:
   return text.str();
 }
 
+/// What a file holds that the import passes over although it changes the wheel, as lines.
+std::string warnings_of(const ForeignMesh& file) {
+  std::string text, kinds;
+  for (const auto& [kind, count] : file.not_read)
+    kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
+  if (!kinds.empty()) text += "\nwarning: not read: " + kinds + "; the sector lacks them";
+  if (file.materials.size() > 1)
+    text += text_of("\nwarning: ", file.materials.size(), " materials; tiprub-reduce takes the material of the case");
+  return text;
+}
+
 }  // namespace
 
 bool is_import(const CaseTable& table) {
@@ -314,7 +332,8 @@ void require_usual_radius(const CaseTable& table, const ImportParameters& parame
 }
 
 ImportedSector import_sector(const ImportParameters& given) {
-  const CellMesh mesh = in_our_terms(read(given), given.length, given.axis);
+  const ForeignMesh file = read(given);
+  const CellMesh mesh = in_our_terms(file, given.length, given.axis);
   const ImportParameters parameters = with_own_names(given, mesh);
   const PeriodicCuts cuts = cuts_of(mesh, parameters);
   const std::array<Tip, 2> tips = {tip_of(mesh, parameters, {"blade_tip", "contact", {}, {}}),
@@ -338,7 +357,8 @@ ImportedSector import_sector(const ImportParameters& given) {
   for (const Tip& tip : tips)
     if (!tip.line.empty())
       sector.mesh.entities.push_back({1, {tip.line_key}, {{line2, pieces_of({tip.line.begin(), tip.line.end()})}}});
-  sector.description = described(mesh, cuts, tips, clamped) + (doubt.empty() ? "" : "\nwarning: " + doubt);
+  sector.description =
+      described(mesh, cuts, tips, clamped) + (doubt.empty() ? "" : "\nwarning: " + doubt) + warnings_of(file);
   return sector;
 }
 

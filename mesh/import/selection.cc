@@ -77,6 +77,8 @@ IsIn by_geometry(const CellMesh& mesh, const std::string& key, const std::string
   if (kind == "normal") {
     Eigen::VectorXd normal(3);
     numbers(normal);
+    if (normal.isZero(0))
+      refuse(mesh, key, "= \"" + selection + "\" has no direction; give a vector that is not zero");
     const Eigen::Vector3d unit = normal.normalized();
     const double least = std::cos(most_degrees * std::numbers::pi / 180);
     return [unit, least](const FreeFace& face) { return face.normal.dot(unit) >= least; };

@@ -69,6 +69,8 @@ class UnvReader : MeshReader {
   void read_element() {
     constexpr long most_nodes = 100;
     static const std::set<long> beams = {11, 21, 22, 23, 24}, linear = {111, 112, 115};
+    // Rigid bars and elements, lumped masses.
+    static const std::set<long> masses_and_constraints = {121, 122, 161};
     // Where VTK's nodes stand. I-deas lists corners and mid-sides in turn around either face, and between the two
     // faces the mid-sides of the upright edges.
     static const std::map<long, std::vector<std::size_t>> solids = {
@@ -81,6 +83,7 @@ class UnvReader : MeshReader {
     if (linear.contains(type)) refuse_linear(lines_.number(), "descriptor " + std::to_string(type));
     if (beams.contains(type)) lines_.next();
     const std::vector<long> nodes = read_numbers(count);
+    if (masses_and_constraints.contains(type)) ++mesh_.not_read["of descriptor " + std::to_string(type)];
     const auto solid = solids.find(type);
     if (solid == solids.end()) {
       mesh_.others[number] = nodes;

@@ -25,6 +25,8 @@ expect_message(import_lacks_a_number FILE case.toml OLD "clamped = \"clamped\"" 
                ERRORS "clamped = \"plane x\" lacks a number")
 expect_message(import_of_no_plane FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"plane r 1\"" EXIT_CODE 2
                ERRORS "must be plane x, y or z and a place")
+expect_message(import_of_no_normal FILE case.toml OLD "clamped = \"clamped\"" NEW "clamped = \"normal 0 0 0\"" EXIT_CODE 2
+               ERRORS "brick.inp: [mesh] clamped = \"normal 0 0 0\" has no direction; give a vector that is not zero")
 expect_message(import_one_cut FILE case.toml OLD "contact = " NEW "cyclic_low = \"contact\"\ncontact = " EXIT_CODE 2
                ERRORS "cyclic_low needs the other cut beside it")
 expect_message(import_no_tip OLD "NSET=contact" NEW "NSET=tip" ARGUMENTS case.toml --set "mesh.contact=''" --check EXIT_CODE 2
@@ -37,7 +39,10 @@ expect_message(import_cuts_of_no_pitch ${named} NEW "cyclic_low = \"plane y -0.0
 expect_message(import_cuts_that_are_none ${named} NEW "cyclic_low = \"plane y -0.01\"\ncyclic_high = \"plane x 0.06\"\nsector_count = 12\ncontact = "
                ERRORS "turned by 360/12 degrees, is among the 1 faces of \"plane x 0.06\"; their centres differ in r or z; is each name that of a whole cut, and is axis right?")
 expect_message(import_cuts_at_one_angle ${named} NEW "cyclic_low = \"plane x 0.04\"\ncyclic_high = \"plane x 0.04\"\ncontact = "
-               ERRORS "the cuts are at the same angle about the axis; is axis right?")
+               ERRORS "brick.inp: [mesh] cyclic_low = \"plane x 0.04\" and cyclic_high = \"plane x 0.04\" select the same 1 face; name one cut of the sector by each")
+# Symptom: the message spoke of a turn by 360/1000 degrees, which nobody had asked for.
+expect_message(import_cuts_behind_each_other ${named} NEW "cyclic_low = \"plane x 0.04\"\ncyclic_high = \"plane x 0.06\"\ncontact = "
+               ERRORS "brick.inp: none of the 1 faces of \"plane x 0.04\", turned about the axis, is among the 1 faces of \"plane x 0.06\"; their centres differ in r or z")
 set(alone "warning: no face, turned about the axis, is another one, so that this is one body without neighbours; if it is a sector, mesh both cuts alike")
 expect_message(import_of_one_body ERRORS "no cuts: one body" ${alone} "else set [mesh] sector_count = 1" WRITES sector.msh)
 expect_message(import_of_a_disc_without_cuts FILE case.toml OLD "contact = " NEW "disc = \"solid\"\ncontact = " EXIT_CODE 2
@@ -84,6 +89,9 @@ expect_message(import_unv_of_few_nodes ${unv} OLD "         7       116" NEW "  
 # Of gmsh's own format: each brick stands there twice, once for each of its groups, and the groups have the names of the keys.
 set(msh ARGUMENTS case.toml --import brick.msh --set "mesh.clamped=" --set "mesh.contact=" --check FILE brick.msh)
 expect_message(import_of_msh ${msh} ERRORS "20 nodes, 1 hex20" "no cuts: one body" "contact: 4 nodes")
+# Symptom: the nodes of the whole tip became a line across it.
+expect_message(import_tip_as_contact ARGUMENTS case.toml --import brick.msh --set "mesh.clamped=" --set "mesh.contact='blade_tip'" --check EXIT_CODE 2
+               ERRORS "brick.msh: [mesh] contact has nodes side by side across the tip, at x y z = 0.06 " "; name nodes along one line of the tip, as its middle")
 expect_message(import_msh_of_corners_only ${msh} OLD "1 17 2 1 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15" NEW "1 5 2 1 1 1 2 3 4 5 6 7 8" EXIT_CODE 2
                ERRORS "brick.msh: volume group \"sector\": bricks that have corners only bend too stiffly; mesh again with Mesh.ElementOrder = 2")
 expect_message(import_msh_of_faces_only ${msh} OLD "4\n1 17 2 1 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15\n2 17 2 2 1 1 2 3 4 5 6 7 8 9 12 17 10 18 11 19 20 13 16 14 15\n" NEW "2\n" EXIT_CODE 2
@@ -151,3 +159,51 @@ expect_message(import_of_a_surface_and_a_set ${instance} NEW "*SURFACE, NAME=ALL
 # Symptom: of two parts with the same elements only the second was written.
 expect_message(import_of_parts_that_overlap FILE case.toml OLD "contact = " NEW "disc = \"solid\"\nmain_blade = \"Solid\"\nsector_count = 1\ncontact = " EXIT_CODE 2
                ERRORS "brick.inp: [mesh] disc = \"SOLID\" and main_blade = \"SOLID\" have 1 element in common; each belongs to one part")
+# Symptom: elements that fill a volume were passed over, and the wheel lacked it.
+foreach(type SC8R CSS8 COH3D8 DC3D8 AC3D8 F3D8 Q3D8 U1)
+  expect_message(import_of_${type} ${instance} NEW "*ELEMENT, TYPE=${type}\n8, 1, 2, 3, 4, 5, 6, 7, 8\n*NSET, NSET=clamped" EXIT_CODE 2
+                 ERRORS "brick.inp:28: elements of type ${type} are not known; C3D10, C3D15 and C3D20 (also C3D10M, C3D20R) are, and shells and beams are left out; mesh every volume with these solids, or delete the elements")
+endforeach()
+expect_message(import_without_a_type OLD "type=C3D20R, " NEW "" EXIT_CODE 2 ERRORS "brick.inp:25: elements without a TYPE are not known")
+foreach(type S8R STRI65 DS8 M3D8 SFM3D8 CPS8 CPE8 CAX8 B32 T3D3 R3D4)
+  expect_message(import_with_a_skin_of_${type} ${instance} NEW "*ELEMENT, TYPE=${type}, ELSET=skin\n8, 1, 4, 8, 5, 12, 20, 16, 17\n*NSET, NSET=clamped"
+                 ARGUMENTS case.toml --set "mesh.clamped='skin'" --check ERRORS "clamped: 1 face")
+endforeach()
+expect_message(import_of_removed_elements ${instance} NEW "*MODEL CHANGE, TYPE=ELEMENT, REMOVE\n7\n*NSET, NSET=clamped" EXIT_CODE 2
+               ERRORS "brick.inp:28: *MODEL CHANGE makes, moves or removes nodes or elements by a rule that isn't followed here")
+expect_message(import_of_a_removed_contact ${instance} NEW "*MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE\na, b\n*NSET, NSET=clamped" WRITES sector.msh)
+expect_message(import_of_a_part_twice ${instance} NEW "*INSTANCE, NAME=a, PART=p\n*END INSTANCE\n*INSTANCE, NAME=b, PART=P\n*NSET, NSET=clamped" EXIT_CODE 2
+               ERRORS "brick.inp:30: *INSTANCE places the part P again, which is read once; write the wheel as one part")
+foreach(reader NREAD EREAD UPGEOM)
+  expect_message(import_cdb_of_${reader} ${cdb} OLD "FINISH" NEW "${reader},1,1,1,blade,rst\nFINISH" ERRORS "${reader} leads to another file")
+endforeach()
+# Symptom: masses and constraints were passed over without a word.
+set(lacks "; the sector lacks them")
+expect_message(import_with_masses ${instance} NEW "*ELEMENT, TYPE=MASS, ELSET=masses\n8, 2\n9, 3\n*MASS, ELSET=masses\n0.5\n*EQUATION\n2\n1, 1, 1., 2, 1, -1.\n*TIE, NAME=t\na, b\n*TIE, CYCLIC SYMMETRY, NAME=c\na, b\n*NSET, NSET=clamped"
+               ERRORS "warning: not read: 1 *EQUATION, 1 *TIE, 2 MASS${lacks}" WRITES sector.msh)
+expect_message(import_bdf_with_masses ARGUMENTS case.toml --import brick.bdf ${other} FILE brick.bdf OLD "SPC1,1,123,16" NEW "CONM2,9,2,0,0.5\nRBE2,10,2,123,3,6\nRBE2*,11,3,123,+\n*,7\nSPC1,1,123,16"
+               ERRORS "warning: not read: 1 CONM2, 2 RBE2${lacks}")
+expect_message(import_cdb_with_constraints ARGUMENTS case.toml --import brick.cdb ${other} FILE brick.cdb OLD "FINISH"
+               NEW "CP,1,UX,3,4\nCE,R5.0,DEFI,       2,       1,  0.0\nCE,R5.0,NODE,       3,UX  ,  1.0\nCE,7,0,3,UX,1,5,UX,-1\nCE,7,0,6,UX,1\nFINISH"
+               ERRORS "warning: not read: 2 CE, 1 CP${lacks}")
+expect_message(import_cdb_with_a_mass ARGUMENTS case.toml --import brick.cdb ${other} FILE brick.cdb OLD "       -1\nCMBLOCK,CLAMPED"
+               NEW "        1       21        1        1        0        0        0        0        1        0        8        2\n       -1\nCMBLOCK,CLAMPED" ERRORS "warning: not read: 1 MASS21${lacks}")
+expect_message(import_unv_with_a_mass ARGUMENTS case.toml --import brick.unv ${other} FILE brick.unv OLD "    -1\n    -1\n  2467"
+               NEW "         8       161         1         1         7         1\n         5\n    -1\n    -1\n  2467" ERRORS "warning: not read: 1 of descriptor 161${lacks}")
+set(materials "warning: 2 materials; tiprub-reduce takes the material of the case")
+expect_message(import_of_two_materials OLD "*MATERIAL, NAME=metal" NEW "*SOLID SECTION, ELSET=solid, MATERIAL=metal\n*SOLID SECTION, ELSET=other, MATERIAL=foam\n*MATERIAL, NAME=metal"
+               ERRORS ${materials} WRITES sector.msh)
+expect_message(import_bdf_of_two_materials ARGUMENTS case.toml --import brick.bdf ${other} FILE brick.bdf OLD "SPC1,1,123,16" NEW "PSOLID,3,1\nPSOLID,4,2\nPSOLID,5,2\nSPC1,1,123,16" ERRORS ${materials})
+# Symptom: a keyword that goes on in the next line lost its name.
+expect_message(import_of_a_long_keyword OLD "*NSET, NSET=clamped" NEW "*NSET,\n  NSET=clamped" WRITES sector.msh)
+expect_message(import_of_a_keyword_with_a_comma OLD "NSET=clamped" NEW "NSET=clamped," WRITES sector.msh)
+# Symptom: sets of the case control that are of no use here made the file unreadable.
+set(set_7 ARGUMENTS case.toml --import brick.bdf --set "mesh.clamped='SPC 1'" --set "mesh.contact='SET 7'" --check FILE brick.bdf OLD "SET 7 = 2, 6, 18")
+expect_message(import_bdf_of_a_set_with_exceptions ${set_7} NEW "SET 7 = 2 THRU 6 EXCEPT 3, 4,\n5, 18" ERRORS "contact: 3 nodes")
+expect_message(import_bdf_of_an_exception_alone ${set_7} NEW "SET 7 = 2 EXCEPT 3" EXIT_CODE 2 ERRORS "brick.bdf:3: EXCEPT stands after a range, first THRU last")
+foreach(words "ALL EXCEPT 5" "0.1, 0.2" "ACCE, DISP/1")
+  string(MAKE_C_IDENTIFIER "${words}" name)
+  expect_message(import_bdf_of_a_set_of_${name} ARGUMENTS case.toml --import brick.bdf ${other} FILE brick.bdf OLD "SET 7 = 2, 6, 18" NEW "SET 7 = ${words}" ERRORS "20 nodes, 1 hex20")
+  expect_message(import_bdf_by_a_set_of_${name} ${set_7} NEW "SET 7 = ${words}" EXIT_CODE 2
+                 ERRORS "brick.bdf: [mesh] contact = \"SET 7\": there is no set of this name with nodes of solids; there are: PID 3, SPC 1")
+endforeach()

@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <map>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "mesh/import/import_check.h"
@@ -230,6 +231,52 @@ TEST(ImportedMesh, RefusesALineThatIsNotAlongItsTip) {
             "contact at x y z = 2 0 0.4 m; the line must run from the leading to the trailing edge");
 }
 
+/// Symptom: a line along two of the three faces of a coarse tip passed, and tiprub-reduce refused the sector.
+TEST(ImportedMesh, RefusesALineThatLeavesOutMuchOfItsTip) {
+  const CellMesh mesh = in_metres(
+      bricks({3, 2, 1}, [](double i, double j, double k) { return Eigen::Vector3d(1 + k, 0.1 * j, 0.1 * i); }));
+  const std::vector<int> tip = select_faces(mesh, "blade_tip", "plane x 2");
+  const auto along = [&](double low, double high) {
+    std::vector<int> line;
+    for (int node = 0; node < mesh.nodes.cols(); ++node) {
+      const Eigen::Vector3d at = mesh.nodes.col(node);
+      if (at.x() > 1.99 && std::abs(at.y() - 0.1) < 0.01 && at.z() > low - 0.01 && at.z() < high + 0.01)
+        line.push_back(node);
+    }
+    line = ordered_line(mesh, line, LeadingEdge::low_z);
+    return complaint<InputError>([&] { require_along_tip(mesh, tip, "blade_tip", line, "contact"); });
+  };
+  EXPECT_EQ(along(0, 0.3), "");
+  EXPECT_EQ(along(0.05, 0.25), "") << "to the middle of the outer faces";
+  EXPECT_EQ(
+      along(0, 0.2),
+      "bricks: [mesh] contact and blade_tip don't belong together: 33 % of the area of blade_tip lies beyond the "
+      "ends of contact; the line must run from the leading to the trailing edge");
+  EXPECT_NE(along(0, 0.15).find("33 % of the area"), std::string::npos) << "to the middle of the tip";
+  EXPECT_NE(along(0.1, 0.2).find("67 % of the area"), std::string::npos) << along(0.1, 0.2);
+}
+
+/// Symptom: the nodes of the whole face of a tip became a line across it.
+TEST(ImportedMesh, RefusesNodesThatFormNoLine) {
+  constexpr double slant = 0.02;  // no two nodes are at the same z
+  const CellMesh mesh = in_metres(bricks({4, 2, 1}, [](double i, double j, double k) {
+    return Eigen::Vector3d(10 + k, 0.1 * (j - 1), 0.1 * i + slant * j);
+  }));
+  const auto along = [&](double low, double high) {
+    std::vector<int> nodes;
+    for (int node = 0; node < mesh.nodes.cols(); ++node) {
+      const Eigen::Vector3d at = mesh.nodes.col(node);
+      if (at.x() > 10.99 && at.y() > low - 0.01 && at.y() < high + 0.01) nodes.push_back(node);
+    }
+    const std::vector<int> line = ordered_line(mesh, nodes, LeadingEdge::low_z);
+    return complaint<InputError>([&] { require_one_line(mesh, nodes, line, "contact"); });
+  };
+  const std::string side_by_side = "bricks: [mesh] contact has nodes side by side across the tip, at x y z = ";
+  EXPECT_EQ(along(0, 0), "");
+  EXPECT_TRUE(along(-0.1, 0.1).starts_with(side_by_side)) << along(-0.1, 0.1);
+  EXPECT_TRUE(along(0, 0.1).starts_with(side_by_side)) << along(0, 0.1);
+}
+
 /// Symptom: a blade that was not joined to its disc passed, and long after the stiffness was not positive definite.
 TEST(ImportedMesh, RefusesABodyThatNothingHolds) {
   ForeignMesh row = bricks({4, 1, 1}, [](double i, double j, double k) { return Eigen::Vector3d(1 + i, j, k); });
@@ -275,6 +322,24 @@ std::string deck_of(const ForeignMesh& mesh, const std::map<std::string, std::ve
     for (const long node : nodes) text << node << ",\n";
   }
   return text.str();
+}
+
+/// Symptom: two bricks of different materials passed as one wheel without a word.
+TEST(ImportedMesh, NotesTheMaterialsOfAnArchive) {
+  std::ostringstream text;
+  text << "ET,1,186\nEBLOCK,19,SOLID\n(19i9)\n";
+  for (const int material : {1, 2}) {
+    for (const int field : {material, 1, 1, 1, 0, 0, 0, 0, 20, 0, material}) text << std::setw(9) << field;
+    for (int node = 1; node <= 20; ++node) text << (node == 9 ? "\n" : "") << std::setw(9) << node;
+    text << "\n";
+  }
+  text << "       -1\n";
+  EXPECT_EQ(read_cdb({"wheel.cdb", text.str()}).materials, (std::set<std::string>{"1", "2"}));
+}
+
+TEST(ImportedMesh, TellsARequestForConstraintsFromConstraints) {
+  const ForeignMesh mesh = read_bdf({"wheel.bdf", "MPC     = 5\nMPC = 5\nBEGIN BULK\nMPC,5,1,1,1.,2,1,-1.\n"});
+  EXPECT_EQ(mesh.not_read, (std::map<std::string, int>{{"MPC", 1}}));
 }
 
 /// Symptom: a sector about x, round which the nodes stand on all sides of z, passed as one body if `axis` was

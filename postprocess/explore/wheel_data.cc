@@ -156,7 +156,7 @@ json add_motion(PackedArrays& arrays, const std::vector<SpeedResponse>& speeds, 
           {"samples", moving.motion.samples},
           {"samples_per_revolution", at->samples_per_revolution},
           {"left_out", moving.motion.left_out},
-          {"largest", moving.stress.displacement},
+          {"largest", moving.stress.displacement.maxCoeff()},
           {"worst", worst_of(*peak, fields.sector.nodes(Eigen::all, nodes))},
           {"stress_limit", stress_limit(moving.stress.both)},
           {"waves", std::move(waves)}};

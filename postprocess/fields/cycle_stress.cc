@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <complex>
-#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -25,6 +24,7 @@ struct FewStates {
 
 FewStates few_states(const Eigen::MatrixXcd& states) {
   constexpr double left_out = 1e-7;  // of the largest one: fields.h5 has single precision
+  if (states.cols() == 1) return {states, Eigen::MatrixXcd::Ones(1, 1)};
   Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> qr(states);
   qr.setThreshold(left_out);
   const Eigen::Index few = std::max<Eigen::Index>(qr.rank(), 1);
@@ -164,13 +164,18 @@ class Block {
   std::vector<Eigen::MatrixXd> shapes_, parts_;  // by waves
 };
 
+/// The recorded samples that a part of a cycle consists of.
+struct Samples {
+  int first, stride;
+};
+
 /// Goes through the states and keeps the largest values.
 class Maxima {
  public:
   /// `mean` by blades with different histories; if it is empty, there is no alternating part.
   Maxima(const Tensors& spin, std::vector<Tensors> mean) : spin_(spin), mean_(std::move(mean)) {
     const Eigen::Index nodes = spin.cols();
-    found_.vibration = found_.both = Eigen::VectorXd::Zero(nodes);
+    found_.vibration = found_.both = found_.displacement = Eigen::VectorXd::Zero(nodes);
     found_.spin = von_mises(spin);
     found_.sector = found_.sample = Eigen::VectorXi::Zero(nodes);
     found_.mean.resize(nodes, static_cast<Eigen::Index>(mean_.size()));
@@ -180,7 +185,7 @@ class Maxima {
   }
 
   /// All sectors at some samples. Threads share the nodes, so that the result does not depend on their number.
-  void add(const std::vector<SampledWaves>& waves, int first_sample, int sectors, int sector_count) {
+  void add(const std::vector<SampledWaves>& waves, const Samples& at, int sectors, int sector_count) {
     std::vector<Eigen::MatrixXd> factors;
     for (const SampledWaves& wave : waves) factors.push_back(real_factors(wave.coefficients));
     std::vector<std::vector<std::complex<double>>> phases(static_cast<std::size_t>(sectors));
@@ -188,37 +193,33 @@ class Maxima {
       for (const SampledWaves& wave : waves)
         phases[static_cast<std::size_t>(j)].push_back(sector_phase(wave.nodal_diameter, j, sector_count));
     std::atomic<Eigen::Index> next = 0;
-    std::mutex mutex;
     work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
       Block block;
-      double farthest = 0;
       for (Eigen::Index first = 0; (first = next.fetch_add(nodes_at_once)) < spin_.cols();) {
         const Eigen::Index count = std::min(nodes_at_once, spin_.cols() - first);
         block.take_nodes(waves, first, count);
-        farthest = std::max(farthest, add(block, factors, phases, first, count, first_sample));
+        add(block, factors, phases, first, count, at);
       }
-      const std::lock_guard lock(mutex);
-      found_.displacement = std::max(found_.displacement, farthest);
     });
   }
 
   /// The largest values; nothing may be added later.
   CycleStress found() && {
-    for (Eigen::VectorXd* const square : {&found_.vibration, &found_.both}) *square = square->cwiseSqrt();
+    for (Eigen::VectorXd* const square : {&found_.vibration, &found_.both, &found_.displacement})
+      *square = square->cwiseSqrt();
     found_.alternating = found_.alternating.cwiseSqrt();
     return std::move(found_);
   }
 
  private:
-  /// The block's nodes, from `first` on; returns how far one of them moves.
-  double add(Block& block, const std::vector<Eigen::MatrixXd>& factors,
-             const std::vector<std::vector<std::complex<double>>>& phases, Eigen::Index first, Eigen::Index count,
-             int first_sample) {
+  /// The block's nodes, from `first` on.
+  void add(Block& block, const std::vector<Eigen::MatrixXd>& factors,
+           const std::vector<std::vector<std::complex<double>>>& phases, Eigen::Index first, Eigen::Index count,
+           const Samples& at) {
     const Components spin = by_component(spin_, first, count);
     std::vector<Components> spin_less_mean;
     for (const Tensors& mean : mean_) spin_less_mean.push_back(spin - by_component(mean, first, count));
     Components now;
-    double farthest = 0;
     const Eigen::Index samples = factors.front().cols() / 2;
     for (Eigen::Index begin = 0; begin < samples; begin += samples_at_once) {
       const Eigen::Index taken = std::min(samples_at_once, samples - begin);
@@ -226,9 +227,9 @@ class Maxima {
       for (Eigen::Index s = 0; s < taken; ++s)
         for (std::size_t j = 0; j < phases.size(); ++j) {
           block.sum(s, phases[j], now);
-          farthest = std::max(farthest, now.leftCols<3>().square().rowwise().sum().maxCoeff());
+          keep(now.leftCols<3>().square().rowwise().sum(), found_.displacement.segment(first, count));
           keep_vibration(von_mises_square(now, 3), first, static_cast<int>(j),
-                         first_sample + static_cast<int>(begin + s));
+                         at.first + at.stride * static_cast<int>(begin + s));
           keep(von_mises_square(now.rightCols<6>() + spin), found_.both.segment(first, count));
           if (mean_.empty()) continue;
           const std::size_t history = j % mean_.size();
@@ -236,7 +237,6 @@ class Maxima {
                found_.alternating.col(static_cast<Eigen::Index>(history)).segment(first, count));
         }
     }
-    return std::sqrt(farthest);
   }
 
   void keep_vibration(const Eigen::ArrayXd& square, Eigen::Index first, int sector, int sample) {
@@ -255,7 +255,7 @@ class Maxima {
 
   const Tensors& spin_;
   std::vector<Tensors> mean_;
-  CycleStress found_;  ///< until found(): squares of the vibration's, both's and the alternating stress
+  CycleStress found_;  ///< until found(): squares of displacement and of the stress but for that of the spin
 };
 
 }  // namespace
@@ -270,7 +270,7 @@ CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int secto
                        count == cycle.samples() ? means(waves) : recovered_means(cycle, recover));
   Maxima maxima(spin, std::move(mean));
   for (int first = 0;;) {
-    maxima.add(waves, cycle.first_sample + first, cycle.sectors, sector_count);
+    maxima.add(waves, {cycle.first_sample + cycle.stride * first, cycle.stride}, cycle.sectors, sector_count);
     for (int s = 0; s < count; ++s) progress.advance();
     first += count;
     if (first == cycle.samples()) break;

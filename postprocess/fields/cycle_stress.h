@@ -20,7 +20,7 @@ struct CycleStress {
   /// [Pa] Von Mises stress of the mean tensor over the cycle, spin included, and the largest one of the tensor minus
   /// that mean; nodes x blades with different histories (WheelCycle::histories()). Empty if there is only an instant.
   Eigen::MatrixXd mean, alternating;
-  double displacement = 0;  ///< [m] the farthest that any node moves by vibration
+  Eigen::VectorXd displacement;  ///< [m] the farthest that a node moves by vibration
 };
 
 /// Recovers waves with their stress, one for each column of states; `diameter` is an index into SimulatedScene's.

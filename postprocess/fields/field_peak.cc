@@ -120,7 +120,7 @@ double allowed_alternating(const StressCycle& cycle) {
 FieldPeak field_peak(const SectorFields& sector, const CycleStress& stress, const StressZones& zones,
                      const BladePlaces& places, const std::optional<MaterialStrength>& strength) {
   FieldPeak peak;
-  peak.displacement = stress.displacement;
+  peak.displacement = stress.displacement.maxCoeff();
   peak.body = maxima_of(StressZone::body, zones, stress);
   peak.tip_patch = maxima_of(StressZone::tip_patch, zones, stress);
   peak.clamp_rim = maxima_of(StressZone::clamp_rim, zones, stress);

@@ -2,19 +2,17 @@
 #include "postprocess/fields/field_study.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
-#include <thread>
 #include <utility>
 
 #include "cases/program/errors.h"
-#include "cases/program/machine.h"
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/fields/node_stress.h"
 #include "postprocess/fields/other_model_stress.h"
+#include "postprocess/fields/sector_stress.h"
 #include "postprocess/fields/stress_between.h"
 #include "postprocess/fields/stress_over_speed.h"
 #include "postprocess/tables/table.h"
@@ -26,7 +24,6 @@ namespace {
 
 constexpr double same_place = 1e-6;       // of the largest radius
 constexpr double near_segment = 0.2;      // of it; its nodes surround a segment's centre
-constexpr double wave_memory = 1 << 30;   // [bytes] for the waves of a cycle
 constexpr double left_out_waves = 0.002;  // [1] of the mean square of a motion
 constexpr std::size_t most_waves = 6;     // of a motion, that are recovered
 constexpr double much_stressed = 0.3;     // of the largest stress at a critical speed
@@ -87,14 +84,6 @@ void check_together(const FieldsReader& reader, const ReducedModel& model, const
   }
 }
 
-/// Squares of the stress are computed later, and stress beyond this limit comes from damaged numbers.
-void require_sound_stress(const WaveField& wave, const std::string& name) {
-  constexpr double largest = 1e100;  // [Pa]
-  if (!(wave.stress.array().abs2() < largest * largest).all())
-    throw RunError(name + ": the stress of nodal diameter " + std::to_string(wave.nodal_diameter) + " is beyond " +
-                   significant(largest, 1) + " Pa or no number; the fields, or the response's states, are damaged");
-}
-
 /// Speeds whose fields are recovered: the critical ones, or the one with the largest amplitude if there is none.
 std::vector<std::size_t> recovered_speeds(const std::vector<CriticalSpeed>& all, const TipAmplitudes& amplitudes) {
   std::vector<std::size_t> speeds;
@@ -135,7 +124,7 @@ std::vector<CycleAtSpeed> cycles_at(const std::vector<std::size_t>& speeds, cons
 std::size_t samples_of(const std::vector<CycleAtSpeed>& cycles) {
   std::size_t samples = 0;
   for (const CycleAtSpeed& at : cycles) {
-    samples += static_cast<std::size_t>(at.cycle.samples());
+    samples += static_cast<std::size_t>(samples_on_sector(at.cycle));
     for (const auto& varied : at.varied) samples += varied ? static_cast<std::size_t>(varied->samples()) : 0;
   }
   return samples;
@@ -145,33 +134,6 @@ std::size_t worst_of(const std::vector<std::size_t>& speeds, const Eigen::Vector
   return *std::max_element(speeds.begin(), speeds.end(), [&](std::size_t a, std::size_t b) {
     return amplitudes[static_cast<Eigen::Index>(a)] < amplitudes[static_cast<Eigen::Index>(b)];
   });
-}
-
-/// How many fields of a wave, with their stress, the memory is used for. Samples that need more are taken in parts.
-/// Where these begin decides the last digits, which must not depend on the memory of a machine.
-int fields_at_once(const SectorFields& sector) {
-  const double numbers_at_node = 3 + 3 + 6;  // expanded, turned to x, y, z, and stress
-  const double field = sizeof(std::complex<double>) * numbers_at_node * static_cast<double>(sector.nodes.cols());
-  return std::max(1, static_cast<int>(wave_memory / field));
-}
-
-WaveRecovery wave_recovery(const FieldsReader& reader, const CellStress& bricks,
-                           const std::vector<int>& nodal_diameters) {
-  return [&](std::size_t diameter, const Eigen::MatrixXcd& states) {
-    stop_if_interrupted();
-    const int n = nodal_diameters[diameter];
-    const Eigen::MatrixXcd found = reader.expand(n, states);
-    std::vector<WaveField> waves(static_cast<std::size_t>(found.cols()));
-    std::atomic<std::size_t> next = 0;
-    work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
-      for (std::size_t i = 0; (i = next++) < waves.size();) {
-        waves[i] = {n, cartesian(reader.sector(), found.col(static_cast<Eigen::Index>(i))), {}};
-        add_stress(reader.sector(), bricks, waves[i]);
-        require_sound_stress(waves[i], reader.path());
-      }
-    });
-    return waves;
-  };
 }
 
 /// The wheel as the page moves and colours it.
@@ -269,13 +231,13 @@ struct WatchedNodes {
 };
 
 /// The whole wheel at the snapshot of a speed.
-void recover_instant(const SpeedResponse& response, const WaveRecovery& recover, const WaveField& spin,
+void recover_instant(const SpeedResponse& response, const SectorStress& sector, const WaveField& spin,
                      FieldStudy& fields) {
   const RotorSnapshot& snapshot = *response.snapshot;
   const int count = fields.sector.sector_count;
   std::vector<WaveField> waves;
   for (std::size_t i = 0; i < snapshot.displacement.size(); ++i)
-    waves.push_back(std::move(recover(i, snapshot.displacement[i]).front()));
+    waves.push_back(std::move(sector.recover(i, snapshot.displacement[i]).front()));
   fields.vibration = on_wheel(waves, count);
   fields.spin = on_wheel({spin}, count);
   fields.has_instant = true;
@@ -298,20 +260,14 @@ FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other,
   const std::size_t worst = worst_of(speeds, study.amplitudes.largest);
   FieldStudy fields = without_motion(reader, study, study.response.speeds[worst].speed);
   const BladePlaces places(fields.sector);
-  const WaveRecovery recover = wave_recovery(reader, bricks, study.response.scene.nodal_diameters);
+  const SectorStress on_sector(reader, bricks, study.response.scene.nodal_diameters, fields.zones, strength);
   const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles) + speeds_between(study).size(), shown);
-  const StressOf stress_of = [&](const WheelCycle& cycle, double speed) {
-    const WaveField spin = spin_field(fields.sector, bricks, speed);
-    require_sound_stress(spin, reader.path());
-    return cycle_stress(cycle, spin.stress.real(), fields.sector.sector_count, recover, fields_at_once(fields.sector),
-                        progress);
-  };
   WatchedNodes nodes;
-  add(nodes_between(study, fields.zones, strength, stress_of), nodes.stressed);
+  add(nodes_between(study, fields.zones, strength, on_sector, progress), nodes.stressed);
   for (const auto& [index, cycle, varied] : cycles) {  // the varied ones follow, at nodes that are known then
     const SpeedResponse& response = study.response.speeds[index];
-    const CycleStress stress = stress_of(cycle, response.speed);
+    const CycleStress stress = on_sector(cycle, response.speed, progress);
     fields.peaks.push_back(
         dated(field_peak(fields.sector, stress, fields.zones, places, strength), cycle, response.speed));
     nodes.add_those_of(stress, fields.zones, strength);
@@ -320,7 +276,7 @@ FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other,
           moving_wheel(reader, wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
                        response.speed, stress));
     if (index == worst && response.snapshot)
-      recover_instant(response, recover, spin_field(fields.sector, bricks, response.speed), fields);
+      recover_instant(response, on_sector, spin_field(fields.sector, bricks, response.speed), fields);
   }
   fields.varied = varied_stress(reader, study.response.scene.nodal_diameters, nodes.much, cycles, progress);
   if (other != nullptr)

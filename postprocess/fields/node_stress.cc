@@ -107,7 +107,7 @@ NodeStress::NodeStress(const FieldsReader& reader, const std::vector<int>& nodes
     places_.push_back(static_cast<int>(std::lower_bound(used_.begin(), used_.end(), node) - used_.begin()));
 }
 
-Eigen::MatrixXcd NodeStress::of(int nodal_diameter, const Eigen::MatrixXcd& basis) const {
+std::vector<WaveField> NodeStress::waves(int nodal_diameter, const Eigen::MatrixXcd& basis) const {
   Eigen::MatrixXcd moved(3 * static_cast<Eigen::Index>(used_.size()), basis.rows());
   for (Eigen::Index dof = 0; dof < basis.rows(); ++dof) {
     const Eigen::VectorXcd shape = reader_.shape(nodal_diameter, dof);
@@ -115,12 +115,19 @@ Eigen::MatrixXcd NodeStress::of(int nodal_diameter, const Eigen::MatrixXcd& basi
       moved.block<3, 1>(3 * static_cast<Eigen::Index>(i), dof) = shape.segment<3>(3 * used_[i]);
   }
   moved *= basis;
-  Eigen::MatrixXcd stress(6 * static_cast<Eigen::Index>(places_.size()), basis.cols());
+  std::vector<WaveField> waves;
   for (Eigen::Index k = 0; k < basis.cols(); ++k) {
     WaveField wave{nodal_diameter, cartesian(part_, moved.col(k)), {}};
     add_stress(part_, cells_, wave);
-    stress.col(k) = wave.stress(Eigen::all, places_).reshaped();
+    waves.push_back({nodal_diameter, wave.displacement(Eigen::all, places_), wave.stress(Eigen::all, places_)});
   }
+  return waves;
+}
+
+Eigen::MatrixXcd NodeStress::of(int nodal_diameter, const Eigen::MatrixXcd& basis) const {
+  Eigen::MatrixXcd stress(6 * static_cast<Eigen::Index>(places_.size()), basis.cols());
+  Eigen::Index column = 0;
+  for (const WaveField& wave : waves(nodal_diameter, basis)) stress.col(column++) = wave.stress.reshaped();
   return stress;
 }
 

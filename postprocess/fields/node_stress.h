@@ -22,8 +22,10 @@ class NodeStress {
   /// `nodes`: ascending, each once. The reader must outlive this object.
   NodeStress(const FieldsReader& reader, const std::vector<int>& nodes);
 
-  /// The stress [Pa] at the nodes for each column of `basis` (dofs x any) as amplitudes of a nodal diameter's dofs;
-  /// (component, node) x columns.
+  /// A wave for each column of `basis` (dofs x any) as amplitudes of a nodal diameter's dofs, with displacement and
+  /// stress at the nodes.
+  std::vector<WaveField> waves(int nodal_diameter, const Eigen::MatrixXcd& basis) const;
+  /// [Pa] Their stress; (component, node) x columns.
   Eigen::MatrixXcd of(int nodal_diameter, const Eigen::MatrixXcd& basis) const;
 
  private:

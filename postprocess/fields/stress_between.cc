@@ -24,14 +24,20 @@ std::vector<std::size_t> speeds_between(const Study& study) {
 }
 
 std::vector<int> nodes_between(const Study& study, const StressZones& zones,
-                               const std::optional<MaterialStrength>& strength, const StressOf& stress_of) {
-  std::vector<int> all;
+                               const std::optional<MaterialStrength>& strength, const SectorStress& on_sector,
+                               Progress& progress) {
+  std::vector<WheelCycle> instants;
+  std::vector<double> speeds;
   for (const std::size_t index : speeds_between(study)) {
     const SpeedResponse& response = study.response.speeds[index];
-    const WheelCycle instant = wheel_instant(response, study.response.scene, study.model);
-    const std::vector<int> nodes = governing_nodes(stress_of(instant, response.speed), zones, strength);
-    all.insert(all.end(), nodes.begin(), nodes.end());
+    instants.push_back(wheel_instant(response, study.response.scene, study.model));
+    speeds.push_back(response.speed);
   }
+  std::vector<int> all;
+  on_sector.at_instants(instants, speeds, progress, [&](const CycleStress& stress) {
+    const std::vector<int> nodes = governing_nodes(stress, zones, strength);
+    all.insert(all.end(), nodes.begin(), nodes.end());
+  });
   return all;
 }
 

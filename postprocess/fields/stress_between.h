@@ -2,14 +2,14 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "cases/program/progress.h"
 #include "postprocess/analysis/study.h"
 #include "postprocess/fields/field_peak.h"
 #include "postprocess/fields/field_recovery.h"
-#include "postprocess/fields/wheel_cycle.h"
+#include "postprocess/fields/sector_stress.h"
 #include "reduce/model/fields_file.h"
 
 namespace tiprub::postprocess {
@@ -22,15 +22,13 @@ struct EstimatedStress {
   Eigen::VectorXd utilisation;
 };
 
-/// The stress of the whole sector over a cycle at a speed in rad/s.
-using StressOf = std::function<CycleStress(const WheelCycle&, double)>;
-
 /// Indices of some speeds with a snapshot, at even distances.
 std::vector<std::size_t> speeds_between(const Study& study);
 
 /// The nodes that govern at the instants of speeds_between().
 std::vector<int> nodes_between(const Study& study, const StressZones& zones,
-                               const std::optional<MaterialStrength>& strength, const StressOf& stress_of);
+                               const std::optional<MaterialStrength>& strength, const SectorStress& on_sector,
+                               Progress& progress);
 
 /// `nodes`: where the stress is read, ascending. `spin`: at the highest speed; its stress grows with the square.
 EstimatedStress estimated_stress(const FieldsReader& reader, const Study& study, const std::vector<int>& nodes,

@@ -91,6 +91,7 @@ void require_dofs(const WheelCycle& cycle, const SimulatedScene& scene, const Re
 template <class Motion>
 WheelCycle without_repeats(const Motion& motion, const SimulatedScene& scene, const ReducedModel& model) {
   WheelCycle cycle = whole_cycle(*motion.cycle, scene);
+  cycle.samples_per_revolution = motion.samples_per_revolution;
   require_dofs(cycle, scene, model);
   if (const int beats = std::lcm(scene.sector_count, scene.lobes);
       beats > 0 && motion.samples_per_revolution % beats == 0)
@@ -130,6 +131,14 @@ WheelCycle wheel_instant(const SpeedResponse& response, const SimulatedScene& sc
 
 WheelCycle wheel_cycle(const PeakVariation& peak, const SimulatedScene& scene, const ReducedModel& model) {
   return without_repeats(peak, scene, model);
+}
+
+WheelCycle every(int stride, const WheelCycle& cycle) {
+  WheelCycle some = cycle;
+  some.stride = stride * cycle.stride;
+  for (Eigen::MatrixXcd& states : some.states)
+    states = Eigen::MatrixXcd(states(Eigen::all, Eigen::seq(0, Eigen::last, stride)));
+  return some;
 }
 
 namespace {

@@ -17,11 +17,13 @@ struct WheelCycle {
   /// follows again, turned by `turn` sectors, or the cycle ends.
   std::vector<Eigen::MatrixXcd> states;
   int first_sample = 0;  ///< of the recorded ones
+  int stride = 1;        ///< recorded samples from one to the next
   int turn = 0;          ///< [sectors] after the last sample sector j repeats what sector j + turn did
   int sectors = 0;       ///< independent ones
   bool whole = false;    ///< whether this is a whole cycle; if not, it is one instant, without a mean
   /// How many samples the whole cycle has.
   int recorded_samples = 0;
+  int samples_per_revolution = 0;  ///< of the recording
 
   int samples() const { return static_cast<int>(states.front().cols()); }
   /// The number of blades with different histories: blades j and j + histories() pass through the same states at
@@ -39,6 +41,9 @@ WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scen
 WheelCycle wheel_instant(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model);
 /// The cycle of a varied peak that has one.
 WheelCycle wheel_cycle(const PeakVariation& peak, const SimulatedScene& scene, const ReducedModel& model);
+
+/// Each sample of a cycle at a distance of `stride`, from the first one on.
+WheelCycle every(int stride, const WheelCycle& cycle);
 
 /// The Fourier coefficients of states at evenly spaced samples of a cycle; dofs x lines. The phase of line m over R
 /// revolutions is k phi_s = 2 pi m s / S, k = m/R, with s counted from the start of the recording; the upper half of

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "cases/program/progress.h"
+#include "postprocess/fields/cell_stress.h"
+#include "postprocess/fields/cycle_stress.h"
+#include "postprocess/fields/field_peak.h"
+#include "postprocess/fields/wheel_cycle.h"
+#include "reduce/model/fields_file.h"
+
+namespace tiprub::postprocess {
+
+/// How many samples of a cycle SectorStress looks at on the whole sector.
+int samples_on_sector(const WheelCycle& cycle);
+
+/// The stress of the whole sector over cycles of the wheel.
+///
+/// A motion that does not repeat itself has hundreds of samples. On the whole sector, only some 60 of a revolution
+/// are looked at; even a wave of engine order 15 has 70 % of its largest value in one of them. All samples are looked
+/// at where they may matter: at the nodes with at least 70 % of the largest displacement, or of the largest stress,
+/// alternating stress or utilisation of their zone. The largest values of a zone are therefore those of all samples;
+/// at other nodes a value may be a little too small, and the mean is that of the samples looked at.
+class SectorStress {
+ public:
+  /// `nodal_diameters`: those of the states of a cycle. The references must outlive this object.
+  SectorStress(const FieldsReader& reader, const CellStress& bricks, const std::vector<int>& nodal_diameters,
+               const StressZones& zones, const std::optional<MaterialStrength>& strength);
+
+  /// At a speed in rad/s. `progress` advances with each sample on the whole sector.
+  CycleStress operator()(const WheelCycle& cycle, double speed, Progress& progress) const;
+  /// Takes the stress at each of some instants, cycles of one sample. Their fields are read together.
+  void at_instants(const std::vector<WheelCycle>& instants, const std::vector<double>& speeds, Progress& progress,
+                   const std::function<void(const CycleStress&)>& take) const;
+  /// Waves of the whole sector with their stress, as WaveRecovery.
+  std::vector<WaveField> recover(std::size_t diameter, const Eigen::MatrixXcd& states) const;
+
+ private:
+  WaveField spin_at(double speed) const;
+  /// Renews the values of `stress` at the nodes that may have the largest ones, from all samples.
+  void look_closer(const WheelCycle& cycle, const Tensors& spin, CycleStress& stress) const;
+
+  const FieldsReader& reader_;
+  const CellStress& bricks_;
+  const std::vector<int>& nodal_diameters_;
+  const StressZones& zones_;
+  const std::optional<MaterialStrength>& strength_;
+};
+
+}  // namespace tiprub::postprocess

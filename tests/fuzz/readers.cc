@@ -132,11 +132,9 @@ void read_foreign_mesh(const fs::path& file, const fs::path&) {
   parameters.length = 1e-3;
   parameters.selection = {{"clamped", "plane x 0.04"}, {"blade_tip", "normal 1 0 0"}};
   import_sector(parameters);
-  const char* const contact = format == MeshFormat::bdf   ? "SET 7"
-                              : format == MeshFormat::cdb ? "CONTACT"
-                              : format == MeshFormat::msh ? "blade_tip"
-                                                          : "contact";
-  parameters.selection = {{"clamped", "plane x 0.04"}, {"contact", contact}};
+  const char* const key = format == MeshFormat::msh ? "blade_tip" : "contact";
+  const char* const set = format == MeshFormat::bdf ? "SET 7" : format == MeshFormat::cdb ? "CONTACT" : key;
+  parameters.selection = {{"clamped", "plane x 0.04"}, {key, set}};
   import_sector(parameters);
   parameters.sector_count = 6;
   try {

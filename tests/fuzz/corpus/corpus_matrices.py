@@ -10,7 +10,8 @@ def entry(name, file, old, new, phrase):
     """`old` must stand in the file."""
     def change(text):
         assert old in text, (file, old)
-        return text.replace(old, new, 1)
+        added = new.count("\n") - old.count("\n")  # entries of K, whose head counts them
+        return text.replace(old, new, 1).replace("\n12 12 57\n", f"\n12 12 {57 + added}\n")
     stiffness = LINES if file == LINES else K
     return Entry(name, "reduce", file, edit(change), 2, phrase, ("--matrices", stiffness, M, NODES, "--matrix-dofs", ROWS))
 
@@ -22,6 +23,7 @@ def of_matrices():
     yield entry("K.not_square", K, "12 12", "12 11", f"{K}:3: must have as many columns as rows")
     yield entry("K.no_rows", K, "12 12", "0 0", f"{K}:3: a row or column must be a whole number from 1")
     yield entry("K.fewer_rows", K, "12 12", "9 9", "an entry lies outside the 9 rows")
+    yield entry("K.cut_off", K, "12 12 57", "12 12 58", f"{K}:60: has 57 entries, and its head lists 58; is the file cut off?")
     yield entry("K.more_rows", K, "12 12", "15 15", f"{ROWS}: lists 12 dofs; {K} has 15 rows")
     yield entry("K.half_a_row", K, "\n1 1 ", "\n1.5 1 ", f"{K}:4: a row or column must be a whole number from 1")
     yield entry("K.text", K, "\n1 1 ", "\n1 one ", f"{K}:4: must be row, column and a finite value")

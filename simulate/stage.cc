@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <limits>
@@ -128,7 +129,7 @@ std::string interference_text(const Inputs& inputs) {
   if (overlap > 0)
     text << "a tip that does not vibrate overlaps the crests by up to " << mm_per_m * overlap << " mm";
   else
-    text << "no tip touches unless it vibrates by more than " << -mm_per_m * overlap << " mm";
+    text << "no tip touches unless it vibrates by more than " << mm_per_m * std::abs(overlap) << " mm";
   return text.str();
 }
 

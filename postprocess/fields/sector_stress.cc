@@ -78,7 +78,8 @@ std::vector<int> nodes_that_may_matter(const CycleStress& stress, const StressZo
 }  // namespace
 
 int samples_on_sector(const WheelCycle& cycle) {
-  return every(stride_of(cycle), cycle).samples();
+  const int stride = stride_of(cycle);
+  return (cycle.samples() + stride - 1) / stride;
 }
 
 SectorStress::SectorStress(const FieldsReader& reader, const CellStress& bricks,
@@ -147,7 +148,9 @@ void SectorStress::look_closer(const WheelCycle& cycle, const Tensors& spin, Cyc
   const NodeStress at_nodes(reader_, nodes);
   const auto recover_some = [&](std::size_t diameter, const Eigen::MatrixXcd& states) {
     stop_if_interrupted();
-    return at_nodes.waves(nodal_diameters_[diameter], states);
+    std::vector<WaveField> waves = at_nodes.waves(nodal_diameters_[diameter], states);
+    for (const WaveField& wave : waves) require_sound_stress(wave, reader_.path());
+    return waves;
   };
   Progress unseen("", 0, Progress::Shown::never);
   const CycleStress closer = cycle_stress(cycle, spin(Eigen::all, nodes), reader_.sector().sector_count, recover_some,

@@ -24,8 +24,9 @@ int samples_on_sector(const WheelCycle& cycle);
 /// A motion that does not repeat itself has hundreds of samples. On the whole sector, only some 60 of a revolution
 /// are looked at; even a wave of engine order 15 has 70 % of its largest value in one of them. All samples are looked
 /// at where they may matter: at the nodes with at least 70 % of the largest displacement, or of the largest stress,
-/// alternating stress or utilisation of their zone. The largest values of a zone are therefore those of all samples;
-/// at other nodes a value may be a little too small, and the mean is that of the samples looked at.
+/// alternating stress or utilisation of their zone. The largest values of a zone are therefore those of all samples,
+/// unless waves of higher engine orders dominate. At other nodes a value may be a little too small, and the mean is
+/// that of the samples looked at.
 class SectorStress {
  public:
   /// `nodal_diameters`: those of the states of a cycle. The references must outlive this object.

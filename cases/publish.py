@@ -22,7 +22,7 @@ from fill_pages import rounded
 PICTURES = {"interaction_map_leading_edge": "interaction_map", **{name: name for name in (
     "error_budget", "interaction_map_trailing_edge", "interaction_map_parts", "campbell", "contact_map_leading_edge", "contact_map_trailing_edge", "branches")}}
 TABLES = ("critical_speeds.txt", "error_budget.csv", "scene_needs.csv", "exactness.csv", "linear_rules.csv", "branches.csv", "sweeps.csv")
-MOTIONS = ("periodic", "subharmonic", "modulated", "irregular", "not settled")
+MOTIONS = ("periodic", "subharmonic", "modulated", "broadband", "not settled")
 
 
 def rows_of(path):

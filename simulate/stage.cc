@@ -98,10 +98,10 @@ Inputs read_inputs(const StageArguments& arguments) {
   require_speed_of_model(casing_table, "clearance_speed_rpm", casing.clearance_speed, model, arguments.inputs[1]);
   require_units_of_model(simulate_table, parameters, model);
   require_gap_of_model(simulate_table, parameters, model);
-  require_modes_of_wheel(simulate_table, parameters.damping, model);
   std::optional<ReducedModel> other = read_other_model(simulate_table, arguments.inputs[0], parameters, model);
   std::vector<Variation> open = open_terms(casing_table, simulate_table, parameters, model);
   fit_to_model(parameters, model);
+  require_modes_of_wheel(simulate_table, parameters.damping, model);
   require_friction_that_slides(casing_table, casing, parameters, model);
   const std::string resolved = "[casing]\n" + casing_table.resolved() + "[simulate]\n" + simulate_table.resolved();
   const std::string differences =

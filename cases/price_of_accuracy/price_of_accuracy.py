@@ -43,6 +43,9 @@ def mesh(name, **further):
     return {**{f"mesh.{key}": count for key, count in zip(MESH_KEYS, MESHES[name])}, **{f"mesh.{k}": v for k, v in further.items()}}
 
 
+ON_FIRST_PAGE = [("mesh.tsv", "the case, by default: segments", "on 10 segments of the tip, the default"),
+                 ("knobs.tsv", "14 segments", "on 14 segments, as in impeller_quick, with the finest reduction and march"),
+                 ("mesh.tsv", "the case: points, accuracy 0.02", "at 10 nodes, as in the paper")]
 FINEST = {**WINDOW, **FINEST_MODEL, **FINEST_MARCH}  # on the case's mesh: knobs that don't hang on it are turned here
 MESHED = {name: {**FINEST, **mesh(name), "reduce.contact_nodes": int(name)} for name in reversed(MESHES)}
 KNOBS = {  # group: name: what differs from the base
@@ -174,6 +177,32 @@ def table(name, chain, rows):
                                   *(f"{value:.6g}" for value in values), wave, *(f"{value:.2e}" for value in errors)]) + "\n")
             file.flush()
     page_table(name)
+    if all(os.path.exists(table) for table, _, _ in ON_FIRST_PAGE):
+        first_page()
+
+
+def rows_by_name(table):
+    with open(table, newline="", encoding="utf-8") as file:
+        return {row["name"]: row for row in csv.DictReader(file, delimiter="\t")}
+
+
+def first_page():
+    """The errors of contact models relative to the finest mesh, and how uncertain that is, for the project's first page."""
+    meshes = rows_by_name("mesh.tsv")
+    finest, coarser = list(meshes.values())[:2]
+
+    def errors(row):
+        # Rounded as in the tables before, so that both pages show the same.
+        return [f"{100 * float(format(abs(float(row[column]) / float(finest[column]) - 1), '.2e')):.2g} %" for column in ("speed [rpm]", "corner [mm]", "stress [MPa]")]
+
+    with open("first_page.tsv", "w", encoding="utf-8") as file:
+        file.write("\t".join(["contact", "critical speed", "tip motion", "stress"]) + "\n")
+        for table, name, title in ON_FIRST_PAGE:
+            file.write("\t".join([title, *errors(rows_by_name(table)[name])]) + "\n")
+    with open("uncertainty_numbers.tsv", "w", encoding="utf-8") as file:
+        file.write("key\tvalue\n")
+        for key, error in zip(("speed", "motion", "stress"), errors(coarser)):
+            file.write(f"uncertainty.{key}\t{error}\n")
 
 
 def page_table(name):

@@ -13,7 +13,6 @@
 #include "cases/program/digest.h"
 #include "cases/program/printable.h"
 #include "cases/program/text_file.h"
-#include "cases/program/words.h"
 
 namespace tiprub {
 
@@ -389,6 +388,13 @@ CaseTable CaseFile::table(std::string_view name) const {
   node->path = name;
   node->values = {root_->values, values};
   return CaseTable(node);
+}
+
+void require_usual(const CaseTable& table, std::string_view key, double value, const Range& usual,
+                   std::string_view unit) {
+  if (usual.holds(value)) return;
+  table.reject(key, text_of("= ", value, " is unusual: expected ", usual.describe(), " [", unit,
+                            "]; is it in another unit? If it is meant, add unusual = true to this table"));
 }
 
 }  // namespace tiprub

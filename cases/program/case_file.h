@@ -140,4 +140,10 @@ Enum CaseTable::choice(std::string_view key, std::optional<Enum> fallback,
   return names.begin()->second;  // not reached: choose() returns one of the known names
 }
 
+/// Raises InputError at a key whose value is possible, but outside of what is usual for matter and machines: such
+/// values are mostly numbers in another unit. A table that is read so has the key `unusual`, and is not checked if
+/// that is true.
+void require_usual(const CaseTable& table, std::string_view key, double value, const Range& usual,
+                   std::string_view unit);
+
 }  // namespace tiprub

@@ -3,8 +3,10 @@
 
 #include <toml++/toml.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tiprub {
 
@@ -22,5 +24,14 @@ std::string setting_origin(const std::string& setting);
 
 /// The beginning of a message about a place in the case: "case.toml:3:7: ", or "--set mesh.element="hex27": ".
 std::string place(const std::string& file, const toml::source_region& source);
+
+/// "length, count, open"
+std::string joined(const std::vector<std::string>& words);
+
+/// " (did you mean lobes?)", if one of the known words is hardly different; else empty.
+std::string meant(std::string_view word, const std::vector<std::string>& known);
+
+/// What a list with this many numbers in a row holds: "[x, y] pairs".
+std::string items_of(std::size_t columns);
 
 }  // namespace tiprub

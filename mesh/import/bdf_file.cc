@@ -91,7 +91,10 @@ class BdfReader : MeshReader {
     static const std::map<std::string, int> solids = {{"CTETRA", 4}, {"CPYRAM", 5}, {"CPENTA", 6}, {"CHEXA", 8}};
     if (card.name == "GRID") add_grid(card);
     if (card.name == "GRDSET") require_basic_system(card);
-    if (const auto known = solids.find(card.name); known != solids.end()) add_solid(card, known->second);
+    if (const auto known = solids.find(card.name); known != solids.end())
+      add_solid(card, known->second);
+    else if (is_volume(card.name))
+      refuse_solid(card.line, card.name, "CTETRA, CPYRAM, CPENTA and CHEXA");
     if (card.name == "CTRIA6" || card.name == "CQUAD8" || card.name == "CTRIA3" || card.name == "CQUAD4")
       add_shell(card);
     if (card.name == "PSOLID") mesh_.materials.insert(field(card, 1));
@@ -100,6 +103,13 @@ class BdfReader : MeshReader {
     if (card.name == "SPC")
       for (const std::size_t at : {1, 4})
         if (!field(card, at).empty()) mesh_.node_sets["SPC " + field(card, 0)].push_back(whole(card, at, "a node"));
+  }
+
+  /// Older, composite and interface solids, and those of other programs (CHEX20, CPYRA, CWEDGE).
+  static bool is_volume(const std::string& name) {
+    for (const char* first : {"CTETR", "CPYRA", "CPENT", "CHEX", "CIHEX", "CIFHEX", "CIFPENT", "CWEDGE"})
+      if (name.starts_with(first)) return true;
+    return false;
   }
 
   /// The case control has lines such as "MPC     = 5", too.

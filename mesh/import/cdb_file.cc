@@ -149,16 +149,23 @@ class CdbReader : MeshReader {
   }
 
   void add_element(long number, long type, const std::vector<long>& nodes) {
-    constexpr long brick20 = 186, tetrahedron10 = 187, older_brick20 = 95, older_tetrahedron10 = 92, brick8 = 185,
-                   older_brick8 = 45, tetrahedron4 = 285;
+    static const std::set<long> linear = {185, 45, 285}, bricks = {186, 95}, tetrahedra = {187, 92};
+    // Other solids, solid shells, fluids, gaskets and superelements.
+    static const std::set<long> other_volumes = {
+        5,   30,  46,  50,  62,  64,  65,  69,  70,  73,  80,  87,  90,  96,  97,  98,  117, 122, 123, 127, 128, 147,
+        148, 164, 168, 190, 191, 194, 195, 215, 216, 217, 220, 221, 226, 227, 231, 232, 236, 237, 239, 240, 278, 279};
     static const std::map<long, std::string> masses_and_constraints = {
         {14, "COMBIN14"}, {21, "MASS21"}, {40, "COMBIN40"}, {174, "CONTA174"}, {175, "CONTA175"}, {184, "MPC184"}};
-    if (type == brick8 || type == older_brick8 || type == tetrahedron4)
-      refuse_linear(lines_.number(), "SOLID" + std::to_string(type));
-    if ((type == tetrahedron10 || type == older_tetrahedron10) && nodes.size() == 10)
-      mesh_.cells.push_back({number, nodes});
-    else if ((type == brick20 || type == older_brick20) && nodes.size() == 20)
+    if (linear.contains(type)) refuse_linear(lines_.number(), "SOLID" + std::to_string(type));
+    if (bricks.contains(type) && nodes.size() == 20)
       mesh_.cells.push_back({number, collapsed(nodes)});
+    else if (tetrahedra.contains(type) && nodes.size() == 10)
+      mesh_.cells.push_back({number, nodes});
+    else if (bricks.contains(type) || tetrahedra.contains(type) || other_volumes.contains(type))
+      refuse_solid(
+          lines_.number(),
+          "an element of Ansys' type " + std::to_string(type) + " with " + std::to_string(nodes.size()) + " nodes",
+          "SOLID186 (or 95) with 20 nodes and SOLID187 (or 92) with 10");
     else
       mesh_.others[number] = nodes;
     if (const auto kind = masses_and_constraints.find(type); kind != masses_and_constraints.end())

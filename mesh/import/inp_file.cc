@@ -114,7 +114,7 @@ class InpReader : MeshReader {
 
   void require_written_out(const Keyword& keyword) const {
     static const std::set<std::string> rules = {
-        "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYMMETRIC MODEL GENERATION"};
+        "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYMMETRIC MODEL GENERATION", "IMPERFECTION"};
     const bool mesh = keyword.name == "NODE" || keyword.name == "ELEMENT";
     const bool library = keyword.name == "INSTANCE" && keyword.has("LIBRARY");
     if (keyword.name == "INCLUDE" || keyword.name == "IMPORT" || library || (mesh && keyword.has("INPUT")))

@@ -74,6 +74,11 @@ void MeshReader::refuse_linear(int line, const std::string& what) const {
                    "tetrahedra, 15-node wedges or 20-node bricks");
 }
 
+void MeshReader::refuse_solid(int line, const std::string& what, const std::string& known) const {
+  throw InputError(mesh_.file + ":" + std::to_string(line) + ": " + what + " is not known; " + known +
+                   " are; mesh every volume with these solids, or delete the element");
+}
+
 void MeshReader::refuse_other_file(const std::string& statement) const {
   lines_.refuse(statement + " leads to another file; give the file that holds the mesh, or put both into one");
 }

@@ -54,6 +54,8 @@ class MeshReader {
   void add_node(int line, long number, const Eigen::Vector3d& at);
   /// Refuses elements that have corners only; `what` is the format's own name for them.
   [[noreturn]] void refuse_linear(int line, const std::string& what) const;
+  /// Refuses elements with a volume that aren't known; `known`: those that are, in words.
+  [[noreturn]] void refuse_solid(int line, const std::string& what, const std::string& known) const;
   /// Refuses statements that would be passed over although they change the mesh: those that read another file, and
   /// those that make, move or remove nodes or elements.
   [[noreturn]] void refuse_other_file(const std::string& statement) const;

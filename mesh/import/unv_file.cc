@@ -71,6 +71,8 @@ class UnvReader : MeshReader {
     static const std::set<long> beams = {11, 21, 22, 23, 24}, linear = {111, 112, 115};
     // Rigid bars and elements, lumped masses.
     static const std::set<long> masses_and_constraints = {121, 122, 161};
+    // Thick shells, and wedges and bricks of third order.
+    static const std::set<long> other_volumes = {101, 102, 103, 104, 105, 106, 114, 117};
     // Where VTK's nodes stand. I-deas lists corners and mid-sides in turn around either face, and between the two
     // faces the mid-sides of the upright edges.
     static const std::map<long, std::vector<std::size_t>> solids = {
@@ -81,6 +83,8 @@ class UnvReader : MeshReader {
     const long number = whole(head[0]), type = whole(head[1]), count = whole(head[5]);
     if (count < 1 || count > most_nodes) lines_.refuse("an element has " + std::to_string(count) + " nodes");
     if (linear.contains(type)) refuse_linear(lines_.number(), "descriptor " + std::to_string(type));
+    if (other_volumes.contains(type))
+      refuse_solid(lines_.number(), "an element of descriptor " + std::to_string(type), "118, 113 and 116");
     if (beams.contains(type)) lines_.next();
     const std::vector<long> nodes = read_numbers(count);
     if (masses_and_constraints.contains(type)) ++mesh_.not_read["of descriptor " + std::to_string(type)];

@@ -3,8 +3,6 @@
 
 #include <array>
 
-#include "cases/program/usual_range.h"
-
 namespace tiprub::postprocess {
 
 PostprocessParameters read_postprocess_parameters(CaseTable& table) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "postprocess/fields/cell_stress.h"
 
-#include <array>
 #include <cmath>
 #include <map>
 #include <string>
 
 #include "cases/program/errors.h"
+#include "cases/program/vector_lanes.h"
 #include "mesh/cells/cell_kind.h"
 
 namespace tiprub::postprocess {
@@ -17,6 +17,7 @@ using Gradient = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // of a cell's shape
 
 constexpr double flat = 1e-12;  // Jacobian determinant, of its norm cubed: rounding, far from the thinnest cell
 constexpr std::size_t most_points = 27;
+constexpr std::size_t interleaved = 4;  // real and imaginary parts of two displacements
 
 }  // namespace
 
@@ -49,55 +50,71 @@ CellStress::CellStress(const SectorFields& sector)
   }
 }
 
-/// Adds the stress of `parts` displacements at once: one real field, or real and imaginary part, which lie side by
-/// side in memory. Cells are too small for Eigen's blocked products.
-template <int parts>
-void CellStress::add_cells(const double* displacement, double* stress) const {
-  using Moved = Eigen::Vector<double, 3 * parts>;
-  using Stress = Eigen::Vector<double, 6 * parts>;
-  std::array<Stress, most_points> at_points;
-  for (Eigen::Index cell = 0; cell < cells_.cols(); ++cell) {
-    const auto nodes = nodes_of(cells_, cell);
-    const Eigen::MatrixXd& gradient = gradient_[static_cast<std::size_t>(cell)];
-    const Eigen::Index count = gradient.cols() / 3;
-    for (Eigen::Index g = 0; g < count; ++g) {
-      std::array<Moved, 3> slope = {Moved::Zero(), Moved::Zero(), Moved::Zero()};
-      for (Eigen::Index k = 0; k < nodes.size(); ++k) {
-        const Eigen::Map<const Moved> moved(displacement + 3 * parts * nodes[k]);
-        for (int d = 0; d < 3; ++d) slope[d] += gradient(k, 3 * g + d) * moved;
+namespace {
+
+/// A cell of CellStress. Matrices lie column after column.
+struct CellInMemory {
+  const int* node;
+  int nodes, points;
+  const double* gradient;     ///< [1/m] nodes x (3 directions of the first point, then of the second, ...)
+  const double* from_points;  ///< [1] nodes x points
+  double lambda, mu;          ///< [Pa]
+};
+
+/// Adds a cell's stress for four real displacements at once, which lie beside each other for each node and
+/// component, of `displacement` and of `stress`. Cells are too small for products of a library.
+TIPRUB_CLONES
+void add_cell(const CellInMemory& cell, const double* displacement, double* stress) {
+  Lanes4 at_points[most_points][6];
+  for (int g = 0; g < cell.points; ++g) {
+    const double* const gradient = cell.gradient + 3 * g * cell.nodes;
+    Lanes4 slope[3][3] = {};  // of a component, in a direction
+    for (int k = 0; k < cell.nodes; ++k)
+      for (int of = 0; of < 3; ++of) {
+        const Lanes4 moved = lanes4(displacement + interleaved * (3 * static_cast<std::size_t>(cell.node[k]) + of));
+        for (int d = 0; d < 3; ++d) slope[of][d] += moved * gradient[d * cell.nodes + k];
       }
-      const auto by = [&](int of, int d) { return slope[d].template segment<parts>(of * parts); };
-      const Eigen::Vector<double, parts> pressure = lambda_ * (by(0, 0) + by(1, 1) + by(2, 2));
-      for (int d = 0; d < 3; ++d) {
-        const int next = (d + 1) % 3;
-        at_points[g].template segment<parts>(d * parts) = pressure + 2 * mu_ * by(d, d);
-        at_points[g].template segment<parts>((3 + d) * parts) = mu_ * (by(d, next) + by(next, d));
-      }
+    const Lanes4 pressure = cell.lambda * (slope[0][0] + slope[1][1] + slope[2][2]);
+    for (int d = 0; d < 3; ++d) {
+      const int next = (d + 1) % 3;
+      at_points[g][d] = pressure + 2 * cell.mu * slope[d][d];
+      at_points[g][3 + d] = cell.mu * (slope[next][d] + slope[d][next]);
     }
-    const Eigen::MatrixXd& to_nodes = cell_kind(static_cast<int>(nodes.size())).stress_at_nodes;
-    for (Eigen::Index k = 0; k < nodes.size(); ++k) {
-      Eigen::Map<Stress> sum(stress + 6 * parts * nodes[k]);
-      Stress here = sum;
-      for (Eigen::Index g = 0; g < count; ++g) here += to_nodes(k, g) * at_points[g];
-      sum = here;
-    }
+  }
+  for (int k = 0; k < cell.nodes; ++k) {
+    double* const at_node = stress + interleaved * 6 * static_cast<std::size_t>(cell.node[k]);
+    Lanes4 sum[6];
+    for (int of = 0; of < 6; ++of) sum[of] = lanes4(at_node + interleaved * of);
+    for (int g = 0; g < cell.points; ++g)
+      for (int of = 0; of < 6; ++of) sum[of] += cell.from_points[g * cell.nodes + k] * at_points[g][of];
+    for (int of = 0; of < 6; ++of) lanes4(at_node + interleaved * of) = sum[of];
   }
 }
 
-Tensors CellStress::sum(const Eigen::Matrix3Xd& displacement) const {
-  Tensors stress = Tensors::Zero(6, displacement.cols());
-  add_cells<1>(displacement.data(), stress.data());
-  return stress;
-}
+}  // namespace
 
-ComplexTensors CellStress::sum(const Eigen::Matrix3Xcd& displacement) const {
-  ComplexTensors stress = ComplexTensors::Zero(6, displacement.cols());
-  add_cells<2>(reinterpret_cast<const double*>(displacement.data()), reinterpret_cast<double*>(stress.data()));
-  return stress;
-}
-
-Tensors CellStress::average(const Eigen::Matrix3Xd& displacement) const {
-  return sum(displacement).array().rowwise() / cells_at_node_.transpose().cast<double>().array();
+std::array<ComplexTensors, 2> CellStress::sums(const Eigen::Matrix3Xcd& one, const Eigen::Matrix3Xcd& other) const {
+  Eigen::Matrix<double, interleaved, Eigen::Dynamic> displacement(interleaved, one.size()),
+      stress(interleaved, 2 * one.size());
+  displacement << one.reshaped().real().transpose(), one.reshaped().imag().transpose(),
+      other.reshaped().real().transpose(), other.reshaped().imag().transpose();
+  stress.setZero();
+  for (Eigen::Index cell = 0; cell < cells_.cols(); ++cell) {
+    const auto nodes = nodes_of(cells_, cell);
+    const Eigen::MatrixXd& gradient = gradient_[static_cast<std::size_t>(cell)];
+    const int count = static_cast<int>(nodes.size());
+    add_cell({nodes.data(), count, static_cast<int>(gradient.cols()) / 3, gradient.data(),
+              cell_kind(count).stress_at_nodes.data(), lambda_, mu_},
+             displacement.data(), stress.data());
+  }
+  std::array<ComplexTensors, 2> sums;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    sums[i].resize(6, one.cols());
+    const auto row = 2 * static_cast<Eigen::Index>(i);
+    sums[i].reshaped().real() = stress.row(row).transpose();
+    sums[i].reshaped().imag() = stress.row(row + 1).transpose();
+  }
+  return sums;
 }
 
 CellStress sound_cells(const FieldsReader& reader) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,22 +22,16 @@ class CellStress {
  public:
   explicit CellStress(const SectorFields& sector);
 
-  /// [Pa] The stress of a displacement [m] in x, y, z, summed over the cells at each node.
-  Tensors sum(const Eigen::Matrix3Xd& displacement) const;
-  ComplexTensors sum(const Eigen::Matrix3Xcd& displacement) const;
+  /// [Pa] The stress of two displacements [m] in x, y, z, summed over the cells at each node.
+  std::array<ComplexTensors, 2> sums(const Eigen::Matrix3Xcd& one, const Eigen::Matrix3Xcd& other) const;
   /// How many cells each node has.
   const Eigen::VectorXi& cells_at_node() const { return cells_at_node_; }
-  /// [Pa] Averages over the cells of this sector, without its neighbours.
-  Tensors average(const Eigen::Matrix3Xd& displacement) const;
   /// [m^3] by cell.
   const Eigen::VectorXd& volumes() const { return volumes_; }
   /// The first cell that is flat or turned inside out, so that it has no strain; none in a sound mesh.
   const std::optional<Eigen::Index>& degenerate_cell() const { return degenerate_; }
 
  private:
-  template <int parts>
-  void add_cells(const double* displacement, double* stress) const;
-
   const Eigen::MatrixXi& cells_;
   double lambda_, mu_;
   /// [1/m] By cell: gradients of its shape functions in x, y, z at the first point, the second, ...; nodes x columns.

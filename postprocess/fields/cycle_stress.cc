@@ -15,14 +15,7 @@ namespace tiprub::postprocess {
 
 namespace {
 
-/// The states of a nodal diameter at some samples, as sums of a few states: a motion has far fewer than its model has
-/// dofs or its cycle has samples.
-struct FewStates {
-  Eigen::MatrixXcd basis;         ///< dofs x few
-  Eigen::MatrixXcd coefficients;  ///< few x samples
-};
-
-FewStates few_states(const Eigen::MatrixXcd& states) {
+FewStates few_of(const Eigen::MatrixXcd& states) {
   constexpr double left_out = 1e-7;  // of the largest one: fields.h5 has single precision
   if (states.cols() == 1) return {states, Eigen::MatrixXcd::Ones(1, 1)};
   Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> qr(states);
@@ -33,38 +26,22 @@ FewStates few_states(const Eigen::MatrixXcd& states) {
           first_rows * qr.colsPermutation().transpose()};
 }
 
-/// Waves of a nodal diameter at some samples: sums of a few fields.
-struct SampledWaves {
-  int nodal_diameter = 0;
-  std::vector<WaveField> fields;
-  Eigen::MatrixXcd coefficients;  ///< fields x samples
-};
-
 /// By nodal diameter. `count` is halved until no more than `most_fields` are needed, or one sample is left.
 std::vector<SampledWaves> recovered(const WheelCycle& cycle, int first, int& count, const WaveRecovery& recover,
                                     int most_fields) {
-  std::vector<FewStates> few;
-  Eigen::Index needed = 0;
-  for (const Eigen::MatrixXcd& states : cycle.states) {
-    few.push_back(few_states(states.middleCols(first, count)));
-    needed += few.back().basis.cols();
-  }
-  if (needed > most_fields && count > 1) return recovered(cycle, first, count /= 2, recover, most_fields);
+  const std::vector<FewStates> few = few_states(cycle, first, count);
+  if (fields_of(few) > most_fields && count > 1) return recovered(cycle, first, count /= 2, recover, most_fields);
   std::vector<SampledWaves> waves;
-  for (std::size_t i = 0; i < few.size(); ++i) {
-    std::vector<WaveField> fields = recover(i, few[i].basis);
-    const int nodal_diameter = fields.front().nodal_diameter;
-    waves.push_back({nodal_diameter, std::move(fields), few[i].coefficients});
-  }
+  for (std::size_t i = 0; i < few.size(); ++i) waves.push_back({recover(i, few[i].basis), few[i].coefficients});
   return waves;
 }
 
 /// The means of waves over their samples.
 std::vector<WaveField> means(const std::vector<SampledWaves>& waves) {
   std::vector<WaveField> all;
-  for (const auto& [nodal_diameter, fields, coefficients] : waves) {
+  for (const auto& [fields, coefficients] : waves) {
     const Eigen::VectorXcd factors = coefficients.rowwise().mean();
-    WaveField mean{nodal_diameter, factors[0] * fields[0].displacement, factors[0] * fields[0].stress};
+    WaveField mean{fields[0].nodal_diameter, factors[0] * fields[0].displacement, factors[0] * fields[0].stress};
     for (std::size_t k = 1; k < fields.size(); ++k) {
       mean.displacement += factors[static_cast<Eigen::Index>(k)] * fields[k].displacement;
       mean.stress += factors[static_cast<Eigen::Index>(k)] * fields[k].stress;
@@ -94,18 +71,20 @@ std::vector<Tensors> mean_stress(const WheelCycle& cycle, const Tensors& spin, i
   return stress;
 }
 
-constexpr Eigen::Index nodes_at_once = 64;  // their components at one sample fit into a processor's first cache
+constexpr Eigen::Index nodes_at_once = 32;  // their components on all sectors fit into a processor's second cache
 
 /// A column for each component, a row for each node: sums and products then run along the memory, several at once.
 using Components = Eigen::ArrayXXd;
+using ConstComponents = Eigen::Map<const Components>;
 
 Components by_component(const Tensors& tensors, Eigen::Index first, Eigen::Index count) {
   return tensors.middleCols(first, count).transpose();
 }
 
-/// [Pa^2] The square of the von Mises stress of the six columns from `first` on.
-Eigen::ArrayXd von_mises_square(const Components& stress, Eigen::Index first = 0) {
-  const auto s = [&](Eigen::Index k) { return stress.col(first + k); };
+/// [Pa^2] The square of the von Mises stress in six columns.
+template <class Stress>
+Eigen::ArrayXd von_mises_square(const Stress& stress) {
+  const auto s = [&](Eigen::Index k) { return stress.col(k); };
   return 0.5 * ((s(0) - s(1)).square() + (s(1) - s(2)).square() + (s(2) - s(0)).square()) +
          3 * (s(3).square() + s(4).square() + s(5).square());
 }
@@ -113,25 +92,22 @@ Eigen::ArrayXd von_mises_square(const Components& stress, Eigen::Index first = 0
 constexpr Eigen::Index rows_of_node = 9;      // x, y, z of the displacement, then the stress
 constexpr Eigen::Index samples_at_once = 32;  // of the sums at these nodes, which then stay in a second cache
 
-/// The factors of the real parts of a wave's fields, then of their imaginary ones: a column for the real part of each
-/// sum and another one for its imaginary part.
-Eigen::MatrixXd real_factors(const Eigen::MatrixXcd& coefficients) {
-  const Eigen::Index few = coefficients.rows();
-  Eigen::MatrixXd factors(2 * few, 2 * coefficients.cols());
-  for (Eigen::Index s = 0; s < coefficients.cols(); ++s) {
-    factors.col(2 * s) << coefficients.col(s).real(), -coefficients.col(s).imag();
-    factors.col(2 * s + 1) << coefficients.col(s).imag(), coefficients.col(s).real();
+/// The factors of the real parts of a wave's fields, then of their imaginary ones, by sample.
+struct SampleFactors {
+  Eigen::MatrixXd real, imaginary;  ///< that make the real part of the sum, and its imaginary part
+
+  explicit SampleFactors(const Eigen::MatrixXcd& coefficients)
+      : real(2 * coefficients.rows(), coefficients.cols()), imaginary(real.rows(), real.cols()) {
+    real << coefficients.real(), -coefficients.imag();
+    imaginary << coefficients.imag(), coefficients.real();
   }
-  return factors;
-}
+};
 
 /// Some nodes: a row for each component and node. Its memory is used again from nodes to nodes.
 class Block {
  public:
   void take_nodes(const std::vector<SampledWaves>& waves, Eigen::Index first, Eigen::Index count) {
-    count_ = count;
     shapes_.resize(waves.size());
-    parts_.resize(waves.size());
     for (std::size_t i = 0; i < waves.size(); ++i) {
       const auto few = static_cast<Eigen::Index>(waves[i].fields.size());
       shapes_[i].resize(rows_of_node * count, 2 * few);
@@ -145,23 +121,28 @@ class Block {
     }
   }
 
-  /// The waves at some samples, from the columns of these that real_factors() gave.
-  void take_samples(const std::vector<Eigen::MatrixXd>& factors, Eigen::Index first, Eigen::Index count) {
+  /// The waves at some samples, with the factors of these.
+  void take_samples(const std::vector<SampleFactors>& factors, Eigen::Index first, Eigen::Index count) {
+    const Eigen::Index rows = shapes_.front().rows(), columns = 2 * static_cast<Eigen::Index>(factors.size());
+    parts_.resize(rows, columns * count);
+    double* into = parts_.data();
     for (std::size_t i = 0; i < factors.size(); ++i)
-      parts_[i].noalias() = shapes_[i] * factors[i].middleCols(2 * first, 2 * count);
+      for (const Eigen::MatrixXd* of_part : {&factors[i].real, &factors[i].imaginary}) {
+        Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>(into, rows, count, {columns * rows}).noalias() =
+            shapes_[i] * of_part->middleCols(first, count);
+        into += rows;
+      }
   }
 
-  /// The sum of the waves on a sector at one of these samples; `phases` as the waves.
-  void sum(Eigen::Index sample, const std::vector<std::complex<double>>& phases, Components& now) const {
-    now.setZero(count_, rows_of_node);
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-      now.matrix().reshaped() +=
-          phases[i].real() * parts_[i].col(2 * sample) - phases[i].imag() * parts_[i].col(2 * sample + 1);
+  /// The sum of the waves at one of these samples, by sector. `phases`: for each wave, the factor of its real part
+  /// and of its imaginary one; by sector.
+  void sum(Eigen::Index sample, const Eigen::MatrixXd& phases, Eigen::MatrixXd& now) const {
+    now.noalias() = parts_.middleCols(phases.rows() * sample, phases.rows()) * phases;
   }
 
  private:
-  Eigen::Index count_ = 0;
-  std::vector<Eigen::MatrixXd> shapes_, parts_;  // by waves
+  std::vector<Eigen::MatrixXd> shapes_;  // by waves
+  Eigen::MatrixXd parts_;                // by sample, then wave, real and imaginary
 };
 
 /// The recorded samples that a part of a cycle consists of.
@@ -186,12 +167,16 @@ class Maxima {
 
   /// All sectors at some samples. Threads share the nodes, so that the result does not depend on their number.
   void add(const std::vector<SampledWaves>& waves, const Samples& at, int sectors, int sector_count) {
-    std::vector<Eigen::MatrixXd> factors;
-    for (const SampledWaves& wave : waves) factors.push_back(real_factors(wave.coefficients));
-    std::vector<std::vector<std::complex<double>>> phases(static_cast<std::size_t>(sectors));
-    for (int j = 0; j < sectors; ++j)
-      for (const SampledWaves& wave : waves)
-        phases[static_cast<std::size_t>(j)].push_back(sector_phase(wave.nodal_diameter, j, sector_count));
+    std::vector<SampleFactors> factors;
+    Eigen::MatrixXd phases(2 * static_cast<Eigen::Index>(waves.size()), sectors);
+    for (const SampledWaves& wave : waves) {
+      const auto row = 2 * static_cast<Eigen::Index>(factors.size());
+      factors.emplace_back(wave.coefficients);
+      for (int j = 0; j < sectors; ++j) {
+        const std::complex<double> phase = sector_phase(wave.fields.front().nodal_diameter, j, sector_count);
+        phases.col(j).segment<2>(row) << phase.real(), -phase.imag();
+      }
+    }
     std::atomic<Eigen::Index> next = 0;
     work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
       Block block;
@@ -213,29 +198,30 @@ class Maxima {
 
  private:
   /// The block's nodes, from `first` on.
-  void add(Block& block, const std::vector<Eigen::MatrixXd>& factors,
-           const std::vector<std::vector<std::complex<double>>>& phases, Eigen::Index first, Eigen::Index count,
-           const Samples& at) {
+  void add(Block& block, const std::vector<SampleFactors>& factors, const Eigen::MatrixXd& phases, Eigen::Index first,
+           Eigen::Index count, const Samples& at) {
     const Components spin = by_component(spin_, first, count);
     std::vector<Components> spin_less_mean;
     for (const Tensors& mean : mean_) spin_less_mean.push_back(spin - by_component(mean, first, count));
-    Components now;
-    const Eigen::Index samples = factors.front().cols() / 2;
+    Eigen::MatrixXd now;
+    const Eigen::Index samples = factors.front().real.cols();
     for (Eigen::Index begin = 0; begin < samples; begin += samples_at_once) {
       const Eigen::Index taken = std::min(samples_at_once, samples - begin);
       block.take_samples(factors, begin, taken);
-      for (Eigen::Index s = 0; s < taken; ++s)
-        for (std::size_t j = 0; j < phases.size(); ++j) {
-          block.sum(s, phases[j], now);
-          keep(now.leftCols<3>().square().rowwise().sum(), found_.displacement.segment(first, count));
-          keep_vibration(von_mises_square(now, 3), first, static_cast<int>(j),
+      for (Eigen::Index s = 0; s < taken; ++s) {
+        block.sum(s, phases, now);
+        for (Eigen::Index j = 0; j < now.cols(); ++j) {
+          const ConstComponents moved(now.col(j).data(), count, 3), stress(moved.data() + moved.size(), count, 6);
+          keep(moved.square().rowwise().sum(), found_.displacement.segment(first, count));
+          keep_vibration(von_mises_square(stress), first, static_cast<int>(j),
                          at.first + at.stride * static_cast<int>(begin + s));
-          keep(von_mises_square(now.rightCols<6>() + spin), found_.both.segment(first, count));
+          keep(von_mises_square(stress + spin), found_.both.segment(first, count));
           if (mean_.empty()) continue;
-          const std::size_t history = j % mean_.size();
-          keep(von_mises_square(now.rightCols<6>() + spin_less_mean[history]),
-               found_.alternating.col(static_cast<Eigen::Index>(history)).segment(first, count));
+          const auto history = j % static_cast<Eigen::Index>(mean_.size());
+          keep(von_mises_square(stress + spin_less_mean[static_cast<std::size_t>(history)]),
+               found_.alternating.col(history).segment(first, count));
         }
+      }
     }
   }
 
@@ -259,6 +245,27 @@ class Maxima {
 };
 
 }  // namespace
+
+std::vector<FewStates> few_states(const WheelCycle& cycle, Eigen::Index first, Eigen::Index count) {
+  std::vector<FewStates> few;
+  for (const Eigen::MatrixXcd& states : cycle.states) few.push_back(few_of(states.middleCols(first, count)));
+  return few;
+}
+
+int fields_of(const std::vector<FewStates>& few) {
+  Eigen::Index fields = 0;
+  for (const FewStates& of_diameter : few) fields += of_diameter.basis.cols();
+  return static_cast<int>(fields);
+}
+
+CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int sector_count,
+                         const std::vector<SampledWaves>& waves) {
+  std::vector<Tensors> mean;
+  if (cycle.whole) mean = mean_stress(cycle, spin, sector_count, means(waves));
+  Maxima maxima(spin, std::move(mean));
+  maxima.add(waves, {cycle.first_sample, cycle.stride}, cycle.sectors, sector_count);
+  return std::move(maxima).found();
+}
 
 CycleStress cycle_stress(const WheelCycle& cycle, const Tensors& spin, int sector_count, const WaveRecovery& recover,
                          int most_fields, Progress& progress) {

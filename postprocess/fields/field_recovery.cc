@@ -2,11 +2,15 @@
 #include "postprocess/fields/field_recovery.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <thread>
 #include <utility>
 
+#include "cases/program/machine.h"
 #include "reduce/model/nodal_diameter.h"
 
 namespace tiprub::postprocess {
@@ -34,10 +38,12 @@ Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& 
   return displacement;
 }
 
-void add_stress(const SectorFields& sector, const CellStress& bricks, WaveField& wave) {
+namespace {
+
+/// `stress`: summed over the cells of this sector.
+void average(const SectorFields& sector, const CellStress& bricks, int nodal_diameter, ComplexTensors& stress) {
   const double alpha = sector_angle(1, sector.sector_count);
-  const std::complex<double> next = sector_phase(wave.nodal_diameter, 1, sector.sector_count);
-  ComplexTensors stress = bricks.sum(wave.displacement);
+  const std::complex<double> next = sector_phase(nodal_diameter, 1, sector.sector_count);
   Eigen::VectorXd count = bricks.cells_at_node().cast<double>();
   const std::vector<int>&low = sector.node_set("cyclic_low"), &high = sector.node_set("cyclic_high");
   for (std::size_t k = 0; k < low.size(); ++k) {
@@ -49,13 +55,29 @@ void add_stress(const SectorFields& sector, const CellStress& bricks, WaveField&
     count[low[k]] = count[high[k]] = count[low[k]] + count[high[k]];
   }
   stress *= count.cwiseInverse().asDiagonal();
-  wave.stress = std::move(stress);
+}
+
+}  // namespace
+
+void add_stress(const SectorFields& sector, const CellStress& bricks, std::span<WaveField> waves) {
+  std::atomic<std::size_t> next = 0;
+  const auto threads = std::min<std::size_t>(std::thread::hardware_concurrency(), (waves.size() + 1) / 2);
+  work_together(static_cast<int>(threads), [&] {
+    for (std::size_t i = 0; (i = next.fetch_add(2)) < waves.size();) {
+      const std::span<WaveField> both = waves.subspan(i, std::min<std::size_t>(2, waves.size() - i));
+      std::array<ComplexTensors, 2> stress = bricks.sums(both.front().displacement, both.back().displacement);
+      for (std::size_t k = 0; k < both.size(); ++k) {
+        average(sector, bricks, both[k].nodal_diameter, stress[k]);
+        both[k].stress = std::move(stress[k]);
+      }
+    }
+  });
 }
 
 WaveField spin_field(const SectorFields& sector, const CellStress& bricks, double speed) {
   const Eigen::Matrix3Xd moved = sector.static_displacement(speed);
   WaveField wave{0, cartesian(sector, moved.reshaped().cast<std::complex<double>>()), {}};
-  add_stress(sector, bricks, wave);
+  add_stress(sector, bricks, {&wave, 1});
   return wave;
 }
 

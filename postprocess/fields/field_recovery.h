@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <span>
 #include <vector>
 
 #include "postprocess/fields/cell_stress.h"
@@ -32,9 +33,10 @@ struct WheelField {
 /// From r, theta, z of node 0, node 1, ... to x, y, z.
 Eigen::Matrix3Xcd cartesian(const SectorFields& sector, const Eigen::VectorXcd& cylindrical);
 
-/// Computes a wave's stress from its displacement. At nodes of the cut faces it is averaged over the cells of both
-/// sectors that share them: the high face is the low face of the next sector, turned and with the wave's phase.
-void add_stress(const SectorFields& sector, const CellStress& bricks, WaveField& wave);
+/// Computes the stress of waves from their displacement. At nodes of the cut faces it is averaged over the cells of
+/// both sectors that share them: the high face is the low face of the next sector, turned and with the wave's phase.
+/// Threads share the waves, two at a time.
+void add_stress(const SectorFields& sector, const CellStress& bricks, std::span<WaveField> waves);
 
 /// The static shape under spin [rad/s], the same in every sector: a wave of nodal diameter 0.
 WaveField spin_field(const SectorFields& sector, const CellStress& bricks, double speed);

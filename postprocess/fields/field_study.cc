@@ -92,41 +92,42 @@ std::vector<std::size_t> recovered_speeds(const std::vector<CriticalSpeed>& all,
   return speeds;
 }
 
-struct CycleAtSpeed {
-  std::size_t index;
-  WheelCycle cycle;
-  /// Of each peak in SpeedResponse::budget that has one, but for those of another model.
-  std::vector<std::optional<WheelCycle>> varied;
+using VariedCycles = std::vector<std::optional<WheelCycle>>;
+
+/// Of the speeds whose states the response holds.
+struct RecoveredCycles {
+  std::vector<std::size_t> index;    ///< of each speed
+  std::vector<SectorStress::At> at;  ///< as `index`
+  std::vector<VariedCycles>
+      varied;  ///< as `index`: of each peak in SpeedResponse::budget that has a cycle of this model
 };
 
-std::vector<std::optional<WheelCycle>> varied_cycles(const std::vector<PeakVariation>& budget,
-                                                     const SimulatedScene& scene, const ReducedModel& model) {
-  std::vector<std::optional<WheelCycle>> cycles;
+VariedCycles varied_cycles(const std::vector<PeakVariation>& budget, const SimulatedScene& scene,
+                           const ReducedModel& model) {
+  VariedCycles cycles;
   for (const PeakVariation& peak : budget)
     cycles.push_back(peak.cycle && peak.model_digest.empty() ? std::optional(wheel_cycle(peak, scene, model))
                                                              : std::nullopt);
   return cycles;
 }
 
-/// The cycles of the speeds whose states the response holds.
-std::vector<CycleAtSpeed> cycles_at(const std::vector<std::size_t>& speeds, const Response& all,
-                                    const ReducedModel& model) {
-  std::vector<CycleAtSpeed> cycles;
+RecoveredCycles cycles_at(const std::vector<std::size_t>& speeds, const Response& all, const ReducedModel& model) {
+  RecoveredCycles cycles;
   for (const std::size_t index : speeds) {
     const SpeedResponse& response = all.speeds[index];
-    if (response.cycle || response.snapshot)
-      cycles.push_back(
-          {index, wheel_cycle(response, all.scene, model), varied_cycles(response.budget, all.scene, model)});
+    if (!response.cycle && !response.snapshot) continue;
+    cycles.index.push_back(index);
+    cycles.at.push_back({wheel_cycle(response, all.scene, model), response.speed});
+    cycles.varied.push_back(varied_cycles(response.budget, all.scene, model));
   }
   return cycles;
 }
 
-std::size_t samples_of(const std::vector<CycleAtSpeed>& cycles) {
+std::size_t samples_of(const RecoveredCycles& cycles) {
   std::size_t samples = 0;
-  for (const CycleAtSpeed& at : cycles) {
-    samples += static_cast<std::size_t>(samples_on_sector(at.cycle));
-    for (const auto& varied : at.varied) samples += varied ? static_cast<std::size_t>(varied->samples()) : 0;
-  }
+  for (const SectorStress::At& at : cycles.at) samples += static_cast<std::size_t>(samples_on_sector(at.cycle));
+  for (const VariedCycles& of_speed : cycles.varied)
+    for (const auto& varied : of_speed) samples += varied ? static_cast<std::size_t>(varied->samples()) : 0;
   return samples;
 }
 
@@ -136,23 +137,27 @@ std::size_t worst_of(const std::vector<std::size_t>& speeds, const Eigen::Vector
   });
 }
 
-/// The wheel as the page moves and colours it.
-MovingWheel moving_wheel(const FieldsReader& reader, WheelMotion motion, double speed, const CycleStress& stress) {
-  MovingWheel moving{speed, std::move(motion), {}, stress};
-  std::vector<RotorWave>& waves = moving.motion.waves;
-  moving.waves.resize(waves.size());
-  std::map<int, std::vector<std::size_t>> by_nodal_diameter;
-  for (std::size_t i = 0; i < waves.size(); ++i) by_nodal_diameter[waves[i].nodal_diameter].push_back(i);
-  for (const auto& [n, of_n] : by_nodal_diameter) {
-    stop_if_interrupted();
-    Eigen::MatrixXcd states(waves[of_n.front()].state.size(), static_cast<Eigen::Index>(of_n.size()));
-    for (std::size_t k = 0; k < of_n.size(); ++k)
-      states.col(static_cast<Eigen::Index>(k)) = std::exchange(waves[of_n[k]].state, {});
-    const Eigen::MatrixXcd found = reader.expand(n, states);
-    for (std::size_t k = 0; k < of_n.size(); ++k)
-      moving.waves[of_n[k]] = {n, cartesian(reader.sector(), found.col(static_cast<Eigen::Index>(k))), {}};
+/// Recovers the displacement of all waves, which takes their states. Those of a nodal diameter are read together.
+void recover_waves(const FieldsReader& reader, std::vector<MovingWheel>& wheels) {
+  struct Wave {
+    RotorWave& in_model;
+    WaveField& on_sector;
+  };
+  std::map<int, std::vector<Wave>> by_nodal_diameter;
+  for (MovingWheel& wheel : wheels) {
+    wheel.waves.resize(wheel.motion.waves.size());
+    for (std::size_t i = 0; i < wheel.waves.size(); ++i)
+      by_nodal_diameter[wheel.motion.waves[i].nodal_diameter].push_back({wheel.motion.waves[i], wheel.waves[i]});
   }
-  return moving;
+  for (auto& [n, waves] : by_nodal_diameter) {
+    stop_if_interrupted();
+    Eigen::MatrixXcd states(reader.dofs(n), static_cast<Eigen::Index>(waves.size()));
+    for (std::size_t k = 0; k < waves.size(); ++k)
+      states.col(static_cast<Eigen::Index>(k)) = std::exchange(waves[k].in_model.state, {});
+    const Eigen::MatrixXcd found = reader.expand(n, states);
+    for (std::size_t k = 0; k < waves.size(); ++k)
+      waves[k].on_sector = {n, cartesian(reader.sector(), found.col(static_cast<Eigen::Index>(k))), {}};
+  }
 }
 
 /// Sector, zones, and the modes at a speed.
@@ -171,19 +176,19 @@ FieldStudy without_motion(const FieldsReader& reader, const Study& study, double
 std::vector<std::vector<std::optional<double>>> varied_stress(const FieldsReader& reader,
                                                               const std::vector<int>& nodal_diameters,
                                                               const std::set<int>& nodes,
-                                                              const std::vector<CycleAtSpeed>& cycles,
+                                                              const std::vector<VariedCycles>& cycles,
                                                               Progress& progress) {
   const NodeStress at_nodes(reader, {nodes.begin(), nodes.end()});
   LargestStress largest;  // made for the first cycle
   std::vector<std::vector<std::optional<double>>> all;
-  for (const CycleAtSpeed& at : cycles) {
-    std::vector<std::optional<double>>& of_peak = all.emplace_back(at.varied.size());
-    for (std::size_t i = 0; i < at.varied.size(); ++i) {
+  for (const VariedCycles& varied : cycles) {
+    std::vector<std::optional<double>>& of_peak = all.emplace_back(varied.size());
+    for (std::size_t i = 0; i < varied.size(); ++i) {
       stop_if_interrupted();
-      if (!at.varied[i]) continue;
+      if (!varied[i]) continue;
       if (!largest) largest = largest_stress(at_nodes, reader, nodal_diameters);
-      of_peak[i] = largest(*at.varied[i]);
-      for (int s = 0; s < at.varied[i]->samples(); ++s) progress.advance();
+      of_peak[i] = largest(*varied[i]);
+      for (int s = 0; s < varied[i]->samples(); ++s) progress.advance();
     }
   }
   return all;
@@ -191,11 +196,11 @@ std::vector<std::vector<std::optional<double>>> varied_stress(const FieldsReader
 
 /// Adds the stress at the varied peaks of another model, near nodes of the sector.
 void add_stress_of_other_model(const FieldsReader& other, const Response& response,
-                               const std::vector<CycleAtSpeed>& cycles, const std::vector<int>& nodes,
+                               const std::vector<std::size_t>& speeds, const std::vector<int>& nodes,
                                FieldStudy& fields) {
   LargestStress largest;  // made for the first cycle
-  for (std::size_t k = 0; k < cycles.size(); ++k) {
-    const std::vector<PeakVariation>& budget = response.speeds[cycles[k].index].budget;
+  for (std::size_t k = 0; k < speeds.size(); ++k) {
+    const std::vector<PeakVariation>& budget = response.speeds[speeds[k]].budget;
     for (std::size_t i = 0; i < budget.size(); ++i) {
       stop_if_interrupted();
       if (!budget[i].cycle || budget[i].model_digest.empty()) continue;
@@ -254,33 +259,35 @@ void check_fields(const FieldsReader& reader, const ReducedModel& model) {
 
 FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other, const Study& study,
                           const std::optional<MaterialStrength>& strength, Progress::Shown shown) {
-  check_together(reader, study.model, reader.path());
   const CellStress bricks = sound_cells(reader);
   const std::vector<std::size_t> speeds = recovered_speeds(study.critical, study.amplitudes);
   const std::size_t worst = worst_of(speeds, study.amplitudes.largest);
   FieldStudy fields = without_motion(reader, study, study.response.speeds[worst].speed);
   const BladePlaces places(fields.sector);
-  const SectorStress on_sector(reader, bricks, study.response.scene.nodal_diameters, fields.zones, strength);
-  const std::vector<CycleAtSpeed> cycles = cycles_at(speeds, study.response, study.model);
+  const SectorStress on_sector(reader, bricks, study.model, study.response.scene.nodal_diameters, fields.zones,
+                               strength);
+  const RecoveredCycles cycles = cycles_at(speeds, study.response, study.model);
   Progress progress("stress over cycles, by samples", samples_of(cycles) + speeds_between(study).size(), shown);
   WatchedNodes nodes;
   add(nodes_between(study, fields.zones, strength, on_sector, progress), nodes.stressed);
-  for (const auto& [index, cycle, varied] : cycles) {  // the varied ones follow, at nodes that are known then
-    const SpeedResponse& response = study.response.speeds[index];
-    const CycleStress stress = on_sector(cycle, response.speed, progress);
+  // The varied cycles follow, at nodes that are known then.
+  on_sector.over(cycles.at, progress, [&](std::size_t k, const CycleStress& stress) {
+    const SpeedResponse& response = study.response.speeds[cycles.index[k]];
     fields.peaks.push_back(
-        dated(field_peak(fields.sector, stress, fields.zones, places, strength), cycle, response.speed));
+        dated(field_peak(fields.sector, stress, fields.zones, places, strength), cycles.at[k].cycle, response.speed));
     nodes.add_those_of(stress, fields.zones, strength);
     if (response.cycle)
-      fields.moving.push_back(
-          moving_wheel(reader, wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
-                       response.speed, stress));
-    if (index == worst && response.snapshot)
+      fields.moving.push_back({response.speed,
+                               wheel_motion(response, study.response.scene, study.model, left_out_waves, most_waves),
+                               {},
+                               stress});
+    if (cycles.index[k] == worst && response.snapshot)
       recover_instant(response, on_sector, spin_field(fields.sector, bricks, response.speed), fields);
-  }
-  fields.varied = varied_stress(reader, study.response.scene.nodal_diameters, nodes.much, cycles, progress);
+  });
+  recover_waves(reader, fields.moving);
+  fields.varied = varied_stress(reader, study.response.scene.nodal_diameters, nodes.much, cycles.varied, progress);
   if (other != nullptr)
-    add_stress_of_other_model(*other, study.response, cycles, {nodes.most.begin(), nodes.most.end()}, fields);
+    add_stress_of_other_model(*other, study.response, cycles.index, {nodes.most.begin(), nodes.most.end()}, fields);
   fields.estimated = estimated_stress(reader, study, {nodes.stressed.begin(), nodes.stressed.end()},
                                       spin_field(fields.sector, bricks, study.range.high), strength);
   return fields;

@@ -47,8 +47,8 @@ struct FieldStudy {
 /// Raises InputError if the fields are of another model, or if a cell has no stress.
 void check_fields(const FieldsReader& reader, const ReducedModel& model);
 
-/// Recovers all full fields. `other`: those of the model that error budgets compare with, which
-/// check_budget_fields() has accepted; may be null. Raises as check_fields() does.
+/// Recovers all full fields from those that check_fields() has accepted. `other`: those of the model that error
+/// budgets compare with, which check_budget_fields() has accepted; may be null.
 FieldStudy recover_fields(const FieldsReader& reader, const FieldsReader* other, const Study& study,
                           const std::optional<MaterialStrength>& strength, Progress::Shown shown);
 

@@ -116,11 +116,11 @@ std::vector<WaveField> NodeStress::waves(int nodal_diameter, const Eigen::Matrix
   }
   moved *= basis;
   std::vector<WaveField> waves;
-  for (Eigen::Index k = 0; k < basis.cols(); ++k) {
-    WaveField wave{nodal_diameter, cartesian(part_, moved.col(k)), {}};
-    add_stress(part_, cells_, wave);
-    waves.push_back({nodal_diameter, wave.displacement(Eigen::all, places_), wave.stress(Eigen::all, places_)});
-  }
+  for (Eigen::Index k = 0; k < basis.cols(); ++k)
+    waves.push_back({nodal_diameter, cartesian(part_, moved.col(k)), {}});
+  add_stress(part_, cells_, waves);
+  for (WaveField& wave : waves)
+    wave = {nodal_diameter, wave.displacement(Eigen::all, places_), wave.stress(Eigen::all, places_)};
   return waves;
 }
 

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <complex>
+#include <iterator>
 #include <set>
 #include <string>
-#include <thread>
 
 #include "cases/program/errors.h"
-#include "cases/program/machine.h"
 #include "cases/program/signal_cleanup.h"
 #include "postprocess/fields/field_recovery.h"
 #include "postprocess/fields/node_stress.h"
@@ -23,6 +21,7 @@ namespace {
 constexpr double wave_memory = 1 << 30;      // [bytes] for the waves of a cycle
 constexpr int samples_of_a_revolution = 60;  // that suffice to find the nodes that may matter
 constexpr double may_be_largest = 0.7;       // of a value at these samples
+constexpr double left_out = 5e-3;            // of the norm of these samples' states
 
 /// Squares of the stress are computed later, and stress beyond this limit comes from damaged numbers.
 void require_sound_stress(const WaveField& wave, const std::string& name) {
@@ -82,22 +81,55 @@ int samples_on_sector(const WheelCycle& cycle) {
   return (cycle.samples() + stride - 1) / stride;
 }
 
-SectorStress::SectorStress(const FieldsReader& reader, const CellStress& bricks,
+SectorStress::SectorStress(const FieldsReader& reader, const CellStress& bricks, const ReducedModel& model,
                            const std::vector<int>& nodal_diameters, const StressZones& zones,
                            const std::optional<MaterialStrength>& strength)
-    : reader_(reader), bricks_(bricks), nodal_diameters_(nodal_diameters), zones_(zones), strength_(strength) {}
+    : reader_(reader),
+      bricks_(bricks),
+      model_(model),
+      nodal_diameters_(nodal_diameters),
+      zones_(zones),
+      strength_(strength) {}
 
-CycleStress SectorStress::operator()(const WheelCycle& cycle, double speed, Progress& progress) const {
-  const WaveField spin = spin_at(speed);
-  const auto recover_all = [&](std::size_t diameter, const Eigen::MatrixXcd& states) {
-    return recover(diameter, states);
-  };
-  const SectorFields& sector = reader_.sector();
-  const int stride = stride_of(cycle);
-  CycleStress stress = cycle_stress(every(stride, cycle), spin.stress.real(), sector.sector_count, recover_all,
-                                    fields_at_once(sector.nodes.cols()), progress);
-  if (stride > 1) look_closer(cycle, spin.stress.real(), stress);
-  return stress;
+void SectorStress::over(const std::vector<At>& cycles, Progress& progress, const Take& take) const {
+  const int most = fields_at_once(reader_.sector().nodes.cols()), sectors = reader_.sector().sector_count;
+  const auto alone = [&](std::size_t i, const Eigen::MatrixXcd& states) { return recover(i, states); };
+  for (std::size_t first = 0; first < cycles.size();) {
+    std::vector<OnSector> together = {on_sector(cycles[first])};
+    int fields = fields_of(together.front().few);
+    const bool is_long = fields > most;
+    while (!is_long && first + together.size() < cycles.size()) {
+      OnSector next = on_sector(cycles[first + together.size()]);
+      if ((fields += fields_of(next.few)) > most) break;
+      together.push_back(std::move(next));
+    }
+    const std::vector<std::vector<SampledWaves>> waves =
+        is_long ? std::vector<std::vector<SampledWaves>>(1) : recover(together);
+    for (std::size_t k = 0; k < together.size(); ++k) {
+      const auto& [cycle, speed] = cycles[first + k];
+      const WheelCycle& some = together[k].cycle;
+      const Tensors spin = spin_at(speed).stress.real();
+      CycleStress stress = is_long ? cycle_stress(some, spin, sectors, alone, most, progress)
+                                   : cycle_stress(some, spin, sectors, waves[k]);
+      for (int s = 0; !is_long && s < some.samples(); ++s) progress.advance();
+      if (some.stride > cycle.stride) look_closer(cycle, spin, stress);
+      take(first + k, stress);
+    }
+    first += together.size();
+  }
+}
+
+SectorStress::OnSector SectorStress::on_sector(const At& at) const {
+  const int stride = stride_of(at.cycle);
+  OnSector on{at.cycle, {}};
+  if (stride > 1) {
+    std::vector<Eigen::MatrixXcd> stiffness;
+    for (const int n : nodal_diameters_)
+      stiffness.push_back(model_.nodal_diameters[static_cast<std::size_t>(n)].stiffness(at.speed));
+    on.cycle = of_fewer_states(every(stride, at.cycle), stiffness, left_out);
+  }
+  on.few = few_states(on.cycle, 0, on.cycle.samples());
+  return on;
 }
 
 WaveField SectorStress::spin_at(double speed) const {
@@ -106,25 +138,27 @@ WaveField SectorStress::spin_at(double speed) const {
   return spin;
 }
 
-void SectorStress::at_instants(const std::vector<WheelCycle>& instants, const std::vector<double>& speeds,
-                               Progress& progress, const std::function<void(const CycleStress&)>& take) const {
-  const int most = fields_at_once(reader_.sector().nodes.cols());
-  const std::size_t together = std::max<std::size_t>(1, static_cast<std::size_t>(most) / nodal_diameters_.size());
-  for (std::size_t first = 0; first < instants.size(); first += together) {
-    const std::size_t count = std::min(together, instants.size() - first);
-    std::vector<std::vector<WaveField>> waves;  // by nodal diameter, then instant
-    for (std::size_t i = 0; i < nodal_diameters_.size(); ++i) {
-      Eigen::MatrixXcd states(instants[first].states[i].rows(), static_cast<Eigen::Index>(count));
-      for (std::size_t k = 0; k < count; ++k)
-        states.col(static_cast<Eigen::Index>(k)) = instants[first + k].states[i].col(0);
-      waves.push_back(recover(i, states));
+std::vector<std::vector<SampledWaves>> SectorStress::recover(const std::vector<OnSector>& cycles) const {
+  std::vector<std::vector<SampledWaves>> waves(cycles.size());
+  for (std::size_t i = 0; i < nodal_diameters_.size(); ++i) {
+    Eigen::Index columns = 0;
+    for (const OnSector& at : cycles) columns += at.few[i].basis.cols();
+    Eigen::MatrixXcd states(cycles.front().few[i].basis.rows(), columns);
+    Eigen::Index column = 0;
+    for (const OnSector& at : cycles) {
+      states.middleCols(column, at.few[i].basis.cols()) = at.few[i].basis;
+      column += at.few[i].basis.cols();
     }
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto own = [&](std::size_t i, const Eigen::MatrixXcd&) { return std::vector{std::move(waves[i][k])}; };
-      take(cycle_stress(instants[first + k], spin_at(speeds[first + k]).stress.real(), reader_.sector().sector_count,
-                        own, most, progress));
+    std::vector<WaveField> fields = recover(i, states);
+    auto field = std::make_move_iterator(fields.begin());
+    for (std::size_t k = 0; k < cycles.size(); ++k) {
+      const FewStates& few = cycles[k].few[i];
+      const auto end = field + few.basis.cols();
+      waves[k].push_back({std::vector<WaveField>(field, end), few.coefficients});
+      field = end;
     }
   }
+  return waves;
 }
 
 std::vector<WaveField> SectorStress::recover(std::size_t diameter, const Eigen::MatrixXcd& states) const {
@@ -132,14 +166,10 @@ std::vector<WaveField> SectorStress::recover(std::size_t diameter, const Eigen::
   const int n = nodal_diameters_[diameter];
   const Eigen::MatrixXcd found = reader_.expand(n, states);
   std::vector<WaveField> waves(static_cast<std::size_t>(found.cols()));
-  std::atomic<std::size_t> next = 0;
-  work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
-    for (std::size_t i = 0; (i = next++) < waves.size();) {
-      waves[i] = {n, cartesian(reader_.sector(), found.col(static_cast<Eigen::Index>(i))), {}};
-      add_stress(reader_.sector(), bricks_, waves[i]);
-      require_sound_stress(waves[i], reader_.path());
-    }
-  });
+  for (std::size_t i = 0; i < waves.size(); ++i)
+    waves[i] = {n, cartesian(reader_.sector(), found.col(static_cast<Eigen::Index>(i))), {}};
+  add_stress(reader_.sector(), bricks_, waves);
+  for (const WaveField& wave : waves) require_sound_stress(wave, reader_.path());
   return waves;
 }
 

@@ -26,15 +26,13 @@ std::vector<std::size_t> speeds_between(const Study& study) {
 std::vector<int> nodes_between(const Study& study, const StressZones& zones,
                                const std::optional<MaterialStrength>& strength, const SectorStress& on_sector,
                                Progress& progress) {
-  std::vector<WheelCycle> instants;
-  std::vector<double> speeds;
+  std::vector<SectorStress::At> instants;
   for (const std::size_t index : speeds_between(study)) {
     const SpeedResponse& response = study.response.speeds[index];
-    instants.push_back(wheel_instant(response, study.response.scene, study.model));
-    speeds.push_back(response.speed);
+    instants.push_back({wheel_instant(response, study.response.scene), response.speed});
   }
   std::vector<int> all;
-  on_sector.at_instants(instants, speeds, progress, [&](const CycleStress& stress) {
+  on_sector.over(instants, progress, [&](std::size_t, const CycleStress& stress) {
     const std::vector<int> nodes = governing_nodes(stress, zones, strength);
     all.insert(all.end(), nodes.begin(), nodes.end());
   });

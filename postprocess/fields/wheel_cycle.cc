@@ -11,7 +11,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "cases/program/errors.h"
+#include "reduce/model/dense_eigen.h"
 #include "reduce/model/nodal_diameter.h"
 
 namespace tiprub::postprocess {
@@ -20,12 +20,6 @@ namespace {
 
 constexpr double same_state = 1e-3;  // of the norm of the states
 std::mutex planning;                 // FFTW makes one plan at a time
-
-void require_dofs(Eigen::Index found, Eigen::Index asked) {
-  if (found != asked)
-    throw InputError("the response's states of the rotor have " + std::to_string(found) + " dofs, the model has " +
-                     std::to_string(asked) + "; give the model that the response was made with");
-}
 
 /// How far the later states of a cycle are from earlier ones that are turned.
 class TurnedDifference {
@@ -80,19 +74,11 @@ void drop_repeats(WheelCycle& cycle, int beat, const TurnedDifference& differenc
       }
 }
 
-void require_dofs(const WheelCycle& cycle, const SimulatedScene& scene, const ReducedModel& model) {
-  for (std::size_t i = 0; i < cycle.states.size(); ++i) {
-    const auto n = static_cast<std::size_t>(scene.nodal_diameters[i]);
-    require_dofs(cycle.states[i].rows(), model.nodal_diameters[n].M.rows());
-  }
-}
-
 /// A `Motion` has a speed [rad/s], its samples per revolution and a cycle.
 template <class Motion>
 WheelCycle without_repeats(const Motion& motion, const SimulatedScene& scene, const ReducedModel& model) {
   WheelCycle cycle = whole_cycle(*motion.cycle, scene);
   cycle.samples_per_revolution = motion.samples_per_revolution;
-  require_dofs(cycle, scene, model);
   if (const int beats = std::lcm(scene.sector_count, scene.lobes);
       beats > 0 && motion.samples_per_revolution % beats == 0)
     drop_repeats(cycle, motion.samples_per_revolution / beats, TurnedDifference(cycle, motion.speed, scene, model));
@@ -116,16 +102,15 @@ WheelCycle whole_cycle(const RotorCycle& cycle, const SimulatedScene& scene) {
 }
 
 WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model) {
-  return response.cycle ? without_repeats(response, scene, model) : wheel_instant(response, scene, model);
+  return response.cycle ? without_repeats(response, scene, model) : wheel_instant(response, scene);
 }
 
-WheelCycle wheel_instant(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model) {
+WheelCycle wheel_instant(const SpeedResponse& response, const SimulatedScene& scene) {
   WheelCycle instant;
   instant.sectors = scene.independent_sectors;
   instant.first_sample = response.snapshot->sample;
   for (const Eigen::VectorXcd& state : response.snapshot->displacement) instant.states.emplace_back(state);
   instant.recorded_samples = instant.samples();
-  require_dofs(instant, scene, model);
   return instant;
 }
 
@@ -139,6 +124,26 @@ WheelCycle every(int stride, const WheelCycle& cycle) {
   for (Eigen::MatrixXcd& states : some.states)
     states = Eigen::MatrixXcd(states(Eigen::all, Eigen::seq(0, Eigen::last, stride)));
   return some;
+}
+
+WheelCycle of_fewer_states(WheelCycle cycle, const std::vector<Eigen::MatrixXcd>& stiffness, double left_out) {
+  std::vector<ComplexEigenpairs> energy;  // of combinations of the samples
+  double all = 0;
+  for (std::size_t i = 0; i < cycle.states.size(); ++i) {
+    const Eigen::MatrixXcd& states = cycle.states[i];
+    energy.push_back(eigenpairs(hermitian_part(states.adjoint() * (stiffness[i] * states))));
+    all += energy.back().values.sum();
+  }
+  const double negligible = left_out * left_out * all;
+  for (std::size_t i = 0; i < cycle.states.size(); ++i) {
+    const auto& [values, vectors] = energy[i];
+    if (!(values[0] >= -negligible)) continue;  // an unstable wheel's energy is no norm
+    Eigen::Index few = values.size();
+    for (double lost = 0; few > 1 && (lost += values[values.size() - few]) <= negligible;) --few;
+    const Eigen::MatrixXcd kept = vectors.rightCols(few);
+    cycle.states[i] = (cycle.states[i] * kept) * kept.adjoint();
+  }
+  return cycle;
 }
 
 namespace {

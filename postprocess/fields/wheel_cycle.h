@@ -38,12 +38,17 @@ WheelCycle whole_cycle(const RotorCycle& cycle, const SimulatedScene& scene);
 /// less than 1e-3 of their norm (of elastic energy) count as equal; the error of stress from a mesh is far larger.
 WheelCycle wheel_cycle(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model);
 /// The single sample of a speed's snapshot, which it must have.
-WheelCycle wheel_instant(const SpeedResponse& response, const SimulatedScene& scene, const ReducedModel& model);
+WheelCycle wheel_instant(const SpeedResponse& response, const SimulatedScene& scene);
 /// The cycle of a varied peak that has one.
 WheelCycle wheel_cycle(const PeakVariation& peak, const SimulatedScene& scene, const ReducedModel& model);
 
 /// Each sample of a cycle at a distance of `stride`, from the first one on.
 WheelCycle every(int stride, const WheelCycle& cycle);
+
+/// The cycle with states that are sums of fewer ones (proper orthogonal decomposition). What is left out of a nodal
+/// diameter has at most the share `left_out` of the cycle's norm (of elastic energy, over all samples). `stiffness`:
+/// as the states.
+WheelCycle of_fewer_states(WheelCycle cycle, const std::vector<Eigen::MatrixXcd>& stiffness, double left_out);
 
 /// The Fourier coefficients of states at evenly spaced samples of a cycle; dofs x lines. The phase of line m over R
 /// revolutions is k phi_s = 2 pi m s / S, k = m/R, with s counted from the start of the recording; the upper half of

@@ -246,21 +246,33 @@ Eigen::Index FieldsReader::dofs(int nodal_diameter) const {
   return static_cast<Eigen::Index>(shape[0]);
 }
 
+void FieldsReader::read_shape(int nodal_diameter, Eigen::Index dof, Eigen::Ref<Eigen::VectorXcf> shape) const {
+  std::vector<bool>& sound = sound_[nodal_diameter];
+  const auto place = static_cast<std::size_t>(dof);
+  if (sound.size() <= place) sound.resize(place + 1);
+  file_.read_slice(basis_of(nodal_diameter), place, shape,
+                   sound[place] ? Hdf5File::Check::before : Hdf5File::Check::full);
+  sound[place] = true;
+}
+
 Eigen::VectorXcd FieldsReader::shape(int nodal_diameter, Eigen::Index dof) const {
-  const std::vector<std::complex<float>> slice =
-      file_.read_slice(basis_of(nodal_diameter), static_cast<std::size_t>(dof));
-  return Eigen::Map<const Eigen::VectorXcf>(slice.data(), 3 * sector_.nodes.cols()).cast<std::complex<double>>();
+  Eigen::VectorXcf shape(3 * sector_.nodes.cols());
+  read_shape(nodal_diameter, dof, shape);
+  return shape.cast<std::complex<double>>();
 }
 
 namespace {
 
-/// sum += shapes both. Threads share blocks of rows, so that the result does not depend on their number.
-void add_shapes(const Eigen::Ref<const Eigen::MatrixXf>& shapes, const Eigen::MatrixXd& both, Eigen::MatrixXd& sum) {
+/// sum += shapes both; `both` holds the factors of the real parts of the shapes, then of their imaginary ones.
+/// Threads share blocks of rows, so that the result does not depend on their number.
+void add_shapes(const Eigen::Ref<const Eigen::MatrixXcf>& shapes, const Eigen::MatrixXd& both, Eigen::MatrixXd& sum) {
   std::atomic<Eigen::Index> next = 0;
   work_together(static_cast<int>(std::thread::hardware_concurrency()), [&] {
     for (Eigen::Index first = 0; (first = next.fetch_add(rows_at_once)) < sum.rows();) {
       const Eigen::Index count = std::min(rows_at_once, sum.rows() - first);
-      const Eigen::MatrixXd block = shapes.middleRows(first, count).cast<double>();
+      const auto rows = shapes.middleRows(first, count);
+      Eigen::MatrixXd block(count, both.rows());
+      block << rows.real().cast<double>(), rows.imag().cast<double>();
       sum.middleRows(first, count).noalias() += block * both;
     }
   });
@@ -277,19 +289,14 @@ Eigen::MatrixXcd FieldsReader::expand(int nodal_diameter, const Eigen::MatrixXcd
   // Real and imaginary parts beside each other: Eigen multiplies real numbers faster than complex ones.
   const Eigen::Index size = 3 * sector_.nodes.cols(), columns = amplitudes.cols();
   Eigen::MatrixXd fields = Eigen::MatrixXd::Zero(size, 2 * columns);
-  Eigen::MatrixXf shapes(size, 2 * slices_at_once);
+  Eigen::MatrixXcf shapes(size, slices_at_once);
   for (Eigen::Index first = 0; first < amplitudes.rows(); first += slices_at_once) {
     const Eigen::Index count = std::min(slices_at_once, amplitudes.rows() - first);
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const std::vector<std::complex<float>> slice = file_.read_slice(name, static_cast<std::size_t>(first + k));
-      const Eigen::Map<const Eigen::VectorXcf> shape(slice.data(), size);
-      shapes.col(k) = shape.real();
-      shapes.col(count + k) = shape.imag();
-    }
+    for (Eigen::Index k = 0; k < count; ++k) read_shape(nodal_diameter, first + k, shapes.col(k));
     const auto factors = amplitudes.middleRows(first, count);
     Eigen::MatrixXd both(2 * count, 2 * columns);
     both << factors.real(), factors.imag(), -factors.imag(), factors.real();
-    add_shapes(shapes.leftCols(2 * count), both, fields);
+    add_shapes(shapes.leftCols(count), both, fields);
   }
   Eigen::MatrixXcd whole(size, columns);
   whole.real() = fields.leftCols(columns);

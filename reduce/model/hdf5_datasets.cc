@@ -266,26 +266,26 @@ void Hdf5File::write_slice(const std::string& name, std::size_t index,
   });
 }
 
-std::vector<std::complex<float>> Hdf5File::read_slice(const std::string& name, std::size_t index) const {
+void Hdf5File::read_slice(const std::string& name, std::size_t index, Eigen::Ref<Eigen::VectorXcf> values,
+                          Check check) const {
   if (!exists(name)) fail(name, "is missing");
-  std::vector<std::complex<float>> values;
   attempt(name, "slice " + std::to_string(index) + " is damaged, or holds neither real nor {r, i} numbers", [&] {
     const Hdf5Id set = handle_->dataset(name);
     const Hdf5Id inside = space_of(set);
     const Hdf5Id slice = select_slice(inside, index);
-    values.resize(static_cast<std::size_t>(hdf5_checked(H5Sget_simple_extent_npoints(slice))));
+    if (hdf5_checked(H5Sget_simple_extent_npoints(slice)) != values.size()) throw Hdf5Failure();
+    const Hdf5Id transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+    if (check == Check::before) hdf5_checked(H5Pset_edc_check(transfer, H5Z_DISABLE_EDC));
     if (class_of(set) == H5T_COMPOUND) {
-      hdf5_checked(H5Dread(set, hdf5_complex_type<float>(), slice, inside, H5P_DEFAULT, values.data()));
+      hdf5_checked(H5Dread(set, hdf5_complex_type<float>(), slice, inside, transfer, values.data()));
     } else {
-      std::vector<float> real(values.size());
-      hdf5_checked(H5Dread(set, H5T_NATIVE_FLOAT, slice, inside, H5P_DEFAULT, real.data()));
-      std::copy(real.begin(), real.end(), values.begin());
+      Eigen::VectorXf real(values.size());
+      hdf5_checked(H5Dread(set, H5T_NATIVE_FLOAT, slice, inside, transfer, real.data()));
+      values = real.cast<std::complex<float>>();
     }
   });
-  for (const std::complex<float>& value : values)
-    if (!std::isfinite(value.real()) || !std::isfinite(value.imag()))
-      fail(name, "slice " + std::to_string(index) + " has a value that is not finite");
-  return values;
+  if (check == Check::full && !values.allFinite())
+    fail(name, "slice " + std::to_string(index) + " has a value that is not finite");
 }
 
 std::vector<std::size_t> Hdf5File::shape_of(const std::string& name) const {

@@ -80,7 +80,13 @@ class Hdf5File {
                    const std::string& unit);
   /// For real slices the imaginary parts are ignored.
   void write_slice(const std::string& name, std::size_t index, const std::vector<std::complex<float>>& values);
-  std::vector<std::complex<float>> read_slice(const std::string& name, std::size_t index) const;
+  enum class Check {
+    full,    ///< the checksum, and whether all values are finite
+    before,  ///< none: the slice was read with a full check before
+  };
+  /// As many values as the slice has.
+  void read_slice(const std::string& name, std::size_t index, Eigen::Ref<Eigen::VectorXcf> values,
+                  Check check = Check::full) const;
   std::vector<std::size_t> shape_of(const std::string& name) const;
 
   bool exists(const std::string& name) const;

@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "cases/program/units.h"
-#include "cases/program/usual_range.h"
 
 namespace tiprub::reduce {
 
@@ -111,9 +110,8 @@ ReductionParameters read_reduction_parameters(CaseTable& table, SectorInput inpu
       table.integer("modes_at_speed", modes_for(accuracy, 60), Range::between(0, 5000), "generalized dofs; 0: all");
   p.verification_speeds = table.numbers("verification_speeds", {{0.0, 0.15, 0.35, 0.6, 0.85, 0.95}},
                                         Range::between(0.0, 2.0), "of speed_max_rpm");
-  p.frequency_tolerance =
-      table.number("frequency_tolerance", accuracy / 40, {0.0, 1.0, Range::LowEnd::excluded},
-                   "of a frequency, at quarters of the top speed; what the basis misses joins it");
+  p.frequency_tolerance = table.number("frequency_tolerance", accuracy / 40, {0.0, 1.0, Range::LowEnd::excluded},
+                                       "of omega^2, at quarters of the top speed; what the basis misses joins it");
   if (is_mesh) read_polynomial(table, p);
   p.verification_modes = table.integer("verification_modes", 6, Range::between(1, 100), "a nodal diameter");
   if (std::adjacent_find(p.verification_speeds.begin(), p.verification_speeds.end(), std::greater_equal<>()) !=

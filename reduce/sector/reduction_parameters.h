@@ -32,7 +32,7 @@ struct ReductionParameters {
   std::vector<double> verification_speeds;  ///< [1] over Omega_max
   int verification_modes = 0;               ///< a nodal diameter
   double verification_tolerance = 0;        ///< [1] of omega^2, estimated
-  double frequency_tolerance = 0;           ///< [1] of the lowest frequencies between the speeds of the basis
+  double frequency_tolerance = 0;           ///< [1] of omega^2 of the lowest modes between the speeds of the basis
   int polynomial_speeds = 0;                ///< of SpinShape, rest among them; 0: as many as it takes
   double polynomial_tolerance = 0;          ///< [1] of the load, that SpinShape may leave out of balance
   int refine = 0;                           ///< times that each cell is split into eight, see refinement.h

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/march/contact_kernels.h"
 
-#include "simulate/march/vector_lanes.h"
+#include "cases/program/vector_lanes.h"
 
 namespace tiprub::simulate::kernels {
 

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "simulate/march/vector_lanes.h"
+#include "cases/program/vector_lanes.h"
 
 namespace tiprub::simulate {
 
@@ -11,9 +11,6 @@ namespace {
 
 constexpr std::size_t lanes = 4;
 constexpr double full_turn = 2 * std::numbers::pi;
-
-using kernels::Lanes4;
-using kernels::lanes4;
 
 struct Terms {
   const double *doubled, *turns, *first, *second;  ///< the latter two: d' and d'' of the phase

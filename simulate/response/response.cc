@@ -30,7 +30,9 @@ std::vector<double> weights_at_edge(int segments) {
 /// [m] Of one place; samples x 3.
 template <class Places>
 double excursion(const Places& places) {
-  return std::sqrt((places.rowwise() - places.colwise().mean()).rowwise().squaredNorm().maxCoeff());
+  const Eigen::RowVector3d mean = places.colwise().mean();
+  const auto square = [&](int axis) { return (places.col(axis).array() - mean[axis]).square(); };
+  return std::sqrt((square(0) + square(1) + square(2)).maxCoeff());
 }
 
 /// [m] The largest excursion of the edges of one blade; its segments are `first` to `first + step * (count - 1)`.

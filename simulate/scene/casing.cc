@@ -8,7 +8,6 @@
 
 #include "cases/program/text.h"
 #include "cases/program/units.h"
-#include "cases/program/usual_range.h"
 #include "simulate/scene/damping.h"
 #include "simulate/scene/simulate_parameters.h"
 

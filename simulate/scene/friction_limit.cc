@@ -40,19 +40,14 @@ std::vector<FrictionLimit> limits_of_nodes(const ReducedModel& model, double spe
   return limits;
 }
 
-/// The one that is the smallest beside the coefficient of its node.
-FrictionLimit nearest(const std::vector<FrictionLimit>& limits, const Eigen::VectorXd& coefficients) {
+/// The one that is the smallest beside the coefficient of its node, at standstill and at the model's highest speed.
+FrictionLimit nearest(const ReducedModel& model, const Eigen::VectorXd& coefficients) {
+  std::vector<FrictionLimit> limits = limits_of_nodes(model, 0), fastest = limits_of_nodes(model, model.speed_max);
+  limits.insert(limits.end(), fastest.begin(), fastest.end());
   const auto reserve = [&](const FrictionLimit& limit) { return limit.coefficient / coefficients[limit.node]; };
   const auto found = std::min_element(
       limits.begin(), limits.end(), [&](const auto& one, const auto& next) { return reserve(one) < reserve(next); });
   return found == limits.end() ? FrictionLimit{} : *found;
-}
-
-/// At standstill and at the model's highest speed.
-FrictionLimit nearest(const ReducedModel& model, const Eigen::VectorXd& coefficients) {
-  std::vector<FrictionLimit> limits = limits_of_nodes(model, 0), fastest = limits_of_nodes(model, model.speed_max);
-  limits.insert(limits.end(), fastest.begin(), fastest.end());
-  return nearest(limits, coefficients);
 }
 
 }  // namespace
@@ -61,10 +56,6 @@ std::string FrictionLimit::text() const {
   if (coefficient == std::numeric_limits<double>::infinity()) return "no contact node jams, whatever the friction";
   return text_of("from a friction coefficient of ", coefficient, " on, contact node ", node, " (from 0) jams at ",
                  speed * rpm_per_rad_s, " rev/min: friction pushes it into the casing");
-}
-
-FrictionLimit friction_limit(const ReducedModel& model, double speed) {
-  return nearest(limits_of_nodes(model, speed), Eigen::VectorXd::Ones(model.contact.size()));
 }
 
 FrictionLimit friction_limit(const ReducedModel& model) {

@@ -27,10 +27,8 @@ struct FrictionLimit {
   std::string text() const;
 };
 
-/// The lowest limit of all nodes at a speed [rad/s]; none if the rotor is statically unstable there. Solves one
-/// Hermitian system for each nodal diameter.
-FrictionLimit friction_limit(const ReducedModel& model, double speed);
-/// The lower of the limits at standstill and at the highest speed of the model.
+/// The lowest limit of all nodes, at standstill and at the highest speed of the model; none at a speed at which the
+/// rotor is statically unstable. Solves one Hermitian system for each nodal diameter.
 FrictionLimit friction_limit(const ReducedModel& model);
 
 /// Refuses a coefficient of friction at or above the limit of its contact node, and friction with the paper's contact

@@ -38,10 +38,10 @@ void require_stable_step(const TimeMarch& march, double omega_max) {
   const SchemeTraits traits = traits_of(march.scene().setup.scheme);
   const double step_ratio = march.time_step() * omega_max / 2;
   if (!traits.limits_step || step_ratio <= 1) return;
-  throw NoMotion(text_of("central differences need h omega_max / 2 <= 1, and have ", step_ratio, " with ",
-                         march.steps_per_revolution(), " steps a revolution (omega_max ", omega_max, " rad/s",
-                         (traits.springs ? ", the penalty's springs included" : ""),
-                         "); set [simulate] steps_per_revolution to at least ",
+  throw NoMotion(text_of(traits.springs ? "the springs of the penalty" : "central differences",
+                         " need h omega_max / 2 <= 1, and have ", step_ratio, " with ", march.steps_per_revolution(),
+                         " steps a revolution (omega_max ", omega_max,
+                         " rad/s); set [simulate] steps_per_revolution to at least ",
                          std::ceil(march.steps_per_revolution() * step_ratio),
                          (traits.springs ? ", a lower penalty_stiffness" : ""), ", or scheme = \"trigonometric\""));
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "cases/program/vector_lanes.h"
 #include "simulate/march/cache_lines.h"
-#include "simulate/march/vector_lanes.h"
 #include "tests/benchmark/bench_wheel.h"
 
 namespace tiprub::simulate::testing {
@@ -40,7 +40,7 @@ struct AddAll {
     constexpr std::size_t lanes = eight / Set::registers;
     typename Set::Register sums[eight] = {};
     for (std::size_t i = 0; i < count; i += eight * lanes)
-      for (std::size_t k = 0; k < eight; ++k) sums[k] += kernels::lanes<Set>(values + i + lanes * k);
+      for (std::size_t k = 0; k < eight; ++k) sums[k] += tiprub::lanes<Set>(values + i + lanes * k);
     typename Set::Register all = {};
     for (std::size_t k = 0; k < eight; ++k) all += sums[k];
     return all[0];
@@ -81,11 +81,11 @@ MachineRates machine_rates() {
   constexpr double flops_each = 24 * 8 * 2;
   const kernels::Lines values(24 * 1024);  // 192 KiB: beyond 32 or 48 KiB, within what any processor has next
   const std::size_t size = 24 * 1024;
-  const double flops = count * flops_each / least_seconds([] { return kernels::in_eights<MultiplyAndAdd>(count); });
+  const double flops = count * flops_each / least_seconds([] { return in_eights<MultiplyAndAdd>(count); });
   const double bytes = repeats * size * size_of / least_seconds([&] {
                          double sum = 0;
                          for (int i = 0; i < repeats; ++i)
-                           sum += kernels::in_eights<AddAll>(values.data() + 64 * (i % 2), size - 64);
+                           sum += in_eights<AddAll>(values.data() + 64 * (i % 2), size - 64);
                          return sum;
                        });
   return {flops, bytes};

@@ -171,6 +171,21 @@ foreach(type S8R STRI65 DS8 M3D8 SFM3D8 CPS8 CPE8 CAX8 B32 T3D3 R3D4)
 endforeach()
 expect_message(import_of_removed_elements ${instance} NEW "*MODEL CHANGE, TYPE=ELEMENT, REMOVE\n7\n*NSET, NSET=clamped" EXIT_CODE 2
                ERRORS "brick.inp:28: *MODEL CHANGE makes, moves or removes nodes or elements by a rule that isn't followed here")
+expect_message(import_of_imperfections ${instance} NEW "*IMPERFECTION, FILE=modes, STEP=1\n1, 0.001\n*NSET, NSET=clamped" EXIT_CODE 2
+               ERRORS "brick.inp:28: *IMPERFECTION makes, moves or removes nodes or elements by a rule")
+foreach(card CHEX20 CHEXA1 CPYRA CIHEX2 CWEDGE)
+  expect_message(import_bdf_of_${card} ARGUMENTS case.toml --import brick.bdf ${other} FILE brick.bdf OLD "SPC1,1,123,16" EXIT_CODE 2
+                 NEW "${card},9,3,1,2,3,4,5,6,+\n+,7,8\nSPC1,1,123,16" ERRORS ": ${card} is not known; CTETRA, CPYRAM, CPENTA and CHEXA are; mesh every volume with these solids, or delete the element")
+endforeach()
+foreach(type 90 190 226)
+  expect_message(import_cdb_of_type_${type} ARGUMENTS case.toml --import brick.cdb ${other} FILE brick.cdb OLD "       -1\nCMBLOCK,CLAMPED" EXIT_CODE 2
+                 NEW "        1      ${type}        1        1        0        0        0        0        4        0        8        2        3        4        5\n       -1\nCMBLOCK,CLAMPED"
+                 ERRORS ": an element of Ansys' type ${type} with 4 nodes is not known; SOLID186 (or 95) with 20 nodes and SOLID187 (or 92) with 10 are; mesh every volume")
+endforeach()
+foreach(type 101 105 114 117)
+  expect_message(import_unv_of_descriptor_${type} ARGUMENTS case.toml --import brick.unv ${other} FILE brick.unv OLD "    -1\n    -1\n  2467" EXIT_CODE 2
+                 NEW "         8       ${type}         1         1         7         4\n         5         6         7         8\n    -1\n    -1\n  2467" ERRORS ": an element of descriptor ${type} is not known; 118, 113 and 116 are; mesh every volume")
+endforeach()
 expect_message(import_of_a_removed_contact ${instance} NEW "*MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE\na, b\n*NSET, NSET=clamped" WRITES sector.msh)
 expect_message(import_of_a_part_twice ${instance} NEW "*INSTANCE, NAME=a, PART=p\n*END INSTANCE\n*INSTANCE, NAME=b, PART=P\n*NSET, NSET=clamped" EXIT_CODE 2
                ERRORS "brick.inp:30: *INSTANCE places the part P again, which is read once; write the wheel as one part")

@@ -77,6 +77,15 @@ Eigen::Matrix3d stress_of(const SectorFields& sector, const Eigen::Matrix3d& slo
   return lambda * strain.trace() * Eigen::Matrix3d::Identity() + sector.young / (1 + sector.poisson) * strain;
 }
 
+/// [Pa] Of the cells of a sector, without its neighbours.
+Tensors average_stress(const SectorFields& sector, const Eigen::Matrix3Xd& moved) {
+  const CellStress cells(sector);
+  const Eigen::Matrix3Xcd both = moved.cast<std::complex<double>>();
+  const std::array<ComplexTensors, 2> sums = cells.sums(both, 2 * both);
+  EXPECT_EQ(sums[1], 2 * sums[0]);
+  return sums[0].real().array().rowwise() / cells.cells_at_node().transpose().cast<double>().array();
+}
+
 class Bricks : public ::testing::TestWithParam<int> {};
 
 TEST_P(Bricks, RigidMotionHasNoStress) {
@@ -85,14 +94,14 @@ TEST_P(Bricks, RigidMotionHasNoStress) {
   Eigen::Matrix3Xd moved(3, sector.nodes.cols());
   for (Eigen::Index i = 0; i < moved.cols(); ++i) moved.col(i) = shift + spin.cross(sector.nodes.col(i));
   const double strain_like = sector.young * spin.norm();
-  EXPECT_LT(CellStress(sector).average(moved).cwiseAbs().maxCoeff(), 1e-11 * strain_like);
+  EXPECT_LT(average_stress(sector, moved).cwiseAbs().maxCoeff(), 1e-11 * strain_like);
 }
 
 TEST_P(Bricks, ConstantStrainIsExactOnDistortedBricks) {
   const SectorFields sector = sector_of_bricks(GetParam());
   Eigen::Matrix3d slope;
   slope << 1e-3, 4e-4, -2e-4, -3e-4, 5e-4, 6e-4, 7e-4, -8e-4, -9e-4;
-  const Tensors stress = CellStress(sector).average(slope * sector.nodes);
+  const Tensors stress = average_stress(sector, slope * sector.nodes);
   const Eigen::Matrix3d exact = stress_of(sector, slope);
   for (Eigen::Index i = 0; i < stress.cols(); ++i)
     EXPECT_LT((tensor(stress.col(i)) - exact).norm(), 1e-11 * exact.norm()) << "node " << i;
@@ -112,7 +121,7 @@ TEST(CellStress, LinearStressIsExactOnAStraightBrick) {
     const Eigen::Vector3d x = sector.nodes.col(k);
     moved.col(k) = 1e-3 * Eigen::Vector3d(x[0] * x[1], x[1] * x[2], x[0] * x[0]);
   }
-  const Tensors stress = CellStress(sector).average(moved);
+  const Tensors stress = average_stress(sector, moved);
   for (int k = 0; k < 20; ++k) {
     const Eigen::Vector3d x = sector.nodes.col(k);
     Eigen::Matrix3d slope;
@@ -152,7 +161,7 @@ TEST(OnWheel, HomogeneousStressIsTheSameInEverySector) {
       2,
       (slope * sector.nodes).cast<std::complex<double>>() + i * (shear * sector.nodes).cast<std::complex<double>>(),
       {}};
-  add_stress(sector, CellStress(sector), wave);
+  add_stress(sector, CellStress(sector), {&wave, 1});
   const WheelField wheel = on_wheel({wave}, sector_count);
   const Eigen::Matrix3d exact = stress_of(sector, slope);
   for (int j = 0; j < sector_count; ++j) {
@@ -179,10 +188,8 @@ TEST(OnWheel, NeighboursAgreeOnTheirCommonFace) {
   const SectorFields sector = sector_of_bricks(27);
   const CellStress bricks(sector);
   std::vector<WaveField> waves;
-  for (const int n : {0, 1, 2}) {
-    waves.push_back({n, cartesian(sector, cyclic_motion(sector, n)), {}});
-    add_stress(sector, bricks, waves.back());
-  }
+  for (const int n : {0, 1, 2}) waves.push_back({n, cartesian(sector, cyclic_motion(sector, n)), {}});
+  add_stress(sector, bricks, waves);
   const WheelField wheel = on_wheel(waves, sector_count);
   const std::vector<int>&low = sector.node_set("cyclic_low"), &high = sector.node_set("cyclic_high");
   for (int j = 0; j < sector_count; ++j)

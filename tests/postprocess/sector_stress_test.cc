@@ -62,12 +62,13 @@ TEST_F(SectorStressTest, HasTheLargestValuesOfAllSamples) {
   zones.at_node.resize(static_cast<std::size_t>(reader.sector().nodes.cols()), StressZone::body);
   zones.at_node.front() = zones.at_node.back() = StressZone::tip_patch;
   const std::optional<MaterialStrength> strength = MaterialStrength{900e6, 400e6, {}};
-  const SectorStress on_sector(reader, cells, scene_.nodal_diameters, zones, strength);
+  const SectorStress on_sector(reader, cells, model_, scene_.nodal_diameters, zones, strength);
   const WheelCycle cycle = modulated(model_, scene_);
   EXPECT_EQ(samples_on_sector(cycle), 120);
 
   Progress progress("", 0, Progress::Shown::never);
-  const CycleStress found = on_sector(cycle, speed, progress);
+  CycleStress found;
+  on_sector.over({{cycle, speed}}, progress, [&](std::size_t, const CycleStress& stress) { found = stress; });
   const auto recover = [&](std::size_t i, const Eigen::MatrixXcd& states) { return on_sector.recover(i, states); };
   const CycleStress all = cycle_stress(cycle, spin_field(reader.sector(), cells, speed).stress.real(),
                                        model_.sector_count, recover, 1000, progress);
@@ -88,6 +89,65 @@ TEST_F(SectorStressTest, HasTheLargestValuesOfAllSamples) {
   EXPECT_EQ(found.sector[worst], all.sector[worst]);
   EXPECT_EQ(found.sample[worst], all.sample[worst]);
   EXPECT_GT((all.vibration - found.vibration).maxCoeff(), 0) << "nothing was left out";
+}
+
+TEST_F(SectorStressTest, IsTheSameForCyclesThatAreReadTogether) {
+  const FieldsReader reader(path_);
+  const CellStress cells(reader.sector());
+  StressZones zones;
+  zones.at_node.resize(static_cast<std::size_t>(reader.sector().nodes.cols()), StressZone::body);
+  const std::optional<MaterialStrength> no_strength;
+  const SectorStress on_sector(reader, cells, model_, scene_.nodal_diameters, zones, no_strength);
+  Progress progress("", 0, Progress::Shown::never);
+  const auto stress_of = [&](const std::vector<SectorStress::At>& cycles) {
+    std::vector<CycleStress> all;
+    on_sector.over(cycles, progress, [&](std::size_t place, const CycleStress& stress) {
+      EXPECT_EQ(place, all.size());
+      all.push_back(stress);
+    });
+    return all;
+  };
+  WheelCycle beat = modulated(model_, scene_), instant = beat;
+  for (Eigen::MatrixXcd& states : beat.states) states.conservativeResize(Eigen::NoChange, 24);
+  for (Eigen::MatrixXcd& states : instant.states) states = states.rightCols(1).eval();
+  instant.whole = false;
+  const std::vector<SectorStress::At> cycles = {{instant, speed}, {beat, 1.5 * speed}, {beat, speed}};
+  const std::vector<CycleStress> together = stress_of(cycles);
+  ASSERT_EQ(together.size(), cycles.size());
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
+    const CycleStress alone = stress_of({cycles[k]}).front();
+    const double largest = alone.both.maxCoeff();
+    ASSERT_GT(alone.vibration.minCoeff(), 0);
+    EXPECT_LT((together[k].vibration - alone.vibration).cwiseAbs().maxCoeff(), 1e-12 * largest);
+    EXPECT_LT((together[k].both - alone.both).cwiseAbs().maxCoeff(), 1e-12 * largest);
+    ASSERT_EQ(together[k].alternating.cols(), cycles[k].cycle.whole ? cycles[k].cycle.histories() : 0);
+    if (cycles[k].cycle.whole) {
+      EXPECT_LT((together[k].alternating - alone.alternating).cwiseAbs().maxCoeff(), 1e-12 * largest);
+    }
+    EXPECT_EQ(together[k].sample, alone.sample);
+  }
+  EXPECT_GT(together[1].spin.maxCoeff(), 2 * together[2].spin.maxCoeff());
+}
+
+TEST_F(SectorStressTest, LeavesOutALimitedShareOfTheEnergy) {
+  constexpr double left_out = 1e-2;
+  WheelCycle cycle = modulated(model_, scene_);
+  std::vector<Eigen::MatrixXcd> stiffness;
+  for (std::size_t i = 0; i < cycle.states.size(); ++i) {
+    stiffness.push_back(model_.nodal_diameters[static_cast<std::size_t>(scene_.nodal_diameters[i])].stiffness(speed));
+    cycle.states[i] += 1e-8 * Eigen::MatrixXcd::Random(cycle.states[i].rows(), cycle.states[i].cols());
+  }
+  const WheelCycle fewer = of_fewer_states(cycle, stiffness, left_out);
+  const auto energy = [&](std::size_t i, const Eigen::MatrixXcd& states) {
+    return (states.conjugate().cwiseProduct(stiffness[i] * states)).sum().real();
+  };
+  double all = 0;
+  for (std::size_t i = 0; i < cycle.states.size(); ++i) all += energy(i, cycle.states[i]);
+  for (std::size_t i = 0; i < cycle.states.size(); ++i) {
+    EXPECT_LE(std::sqrt(energy(i, fewer.states[i] - cycle.states[i])), left_out * std::sqrt(all));
+    EXPECT_LT(few_states(fewer, 0, fewer.samples())[i].basis.cols(),
+              few_states(cycle, 0, cycle.samples())[i].basis.cols());
+  }
 }
 
 TEST_F(SectorStressTest, LooksAtAllSamplesOfAMotionThatRepeatsItself) {

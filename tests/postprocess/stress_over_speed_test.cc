@@ -82,12 +82,11 @@ class StressOverSpeed : public ::testing::Test {
     const SectorFields& sector = reader_->sector();
     const CellStress cells(sector);
     std::vector<WaveField> waves;
-    for (const RotorMotion& motion : motions) {
+    for (const RotorMotion& motion : motions)
       waves.push_back({motion.nodal_diameter,
                        cartesian(sector, reader_->expand(motion.nodal_diameter, motion.state).col(0)),
                        {}});
-      add_stress(sector, cells, waves.back());
-    }
+    add_stress(sector, cells, waves);
     double largest = 0;
     const auto sample_at = [&](double revolution) {
       return static_cast<Eigen::Index>(revolution * speed().samples_per_revolution);

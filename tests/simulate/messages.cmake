@@ -124,6 +124,9 @@ expect_message(damping_of_a_mode_of_another_wheel OLD "damping_ratio = 0.005" NE
                ERRORS "damping_by_mode has nodal diameter 4, and a wheel of 6 sectors has 0 to 3")
 expect_message(damping_of_a_family_that_is_not_there OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[0, 1000, 0.001]]" EXIT_CODE 2
                ERRORS "damping_by_mode has family 1000, and the model has")
+# Symptom: the ratio of a mode above the resolved frequency was overruled without a word.
+expect_message(damping_of_an_unresolved_mode OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[0, 1, 0.001], [0, 20, 0.001]]" EXIT_CODE 2
+               ERRORS "damping_by_mode has family 20 of nodal diameter 0 at " " Hz (at rest), above the resolved frequency, " " Hz, where damping_ratio_beyond holds; drop the row")
 expect_message(damping_of_half_a_mode OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[1.5, 1, 0.001]]" EXIT_CODE 2
                ERRORS "damping_by_mode must begin with a nodal diameter, a whole number from 0 on")
 expect_message(damping_of_family_zero OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[1, 0, 0.001]]" EXIT_CODE 2
@@ -208,7 +211,7 @@ expect_message(theta_that_blows_up OLD "damping_ratio"
                ERRORS "moreau_jean_theta = 0.4 must be")
 expect_message(penalty_too_stiff_for_the_step OLD "damping_ratio"
                NEW "scheme = \"penalty\"\npenalty_stiffness = 1e9\ndamping_ratio" EXIT_CODE 1
-               ERRORS "no speed could be computed" "the penalty's springs included" "a lower penalty_stiffness")
+               ERRORS "no speed could be computed" "the springs of the penalty need h omega_max / 2 <= 1" "a lower penalty_stiffness")
 expect_message(fewer_modes_than_contact_nodes OLD "damping_ratio" NEW "modes = 2\ndamping_ratio" EXIT_CODE 1
                ERRORS "no speed could be computed" "2 modes a nodal diameter can't move 3 contact nodes independently")
 expect_message(step_beyond_the_limit_at_every_speed OLD "damping_ratio"

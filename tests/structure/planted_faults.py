@@ -79,6 +79,7 @@ def copy_of(root, copy):
     shutil.rmtree(copy, ignore_errors=True)
     documents = ["README.md", "cases/equations.md", "cases/paper/expected/check_numbers.tsv",
                  "cases/impeller_quick/expected/numbers.tsv", "cases/impeller_quick/expected/error_budget.csv",
+                 "cases/price_of_accuracy/expected/first_page.tsv", "cases/price_of_accuracy/expected/uncertainty_numbers.tsv",
                  "CMakeLists.txt", ".github/CHANGELOG.md", ".github/CITATION.cff"]
     for path in source_tree.files(root) + documents:
         if os.path.isfile(os.path.join(root, path)):

@@ -51,6 +51,11 @@ class ModelFile : public ::testing::Test {
     file.make_slices("/basis", {1, 300}, Hdf5File::Number::real, "1");
     file.write_slice("/basis", 0, std::vector<std::complex<float>>(300, 1.0F));
   }
+  Eigen::VectorXcf first_slice(Hdf5File::Check check = Hdf5File::Check::full) const {
+    Eigen::VectorXcf slice(300);
+    Hdf5File::open(path()).read_slice("/basis", 0, slice, check);
+    return slice;
+  }
 
   fs::path folder_;
 };
@@ -317,21 +322,17 @@ TEST_F(ModelFile, SurvivesWhatHdf5DiesOf) {
   for (std::size_t at = all.find("HEAP"); at != std::string::npos; at = all.find("HEAP", at + 1))
     all.replace(at + address_of_names, sizeof(void*), sizeof(void*), '\xff');
   std::ofstream(path(), std::ios::binary) << all;
-  EXPECT_EQ(complaint<RunError>([&] {
-              read_model(path());
-            }).rfind(path().string() + ": is not an HDF5 file, or is damaged", 0),
-            0u);
+  EXPECT_TRUE(
+      complaint<RunError>([&] { read_model(path()); }).starts_with(path().string() + ": is not an HDF5 file"));
 }
 
 /// HDF5 1.10 reads as many bytes of a chunk as it should have, however few the file says it has.
 TEST_F(ModelFile, SurvivesChunksThatAreTooSmall) {
   write_ones();
-  EXPECT_EQ(Hdf5File::open(path()).read_slice("/basis", 0).size(), 300U);
+  EXPECT_EQ(first_slice(), Eigen::VectorXcf::Ones(300));
   std::string all = bytes("model.h5");
   constexpr std::size_t size_of_first_chunk = 24;
-  const std::size_t at = all.find("TREE\x01");
-  ASSERT_NE(at, std::string::npos);
-  all[at + size_of_first_chunk + 1] = 0;
+  all.at(all.find("TREE\x01") + size_of_first_chunk + 1) = 0;
   std::ofstream(path(), std::ios::binary) << all;
   EXPECT_EQ(complaint<RunError>([&] { Hdf5File::open(path()); }),
             path().string() + ": basis: is damaged: its numbers lie beyond its end");
@@ -341,12 +342,11 @@ TEST_F(ModelFile, SurvivesChunksThatAreTooSmall) {
 TEST_F(ModelFile, NoticesADamagedSlice) {
   write_ones();
   std::string all = bytes("model.h5");
-  const std::size_t at = all.find(std::string("\0\0\x80\x3f\0\0\x80\x3f", 8));
-  ASSERT_NE(at, std::string::npos);
-  all[at + 3] = '\x40';
+  all.at(all.find(std::string("\0\0\x80\x3f\0\0\x80\x3f", 8)) + 3) = '\x40';
   std::ofstream(path(), std::ios::binary) << all;
-  EXPECT_EQ(complaint<RunError>([&] { Hdf5File::open(path()).read_slice("/basis", 0); }),
+  EXPECT_EQ(complaint<RunError>([&] { first_slice(); }),
             path().string() + ": /basis: slice 0 is damaged, or holds neither real nor {r, i} numbers");
+  EXPECT_NE(first_slice(Hdf5File::Check::before), Eigen::VectorXcf::Ones(300));
 }
 
 /// A shape costs nothing in a file, and took minutes and all memory to be filled with zeros.

@@ -16,7 +16,7 @@
 #endif
 #define TIPRUB_INLINE inline __attribute__((always_inline))
 
-namespace tiprub::simulate::kernels {
+namespace tiprub {
 
 /// Four doubles that are processed together, in a register of AVX; they may begin at any address.
 using Lanes4 [[gnu::vector_size(4 * sizeof(double)), gnu::aligned(8), gnu::may_alias]] = double;
@@ -155,4 +155,4 @@ TIPRUB_INLINE auto in_eights(Arguments... arguments) {
   return Kernel::template run<Avx>(arguments...);
 }
 
-}  // namespace tiprub::simulate::kernels
+}  // namespace tiprub

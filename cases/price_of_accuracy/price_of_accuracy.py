@@ -177,28 +177,33 @@ def table(name, chain, rows):
                                   *(f"{value:.6g}" for value in values), wave, *(f"{value:.2e}" for value in errors)]) + "\n")
             file.flush()
     page_table(name)
-    if all(os.path.exists(table) for table, _, _ in ON_FIRST_PAGE):
-        first_page()
+    first_page()
 
 
 def rows_by_name(table):
+    """The rows of a table by their names, those of failed runs left out; nothing if there is no table."""
+    if not os.path.exists(table):
+        return {}
     with open(table, newline="", encoding="utf-8") as file:
-        return {row["name"]: row for row in csv.DictReader(file, delimiter="\t")}
+        return {row["name"]: row for row in csv.DictReader(file, delimiter="\t") if row["in all [s]"]}
 
 
 def first_page():
     """The errors of contact models relative to the finest mesh, and how uncertain that is, for the project's first page."""
-    meshes = rows_by_name("mesh.tsv")
-    finest, coarser = list(meshes.values())[:2]
+    tables = {table: rows_by_name(table) for table, _, _ in ON_FIRST_PAGE}
+    finest, coarser = (tables["mesh.tsv"].get(f"{count} along the chord") for count in ("24", "16"))
+    if not finest or not coarser or any(name not in tables[table] for table, name, _ in ON_FIRST_PAGE):
+        return  # until both tables are complete
 
     def errors(row):
         # Rounded as in the tables before, so that both pages show the same.
-        return [f"{100 * float(format(abs(float(row[column]) / float(finest[column]) - 1), '.2e')):.2g} %" for column in ("speed [rpm]", "corner [mm]", "stress [MPa]")]
+        return [f"{100 * float(format(abs(float(row[column]) / float(finest[column]) - 1), '.2e')):.2g} %"
+                for column in ("speed [rpm]", "corner [mm]", "stress [MPa]")]
 
     with open("first_page.tsv", "w", encoding="utf-8") as file:
         file.write("\t".join(["contact", "critical speed", "tip motion", "stress"]) + "\n")
         for table, name, title in ON_FIRST_PAGE:
-            file.write("\t".join([title, *errors(rows_by_name(table)[name])]) + "\n")
+            file.write("\t".join([title, *errors(tables[table][name])]) + "\n")
     with open("uncertainty_numbers.tsv", "w", encoding="utf-8") as file:
         file.write("key\tvalue\n")
         for key, error in zip(("speed", "motion", "stress"), errors(coarser)):

@@ -152,8 +152,9 @@ class CdbReader : MeshReader {
     static const std::set<long> linear = {185, 45, 285}, bricks = {186, 95}, tetrahedra = {187, 92};
     // Other solids, solid shells, fluids, gaskets and superelements.
     static const std::set<long> other_volumes = {
-        5,   30,  46,  50,  62,  64,  65,  69,  70,  73,  80,  87,  90,  96,  97,  98,  117, 122, 123, 127, 128, 147,
-        148, 164, 168, 190, 191, 194, 195, 215, 216, 217, 220, 221, 226, 227, 231, 232, 236, 237, 239, 240, 278, 279};
+        5,   30,  46,  50,  58,  62,  64,  65,  69,  70,  72,  73,  80,  86,  87,  89,  90,  96,  97,  98,
+        107, 117, 119, 120, 122, 123, 127, 128, 142, 147, 148, 158, 164, 168, 190, 191, 194, 195, 204, 205,
+        215, 216, 217, 220, 221, 225, 226, 227, 231, 232, 236, 237, 239, 240, 272, 273, 278, 279, 291};
     static const std::map<long, std::string> masses_and_constraints = {
         {14, "COMBIN14"}, {21, "MASS21"}, {40, "COMBIN40"}, {174, "CONTA174"}, {175, "CONTA175"}, {184, "MPC184"}};
     if (linear.contains(type)) refuse_linear(lines_.number(), "SOLID" + std::to_string(type));

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "cases/program/errors.h"
@@ -22,12 +23,13 @@ namespace tiprub::postprocess {
 
 namespace {
 
-constexpr double same_place = 1e-6;       // of the largest radius
-constexpr double near_segment = 0.2;      // of it; its nodes surround a segment's centre
-constexpr double left_out_waves = 0.002;  // [1] of the mean square of a motion
-constexpr std::size_t most_waves = 6;     // of a motion, that are recovered
-constexpr double much_stressed = 0.3;     // of the largest stress at a critical speed
-constexpr double most_stressed = 0.5;     // of it: with more nodes, those of a finer mesh would not fit into memory
+constexpr double same_place = 1e-6;        // of the largest radius
+constexpr double near_segment = 0.2;       // of it; its nodes surround a segment's centre
+constexpr double left_out_waves = 0.002;   // [1] of the mean square of a motion
+constexpr std::size_t most_waves = 6;      // of a motion, that are recovered
+constexpr std::size_t waves_at_once = 24;  // of a nodal diameter; more would take much memory on large sectors
+constexpr double much_stressed = 0.3;      // of the largest stress at a critical speed
+constexpr double most_stressed = 0.5;      // of it: with more nodes, those of a finer mesh would not fit into memory
 constexpr double m_per_mm = 1e-3;
 constexpr double largest_radius = 1e3;  // [m] of any wheel
 constexpr double unit_error = 1e-3;     // of the motion of a contact node, which is exact to single precision
@@ -137,7 +139,7 @@ std::size_t worst_of(const std::vector<std::size_t>& speeds, const Eigen::Vector
   });
 }
 
-/// Recovers the displacement of all waves, which takes their states. Those of a nodal diameter are read together.
+/// Recovers the displacement of all waves, which takes their states. Several of a nodal diameter are read together.
 void recover_waves(const FieldsReader& reader, std::vector<MovingWheel>& wheels) {
   struct Wave {
     RotorWave& in_model;
@@ -149,15 +151,18 @@ void recover_waves(const FieldsReader& reader, std::vector<MovingWheel>& wheels)
     for (std::size_t i = 0; i < wheel.waves.size(); ++i)
       by_nodal_diameter[wheel.motion.waves[i].nodal_diameter].push_back({wheel.motion.waves[i], wheel.waves[i]});
   }
-  for (auto& [n, waves] : by_nodal_diameter) {
-    stop_if_interrupted();
-    Eigen::MatrixXcd states(reader.dofs(n), static_cast<Eigen::Index>(waves.size()));
-    for (std::size_t k = 0; k < waves.size(); ++k)
-      states.col(static_cast<Eigen::Index>(k)) = std::exchange(waves[k].in_model.state, {});
-    const Eigen::MatrixXcd found = reader.expand(n, states);
-    for (std::size_t k = 0; k < waves.size(); ++k)
-      waves[k].on_sector = {n, cartesian(reader.sector(), found.col(static_cast<Eigen::Index>(k))), {}};
-  }
+  for (auto& [n, waves] : by_nodal_diameter)
+    for (std::size_t first = 0; first < waves.size(); first += waves_at_once) {
+      stop_if_interrupted();
+      const auto count = static_cast<Eigen::Index>(std::min(waves_at_once, waves.size() - first));
+      const std::span<Wave> some = std::span(waves).subspan(first, static_cast<std::size_t>(count));
+      Eigen::MatrixXcd states(reader.dofs(n), count);
+      Eigen::Index column = 0;
+      for (Wave& wave : some) states.col(column++) = std::exchange(wave.in_model.state, {});
+      const Eigen::MatrixXcd found = reader.expand(n, states);
+      column = 0;
+      for (Wave& wave : some) wave.on_sector = {n, cartesian(reader.sector(), found.col(column++)), {}};
+    }
 }
 
 /// Sector, zones, and the modes at a speed.

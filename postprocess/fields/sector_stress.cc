@@ -89,10 +89,11 @@ SectorStress::SectorStress(const FieldsReader& reader, const CellStress& bricks,
       model_(model),
       nodal_diameters_(nodal_diameters),
       zones_(zones),
-      strength_(strength) {}
+      strength_(strength),
+      most_fields_(fields_at_once(reader.sector().nodes.cols())) {}
 
 void SectorStress::over(const std::vector<At>& cycles, Progress& progress, const Take& take) const {
-  const int most = fields_at_once(reader_.sector().nodes.cols()), sectors = reader_.sector().sector_count;
+  const int most = most_fields_, sectors = reader_.sector().sector_count;
   const auto alone = [&](std::size_t i, const Eigen::MatrixXcd& states) { return recover(i, states); };
   for (std::size_t first = 0; first < cycles.size();) {
     std::vector<OnSector> together = {on_sector(cycles[first])};

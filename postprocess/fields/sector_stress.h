@@ -24,17 +24,19 @@ int samples_on_sector(const WheelCycle& cycle);
 ///
 /// A motion that does not repeat itself has hundreds of samples. On the whole sector, only some 60 of a revolution
 /// are looked at; even a wave of engine order 15 has 70 % of its largest value in one of them. Their states are sums
-/// of fewer ones, which leaves out at most 0.5 % of the elastic energy's norm. All samples are looked at, and nothing
-/// is left out, where they may matter: at the nodes with at least 70 % of the largest displacement, or of the largest
-/// stress, alternating stress or utilisation of their zone. The largest values of a zone are therefore those of all
-/// samples, unless waves of higher engine orders dominate. At other nodes a value may be a little too small, and the
-/// mean is that of the samples looked at.
+/// of fewer ones, which leaves out of each nodal diameter at most 0.5 % of the cycle's norm of elastic energy. All
+/// samples are looked at, and nothing is left out, where they may matter: at the nodes with at least 70 % of the
+/// largest displacement, or of the largest stress, alternating stress or utilisation of their zone. The largest
+/// values of a zone are therefore those of all samples, unless waves of higher engine orders dominate. At other nodes
+/// a value may be a little off, mostly too small, and the mean is that of the samples looked at.
 class SectorStress {
  public:
   /// `nodal_diameters`: those of the states of a cycle. The references must outlive this object.
   SectorStress(const FieldsReader& reader, const CellStress& bricks, const ReducedModel& model,
                const std::vector<int>& nodal_diameters, const StressZones& zones,
                const std::optional<MaterialStrength>& strength);
+  /// At most so many fields, with their stress, are in memory at once; by default as many as take 1 GiB.
+  void set_most_fields(int most) { most_fields_ = most; }
 
   /// A cycle or an instant, and its speed [rad/s].
   struct At {
@@ -68,6 +70,7 @@ class SectorStress {
   const std::vector<int>& nodal_diameters_;
   const StressZones& zones_;
   const std::optional<MaterialStrength>& strength_;
+  int most_fields_;
 };
 
 }  // namespace tiprub::postprocess

@@ -103,7 +103,7 @@ Damping read_damping(CaseTable& table) {
 
 void require_modes_of_wheel(const CaseTable& table, const Damping& damping, const ReducedModel& model) {
   const std::vector<ModeDamping>& modes = damping.ratios().by_mode;
-  std::map<int, Eigen::VectorXd> frequencies;  // by nodal diameter
+  std::map<int, Eigen::VectorXd> lowest;  // [Hz] at rest or at the highest speed, by nodal diameter
   for (std::size_t row = 0; row < modes.size(); ++row) {
     const int n = modes[row].nodal_diameter, most = model.nodal_diameter_max();
     if (n > most)
@@ -117,12 +117,14 @@ void require_modes_of_wheel(const CaseTable& table, const Damping& damping, cons
                    "has family " + std::to_string(modes[row].family + 1) + ", and the model has " +
                        std::to_string(families) + " on nodal diameter " + std::to_string(n),
                    row);
-    if (!frequencies.contains(n))
-      frequencies[n] = model.nodal_diameters[static_cast<std::size_t>(n)].natural_frequencies(0);
-    if (const double frequency = frequencies[n][modes[row].family]; frequency > damping.resolved_frequency())
+    if (!lowest.contains(n)) {
+      const NodalDiameterModel& of_n = model.nodal_diameters[static_cast<std::size_t>(n)];
+      lowest[n] = of_n.natural_frequencies(0).cwiseMin(of_n.natural_frequencies(model.speed_max));
+    }
+    if (const double frequency = lowest[n][modes[row].family]; frequency > damping.resolved_frequency())
       table.reject(modes_key,
-                   text_of("has family ", modes[row].family + 1, " of nodal diameter ", n, " at ", frequency,
-                           " Hz (at rest), above the resolved frequency, ", damping.resolved_frequency(),
+                   text_of("has family ", modes[row].family + 1, " of nodal diameter ", n, ", of at least ",
+                           frequency, " Hz, above the resolved frequency, ", damping.resolved_frequency(),
                            " Hz, where damping_ratio_beyond holds; drop the row"),
                    row);
   }

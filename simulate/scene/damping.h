@@ -71,8 +71,8 @@ extern const Range damping_range;
 /// Reads the keys of [simulate] that give the damping of resolved modes. Raises InputError.
 Damping read_damping(CaseTable& table);
 
-/// Refuses the damping of a mode that the model does not have, or that lies above the resolved frequency. Raises
-/// InputError at its row.
+/// Refuses the damping of a mode that the model does not have, or that lies above the resolved frequency at rest
+/// and at the highest speed of the model. Raises InputError at its row.
 void require_modes_of_wheel(const CaseTable& table, const Damping& damping, const ReducedModel& model);
 
 }  // namespace tiprub::simulate

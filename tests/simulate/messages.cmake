@@ -125,8 +125,8 @@ expect_message(damping_of_a_mode_of_another_wheel OLD "damping_ratio = 0.005" NE
 expect_message(damping_of_a_family_that_is_not_there OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[0, 1000, 0.001]]" EXIT_CODE 2
                ERRORS "damping_by_mode has family 1000, and the model has")
 # Symptom: the ratio of a mode above the resolved frequency was overruled without a word.
-expect_message(damping_of_an_unresolved_mode OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[0, 1, 0.001], [0, 20, 0.001]]" EXIT_CODE 2
-               ERRORS "damping_by_mode has family 20 of nodal diameter 0 at " " Hz (at rest), above the resolved frequency, " " Hz, where damping_ratio_beyond holds; drop the row")
+expect_message(damping_of_an_unresolved_mode OLD "damping_ratio = 0.005" NEW "resolved_frequency_hz = 2000\ndamping_by_mode = [[0, 1, 0.001], [0, 18, 0.001]]" EXIT_CODE 2
+               ERRORS "damping_by_mode has family 18 of nodal diameter 0, of at least " " Hz, above the resolved frequency, 2000 Hz, where damping_ratio_beyond holds; drop the row")
 expect_message(damping_of_half_a_mode OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[1.5, 1, 0.001]]" EXIT_CODE 2
                ERRORS "damping_by_mode must begin with a nodal diameter, a whole number from 0 on")
 expect_message(damping_of_family_zero OLD "damping_ratio = 0.005" NEW "damping_by_mode = [[1, 0, 0.001]]" EXIT_CODE 2

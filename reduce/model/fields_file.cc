@@ -246,7 +246,7 @@ Eigen::Index FieldsReader::dofs(int nodal_diameter) const {
   return static_cast<Eigen::Index>(shape[0]);
 }
 
-void FieldsReader::read_shape(int nodal_diameter, Eigen::Index dof, Eigen::Ref<Eigen::VectorXcf> shape) const {
+void FieldsReader::read_shape(int nodal_diameter, Eigen::Index dof, const Eigen::Ref<Eigen::VectorXcf>& shape) const {
   std::vector<bool>& sound = sound_[nodal_diameter];
   const auto place = static_cast<std::size_t>(dof);
   if (sound.size() <= place) sound.resize(place + 1);

@@ -75,7 +75,7 @@ class FieldsReader {
   Eigen::MatrixXcd expand(int nodal_diameter, const Eigen::MatrixXcd& amplitudes) const;
 
  private:
-  void read_shape(int nodal_diameter, Eigen::Index dof, Eigen::Ref<Eigen::VectorXcf> shape) const;
+  void read_shape(int nodal_diameter, Eigen::Index dof, const Eigen::Ref<Eigen::VectorXcf>& shape) const;
 
   Hdf5File file_;
   mutable std::map<int, std::vector<bool>> sound_;  ///< by nodal diameter and dof: shapes that were read before

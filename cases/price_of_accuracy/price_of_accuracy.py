@@ -212,11 +212,9 @@ def first_page():
 
 def page_table(name):
     """page_NAME: seconds and errors in percent, as the page shows them; a run that failed is left out."""
-    with open(name, newline="", encoding="utf-8") as file:
-        rows = [row for row in csv.DictReader(file, delimiter="\t") if row["in all [s]"]]
     with open(f"page_{name}", "w", encoding="utf-8") as file:
         file.write("\t".join(["", "", "s", "critical speed [%]", "motion [%]", "stress [%]"]) + "\n")
-        for row in rows:
+        for row in rows_by_name(name).values():
             errors = [100 * float(row[column]) for column in ("error of the speed", "of the corner", "of the stress")]
             file.write("\t".join([row["group"], row["name"], format(float(row["in all [s]"]), ".0f"), *(f"{error:.2g}" for error in errors)]) + "\n")
 

@@ -91,13 +91,16 @@ void add_cell(const CellInMemory& cell, const double* displacement, double* stre
   }
 }
 
+/// How complex numbers lie in memory.
+using RealAndImaginary = Eigen::Matrix<double, 2, Eigen::Dynamic>;
+
 }  // namespace
 
 std::array<ComplexTensors, 2> CellStress::sums(const Eigen::Matrix3Xcd& one, const Eigen::Matrix3Xcd& other) const {
   Eigen::Matrix<double, interleaved, Eigen::Dynamic> displacement(interleaved, one.size()),
       stress(interleaved, 2 * one.size());
-  displacement << one.reshaped().real().transpose(), one.reshaped().imag().transpose(),
-      other.reshaped().real().transpose(), other.reshaped().imag().transpose();
+  displacement << Eigen::Map<const RealAndImaginary>(reinterpret_cast<const double*>(one.data()), 2, one.size()),
+      Eigen::Map<const RealAndImaginary>(reinterpret_cast<const double*>(other.data()), 2, other.size());
   stress.setZero();
   for (Eigen::Index cell = 0; cell < cells_.cols(); ++cell) {
     const auto nodes = nodes_of(cells_, cell);
@@ -110,9 +113,8 @@ std::array<ComplexTensors, 2> CellStress::sums(const Eigen::Matrix3Xcd& one, con
   std::array<ComplexTensors, 2> sums;
   for (std::size_t i = 0; i < sums.size(); ++i) {
     sums[i].resize(6, one.cols());
-    const auto row = 2 * static_cast<Eigen::Index>(i);
-    sums[i].reshaped().real() = stress.row(row).transpose();
-    sums[i].reshaped().imag() = stress.row(row + 1).transpose();
+    Eigen::Map<RealAndImaginary>(reinterpret_cast<double*>(sums[i].data()), 2, sums[i].size()) =
+        stress.middleRows<2>(2 * static_cast<Eigen::Index>(i));
   }
   return sums;
 }

@@ -102,7 +102,7 @@ struct CommandLine {
     app.add_option("--times", times, "write the time of the run to this file, for tiprub-postprocess --runs");
     app.add_flag("--check", check, "validate the inputs and stop");
     app.add_flag("--tables", tables, "print all keys that are read from the case, and stop; requires no other input");
-    CLI::Option* quiet_flag = app.add_flag("-q,--quiet", quiet, "print nothing but errors");
+    CLI::Option* quiet_flag = app.add_flag("-q,--quiet", quiet, "print only results and errors");
     app.add_flag("-v,--verbose", verbose, "print every parameter and choice")->excludes(quiet_flag);
     if (stage.add_options) stage.add_options(app);
   }

@@ -71,7 +71,6 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 constexpr std::size_t fewest = 3;  // speeds that make a line
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// N_l times the middle of the contact; NaN if the column is empty or has no middle.
 double folded_phase(const Eigen::VectorXd& column, int lobes) {
@@ -110,9 +109,9 @@ std::tuple<double, double, double> fitted_line(const std::vector<double>& x, con
   const auto line = boost::math::statistics::simple_ordinary_least_squares_with_R_squared(x, y);
   const bool found =
       std::isfinite(std::get<0>(line)) && std::isfinite(std::get<1>(line)) && std::isfinite(std::get<2>(line));
-  return found ? line : std::tuple(0.0, 0.0, 0.0);
+  return found ? line : std::tuple(unknown, unknown, unknown);
 } catch (const std::domain_error&) {  // no variance
-  return {0.0, 0.0, 0.0};
+  return {unknown, unknown, unknown};
 }
 
 /// Where the parabola through three values at -1, 0, 1, of which the middle one is the largest, has its top.
@@ -173,9 +172,8 @@ ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds,
   }
   if (x.size() < fewest) return drift;
   std::tie(drift.intercept, drift.slope, drift.determination) = fitted_line(x, y);
-  if (drift.slope == 0) return drift;
   const Eigen::VectorXd& arc = contact.arc_length;
-  drift.implied_wave_speed = (arc[contact.trailing_edge()] - arc[0]) / std::abs(drift.slope);
+  if (drift.slope != 0) drift.implied_wave_speed = (arc[contact.trailing_edge()] - arc[0]) / std::abs(drift.slope);
   return drift;
 }
 

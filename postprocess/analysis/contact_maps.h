@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <limits>
 
 #include "reduce/model/reduced_model.h"
 #include "simulate/response/response.h"
@@ -30,16 +31,19 @@ int contact_clusters(const Eigen::VectorXd& column);
 /// The map of a contact node. Requires a response at every speed, and the same areas at all speeds.
 ContactMap contact_map(const Response& response, const ContactLine& contact, int node);
 
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 /// How the contact of an edge moves around the casing with speed (paper, sec. 6.1.3). The middle of the contact of
 /// a column c of the map, folded onto one lobe, is theta = arg(sum c e^{i N_l theta}) / N_l. It is followed from
 /// speed to speed, and the line theta = intercept + slope Omega is fitted to it by least squares (Boost). Contact
 /// that travels along a tip of length l at the wave speed v arrives l/v later: then slope = l/v.
 struct ContactDrift {
-  Eigen::VectorXd angle;          ///< [rad] by speed, in the direction of the casing's angle; NaN without contact
-  double slope = 0;               ///< [s]
-  double intercept = 0;           ///< [rad]
-  double determination = 0;       ///< [1] R^2 of the line; 0 if there is none
-  double implied_wave_speed = 0;  ///< [m/s] tip length over |slope|
+  Eigen::VectorXd angle;  ///< [rad] by speed, in the direction of the casing's angle; NaN without contact
+  // NaN without a line
+  double slope = unknown;               ///< [s]
+  double intercept = unknown;           ///< [rad]
+  double determination = unknown;       ///< [1] R^2 of the line
+  double implied_wave_speed = unknown;  ///< [m/s] tip length over |slope|
 };
 
 /// Needs ascending speeds [rad/s], one for each column of the map. Fits a line if three columns or more have contact.
@@ -54,12 +58,13 @@ ContactDrift contact_drift(const ContactMap& map, const Eigen::VectorXd& speeds,
 struct EdgeLag {
   Eigen::VectorXd time;      ///< [s] by speed, positive if the leading edge is late; NaN unless both edges touch
   Eigen::VectorXd likeness;  ///< [1] by speed: this correlation over the norms of the forces; 1 for equal forces
-  double median = 0, lower_quartile = 0, upper_quartile = 0;  ///< [s] over the speeds
+  // NaN at fewer than three speeds
+  double median = unknown, lower_quartile = unknown, upper_quartile = unknown;  ///< [s] over the speeds
   /// Of the line Omega time = intercept + slope Omega, fitted by least squares. Contact that travels along a tip of
   /// length l at the wave speed v gives slope l/v and R^2 near 1.
-  double slope = 0;          ///< [s]
-  double intercept = 0;      ///< [rad]
-  double determination = 0;  ///< [1] R^2; 0 if there is no line
+  double slope = unknown;          ///< [s]
+  double intercept = unknown;      ///< [rad]
+  double determination = unknown;  ///< [1] R^2
 };
 
 /// Needs a response at every speed. The line and the quartiles need three speeds at which both edges touch.

@@ -69,7 +69,7 @@ GapTerms gap_terms(const SpeedResponse& response, const SimulatedScene& scene, c
   const auto& model = contact.second_order;
   GapTerms terms;
   terms.modelled = models_second_order(scene);
-  terms.interference = scene.crest() - response.clearance.minCoeff();
+  terms.interference = scene.interference(response.clearance).maxCoeff();
   if (model || span.size() > 0) terms.foreshortening = 0;
   const Eigen::Index width = 3 * static_cast<Eigen::Index>(contact.size());
   for (Eigen::Index first = 0; first < response.displacement.cols(); first += width) {

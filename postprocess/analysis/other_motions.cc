@@ -20,9 +20,6 @@ namespace {
 
 constexpr double same_speed = 1e-9;        // of the speed
 constexpr double clear_difference = 0.01;  // for settled motions: a hundred times the default tolerance of settling
-// For irregular motions. Two stretches of one random motion, whose amplitudes are Rayleigh-distributed, differ by
-// sqrt(2 - pi/2) = 0.655 in the mean square.
-constexpr double clear_irregular_difference = 0.7;
 
 /// Amplitudes of the whole engine orders 0 .. last.
 Eigen::MatrixXd whole_orders(const TravellingSpectrum& spectrum, int last) {

@@ -11,6 +11,10 @@
 
 namespace tiprub::postprocess {
 
+/// [1] Differences of irregular motions below this are chance. Two stretches of one random motion, whose amplitudes
+/// are Rayleigh-distributed, differ by sqrt(2 - pi/2) = 0.655 in the mean square.
+inline constexpr double clear_irregular_difference = 0.7;
+
 /// Responses of the same case swept up and down; an empty path means that there is none.
 struct SweepFiles {
   std::filesystem::path up, down;

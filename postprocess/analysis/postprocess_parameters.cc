@@ -23,7 +23,7 @@ PostprocessParameters read_postprocess_parameters(CaseTable& table) {
   p.amplitude_max_mm =
       table.number("amplitude_max_mm", p.amplitude_max_mm, Range::at_least(0), "mm, 0: the largest amplitude");
   p.shown_speed_rpm = table.number("shown_speed_rpm", p.shown_speed_rpm, Range::at_least(0),
-                                   "rpm, 0: the largest amplitude that repeats every revolution");
+                                   "rpm, 0: the largest amplitude that repeats at every lobe");
   p.operating_min_rpm = table.number("operating_min_rpm", p.operating_min_rpm, Range::at_least(0), "rpm");
   p.operating_max_rpm = table.number("operating_max_rpm", p.operating_max_rpm, Range::at_least(0),
                                      "rpm, 0: no operating range is given");

@@ -22,7 +22,7 @@ struct PostprocessParameters {
   double prediction_tolerance = 0.1;  ///< [1] relative distance at which a rule's speed still counts as a hit
   double amplitude_decades = 2.5;     ///< colour range of the maps, below the largest amplitude
   double shown_speed_rpm = 0;  ///< [rpm] motion, force and bars are drawn at the nearest one; 0: see Study::shown
-  std::string response_up, response_down;  ///< this case swept up and down, relative to the case; empty: not compared
+  std::string response_up, response_down;  ///< this case swept up and down, beside the response; empty: not compared
   double amplitude_max_mm = 0;             ///< [mm] upper colour limit of the maps; 0: the largest amplitude
   /// [rpm] the speeds at which the wheel is to run, for the margin; 0: not given
   double operating_min_rpm = 0, operating_max_rpm = 0;

@@ -51,6 +51,15 @@ const SpeedResponse& Study::judged_response() const {
   return largest ? speed_at(critical[*largest].index) : worst_response();
 }
 
+LengthRange Study::interference() const {
+  LengthRange all;
+  for (const SpeedResponse& speed : response.speeds) {
+    const Eigen::VectorXd here = response.scene.interference(speed.clearance);
+    all = {std::min(all.low, here.minCoeff()), std::max(all.high, here.maxCoeff())};
+  }
+  return all;
+}
+
 Study make_study(const PostprocessParameters& parameters, ReducedModel model, Response response,
                  const SweepFiles& sweeps) {
   const ContactLine& contact = model.contact;

@@ -30,7 +30,7 @@ struct Study {
   LinearRules rules;
   std::vector<SweepComparison> sweeps;  ///< one per speed, or none
   /// Index of the speed whose motion and force are drawn: the one nearest to that asked for, or the one with the
-  /// largest amplitude among those whose motion is the same every revolution (among all, if there is none).
+  /// largest amplitude among those whose motion is the same at every lobe (among all, if there is none).
   Eigen::Index shown;
 
   const SpeedResponse& worst_response() const { return speed_at(amplitudes.worst()); }
@@ -40,7 +40,9 @@ struct Study {
   /// The tips stay clear of the casing's crest at every simulated speed, so that nothing excites the wheel. The
   /// running clearance goes with the square of the speed, hence they stay clear between those speeds as well.
   /// At a speed that has failed, the spin may have closed the clearance.
-  bool no_tip_touches() const { return failed.empty() && response.scene.crest() <= response.clearances().low; }
+  bool no_tip_touches() const { return failed.empty() && interference().high <= 0; }
+  /// [m] Of all contact nodes at all speeds that have a response: SimulatedScene::interference().
+  LengthRange interference() const;
 
   const SpeedResponse& speed_at(Eigen::Index index) const { return response.speeds[static_cast<std::size_t>(index)]; }
   double excursion_at(Eigen::Index index) const {  ///< [m]

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "postprocess/figures/maps.h"
 #include "postprocess/tables/table.h"
@@ -84,6 +85,15 @@ std::optional<double> stress_of(const ComparedPeak& peak) {
   return peak.stress;
 }
 
+Cell no_number(const PeakPair& /*pair*/) {
+  return NoNumber{};
+}
+
+/// Whether the amplitudes of two reports are of the same component.
+bool are_comparable(const ReportNumbers& here, const ReportNumbers& other) {
+  return other.component.empty() || other.component == here.component;
+}
+
 /// [rpm] A range with all speeds of both.
 DrawnRange speed_axis_of_both(const ReportNumbers& here, const ReportNumbers& other) {
   return DrawnRange{std::min(here.speed.minCoeff(), other.speed.minCoeff()),
@@ -94,6 +104,7 @@ DrawnRange speed_axis_of_both(const ReportNumbers& here, const ReportNumbers& ot
 }  // namespace
 
 Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& other) {
+  using Column = std::function<Cell(const PeakPair&)>;
   const auto here = [](Get get) { return [get](const PeakPair& pair) { return value_of(pair.here, get); }; };
   const auto there = [](Get get) { return [get](const PeakPair& pair) { return value_of(pair.there, get); }; };
   const auto change = [](Get get) { return [get](const PeakPair& pair) { return change_of(pair, get); }; };
@@ -109,7 +120,8 @@ Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& othe
                              {"shift [%]", change(speed_of)},
                              {"amplitude [mm]", here(amplitude_of)},
                              {"other amplitude [mm]", there(amplitude_of)},
-                             {"change of amplitude [%]", change(amplitude_of)},
+                             {"change of amplitude [%]",
+                              are_comparable(this_one, other) ? Column(change(amplitude_of)) : Column(no_number)},
                              {"von Mises, both [MPa]", here(stress_of)},
                              {"other von Mises, both [MPa]", there(stress_of)},
                              {"change of stress [%]", change(stress_of)}},
@@ -168,7 +180,7 @@ std::string grids_text(const ReportNumbers& here, const ReportNumbers& other) {
 }  // namespace
 
 std::string comparison_in_words(const ReportNumbers& here, const ReportNumbers& other) {
-  const bool comparable = other.component.empty() || other.component == here.component;
+  const bool comparable = are_comparable(here, other);
   std::string text;
   if (here.peaks.empty() || other.peaks.empty()) {
     text = std::to_string(here.peaks.size()) + " critical speeds here, " + std::to_string(other.peaks.size()) +

@@ -70,6 +70,7 @@ bool is_line(const ContactDrift& drift) {
 }
 
 std::string drift_sentence(const ContactDrift& drift) {
+  if (std::isnan(drift.determination)) return "";
   if (!is_line(drift))
     return " The middle of the contact follows no line over speed (R\xC2\xB2 = " + fixed(drift.determination, 2) +
            ").";
@@ -79,6 +80,7 @@ std::string drift_sentence(const ContactDrift& drift) {
 }
 
 std::string lag_sentence(const EdgeLag& lag) {
+  if (std::isnan(lag.median)) return "";
   const auto time = [](double seconds) { return fixed(microseconds * seconds, 1); };
   return " Where the response resonates the middle jumps. The leading edge's force comes " + time(lag.median) +
          " \xC2\xB5s after the trailing edge's, as the casing passes (median; half of the speeds between " +
@@ -88,15 +90,16 @@ std::string lag_sentence(const EdgeLag& lag) {
 /// The drift's line, one on each lobe, if there is a line.
 void set_drift(Drawing& drawing, int casing_lobes, const ContactDrift& drift) {
   constexpr double degrees_per_radian = degrees / (2 * std::numbers::pi);
-  const int lobes = is_line(drift) ? std::max(casing_lobes, 1) : 0;
-  drawing.values.insert(drawing.values.end(), {{"drift_lobes", lobes},
-                                               {"drift_start", drift.intercept * degrees_per_radian},
-                                               {"drift_slope", drift.slope * degrees_per_radian / rpm_per_rad_s}});
+  const bool found = is_line(drift);
+  drawing.values.insert(drawing.values.end(),
+                        {{"drift_lobes", found ? std::max(casing_lobes, 1) : 0},
+                         {"drift_start", found ? drift.intercept * degrees_per_radian : 0},
+                         {"drift_slope", found ? drift.slope * degrees_per_radian / rpm_per_rad_s : 0}});
 }
 
 /// How far the casing is from a node of the rotor that spins and doesn't vibrate, around the casing [mm].
-Eigen::VectorXd gap(double clearance, const SimulatedScene& scene) {
-  return ((clearance - scene.casing_distortion.array()) * mm_per_m).matrix();
+Eigen::VectorXd gap(const SpeedResponse& response, const SimulatedScene& scene, int node) {
+  return ((response.clearance[node] - scene.distortion_over(node).array()) * mm_per_m).matrix();
 }
 
 }  // namespace
@@ -114,7 +117,7 @@ Figure contact_map_figure(const SpeedFrame& frame, TipEdge edge, const ContactMa
                            {"places", DrawnRange{0, std::max(1.0, 1.1 * places)}},
                            {"places_tics", std::max(1, (places + 3) / 4)}};
   figure.data = contact_table(frame.speeds, map);
-  if (drift.determination > 0) figure.caption += drift_sentence(drift) + lag_sentence(maps.lag);
+  if (leading) figure.caption += drift_sentence(drift) + lag_sentence(maps.lag);
   set_drift(figure.drawing, frame.lobes, drift);
   const Eigen::Index cut = cut_area(map);
   figure.drawing.values.emplace_back("cut",
@@ -131,8 +134,7 @@ Figure casing_figure(const SimulatedScene& scene, const SpeedResponse& shown, co
                                            {"speed", rpm_text(shown.speed)}});
   figure.drawing.values = {{"largest_distortion", largest * mm_per_m}};
   figure.data = {{"angle [deg]", "gap at leading edge [mm]", "gap at trailing edge [mm]", "distortion [mm]"}, {}};
-  const Eigen::VectorXd leading = gap(shown.clearance[0], scene),
-                        trailing = gap(shown.clearance[contact.trailing_edge()], scene);
+  const Eigen::VectorXd leading = gap(shown, scene, 0), trailing = gap(shown, scene, contact.trailing_edge());
   for (Eigen::Index i = 0; i < scene.casing_angle.size(); ++i)
     figure.data.rows.push_back({scene.casing_angle[i] * 360.0 / (2 * std::numbers::pi), leading[i], trailing[i],
                                 scene.casing_distortion[i] * mm_per_m});

@@ -21,7 +21,7 @@ Table amplitude_table(const Eigen::VectorXd& rpm, const TipAmplitudes& amplitude
   return table;
 }
 
-/// Speed [rpm], amplitude [mm] where the motion is not the same every revolution.
+/// Speed [rpm], amplitude [mm] where the motion is not the same at every lobe.
 Eigen::MatrixXd not_periodic(const std::vector<SpeedResponse>& speeds, const TipAmplitudes& amplitudes) {
   std::vector<double> rpm, largest;
   for (std::size_t i = 0; i < speeds.size(); ++i) {

@@ -76,15 +76,18 @@ std::string interval(const CriticalSpeed& critical) {
 
 /// "up: modulated 0.045 mm; ...": motions from other starts that clearly differ from the speed's own; "none found",
 /// or empty if no other start was tried. The whole wheel has columns of its own.
-std::string other_motions(const SpeedResponse& response) {
+bool is_another(const OtherStart& start, const SpeedResponse& response) {
   constexpr double another = 0.02;  // of the motion's norm
+  if (!start.failure.empty()) return false;
+  if (!repeats(start.motion) && !repeats(response.motion)) return start.difference > clear_irregular_difference;
+  return start.difference > another || std::abs(start.amplitude - response.amplitude) > another * response.amplitude;
+}
+
+std::string other_motions(const SpeedResponse& response) {
   std::string text;
   for (const OtherStart& start : response.other_starts) {
     if (&start == whole_wheel(response)) continue;
-    const bool differs =
-        start.failure.empty() &&
-        (start.difference > another || std::abs(start.amplitude - response.amplitude) > another * response.amplitude);
-    if (differs)
+    if (is_another(start, response))
       text += (text.empty() ? "" : "; ") + std::string(name_of(start.start)) + ": " +
               motion_text(start.motion, start.period_beats) + " " + significant(start.amplitude * mm_per_m, 3) +
               " mm";

@@ -133,10 +133,10 @@ const BudgetRow& largest(const ErrorBudget& budget, Value value) {
 }
 
 template <class Value>
-double sum_over_sources(const ErrorBudget& budget, Value value) {
+double sum_over_sources(const ErrorBudget& budget, BudgetRows rows, Value value) {
   std::map<std::string, double> by_source;
   for (const BudgetRow& row : budget.rows) {
-    if (!row.in_sum()) continue;
+    if (!row.in_sum() || (row.is_setting && rows == BudgetRows::data_and_physics)) continue;
     double& most = by_source[row.source.substr(0, row.source.find(' '))];
     most = std::max(most, std::abs(std::invoke(value, row)));
   }
@@ -149,6 +149,7 @@ double sum_over_sources(const ErrorBudget& budget, Value value) {
 
 std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& fields) {
   std::vector<ErrorBudget> budgets;
+  if (study.parameters.component != Component::normal) return budgets;
   for (std::size_t i = 0; i < study.critical.size(); ++i) {
     const SpeedResponse& response = study.speed_at(study.critical[i].index);
     if (response.budget.empty()) continue;
@@ -173,17 +174,31 @@ const ErrorBudget& largest_budget(const std::vector<ErrorBudget>& budgets) {
   return *std::ranges::max_element(budgets, {}, [](const ErrorBudget& budget) { return budget.critical->amplitude; });
 }
 
-BudgetSum sum_of(const ErrorBudget& budget) {
-  return {sum_over_sources(budget, &BudgetRow::shift), sum_over_sources(budget, &BudgetRow::amplitude),
-          sum_over_sources(budget, &BudgetRow::excursion), sum_over_sources(budget, stress_change),
-          sum_over_sources(budget, [](const BudgetRow& row) { return std::max(0.0, stress_change(row)); })};
+BudgetSum sum_of(const ErrorBudget& budget, BudgetRows rows) {
+  const auto sum = [&](auto value) { return sum_over_sources(budget, rows, value); };
+  return {sum(&BudgetRow::shift), sum(&BudgetRow::amplitude), sum(&BudgetRow::excursion), sum(stress_change),
+          sum([](const BudgetRow& row) { return std::max(0.0, stress_change(row)); })};
 }
 
-std::string not_in_sum(const ErrorBudget& budget) {
+namespace {
+
+template <class Condition>
+std::string sources_of(const ErrorBudget& budget, Condition condition) {
   std::string text;
   for (const BudgetRow& row : budget.rows)
-    if (!row.failure.empty()) text += (text.empty() ? "" : ", ") + row.source;
+    if (condition(row)) text += (text.empty() ? "" : ", ") + row.source;
   return text;
+}
+
+}  // namespace
+
+std::string not_in_sum(const ErrorBudget& budget) {
+  return sources_of(budget, [](const BudgetRow& row) { return !row.failure.empty(); });
+}
+
+std::string not_in_stress_sum(const ErrorBudget& budget) {
+  if (budget.stress == 0) return "";
+  return sources_of(budget, [](const BudgetRow& row) { return !row.motion.empty() && row.in_sum() && !row.stress; });
 }
 
 namespace {
@@ -248,7 +263,10 @@ std::vector<OpenQuantity> open_quantities(const ErrorBudget& budget) {
   std::vector<OpenQuantity> all = {{"speed", sum.shift, largest_text(&budget, &BudgetRow::shift)},
                                    {"amplitude", sum.amplitude, largest_text(&budget, &BudgetRow::amplitude)},
                                    {"|u|", sum.excursion, largest_text(&budget, &BudgetRow::excursion)}};
-  if (budget.stress > 0) all.push_back({"stress", sum.stress, largest_text(&budget, stress_change)});
+  const std::string missing = not_in_stress_sum(budget);
+  if (budget.stress > 0)
+    all.push_back({"stress", sum.stress,
+                   largest_text(&budget, stress_change) + (missing.empty() ? "" : ", without " + missing)});
   std::ranges::stable_sort(all, std::greater(), &OpenQuantity::together);
   return all;
 }
@@ -280,9 +298,11 @@ Table error_budget_record(const Study& study, const FieldResults& fields) {
     add({"as computed", "", 0, 0, 0, 0, motion_text(response.motion, response.period_beats)});
     for (const BudgetRow& row : budget.rows) add(row);
     const BudgetSum sum = sum_of(budget);
-    const std::string missing = not_in_sum(budget);
-    add({"root of the sum of squares", "", sum.shift, sum.amplitude, sum.excursion, sum.stress,
-         missing.empty() ? "" : "without " + missing});
+    std::string missing = not_in_sum(budget);
+    if (!missing.empty()) missing = "without " + missing;
+    if (const std::string stress = not_in_stress_sum(budget); !stress.empty())
+      missing += (missing.empty() ? "" : "; ") + ("stress without " + stress);
+    add({"root of the sum of squares", "", sum.shift, sum.amplitude, sum.excursion, sum.stress, missing});
   }
   return table;
 }

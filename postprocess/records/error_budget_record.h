@@ -44,7 +44,8 @@ struct ErrorBudget {
 /// The table of critical speeds for a decision: place, motion and stress of each, and what changes each of them most.
 Table critical_speed_budgets(const Study& study, const FieldResults& fields);
 
-/// The budgets of all critical speeds for which the response has variations.
+/// The budgets of all critical speeds for which the response has variations; none unless the study is of the motion
+/// along the normal, whose peaks tiprub-simulate follows.
 std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& fields);
 
 /// The budget of the critical speed with the largest amplitude; the list must not be empty.
@@ -53,13 +54,16 @@ const ErrorBudget& largest_budget(const std::vector<ErrorBudget>& budgets);
 /// The sum over the sources: the root of the sum of squares, as if the sources were independent and their effects
 /// added up. Of the rows of one source, such as both signs of the clearance, only the largest counts. Bounds and
 /// poorer models are left out.
+enum class BudgetRows { all, data_and_physics };
 struct BudgetSum {
   double shift = 0, amplitude = 0, excursion = 0, stress = 0;  ///< [1] as in BudgetRow
   double stress_rise = 0;                                      ///< [1] of the rows that raise the stress
 };
-BudgetSum sum_of(const ErrorBudget& budget);
+BudgetSum sum_of(const ErrorBudget& budget, BudgetRows rows = BudgetRows::all);
 /// "friction 0.1, clearance +0.02 mm": the rows that have failed, so that the sum leaves them out.
 std::string not_in_sum(const ErrorBudget& budget);
+/// The rows whose peaks were found and whose stress was not recovered, so that the sum of the stress leaves them out.
+std::string not_in_stress_sum(const ErrorBudget& budget);
 
 /// What a budget leaves open of one quantity of its critical speed.
 struct OpenQuantity {

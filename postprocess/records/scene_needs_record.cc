@@ -51,7 +51,7 @@ SceneNeed measured(const std::vector<Check>& checks, const std::string& subject,
 
 /// [m] A tenth of the smallest running clearance at the judged speed.
 double wear_tolerance(const Study& study) {
-  return clearance_share * study.judged_response().clearance.minCoeff();
+  return clearance_share * std::max(0.0, study.judged_response().clearance.minCoeff());
 }
 
 std::vector<SceneNeed> gap_needs(const Study& study, const FieldEffects& fields) {

@@ -160,12 +160,14 @@ std::string range_text(const SpeedRange& range) {
 /// "; Goodman's utilisation is not known without ...", "; estimated, because the response holds one instant of its
 /// motion: 21303 rpm"; empty if all critical speeds are rated.
 std::string not_rated(const FieldResults& fields) {
-  const auto has_goodman = [](const auto& peak) { return peak && peak->cycle && peak->cycle->goodman; };
-  if (std::ranges::none_of(fields.peaks, has_goodman) && !has_goodman(fields.of_no_critical))
+  if (fields.worst_cycle() == nullptr && fields.utilisation.size() == 0)
     return std::string("; Goodman's utilisation is not known without ") +
-           (!fields.has_stress()   ? "--fields"
-            : !fields.has_cycles() ? "whole cycles of the motions (simulate.examine = \"critical_speeds\")"
-                                   : "endurance_limit and ultimate_strength in [material]");
+           (fields.has_stress() || fields.over_speed.size() > 0
+                ? "endurance_limit and ultimate_strength in [material]"
+                : "--fields");
+  if (fields.worst_cycle() == nullptr)
+    return std::string("; utilisations are estimated, because the response holds no whole cycle of a motion") +
+           (fields.peaks.empty() ? "" : " (simulate.examine = \"critical_speeds\")");
   std::vector<double> speeds;
   for (const std::optional<FieldPeak>& peak : fields.peaks)
     if (peak && !peak->cycle) speeds.push_back(peak->speed);

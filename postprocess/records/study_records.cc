@@ -229,15 +229,18 @@ Table drift_record(const ContactMaps& maps, const ContactLine& contact) {
   const double length = arc[contact.trailing_edge()] - arc[0];
   const auto add = [&](const char* edge, const ContactDrift& drift) {
     const Cell none = std::string();
-    table.rows.push_back({std::string(edge), drift.slope, drift.intercept, drift.determination, length,
-                          drift.implied_wave_speed, none, none, none});
+    table.rows.push_back({std::string(edge), number_if_any(drift.slope), number_if_any(drift.intercept),
+                          number_if_any(drift.determination), length, number_if_any(drift.implied_wave_speed), none,
+                          none, none});
   };
   add("leading edge's middle", maps.leading_drift);
   add("trailing edge's middle", maps.trailing_drift);
   const EdgeLag& lag = maps.lag;
-  table.rows.push_back({"leading edge's force after the trailing edge's", lag.slope, lag.intercept, lag.determination,
-                        length, lag.slope != 0 ? length / std::abs(lag.slope) : 0.0, lag.median, lag.lower_quartile,
-                        lag.upper_quartile});
+  table.rows.push_back({"leading edge's force after the trailing edge's", number_if_any(lag.slope),
+                        number_if_any(lag.intercept), number_if_any(lag.determination), length,
+                        number_if_any(lag.slope != 0 ? length / std::abs(lag.slope) : unknown),
+                        number_if_any(lag.median), number_if_any(lag.lower_quartile),
+                        number_if_any(lag.upper_quartile)});
   return table;
 }
 

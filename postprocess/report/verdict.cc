@@ -18,14 +18,21 @@ namespace tiprub::postprocess {
 
 namespace {
 
+bool blades_differ(const SimulatedScene& scene) {
+  const ModelledEffect* const clearance = find(scene.effects, Effect::blade_clearance);
+  return clearance != nullptr && clearance->treatment == Treatment::modelled;
+}
+
 /// "0.265 mm, 2.2 times the running clearance there", or "0.187 mm": half of the peak-to-peak at a speed.
 std::string amplitude_text(const Study& study, Eigen::Index speed) {
   const double amplitude = study.amplitudes.largest[speed];
   if (study.parameters.component != Component::normal) return mm_text(amplitude);
   const double clearance = study.speed_at(speed).clearance[study.amplitudes.node[speed]];
-  return mm_text(amplitude) + (clearance > 0 ? ", " + fixed(amplitude / clearance, 1) +
-                                                   " times the running clearance there (" + mm_text(clearance) + ")"
-                                             : "");
+  return mm_text(amplitude) +
+         (clearance > 0
+              ? ", " + fixed(amplitude / clearance, 1) + " times the running clearance there (" + mm_text(clearance) +
+                    (blades_differ(study.response.scene) ? ", that of the longest blade)" : ")")
+              : "");
 }
 
 /// ", and towards the casing by ", "; the axial displacement is "
@@ -212,13 +219,14 @@ std::string trust_sentence(const Study& study, const FieldResults& fields, std::
   const bool budgeted = budget != nullptr && budget->critical == &peak;
   const std::string outside = outside_validity(study, peak.index, fields.peaks[*worst]);
   const std::string missing = budgeted ? not_in_sum(*budget) : "";
+  const BudgetSum open = budgeted ? sum_of(*budget, BudgetRows::data_and_physics) : BudgetSum{};
   std::string text = "The worst peak is computed within " + significant(percent * peak.amplitude_slack(), 2) +
                      " % of its amplitude and -" + fixed((peak.speed - peak.speed_low) * rpm_per_rad_s, 0) + " +" +
                      fixed((peak.speed_high - peak.speed) * rpm_per_rad_s, 0) + " rpm, ";
   text += budgeted
-              ? "but data and physics leave " + significant(percent * sum_of(*budget).amplitude, 2) +
-                    " % of the amplitude and " + significant(percent * sum_of(*budget).shift, 2) +
-                    " % of the speed uncertain" + (missing.empty() ? "" : ", and find no such peak with " + missing)
+              ? "but data and physics leave " + significant(percent * open.amplitude, 2) +
+                    " % of the amplitude and " + significant(percent * open.shift, 2) + " % of the speed uncertain" +
+                    (missing.empty() ? "" : ", and find no such peak with " + missing)
               : "but what friction, damping and clearance change is not known (" + way_to_a_budget(study) + ")";
   if (!outside.empty()) text += "; it is outside validity: " + outside;
   return text + "; " + checked + ".";
@@ -290,9 +298,7 @@ std::string march_text(const SimulatedScene& scene) {
 }
 
 std::string interference_text(const Study& study) {
-  const double crest = study.response.scene.crest();
-  const ClearanceRange clearances = study.response.clearances();
-  const double low = crest - clearances.high, high = crest - clearances.low;
+  const auto [low, high] = study.interference();
   return fixed(low * mm_per_m, 3) + " .. " + mm_text(high) + " (crest minus clearance, along the tip" +
          (low <= 0 && high <= 0 ? "; a tip that doesn't vibrate never touches)" : ")");
 }
@@ -337,7 +343,7 @@ std::string printed_critical_speeds(const Study& study, const FieldResults& fiel
 }
 
 std::string running_clearances(const Response& response) {
-  const ClearanceRange range = response.clearances();
+  const LengthRange range = response.clearances();
   return "running clearances " + fixed(range.low * mm_per_m, 3) + " .. " + fixed(range.high * mm_per_m, 3) +
          " mm, given " + given_words(response.scene.clearance_state);
 }

@@ -109,15 +109,16 @@ ContactKind read_contact_kind(const Hdf5File& file) {
 
 /// A model made by hand may leave both out. Older files name the softening in the text of the prestress.
 void read_stiffness_under_spin(const Hdf5File& file, ReducedModel& model) {
-  if (!file.has_attribute("/", "prestress")) return;
-  std::string prestress = file.text_attribute("/", "prestress");
   std::string softening =
       file.has_attribute("/", "spin_softening") ? file.text_attribute("/", "spin_softening") : "on";
-  if (prestress.ends_with(without_spin_softening)) {
-    prestress.resize(prestress.size() - std::string_view(without_spin_softening).size());
-    softening = "off";
+  if (file.has_attribute("/", "prestress")) {
+    std::string prestress = file.text_attribute("/", "prestress");
+    if (prestress.ends_with(without_spin_softening)) {
+      prestress.resize(prestress.size() - std::string_view(without_spin_softening).size());
+      softening = "off";
+    }
+    model.prestress = prestress_named(prestress, file.path() + ": attribute prestress");
   }
-  model.prestress = prestress_named(prestress, file.path() + ": attribute prestress");
   if (softening != "on" && softening != "off")
     throw FileError(file.path() + ": attribute spin_softening is \"" + softening + "\", must be \"on\" or \"off\"");
   model.spin_softening = softening == "on" ? SpinSoftening::on : SpinSoftening::off;

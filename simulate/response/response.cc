@@ -69,6 +69,15 @@ std::vector<double> excursions(const Eigen::MatrixXd& displacement, const Contac
 
 }  // namespace
 
+Eigen::VectorXd SimulatedScene::distortion_over(int node) const {
+  return node_distortion.size() > 0 ? Eigen::VectorXd(node_distortion.col(node)) : casing_distortion;
+}
+
+Eigen::VectorXd SimulatedScene::interference(const Eigen::VectorXd& running_clearance) const {
+  if (node_distortion.size() == 0) return crest() - running_clearance.array();
+  return node_distortion.colwise().maxCoeff().transpose() - running_clearance;
+}
+
 double largest_excursion(const Eigen::MatrixXd& displacement, const ContactLine& contact) {
   return std::ranges::max(excursions(displacement, contact));
 }

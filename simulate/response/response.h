@@ -158,7 +158,9 @@ struct SimulatedScene {
   int independent_sectors = 0;        ///< N / g
   std::vector<int> nodal_diameters;   ///< those that were marched
   Eigen::VectorXd casing_angle;       ///< [rad] 0 .. 2 pi
-  Eigen::VectorXd casing_distortion;  ///< [m] inward, at these angles, after the ramp
+  Eigen::VectorXd casing_distortion;  ///< [m] inward, at these angles, after the ramp; the largest of the nodes'
+  /// [m] the same for each contact node; angles x n_c. Empty if it is the same for all.
+  Eigen::MatrixXd node_distortion;
   /// [m] the largest distortion, which may lie between these angles; empty if the file has none
   std::optional<double> largest_distortion;
   int lobes = 0;                       ///< N_l: the casing repeats every 2 pi / lobes
@@ -176,6 +178,11 @@ struct SimulatedScene {
   std::string provenance;               ///< the case and the provenance of the model, as text
 
   double crest() const { return largest_distortion.value_or(casing_distortion.maxCoeff()); }  ///< [m] inward
+  /// [m] Inward, at the angles, over a contact node.
+  Eigen::VectorXd distortion_over(int node) const;
+  /// [m] The crest over each contact node minus its clearance: how far the casing stands into a tip that spins and
+  /// does not vibrate.
+  Eigen::VectorXd interference(const Eigen::VectorXd& running_clearance) const;
 };
 
 /// A connected curve of orbits over speed, stable and unstable, in the order of arc length. Arrays over the orbits.
@@ -193,8 +200,8 @@ struct OrbitBranch {
   bool attracts(Eigen::Index orbit) const { return multiplier[orbit] < 1; }
 };
 
-/// [m] The smallest and the largest of a clearance.
-struct ClearanceRange {
+/// [m] The smallest and the largest of some lengths.
+struct LengthRange {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 };
 
@@ -209,8 +216,8 @@ struct Response {
   Eigen::VectorXd scanned_amplitudes = {};  ///< [m] there; negative where the march failed
 
   /// Over all contact nodes and all speeds that have a response.
-  ClearanceRange clearances() const {
-    ClearanceRange range;
+  LengthRange clearances() const {
+    LengthRange range;
     for (const SpeedResponse& response : speeds)
       for (const double clearance : response.clearance)
         range = {std::min(range.low, clearance), std::max(range.high, clearance)};

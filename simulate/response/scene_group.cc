@@ -15,6 +15,7 @@ namespace tiprub {
 namespace {
 
 const std::string frequency_group = "/frequencies";
+const std::string node_distortion = "/casing/node_distortion";
 const std::string scanned_speeds = "/scanned_speed";
 const std::string scanned_amplitudes = "/scanned_amplitude";
 const std::string damping_of_modes = frequency_group + "/damping_ratio";
@@ -102,6 +103,10 @@ void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
   scene.casing_angle = file.read_vector("/casing/angle");
   scene.casing_distortion = file.read_vector("/casing/distortion");
   if (file.has_attribute("/casing", "crest")) scene.largest_distortion = file.number_attribute("/casing", "crest");
+  if (file.exists(node_distortion)) {
+    axes.require(node_distortion, {"angles", nodes_axis});
+    scene.node_distortion = file.read_matrix(node_distortion);
+  }
   scene.clearance = file.read_vector("/casing/clearance");
   scene.lobes = file.integer_attribute("/casing", "lobes");
   scene.clearance_state = named(clearance_state_names, file, "/casing", "clearance_state");
@@ -190,6 +195,11 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   write_counting_axis(file, "/casing/contact_node", scene.clearance.size(), "contact node, from 0");
   file.write(clearance, scene.clearance, "m");
   file.describe(clearance, "clearance as the case gives it, of the tightest blade", {"/casing/contact_node"});
+  if (scene.node_distortion.size() > 0) {
+    file.write(node_distortion, scene.node_distortion, "m");
+    file.describe(node_distortion, "how far the casing stands inward over each contact node",
+                  {"/casing/angle", "/casing/contact_node"});
+  }
   file.set_attribute("/casing", "lobes", scene.lobes);
   if (scene.largest_distortion) file.set_attribute("/casing", "crest", *scene.largest_distortion);
   if (std::isfinite(scene.resolved_frequency))

@@ -133,9 +133,12 @@ SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin) {
   described.nodal_diameters = scene.scope.nodal_diameters;
   described.casing_angle = Eigen::VectorXd::LinSpaced(casing_points, 0.0, 2 * std::numbers::pi);
   const Eigen::VectorXd fractions = arc_fractions(scene.model.contact);
-  described.casing_distortion = described.casing_angle.unaryExpr([&](double angle) {
-    return fractions.unaryExpr([&](double fraction) { return scene.casing.distortion(angle, fraction); }).maxCoeff();
-  });
+  Eigen::MatrixXd distortion(casing_points, fractions.size());
+  for (Eigen::Index k = 0; k < fractions.size(); ++k)
+    distortion.col(k) =
+        described.casing_angle.unaryExpr([&](double angle) { return scene.casing.distortion(angle, fractions[k]); });
+  described.casing_distortion = distortion.rowwise().maxCoeff();
+  if ((distortion.colwise() - distortion.col(0)).any()) described.node_distortion = distortion;
   described.largest_distortion = scene.casing.crests(scene.model.contact).maxCoeff();
   described.lobes = scene.casing.lobes;
   described.scheme = scene.parameters.scheme;

@@ -133,6 +133,26 @@ TEST(MotionText, SaysWhatSymmetryHides) {
   EXPECT_EQ(whole_wheel_text(speed), "");
 }
 
+/// Symptom: two stretches of one modulated motion, whose amplitudes differ by a tenth, were listed as two motions.
+TEST(MotionText, StretchesOfOneIrregularMotionAreNotOtherMotions) {
+  Study study = make_study({}, synthetic::model(), synthetic::resonant_sweep(synthetic::model()), {});
+  FieldResults fields;
+  fields.peaks.resize(study.critical.size());
+  SpeedResponse& response = study.response.speeds[static_cast<std::size_t>(study.critical.front().index)];
+  response.other_starts = {{Start::up, "", 0.9 * response.amplitude, {}, MotionClass::modulated, 0, 0.3}};
+  const auto listed = [&] {
+    const Table table = critical_speed_record(study, fields);
+    const auto column = std::ranges::find(table.header, "motions from other starts") - table.header.begin();
+    return std::get<std::string>(table.rows.front()[static_cast<std::size_t>(column)]);
+  };
+  response.motion = MotionClass::periodic;
+  EXPECT_NE(listed().find("up: modulated"), std::string::npos);
+  response.motion = MotionClass::modulated;
+  EXPECT_EQ(listed(), "none found");
+  response.other_starts.front().difference = 0.8;
+  EXPECT_NE(listed().find("up: modulated"), std::string::npos);
+}
+
 std::vector<CriticalSpeed> peaks_at(const std::vector<std::pair<double, double>>& speeds_and_amplitudes) {
   std::vector<CriticalSpeed> critical;
   for (const auto& [speed, amplitude] : speeds_and_amplitudes) {

@@ -62,5 +62,35 @@ TEST_F(ErrorBudgets, NameTheLargerPeakThatASmallOneJoins) {
   EXPECT_EQ(varied(small).joined, nullptr);
 }
 
+/// Symptom: the first screen laid what the settings leave open at the door of "data and physics".
+TEST_F(ErrorBudgets, SumDataAndPhysicsWithoutTheSettings) {
+  ErrorBudget budget{study.critical.data(), 1e-3, 1e8, {}};
+  budget.rows = {{"friction 0.1", "", 0.01, 0.3, 0.3, 0.2, "periodic"}, {"half the time step", "", 0.02, 0.4, 0.4}};
+  budget.rows[1].is_setting = true;
+  EXPECT_DOUBLE_EQ(sum_of(budget).amplitude, 0.5);
+  EXPECT_DOUBLE_EQ(sum_of(budget, BudgetRows::data_and_physics).amplitude, 0.3);
+  EXPECT_DOUBLE_EQ(sum_of(budget, BudgetRows::data_and_physics).shift, 0.01);
+}
+
+/// Symptom: a peak whose stress was not recovered counted as one whose stress does not change.
+TEST_F(ErrorBudgets, NameTheRowsWithoutAStress) {
+  vary(study.critical.front(), 1.01 * study.critical.front().speed);
+  EXPECT_EQ(not_in_stress_sum(error_budgets(study, fields).front()), "");  // no stress at all
+  ErrorBudget budget = error_budgets(study, fields).front();
+  budget.stress = 1e8;
+  EXPECT_EQ(not_in_stress_sum(budget), "damping 0.002");
+  EXPECT_EQ(not_in_sum(budget), "");
+  budget.rows.front().stress = 0.1;
+  EXPECT_EQ(not_in_stress_sum(budget), "");
+}
+
+/// Symptom: a change of the motion along the normal was applied to the tangential motion of the table.
+TEST_F(ErrorBudgets, AreOfTheMotionAlongTheNormalOnly) {
+  vary(study.critical.front(), 1.01 * study.critical.front().speed);
+  EXPECT_EQ(error_budgets(study, fields).size(), 1U);
+  study.parameters.component = Component::tangential;
+  EXPECT_TRUE(error_budgets(study, fields).empty());
+}
+
 }  // namespace
 }  // namespace tiprub::postprocess

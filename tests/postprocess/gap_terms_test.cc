@@ -127,5 +127,17 @@ TEST(GapTerms, InterferenceIsCrestMinusClearanceUnderSpin) {
   EXPECT_NEAR(gap_terms(response, scene, rotor.contact).interference, 4e-5, 1e-12);
 }
 
+/// Symptom: where a casing's profile stands in over one node, and another has less clearance, the crest over the one
+/// was compared with the clearance of the other.
+TEST(GapTerms, InterferenceIsOfEachNode) {
+  const ReducedModel rotor = synthetic::model();
+  SimulatedScene scene = synthetic::two_lobes();
+  SpeedResponse response = synthetic::speed(scene, rotor.contact, 1000, {}, 1);
+  scene.node_distortion = scene.casing_distortion * Eigen::RowVector4d(1.0, 0.5, 0.2, 0.1);
+  response.clearance << 5e-4, 4e-4, 3e-4, 2e-4;
+  EXPECT_NEAR(gap_terms(response, scene, rotor.contact).interference, -1.7e-4, 1e-6);
+  EXPECT_TRUE(scene.distortion_over(3).isApprox(0.1 * scene.casing_distortion));
+}
+
 }  // namespace
 }  // namespace tiprub::postprocess

@@ -47,8 +47,7 @@ Response two_speeds() {
   response.scene.independent_sectors = 2;
   response.scene.nodal_diameters = {0, 2};
   response.scene.casing_angle = response.scene.casing_distortion = Eigen::VectorXd::LinSpaced(5, 0, 6.28);
-  response.scene.lobes = 2;
-  response.scene.largest_distortion = 7;
+  response.scene.lobes = 2, response.scene.largest_distortion = 7;
   response.scene.damping = {.by_family = {0.002, 0.004}, .beyond = 0.02};
   response.scene.clearance = Eigen::VectorXd::Constant(3, 1e-4);
   response.scene.clearance_state = ClearanceState::cold;
@@ -73,13 +72,16 @@ class ResponseFile : public ::testing::Test {
 };
 
 TEST_F(ResponseFile, GivesBackTheScene) {
-  const Response response = two_speeds(), back = written_and_read(response);
+  Response response = two_speeds();
+  response.scene.node_distortion = Eigen::MatrixXd::Random(5, 3);
+  const Response back = written_and_read(response);
   EXPECT_EQ(back.key, "abc");
   EXPECT_EQ(back.scene.crest(), 7);
   EXPECT_EQ(back.scene.nodal_diameters, response.scene.nodal_diameters);
   EXPECT_EQ(back.scene.clearance, response.scene.clearance);
   EXPECT_EQ(back.frequencies.speed, response.frequencies.speed);
   EXPECT_EQ(back.frequencies.by_nodal_diameter, response.frequencies.by_nodal_diameter);
+  EXPECT_EQ(back.scene.node_distortion, response.scene.node_distortion);
 }
 
 TEST_F(ResponseFile, GivesBackTheDamping) {

@@ -21,9 +21,8 @@ namespace {
 
 SpeedResponse settled_speed() {
   SpeedResponse speed;
-  speed.speed = 100;
+  speed.speed = 100, speed.motion = MotionClass::subharmonic;
   speed.steps_per_revolution = 40, speed.samples_per_revolution = 4, speed.recorded_revolutions = 2;
-  speed.motion = MotionClass::subharmonic;
   speed.clearance = Eigen::Vector3d(1e-4, 2e-4, 3e-4);
   speed.displacement = Eigen::MatrixXd::Random(8, 2 * 3 * 3);
   speed.contact_force = Eigen::MatrixXd::Random(8, 2 * 3);
@@ -43,8 +42,7 @@ SpeedResponse settled_speed() {
 Response two_speeds() {
   Response response;
   response.key = "abc";
-  response.scene.sector_count = 4;
-  response.scene.independent_sectors = 2;
+  response.scene.sector_count = 4, response.scene.independent_sectors = 2;
   response.scene.nodal_diameters = {0, 2};
   response.scene.casing_angle = response.scene.casing_distortion = Eigen::VectorXd::LinSpaced(5, 0, 6.28);
   response.scene.lobes = 2, response.scene.largest_distortion = 7;

@@ -5,7 +5,6 @@
 #include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <tuple>
@@ -104,7 +103,7 @@ double correlation(const Eigen::MatrixXd& late, const Eigen::MatrixXd& early, Ei
          late.topRows(start).cwiseProduct(early.bottomRows(start)).sum();
 }
 
-/// Intercept, slope and R^2 by least squares; all zero where x or y has no variance.
+/// Intercept, slope and R^2 by least squares; all NaN where x or y has no variance.
 std::tuple<double, double, double> fitted_line(const std::vector<double>& x, const std::vector<double>& y) try {
   const auto line = boost::math::statistics::simple_ordinary_least_squares_with_R_squared(x, y);
   const bool found =

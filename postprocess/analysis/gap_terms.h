@@ -30,8 +30,8 @@ struct GapTerms {
   /// Curvature and foreshortening together: the largest magnitude of their sum if the model has both, otherwise the
   /// larger of the two.
   double together = 0;
-  /// The interference: how far a tip that does not vibrate reaches into the casing, the crest of the distortion minus
-  /// the smallest clearance, spin included. Negative if it does not reach it.
+  /// The interference: how far a tip that does not vibrate reaches into the casing, the largest over the contact
+  /// nodes of the crest over the node minus its clearance, spin included. Negative if no node reaches it.
   double interference = 0;
   bool modelled = false;  ///< whether the march contains these terms
 

@@ -61,6 +61,7 @@ void check_frequencies(const ReducedModel& model, const FrequencyTable& table, c
 void check_measures(const Response& response, const std::string& name) {
   check_measure(response.scene.casing_distortion, name + ": /casing/distortion");
   check_measure(response.scene.node_distortion, name + ": /casing/node_distortion");
+  check_measure(response.scene.node_crest, name + ": /casing/node_crest");
   for (const SpeedResponse& speed : response.speeds) {
     const std::string where = name + ": at " + rpm_text(speed.speed) + " ";
     check_measure(Eigen::VectorXd::Constant(1, speed.speed), where + "the speed");

@@ -40,7 +40,8 @@ void require_same_scene(const SimulatedScene& one, const SimulatedScene& other, 
   if (one.model_digest != other.model_digest || one.sector_count != other.sector_count || one.lobes != other.lobes ||
       one.clearance.size() != other.clearance.size() ||
       one.casing_distortion.size() != other.casing_distortion.size() ||
-      one.casing_distortion != other.casing_distortion || one.clearance != other.clearance)
+      one.casing_distortion != other.casing_distortion || one.clearance != other.clearance ||
+      one.node_distortion.size() != other.node_distortion.size() || one.node_distortion != other.node_distortion)
     throw InputError(path.string() + ": is of another rotor or casing than the response; sweep this case");
 }
 

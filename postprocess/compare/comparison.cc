@@ -86,7 +86,7 @@ std::optional<double> stress_of(const ComparedPeak& peak) {
 }
 
 Cell no_number(const PeakPair& /*pair*/) {
-  return NoNumber{};
+  return optional_cell(std::nullopt);
 }
 
 /// Whether the amplitudes of two reports are of the same component.

@@ -73,16 +73,17 @@ std::string drift_sentence(const ContactDrift& drift) {
   if (std::isnan(drift.determination)) return "";
   if (!is_line(drift))
     return " The middle of the contact follows no line over speed (R\xC2\xB2 = " + fixed(drift.determination, 2) +
-           ").";
+           "). Where the response resonates, it jumps.";
   return " Red: the line through the middle of the contact, folded onto one lobe: " +
          fixed(microseconds * drift.slope, 1) + " \xC2\xB5s (R\xC2\xB2 = " + fixed(drift.determination, 3) +
-         "); a wave that takes so long along the tip would run at " + fixed(drift.implied_wave_speed, 0) + " m/s.";
+         "); a wave that takes so long along the tip would run at " + fixed(drift.implied_wave_speed, 0) +
+         " m/s. Where the response resonates, the middle jumps.";
 }
 
 std::string lag_sentence(const EdgeLag& lag) {
   if (std::isnan(lag.median)) return "";
   const auto time = [](double seconds) { return fixed(microseconds * seconds, 1); };
-  return " Where the response resonates the middle jumps. The leading edge's force comes " + time(lag.median) +
+  return " The leading edge's force comes " + time(lag.median) +
          " \xC2\xB5s after the trailing edge's, as the casing passes (median; half of the speeds between " +
          time(lag.lower_quartile) + " and " + time(lag.upper_quartile) + " \xC2\xB5s).";
 }

@@ -74,8 +74,7 @@ std::string interval(const CriticalSpeed& critical) {
   return fixed(critical.speed_low * rpm_per_rad_s, 0) + " .. " + fixed(critical.speed_high * rpm_per_rad_s, 0);
 }
 
-/// "up: modulated 0.045 mm; ...": motions from other starts that clearly differ from the speed's own; "none found",
-/// or empty if no other start was tried. The whole wheel has columns of its own.
+/// Whether a motion from another start clearly differs from the speed's own.
 bool is_another(const OtherStart& start, const SpeedResponse& response) {
   constexpr double another = 0.02;  // of the motion's norm
   if (!start.failure.empty()) return false;
@@ -83,6 +82,8 @@ bool is_another(const OtherStart& start, const SpeedResponse& response) {
   return start.difference > another || std::abs(start.amplitude - response.amplitude) > another * response.amplitude;
 }
 
+/// "up: modulated 0.045 mm; ...": motions from other starts that clearly differ from the speed's own; "none found",
+/// or empty if no other start was tried. The whole wheel has columns of its own.
 std::string other_motions(const SpeedResponse& response) {
   std::string text;
   for (const OtherStart& start : response.other_starts) {

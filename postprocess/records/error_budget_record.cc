@@ -58,14 +58,14 @@ std::string source_of(const PeakVariation& variation, const ContactLine& own) {
 BudgetRow row_of(const PeakVariation& variation, const std::optional<double>& stress, const SpeedResponse& response,
                  const ErrorBudget& budget, const ContactLine& own) {
   BudgetRow row{source_of(variation, own), variation.failure};
+  row.is_setting = variation.what == Variation::step || variation.what == Variation::model;
+  row.is_poorer = variation.what == Variation::gap && variation.setting == 1;
   if (!row.failure.empty()) return row;
   row.shift = variation.speed / response.speed - 1;
   row.amplitude = variation.amplitude / response.amplitude - 1;
   row.excursion = variation.excursion / budget.excursion - 1;
   if (stress && budget.stress > 0) row.stress = *stress / budget.stress - 1;
   row.motion = motion_text(variation.motion, variation.period_beats);
-  row.is_setting = variation.what == Variation::step || variation.what == Variation::model;
-  row.is_poorer = variation.what == Variation::gap && variation.setting == 1;
   return row;
 }
 
@@ -136,7 +136,7 @@ template <class Value>
 double sum_over_sources(const ErrorBudget& budget, BudgetRows rows, Value value) {
   std::map<std::string, double> by_source;
   for (const BudgetRow& row : budget.rows) {
-    if (!row.in_sum() || (row.is_setting && rows == BudgetRows::data_and_physics)) continue;
+    if (!row.in_sum() || !row.is_among(rows)) continue;
     double& most = by_source[row.source.substr(0, row.source.find(' '))];
     most = std::max(most, std::abs(std::invoke(value, row)));
   }
@@ -148,8 +148,11 @@ double sum_over_sources(const ErrorBudget& budget, BudgetRows rows, Value value)
 }  // namespace
 
 std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& fields) {
+  return study.parameters.component == Component::normal ? followed_peaks(study, fields) : std::vector<ErrorBudget>{};
+}
+
+std::vector<ErrorBudget> followed_peaks(const Study& study, const FieldResults& fields) {
   std::vector<ErrorBudget> budgets;
-  if (study.parameters.component != Component::normal) return budgets;
   for (std::size_t i = 0; i < study.critical.size(); ++i) {
     const SpeedResponse& response = study.speed_at(study.critical[i].index);
     if (response.budget.empty()) continue;
@@ -192,8 +195,8 @@ std::string sources_of(const ErrorBudget& budget, Condition condition) {
 
 }  // namespace
 
-std::string not_in_sum(const ErrorBudget& budget) {
-  return sources_of(budget, [](const BudgetRow& row) { return !row.failure.empty(); });
+std::string not_in_sum(const ErrorBudget& budget, BudgetRows rows) {
+  return sources_of(budget, [&](const BudgetRow& row) { return !row.failure.empty() && row.is_among(rows); });
 }
 
 std::string not_in_stress_sum(const ErrorBudget& budget) {
@@ -207,11 +210,16 @@ namespace {
 /// without rows.
 template <class Value>
 std::string largest_text(const ErrorBudget* budget, Value value) {
-  if (budget == nullptr) return "not varied";
+  if (budget == nullptr) return "no budget";
   const BudgetRow& row = largest(*budget, value);
   const std::string joined =
       row.joined == nullptr ? "" : ", joins " + fixed(row.joined->speed * rpm_per_rad_s, 0) + " rpm";
   return row.source + " (" + change_text(std::invoke(value, row)) + joined + ")";
+}
+
+std::string largest_stress_text(const ErrorBudget* budget) {
+  const std::string missing = budget == nullptr ? "" : not_in_stress_sum(*budget);
+  return largest_text(budget, stress_change) + (missing.empty() ? "" : ", without " + missing);
 }
 
 std::string stress_text(const std::optional<FieldPeak>& stress) {
@@ -251,7 +259,7 @@ Table critical_speed_budgets(const Study& study, const FieldResults& fields) {
         fixed(critical.amplitude * mm_per_m, 3)};
     if (fields.has_stress()) row.insert(row.end(), {stress_text(fields.peaks[i]), goodman_text(fields.peaks[i])});
     row.insert(row.end(), {largest_text(budget, &BudgetRow::shift), largest_text(budget, &BudgetRow::excursion)});
-    if (fields.has_stress()) row.emplace_back(largest_text(budget, stress_change));
+    if (fields.has_stress()) row.emplace_back(largest_stress_text(budget));
     row.emplace_back(validity_in_short(study, i, fields));
     table.rows.push_back(std::move(row));
   }
@@ -263,10 +271,7 @@ std::vector<OpenQuantity> open_quantities(const ErrorBudget& budget) {
   std::vector<OpenQuantity> all = {{"speed", sum.shift, largest_text(&budget, &BudgetRow::shift)},
                                    {"amplitude", sum.amplitude, largest_text(&budget, &BudgetRow::amplitude)},
                                    {"|u|", sum.excursion, largest_text(&budget, &BudgetRow::excursion)}};
-  const std::string missing = not_in_stress_sum(budget);
-  if (budget.stress > 0)
-    all.push_back({"stress", sum.stress,
-                   largest_text(&budget, stress_change) + (missing.empty() ? "" : ", without " + missing)});
+  if (budget.stress > 0) all.push_back({"stress", sum.stress, largest_stress_text(&budget)});
   std::ranges::stable_sort(all, std::greater(), &OpenQuantity::together);
   return all;
 }

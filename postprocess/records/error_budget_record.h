@@ -11,6 +11,9 @@
 
 namespace tiprub::postprocess {
 
+/// All rows, or those without the errors of the settings.
+enum class BudgetRows { all, data_and_physics };
+
 /// The effect of one source of error on a critical speed. All changes are relative [1].
 struct BudgetRow {
   std::string source;    ///< "clearance -0.02 mm"
@@ -25,12 +28,14 @@ struct BudgetRow {
   bool is_poorer = false;   ///< a poorer model than that of the case, for comparison; not in the sum
   bool only_speed = false;  ///< what it does to the amplitude, to |u| and to the stress is not known
 
-  bool in_sum() const { return !is_bound && !is_poorer; }
-  bool is_setting =
-      false;  ///< an error of the settings, which computing time can remove; other rows are data and physics
+  /// An error of the settings, which computing time can remove; other rows are data and physics.
+  bool is_setting = false;
   /// The largest of the critical speeds whose peaks come to the same place with this change, if it is larger than
   /// that of the row: there is one peak then. Null otherwise.
   const CriticalSpeed* joined = nullptr;
+
+  bool in_sum() const { return !is_bound && !is_poorer; }
+  bool is_among(BudgetRows rows) const { return rows == BudgetRows::all || !is_setting; }
 };
 
 /// The error budget of one critical speed: the variations of tiprub-simulate, and the errors of the settings.
@@ -44,8 +49,10 @@ struct ErrorBudget {
 /// The table of critical speeds for a decision: place, motion and stress of each, and what changes each of them most.
 Table critical_speed_budgets(const Study& study, const FieldResults& fields);
 
-/// The budgets of all critical speeds for which the response has variations; none unless the study is of the motion
-/// along the normal, whose peaks tiprub-simulate follows.
+/// The budgets of all critical speeds for which the response has variations. Amplitudes are along the normal, whose
+/// peaks tiprub-simulate follows.
+std::vector<ErrorBudget> followed_peaks(const Study& study, const FieldResults& fields);
+/// The same for the reader; none if the study is of another component.
 std::vector<ErrorBudget> error_budgets(const Study& study, const FieldResults& fields);
 
 /// The budget of the critical speed with the largest amplitude; the list must not be empty.
@@ -54,14 +61,13 @@ const ErrorBudget& largest_budget(const std::vector<ErrorBudget>& budgets);
 /// The sum over the sources: the root of the sum of squares, as if the sources were independent and their effects
 /// added up. Of the rows of one source, such as both signs of the clearance, only the largest counts. Bounds and
 /// poorer models are left out.
-enum class BudgetRows { all, data_and_physics };
 struct BudgetSum {
   double shift = 0, amplitude = 0, excursion = 0, stress = 0;  ///< [1] as in BudgetRow
   double stress_rise = 0;                                      ///< [1] of the rows that raise the stress
 };
 BudgetSum sum_of(const ErrorBudget& budget, BudgetRows rows = BudgetRows::all);
 /// "friction 0.1, clearance +0.02 mm": the rows that have failed, so that the sum leaves them out.
-std::string not_in_sum(const ErrorBudget& budget);
+std::string not_in_sum(const ErrorBudget& budget, BudgetRows rows = BudgetRows::all);
 /// The rows whose peaks were found and whose stress was not recovered, so that the sum of the stress leaves them out.
 std::string not_in_stress_sum(const ErrorBudget& budget);
 

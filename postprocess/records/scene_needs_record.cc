@@ -177,10 +177,12 @@ SceneNeed wear_need(const Study& study) {
   const CasingWear wear = casing_wear(response, study.response.scene, study.model.contact, coefficient, hour);
   const double allowed = wear_tolerance(study);
   if (!(wear.depth > 0)) return estimated(effect, 0, allowed, "no contact at " + rpm_text(response.speed));
-  return estimated(effect, wear.depth, allowed,
-                   "Archard at " + rpm_text(response.speed) + ": k/H = " + significant(coefficient, 2) + " m^2/N, " +
-                       fixed(wear.force, 0) + " N on average at contact node " + std::to_string(wear.node) +
-                       "; the tolerance is reached after " + significant(hour * allowed / wear.depth, 2) + " s");
+  return estimated(
+      effect, wear.depth, allowed,
+      "Archard at " + rpm_text(response.speed) + ": k/H = " + significant(coefficient, 2) + " m^2/N, " +
+          fixed(wear.force, 0) + " N on average at contact node " + std::to_string(wear.node) +
+          (allowed > 0 ? "; the tolerance is reached after " + significant(hour * allowed / wear.depth, 2) + " s"
+                       : "; the clearance is closed at this speed"));
 }
 
 /// The effects that the files describe: the model those of the wheel, the response all others.

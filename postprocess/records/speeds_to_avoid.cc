@@ -17,7 +17,7 @@ namespace {
 /// What the error budget of each critical speed leaves open; nothing without a budget.
 std::vector<BudgetSum> open_changes(const Study& study, const FieldResults& fields) {
   std::vector<BudgetSum> changes(study.critical.size());
-  for (const ErrorBudget& budget : error_budgets(study, fields))
+  for (const ErrorBudget& budget : followed_peaks(study, fields))
     changes[static_cast<std::size_t>(budget.critical - study.critical.data())] = sum_of(budget);
   return changes;
 }

@@ -300,7 +300,7 @@ std::string record(const Study& study, const FieldResults& fields, const ReportS
          folded("Where the model comes from", listing(study.model.provenance));
 }
 
-/// What moves the critical speeds; empty if the response holds no error budget.
+/// What moves the critical speeds; empty without error budgets.
 std::string budget_section(const Study& study, const FieldResults& fields) {
   const Table table = error_budget_record(study, fields);
   return table.rows.empty()

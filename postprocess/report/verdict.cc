@@ -85,9 +85,9 @@ std::string not_located(const Study& study) {
 
 std::string how_bad(const Study& study, const FieldResults& fields) {
   if (study.no_tip_touches())
-    return "No tip touches the casing at any speed, so that nothing excites the wheel: the crest reaches " +
-           mm_text(study.response.scene.crest()) + " inward, and the smallest running clearance is " +
-           mm_text(study.response.clearances().low) + ".";
+    return "No tip touches the casing at any speed, so that nothing excites the wheel: a tip that does not vibrate "
+           "stays at least " +
+           mm_text(-study.interference().high) + " away from it.";
   const std::optional<std::size_t> worst = worst_critical(study, fields);
   const std::string largest =
       rpm_text(study.worst_response().speed) + ", " + amplitude_text(study, study.amplitudes.worst()) + ".";
@@ -218,7 +218,7 @@ std::string trust_sentence(const Study& study, const FieldResults& fields, std::
   const CriticalSpeed& peak = study.critical[*worst];
   const bool budgeted = budget != nullptr && budget->critical == &peak;
   const std::string outside = outside_validity(study, peak.index, fields.peaks[*worst]);
-  const std::string missing = budgeted ? not_in_sum(*budget) : "";
+  const std::string missing = budgeted ? not_in_sum(*budget, BudgetRows::data_and_physics) : "";
   const BudgetSum open = budgeted ? sum_of(*budget, BudgetRows::data_and_physics) : BudgetSum{};
   std::string text = "The worst peak is computed within " + significant(percent * peak.amplitude_slack(), 2) +
                      " % of its amplitude and -" + fixed((peak.speed - peak.speed_low) * rpm_per_rad_s, 0) + " +" +
@@ -245,7 +245,8 @@ void add_motion(const Study& study, const std::vector<SceneNeed>& needs, const C
                 std::vector<TrustLine>& lines) {
   constexpr double hour = 3600;  // [s]
   for (const SceneNeed& need : needs)
-    if (need.effect.effect == Effect::casing_wear && need.over_tolerance() > 1)
+    if (need.effect.effect == Effect::casing_wear && need.over_tolerance() > 1 &&
+        std::isfinite(need.over_tolerance()))
       lines.push_back({need.over_tolerance(), "Wear reaches a tenth of the clearance in " +
                                                   significant(hour / need.over_tolerance(), 2) + " s"});
   if (worst == nullptr) return;

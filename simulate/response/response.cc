@@ -74,8 +74,8 @@ Eigen::VectorXd SimulatedScene::distortion_over(int node) const {
 }
 
 Eigen::VectorXd SimulatedScene::interference(const Eigen::VectorXd& running_clearance) const {
-  if (node_distortion.size() == 0) return crest() - running_clearance.array();
-  return node_distortion.colwise().maxCoeff().transpose() - running_clearance;
+  if (node_crest.size() > 0) return node_crest - running_clearance;
+  return crest() - running_clearance.array();
 }
 
 double largest_excursion(const Eigen::MatrixXd& displacement, const ContactLine& contact) {

@@ -159,8 +159,9 @@ struct SimulatedScene {
   std::vector<int> nodal_diameters;   ///< those that were marched
   Eigen::VectorXd casing_angle;       ///< [rad] 0 .. 2 pi
   Eigen::VectorXd casing_distortion;  ///< [m] inward, at these angles, after the ramp; the largest of the nodes'
-  /// [m] the same for each contact node; angles x n_c. Empty if it is the same for all.
+  /// [m] The same for each contact node, angles x n_c, and its largest value there; empty if all nodes meet the same.
   Eigen::MatrixXd node_distortion;
+  Eigen::VectorXd node_crest;
   /// [m] the largest distortion, which may lie between these angles; empty if the file has none
   std::optional<double> largest_distortion;
   int lobes = 0;                       ///< N_l: the casing repeats every 2 pi / lobes

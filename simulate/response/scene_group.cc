@@ -15,7 +15,7 @@ namespace tiprub {
 namespace {
 
 const std::string frequency_group = "/frequencies";
-const std::string node_distortion = "/casing/node_distortion";
+const std::string node_distortion = "/casing/node_distortion", node_crest = "/casing/node_crest";
 const std::string scanned_speeds = "/scanned_speed";
 const std::string scanned_amplitudes = "/scanned_amplitude";
 const std::string damping_of_modes = frequency_group + "/damping_ratio";
@@ -105,7 +105,9 @@ void read_casing(const Hdf5File& file, NamedAxes& axes, SimulatedScene& scene) {
   if (file.has_attribute("/casing", "crest")) scene.largest_distortion = file.number_attribute("/casing", "crest");
   if (file.exists(node_distortion)) {
     axes.require(node_distortion, {"angles", nodes_axis});
+    axes.require(node_crest, {nodes_axis});
     scene.node_distortion = file.read_matrix(node_distortion);
+    scene.node_crest = file.read_vector(node_crest);
   }
   scene.clearance = file.read_vector("/casing/clearance");
   scene.lobes = file.integer_attribute("/casing", "lobes");
@@ -168,6 +170,27 @@ void write_damping(Hdf5File& file, const DampingRatios& damping) {
                 {damping_frequency});
 }
 
+void write_casing(Hdf5File& file, const SimulatedScene& scene) {
+  const std::string clearance = "/casing/clearance", distortion = "/casing/distortion";
+  write_axis(file, "/casing/angle", scene.casing_angle, "rad", "absolute angle");
+  file.write(distortion, scene.casing_distortion, "m");
+  file.describe(distortion, "how far the casing stands inward", {"/casing/angle"});
+  write_counting_axis(file, "/casing/contact_node", scene.clearance.size(), "contact node, from 0");
+  file.write(clearance, scene.clearance, "m");
+  file.describe(clearance, "clearance as the case gives it, of the tightest blade", {"/casing/contact_node"});
+  if (scene.node_distortion.size() > 0) {
+    file.write(node_distortion, scene.node_distortion, "m");
+    file.describe(node_distortion, "how far the casing stands inward over each contact node",
+                  {"/casing/angle", "/casing/contact_node"});
+    file.write(node_crest, scene.node_crest, "m");
+    file.describe(node_crest, "the largest of it", {"/casing/contact_node"});
+  }
+  file.set_attribute("/casing", "lobes", scene.lobes);
+  if (scene.largest_distortion) file.set_attribute("/casing", "crest", *scene.largest_distortion);
+  file.set_attribute("/casing", "clearance_state",
+                     std::string(name_in(clearance_state_names, scene.clearance_state)));
+}
+
 }  // namespace
 
 void write_scene(Hdf5File& file, const SimulatedScene& scene) {
@@ -182,32 +205,18 @@ void write_scene(Hdf5File& file, const SimulatedScene& scene) {
   file.set_attribute("/", "accuracy", scene.asked.critical_speeds);
   file.set_attribute("/", "step_tolerance", scene.asked.step);
   file.set_attribute("/", "settle_tolerance", scene.asked.settling);
-  const std::string moving = "/nodal_diameters", clearance = "/casing/clearance", distortion = "/casing/distortion";
+  const std::string moving = "/nodal_diameters";
   file.write(moving,
              Array<std::int32_t>{{scene.nodal_diameters.size()},
                                  {scene.nodal_diameters.begin(), scene.nodal_diameters.end()}},
              "1");
   file.make_axis(moving);
   file.describe(moving, "nodal diameters that move");
-  write_axis(file, "/casing/angle", scene.casing_angle, "rad", "absolute angle");
-  file.write(distortion, scene.casing_distortion, "m");
-  file.describe(distortion, "how far the casing stands inward", {"/casing/angle"});
-  write_counting_axis(file, "/casing/contact_node", scene.clearance.size(), "contact node, from 0");
-  file.write(clearance, scene.clearance, "m");
-  file.describe(clearance, "clearance as the case gives it, of the tightest blade", {"/casing/contact_node"});
-  if (scene.node_distortion.size() > 0) {
-    file.write(node_distortion, scene.node_distortion, "m");
-    file.describe(node_distortion, "how far the casing stands inward over each contact node",
-                  {"/casing/angle", "/casing/contact_node"});
-  }
-  file.set_attribute("/casing", "lobes", scene.lobes);
-  if (scene.largest_distortion) file.set_attribute("/casing", "crest", *scene.largest_distortion);
+  write_casing(file, scene);
   if (std::isfinite(scene.resolved_frequency))
     file.set_attribute("/", "resolved_frequency", scene.resolved_frequency);
   write_damping(file, scene.damping);
   write_effects(file, scene.effects);
-  file.set_attribute("/casing", "clearance_state",
-                     std::string(name_in(clearance_state_names, scene.clearance_state)));
 }
 
 SimulatedScene read_scene(const Hdf5File& file, NamedAxes& axes) {

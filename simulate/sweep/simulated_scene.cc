@@ -138,8 +138,12 @@ SimulatedScene simulated_scene(const Scene& scene, const SceneOrigin& origin) {
     distortion.col(k) =
         described.casing_angle.unaryExpr([&](double angle) { return scene.casing.distortion(angle, fractions[k]); });
   described.casing_distortion = distortion.rowwise().maxCoeff();
-  if ((distortion.colwise() - distortion.col(0)).any()) described.node_distortion = distortion;
-  described.largest_distortion = scene.casing.crests(scene.model.contact).maxCoeff();
+  const Eigen::VectorXd crests = scene.casing.crests(scene.model.contact);
+  if ((distortion.colwise() - distortion.col(0)).any()) {
+    described.node_distortion = distortion;
+    described.node_crest = crests;
+  }
+  described.largest_distortion = crests.maxCoeff();
   described.lobes = scene.casing.lobes;
   described.scheme = scene.parameters.scheme;
   described.contact = scene.parameters.contact;

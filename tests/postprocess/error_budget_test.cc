@@ -72,6 +72,17 @@ TEST_F(ErrorBudgets, SumDataAndPhysicsWithoutTheSettings) {
   EXPECT_DOUBLE_EQ(sum_of(budget, BudgetRows::data_and_physics).shift, 0.01);
 }
 
+/// The half step of a peak that was lost is no doubt about data.
+TEST_F(ErrorBudgets, ALostPeakOfASettingIsNoDoubtAboutData) {
+  PeakVariation lost;
+  lost.what = Variation::step;
+  lost.failure = "another motion";
+  study.response.speeds[static_cast<std::size_t>(study.critical.front().index)].budget = {lost};
+  const ErrorBudget budget = error_budgets(study, fields).front();
+  EXPECT_EQ(not_in_sum(budget), "half the time step");
+  EXPECT_EQ(not_in_sum(budget, BudgetRows::data_and_physics), "");
+}
+
 /// Symptom: a peak whose stress was not recovered counted as one whose stress does not change.
 TEST_F(ErrorBudgets, NameTheRowsWithoutAStress) {
   vary(study.critical.front(), 1.01 * study.critical.front().speed);

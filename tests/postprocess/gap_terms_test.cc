@@ -134,6 +134,7 @@ TEST(GapTerms, InterferenceIsOfEachNode) {
   SimulatedScene scene = synthetic::two_lobes();
   SpeedResponse response = synthetic::speed(scene, rotor.contact, 1000, {}, 1);
   scene.node_distortion = scene.casing_distortion * Eigen::RowVector4d(1.0, 0.5, 0.2, 0.1);
+  scene.node_crest = scene.crest() * Eigen::Vector4d(1.0, 0.5, 0.2, 0.1);
   response.clearance << 5e-4, 4e-4, 3e-4, 2e-4;
   EXPECT_NEAR(gap_terms(response, scene, rotor.contact).interference, -1.7e-4, 1e-6);
   EXPECT_TRUE(scene.distortion_over(3).isApprox(0.1 * scene.casing_distortion));

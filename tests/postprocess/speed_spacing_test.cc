@@ -264,9 +264,10 @@ TEST(SpeedSpacing, NothingIsMissedWhereNoTipTouches) {
   const Study study = study_of(std::move(response));
   const Answer first = verdict(study, field_results(std::nullopt, study.critical), {}).front();
   EXPECT_EQ(first.question, "How bad");
-  EXPECT_EQ(first.text,
-            "No tip touches the casing at any speed, so that nothing excites the wheel: the crest reaches 0.300 mm "
-            "inward, and the smallest running clearance is 0.560 mm.");
+  EXPECT_EQ(
+      first.text,
+      "No tip touches the casing at any speed, so that nothing excites the wheel: a tip that does not vibrate stays "
+      "at least 0.260 mm away from it.");
 }
 
 /// Without damping no spacing resolves a peak, and none is too wide by a number.

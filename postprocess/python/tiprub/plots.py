@@ -84,7 +84,7 @@ def budget(response, quantity="amplitude", axes=None):
     axes = _axes(axes)
     table = response.table("error_budget")
     if table.empty:
-        raise ValueError(f'{response.report}: holds no error budget; simulate with [simulate] budget = "largest"')
+        raise ValueError(f'{response.report}: holds no error budget; simulate with [simulate] budget = "largest", and report with [postprocess] component = "normal"')
     worst = table.loc[table["amplitude [mm]"].idxmax(), "critical speed [rpm]"]
     table = table[(table["critical speed [rpm]"] == worst) & (table["source"] != "as computed")]
     changes = table.set_index("source")[f"change of {quantity} [%]"].dropna()[::-1]

@@ -40,16 +40,13 @@ SpeedResponse settled_speed() {
 }
 
 Response two_speeds() {
-  Response response;
-  response.key = "abc";
-  response.scene.sector_count = 4, response.scene.independent_sectors = 2;
-  response.scene.nodal_diameters = {0, 2};
-  response.scene.casing_angle = response.scene.casing_distortion = Eigen::VectorXd::LinSpaced(5, 0, 6.28);
-  response.scene.lobes = 2, response.scene.largest_distortion = 7;
-  response.scene.damping = {.by_family = {0.002, 0.004}, .beyond = 0.02};
-  response.scene.clearance = Eigen::VectorXd::Constant(3, 1e-4);
-  response.scene.clearance_state = ClearanceState::cold;
-  response.speeds = {settled_speed(), {}};
+  Response response{.scene = {}, .key = "abc", .speeds = {settled_speed(), {}}};
+  SimulatedScene& scene = response.scene;
+  scene.sector_count = 4, scene.independent_sectors = 2, scene.lobes = 2, scene.largest_distortion = 7;
+  scene.nodal_diameters = {0, 2};
+  scene.casing_angle = scene.casing_distortion = Eigen::VectorXd::LinSpaced(5, 0, 6.28);
+  scene.damping = {.by_family = {0.002, 0.004}, .beyond = 0.02};
+  scene.clearance = Eigen::VectorXd::Constant(3, 1e-4), scene.clearance_state = ClearanceState::cold;
   response.speeds[1].speed = 200, response.speeds[1].failure = "why";
   response.frequencies = {Eigen::VectorXd::LinSpaced(5, 0, 200), {}};
   for (int modes : {3, 4, 5}) response.frequencies.by_nodal_diameter.emplace_back(Eigen::MatrixXd::Random(5, modes));
@@ -71,7 +68,8 @@ class ResponseFile : public ::testing::Test {
 
 TEST_F(ResponseFile, GivesBackTheScene) {
   Response response = two_speeds();
-  response.scene.node_distortion = Eigen::MatrixXd::Random(5, 3);
+  response.scene.node_distortion = Eigen::MatrixXd::Random(5, 3),
+  response.scene.node_crest = Eigen::Vector3d(1, 2, 3);
   const Response back = written_and_read(response);
   EXPECT_EQ(back.key, "abc");
   EXPECT_EQ(back.scene.crest(), 7);
@@ -80,6 +78,7 @@ TEST_F(ResponseFile, GivesBackTheScene) {
   EXPECT_EQ(back.frequencies.speed, response.frequencies.speed);
   EXPECT_EQ(back.frequencies.by_nodal_diameter, response.frequencies.by_nodal_diameter);
   EXPECT_EQ(back.scene.node_distortion, response.scene.node_distortion);
+  EXPECT_EQ(back.scene.node_crest, response.scene.node_crest);
 }
 
 TEST_F(ResponseFile, GivesBackTheDamping) {

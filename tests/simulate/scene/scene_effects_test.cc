@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <numbers>
 
 #include "reduce/model/hdf5_file.h"
 #include "simulate/response/response_file.h"
@@ -61,6 +62,23 @@ TEST_F(SceneEffects, TellsOfFriction) {
   casing_.friction = {{0.0, 0.1}};
   EXPECT_EQ(of(Effect::friction).treatment, Treatment::modelled);
   EXPECT_NE(of(Effect::friction).reason.find("coefficient 0.1,"), std::string::npos);
+}
+
+/// Only a profile can differ between the contact nodes of a tip.
+TEST_F(SceneEffects, TellsWhereTheCasingStandsOverEachNode) {
+  const SceneScope scope = find_scope(model_.sector_count, 2, parameters_);
+  const auto described = [&] { return simulated_scene(Scene{model_, casing_, parameters_, scope}, {}); };
+  casing_.amplitude = 1e-4, casing_.clearance = {{0.0, 1e-4}};
+  casing_.lobes = 2;
+  EXPECT_EQ(described().node_crest.size(), 0);
+  casing_.shape = CasingShape::profile;
+  casing_.profile = read_casing_profile({"casing.csv", "0, 0.0, 1.0\n0, 1e-4, 0\n90, 0, 3e-4\n"}, std::numbers::pi);
+  const SimulatedScene scene = described();
+  const int last = model_.contact.size() - 1;
+  EXPECT_NEAR(scene.node_crest[0], 1e-4, 1e-15);
+  EXPECT_NEAR(scene.node_crest[last], 3e-4, 1e-15);
+  EXPECT_NEAR(scene.distortion_over(0).maxCoeff(), 1e-4, 1e-8);
+  EXPECT_NEAR(scene.interference(Eigen::VectorXd::Constant(last + 1, 2e-4)).maxCoeff(), 1e-4, 1e-15);
 }
 
 /// In response.h5, by the attribute `comment`.

@@ -62,7 +62,7 @@ struct EdgeLag {
   double median = unknown, lower_quartile = unknown, upper_quartile = unknown;  ///< [s] over the speeds
   /// Of the line Omega time = intercept + slope Omega, fitted by least squares. Contact that travels along a tip of
   /// length l at the wave speed v gives slope l/v and R^2 near 1.
-  /// NaN without one.
+  /// NaN without a line.
   double slope = unknown;          ///< [s]
   double intercept = unknown;      ///< [rad]
   double determination = unknown;  ///< [1] R^2

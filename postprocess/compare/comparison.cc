@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "postprocess/figures/maps.h"
 #include "postprocess/tables/table.h"
@@ -85,10 +84,6 @@ std::optional<double> stress_of(const ComparedPeak& peak) {
   return peak.stress;
 }
 
-Cell no_number(const PeakPair& /*pair*/) {
-  return optional_cell(std::nullopt);
-}
-
 /// Whether the amplitudes of two reports are of the same component.
 bool are_comparable(const ReportNumbers& here, const ReportNumbers& other) {
   return other.component.empty() || other.component == here.component;
@@ -104,7 +99,6 @@ DrawnRange speed_axis_of_both(const ReportNumbers& here, const ReportNumbers& ot
 }  // namespace
 
 Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& other) {
-  using Column = std::function<Cell(const PeakPair&)>;
   const auto here = [](Get get) { return [get](const PeakPair& pair) { return value_of(pair.here, get); }; };
   const auto there = [](Get get) { return [get](const PeakPair& pair) { return value_of(pair.there, get); }; };
   const auto change = [](Get get) { return [get](const PeakPair& pair) { return change_of(pair, get); }; };
@@ -121,7 +115,9 @@ Table comparison_record(const ReportNumbers& this_one, const ReportNumbers& othe
                              {"amplitude [mm]", here(amplitude_of)},
                              {"other amplitude [mm]", there(amplitude_of)},
                              {"change of amplitude [%]",
-                              are_comparable(this_one, other) ? Column(change(amplitude_of)) : Column(no_number)},
+                              [comparable = are_comparable(this_one, other)](const PeakPair& pair) {
+                                return comparable ? change_of(pair, amplitude_of) : optional_cell(std::nullopt);
+                              }},
                              {"von Mises, both [MPa]", here(stress_of)},
                              {"other von Mises, both [MPa]", there(stress_of)},
                              {"change of stress [%]", change(stress_of)}},

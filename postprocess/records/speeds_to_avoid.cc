@@ -166,7 +166,8 @@ std::string not_rated(const FieldResults& fields) {
                 ? "endurance_limit and ultimate_strength in [material]"
                 : "--fields");
   if (fields.worst_cycle() == nullptr)
-    return std::string("; utilisations are estimated, because the response holds no whole cycle of a motion") +
+    return std::string(
+               "; utilisations are estimated, because the response holds no whole cycle of a critical speed") +
            (fields.peaks.empty() ? "" : " (simulate.examine = \"critical_speeds\")");
   std::vector<double> speeds;
   for (const std::optional<FieldPeak>& peak : fields.peaks)

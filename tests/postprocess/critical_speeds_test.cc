@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "postprocess/records/study_records.h"
 #include "synthetic_scene.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <numbers>
 #include <numeric>
 
 #include "simulate/motion/attempt.h"
@@ -15,9 +16,12 @@ namespace tiprub::simulate {
 
 namespace {
 
-constexpr int tries[] = {12, 24, 48};  // revolutions after the casing has grown
+constexpr int tries[] = {8, 16, 32, 48};  // revolutions after the casing has grown
 constexpr double come_back = 0.2;      // of the largest distance within the longest period: the march nearly returns
 constexpr double returned = 1e-3;      // of the state: a settled march is this near to where it was
+constexpr double resonant = 0.01;      // turns: a disturbance that misses its phase by more does not lock
+constexpr int iterations_to_lock = 4;  // of Newton's method: more lead back to the repelling orbit
+constexpr double same_orbit = 1e-3;    // of the state
 constexpr double newton_step = 10;  // of settle_tolerance: bound of the last step, whose error is a hundredth of it
 constexpr double rough = 2e-3, common = 2e-4, exact = 2e-5;  // of a multiplier
 
@@ -93,8 +97,9 @@ bool OrbitSearch::look_along(TimeMarch& coarse, const std::function<void()>& rev
   for (const int revolutions : tries) {
     march_until(revolutions);
     if (jump(coarse)) return true;
-    if (report_.multiplier > 0) break;  // an orbit exists, and it repels
+    if (repelling_.size() > 0) break;
   }
+  if (wanted_ == OrbitUse::amplitude) return false;
   march_until(std::end(tries)[-1]);
   report_.maps = recurrence(coarse);
   return report_.maps > 1 && jump(coarse);
@@ -107,7 +112,16 @@ bool OrbitSearch::jump(TimeMarch& march) {
   return true;
 }
 
-/// The number of maps after which a march nearly returns, if its whole revolutions fit into a recording; else 1.
+/// Whether a motion may repeat after this number of maps: its whole revolutions fit into a recording, and what leaves
+/// the repelling orbit of one map, if there is one, comes back to its phase.
+bool OrbitSearch::may_repeat_after(int maps) const {
+  const int a_revolution = symmetric_maps_per_revolution(scene_.model.sector_count, scene_.casing.lobes);
+  if (maps / std::gcd(maps, a_revolution) > scene_.parameters.recorded_revolutions) return false;
+  const double turns = maps * report_.multiplier_angle / (2 * std::numbers::pi);
+  return repelling_.size() == 0 || std::abs(turns - std::round(turns)) <= resonant;
+}
+
+/// The number of maps, more than one, after which a march nearly returns and may repeat itself; else 1.
 int OrbitSearch::recurrence(const TimeMarch& from) const {
   TimeMarch march = copy_of(from);
   const int lobes = scene_.casing.lobes, maps = symmetric_maps_per_revolution(march.sector_count(), lobes);
@@ -119,8 +133,7 @@ int OrbitSearch::recurrence(const TimeMarch& from) const {
     away[k] = (SymmetricMap(march, k).image() - start).norm();
   }
   for (int k = 2; k < away.size(); ++k)
-    if (away[k] <= come_back * away.maxCoeff() && k / std::gcd(k, maps) <= scene_.parameters.recorded_revolutions)
-      return k;
+    if (away[k] <= come_back * away.maxCoeff() && may_repeat_after(k)) return k;
   return 1;
 }
 
@@ -131,17 +144,26 @@ int OrbitSearch::period_revolutions() const {
 
 bool OrbitSearch::find(TimeMarch& march) {
   MarchedMap map(march, report_.maps);
-  const NewtonLimits limits{newton_step * scene_.parameters.settle_tolerance};
+  const bool is_first = !has_found();
+  NewtonLimits limits{newton_step * scene_.parameters.settle_tolerance};
+  if (is_first && report_.maps > 1) limits.iterations = iterations_to_lock;
   const NewtonResult orbit = find_fixed_point(map, map.symmetric().state(), limits);
   const double maps = map.tangents() + orbit.iterations + 1;
   report_.revolutions += maps / map.symmetric().maps_per_revolution();
   if (orbit.found == NewtonResult::Found::no) return false;
-  const bool is_first = !has_found();
-  if (is_first && !attracts(map, orbit, rough)) return false;  // stands() looks closer
+  if (is_first && repels(map, orbit)) return false;  // stands() looks closer
   map.put(orbit.state);
   orbit_ = orbit;
   report_.outcome = OrbitReport::Outcome::found;
   report_.residual = orbit.residual;
+  return true;
+}
+
+/// Remembers the orbit of one map that repels: it is one of any number of maps, too.
+bool OrbitSearch::repels(MarchedMap& map, const NewtonResult& orbit) {
+  if (repelling_.size() > 0 && (orbit.state - repelling_).norm() <= same_orbit * repelling_.norm()) return true;
+  if (attracts(map, orbit, rough)) return false;
+  repelling_ = orbit.state;
   return true;
 }
 

@@ -23,6 +23,12 @@ bool has_symmetric_map(const Scene& scene);
 /// Raises NoMotion if the motion cannot be followed.
 Growth excluded_growth_along(TimeMarch& settled, int period_revolutions, int revolutions);
 
+/// What an orbit is sought for.
+enum class OrbitUse {
+  motion,
+  amplitude,  ///< for scans: only orbits of one map, and what leaves a repelling one counts as wandering
+};
+
 /// Finds the steady motion that a march from rest approaches, without marching all the way. Newton's method looks for
 /// a fixed point of the symmetric map, first with a coarse step, then from the orbit found with finer steps. If no
 /// fixed point attracts, it looks for one of the power of the map after which the march nearly returns to its state.
@@ -30,7 +36,7 @@ Growth excluded_growth_along(TimeMarch& settled, int period_revolutions, int rev
 class OrbitSearch {
  public:
   /// Keeps a reference to the scene.
-  explicit OrbitSearch(const Scene& scene) : scene_(scene) {}
+  OrbitSearch(const Scene& scene, OrbitUse wanted) : scene_(scene), wanted_(wanted) {}
 
   /// Puts a march onto a stable orbit, and returns whether there is one. If there is none, ends the search and leaves
   /// the march at a state that it has come to by itself.
@@ -47,6 +53,8 @@ class OrbitSearch {
   /// Ends the search, because the march did not confirm the last orbit or no orbit was found.
   void give_up();
 
+  /// Whether the march is known to leave a repelling orbit, and where it goes is not wanted.
+  bool wanders() const { return wanted_ == OrbitUse::amplitude && repelling_.size() > 0; }
   /// Whether an orbit has been found with any step.
   bool has_found() const { return orbit_.state.size() > 0; }
   const OrbitReport& report() const { return report_; }
@@ -60,14 +68,18 @@ class OrbitSearch {
   /// The march keeps its state if there is no orbit.
   bool jump(TimeMarch& march);
   bool has_given_up() const { return report_.outcome == OrbitReport::Outcome::marched; }
+  bool may_repeat_after(int maps) const;
   int recurrence(const TimeMarch& from) const;
   bool look_along(TimeMarch& coarse, const std::function<void()>& revolution);
   bool find(TimeMarch& march);
+  bool repels(MarchedMap& map, const NewtonResult& orbit);
   bool attracts(MarchedMap& map, const NewtonResult& orbit, double tolerance);
   void follow_excluded(const TimeMarch& march, const NewtonResult& orbit);
 
   const Scene& scene_;
-  NewtonResult orbit_;  ///< the last orbit found
+  OrbitUse wanted_;
+  NewtonResult orbit_;         ///< the last orbit found
+  Eigen::VectorXd repelling_;  ///< the state of an orbit that was rejected; empty if there is none
   OrbitReport report_;
   std::optional<Growth> excluded_;
 };

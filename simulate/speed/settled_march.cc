@@ -83,6 +83,8 @@ int revolutions_to_record(const SimulateParameters& parameters, const SettlingSt
 void come_to_rest(OrbitSearch* search, int last_start, TimeMarch& march, Settling& settling) {
   if (search && search->reach(march, [&] { settling.advance(); }))
     settling.stand_on_orbit(search->period_revolutions(), search->report().multiplier);
+  else if (search && search->wanders())
+    settling.expect_wandering();
   while (settling.revolutions() < last_start && !settling.settled() && !settling.wanders()) settling.advance();
 }
 
@@ -172,9 +174,9 @@ bool is_useless(const std::vector<double>& differences) {
 }
 
 /// Where the case asks for orbits and they are possible.
-std::optional<OrbitSearch> search_for(const Scene& scene) {
+std::optional<OrbitSearch> search_for(const Scene& scene, OrbitUse wanted) {
   if (scene.parameters.steady_state != SteadyStateMethod::orbit || !has_symmetric_map(scene)) return {};
-  return OrbitSearch(scene);
+  return OrbitSearch(scene, wanted);
 }
 
 /// The motion from rest with twice the step, in which transients and searches cost half.
@@ -225,7 +227,7 @@ SettledMotion settle(const Scene& scene, const SharedRotor& rotor, const RotorSt
 RefinedMotion settle_within_tolerance(const Scene& scene, const SharedRotor& rotor, const RotorState& start,
                                       CycleChoice cycle) {
   const SimulateParameters& parameters = scene.parameters;
-  std::optional<OrbitSearch> search = start.at_rest() ? search_for(scene) : std::nullopt;
+  std::optional<OrbitSearch> search = start.at_rest() ? search_for(scene, OrbitUse::motion) : std::nullopt;
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed),
                        parameters.min_revolutions, cycle, search ? &*search : nullptr};
   const auto run = [&] {
@@ -249,7 +251,7 @@ SettledMotion settle_roughly(const Scene& scene, const SharedRotor& rotor) {
   parameters.steps_per_period = std::min(parameters.steps_per_period, coarse_steps);
   parameters.settle_tolerance = std::max(parameters.settle_tolerance, coarse_settling);
   const Scene coarse{scene.model, scene.casing, parameters, scene.scope};
-  std::optional<OrbitSearch> search = search_for(coarse);
+  std::optional<OrbitSearch> search = search_for(coarse, OrbitUse::amplitude);
   const MarchPlan plan{steps_per_revolution(scene.scope, parameters, rotor->first_frequency, rotor->speed),
                        std::min(min_revolutions_again, parameters.min_revolutions), CycleChoice::left,
                        search ? &*search : nullptr};

@@ -138,6 +138,30 @@ TEST(OrbitSearch, FallsBackOnMarchingWhereNoSteadyOrbitIs) {
   }
 }
 
+/// What leaves the repelling orbit at 2880 rad/s does not come back to its phase within a recording, so that the
+/// search ends with that orbit. A scan, which wants only the size of the motion, then also ends sooner than a march.
+TEST(OrbitSearch, EndsWithARepellingOrbitToWhichNothingLocks) {
+  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
+  const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
+  SimulateParameters parameters = parameters_for(model, casing, 2880);
+  parameters.recorded_revolutions = 6;
+  const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
+  const Scene scene{model, casing, parameters, scope};
+  const SharedRotor rotor = rotor_of(scene, 2880);
+  MarchPlan plan{parameters.steps_per_revolution, 10};
+  const SettledMotion plain = settle(scene, rotor, {}, plan);
+  for (const OrbitUse use : {OrbitUse::motion, OrbitUse::amplitude}) {
+    OrbitSearch search(scene, use);
+    plan.search = &search;
+    const SettledMotion searched = settle(scene, rotor, {}, plan);
+    ASSERT_EQ(search.report().outcome, Outcome::marched);
+    EXPECT_EQ(search.report().maps, 1);
+    EXPECT_LT(search.report().revolutions, 60);
+    EXPECT_LT(searched.revolutions, use == OrbitUse::motion ? plain.revolutions + 1 : 50);
+    EXPECT_NEAR(searched.recorded.amplitude, plain.recorded.amplitude, 0.02 * plain.recorded.amplitude);
+  }
+}
+
 /// The same motion of three revolutions, if so many are kept.
 TEST(OrbitSearch, FindsOrbitsOfManyMaps) {
   const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
@@ -183,7 +207,7 @@ TEST(SettledMarch, GoesOnAfterASearchThatFoundNothing) {
   const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
   const Scene scene{model, casing, parameters, scope};
   const SharedRotor rotor = rotor_of(scene, 1660);
-  OrbitSearch search(scene);
+  OrbitSearch search(scene, OrbitUse::motion);
   MarchPlan plan{parameters.steps_per_revolution, 10};
   const SettledMotion plain = settle(scene, rotor, {}, plan);
   plan.search = &search;

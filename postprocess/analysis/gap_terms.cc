@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "postprocess/tables/table.h"
 
@@ -65,12 +66,14 @@ std::string GapTerms::in_words() const {
 
 GapTerms gap_terms(const SpeedResponse& response, const SimulatedScene& scene, const ContactLine& contact,
                    const Eigen::VectorXd& span) {
-  const double slope = steepest_slope(scene.casing_angle, scene.casing_distortion);
   const auto& model = contact.second_order;
   GapTerms terms;
   terms.modelled = models_second_order(scene);
   terms.interference = scene.interference(response.clearance).maxCoeff();
   if (model || span.size() > 0) terms.foreshortening = 0;
+  std::vector<double> slope;  // over each node
+  for (int node = 0; node < contact.size(); ++node)
+    slope.push_back(steepest_slope(scene.casing_angle, scene.distortion_over(node)));
   const Eigen::Index width = 3 * static_cast<Eigen::Index>(contact.size());
   for (Eigen::Index first = 0; first < response.displacement.cols(); first += width) {
     const auto sector = response.displacement.middleCols(first, width);
@@ -78,7 +81,7 @@ GapTerms gap_terms(const SpeedResponse& response, const SimulatedScene& scene, c
     for (Eigen::Index node = 0; node < contact.size(); ++node) {
       const Eigen::MatrixX3d motion = sector.middleCols<3>(3 * node);
       const double radius = contact.position(node, 0), tangential = motion.col(1).cwiseAbs().maxCoeff();
-      terms.distortion = std::max(terms.distortion, slope * tangential / radius);
+      terms.distortion = std::max(terms.distortion, slope[static_cast<std::size_t>(node)] * tangential / radius);
       if (model)
         add_model_terms(*model, node, contact.normal.row(node), motion, y, terms);
       else

@@ -116,11 +116,13 @@ struct Side {
   Eigen::ArrayXXd measured;  ///< amplitude, multiplier, its uncertainty and angle; 4 x points
 };
 
-std::string reason_of_end(const std::vector<Point>& points, const BranchLimits& limits) {
+/// `failure`: why no more motions could be computed; empty if they could.
+std::string reason_of_end(const std::vector<Point>& points, const BranchLimits& limits, const std::string& failure) {
   const double last = points.back().speed;
   if (last <= limits.speed_min * (1 + at_bound) || last >= limits.speed_max * (1 - at_bound))
     return "end of the range";
-  return static_cast<int>(points.size()) > limits.steps ? "most steps" : "no orbit within the shortest step";
+  if (static_cast<int>(points.size()) > limits.steps) return "most steps";
+  return failure.empty() ? "no orbit within the shortest step" : failure;
 }
 
 /// Amplitude, multiplier, its uncertainty and angle.
@@ -146,10 +148,12 @@ Side follow_side(const Scene& scene, double speed, int steps_per_revolution, con
       global, [&](double at) { return family.at(at); }, speed, state));
   group->call_at_solutions([&](double at, const Eigen::VectorXd& found) { side.points.push_back({at, found}); });
   LOCA::Stepper stepper(global, group, test_after(side.points), list);
+  std::string failure;
   try {
     stepper.run();
-  } catch (const NoMotion&) {  // the rotor is unstable or the clearance is closed: the branch ends there
-  } catch (const char*) {      // an error of LOCA
+  } catch (const NoMotion& error) {  // the rotor is unstable or the clearance is closed
+    failure = error.what();
+  } catch (const char*) {  // an error of LOCA
   }
   LOCA::destroyGlobalData(global);
   // LOCA steps beyond the range and then returns to its bound.
@@ -161,7 +165,7 @@ Side follow_side(const Scene& scene, double speed, int steps_per_revolution, con
     return std::abs(one.speed - other.speed) <= at_bound * one.speed;
   });
   side.points.erase(repeated, side.points.end());
-  side.end = reason_of_end(side.points, limits);
+  side.end = reason_of_end(side.points, limits, failure);
   side.measured.resize(4, static_cast<Eigen::Index>(side.points.size()));
   for (std::size_t i = 0; i < side.points.size(); ++i)
     side.measured.col(static_cast<Eigen::Index>(i)) = measure(family, side.points[i]);

@@ -121,6 +121,7 @@ bool SteadyState::decays() const {
 }
 
 bool SteadyState::stands(int count) const {
+  if (changes_.front().size() < window) return false;
   const EvenLine line = trend(changes_.front(), count);
   return !falls(line) && line.slope <= std::max(2 * line.uncertainty, std::numbers::ln2 / count);
 }

@@ -80,8 +80,6 @@ class Settling {
   /// nor increases. An increasing change shows that the motion leaves an orbit, and it will then approach
   /// another one.
   bool wanders() const;
-  /// From now on as if the march had begun with a motion that wanders.
-  void expect_wandering() { start_ = StartMotion::wanders; }
   SettlingState state() const { return orbit_ ? *orbit_ : state_.judge(); }
   /// The class of the motion, from one period of a settled motion or, otherwise, from at most the last 24
   /// revolutions.

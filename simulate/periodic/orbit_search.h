@@ -26,7 +26,7 @@ Growth excluded_growth_along(TimeMarch& settled, int period_revolutions, int rev
 /// What an orbit is sought for.
 enum class OrbitUse {
   motion,
-  amplitude,  ///< for scans: only orbits of one map, and what leaves a repelling one counts as wandering
+  amplitude,  ///< for scans: only of one map, because longer searches cost more than they save there
 };
 
 /// Finds the steady motion that a march from rest approaches, without marching all the way. Newton's method looks for
@@ -53,8 +53,6 @@ class OrbitSearch {
   /// Ends the search, because the march did not confirm the last orbit or no orbit was found.
   void give_up();
 
-  /// Whether the march is known to leave a repelling orbit, and where it goes is not wanted.
-  bool wanders() const { return wanted_ == OrbitUse::amplitude && repelling_.size() > 0; }
   /// Whether an orbit has been found with any step.
   bool has_found() const { return orbit_.state.size() > 0; }
   const OrbitReport& report() const { return report_; }

@@ -83,8 +83,6 @@ int revolutions_to_record(const SimulateParameters& parameters, const SettlingSt
 void come_to_rest(OrbitSearch* search, int last_start, TimeMarch& march, Settling& settling) {
   if (search && search->reach(march, [&] { settling.advance(); }))
     settling.stand_on_orbit(search->period_revolutions(), search->report().multiplier);
-  else if (search && search->wanders())
-    settling.expect_wandering();
   while (settling.revolutions() < last_start && !settling.settled() && !settling.wanders()) settling.advance();
 }
 

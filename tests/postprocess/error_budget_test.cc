@@ -62,6 +62,25 @@ TEST_F(ErrorBudgets, NameTheLargerPeakThatASmallOneJoins) {
   EXPECT_EQ(varied(small).joined, nullptr);
 }
 
+/// Symptom: with nonlinear prestress, the misfit of the polynomial stiffness stood in the budget as a second row of
+/// reduced modes, although the first one contains it.
+TEST_F(ErrorBudgets, HaveOneRowOfReducedModes) {
+  Verification& verification = study.model.verification;
+  verification.speeds = Eigen::VectorXd::Zero(1);
+  verification.unreduced.assign(study.model.nodal_diameters.size(), Eigen::MatrixXd::Constant(1, 1, 500.0));
+  verification.reduced.assign(study.model.nodal_diameters.size(), Eigen::MatrixXd::Constant(1, 1, 500.2));
+  const auto count = static_cast<Eigen::Index>(study.model.nodal_diameters.size());
+  verification.polynomial_misfit = Eigen::MatrixXd::Constant(1, count, 1e-4);
+  vary(study.critical.front(), 1.01 * study.critical.front().speed);
+  const std::vector<ErrorBudget> budgets = error_budgets(study, fields);
+  ASSERT_FALSE(budgets.empty());
+  std::vector<double> shifts;
+  for (const BudgetRow& row : budgets.front().rows)
+    if (row.source == "reduced modes") shifts.push_back(row.shift);
+  ASSERT_EQ(shifts.size(), 1U);
+  EXPECT_NEAR(shifts.front(), 4e-4, 1e-9);
+}
+
 /// Symptom: the first screen laid what the settings leave open at the door of "data and physics".
 TEST_F(ErrorBudgets, SumDataAndPhysicsWithoutTheSettings) {
   ErrorBudget budget{study.critical.data(), 1e-3, 1e8, {}};

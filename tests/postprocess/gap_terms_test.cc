@@ -127,6 +127,16 @@ TEST(GapTerms, InterferenceIsCrestMinusClearanceUnderSpin) {
   EXPECT_NEAR(gap_terms(response, scene, rotor.contact).interference, 4e-5, 1e-12);
 }
 
+/// Symptom: of a casing's profile, only the slope of its innermost curve counted, which no node need meet.
+TEST(GapTerms, DistortionTakesTheSlopeOverEachNode) {
+  const ReducedModel rotor = synthetic::model();
+  SimulatedScene scene = synthetic::two_lobes();
+  const SpeedResponse response = synthetic::speed(scene, rotor.contact, 1000, {{2, 2, 1e-3, 0}}, 1);
+  const double alike = gap_terms(response, scene, rotor.contact).distortion;
+  scene.node_distortion = scene.casing_distortion * Eigen::RowVector4d(3.0, 3.0, 3.0, 3.0);
+  EXPECT_NEAR(gap_terms(response, scene, rotor.contact).distortion, 3 * alike, 1e-9 * alike);
+}
+
 /// Symptom: where a casing's profile stands in over one node, and another has less clearance, the crest over the one
 /// was compared with the clearance of the other.
 TEST(GapTerms, InterferenceIsOfEachNode) {

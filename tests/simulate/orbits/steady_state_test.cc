@@ -111,6 +111,16 @@ bool stands_after(const std::function<double(int)>& change) {
 
 /// A slow modulation grows for a while, with a slope that is far beyond its uncertainty. A fall that is as slow may
 /// lead to a settled motion, as it does near folds.
+/// Symptom: after a false orbit had been left, no change counted as one that stands, and the march ended.
+TEST(SteadyState, StandsOnlyAfterSomeChanges) {
+  SteadyState state(tolerance, 0.0);
+  EXPECT_FALSE(state.stands(30));
+  for (int r = 0; r < 7; ++r) state.add(revolution(r % 2));
+  EXPECT_FALSE(state.stands(30));
+  for (int r = 7; r < 20; ++r) state.add(revolution(r % 2));
+  EXPECT_TRUE(state.stands(30));
+}
+
 TEST(SteadyState, TellsASlowModulationFromASlowFall) {
   EXPECT_TRUE(stands_after([](int r) { return 1 - 0.3 * std::cos(0.05 * r); }));
   EXPECT_FALSE(stands_after([](int r) { return std::pow(0.99, r); }));

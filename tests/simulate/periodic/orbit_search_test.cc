@@ -157,8 +157,7 @@ TEST(OrbitSearch, EndsWithARepellingOrbitToWhichNothingLocks) {
     ASSERT_EQ(search.report().outcome, Outcome::marched);
     EXPECT_EQ(search.report().maps, 1);
     EXPECT_LT(search.report().revolutions, 60);
-    EXPECT_LT(searched.revolutions, use == OrbitUse::motion ? plain.revolutions + 1 : 50);
-    EXPECT_NEAR(searched.recorded.amplitude, plain.recorded.amplitude, 0.02 * plain.recorded.amplitude);
+    EXPECT_EQ(searched.recorded.displacement, plain.recorded.displacement);
   }
 }
 

@@ -127,7 +127,7 @@ TEST(GapTerms, InterferenceIsCrestMinusClearanceUnderSpin) {
   EXPECT_NEAR(gap_terms(response, scene, rotor.contact).interference, 4e-5, 1e-12);
 }
 
-/// Symptom: of a casing's profile, only the slope of its innermost curve counted, which no node need meet.
+/// Symptom: with a casing's profile that differs along the tip, the slope of the envelope counted at every node.
 TEST(GapTerms, DistortionTakesTheSlopeOverEachNode) {
   const ReducedModel rotor = synthetic::model();
   SimulatedScene scene = synthetic::two_lobes();

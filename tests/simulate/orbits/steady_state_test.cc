@@ -109,8 +109,6 @@ bool stands_after(const std::function<double(int)>& change) {
   return state.stands(30);
 }
 
-/// A slow modulation grows for a while, with a slope that is far beyond its uncertainty. A fall that is as slow may
-/// lead to a settled motion, as it does near folds.
 /// Symptom: after a false orbit had been left, no change counted as one that stands, and the march ended.
 TEST(SteadyState, StandsOnlyAfterSomeChanges) {
   SteadyState state(tolerance, 0.0);
@@ -121,6 +119,8 @@ TEST(SteadyState, StandsOnlyAfterSomeChanges) {
   EXPECT_TRUE(state.stands(30));
 }
 
+/// A slow modulation grows for a while, with a slope that is far beyond its uncertainty. A fall that is as slow may
+/// lead to a settled motion, as it does near folds.
 TEST(SteadyState, TellsASlowModulationFromASlowFall) {
   EXPECT_TRUE(stands_after([](int r) { return 1 - 0.3 * std::cos(0.05 * r); }));
   EXPECT_FALSE(stands_after([](int r) { return std::pow(0.99, r); }));

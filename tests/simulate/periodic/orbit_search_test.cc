@@ -69,6 +69,23 @@ SpeedResponse run(const ReducedModel& model, const Casing& casing, double speed,
   return simulate_speed({model, casing, parameters, scope}, speed).response;
 }
 
+/// A wheel of six blades in an oval casing, with one step for all motions.
+struct OneSpeed {
+  ReducedModel model = testing::synthetic_wheel({6, 3, 6});
+  Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
+  SimulateParameters parameters;
+  SceneScope scope;
+  Scene scene{model, casing, parameters, scope};
+  SharedRotor rotor;
+  MarchPlan plan;
+
+  explicit OneSpeed(double speed)
+      : parameters(parameters_for(model, casing, speed)),
+        scope(find_scope(model.sector_count, casing.lobes, parameters)),
+        rotor(rotor_of(scene, speed)),
+        plan{parameters.steps_per_revolution, 10} {}
+};
+
 TEST(OrbitSearch, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
   const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
   const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
@@ -90,13 +107,9 @@ TEST(OrbitSearch, ComesToTheMotionOfPlainMarchingInFewerRevolutions) {
 /// whole wheel. The last motion repeats after three revolutions: 24 revolutions hold only eight of its maps, which
 /// leave the largest uncertainty. The settled march stays as it was.
 TEST(OrbitSearch, TellsHowExcludedDisturbancesGrowAsTheirMarchDoes) {
-  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
-  const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
   for (const auto& [speed, period] : {std::pair(1300.0, 1), std::pair(2000.0, 1), std::pair(1660.0, 3)}) {
-    const SimulateParameters parameters = parameters_for(model, casing, speed);
-    const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
-    const Scene scene{model, casing, parameters, scope};
-    const SettledMotion settled = settle(scene, rotor_of(scene, speed), {}, {parameters.steps_per_revolution, 10});
+    const OneSpeed at(speed);
+    const SettledMotion settled = settle(at.scene, at.rotor, {}, at.plan);
     ASSERT_EQ(settled.state.period_revolutions, period) << speed;
     const Eigen::VectorXd before = settled.march->displacement();
     const Growth held = excluded_growth_along(*settled.march, period, 24);
@@ -138,22 +151,17 @@ TEST(OrbitSearch, FallsBackOnMarchingWhereNoSteadyOrbitIs) {
   }
 }
 
-/// What leaves the repelling orbit at 2880 rad/s does not come back to its phase within a recording, so that the
-/// search ends with that orbit. A scan, which wants only the size of the motion, then also ends sooner than a march.
+/// What leaves the repelling orbit at 2880 rad/s does not come back to its phase within a recording. The search
+/// therefore ends with that orbit, and the motion is that of the march. Looking for orbits of several maps would cost
+/// 270 revolutions.
 TEST(OrbitSearch, EndsWithARepellingOrbitToWhichNothingLocks) {
-  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
-  const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
-  SimulateParameters parameters = parameters_for(model, casing, 2880);
-  parameters.recorded_revolutions = 6;
-  const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
-  const Scene scene{model, casing, parameters, scope};
-  const SharedRotor rotor = rotor_of(scene, 2880);
-  MarchPlan plan{parameters.steps_per_revolution, 10};
-  const SettledMotion plain = settle(scene, rotor, {}, plan);
+  OneSpeed at(2880);
+  at.parameters.recorded_revolutions = 6;
+  const SettledMotion plain = settle(at.scene, at.rotor, {}, at.plan);
   for (const OrbitUse use : {OrbitUse::motion, OrbitUse::amplitude}) {
-    OrbitSearch search(scene, use);
-    plan.search = &search;
-    const SettledMotion searched = settle(scene, rotor, {}, plan);
+    OrbitSearch search(at.scene, use);
+    at.plan.search = &search;
+    const SettledMotion searched = settle(at.scene, at.rotor, {}, at.plan);
     ASSERT_EQ(search.report().outcome, Outcome::marched);
     EXPECT_EQ(search.report().maps, 1);
     EXPECT_LT(search.report().revolutions, 60);
@@ -180,18 +188,14 @@ TEST(OrbitSearch, FindsOrbitsOfManyMaps) {
 
 /// The motion at 2880 rad/s never repeats: marching on would not change what can be said of it.
 TEST(SettledMarch, LeavesAMotionThatWandersBeforeAllRevolutionsAreMarched) {
-  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
-  const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
-  SimulateParameters parameters = parameters_for(model, casing, 2880);
-  parameters.max_revolutions = 400;
-  const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
-  const Scene scene{model, casing, parameters, scope};
-  const SettledMotion left = settle(scene, rotor_of(scene, 2880), {}, {parameters.steps_per_revolution, 10});
+  OneSpeed at(2880);
+  at.parameters.max_revolutions = 400;
+  const SettledMotion left = settle(at.scene, at.rotor, {}, at.plan);
   EXPECT_EQ(left.state.period_revolutions, 0);
   EXPECT_GE(left.revolutions, 60);
   EXPECT_LT(left.revolutions, 200);
-  const MarchPlan again{parameters.steps_per_revolution, 10, CycleChoice::left, nullptr, StartMotion::wanders};
-  const SettledMotion after = settle(scene, rotor_of(scene, 2880), state_of(*left.march, model), again);
+  at.plan.start = StartMotion::wanders;
+  const SettledMotion after = settle(at.scene, at.rotor, state_of(*left.march, at.model), at.plan);
   EXPECT_EQ(after.state.period_revolutions, 0);
   EXPECT_GE(after.revolutions, 30);
   EXPECT_LT(after.revolutions, 60) << "its transient has passed";
@@ -200,21 +204,15 @@ TEST(SettledMarch, LeavesAMotionThatWandersBeforeAllRevolutionsAreMarched) {
 /// A scan's search for an orbit takes place along its own march, which goes on if there is none to be kept: the
 /// motion at 1660 rad/s repeats every three revolutions, and two are recorded.
 TEST(SettledMarch, GoesOnAfterASearchThatFoundNothing) {
-  const ReducedModel model = testing::synthetic_wheel({6, 3, 6});
-  const Casing casing = testing::lobed_casing(2, 2e-4, 1e-4);
-  const SimulateParameters parameters = parameters_for(model, casing, 1660);
-  const SceneScope scope = find_scope(model.sector_count, casing.lobes, parameters);
-  const Scene scene{model, casing, parameters, scope};
-  const SharedRotor rotor = rotor_of(scene, 1660);
-  OrbitSearch search(scene, OrbitUse::motion);
-  MarchPlan plan{parameters.steps_per_revolution, 10};
-  const SettledMotion plain = settle(scene, rotor, {}, plan);
-  plan.search = &search;
-  const SettledMotion searched = settle(scene, rotor, {}, plan);
+  OneSpeed at(1660);
+  OrbitSearch search(at.scene, OrbitUse::motion);
+  const SettledMotion plain = settle(at.scene, at.rotor, {}, at.plan);
+  at.plan.search = &search;
+  const SettledMotion searched = settle(at.scene, at.rotor, {}, at.plan);
   EXPECT_EQ(search.report().outcome, Outcome::marched);
   EXPECT_EQ(searched.state.period_revolutions, 3);
   EXPECT_EQ(searched.state.period_revolutions, plain.state.period_revolutions);
-  EXPECT_LT(difference(searched.sampled(), plain.sampled(), casing.lobes).value, 1e-4);
+  EXPECT_LT(difference(searched.sampled(), plain.sampled(), at.casing.lobes).value, 1e-4);
 }
 
 /// A wheel that reaches no casing comes to rest: nothing is divided by its motion.

@@ -128,8 +128,8 @@ std::pair<ReportContents, std::future<void>> run(Inputs inputs, const Postproces
   inputs.run.done("study");
   for (const fs::path& other : options.compared) {
     contents.others.push_back(read_other_report(other, study));
-    compare_cases(contents.others.back(), contents.source.title,
-                  fs::is_directory(other) ? contents.source.case_text : swept_case(study.response));
+    compare_cases(contents.others.back(),
+                  fs::is_directory(other) ? contents.source.case_text : study.response.scene.swept_case());
   }
   const std::vector<Figure> figures = study_figures(study);
   std::future<void> drawing = start_drawing(figures, folder);

@@ -115,10 +115,10 @@ Inputs read(const StageArguments& arguments, const ReduceOptions& options) {
   SectorMesh mesh = read_sector(arguments, options, parameters);
   require_metres(mesh, parameters);
   const std::filesystem::path file = arguments.inputs.size() > 1 ? arguments.inputs[1] : "";
-  const DifferingKeys of_mesh = differing_keys(file.filename().string(), appended_comments(file), case_file.source(),
+  const MadeOtherwise of_mesh = made_otherwise(file.filename().string(), appended_comments(file), case_file.source(),
                                                {"mesh."}, "the model is that of the mesh");
   std::string provenance = case_file.source();
-  for (const auto& [key, value] : of_mesh.made_with) provenance += "\n# --set " + key + " = " + value;
+  for (const auto& [key, value] : of_mesh.keys) provenance += "\n# --set " + key + " = " + value;
   return {std::move(parameters), std::move(mesh), std::move(provenance), of_mesh.lines};
 }
 

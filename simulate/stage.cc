@@ -105,7 +105,7 @@ Inputs read_inputs(const StageArguments& arguments) {
   require_friction_that_slides(casing_table, casing, parameters, model);
   const std::string resolved = "[casing]\n" + casing_table.resolved() + "[simulate]\n" + simulate_table.resolved();
   const std::string differences =
-      differing_keys(arguments.inputs[1].filename().string(), model.provenance, case_file.source(),
+      made_otherwise(arguments.inputs[1].filename().string(), model.provenance, case_file.source(),
                      {"mesh.", "reduce."}, "the results are those of the model")
           .lines;
   const std::string provenance = "# case\n" + case_file.source() + "\n# model\n" + model.provenance;

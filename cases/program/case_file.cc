@@ -3,9 +3,7 @@
 #include "cases/program/text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <iomanip>
 #include <map>
 #include <set>
 
@@ -20,15 +18,6 @@ namespace {
 
 constexpr std::array<std::string_view, 6> program_tables = {"mesh",     "reduce",      "casing",
                                                             "simulate", "postprocess", "material"};
-
-/// With 6 digits if these are enough to read the same number again, and with 17 if not.
-std::string shortest(double value) {
-  const std::string text = text_of(value);
-  double again = 0;
-  std::from_chars(text.data(), text.data() + text.size(), again);
-  if (again == value) return text;
-  return text_of(std::setprecision(17), value);
-}
 
 template <class Value, class Shown>
 std::string listed(const std::vector<Value>& values, const Shown& shown) {
@@ -149,7 +138,7 @@ struct CaseTable::Node {
     if (node.is_string())
       found = rows_of_file(*node.value<std::string>(), columns, std::string(key) + (columns == 2 ? ": x, y" : ""));
     else if (list == nullptr || list->empty())
-      refuse(node, key, " must be a list of " + items_of(columns) + ", or the name of a file");
+      refuse(node, key, " must be a list of " + items_of(columns) + ", at least one, or the name of a file");
     else
       found = rows_of_list(*list, key, columns);
     std::vector<std::string>& places = rows[std::string(key)];

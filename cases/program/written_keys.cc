@@ -1,61 +1,90 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/program/written_keys.h"
 
+#include <toml++/toml.h>
+
 #include <algorithm>
-#include <cctype>
+#include <set>
 #include <sstream>
-#include <string_view>
+
+#include "cases/program/case_settings.h"
+#include "cases/program/errors.h"
+#include "cases/program/printable.h"
+#include "cases/program/text.h"
 
 namespace tiprub {
 
+namespace {
+
+/// Numbers are written alike, so that 4430, 4430.0 and 4.43e3 are one value.
+std::string value_of(const toml::node& node) {
+  if (const toml::value<std::string>* text = node.as_string()) return in_quotes(**text);
+  if (node.is_number()) return shortest(node.value<double>().value());
+  if (const toml::array* list = node.as_array()) {
+    std::vector<std::string> words;
+    for (const toml::node& item : *list) words.push_back(value_of(item));
+    return "[" + joined(words) + "]";
+  }
+  return text_of(toml::node_view<const toml::node>(node));
+}
+
+void add_keys(const toml::table& table, const std::string& path, std::map<std::string, std::string>& keys) {
+  for (const auto& [key, value] : table) {
+    const std::string name = path + std::string(key.str());
+    if (const toml::table* inner = value.as_table())
+      add_keys(*inner, name + ".", keys);
+    else
+      keys[name] = value_of(value);
+  }
+}
+
+}  // namespace
+
 std::map<std::string, std::string> written_keys(const std::string& text) {
   std::map<std::string, std::string> keys;
-  std::string table, key;
-  int open = 0;  // brackets of a value that goes on
-  std::istringstream lines(text);
-  constexpr std::string_view setting = "# --set ";
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(setting)) {
-      line.erase(0, setting.size());
-      table.clear();
-    }
-    bool quoted = false;
-    std::string bare;
-    for (const char letter : line) {
-      if (letter == '"') quoted = !quoted;
-      if (letter == '#' && !quoted) break;
-      if (quoted || std::isspace(static_cast<unsigned char>(letter)) == 0) bare += letter;
-      if (!quoted) open += letter == '[' ? 1 : letter == ']' ? -1 : 0;
-    }
-    const std::size_t equals = bare.find('=');
-    if (!key.empty()) {
-      keys[key] += bare;
-    } else if (equals != std::string::npos) {
-      key = table + bare.substr(0, equals);
-      keys[key] = bare.substr(equals + 1);
-    } else if (bare.size() > 2 && bare.front() == '[') {
-      table = bare.substr(1, bare.size() - 2) + ".";
-    }
-    if (open == 0) key.clear();
+  try {
+    require_short_keys(text, "");
+    toml::table values = toml::parse(text);
+    const std::string setting = "# " + setting_origin("");
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with(setting)) apply_setting(values, line.substr(setting.size()));
+    add_keys(values, "", keys);
+  } catch (const toml::parse_error&) {
+    return {};
+  } catch (const InputError&) {
+    return {};
   }
   return keys;
 }
 
-DifferingKeys differing_keys(const std::string& file, const std::string& made_with, const std::string& case_text,
-                             std::initializer_list<std::string_view> tables, const std::string& consequence) {
-  DifferingKeys differing;
-  const auto of_file = written_keys(made_with);
-  for (const auto& in_case : written_keys(case_text)) {
-    const auto& [key, value] = in_case;
-    const auto there = of_file.find(key);
-    const auto is_of = [&](std::string_view table) { return in_case.first.starts_with(table); };
-    if (std::none_of(tables.begin(), tables.end(), is_of) || there == of_file.end() || there->second == value)
-      continue;
-    differing.lines += "\n" + file + " was made with " + key + " = " + there->second + ", and the case has " + value +
-                       "; " + consequence;
-    differing.made_with.insert(*there);
-  }
+std::vector<DifferingKey> differing_keys(const std::string& one, const std::string& other) {
+  const auto in_one = written_keys(one), in_other = written_keys(other);
+  std::set<std::string> all;
+  for (const auto& keys : {in_one, in_other})
+    for (const auto& [key, value] : keys) all.insert(key);
+  std::vector<DifferingKey> differing;
+  const auto value = [](const std::map<std::string, std::string>& keys, const std::string& key) {
+    const auto found = keys.find(key);
+    return found == keys.end() ? std::nullopt : std::optional(found->second);
+  };
+  for (const std::string& key : all)
+    if (value(in_one, key) != value(in_other, key))
+      differing.push_back({key, value(in_one, key), value(in_other, key)});
   return differing;
+}
+
+MadeOtherwise made_otherwise(const std::string& file, const std::string& made_with, const std::string& case_text,
+                             std::initializer_list<std::string_view> tables, const std::string& consequence) {
+  MadeOtherwise otherwise;
+  for (const auto& [key, in_file, in_case] : differing_keys(made_with, case_text)) {
+    const auto is_of = [&name = key](std::string_view table) { return name.starts_with(table); };
+    if (!in_file || !in_case || std::none_of(tables.begin(), tables.end(), is_of)) continue;
+    otherwise.lines += "\n" + file + " was made with " + key + " = " + *in_file + ", and the case has " + *in_case +
+                       "; " + consequence;
+    otherwise.keys.emplace(key, *in_file);
+  }
+  return otherwise;
 }
 
 }  // namespace tiprub

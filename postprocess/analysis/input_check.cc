@@ -2,8 +2,6 @@
 #include "postprocess/analysis/input_check.h"
 
 #include <algorithm>
-#include <map>
-#include <regex>
 
 #include "cases/program/errors.h"
 #include "cases/program/written_keys.h"
@@ -75,19 +73,10 @@ void check_measures(const Response& response, const std::string& name) {
 }
 
 void check_casing(const std::string& casing, const SimulatedScene& scene, const std::string& name) {
-  const std::map<std::string, std::string> here = written_keys(casing), there = written_keys(scene.casing);
-  std::map<std::string, std::string> all = here;
-  all.insert(there.begin(), there.end());
-  const auto value = [](const std::map<std::string, std::string>& keys, const std::string& key) {
-    static const std::regex whole("([0-9])\\.0+(?![0-9])");  // 10.0 is 10
-    const auto found = keys.find(key);
-    return found == keys.end() ? "not given" : std::regex_replace(found->second, whole, "$1");
-  };
-  for (const auto& [key, either] : all)
-    if (value(here, key) != value(there, key))
-      throw InputError(name + ": was simulated with another [casing] than this case's: " + key + " is " +
-                       value(there, key) + " there and " + value(here, key) +
-                       " here; run tiprub-simulate again, or give the case (or --set) that it was made with");
+  for (const DifferingKey& differing : differing_keys(scene.casing, casing))
+    throw InputError(name + ": was simulated with another [casing] than this case's: " + differing.key + " is " +
+                     differing.one.value_or("not given") + " there and " + differing.other.value_or("not given") +
+                     " here; run tiprub-simulate again, or give the case (or --set) that it was made with");
 }
 
 void check_together(const ReducedModel& model, const Response& response, const std::string& name) {

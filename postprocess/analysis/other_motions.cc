@@ -5,10 +5,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "cases/program/errors.h"
+#include "cases/program/printable.h"
+#include "cases/program/written_keys.h"
 #include "postprocess/analysis/critical_speeds.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/waves/travelling_spectrum.h"
@@ -36,20 +41,42 @@ double relative_difference(const TravellingSpectrum& a, const TravellingSpectrum
   return scale > 0 ? (one - other).norm() / scale : 0.0;
 }
 
-void require_same_scene(const SimulatedScene& one, const SimulatedScene& other, const std::filesystem::path& path) {
-  if (one.model_digest != other.model_digest || one.sector_count != other.sector_count || one.lobes != other.lobes ||
-      one.clearance.size() != other.clearance.size() ||
+std::vector<std::pair<Effect, Treatment>> treatments(const SimulatedScene& scene) {
+  std::vector<std::pair<Effect, Treatment>> found;
+  for (const ModelledEffect& effect : scene.effects) found.emplace_back(effect.effect, effect.treatment);
+  return found;
+}
+
+/// What of that which decides a motion, beside its start, differs between two scenes; empty if nothing does.
+std::string difference(const SimulatedScene& one, const SimulatedScene& other) {
+  if (one.model_digest != other.model_digest || one.sector_count != other.sector_count) return "rotor";
+  for (const DifferingKey& differing : differing_keys(one.casing, other.casing)) return "[casing] " + differing.key;
+  if (one.lobes != other.lobes || one.clearance.size() != other.clearance.size() ||
       one.casing_distortion.size() != other.casing_distortion.size() ||
       one.casing_distortion != other.casing_distortion || one.clearance != other.clearance ||
       one.node_distortion.size() != other.node_distortion.size() || one.node_distortion != other.node_distortion)
-    throw InputError(path.string() + ": is of another rotor or casing than the response; sweep this case");
+    return "casing";
+  if (one.damping != other.damping) return "damping";
+  if (one.scheme != other.scheme || one.contact != other.contact) return "scheme or contact law";
+  return treatments(one) != treatments(other) ? "choice of what is modelled" : "";
+}
+
+void require_sweep_of(const SimulatedScene& scene, const SimulatedScene& swept, const std::string& direction,
+                      const std::filesystem::path& path) {
+  if (const std::string differing = difference(scene, swept); !differing.empty())
+    throw InputError(path.string() + ": is of another " + differing + " than the response; sweep this case");
+  const std::map<std::string, std::string> keys = written_keys(swept.swept_case());
+  const auto sweep = keys.find("simulate.sweep");
+  if (!keys.empty() && (sweep == keys.end() || sweep->second != in_quotes(direction)))
+    throw InputError(path.string() + ": is no sweep " + direction +
+                     "; run tiprub-simulate with --set 'simulate.sweep=\"" + direction + "\"'");
 }
 
 void add(std::vector<SweepComparison>& comparisons, std::optional<SweptSpeed> SweepComparison::*direction,
          const Response& response, const ContactLine& contact, int node, Component component,
          const std::filesystem::path& path) {
   Response swept = read_response(path);
-  require_same_scene(response.scene, swept.scene, path);
+  require_sweep_of(response.scene, swept.scene, direction == &SweepComparison::up ? "up" : "down", path);
   check_measures(swept, path.string());
   std::erase_if(swept.speeds,
                 [](const SpeedResponse& speed) { return !speed.failure.empty(); });  // they have no motion

@@ -41,7 +41,7 @@ struct SweepComparison {
 };
 
 /// One entry per speed of `response`, or none if neither sweep is given. Raises RunError as read_response() does, and
-/// InputError if a sweep is of another casing or another rotor.
+/// InputError if a sweep is of another rotor, casing or physics, or does not go in its direction.
 std::vector<SweepComparison> compare_sweeps(const Response& response, const ContactLine& contact, int node,
                                             Component component, const SweepFiles& files);
 

@@ -74,6 +74,9 @@ MaterialStrength read_strength(CaseTable& table) {
   strength.endurance = table.number("endurance_limit", std::nullopt, Range::positive(), "Pa, fully reversed");
   const double yield = table.number("yield_strength", 0.0, Range::at_least(0), "Pa, 0: not given");
   if (yield > 0) strength.yield = yield;
+  if (strength.endurance >= strength.ultimate)
+    table.reject("endurance_limit", "must be below ultimate_strength; are the two exchanged?");
+  if (yield > strength.ultimate) table.reject("yield_strength", "must not exceed ultimate_strength");
   if (!table.flag("unusual", false)) check_usual(table, strength);
   table.close();
   return strength;

@@ -2,7 +2,6 @@
 #include "postprocess/compare/report_numbers.h"
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
@@ -134,7 +133,7 @@ ReportNumbers from_response(const fs::path& path, const Study& study) {
   check_together(study.model, response, path.string() + " (to compare; of another model, give its report)");
   const Study other = make_study(study.parameters, study.model, std::move(response), {});
   ReportNumbers numbers = report_numbers(other, field_results(std::nullopt, other.critical));
-  numbers.case_text = swept_case(other.response);
+  numbers.case_text = other.response.scene.swept_case();
   return numbers;
 }
 
@@ -191,26 +190,14 @@ ReportNumbers read_other_report(const fs::path& path, const Study& study) {
   return numbers;
 }
 
-std::string swept_case(const Response& response) {
-  const std::string& text = response.scene.provenance;
-  return text.substr(0, text.find("\n# model\n"));
-}
-
-void compare_cases(ReportNumbers& other, const std::string& title, const std::string& case_text) {
+void compare_cases(ReportNumbers& other, const std::string& case_text) {
   if (other.case_text.empty()) return;
-  const std::map<std::string, std::string> here = written_keys(case_text), there = written_keys(other.case_text);
-  std::map<std::string, std::string> all = here;
-  all.insert(there.begin(), there.end());
-  const auto value = [](const std::map<std::string, std::string>& keys, const std::string& key) {
-    const auto found = keys.find(key);
-    return found == keys.end() ? std::string("not given") : found->second;
-  };
-  for (const auto& [key, either] : all)
-    if (key != "title" && value(here, key) != value(there, key))
-      other.changes.push_back(key + ": " + value(here, key) + ", there " + value(there, key));
-  const std::string name = value(there, "title");
-  if (name.size() > 2 && name.front() == '"' && name != "\"" + title + "\"")
-    other.name = name.substr(1, name.size() - 2);
+  for (const auto& [key, here, there] : differing_keys(case_text, other.case_text)) {
+    if (key != "title")
+      other.changes.push_back(key + ": " + here.value_or("not given") + ", there " + there.value_or("not given"));
+    else if (there && there->size() > 2)
+      other.name = there->substr(1, there->size() - 2);
+  }
 }
 
 }  // namespace tiprub::postprocess

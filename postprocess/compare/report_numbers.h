@@ -45,11 +45,8 @@ std::string to_json(const ReportNumbers& numbers);
 /// if `path` is neither.
 ReportNumbers read_other_report(const std::filesystem::path& path, const Study& study);
 
-/// The case of a response, with the settings of its sweep.
-std::string swept_case(const Response& response);
-
 /// Names the other report by its title, and finds the keys that differ from those of `case_text`. Does nothing if the
 /// other one has no copy of its case.
-void compare_cases(ReportNumbers& other, const std::string& title, const std::string& case_text);
+void compare_cases(ReportNumbers& other, const std::string& case_text);
 
 }  // namespace tiprub::postprocess

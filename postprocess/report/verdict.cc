@@ -331,10 +331,13 @@ std::string speeds_warning(const Study& study) {
   std::string text;
   for (const Check& check : speeds_checks(study))
     if (check.verdict == CheckVerdict::failed) text += (text.empty() ? "" : ", ") + failed_text(check);
-  return text.empty() ? text
-                      : "The speeds are too far apart: " + text +
-                            ". Peaks may be missing, lie elsewhere and be higher than the tables say. Simulate with "
-                            "speeds = \"adaptive\".";
+  return text.empty()
+             ? text
+             : "The speeds are too far apart: " + text +
+                   ". Peaks may be missing, lie elsewhere and be higher than the tables say. Simulate " +
+                   (study.parameters.component == Component::normal
+                        ? "with speeds = \"adaptive\"."
+                        : "more speeds: speeds = \"adaptive\" locates peaks along the casing's normal only.");
 }
 
 std::string printed_critical_speeds(const Study& study, const FieldResults& fields) {

@@ -136,8 +136,9 @@ CyclicModes lowest_modes(const CyclicSolver& stiffness, const SymmetricMatrix& m
     residual = residual.cwiseQuotient(theta);
     if (!more || (wanted == count && residual.maxCoeff() < tolerance)) {
       if (wanted < count)
-        throw RunError("a nodal diameter has only " + std::to_string(wanted) + " modes, " + std::to_string(count) +
-                       " are asked for; ask for fewer, or refine the mesh");
+        throw RunError(
+            "a nodal diameter has only " + std::to_string(wanted) + " modes, " + std::to_string(count) +
+            " are asked for; lower fixed_interface_modes or verification_modes, raise accuracy, or refine the mesh");
       return {theta.cwiseInverse(), space.combine(weights), residual};
     }
     if (size > static_cast<Eigen::Index>(longest) * std::max(count, static_cast<int>(block_size)))

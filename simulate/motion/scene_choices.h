@@ -85,6 +85,8 @@ struct DampingRatios {
   std::vector<std::array<double, 2>> by_frequency = {};
   std::vector<ModeDamping> by_mode = {};  ///< of single modes, instead of the above
   double beyond = 0;                      ///< ratio of modes above the resolved frequency
+
+  bool operator==(const DampingRatios&) const = default;
 };
 
 /// The speed for which the case gives its clearance.

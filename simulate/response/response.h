@@ -184,6 +184,8 @@ struct SimulatedScene {
   /// [m] The crest over each contact node minus its clearance: how far the casing stands into a tip that spins and
   /// does not vibrate.
   Eigen::VectorXd interference(const Eigen::VectorXd& running_clearance) const;
+  /// The case in the provenance, with the settings of its sweep.
+  std::string swept_case() const { return provenance.substr(0, provenance.find("\n# model\n")); }
 };
 
 /// A connected curve of orbits over speed, stable and unstable, in the order of arc length. Arrays over the orbits.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that are no case are refused with one line, before the TOML reader sees them.
 #include "cases/program/case_file.h"
+#include "cases/program/written_keys.h"
 
 #include <sys/stat.h>
 
@@ -121,6 +122,40 @@ TEST_F(CaseTexts, ResolveToTheSameForAnotherSpelling) {
   EXPECT_EQ(resolved("[mesh]\n"), "[mesh]\nlength = 2  # m\nname = \"none\"\n");
   EXPECT_EQ(resolved(" [ 'mesh' ] # remark\n\t\"length\"=20e-1\n"), resolved("[mesh]\n"));
   EXPECT_EQ(resolved("mesh = {name = \"a\\nb\\\"\"}"), "[mesh]\nlength = 2  # m\nname = \"a\\nb\\\"\"\n");
+}
+
+/// A copy of a case is compared with another one by values.
+TEST(WrittenKeys, AreTheSameForEverySpelling) {
+  const std::string plain =
+      "[reduce]\ndensity = 4430.0\nyoung_modulus = 114e9\n[casing]\nclearance = [[0.0, 2e-4]]\n";
+  const std::string other =
+      "title = 'range [9000 .. 50000'\n[\"reduce\"]\n\"density\" = 4_430  # kg/m^3\nyoung_modulus = 1.14e+11\n"
+      "casing.clearance = 1\n[casing]\nclearance = [\n  [0, 0.0002],\n]\n";
+  const auto written = written_keys(plain);
+  EXPECT_EQ(written.at("reduce.density"), "4430");
+  EXPECT_EQ(written.at("casing.clearance"), "[[0, 0.0002]]");
+  const std::vector<DifferingKey> differing = differing_keys(plain, other);
+  for (const DifferingKey& key : differing)
+    EXPECT_TRUE(key.key == "title" || key.key == "reduce.casing.clearance") << key.key;
+  EXPECT_EQ(differing.size(), 2U);
+}
+
+/// Symptom: a bracket in a title hid that the density was another one; and 4430 was told to differ from 4430.0.
+TEST(WrittenKeys, TellWhatAFileWasMadeWith) {
+  const std::string made = "[reduce]\ndensity = 4430.0\nmodes = 3\n";
+  const auto otherwise = [&](const std::string& text) {
+    return made_otherwise("model.h5", made, text, {"reduce."}, "so be it").lines;
+  };
+  EXPECT_EQ(otherwise("title = 'a]'\n[reduce]\n\"density\" = 7800\n"),
+            "\nmodel.h5 was made with reduce.density = 4430, and the case has 7800; so be it");
+  EXPECT_EQ(otherwise("[reduce]\ndensity = 4430\n[mesh]\nmodes = 4\n"), "");
+}
+
+TEST(WrittenKeys, HoldTheSettingsOfTheCommandLine) {
+  const auto written =
+      written_keys("[mesh]\na = 1\nb = 2\n# --set mesh.a = 3\n# --set mesh.b=\n# --set mesh.c=\"x]\"\n");
+  EXPECT_EQ(written, (std::map<std::string, std::string>{{"mesh.a", "3"}, {"mesh.c", "\"x]\""}}));
+  EXPECT_TRUE(written_keys("this is no case").empty());
 }
 
 }  // namespace

@@ -74,7 +74,8 @@ def pushing(least_force):
 def touching(leading, trailing):
     """One speed whose two nodes count these steps in contact."""
     speed = SimpleNamespace(count=numpy.array([[[leading], [trailing]]]))
-    return SimpleNamespace(cases=[SimpleNamespace(name="made", speeds=[speed])])
+    case = SimpleNamespace(name="made", speeds=[speed])
+    return SimpleNamespace(cases=[case], lobed=lambda _: case)
 
 
 def moving(diameter_of_order):

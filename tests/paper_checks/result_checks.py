@@ -131,17 +131,20 @@ def _(c):
     return bool(above.size and above.mean() > 0.5), f"6 Omega lies above the first family at {percent(above.mean() if above.size else 0)} of the {above.size} speeds with extra places"
 
 
-@check(74, "the trailing edge, with the smaller clearance, touches first: where only one edge touches, it is this one")
+def touched_alone(case):
+    """The numbers of speeds at which only the leading and only the trailing edge touches."""
+    touches = numpy.array([at.count.sum(axis=(0, 2)) > 0 for at in case.speeds])[:, [0, -1]]
+    return (touches & ~touches[:, ::-1]).sum(axis=0)
+
+
+@check(74, "two lobes: the trailing edge, with the smaller clearance, touches first: where only one edge touches, it is this one")
 def _(c):
-    words, alone = [], numpy.zeros(2, dtype=int)
-    for case in c.cases:
-        touches = numpy.array([at.count.sum(axis=(0, 2)) > 0 for at in case.speeds])[:, [0, -1]]  # leading, trailing
-        here = (touches & ~touches[:, ::-1]).sum(axis=0)
-        alone += here
-        words.append(f"{case.name}: only the leading edge at {here[0]} speeds, only the trailing edge at {here[1]} of {len(touches)}")
-    if not alone.any():
-        raise CannotBeMade("; ".join(words))
-    return alone[0] == 0, "; ".join(words)
+    text = "; ".join(f"{case.name}: only the leading edge at {leading} speeds, only the trailing edge at {trailing} of {len(case.speeds)}"
+                     for case in c.cases for leading, trailing in [touched_alone(case)])
+    leading, trailing = touched_alone(c.lobed(2))
+    if leading + trailing == 0:
+        raise CannotBeMade(text)
+    return leading == 0, text
 
 
 @check(75, "the leading edge's contact drifts linearly with speed; the slope is compared with chord over wave speed")

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <numbers>
 
 #include "cases/program/errors.h"
@@ -115,6 +116,33 @@ TEST_F(Sweeps, OfAnotherCasingAreRefused) {
   Response up = rest_;
   up.scene.clearance[0] *= 2;
   EXPECT_THROW(compared(up), InputError);
+}
+
+/// Symptom: with friction in one of them only, the report said that more than one motion exists.
+TEST_F(Sweeps, OfAnotherPhysicsAreRefused) {
+  const auto refusal = [&](const std::function<void(SimulatedScene&)>& change) {
+    Response up = rest_;
+    change(up.scene);
+    try {
+      compared(up);
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      return message.substr(message.find(": is ") + 2);
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal([](SimulatedScene&) {}), "");
+  EXPECT_EQ(refusal([](SimulatedScene& scene) { scene.casing = "friction_coefficient = 0.1\n"; }),
+            "is of another [casing] friction_coefficient than the response; sweep this case");
+  EXPECT_EQ(refusal([](SimulatedScene& scene) { scene.damping.by_family = {0.017}; }),
+            "is of another damping than the response; sweep this case");
+  EXPECT_EQ(refusal([](SimulatedScene& scene) {
+              scene.effects.front().treatment = Treatment::modelled;
+            }),
+            "is of another choice of what is modelled than the response; sweep this case");
+  EXPECT_EQ(refusal([](SimulatedScene& scene) { scene.provenance = "# case\n[simulate]\nsweep = \"up\"\n"; }), "");
+  EXPECT_EQ(refusal([](SimulatedScene& scene) { scene.provenance = "# case\n[simulate]\nsweep = \"down\"\n"; }),
+            "is no sweep up; run tiprub-simulate with --set 'simulate.sweep=\"up\"'");
 }
 
 TEST_F(Sweeps, AreNoneUnlessAskedFor) {

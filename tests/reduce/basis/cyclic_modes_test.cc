@@ -106,9 +106,10 @@ TEST_P(Modes, AllOfThemCanBeAskedFor) {
 
 TEST_P(Modes, RefuseToInventMore) {
   const int all = static_cast<int>(free_dofs());
-  EXPECT_EQ(complaint<RunError>([&] { lowest(0, all + 1); }),
-            "a nodal diameter has only " + std::to_string(all) + " modes, " + std::to_string(all + 1) +
-                " are asked for; ask for fewer, or refine the mesh");
+  EXPECT_EQ(
+      complaint<RunError>([&] { lowest(0, all + 1); }),
+      "a nodal diameter has only " + std::to_string(all) + " modes, " + std::to_string(all + 1) +
+          " are asked for; lower fixed_interface_modes or verification_modes, raise accuracy, or refine the mesh");
 }
 
 TEST(LowestModes, FindBothOfADoubleEigenvalue) {

@@ -31,7 +31,7 @@ TEST(InputCheck, RefusesAnotherCasing) {
   EXPECT_EQ(complaint<InputError>([&] { check_casing("lobes = 2.0\namplitude = 0.0001\n", scene, "r.h5"); }), "");
   EXPECT_NE(complaint<InputError>([&] {
               check_casing("amplitude = 0.0001\nfriction = 0.10\nlobes = 2\n", scene, "r.h5");
-            }).find("friction is not given there and 0.10 here"),
+            }).find("friction is not given there and 0.1 here"),
             std::string::npos);
 }
 

@@ -46,7 +46,7 @@ expect_message(wrong_prestress KEY density LINE "density = 7800.0\nprestress = \
 expect_message(too_many_contact_nodes KEY contact_nodes LINE "contact_nodes = 50" EXIT_CODE 2
                ERRORS "contact_nodes = 50 asks for more; ask for fewer, or refine the mesh along the blade")
 expect_message(too_many_modes KEY fixed_interface_modes LINE "fixed_interface_modes = 500" EXIT_CODE 1
-               ERRORS "modes, 500 are asked for; ask for fewer, or refine the mesh")
+               ERRORS "modes, 500 are asked for; lower fixed_interface_modes or verification_modes, raise accuracy, or refine the mesh")
 expect_message(no_case ARGUMENTS none.toml sector.msh EXIT_CODE 1 ERRORS "none.toml: can't be read")
 expect_message(no_mesh ARGUMENTS case.toml none.msh EXIT_CODE 1 ERRORS "none.msh: no such file")
 expect_message(no_folder ARGUMENTS case.toml sector.msh -o nowhere/model.h5 EXIT_CODE 1

@@ -73,6 +73,12 @@ expect_message(stress_beyond_all_measure ${huge_fields} EXIT_CODE 1
 expect_message(check_tells_what_the_scene_needs OUTPUTS "gap: a round casing is nearer" "not estimated"
                ARGUMENTS case.toml model.h5 response.h5 -o report --check)
 
+expect_message(strengths_exchanged EXIT_CODE 2 ERRORS "[material] endurance_limit must be below ultimate_strength"
+               ARGUMENTS case.toml model.h5 response.h5 -o report --set material.ultimate_strength=5e8
+                         --set material.endurance_limit=9e8)
+expect_message(yield_above_ultimate EXIT_CODE 2 ERRORS "[material] yield_strength must not exceed ultimate_strength"
+               ARGUMENTS case.toml model.h5 response.h5 -o report --set material.ultimate_strength=9e8
+                         --set material.endurance_limit=5e8 --set material.yield_strength=20e8)
 expect_message(material_without_a_limit EXIT_CODE 2 ERRORS "[material] has no endurance_limit"
                ARGUMENTS case.toml model.h5 response.h5 -o report --set material.ultimate_strength=9e8)
 expect_message(unknown_strength EXIT_CODE 2 ERRORS "known: ultimate_strength, endurance_limit, yield_strength"

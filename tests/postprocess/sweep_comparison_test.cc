@@ -136,9 +136,7 @@ TEST_F(Sweeps, OfAnotherPhysicsAreRefused) {
             "is of another [casing] friction_coefficient than the response; sweep this case");
   EXPECT_EQ(refusal([](SimulatedScene& scene) { scene.damping.by_family = {0.017}; }),
             "is of another damping than the response; sweep this case");
-  EXPECT_EQ(refusal([](SimulatedScene& scene) {
-              scene.effects.front().treatment = Treatment::modelled;
-            }),
+  EXPECT_EQ(refusal([](SimulatedScene& scene) { scene.effects.front().treatment = Treatment::modelled; }),
             "is of another choice of what is modelled than the response; sweep this case");
   EXPECT_EQ(refusal([](SimulatedScene& scene) { scene.provenance = "# case\n[simulate]\nsweep = \"up\"\n"; }), "");
   EXPECT_EQ(refusal([](SimulatedScene& scene) { scene.provenance = "# case\n[simulate]\nsweep = \"down\"\n"; }),

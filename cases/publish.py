@@ -9,6 +9,7 @@ which has no case of its own, tables and pictures are copied, and version_number
 """
 import csv
 import datetime
+import math
 import os
 import shutil
 import subprocess
@@ -83,6 +84,18 @@ def other_model_lines(rows):
     """The lines of other_model.tsv: what the model that error budgets compare with changes at each critical speed."""
     return [{"critical speed [rpm]": number(row, "critical speed [rpm]", ",.0f"), "with the other model [rpm]": number(row, "speed [rpm]", ",.0f") or "not found",
              **changes(row)} for row in rows if row["source"].startswith("model of")]
+
+
+def is_within_the_rest(rows):
+    """Whether the other model changes a critical speed, its |u| and its stress by no more than all other sources together."""
+    other, together = (next(row for row in rows if row["source"].startswith(start)) for start in ("model of", "root of"))
+    is_summed = not other["motion"].endswith("not in the sum")
+
+    def is_within(column):
+        change = float(other[column])
+        return abs(change) <= math.sqrt(max(float(together[column])**2 - is_summed * change**2, 0))
+
+    return all(map(is_within, ("change of speed [%]", "change of |u| [%]", "change of stress [%]")))
 
 
 def moves_most(rows, column):
@@ -168,7 +181,6 @@ def publish_case(programs, folder, expected):
                **({} if not critical else of_largest(critical)),
                **{f"rule.{row['rule'].split()[-1].strip('.')}.{key}": row[column] for row in rules
                   for key, column in (("missed", "missed"), ("false", "false alarms"))}}
-    write_numbers(os.path.join(expected, "numbers.tsv"), numbers)
     if critical:
         write_table(os.path.join(expected, "critical_speeds.tsv"), [peak_line(row) for row in critical])
     budget = rows_of(os.path.join(report, "error_budget.csv"))
@@ -182,6 +194,8 @@ def publish_case(programs, folder, expected):
         other_model = other_model_lines(budget)
         if other_model:
             write_table(os.path.join(expected, "other_model.tsv"), other_model)
+            numbers["other_model.inside"] = f"{sum(map(is_within_the_rest, by_peak.values()))} of {len(by_peak)}"
+    write_numbers(os.path.join(expected, "numbers.tsv"), numbers)
     copies = {**{name: name for name in TABLES}, **{f"figures/{name}.png": f"{copy}.png" for name, copy in PICTURES.items()}}
     for name, copy in copies.items():
         if os.path.exists(os.path.join(report, name)):

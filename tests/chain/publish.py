@@ -58,6 +58,7 @@ def main(programs, cases, made, work):
     assert f"Of <!-- speeds -->{numbers['speeds']}<!----> speeds" in text and table[0]["wave"] in text, text
     fills_from_the_budget(work, page, expected)
     publishes_a_study(programs, cases, work, report)
+    counts_what_the_other_model_changes(cases)
 
 
 def publishes_a_study(programs, cases, work, report):
@@ -68,6 +69,19 @@ def publishes_a_study(programs, cases, work, report):
         file.write("speed\n9000\n")
     subprocess.run([sys.executable, "-B", os.path.join(cases, "publish.py"), programs, study], check=True)
     assert sorted(os.listdir(os.path.join(study, "expected"))) == ["peaks.tsv", "version_numbers.tsv"]
+
+
+def counts_what_the_other_model_changes(cases):
+    """More than all other sources together, as much, and no such peak."""
+    sys.path.insert(0, cases)
+    from publish import is_within_the_rest
+    columns = ("change of speed [%]", "change of |u| [%]", "change of stress [%]")
+
+    def is_within(stress, motion="periodic"):
+        return is_within_the_rest([{"source": "model of 28 segments", "motion": motion, **dict(zip(columns, ("-1", "3", stress)))},
+                                   {"source": "root of the sum of squares", "motion": "", **dict(zip(columns, ("2", "5", "5")))}])
+
+    assert is_within("3.5") and not is_within("-3.6") and is_within("-3.6", "modulated; not in the sum") and not is_within("NaN")
 
 
 def fills_from_the_budget(work, page, expected):

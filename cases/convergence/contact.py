@@ -15,7 +15,7 @@ import sys
 import h5py
 import numpy
 
-from convergence import Bench, sector_dofs
+from convergence import Bench, sector_dofs, written
 
 KEYS = ["elements_along_chord", "elements_along_bore", "elements_along_span", "elements_through_blade",
         "elements_through_splitter", "elements_through_disc", "elements_between_blades"]
@@ -94,7 +94,7 @@ def main(programs, cases, case, names):
     columns = [f"compliance, {edge} edge [nm/N]" for edge in EDGES]
     for order in ENGINE_ORDERS:
         columns += [f"EO {order}, {edge} edge [{unit}]" for edge in EDGES for unit in ("rpm", "mm")]
-    with open(f"contact_{case}.tsv", "w", encoding="utf-8") as file:
+    with written(f"contact_{case}.tsv") as file:
         file.write("\t".join(["contact", "elements along the chord", "dofs a sector", *columns]) + "\n")
         for name in names or MESHES:
             sector = bench.mesh(name, dict(zip(KEYS, MESHES[name])))

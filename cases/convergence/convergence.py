@@ -8,6 +8,7 @@ Starts from the case of fast_impeller and changes one thing at a time. Writes, i
 run) and traces.tsv (one revolution of the motion for each number of modes, as the paper's fig. 9). A difference is the
 root mean square of the radial motion's difference to the finest run of its row, over that run's root mean square.
 """
+import contextlib
 import os
 import shutil
 import subprocess
@@ -35,6 +36,14 @@ MESHES = {
 # What the wheel is studied with, whatever its case says, unless a script says otherwise.
 BASES = {"impeller_quick": {"mesh": {"fillet_radius": 0}, "reduce": {"contact": '"points"', "contact_nodes": 10, "speed_max_rpm": 22000},
                             "simulate": {"gap": '"linear"', "budget": '"none"'}}}
+
+
+@contextlib.contextmanager
+def written(name):
+    """A table that takes its name once it is whole: make goes by that."""
+    with open(name + ".part", "w", encoding="utf-8") as file:
+        yield file
+    os.replace(name + ".part", name)
 
 
 class Bench:
@@ -118,7 +127,7 @@ def over_meshes(bench, quick_sector, quick_model, cases):
 
 
 def write_differences(rows):
-    with open("convergence.tsv", "w", encoding="utf-8") as file:
+    with written("convergence.tsv") as file:
         file.write("over\tvalue\tspeed [rpm]\tamplitude [mm]\tdifference [1]\tmotion\n")
         for over, runs in rows.items():
             for value, motions in runs:
@@ -130,7 +139,7 @@ def write_differences(rows):
 
 
 def write_traces(counts):
-    with open("traces.tsv", "w", encoding="utf-8") as file:
+    with written("traces.tsv") as file:
         file.write("angle [deg]\t" + "\t".join(f"eta = {value}, {rpm} rpm [mm]" for rpm in SPEEDS_RPM for value, _ in counts) + "\n")
         for s in range(SAMPLES):
             values = [1e3 * motions[i][0][s] for i in range(len(SPEEDS_RPM)) for _, motions in counts]

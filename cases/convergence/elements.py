@@ -17,7 +17,7 @@ import sys
 import h5py
 
 from contact import KEYS, MESHES, compliances, peaks
-from convergence import Bench, sector_dofs
+from convergence import Bench, sector_dofs, written
 
 CASE, CONTACT = "impeller_quick", "segments"
 KINDS = {
@@ -58,7 +58,7 @@ def main(programs, cases):
     bench = Bench(os.path.abspath(programs), os.path.abspath(cases), "elements_runs", CASE)
     columns, known = known_values()
     reference = list(known.values())[-1]
-    with open("elements.tsv", "w", encoding="utf-8") as file:
+    with written("elements.tsv") as file:
         file.write("\t".join(["elements", "along the chord", "dofs a sector", "mesh and reduce [s]", *columns,
                               *(f"difference of {name}" for name in columns)]) + "\n")
         for kind, (_, meshes) in KINDS.items():

@@ -13,7 +13,7 @@ import sys
 import h5py
 
 from contact import KEYS, MESHES
-from convergence import Bench, sector_dofs
+from convergence import Bench, sector_dofs, written
 
 RADII = [0.0, 3e-3]  # [m]
 NAMES = ["8", "12", "16", "24", "32"]
@@ -40,7 +40,7 @@ def measure(bench, name, sector):
 
 def main(programs, cases, names):
     bench = Bench(os.path.abspath(programs), os.path.abspath(cases), "fillet_runs", "impeller_quick")
-    with open("fillet.tsv", "w", encoding="utf-8") as file:
+    with written("fillet.tsv") as file:
         file.write("\t".join(["fillet radius [mm]", "elements along the chord", "dofs a sector", "spin stress, main blade [MPa]",
                               "spin stress, splitter [MPa]", "first family at rest [Hz]", "at full speed [Hz]"]) + "\n")
         for radius in RADII:

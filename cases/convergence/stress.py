@@ -11,7 +11,7 @@ import csv
 import os
 import sys
 
-from convergence import MESHES, Bench, sector_dofs
+from convergence import MESHES, Bench, sector_dofs, written
 
 WINDOWS_RPM = {"EO 8": range(9700, 10500, 40), "EO 6": range(13000, 14200, 50), "EO 4": range(21200, 23200, 100)}
 BY_MESH = {
@@ -49,7 +49,7 @@ def peaks(rows):
 
 def main(programs, cases, names):
     bench = Bench(os.path.abspath(programs), os.path.abspath(cases), "stress_runs")
-    with open("stress.tsv", "w", encoding="utf-8") as file:
+    with written("stress.tsv") as file:
         file.write("\t".join(["mesh", "dofs a sector", "peak", "speed [rpm]", *COLUMNS]) + "\n")
         for name in names or BY_MESH:
             sector = bench.mesh(name, BY_MESH[name])

@@ -45,7 +45,7 @@ def simulate(programs, quick, keys):
 
 
 def main(programs, quick):
-    with open("speeds.tsv", "w", encoding="utf-8") as by_speed, open("damping.tsv", "w", encoding="utf-8") as by_run:
+    with open("speeds.tsv", "w", encoding="utf-8") as by_speed, open("damping.tsv.part", "w", encoding="utf-8") as by_run:
         by_speed.write("beyond\tdamping [%]\tspeed [rpm]\tamplitude [mm]\tmotion\trevolutions\tchatter [1]\thalving difference [1]\n")
         by_run.write("\t".join(["beyond", "damping [%]", *CLASSES, "peak [mm]", "largest halving difference [1]", "revolutions",
                                 "processor time [s]"]) + "\n")
@@ -63,6 +63,7 @@ def main(programs, quick):
                 by_run.write(f"{name}\t{100 * ratio:g}\t{counts}\t{1e3 * peak['amplitude']:.5f}\t{worst:.5f}\t"
                              f"{sum(int(at['revolutions']) for at in speeds)}\t{cost:.2f}\n")
                 by_run.flush()
+    os.replace("damping.tsv.part", "damping.tsv")  # make goes by this table
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ def simulate(programs, wheel, models, gap, friction):
 
 def main(programs, wheel, models):
     name = os.path.basename(wheel)
-    with open(f"{name}_speeds.tsv", "w", encoding="utf-8") as by_speed, open(f"{name}.tsv", "w", encoding="utf-8") as by_run:
+    with open(f"{name}_speeds.tsv", "w", encoding="utf-8") as by_speed, open(f"{name}.tsv.part", "w", encoding="utf-8") as by_run:
         by_speed.write("gap\tfriction [1]\tspeed [rpm]\tamplitude [mm]\ttip |u| [mm]\tmean force of a blade [N]\tmean power [kW]\tsymmetry\n")
         by_run.write("gap\tfriction [1]\tcritical speed [rpm]\tamplitude [mm]\ttip |u| [mm]\tvibration [MPa]\tmean force of a blade [N]\t"
                      "mean power [kW]\tlargest power [kW]\n")
@@ -72,6 +72,7 @@ def main(programs, wheel, models):
                          f"{float(largest['von Mises, vibration [MPa]']):.0f}\t{peak['force']:.0f}\t"
                          f"{1e-3 * peak.get('rub_power_mean', 0):.0f}\t{1e-3 * peak.get('rub_power_largest', 0):.0f}\n")
             by_run.flush()
+    os.replace(f"{name}.tsv.part", f"{name}.tsv")  # make goes by this table
 
 
 if __name__ == "__main__":

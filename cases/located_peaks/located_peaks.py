@@ -102,9 +102,10 @@ def main(programs, quick, names):
                      {**changes, "simulate.speed_count": FINER * (count - 1) + 1, "simulate.speeds": '"given"'})
         for rows, more in zip((summary, missed), compare(name, even, adaptive)):
             rows += more
-        write("peaks.tsv", ["scene", "even speeds", "even [s]", "adaptive speeds", "adaptive [s]", "cost ratio", "prominence", "even peaks",
-                            "found", "further peaks", "least rise [1]", "largest rise [1]"], summary)
+        write("peaks.tsv.part", ["scene", "even speeds", "even [s]", "adaptive speeds", "adaptive [s]", "cost ratio", "prominence", "even peaks",
+                                 "found", "further peaks", "least rise [1]", "largest rise [1]"], summary)
         write("missed.tsv", ["scene", "prominence", "even [rpm]", "even [mm]", "nearest adaptive [rpm]", "nearest adaptive [mm]"], missed)
+    os.replace("peaks.tsv.part", "peaks.tsv")  # make goes by this table
 
 
 if __name__ == "__main__":

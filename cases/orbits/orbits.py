@@ -77,10 +77,11 @@ def main(programs, wheels):
             row, rows = compare(programs, wheel, model, damping)
             summary.append(row)
             critical += rows
-            write("orbits.tsv", ["wheel", "damping [1]", "march [s]", "orbit [s]", "ratio", "critical speeds", "of the same motion",
-                                 "speeds within [%]", "amplitudes within [%]"], summary)
+            write("orbits.tsv.part", ["wheel", "damping [1]", "march [s]", "orbit [s]", "ratio", "critical speeds", "of the same motion",
+                                      "speeds within [%]", "amplitudes within [%]"], summary)
             write("critical_speeds.tsv", ["wheel", "damping [1]", "march [rpm]", "orbit [rpm]", "march [mm]", "orbit [mm]", "march", "orbit"],
                   critical)
+    os.replace("orbits.tsv.part", "orbits.tsv")  # make goes by this table
 
 
 if __name__ == "__main__":

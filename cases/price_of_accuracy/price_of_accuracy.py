@@ -161,7 +161,7 @@ def corner_motion(response, fields, rpm):
 def table(name, chain, rows):
     """Writes a line a run as soon as it is there; the first row is the reference."""
     reference = None
-    with open(name, "w", encoding="utf-8") as file:
+    with open(name + ".part", "w", encoding="utf-8") as file:
         file.write("\t".join(["group", "name", "dofs a sector", "mesh [s]", "reduce [s]", "simulate [s]", "postprocess [s]", "in all [s]",
                               "speed [rpm]", "corner [mm]", "stress [MPa]", "wave", "error of the speed", "of the corner", "of the stress"]) + "\n")
         for group, title, settings in rows:
@@ -176,6 +176,7 @@ def table(name, chain, rows):
             file.write("\t".join([group, title, str(dofs), *(f"{value:.1f}" for value in [*seconds, sum(seconds)]),
                                   *(f"{value:.6g}" for value in values), wave, *(f"{value:.2e}" for value in errors)]) + "\n")
             file.flush()
+    os.replace(name + ".part", name)  # make goes by this table
     page_table(name)
     first_page()
 

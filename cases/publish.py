@@ -5,7 +5,8 @@
 usage: publish.py PROGRAMS_FOLDER CASE_FOLDER
 
 numbers.tsv names the version and the commit of the programs, and the day. The commit ends with "+" if files differed from it. Of a study,
-which has no case of its own, tables and pictures are copied, and version_numbers.tsv names the same.
+which has no case of its own, tables and pictures are copied, of its report those that expected/ holds already, and version_numbers.tsv
+names the same.
 """
 import csv
 import datetime
@@ -171,6 +172,10 @@ def publish_study(programs, folder, expected):
     for name in os.listdir(folder):
         if os.path.splitext(name)[1] in (".tsv", ".csv", ".svg", ".png"):
             shutil.copy(os.path.join(folder, name), expected)
+    for name in os.listdir(expected):
+        of_report = os.path.join(folder, "report", name)
+        if os.path.exists(of_report):
+            shutil.copy(of_report, expected)
     write_numbers(os.path.join(expected, "version_numbers.tsv"), version_of(programs))
 
 

@@ -67,8 +67,13 @@ def publishes_a_study(programs, cases, work, report):
     shutil.copytree(report, os.path.join(study, "report"))
     with open(os.path.join(study, "peaks.tsv"), "w", encoding="utf-8") as file:
         file.write("speed\n9000\n")
+    os.mkdir(os.path.join(study, "expected"))
+    stale = os.path.join(study, "expected", "speeds.csv")
+    with open(stale, "w", encoding="utf-8") as file:
+        file.write("of the report before\n")
     subprocess.run([sys.executable, "-B", os.path.join(cases, "publish.py"), programs, study], check=True)
-    assert sorted(os.listdir(os.path.join(study, "expected"))) == ["peaks.tsv", "version_numbers.tsv"]
+    assert sorted(os.listdir(os.path.join(study, "expected"))) == ["peaks.tsv", "speeds.csv", "version_numbers.tsv"]
+    assert rows_of(stale) == rows_of(os.path.join(report, "speeds.csv"))
 
 
 def counts_what_the_other_model_changes(cases):

@@ -16,7 +16,7 @@ import sys
 
 import study as studies
 
-SPEED, AMPLITUDE, WAVE, NOTE = "speed [rpm]", "amplitude [mm]", ("engine order", "signed nodal diameter"), "no report"
+SPEED, AMPLITUDE, NOTE = "speed [rpm]", "amplitude [mm]", "no report"
 STRESS, GOODMAN = "von Mises, both [MPa]", "Goodman utilisation [1]"
 
 
@@ -57,7 +57,7 @@ class Results:
             top = max(computed, key=lambda row: float(row[AMPLITUDE]), default={})
             yield [name, *labels, str(len(speeds)), str(len(speeds) - len(computed)), top.get(AMPLITUDE, "")[:6], rounded(top.get(SPEED)),
                    largest(critical, STRESS, 0), largest(critical, GOODMAN, 2),
-                   ", ".join(f"{rounded(row[SPEED])} (EO {float(row[WAVE[0]]):.4g} ND {float(row[WAVE[1]]):+g})" for row in critical),
+                   ", ".join(f"{rounded(row[SPEED])} ({row['wave'].split(':')[0]})" for row in critical),
                    *verdict(self.runs, name)]
 
     def joint(self):

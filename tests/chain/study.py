@@ -116,6 +116,9 @@ def table_and_page(bench):
     for point, clearance in (("clearance_0.13", "0.13"), ("clearance_0.12", "0.12"), ("heavy", "")):
         expected += [{"point": point, "clearance [mm]": clearance, **row} for row in bench.rows(f"runs/points/{point}/report/critical_speeds.csv")]
     assert joint == expected and {row["point"] for row in joint} >= {"clearance_0.12", "heavy"}, (joint, expected)
+    for row in joint:
+        label = f"{float(row['speed [rpm]']):.0f} ({row['wave'].split(':')[0]})"
+        assert label in bench.text("report/study.txt"), f"symptom: a mixed motion was called by its largest wave, and ND 0 had a sign: {label}"
     page = bench.text("report/study.html")
     assert "Small &lt;study&gt;" in page and "3 of 3 points" in page and page.count("<svg") == 2, page[:2000]
     assert 'name="viewport"' in page and page.count('scope="col"') == 11 and page.count('role="img"') == 2, page[:2000]

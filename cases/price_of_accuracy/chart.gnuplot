@@ -24,8 +24,8 @@ do for [q = 1:3] {
   set title word(quantities, q) offset 0,-0.5
   set xlabel "processor time of the chain [s]"
   set ylabel (q == 1 ? "whole settings: error" : "")
-  set xrange [15:300]
-  set xtics (20, 50, 100, 200)
+  set xrange [10:300]
+  set xtics (10, 20, 50, 100, 200)
   set yrange [0.02:100]
   if (q == 3) { set key at screen 0.81,0.95 left top Left reverse spacing 1.5 } else { unset key }
   plot frontier(q) using 1:(100*$2) with steps linewidth 2 linecolor rgb "#0072b2" title "frontier of whole settings", \
@@ -37,8 +37,8 @@ do for [q = 1:3] {
   set tmargin at screen 0.45
   set bmargin at screen 0.08
   set ylabel (q == 1 ? "one knob at a time: error" : "") offset 1,0
-  set xrange [15:300]
-  set xtics (20, 50, 100, 200)
+  set xrange [10:300]
+  set xtics (10, 20, 50, 100, 200)
   set yrange [least:100]
   if (q == 3) { set key at screen 0.81,0.45 left top Left reverse } else { unset key }
   plot for [k = 1:9] rows("knobs.tsv", word(knobs, k)) using 8:(per_cent(12 + q)) with points pointtype 4 + k pointsize 1 linewidth 1.5 linecolor rgb word(colours, k) title word(knobs, k)

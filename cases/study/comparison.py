@@ -46,7 +46,8 @@ class Results:
                        for name, (labels, _) in study.points.items()]
 
     def summary(self):
-        """A line for each point: its largest amplitude, the largest stress of its critical speeds, these, and the verdict."""
+        """A line for each point: its largest amplitude, the largest stress of its critical speeds, these with their waves (of a mixed
+        motion without), and the verdict."""
         yield ["point", *self.axes, "speeds", "failed", "largest amplitude [mm]", "at [rpm]", "stress with spin [MPa]", "Goodman", "critical speeds [rpm]",
                "speeds to avoid", "not trustworthy"]
         for name, labels, critical, speeds in self.points:

@@ -77,7 +77,7 @@ def publishes_a_study(programs, cases, work, report):
 
 
 def counts_what_the_other_model_changes(cases):
-    """More than all other sources together, as much, and no such peak."""
+    """It changes less than all other sources together, more, more without being in the sum, and there is no such peak."""
     sys.path.insert(0, cases)
     from publish import is_within_the_rest
     columns = ("change of speed [%]", "change of |u| [%]", "change of stress [%]")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What accuracy costs over the whole chain, from the mesh to the stress at a critical speed.
 
-usage: price_of_accuracy.py PROGRAMS_FOLDER CASES_FOLDER knobs|mesh|wheels
+usage: price_of_accuracy.py PROGRAMS_FOLDER CASES_FOLDER knobs|mesh|wheels|peaks
 
 Takes the wheel and the casing of impeller_quick through all four programs in a window of speeds around its largest peak, and reads
 off there: the located critical speed, how far the leading corner of the tip moves (half of the peak-to-peak of its largest
@@ -12,6 +12,7 @@ knobs   on the case's mesh, one knob at a time off the finest reduction and marc
 mesh    the finest on finer and finer meshes, the first of which is the reference, and whole settings that a user might choose, the
         case as it is among them: mesh.tsv
 wheels  what `accuracy` comes to on two wheels, beside the finest reduction and march on the same mesh: CASE.tsv
+peaks   whole sweeps of two wheels with the settings of `mesh`, and the errors at three critical speeds each: peaks_CASE.tsv
 
 A line a run: group, name, dofs a sector, processor time [s] of the four programs and in all, speed [rpm], corner [mm],
 stress [MPa], what the report says was reached, and the errors of the three against the table's reference, its first line.
@@ -83,6 +84,11 @@ COMBINATIONS = {  # beside the reference of mesh.tsv; the first two have the mes
     "16, accuracy 0.1": {**meshed("16"), **asked(0.1)}, "16, accuracy 0.02": meshed("16"), "16, accuracy 0.005": {**meshed("16"), **asked(0.005)},
     "16, graded, accuracy 0.02": {**meshed("16"), **mesh("16", grading_along_chord=4)},
     "24, accuracy 0.02": meshed("24")}
+SWEEPS = {"impeller_quick": {"simulate.speed_max_rpm": 22000, "simulate.speed_count": 37}, "fast_impeller": {}}
+SWEPT = ["the case: points, accuracy 0.02", "the case, by default: segments", "8 along the chord, accuracy 0.1", "12, accuracy 0.02",
+         "16, accuracy 0.02", "16, accuracy 0.005", "24, accuracy 0.02"]
+PEAKS = 3
+SAME_PEAK = 0.05  # of the speed: the same wave farther away is another critical speed
 WHEELS = {"impeller_quick": WINDOW,
           "fast_impeller": {"simulate.speed_min_rpm": 41000, "simulate.speed_max_rpm": 45000, "simulate.speed_count": 9}}
 
@@ -114,7 +120,7 @@ class Chain:
         return os.path.join("runs", f"{kind}_{self.name}_{hashlib.sha256(repr(values).encode()).hexdigest()[:12]}{suffix}")
 
     def run(self, settings):
-        """Dofs a sector, seconds of the four programs, and the figures that are read off."""
+        """Dofs a sector, seconds of the four programs, and the critical speeds, as `read_off` tells them."""
         settings = {**BASES.get(self.name, {}), **settings}
         sector = self.path("sector", ".msh", settings, ["mesh"])
         model = self.path("model", ".h5", settings, ["mesh", "reduce"])
@@ -131,15 +137,13 @@ class Chain:
 
 
 def read_off(response, fields, report):
-    """Speed [rpm], corner [mm] and stress [MPa] of the critical speed with the largest amplitude; its wave."""
+    """Speed [rpm], corner [mm], stress [MPa], and wave of each critical speed, those of the largest amplitude first."""
     with open(os.path.join(report, "critical_speeds.csv"), encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
+        rows = sorted(csv.DictReader(file), key=lambda row: -float(row["amplitude [mm]"]))
     if not rows:
-        raise LookupError(f"{report}: no critical speed in the window")
-    row = max(rows, key=lambda row: float(row["amplitude [mm]"]))
-    rpm = float(row["speed [rpm]"])
-    wave = f"EO {row['engine order']} ND {int(row['signed nodal diameter']):+d}"
-    return rpm, corner_motion(response, fields, rpm), float(row["alternating [MPa]"] or "nan"), wave
+        raise LookupError(f"{report}: no critical speed")
+    return [(float(row["speed [rpm]"]), corner_motion(response, fields, float(row["speed [rpm]"])), float(row["alternating [MPa]"] or "nan"),
+             f"EO {row['engine order']} ND {int(row['signed nodal diameter']):+d}", float(row["wave share [1]"])) for row in rows]
 
 
 def corner_motion(response, fields, rpm):
@@ -166,7 +170,7 @@ def table(name, chain, rows):
                               "speed [rpm]", "corner [mm]", "stress [MPa]", "wave", "error of the speed", "of the corner", "of the stress"]) + "\n")
         for group, title, settings in rows:
             try:
-                dofs, seconds, (*values, wave) = chain.run(settings)
+                dofs, seconds, ((*values, wave, _), *_) = chain.run(settings)
             except (subprocess.CalledProcessError, LookupError) as error:
                 print(f"price_of_accuracy: {group}, {title}: {error}", file=sys.stderr)
                 file.write(f"{group}\t{title}\tfailed\n")
@@ -179,6 +183,29 @@ def table(name, chain, rows):
     os.replace(name + ".part", name)  # make goes by this table
     page_table(name)
     first_page()
+
+
+def peaks_table(name, chain, rows):
+    """Writes a line a run and critical speed. The first run, the reference, chooses the speeds: those of the largest corners among
+    those whose wave holds at least half of the motion. Elsewhere the nearest critical speed of the same wave is taken."""
+    exact = None
+    with open(name + ".part", "w", encoding="utf-8") as file:
+        file.write("\t".join(["group", "name", "dofs a sector", "in all [s]", "peak", "speed [rpm]", "corner [mm]", "stress [MPa]", "wave",
+                              "error of the speed", "of the corner", "of the stress"]) + "\n")
+        for group, title, settings in rows:
+            dofs, seconds, found = chain.run(settings)
+            exact = exact or sorted((peak for peak in found if peak[4] >= 0.5), key=lambda peak: -peak[1])[:PEAKS]
+            for number, (*values, wave, _) in enumerate(exact, 1):
+                near = [peak for peak in found if peak[3] == wave and abs(peak[0] / values[0] - 1) < SAME_PEAK]
+                line = [group, title, str(dofs), f"{sum(seconds):.1f}", str(number)]
+                if near:
+                    here = min(near, key=lambda peak: abs(peak[0] - values[0]))[:3]
+                    line += [*(f"{value:.6g}" for value in here), wave, *(f"{abs(a / b - 1):.2e}" for a, b in zip(here, values))]
+                else:
+                    line += ["no such peak", "", "", wave, "", "", ""]
+                file.write("\t".join(line) + "\n")
+            file.flush()
+    os.replace(name + ".part", name)
 
 
 def rows_by_name(table):
@@ -232,6 +259,12 @@ def main(programs, cases, what):
         table("mesh.tsv", chain("impeller_quick"),
               [*(("finest", f"{name} along the chord", settings) for name, settings in MESHED.items()),
                *(("combination", name, {**WINDOW, **change}) for name, change in COMBINATIONS.items())])
+    elif what == "peaks":
+        for case, sweep in SWEEPS.items():
+            peaks_table(f"peaks_{case}.tsv", chain(case),
+                        [*(("finest", f"{name} along the chord", {**sweep, **FINEST_MODEL, **FINEST_MARCH, **mesh(name), "reduce.contact_nodes": int(name)})
+                           for name in ("24", "16")),
+                         *(("combination", name, {**sweep, **COMBINATIONS[name]}) for name in SWEPT)])
     else:
         # Prestress and contact are the case's: what they leave out is no matter of accuracy.
         finest = {key: value for key, value in {**FINEST_MODEL, **FINEST_MARCH}.items() if key not in ("reduce.prestress", "reduce.contact")}

@@ -78,9 +78,10 @@ SteadyState make_judge(const Scene& scene, const TimeMarch& march) {
   return {scene.parameters.settle_tolerance, quiet_motion * scene.casing.amplitude * size};
 }
 
+/// At least the order of the casing's lobes: a band without it would hold nothing of the period of a forced motion.
 double highest_resolved_order(const Scene& scene, const TimeMarch& march) {
   const double turns_per_second = 1 / (march.time_step() * march.steps_per_revolution());
-  return scene.parameters.resolved_frequency / turns_per_second;
+  return std::max(scene.parameters.resolved_frequency / turns_per_second, static_cast<double>(scene.casing.lobes));
 }
 
 }  // namespace

@@ -146,3 +146,12 @@ for scheme, more in (("trigonometric", ""), ("central_differences", "steps_per_r
 for scheme, rms in motions.items():
     allowed = 0.2 if scheme in ("residual_flexibility", "penalty") else 0.05
     require(abs(rms / motions["trigonometric"] - 1) < allowed, f"{scheme}: the rms motion of the default")
+
+# Symptom: a forced motion whose lobes drive above the resolved frequency was called broadband: nothing in the band had its period.
+bench.write("lobes.toml", CASE.replace("lobes = 2", "lobes = 14").replace("damping_ratio = 0.005", "damping_ratio = 0.05\nunusual = true")
+            .replace("speed_count = 40", "speed_count = 6\nresolved_frequency_hz = 1000"))
+run = bench.run("-q", case="lobes.toml", output="lobes.h5")
+require(run.returncode == 0, "14 lobes, and frequencies resolved up to engine orders of 5 to 7: " + run.stderr.strip())
+with h5py.File(bench.path("lobes.h5")) as file:
+    classes = [speed.attrs["motion"].decode() for speed in file["speed"].values()]
+    require(classes == ["periodic"] * 6, f"  all motions are periodic: {classes}")

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "cases/program/text.h"
+
 namespace tiprub::postprocess {
 
 PostprocessParameters read_postprocess_parameters(CaseTable& table) {
@@ -22,6 +24,8 @@ PostprocessParameters read_postprocess_parameters(CaseTable& table) {
   p.amplitude_decades = table.number("amplitude_decades", p.amplitude_decades, Range::between(0.5, 12), "decades");
   p.amplitude_max_mm =
       table.number("amplitude_max_mm", p.amplitude_max_mm, Range::at_least(0), "mm, 0: the largest amplitude");
+  if (constexpr double least = 1e-6; p.amplitude_max_mm > 0 && p.amplitude_max_mm < least)
+    table.reject("amplitude_max_mm", text_of("= ", p.amplitude_max_mm, " must be at least ", least, " mm, or 0"));
   p.shown_speed_rpm = table.number("shown_speed_rpm", p.shown_speed_rpm, Range::at_least(0),
                                    "rpm, 0: the largest amplitude that repeats at every lobe");
   p.operating_min_rpm = table.number("operating_min_rpm", p.operating_min_rpm, Range::at_least(0), "rpm");

@@ -80,10 +80,14 @@ void read_revolutions(CaseTable& table, SimulateParameters& parameters) {
   parameters.recorded_revolutions = table.integer("recorded_revolutions", 6, Range::between(1, count_max), "");
   parameters.min_revolutions = table.integer("min_revolutions", 20, Range::between(1, count_max), "");
   parameters.max_revolutions = table.integer("max_revolutions", 200, Range::between(2, count_max), "");
+  const auto most = [&](const auto&... rule) {
+    return text_of("= ", parameters.max_revolutions, " must be ", rule...);
+  };
   if (parameters.max_revolutions < parameters.min_revolutions)
-    table.reject("max_revolutions", "must be at least min_revolutions");
+    table.reject("max_revolutions", most("at least min_revolutions = ", parameters.min_revolutions));
   if (parameters.max_revolutions <= parameters.recorded_revolutions)
-    table.reject("max_revolutions", "must be above recorded_revolutions, which it includes");
+    table.reject("max_revolutions",
+                 most("above recorded_revolutions = ", parameters.recorded_revolutions, ", which it includes"));
   parameters.settle_tolerance = table.number("settle_tolerance", parameters.accuracy / 200,
                                              {0.0, 1.0, Range::LowEnd::excluded}, "of the motion's norm");
   parameters.steady_state =

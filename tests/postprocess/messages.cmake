@@ -10,6 +10,8 @@ set(message_defaults PROGRAM $<TARGET_FILE:tiprub-postprocess> ARGUMENTS case.to
 
 expect_message(unknown_key KEY families LINE "colour = 3" EXIT_CODE 2 ERRORS "case.toml:4:1: unknown key \"colour\"")
 expect_message(value_out_of_range KEY families LINE "families = 0" EXIT_CODE 2 ERRORS "families = 0 must be")
+expect_message(map_without_colours KEY families LINE "amplitude_max_mm = 1e-300" EXIT_CODE 2
+               ERRORS "[postprocess] amplitude_max_mm = 1e-300 must be at least 1e-06 mm, or 0")
 expect_message(operating_range_upside_down KEY families LINE "operating_min_rpm = 9000" EXIT_CODE 2
                ERRORS "operating_max_rpm must be at least operating_min_rpm")
 expect_message(no_table OLD "[postprocess]\nfamilies = 2" NEW "" EXIT_CODE 2

@@ -227,7 +227,7 @@ expect_message(speed_beyond_the_model OLD "speed_max_rpm = 12000" NEW "speed_max
 expect_message(a_speed_twice OLD "speed_min_rpm = 9000\nspeed_max_rpm = 12000\nspeed_count = 40"
                NEW "speeds_rpm = [9000, 9000]" EXIT_CODE 2 ERRORS "speeds_rpm names a speed twice")
 expect_message(too_few_revolutions OLD "max_revolutions = 70" NEW "max_revolutions = 10" EXIT_CODE 2
-               ERRORS "max_revolutions must be at least min_revolutions")
+               ERRORS "[simulate] max_revolutions = 10 must be at least min_revolutions = ")
 
 # Models with one thing wrong.
 function(expect_wrong_model model code)

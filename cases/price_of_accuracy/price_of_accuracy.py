@@ -84,10 +84,10 @@ COMBINATIONS = {  # beside the reference of mesh.tsv; the first two have the mes
     "16, accuracy 0.1": {**meshed("16"), **asked(0.1)}, "16, accuracy 0.02": meshed("16"), "16, accuracy 0.005": {**meshed("16"), **asked(0.005)},
     "16, graded, accuracy 0.02": {**meshed("16"), **mesh("16", grading_along_chord=4)},
     "24, accuracy 0.02": meshed("24")}
-SWEEPS = {"impeller_quick": {"simulate.speed_max_rpm": 22000, "simulate.speed_count": 37}, "fast_impeller": {}}
+SWEEPS = {"impeller_quick": {"simulate.speed_min_rpm": 9000, "simulate.speed_max_rpm": 22000, "simulate.speed_count": 53}, "fast_impeller": {}}
 SWEPT = ["the case: points, accuracy 0.02", "the case, by default: segments", "8 along the chord, accuracy 0.1", "12, accuracy 0.02",
          "16, accuracy 0.02", "16, accuracy 0.005", "24, accuracy 0.02"]
-PEAKS = 3
+PEAKS, LEAST_SHARE = 3, 0.4  # a critical speed whose wave holds less of the motion has another name on another mesh
 SAME_PEAK = 0.05  # of the speed: the same wave farther away is another critical speed
 WHEELS = {"impeller_quick": WINDOW,
           "fast_impeller": {"simulate.speed_min_rpm": 41000, "simulate.speed_max_rpm": 45000, "simulate.speed_count": 9}}
@@ -187,14 +187,14 @@ def table(name, chain, rows):
 
 def peaks_table(name, chain, rows):
     """Writes a line a run and critical speed. The first run, the reference, chooses the speeds: those of the largest corners among
-    those whose wave holds at least half of the motion. Elsewhere the nearest critical speed of the same wave is taken."""
+    those whose wave holds enough of the motion. Elsewhere the nearest critical speed of the same wave is taken."""
     exact = None
     with open(name + ".part", "w", encoding="utf-8") as file:
         file.write("\t".join(["group", "name", "dofs a sector", "in all [s]", "peak", "speed [rpm]", "corner [mm]", "stress [MPa]", "wave",
                               "error of the speed", "of the corner", "of the stress"]) + "\n")
         for group, title, settings in rows:
             dofs, seconds, found = chain.run(settings)
-            exact = exact or sorted((peak for peak in found if peak[4] >= 0.5), key=lambda peak: -peak[1])[:PEAKS]
+            exact = exact or sorted((peak for peak in found if peak[4] >= LEAST_SHARE), key=lambda peak: -peak[1])[:PEAKS]
             for number, (*values, wave, _) in enumerate(exact, 1):
                 near = [peak for peak in found if peak[3] == wave and abs(peak[0] / values[0] - 1) < SAME_PEAK]
                 line = [group, title, str(dofs), f"{sum(seconds):.1f}", str(number)]

@@ -72,7 +72,7 @@ int processors() {
 using Clock = std::chrono::steady_clock;
 
 /// Notes how long a program ran as one row of CSV: wall time, processor time (with that of the programs it started)
-/// and the processors that it could use. Under MPI these are the numbers of one process. Raises RunError.
+/// and the processors that it could use. Under MPI these are the numbers of the first process. Raises RunError.
 void write_times(OutputFile& output, const std::string& program, Clock::time_point begin) {
   const double wall = std::chrono::duration<double>(Clock::now() - begin).count();
   write_file(output.scratch(), [&](std::ostream& stream) {
@@ -157,7 +157,7 @@ int parse_and_run(int argc, char** argv, const Stage& stage, const std::function
     require_room_for_libraries();
     refuse_overwriting({arguments.output, line.times}, arguments.inputs);
     std::optional<OutputFile> times;
-    if (!line.times.empty() && !line.check) times.emplace(line.times);
+    if (!line.times.empty() && !line.check && started_first()) times.emplace(line.times);
     body(arguments);
     if (times) write_times(*times, program_version(stage.name), begin);
   });

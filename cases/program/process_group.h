@@ -17,6 +17,13 @@ inline bool started_together() {
   return false;
 }
 
+/// Whether this process is the first of those, or the only one, by variables of the same programs.
+inline bool started_first() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"})
+    if (const char* rank = std::getenv(name)) return std::atoi(rank) == 0;
+  return true;
+}
+
 /// Starts MPI, for one call of it at a time; and ends it.
 void start_mpi();
 void end_mpi();

@@ -34,6 +34,12 @@ require(ranks.stderr.count("12 speeds") == 1, "only one of them reports")
 require(bench.read("ranks.h5") == whole, "two processes: the same bytes")
 require(not glob.glob(bench.path("*.speeds")), "and leave nothing beside it")
 
+# Symptom: each process put the time of the run into its place, and the second didn't find what it had written beside it.
+for _ in range(4):
+    timed = subprocess.run(mpirun + bench.command("--threads", "1", "--times", bench.path("times.csv"), case="small.toml", output="ranks.h5"),
+                           stderr=subprocess.PIPE, text=True)
+    require(timed.returncode == 0, "two processes, which note one time: " + timed.stderr.strip()[-200:])
+
 bench.write("adaptive.toml", small.replace("speed_max_rpm = 12000", "speed_max_rpm = 10000").replace('speeds = "given"\n', ""))
 run = bench.run("--threads", "1", case="adaptive.toml", output="adaptive.h5")
 require(run.returncode == 0 and " more scanned" in run.stderr, "adaptive: " + run.stderr.strip())

@@ -227,11 +227,9 @@ class Mesher {
   }
 
   // The partner is turned, not computed anew, so that both agree to round-off.
-  Eigen::Vector3d partner_on_high(int i, int k) {
-    const std::size_t low = number_[slot({0, i, k})];
-    mesh_.low_and_high_nodes.push_back({low, number_[slot({nodes_across_[0] - 1, i, k})]});
+  Eigen::Vector3d partner_on_high(int i, int k) const {
     const double c = std::cos(wheel_.plan.pitch()), s = std::sin(wheel_.plan.pitch());
-    const Eigen::Vector3d& x = mesh_.nodes[low];
+    const Eigen::Vector3d& x = mesh_.nodes[number_[slot({0, i, k})]];
     return {c * x[0] - s * x[1], s * x[0] + c * x[1], x[2]};
   }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -35,7 +34,6 @@ struct MeshedSector {
   std::vector<SectorSurface> surfaces;
   std::vector<std::size_t> contact;           ///< leading to trailing edge, on the main blade's tip
   std::vector<std::size_t> contact_splitter;  ///< likewise on the splitter's; empty unless the case asks for it
-  std::vector<std::array<std::size_t, 2>> low_and_high_nodes;  ///< partners on cyclic_low and cyclic_high
 
   const CellKind& kind() const { return cell_kind(static_cast<int>(element)); }
   const SectorSurface& surface(const std::string& name) const;

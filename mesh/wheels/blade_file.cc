@@ -21,10 +21,6 @@ constexpr double narrowest = 1e-3;  // width of a disc over the hub's radius
 constexpr double printed = 1e-6;    // relative precision of a number that is copied from a printed table
 constexpr double usual_blunt_edge = 0.01, widest_blunt_edge = 0.2;
 
-enum class BladeFormat { sections, curve, rtzt };
-enum class AngleUnit { rad, deg };
-enum class Turning { positive, negative };
-
 /// What carries the blades.
 enum class Disc {
   profile,    ///< an axial wheel's, by its thickness over the height
@@ -32,16 +28,11 @@ enum class Disc {
   none,       ///< there is no disc, only the blade
 };
 
-double read_angle_unit(CaseTable& table) {
-  const auto unit =
-      table.choice<AngleUnit>("angle_unit", AngleUnit::rad, {{"rad", AngleUnit::rad}, {"deg", AngleUnit::deg}});
-  return unit == AngleUnit::rad ? 1.0 : radians_per_degree;
-}
-
 FileBlade read_sections(CaseTable& table) {
   const NamedText file = table.file("blade_file", "a file of blade sections");
   const double length = read_length_unit(table);
-  return read_section_table(file, {length, read_angle_unit(table)});
+  const double angle = table.choice<double>("angle_unit", 1.0, {{"rad", 1.0}, {"deg", radians_per_degree}});
+  return read_section_table(file, {length, angle});
 }
 
 FileBlade read_curves(CaseTable& table) {
@@ -54,27 +45,14 @@ FileBlade read_curves(CaseTable& table) {
                      hub.name);
 }
 
-FileBlade read_blade(CaseTable& table) {
-  switch (table.choice<BladeFormat>(
-      "blade_format", std::nullopt,
-      {{"sections", BladeFormat::sections}, {"curve", BladeFormat::curve}, {"rtzt", BladeFormat::rtzt}})) {
-    case BladeFormat::sections:
-      return read_sections(table);
-    case BladeFormat::curve:
-      return read_curves(table);
-    case BladeFormat::rtzt: {
-      const NamedText file = table.file("blade_file", "a meanline file (.rtzt)");
-      return read_meanline(file, read_length_unit(table));
-    }
-  }
-  return {};
+FileBlade read_meanlines(CaseTable& table) {
+  const NamedText file = table.file("blade_file", "a meanline file (.rtzt)");
+  return read_meanline(file, read_length_unit(table));
 }
 
 // A wheel that turns the other way about z is mirrored: ours turns towards +theta.
 void turn_towards_positive(CaseTable& table, FileBlade& blade) {
-  const auto turning = table.choice<Turning>("rotation", Turning::positive,
-                                             {{"positive", Turning::positive}, {"negative", Turning::negative}});
-  if (turning == Turning::positive) return;
+  if (table.choice<bool>("rotation", true, {{"positive", true}, {"negative", false}})) return;
   const auto mirror = [](std::vector<BladeSection>& sections) {
     for (BladeSection& section : sections)
       for (BladePoint& point : section) point.theta = -point.theta;
@@ -182,6 +160,8 @@ void add_splitter(SectorPlan& plan, BladesOfFile& wheel, const FileBlade& blade,
 }  // namespace
 
 std::unique_ptr<WheelGeometry> read_wheel_of_blade_file(CaseTable& table, SectorPlan& plan) {
+  const auto read_blade = table.choice<decltype(&read_sections)>(
+      "blade_format", std::nullopt, {{"sections", read_sections}, {"curve", read_curves}, {"rtzt", read_meanlines}});
   FileBlade blade = read_blade(table);
   turn_towards_positive(table, blade);
   if (blade.blade_count.value_or(plan.sector_count) != plan.sector_count)

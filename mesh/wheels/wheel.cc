@@ -13,8 +13,6 @@ namespace tiprub::mesh {
 
 namespace {
 
-enum class Family { impeller, bladed_disc, blade_file };
-
 constexpr int fewest_sectors = 3;  // so that a sector and its two neighbours are different sectors
 constexpr int most_sectors = 1000;
 
@@ -160,22 +158,12 @@ std::unique_ptr<WheelGeometry> read_root_fillet(CaseTable& table, SectorPlan& pl
 
 Wheel read_wheel(CaseTable& table) {
   Wheel wheel;
-  const Family family = table.choice<Family>(
+  const auto read_family = table.choice<decltype(&read_impeller)>(
       "family", std::nullopt,
-      {{"impeller", Family::impeller}, {"bladed_disc", Family::bladed_disc}, {"blade_file", Family::blade_file}});
+      {{"impeller", read_impeller}, {"bladed_disc", read_bladed_disc}, {"blade_file", read_wheel_of_blade_file}});
   wheel.plan.sector_count =
       table.integer("blade_count", std::nullopt, Range::between(fewest_sectors, most_sectors), "sectors");
-  switch (family) {
-    case Family::impeller:
-      wheel.geometry = read_impeller(table, wheel.plan);
-      break;
-    case Family::bladed_disc:
-      wheel.geometry = read_bladed_disc(table, wheel.plan);
-      break;
-    case Family::blade_file:
-      wheel.geometry = read_wheel_of_blade_file(table, wheel.plan);
-      break;
-  }
+  wheel.geometry = read_family(table, wheel.plan);
   read_contact_blades(table, wheel.plan);
   if (wheel.plan.blades != Blades::none) {
     check_widths(table, wheel);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -21,17 +22,6 @@ Eigen::Vector3d normal_of(const Eigen::Matrix3Xd& nodes, const FreeFace& face) {
   Eigen::Vector3d normal = (at(1) - at(0)).cross(at(last) - at(0));
   if (last > 2) normal += (at(last) - at(last - 1)).cross(at(1) - at(last - 1));
   return normal.normalized();
-}
-
-/// The faces at each edge, by its corners.
-std::map<std::array<int, 2>, std::vector<int>> faces_at_edges(const std::vector<FreeFace>& faces) {
-  std::map<std::array<int, 2>, std::vector<int>> found;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (std::size_t k = 0; k < faces[f].corners(); ++k) {
-      const int a = faces[f].nodes[k], b = faces[f].nodes[(k + 1) % faces[f].corners()];
-      found[{std::min(a, b), std::max(a, b)}].push_back(static_cast<int>(f));
-    }
-  return found;
 }
 
 }  // namespace
@@ -70,20 +60,31 @@ std::vector<FreeFace> free_faces(const Eigen::Matrix3Xd& nodes, const std::vecto
   return free;
 }
 
+std::array<int, 2> FreeFace::edge(std::size_t k) const {
+  const auto [low, high] = std::minmax(nodes[k], nodes[(k + 1) % corners()]);
+  return {low, high};
+}
+
+std::map<std::array<int, 2>, std::vector<int>> faces_at_edges(const std::vector<FreeFace>& faces,
+                                                              const std::vector<int>& numbers) {
+  std::map<std::array<int, 2>, std::vector<int>> found;
+  for (const int number : numbers)
+    for (std::size_t k = 0; k < faces[number].corners(); ++k) found[faces[number].edge(k)].push_back(number);
+  return found;
+}
+
 std::vector<int> surface_patch(const std::vector<FreeFace>& faces, const std::vector<int>& from) {
-  const auto neighbours = faces_at_edges(faces);
+  std::vector<int> all(faces.size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto neighbours = faces_at_edges(faces, all);
   std::set<int> patch(from.begin(), from.end());
   std::vector<int> front(from);
   while (!front.empty()) {
-    const FreeFace& face = faces[static_cast<std::size_t>(front.back())];
+    const FreeFace& face = faces[front.back()];
     front.pop_back();
-    for (std::size_t k = 0; k < face.corners(); ++k) {
-      const int a = face.nodes[k], b = face.nodes[(k + 1) % face.corners()];
-      for (const int next : neighbours.at({std::min(a, b), std::max(a, b)}))
-        if (faces[static_cast<std::size_t>(next)].normal.dot(face.normal) > smooth_cosine &&
-            patch.insert(next).second)
-          front.push_back(next);
-    }
+    for (std::size_t k = 0; k < face.corners(); ++k)
+      for (const int next : neighbours.at(face.edge(k)))
+        if (faces[next].normal.dot(face.normal) > smooth_cosine && patch.insert(next).second) front.push_back(next);
   }
   return {patch.begin(), patch.end()};
 }

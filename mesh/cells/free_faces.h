@@ -16,6 +16,8 @@ struct FreeFace {
   int cell = 0;                                      ///< number of its cell
 
   std::size_t corners() const { return nodes.size() / 2; }
+  /// The corners at the ends of edge k, the smaller number first.
+  std::array<int, 2> edge(std::size_t k) const;
 };
 
 /// The nodes of each cell, from columns that are filled up with -1 (see nodes_of()).
@@ -23,6 +25,10 @@ std::vector<std::vector<int>> listed_cells(const Eigen::MatrixXi& columns);
 
 /// The free faces of cells whose nodes are in VTK's order; ordered by the numbers of their corners.
 std::vector<FreeFace> free_faces(const Eigen::Matrix3Xd& nodes, const std::vector<std::vector<int>>& cells);
+
+/// The numbers of those of these faces that meet at each edge.
+std::map<std::array<int, 2>, std::vector<int>> faces_at_edges(const std::vector<FreeFace>& faces,
+                                                              const std::vector<int>& numbers);
 
 /// The faces that continue the surface of the faces `from` without an edge: neighbours whose normals differ by less
 /// than 20 degrees, their neighbours, and so on. Numbers in `faces`, ascending, `from` included.

@@ -6,8 +6,6 @@
 #include <map>
 #include <set>
 
-#include "cases/program/errors.h"
-#include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/import/text_lines.h"
 
@@ -130,8 +128,9 @@ class BdfReader : MeshReader {
 
   void require_basic_system(const Card& card) const {
     if (const std::string system = field(card, 1); !system.empty() && system != "0")
-      throw InputError(text_of(mesh_.file, ":", card.line, ": ", card.name, " gives places in coordinate system ",
-                               system, "; write the file in the basic system, 0"));
+      refuse_line(
+          lines_.file(), card.line,
+          card.name + " gives places in coordinate system " + system + "; write the file in the basic system, 0");
   }
 
   void add_grid(const Card& card) {

@@ -2,12 +2,11 @@
 #include "mesh/import/import_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <numeric>
 #include <set>
-#include <utility>
 
 #include "cases/program/errors.h"
 #include "cases/program/text.h"
@@ -23,7 +22,7 @@ class Bodies {
     std::iota(next_.begin(), next_.end(), 0);
     for (const std::vector<int>& cell : mesh.cells)
       for (const int node : cell) join(node, cell.front());
-    const auto node_of = [&](int face) { return mesh.faces[static_cast<std::size_t>(face)].nodes.front(); };
+    const auto node_of = [&](int face) { return mesh.faces[face].nodes.front(); };
     for (std::size_t k = 0; k < pairs.low.size(); ++k) join(node_of(pairs.low[k]), node_of(pairs.high[k]));
   }
 
@@ -56,23 +55,10 @@ bool goes_round(const CellMesh& mesh) {
   return largest_gap(mesh) < std::numbers::pi / 2;
 }
 
-const FreeFace& face_of(const CellMesh& mesh, int face) {
-  return mesh.faces[static_cast<std::size_t>(face)];
-}
-
-using Edge = std::pair<int, int>;  // the smaller node first
-
-Edge edge_of(const FreeFace& face, std::size_t k) {
-  return std::minmax(face.nodes[k], face.nodes[(k + 1) % face.corners()]);
-}
-
-/// The faces at each edge.
-std::map<Edge, std::vector<int>> faces_at_edges(const CellMesh& mesh, const std::vector<int>& faces) {
-  std::map<Edge, std::vector<int>> found;
-  for (const int face : faces)
-    for (std::size_t k = 0; k < face_of(mesh, face).corners(); ++k)
-      found[edge_of(face_of(mesh, face), k)].push_back(face);
-  return found;
+/// The smallest and the largest radius of nodes [m].
+std::array<double, 2> radii_of(const CellMesh& mesh, const std::vector<int>& nodes) {
+  const Eigen::VectorXd radii = mesh.nodes(Eigen::seqN(0, 2), nodes).colwise().norm();
+  return {radii.minCoeff(), radii.maxCoeff()};
 }
 
 /// How many faces lie beyond the first node of a line, see require_along_tip().
@@ -81,7 +67,7 @@ int faces_beyond(const CellMesh& mesh, const std::vector<int>& faces, const std:
   const Eigen::Vector3d end = mesh.nodes.col(line[0]), outward = (end - mesh.nodes.col(line[1])).normalized();
   const double length = (end - mesh.nodes.col(line.back())).norm();
   return static_cast<int>(std::count_if(faces.begin(), faces.end(), [&](int number) {
-    const FreeFace& face = face_of(mesh, number);
+    const FreeFace& face = mesh.faces[number];
     std::vector<double> reach;
     for (std::size_t k = 0; k < face.corners(); ++k)
       reach.push_back(outward.dot(mesh.nodes.col(face.nodes[k]) - end));
@@ -93,41 +79,14 @@ int faces_beyond(const CellMesh& mesh, const std::vector<int>& faces, const std:
   }));
 }
 
-Eigen::Vector2d meridional(const Eigen::Vector3d& place) {
-  return {place.head<2>().norm(), place.z()};
-}
-
-/// The share of the area of a tip that lies beyond the ends of a line, in the meridional plane: of faces whose centre
-/// is beyond an end, where the line goes on straight.
-double share_beyond(const CellMesh& mesh, const std::vector<int>& faces, const std::vector<int>& line) {
-  constexpr double at_the_end = 1e-6;  // of the line's last step: a face with its centre there is not beyond
-  std::vector<Eigen::Vector2d> way;
-  for (const int node : line) way.push_back(meridional(mesh.nodes.col(node)));
-  double beyond = 0, all = 0;
-  for (const int number : faces) {
-    const Eigen::Vector2d at = meridional(centre(mesh, face_of(mesh, number)));
-    const auto nearer = [&](const auto& a, const auto& b) { return (a - at).norm() < (b - at).norm(); };
-    const auto nearest = std::min_element(way.begin(), way.end(), nearer);
-    const auto is_beyond = [&](const Eigen::Vector2d& end, const Eigen::Vector2d& before) {
-      return *nearest == end && (at - end).dot(end - before) > at_the_end * (end - before).squaredNorm();
-    };
-    all += area(mesh, face_of(mesh, number));
-    if (is_beyond(way.front(), way[1]) || is_beyond(way.back(), way[way.size() - 2]))
-      beyond += area(mesh, face_of(mesh, number));
-  }
-  return beyond / all;
-}
-
 }  // namespace
 
 std::string extent_of(const CellMesh& mesh, const std::vector<int>& faces) {
   constexpr double one_radius = 1e-4;  // of the largest radius
-  double low = mesh.largest_radius(), high = 0;
+  std::vector<int> nodes;
   for (const int face : faces)
-    for (const int node : mesh.faces[static_cast<std::size_t>(face)].nodes) {
-      low = std::min(low, mesh.nodes.col(node).head<2>().norm());
-      high = std::max(high, mesh.nodes.col(node).head<2>().norm());
-    }
+    nodes.insert(nodes.end(), mesh.faces[face].nodes.begin(), mesh.faces[face].nodes.end());
+  const auto [low, high] = radii_of(mesh, nodes);
   const std::string range =
       high - low > one_radius * mesh.largest_radius() ? text_of(low, " to ", high) : text_of(low);
   return text_of(faces.size(), faces.size() == 1 ? " face" : " faces", ", r ", range, " m");
@@ -151,15 +110,13 @@ void require_held(const CellMesh& mesh, const PeriodicCuts& pairs, const std::ve
   Bodies bodies(mesh, pairs);
   std::set<int> all, held;
   for (const std::vector<int>& cell : mesh.cells) all.insert(bodies.of(cell.front()));
-  for (const int face : clamped) held.insert(bodies.of(mesh.faces[static_cast<std::size_t>(face)].nodes.front()));
+  for (const int face : clamped) held.insert(bodies.of(mesh.faces[face].nodes.front()));
   const auto loose = std::find_if(all.begin(), all.end(), [&](int body) { return !held.contains(body); });
   if (loose == all.end()) return;
-  double low = mesh.largest_radius(), high = 0;
+  std::vector<int> nodes;
   for (int node = 0; node < mesh.nodes.cols(); ++node)
-    if (bodies.of(node) == *loose) {
-      low = std::min(low, mesh.nodes.col(node).head<2>().norm());
-      high = std::max(high, mesh.nodes.col(node).head<2>().norm());
-    }
+    if (bodies.of(node) == *loose) nodes.push_back(node);
+  const auto [low, high] = radii_of(mesh, nodes);
   const auto cells = std::count_if(mesh.cells.begin(), mesh.cells.end(),
                                    [&](const auto& cell) { return bodies.of(cell.front()) == *loose; });
   throw InputError(
@@ -173,11 +130,11 @@ std::vector<int> off_the_cuts(const CellMesh& mesh, const PeriodicCuts& cuts, co
   cut.insert(cuts.high.begin(), cuts.high.end());
   std::vector<int> off, on;
   for (const int face : clamped) (cut.contains(face) ? on : off).push_back(face);
-  const auto edges = faces_at_edges(mesh, off);
+  const auto edges = faces_at_edges(mesh.faces, off);
   const bool meant = std::any_of(on.begin(), on.end(), [&](int number) {
-    const FreeFace& face = face_of(mesh, number);
+    const FreeFace& face = mesh.faces[number];
     int held = 0;
-    for (std::size_t k = 0; k < face.corners(); ++k) held += edges.contains(edge_of(face, k)) ? 1 : 0;
+    for (std::size_t k = 0; k < face.corners(); ++k) held += edges.contains(face.edge(k)) ? 1 : 0;
     return held < 2;
   });
   if (meant || (!on.empty() && on.size() == cut.size()))
@@ -189,17 +146,17 @@ std::vector<int> off_the_cuts(const CellMesh& mesh, const PeriodicCuts& cuts, co
 
 void require_one_surface(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key) {
   constexpr double sharp_cosine = 0.5;  // of 60 degrees
-  const auto edges = faces_at_edges(mesh, faces);
+  const auto edges = faces_at_edges(mesh.faces, faces);
   for (const auto& [edge, at] : edges)
-    if (face_of(mesh, at.front()).normal.dot(face_of(mesh, at.back()).normal) < sharp_cosine)
+    if (mesh.faces[at.front()].normal.dot(mesh.faces[at.back()].normal) < sharp_cosine)
       throw InputError(mesh.file + ": [mesh] " + key + " selects faces on both sides of a sharp edge, at " +
-                       mesh.place_of(edge.first) + "; select the tip alone, without the flanks of the blade");
+                       mesh.place_of(edge[0]) + "; select the tip alone, without the flanks of the blade");
   std::set<int> seen = {faces.front()};
   for (std::vector<int> front = {faces.front()}; !front.empty();) {
-    const FreeFace& face = face_of(mesh, front.back());
+    const FreeFace& face = mesh.faces[front.back()];
     front.pop_back();
     for (std::size_t k = 0; k < face.corners(); ++k)
-      for (const int next : edges.at(edge_of(face, k)))
+      for (const int next : edges.at(face.edge(k)))
         if (seen.insert(next).second) front.push_back(next);
   }
   if (seen.size() < faces.size())
@@ -225,10 +182,8 @@ void require_one_line(const CellMesh& mesh, const std::vector<int>& nodes, const
 
 void require_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& faces_key,
                        const std::vector<int>& line, const std::string& line_key) {
-  constexpr double most_beyond = 0.3;  // of the tip's area; tiprub-reduce has the same limit
-  const char* whole = "; the line must run from the leading to the trailing edge";
   std::set<int> nodes;
-  for (const int face : faces) nodes.insert(face_of(mesh, face).nodes.begin(), face_of(mesh, face).nodes.end());
+  for (const int face : faces) nodes.insert(mesh.faces[face].nodes.begin(), mesh.faces[face].nodes.end());
   const auto off = std::count_if(line.begin(), line.end(), [&](int node) { return !nodes.contains(node); });
   const std::string keys = mesh.file + ": [mesh] " + line_key + " and " + faces_key;
   if (off > 0)
@@ -238,10 +193,8 @@ void require_along_tip(const CellMesh& mesh, const std::vector<int>& faces, cons
   for (const std::vector<int>* way : {&line, &reversed})
     if (const int beyond = faces_beyond(mesh, faces, *way); beyond > 0)
       throw InputError(text_of(keys, " don't belong together: ", beyond, " faces of ", faces_key,
-                               " lie beyond the end of ", line_key, " at ", mesh.place_of(way->front()), whole));
-  if (const double beyond = share_beyond(mesh, faces, line); beyond > most_beyond)
-    throw InputError(text_of(keys, " don't belong together: ", std::lround(100 * beyond), " % of the area of ",
-                             faces_key, " lies beyond the ends of ", line_key, whole));
+                               " lie beyond the end of ", line_key, " at ", mesh.place_of(way->front()),
+                               "; the line must run from the leading to the trailing edge"));
 }
 
 }  // namespace tiprub::mesh

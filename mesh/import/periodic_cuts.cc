@@ -31,7 +31,7 @@ Eigen::Vector3d centre(const CellMesh& mesh, const std::vector<int>& cut) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double whole = 0;
   for (const int f : cut) {
-    const FreeFace& face = mesh.faces[static_cast<std::size_t>(f)];
+    const FreeFace& face = mesh.faces[f];
     sum += area(mesh, face) * centre(mesh, face);
     whole += area(mesh, face);
   }
@@ -70,7 +70,7 @@ class Search {
 
   /// Among the faces of two given cuts only, however these lie to the circle.
   Search(const CellMesh& mesh, const PeriodicCuts& cuts) : mesh_(mesh), reach_(tolerance * mesh.largest_radius()) {
-    const auto at = [&](int face) { return centre(mesh, mesh.faces[static_cast<std::size_t>(face)]); };
+    const auto at = [&](int face) { return centre(mesh, mesh.faces[face]); };
     for (const int face : cuts.low) low_.push_back({face, at(face)});
     for (const int face : cuts.high) high_.emplace(at(face).z(), Face{face, at(face)});
   }

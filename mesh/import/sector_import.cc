@@ -15,7 +15,6 @@
 #include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/curves/wheel_keys.h"
-#include "mesh/import/foreign_mesh.h"
 #include "mesh/import/import_check.h"
 #include "mesh/import/periodic_cuts.h"
 #include "mesh/import/selection.h"
@@ -24,20 +23,18 @@ namespace tiprub::mesh {
 
 namespace {
 
-/// The format that a file's ending stands for.
-std::optional<MeshFormat> usual_format(const std::string& name) {
-  const std::string end = std::filesystem::path(name).extension().string();
-  if (end == ".inp") return MeshFormat::inp;
-  if (end == ".bdf" || end == ".nas" || end == ".dat") return MeshFormat::bdf;
-  if (end == ".cdb") return MeshFormat::cdb;
-  if (end == ".unv") return MeshFormat::unv;
-  if (end == ".msh") return MeshFormat::msh;
-  return std::nullopt;
+/// The reader of the format that a file's ending stands for.
+std::optional<ReadMesh> usual_reader(const std::string& name) {
+  static const std::map<std::string, ReadMesh> readers = {{".inp", read_inp}, {".bdf", read_bdf}, {".nas", read_bdf},
+                                                          {".dat", read_bdf}, {".cdb", read_cdb}, {".unv", read_unv},
+                                                          {".msh", read_msh}};
+  const auto known = readers.find(std::filesystem::path(name).extension().string());
+  return known == readers.end() ? std::nullopt : std::optional(known->second);
 }
 
 /// Refuses a file of an unknown format, and says how gmsh meshes one of a CAD system.
 void require_format(const CaseTable& table, const std::string& name) {
-  if (table.has("mesh_format") || usual_format(name)) return;
+  if (table.has("mesh_format") || usual_reader(name)) return;
   const std::filesystem::path path(name);
   const std::string end = path.extension().string();
   const std::string msh = std::filesystem::path(path).replace_extension(".msh").string();
@@ -52,22 +49,6 @@ constexpr std::array selection_keys = {"clamped",    "blade_tip",   "contact", "
                                        "cyclic_low", "cyclic_high", "disc",    "main_blade",   "splitter"};
 
 constexpr int triangle6 = 9, quadrangle8 = 16, line2 = 1;  // gmsh's types
-
-ForeignMesh read(const ImportParameters& parameters) {
-  switch (parameters.format) {
-    case MeshFormat::inp:
-      return read_inp(parameters.file);
-    case MeshFormat::bdf:
-      return read_bdf(parameters.file);
-    case MeshFormat::cdb:
-      return read_cdb(parameters.file);
-    case MeshFormat::unv:
-      return read_unv(parameters.file);
-    case MeshFormat::msh:
-      return read_msh(parameters.file);
-  }
-  return {};
-}
 
 /// The solids, divided by the sets that the case names.
 class Parts {
@@ -114,7 +95,7 @@ class Parts {
 NamedMesh::Entity surface(const CellMesh& mesh, const std::string& name, const std::vector<int>& faces) {
   NamedMesh::Entity entity{2, {name}, {}};
   for (const int f : faces) {
-    const FreeFace& face = mesh.faces[static_cast<std::size_t>(f)];
+    const FreeFace& face = mesh.faces[f];
     std::vector<std::size_t>& nodes = entity.elements[face.corners() == 3 ? triangle6 : quadrangle8];
     nodes.insert(nodes.end(), face.nodes.begin(), face.nodes.end());
   }
@@ -126,7 +107,7 @@ using CutsIn = std::function<PeriodicCuts(const CellMesh&, int sector_count)>;
 /// For a message: the axis and the number of sectors with which most faces of the cuts pair. Empty if there are none.
 std::string where_cuts_pair(const ImportParameters& parameters, const CutsIn& cuts_in) {
   constexpr int any_count = 0;
-  const ForeignMesh given = read(parameters);
+  const ForeignMesh given = parameters.read(parameters.file);
   for (const int count : {parameters.sector_count, any_count})
     for (const auto& [axis, name] : {std::pair{Axis::z, "z"}, {Axis::y, "y"}, {Axis::x, "x"}}) {
       const CellMesh mesh = in_our_terms(given, parameters.length, axis);
@@ -301,13 +282,10 @@ ImportParameters read_import_parameters(CaseTable& table) {
   const char* kind = "a mesh of another code";
   parameters.file = table.large_file("mesh_file", kind);
   require_format(table, parameters.file.name);
-  parameters.format = table.choice<MeshFormat>("mesh_format", usual_format(parameters.file.name),
-                                               {{"inp", MeshFormat::inp},
-                                                {"bdf", MeshFormat::bdf},
-                                                {"cdb", MeshFormat::cdb},
-                                                {"unv", MeshFormat::unv},
-                                                {"msh", MeshFormat::msh}});
-  if (parameters.format != MeshFormat::msh) require_utf8(parameters.file, kind);
+  parameters.read = table.choice<ReadMesh>(
+      "mesh_format", usual_reader(parameters.file.name),
+      {{"inp", read_inp}, {"bdf", read_bdf}, {"cdb", read_cdb}, {"unv", read_unv}, {"msh", read_msh}});
+  if (parameters.read != read_msh) require_utf8(parameters.file, kind);
   parameters.length = read_length_unit(table);
   parameters.axis = table.choice<Axis>("axis", Axis::z, {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}});
   parameters.sector_count = table.integer("sector_count", 0, Range::between(0, most_sectors), "sectors");
@@ -332,7 +310,7 @@ void require_usual_radius(const CaseTable& table, const ImportParameters& parame
 }
 
 ImportedSector import_sector(const ImportParameters& given) {
-  const ForeignMesh file = read(given);
+  const ForeignMesh file = given.read(given.file);
   const CellMesh mesh = in_our_terms(file, given.length, given.axis);
   const ImportParameters parameters = with_own_names(given, mesh);
   const PeriodicCuts cuts = cuts_of(mesh, parameters);

@@ -11,12 +11,13 @@
 
 namespace tiprub::mesh {
 
-enum class MeshFormat { inp, bdf, cdb, unv, msh };
+/// The reader of a format.
+using ReadMesh = ForeignMesh (*)(const NamedText& file);
 
 /// [mesh] with mesh_file instead of family: a mesh of another code, and the names of its faces, nodes and solids.
 struct ImportParameters {
   NamedText file;
-  MeshFormat format = MeshFormat::inp;
+  ReadMesh read = read_inp;
   double length = 1;  ///< [m] of the file's unit
   Axis axis = Axis::z;
   int sector_count = 0;  ///< 0: found from the cuts

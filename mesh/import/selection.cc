@@ -117,7 +117,7 @@ std::vector<int> advancing(const CellMesh& mesh, const std::vector<int>& way) {
 std::vector<int> loop_round(const CellMesh& mesh, const std::vector<int>& faces, const std::string& key) {
   std::map<std::array<int, 2>, int> directed;  // the middle, by the ends of an edge in the face's direction
   for (const int f : faces) {
-    const FreeFace& face = mesh.faces[static_cast<std::size_t>(f)];
+    const FreeFace& face = mesh.faces[f];
     const std::size_t corners = face.corners();
     for (std::size_t k = 0; k < corners; ++k)
       directed[{face.nodes[k], face.nodes[(k + 1) % corners]}] = face.nodes[corners + k];

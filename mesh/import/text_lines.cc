@@ -7,8 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "cases/program/errors.h"
-
 namespace tiprub::mesh {
 
 namespace {
@@ -39,7 +37,7 @@ std::optional<std::string_view> TextLines::next() {
 }
 
 void TextLines::refuse(const std::string& message) const {
-  throw InputError(file_.name + ":" + std::to_string(number_) + ": " + message);
+  refuse_line(file_, number_, message);
 }
 
 double TextLines::number_in(std::string_view word, const char* meaning) const {
@@ -69,14 +67,15 @@ long TextLines::whole_in(std::string_view word, const char* meaning) const {
 }
 
 void MeshReader::refuse_linear(int line, const std::string& what) const {
-  throw InputError(mesh_.file + ":" + std::to_string(line) + ": " + what +
-                   ": elements that have corners only bend too stiffly; mesh again with quadratic ones, 10-node "
-                   "tetrahedra, 15-node wedges or 20-node bricks");
+  refuse_line(lines_.file(), line,
+              what +
+                  ": elements that have corners only bend too stiffly; mesh again with quadratic ones, 10-node "
+                  "tetrahedra, 15-node wedges or 20-node bricks");
 }
 
 void MeshReader::refuse_solid(int line, const std::string& what, const std::string& known) const {
-  throw InputError(mesh_.file + ":" + std::to_string(line) + ": " + what + " is not known; " + known +
-                   " are; mesh every volume with these solids, or delete the element");
+  refuse_line(lines_.file(), line,
+              what + " is not known; " + known + " are; mesh every volume with these solids, or delete the element");
 }
 
 void MeshReader::refuse_other_file(const std::string& statement) const {
@@ -90,10 +89,10 @@ void MeshReader::refuse_rule(const std::string& statement) const {
 }
 
 void MeshReader::add_node(int line, long number, const Eigen::Vector3d& at) {
-  const std::string where = mesh_.file + ":" + std::to_string(line) + ": node " + std::to_string(number);
-  if (number <= 0) throw InputError(where + " must have a number above 0");
+  const std::string node = "node " + std::to_string(number);
+  if (number <= 0) refuse_line(lines_.file(), line, node + " must have a number above 0");
   if (!mesh_.nodes.emplace(number, at).second)
-    throw InputError(where + " is there twice; does the file hold several parts? Write one");
+    refuse_line(lines_.file(), line, node + " is there twice; does the file hold several parts? Write one");
 }
 
 std::string_view trimmed(std::string_view text) {

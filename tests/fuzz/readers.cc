@@ -124,16 +124,16 @@ void read_pairs(const fs::path& file, const fs::path& beside) {
 }
 
 /// With selections that don't fit every damaged mesh, too.
-template <MeshFormat format>
+template <ReadMesh read>
 void read_foreign_mesh(const fs::path& file, const fs::path&) {
   ImportParameters parameters;
   parameters.file = text_of(file);
-  parameters.format = format;
+  parameters.read = read;
   parameters.length = 1e-3;
   parameters.selection = {{"clamped", "plane x 0.04"}, {"blade_tip", "normal 1 0 0"}};
   import_sector(parameters);
-  const char* const key = format == MeshFormat::msh ? "blade_tip" : "contact";
-  const char* const set = format == MeshFormat::bdf ? "SET 7" : format == MeshFormat::cdb ? "CONTACT" : key;
+  const char* const key = read == read_msh ? "blade_tip" : "contact";
+  const char* const set = read == read_bdf ? "SET 7" : read == read_cdb ? "CONTACT" : key;
   parameters.selection = {{"clamped", "plane x 0.04"}, {key, set}};
   import_sector(parameters);
   parameters.sector_count = 6;
@@ -176,11 +176,11 @@ const std::vector<Reader> readers = {
     {"mass", ".mtx", Format::text, {read_matrices<&MatrixFiles::mass>}},
     {"nodes", ".csv", Format::text, {read_matrices<&MatrixFiles::nodes>}},
     {"rows", ".dof", Format::text, {read_matrices<&MatrixFiles::dofs>}},
-    {"inp", ".inp", Format::text, {read_foreign_mesh<MeshFormat::inp>}},
-    {"bdf", ".bdf", Format::text, {read_foreign_mesh<MeshFormat::bdf>}},
-    {"cdb", ".cdb", Format::text, {read_foreign_mesh<MeshFormat::cdb>}},
-    {"unv", ".unv", Format::text, {read_foreign_mesh<MeshFormat::unv>}},
-    {"msh", ".msh", Format::mesh, {read_foreign_mesh<MeshFormat::msh>}},
+    {"inp", ".inp", Format::text, {read_foreign_mesh<read_inp>}},
+    {"bdf", ".bdf", Format::text, {read_foreign_mesh<read_bdf>}},
+    {"cdb", ".cdb", Format::text, {read_foreign_mesh<read_cdb>}},
+    {"unv", ".unv", Format::text, {read_foreign_mesh<read_unv>}},
+    {"msh", ".msh", Format::mesh, {read_foreign_mesh<read_msh>}},
     {"mesh", ".msh", Format::mesh, {read_mesh}},
     {"model", ".h5", Format::hdf5, {read_model_file}},
     {"fields", ".h5", Format::hdf5, {read_fields, check_report_of_fields}},

@@ -70,9 +70,9 @@ class CaseTable {
   /// has no default.
   std::vector<std::vector<double>> rows(std::string_view key, std::size_t columns, const Range& last,
                                         std::string_view unit);
-  template <class Enum>
-  Enum choice(std::string_view key, std::optional<Enum> fallback,
-              std::initializer_list<std::pair<std::string_view, Enum>> names);
+  template <class Value>
+  Value choice(std::string_view key, std::optional<Value> fallback,
+               std::initializer_list<std::pair<std::string_view, Value>> names);
   /// A table inside this one. If it is absent, it reads as an empty one.
   CaseTable table(std::string_view key);
 
@@ -125,9 +125,9 @@ class CaseFile {
   std::shared_ptr<CaseTable::Node> root_;
 };
 
-template <class Enum>
-Enum CaseTable::choice(std::string_view key, std::optional<Enum> fallback,
-                       std::initializer_list<std::pair<std::string_view, Enum>> names) {
+template <class Value>
+Value CaseTable::choice(std::string_view key, std::optional<Value> fallback,
+                        std::initializer_list<std::pair<std::string_view, Value>> names) {
   std::vector<std::string> known;
   std::optional<std::string> fallback_name;
   for (const auto& [name, value] : names) {

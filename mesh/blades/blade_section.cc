@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "cases/program/text.h"
-#include "mesh/curves/wheel_keys.h"
 
 namespace tiprub::mesh {
 

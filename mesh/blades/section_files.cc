@@ -10,10 +10,10 @@ namespace tiprub::mesh {
 
 namespace {
 
-constexpr std::size_t section_columns = 4;
+constexpr std::size_t columns = 4;
 
 BladePoint section_point(const NamedText& file, const NumberLine& line, const FileUnits& units) {
-  if (line.words.size() != section_columns)
+  if (line.words.size() != columns)
     refuse_line(file, line.number,
                 "holds " + std::to_string(line.words.size()) +
                     " words; a point is four numbers, z, r, theta of one side and of the other, and a new section "
@@ -27,7 +27,6 @@ BladePoint section_point(const NamedText& file, const NumberLine& line, const Fi
 }
 
 constexpr int most_blades = 1000;
-constexpr std::size_t columns = 4;
 constexpr double least_pitch_fraction = 0.2, largest_pitch_fraction = 0.8;
 
 enum class Thickness { normal, tangential };
@@ -139,13 +138,9 @@ BladeSection read_layer(const NamedText& file, Cursor& cursor, double length, Th
   return points;
 }
 
-struct Blade {
-  double pitch_fraction;
-  std::vector<BladeSection> sections;
-};
-
-Blade read_blade(const NamedText& file, Cursor& cursor, double length) {
-  Blade blade;
+/// A main blade, or a splitter, with its pitch fraction.
+FileSplitter read_blade(const NamedText& file, Cursor& cursor, double length) {
+  FileSplitter blade;
   blade.pitch_fraction = number_in(file, cursor.next("the pitch fraction"), 0, "the pitch fraction");
   const NumberLine& layers = cursor.next("the number of layers");
   const int count = count_in(file, layers, 0, "the number of layers", 2, most_sections);
@@ -157,10 +152,10 @@ Blade read_blade(const NamedText& file, Cursor& cursor, double length) {
 
 FileSplitter read_splitter(const NamedText& file, Cursor& cursor, double length) {
   const int line = cursor.peek() != nullptr ? cursor.peek()->number : 0;
-  Blade blade = read_blade(file, cursor, length);
+  FileSplitter blade = read_blade(file, cursor, length);
   if (blade.pitch_fraction < least_pitch_fraction || blade.pitch_fraction > largest_pitch_fraction)
     refuse_line(file, line, "the pitch fraction of a splitter must be at least 0.2 and at most 0.8");
-  return {std::move(blade.sections), blade.pitch_fraction};
+  return blade;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "mesh/cells/cell_kind.h"
-#include "mesh/import/text_lines.h"
+#include "mesh/import/foreign_mesh.h"
 
 namespace tiprub::mesh {
 

@@ -7,7 +7,6 @@
 
 #include "cases/program/errors.h"
 #include "cases/program/text.h"
-#include "mesh/import/text_lines.h"
 
 namespace tiprub::mesh {
 

@@ -14,7 +14,7 @@
 #include "cases/program/errors.h"
 #include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
-#include "mesh/curves/wheel_keys.h"
+#include "mesh/curves/smooth_table.h"
 #include "mesh/import/import_check.h"
 #include "mesh/import/periodic_cuts.h"
 #include "mesh/import/selection.h"

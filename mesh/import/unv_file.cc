@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "mesh/import/text_lines.h"
+#include "mesh/import/foreign_mesh.h"
 
 namespace tiprub::mesh {
 

@@ -17,108 +17,91 @@ namespace {
 /// the tip.
 class SectorLattice {
  public:
-  explicit SectorLattice(const SectorPlan& plan);
+  explicit SectorLattice(const SectorPlan& plan)
+      : disc_layers_(plan.elements.disc), splitter_first_station_(plan.elements.upstream) {
+    const ElementCounts& elements = plan.elements;
+    const Columns half_passage{std::nullopt, elements.between_blades / 2}, main{BladeKind::main, elements.blade};
+    const Columns passage{std::nullopt, elements.between_blades}, splitter{BladeKind::splitter, elements.splitter};
+    switch (plan.blades) {
+      case Blades::none:
+        blocks_ = {passage};
+        break;
+      case Blades::main:
+        blocks_ = {main};
+        if (plan.has_disc()) blocks_ = {half_passage, main, half_passage};
+        break;
+      case Blades::main_and_splitter:
+        blocks_ = {half_passage, main, passage, splitter, half_passage};
+        break;
+    }
+    size_ = {0, elements.chord, elements.disc + (plan.blades == Blades::none ? 0 : elements.span)};
+    for (const Columns& columns : blocks_) size_[0] += columns.count;
+  }
 
   /// Columns, stations, layers, in elements.
   const std::array<int, 3>& size() const { return size_; }
   int hub_layer() const { return disc_layers_; }  ///< the first layer above the hub
-  std::optional<Region> region(const std::array<int, 3>& cell) const;
+
+  std::optional<Region> region(const std::array<int, 3>& cell) const {
+    for (int d = 0; d < 3; ++d)
+      if (cell[d] < 0 || cell[d] >= size_[d]) return std::nullopt;
+    const auto [column, station, layer] = cell;
+    if (layer < disc_layers_) return Region::disc;
+    const std::optional<BladeKind> blade = blade_of(column);
+    if (blade == BladeKind::main) return Region::main_blade;
+    if (blade == BladeKind::splitter && station >= splitter_first_station_) return Region::splitter;
+    return std::nullopt;
+  }
+
   /// The middle of what carries contact (the main blade, or a bare disc's sector; the splitter), in half columns.
-  int contact_half_column(BladeKind blade) const;
+  int contact_half_column(BladeKind blade) const {
+    int first = 0;
+    for (const Columns& columns : blocks_) {
+      if (columns.blade == blade) return 2 * first + columns.count;
+      first += columns.count;
+    }
+    return size_[0];
+  }
 
   /// Angles of all half columns against the main blade's middle [rad], between the two cuts, or between the sides of
   /// a blade without a disc: even within each block.
-  std::vector<double> angles(const SectorPlan& plan, double half_width_main, double half_width_splitter) const;
+  std::vector<double> angles(const SectorPlan& plan, double half_width_main, double half_width_splitter) const {
+    const bool has_splitter = plan.blades == Blades::main_and_splitter;
+    const double splitter = plan.splitter_pitch * plan.pitch();
+    // The cut halves the passage between this main blade and the splitter, or the main blade, of the sector before.
+    const double low = 0.5 * (has_splitter ? splitter - plan.pitch() : -plan.pitch());
+    std::vector<double> borders;
+    if (plan.has_disc()) borders.push_back(low);
+    if (plan.blades != Blades::none) borders.insert(borders.end(), {-half_width_main, half_width_main});
+    if (has_splitter) borders.insert(borders.end(), {splitter - half_width_splitter, splitter + half_width_splitter});
+    if (plan.has_disc()) borders.push_back(low + plan.pitch());
+
+    std::vector<double> angles = {borders.front()};
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const int halves = 2 * blocks_[b].count;
+      for (int half = 1; half <= halves; ++half)
+        angles.push_back(borders[b] + (borders[b + 1] - borders[b]) * half / halves);
+    }
+    return angles;
+  }
 
  private:
-  enum class Block { gap, main, splitter };
   struct Columns {
-    Block block;
+    std::optional<BladeKind> blade;  ///< none in a gap
     int count;
   };
-  Block block_of(int column) const;
+
+  std::optional<BladeKind> blade_of(int column) const {
+    auto block = blocks_.begin();
+    for (; column >= block->count; ++block) column -= block->count;
+    return block->blade;
+  }
 
   std::vector<Columns> blocks_;
   std::array<int, 3> size_{};
   int disc_layers_;
   int splitter_first_station_;
 };
-
-SectorLattice::SectorLattice(const SectorPlan& plan)
-    : disc_layers_(plan.elements.disc), splitter_first_station_(plan.elements.upstream) {
-  const ElementCounts& elements = plan.elements;
-  const int passage = elements.between_blades;
-  switch (plan.blades) {
-    case Blades::none:
-      blocks_ = {{Block::gap, passage}};
-      break;
-    case Blades::main:
-      blocks_ = {{Block::main, elements.blade}};
-      if (plan.has_disc())
-        blocks_ = {{Block::gap, passage / 2}, {Block::main, elements.blade}, {Block::gap, passage / 2}};
-      break;
-    case Blades::main_and_splitter:
-      blocks_ = {{Block::gap, passage / 2},
-                 {Block::main, elements.blade},
-                 {Block::gap, passage},
-                 {Block::splitter, elements.splitter},
-                 {Block::gap, passage / 2}};
-      break;
-  }
-  size_ = {0, elements.chord, elements.disc + (plan.blades == Blades::none ? 0 : elements.span)};
-  for (const Columns& columns : blocks_) size_[0] += columns.count;
-}
-
-SectorLattice::Block SectorLattice::block_of(int column) const {
-  for (const Columns& columns : blocks_) {
-    if (column < columns.count) return columns.block;
-    column -= columns.count;
-  }
-  assert(false);
-  return Block::gap;
-}
-
-std::optional<Region> SectorLattice::region(const std::array<int, 3>& cell) const {
-  for (int d = 0; d < 3; ++d)
-    if (cell[d] < 0 || cell[d] >= size_[d]) return std::nullopt;
-  const auto [column, station, layer] = cell;
-  if (layer < disc_layers_) return Region::disc;
-  const Block block = block_of(column);
-  if (block == Block::main) return Region::main_blade;
-  if (block == Block::splitter && station >= splitter_first_station_) return Region::splitter;
-  return std::nullopt;
-}
-
-int SectorLattice::contact_half_column(BladeKind blade) const {
-  const Block wanted = blade == BladeKind::main ? Block::main : Block::splitter;
-  int first = 0;
-  for (const Columns& columns : blocks_) {
-    if (columns.block == wanted) return 2 * first + columns.count;
-    first += columns.count;
-  }
-  return size_[0];
-}
-
-std::vector<double> SectorLattice::angles(const SectorPlan& plan, double half_width_main,
-                                          double half_width_splitter) const {
-  const bool has_splitter = plan.blades == Blades::main_and_splitter;
-  const double splitter = plan.splitter_pitch * plan.pitch();
-  // The cut halves the passage between this main blade and the splitter, or the main blade, of the sector before.
-  const double low = 0.5 * (has_splitter ? splitter - plan.pitch() : -plan.pitch());
-  std::vector<double> borders;
-  if (plan.has_disc()) borders.push_back(low);
-  if (plan.blades != Blades::none) borders.insert(borders.end(), {-half_width_main, half_width_main});
-  if (has_splitter) borders.insert(borders.end(), {splitter - half_width_splitter, splitter + half_width_splitter});
-  if (plan.has_disc()) borders.push_back(low + plan.pitch());
-
-  std::vector<double> angles = {borders.front()};
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const int halves = 2 * blocks_[b].count;
-    for (int half = 1; half <= halves; ++half)
-      angles.push_back(borders[b] + (borders[b + 1] - borders[b]) * half / halves);
-  }
-  return angles;
-}
 
 using Index = std::array<int, 3>;  // column, station, layer; in elements for cells, in half elements for nodes
 
@@ -160,7 +143,7 @@ class Mesher {
     for_each_cell([&](const Index& cell, Region region) { add_cell(cell, region); });
     add_surfaces();
     mesh_.contact = tip_line(BladeKind::main);
-    if (wheel_.plan.contact_blades == ContactBlades::both) mesh_.contact_splitter = tip_line(BladeKind::splitter);
+    if (wheel_.plan.contact_on_splitters) mesh_.contact_splitter = tip_line(BladeKind::splitter);
     return std::move(mesh_);
   }
 

@@ -9,7 +9,7 @@
 #include "mesh/blades/blade_section.h"
 #include "mesh/blades/curve_files.h"
 #include "mesh/blades/section_files.h"
-#include "mesh/curves/wheel_keys.h"
+#include "mesh/curves/smooth_table.h"
 #include "mesh/wheels/impeller.h"
 #include "mesh/wheels/wheel.h"
 
@@ -20,13 +20,6 @@ namespace {
 constexpr double narrowest = 1e-3;  // width of a disc over the hub's radius
 constexpr double printed = 1e-6;    // relative precision of a number that is copied from a printed table
 constexpr double usual_blunt_edge = 0.01, widest_blunt_edge = 0.2;
-
-/// What carries the blades.
-enum class Disc {
-  profile,    ///< an axial wheel's, by its thickness over the height
-  back_face,  ///< a radial wheel's, by its bore and the back face
-  none,       ///< there is no disc, only the blade
-};
 
 FileBlade read_sections(CaseTable& table) {
   const NamedText file = table.file("blade_file", "a file of blade sections");
@@ -121,6 +114,12 @@ double read_bore(CaseTable& table, const BladesOfFile& wheel) {
   table.reject("bore_radius", text_of("must be less than the hub's radius, ", hub, " m at its smaller end"));
 }
 
+/// What carries the blades: nothing, so that there is only the main one; an axial wheel's disc, by its thickness over
+/// the height; or a radial wheel's, by its bore and the back face.
+void stand_alone(CaseTable& table, SectorPlan& plan, BladesOfFile&) {
+  read_common_of_blade(table, plan);
+}
+
 void stand_on_profile(CaseTable& table, SectorPlan& plan, BladesOfFile& wheel) {
   const double bore = read_bore(table, wheel);
   const double width = std::abs(wheel.hub(1.0).z - wheel.hub(0.0).z);
@@ -172,20 +171,11 @@ std::unique_ptr<WheelGeometry> read_wheel_of_blade_file(CaseTable& table, Sector
   const SectionSurface main(blade.sections, blunt);
   auto wheel = std::make_unique<BladesOfFile>(main);
   plan.blades = Blades::main;
-  const auto disc = table.choice<Disc>(
-      "disc", std::nullopt, {{"profile", Disc::profile}, {"back_face", Disc::back_face}, {"none", Disc::none}});
-  if (blade.splitter && disc != Disc::none) add_splitter(plan, *wheel, blade, main, blunt);
-  switch (disc) {
-    case Disc::profile:
-      stand_on_profile(table, plan, *wheel);
-      break;
-    case Disc::back_face:
-      stand_on_back_face(table, plan, *wheel);
-      break;
-    case Disc::none:
-      read_common_of_blade(table, plan);
-      break;
-  }
+  const auto stand = table.choice<decltype(&stand_alone)>(
+      "disc", std::nullopt,
+      {{"profile", stand_on_profile}, {"back_face", stand_on_back_face}, {"none", stand_alone}});
+  if (blade.splitter && stand != stand_alone) add_splitter(plan, *wheel, blade, main, blunt);
+  stand(table, plan, *wheel);
   return wheel;
 }
 

@@ -4,7 +4,6 @@
 
 #include "cases/program/units.h"
 #include "mesh/curves/smooth_table.h"
-#include "mesh/curves/wheel_keys.h"
 #include "mesh/wheels/wheel.h"
 
 namespace tiprub::mesh {
@@ -13,21 +12,43 @@ namespace {
 
 /// An annular disc, with axial blades on its rim or bare. The rim's middle is at z = 0, the leading edge at
 /// z = -axial_length / 2.
-struct BladedDiscParameters {
-  double bore_radius;          ///< [m]
-  double rim_radius;           ///< [m]
-  double axial_length;         ///< of the rim and of the blades [m]
-  SmoothTable disc_profile;    ///< the disc's axial thickness over the radius [m]
-  double tip_radius;           ///< [m]; the rim's without blades
-  double stagger_root;         ///< between blade and axis, positive towards +theta downstream [rad]
-  double stagger_tip;          ///< [rad]; the root's for a straight blade
-  SmoothTable thickness_root;  ///< over the chord [m]
-  SmoothTable thickness_tip;
+struct BladedDisc final : WheelGeometry {
+  double bore_radius = 0;                    ///< [m]
+  double rim_radius = 0;                     ///< [m]
+  double axial_length = 0;                   ///< of the rim and of the blades [m]
+  SmoothTable disc_profile{{{0.0, 0.0}}};    ///< the disc's axial thickness over the radius [m]
+  double tip_radius = 0;                     ///< [m]; the rim's without blades
+  double stagger_root = 0;                   ///< between blade and axis, positive towards +theta downstream [rad]
+  double stagger_tip = 0;                    ///< [rad]; the root's for a straight blade
+  SmoothTable thickness_root{{{0.0, 0.0}}};  ///< over the chord [m]
+  SmoothTable thickness_tip{{{0.0, 0.0}}};
+
+  MeridionalPoint disc_point(double station, double height) const override {
+    const double radius = (1.0 - height) * bore_radius + height * rim_radius;
+    return {(station - 0.5) * disc_profile.at(radius), radius};
+  }
+  MeridionalPoint blade_point(double station, double span) const override {
+    return {(station - 0.5) * axial_length, (1.0 - span) * rim_radius + span * tip_radius};
+  }
+  double theta(double station, double span) const override {
+    const MeridionalPoint at = blade_point(station, span);
+    return at.z * std::tan(stagger(span)) / at.r;
+  }
+  double half_width(BladeKind, double station, double span) const override {
+    const double thickness = (1.0 - span) * thickness_root.at(station) + span * thickness_tip.at(station);
+    return 0.5 * thickness / (blade_point(station, span).r * std::cos(stagger(span)));
+  }
+  std::string keys_that_shape(Region region) const override {
+    if (region == Region::disc) return "disc_profile, stagger_root_deg, thickness_root";
+    return "stagger_root_deg, stagger_tip_deg, thickness_root, thickness_tip";
+  }
+
+  double stagger(double span) const { return (1.0 - span) * stagger_root + span * stagger_tip; }
 };
 
 constexpr double steepest_stagger_deg = 80.0;
 
-SmoothTable read_disc_profile(CaseTable& table, const BladedDiscParameters& p) {
+SmoothTable read_disc_profile(CaseTable& table, const BladedDisc& p) {
   const std::vector<std::array<double, 2>> constant = {{p.bore_radius, p.axial_length},
                                                        {p.rim_radius, p.axial_length}};
   SmoothTable profile(table.points("disc_profile", constant, wheel_length, "m"));
@@ -37,7 +58,7 @@ SmoothTable read_disc_profile(CaseTable& table, const BladedDiscParameters& p) {
   return profile;
 }
 
-void read_blade(CaseTable& table, BladedDiscParameters& p) {
+void read_blade(CaseTable& table, BladedDisc& p) {
   const Range stagger = Range::between(-steepest_stagger_deg, steepest_stagger_deg);
   p.tip_radius = table.number("tip_radius", std::nullopt, wheel_length, "m");
   if (p.tip_radius <= p.rim_radius)
@@ -49,54 +70,20 @@ void read_blade(CaseTable& table, BladedDiscParameters& p) {
   p.thickness_tip = read_chord_table(table, "thickness_tip", std::nullopt, wheel_length, "m");
 }
 
-class BladedDisc final : public WheelGeometry {
- public:
-  explicit BladedDisc(const BladedDiscParameters& parameters) : parameters_(parameters) {}
-
-  MeridionalPoint disc_point(double station, double height) const override {
-    const double radius = (1.0 - height) * parameters_.bore_radius + height * parameters_.rim_radius;
-    return {(station - 0.5) * parameters_.disc_profile.at(radius), radius};
-  }
-  MeridionalPoint blade_point(double station, double span) const override {
-    return {(station - 0.5) * parameters_.axial_length,
-            (1.0 - span) * parameters_.rim_radius + span * parameters_.tip_radius};
-  }
-  double theta(double station, double span) const override {
-    const MeridionalPoint at = blade_point(station, span);
-    return at.z * std::tan(stagger(span)) / at.r;
-  }
-  double half_width(BladeKind, double station, double span) const override {
-    const double thickness =
-        (1.0 - span) * parameters_.thickness_root.at(station) + span * parameters_.thickness_tip.at(station);
-    return 0.5 * thickness / (blade_point(station, span).r * std::cos(stagger(span)));
-  }
-  std::string keys_that_shape(Region region) const override {
-    if (region == Region::disc) return "disc_profile, stagger_root_deg, thickness_root";
-    return "stagger_root_deg, stagger_tip_deg, thickness_root, thickness_tip";
-  }
-
- private:
-  double stagger(double span) const {
-    return (1.0 - span) * parameters_.stagger_root + span * parameters_.stagger_tip;
-  }
-
-  BladedDiscParameters parameters_;
-};
-
 }  // namespace
 
 std::unique_ptr<WheelGeometry> read_bladed_disc(CaseTable& table, SectorPlan& plan) {
   const auto size = [&](const char* key) { return table.number(key, std::nullopt, wheel_length, "m"); };
-  const SmoothTable nothing({{0.0, 0.0}});
-  BladedDiscParameters p{
-      size("bore_radius"), size("rim_radius"), size("axial_length"), nothing, 0.0, 0.0, 0.0, nothing, nothing};
-  if (p.rim_radius <= p.bore_radius) table.reject("rim_radius", "must be more than bore_radius");
-  p.tip_radius = p.rim_radius;
-  p.disc_profile = read_disc_profile(table, p);
+  auto wheel = std::make_unique<BladedDisc>();
+  wheel->bore_radius = size("bore_radius");
+  wheel->rim_radius = wheel->tip_radius = size("rim_radius");
+  wheel->axial_length = size("axial_length");
+  if (wheel->rim_radius <= wheel->bore_radius) table.reject("rim_radius", "must be more than bore_radius");
+  wheel->disc_profile = read_disc_profile(table, *wheel);
   plan.blades = table.choice<Blades>("blade", Blades::main, {{"present", Blades::main}, {"none", Blades::none}});
-  if (plan.blades == Blades::main) read_blade(table, p);
+  if (plan.blades == Blades::main) read_blade(table, *wheel);
   read_common(table, plan, 1);
-  return std::make_unique<BladedDisc>(p);
+  return wheel;
 }
 
 }  // namespace tiprub::mesh

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "cases/program/units.h"
-#include "mesh/curves/wheel_keys.h"
 #include "mesh/wheels/wheel.h"
 
 namespace tiprub::mesh {

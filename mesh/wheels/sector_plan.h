@@ -30,11 +30,6 @@ enum class ClampedSurface {
   root,  ///< the blade's, where there is no disc
 };
 
-enum class ContactBlades {
-  main,  ///< contact nodes stand on the main blade's tip
-  both,  ///< and on the splitter's
-};
-
 /// How many elements the sector has in each direction.
 struct ElementCounts {
   int chord;           ///< stations from leading to trailing edge (a disc: from its front to its back)
@@ -53,9 +48,9 @@ struct SectorPlan {
   ElementKind element = ElementKind::hex20;
   int sector_count = 0;  ///< N
   Blades blades = Blades::main;
-  double splitter_start = 0.0;  ///< fraction of the meridional length
-  double splitter_pitch = 0.5;  ///< its place between two main blades, as a fraction of their pitch
-  ContactBlades contact_blades = ContactBlades::main;
+  double splitter_start = 0.0;        ///< fraction of the meridional length
+  double splitter_pitch = 0.5;        ///< its place between two main blades, as a fraction of their pitch
+  bool contact_on_splitters = false;  ///< also there; always on the main blade
   ClampedSurface clamped = ClampedSurface::bore;
   ElementCounts elements{};
   double grading_along_chord = 1.0;  ///< the largest element over the smallest, see graded()

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "cases/program/text.h"
-#include "mesh/curves/wheel_keys.h"
+#include "mesh/curves/smooth_table.h"
 
 namespace tiprub::mesh {
 
@@ -69,9 +69,8 @@ void check_widths(const CaseTable& table, const Wheel& wheel) {
 void read_contact_blades(CaseTable& table, SectorPlan& plan) {
   const bool has_splitter = plan.blades == Blades::main_and_splitter;
   if (!has_splitter && !table.has("contact_blades")) return;
-  plan.contact_blades = table.choice<ContactBlades>("contact_blades", ContactBlades::main,
-                                                    {{"main", ContactBlades::main}, {"both", ContactBlades::both}});
-  if (plan.contact_blades == ContactBlades::both && !has_splitter)
+  plan.contact_on_splitters = table.choice<bool>("contact_blades", false, {{"main", false}, {"both", true}});
+  if (plan.contact_on_splitters && !has_splitter)
     table.reject("contact_blades",
                  "= \"both\" asks for contact on splitters, and this wheel has none; take \"main\"");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/import/text_lines.h"
+#include "mesh/import/foreign_mesh.h"
 
 #include <algorithm>
 #include <cctype>

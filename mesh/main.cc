@@ -10,7 +10,7 @@
 #include "cases/program/command_line.h"
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
-#include "cases/program/printable.h"
+#include "cases/program/text.h"
 #include "cases/program/written_keys.h"
 #include "mesh/cells/gmsh_file.h"
 #include "mesh/import/sector_import.h"

@@ -12,6 +12,7 @@
 #include "cases/program/output_file.h"
 #include "cases/program/progress.h"
 #include "cases/program/signal_cleanup.h"
+#include "cases/program/text.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/compare/comparison.h"
 #include "postprocess/fields/other_model_stress.h"
@@ -172,7 +173,8 @@ void report(const StageArguments& arguments, const ReportContents& contents) {
 }  // namespace
 
 std::string postprocess_tables(const CaseFile& file) {
-  std::string text = file.resolved_title() + file.resolved("postprocess", read_postprocess_parameters);
+  std::string text =
+      "title = " + in_quotes(file.title()) + "\n" + file.resolved("postprocess", read_postprocess_parameters);
   if (file.has("material")) text += file.resolved("material", read_strength);
   return text;
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <iomanip>
 #include <iostream>
 #include <list>
@@ -68,10 +67,9 @@ MatrixFiles matrix_files(const ReduceOptions& options) {
   constexpr std::size_t most_speeds = 2;  // besides rest: eq. 7 has three terms
   MatrixFiles files{options.matrices[0], options.matrices[1], options.matrices[2], options.matrix_dofs, {}};
   for (std::size_t k = 0; k < options.matrices_at.size(); k += 2) {
-    double rpm = 0;
     const std::string& word = options.matrices_at[k];
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), rpm);
-    if (error != std::errc() || end != word.data() + word.size() || !(rpm > 0 && rpm < 1e8))
+    const double rpm = number_of<double>(word).value_or(0);
+    if (!(rpm > 0 && rpm < 1e8))
       throw InputError("--matrix-at " + word + ": must be a speed in rpm, more than 0, and a file");
     if (k + 1 == options.matrices_at.size())
       throw InputError("--matrix-at " + word + ": must be followed by the file of K at this speed");

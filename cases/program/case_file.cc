@@ -9,7 +9,6 @@
 
 #include "cases/program/case_settings.h"
 #include "cases/program/digest.h"
-#include "cases/program/printable.h"
 #include "cases/program/text_file.h"
 
 namespace tiprub {
@@ -353,10 +352,6 @@ CaseFile::CaseFile(const std::filesystem::path& path, const std::vector<std::str
                      joined({program_tables.begin(), program_tables.end()}));
   }
   title_ = (*root_->values)["title"].value_or(std::string());
-}
-
-std::string CaseFile::resolved_title() const {
-  return "title = " + in_quotes(title_) + "\n";
 }
 
 std::string CaseFile::resolved(std::string_view name, const std::function<void(CaseTable&)>& read) const {

@@ -114,7 +114,6 @@ class CaseFile {
   bool has(std::string_view name) const;
   /// Raises InputError if the table is absent.
   CaseTable table(std::string_view name) const;
-  std::string resolved_title() const;
   /// What a reader takes from a table, as CaseTable::resolved() gives it, below the name of the table. The text is
   /// the same for every spelling of the same values.
   std::string resolved(std::string_view name, const std::function<void(CaseTable&)>& read) const;

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cases/program/text.h"
 #include "cases/program/text_file.h"
 
 namespace tiprub {
@@ -24,11 +25,6 @@ void merge(toml::table& into, toml::table&& from) {
     else
       into.insert_or_assign(key, std::move(value));
   }
-}
-
-std::string without_blanks_at_ends(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 /// "mesh.element": at least two words of letters, digits and underscores.
@@ -105,15 +101,15 @@ std::string setting_origin(const std::string& setting) {
 void apply_setting(toml::table& values, const std::string& setting) {
   const std::string origin = setting_origin(setting);
   const std::size_t sign = setting.find('=');
-  const std::string key = without_blanks_at_ends(setting.substr(0, sign));
+  const std::string key(trimmed(setting.substr(0, sign), " "));
   if (sign == std::string::npos || setting.find('\n') != std::string::npos || !is_table_key(key))
     throw InputError(origin + ": must be TABLE.KEY=VALUE, in one line");
   require_short_keys(setting, origin);
-  if (without_blanks_at_ends(setting.substr(sign + 1)).empty()) return remove_key(values, key, origin);
+  if (trimmed(setting.substr(sign + 1), " ").empty()) return remove_key(values, key, origin);
   try {
     merge(values, toml::parse(setting, origin));
   } catch (const toml::parse_error& error) {
-    const std::string value = without_blanks_at_ends(setting.substr(sign + 1));
+    const std::string value(trimmed(setting.substr(sign + 1), " "));
     throw InputError(origin + ": " + value + " is no TOML value (" + std::string(error.description()) +
                      "); a text needs quotes: " + std::string(option) + "'" + key + "=\"" + value + "\"'");
   }

@@ -20,9 +20,9 @@
 #include "cases/program/errors.h"
 #include "cases/program/machine.h"
 #include "cases/program/output_file.h"
-#include "cases/program/printable.h"
 #include "cases/program/process_group.h"
 #include "cases/program/signal_cleanup.h"
+#include "cases/program/text.h"
 
 namespace tiprub {
 

@@ -87,13 +87,16 @@ constexpr int mebibyte = 1 << 20;
 
 }  // namespace
 
+double mapped_memory() {
+  return number_in("/proc/self/statm", 0) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
 double mappable_memory() {
-  const double mapped = number_in("/proc/self/statm", 0) * static_cast<double>(sysconf(_SC_PAGESIZE));
   double least = unlimited;
   for (const auto resource : {RLIMIT_AS, RLIMIT_DATA})
     if (rlimit limit{}; getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
       least = std::min(least, static_cast<double>(limit.rlim_cur));
-  return std::max(least - mapped, 0.0);
+  return std::max(least - mapped_memory(), 0.0);
 }
 
 double available_memory(const std::filesystem::path& root) {

@@ -7,6 +7,9 @@
 
 namespace tiprub {
 
+/// The address space of this process [bytes].
+double mapped_memory();
+
 /// The memory [bytes] that this process may still map under its resource limits (ulimit -d, -v); infinite without
 /// limits.
 double mappable_memory();

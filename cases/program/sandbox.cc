@@ -10,11 +10,11 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <new>
 #include <string_view>
 
 #include "cases/program/errors.h"
+#include "cases/program/machine.h"
 
 namespace tiprub {
 
@@ -31,17 +31,9 @@ bool lower_limit(__rlimit_resource resource, double most) {
   return setrlimit(resource, &limit) == 0;
 }
 
-/// The address space of this process [bytes].
-double address_space() {
-  std::ifstream file("/proc/self/statm");
-  double pages = 0;
-  file >> pages;
-  return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
 /// Applies the limits. Returns false if the process may take less memory than they allow.
 bool confine(const SandboxLimits& limits) {
-  const bool all_memory = lower_limit(RLIMIT_AS, address_space() + limits.bytes);
+  const bool all_memory = lower_limit(RLIMIT_AS, mapped_memory() + limits.bytes);
   lower_limit(RLIMIT_CPU, limits.seconds);
   lower_limit(RLIMIT_CORE, 0);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) signal(number, SIG_DFL);  // the parent cleans up

@@ -11,27 +11,14 @@
 #include <fstream>
 #include <iterator>
 #include <numbers>
-#include <system_error>
 
-#include "cases/program/printable.h"
+#include "cases/program/text.h"
 
 namespace tiprub {
 
 namespace {
 
 constexpr std::uintmax_t largest_text = 4 << 20;  // [byte]
-constexpr std::string_view blanks = " \t\r,";
-
-std::vector<std::string_view> words_of(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (std::size_t from = text.find_first_not_of(blanks); from != std::string_view::npos;
-       from = text.find_first_not_of(blanks, from)) {
-    const std::size_t to = std::min(text.size(), text.find_first_of(blanks, from));
-    words.push_back(text.substr(from, to - from));
-    from = to;
-  }
-  return words;
-}
 
 /// Whether a word begins with a letter or a quote, and is not a number in letters (nan, inf).
 bool is_name(std::string_view word) {
@@ -109,7 +96,7 @@ std::vector<NumberLine> lines_of(const NamedText& file) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
     const std::size_t remark = std::min(line.size(), line.find('#'));
-    NumberLine found{number, words_of(line.substr(0, remark)), line.substr(remark)};
+    NumberLine found{number, words_of(line.substr(0, remark), " \t\r,"), line.substr(remark)};
     if (!found.words.empty() || !found.remark.empty()) lines.push_back(std::move(found));
   }
   return lines;
@@ -134,12 +121,10 @@ void refuse_line(const NamedText& file, int line, const std::string& message) {
 }
 
 double number_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning) {
-  double value = 0.0;
   if (word < line.words.size()) {
     std::string_view text = line.words[word];
     if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size() && std::isfinite(value)) return value;
+    if (const auto value = number_of<double>(text)) return *value;
   }
   refuse_word(file, line, word, std::string(meaning) + ", which must be a finite number");
 }
@@ -155,11 +140,9 @@ double angle_in(const NamedText& file, const NumberLine& line, std::size_t word,
 
 int count_in(const NamedText& file, const NumberLine& line, std::size_t word, std::string_view meaning, int least,
              int most) {
-  int value = 0;
   if (word < line.words.size()) {
-    const std::string_view text = line.words[word];
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size() && value >= least && value <= most) return value;
+    const auto value = number_of<int>(line.words[word]);
+    if (value >= least && value <= most) return *value;
   }
   refuse_word(file, line, word,
               std::string(meaning) + ", which must be a whole number from " + std::to_string(least) + " to " +

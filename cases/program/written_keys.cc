@@ -4,12 +4,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 
 #include "cases/program/case_settings.h"
 #include "cases/program/errors.h"
-#include "cases/program/printable.h"
 #include "cases/program/text.h"
 
 namespace tiprub {
@@ -59,18 +57,12 @@ std::map<std::string, std::string> written_keys(const std::string& text) {
 }
 
 std::vector<DifferingKey> differing_keys(const std::string& one, const std::string& other) {
-  const auto in_one = written_keys(one), in_other = written_keys(other);
-  std::set<std::string> all;
-  for (const auto& keys : {in_one, in_other})
-    for (const auto& [key, value] : keys) all.insert(key);
+  std::map<std::string, DifferingKey> all;
+  for (const auto& [key, value] : written_keys(one)) all[key].one = value;
+  for (const auto& [key, value] : written_keys(other)) all[key].other = value;
   std::vector<DifferingKey> differing;
-  const auto value = [](const std::map<std::string, std::string>& keys, const std::string& key) {
-    const auto found = keys.find(key);
-    return found == keys.end() ? std::nullopt : std::optional(found->second);
-  };
-  for (const std::string& key : all)
-    if (value(in_one, key) != value(in_other, key))
-      differing.push_back({key, value(in_one, key), value(in_other, key)});
+  for (const auto& [key, values] : all)
+    if (values.one != values.other) differing.push_back({key, values.one, values.other});
   return differing;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/import/foreign_mesh.h"
 
@@ -52,7 +53,7 @@ class BdfReader : MeshReader {
  private:
   /// A superelement or a module has node numbers of its own, and a place that other entries give.
   void require_one_section(std::string_view text) const {
-    const std::vector<std::string_view> words = blank_fields(text);
+    const std::vector<std::string_view> words = words_of(text);
     const std::string first = upper(words[0]);
     if (first.starts_with("INCLUDE")) refuse_other_file("INCLUDE");
     if (first == "BEGIN" && (words.size() > 2 || (words.size() == 2 && upper(words[1]) != "BULK")))
@@ -212,7 +213,7 @@ class BdfReader : MeshReader {
     if (equals == std::string::npos) return;
     std::vector<std::string> words;
     for (const std::string_view part : comma_fields(std::string_view(all).substr(equals + 1)))
-      for (const std::string_view word : blank_fields(part)) words.emplace_back(word);
+      for (const std::string_view word : words_of(part)) words.emplace_back(word);
     if (!std::all_of(words.begin(), words.end(), is_word_of_numbers)) return;
     add_set(upper(trimmed(std::string_view(all).substr(0, equals))), words, 0);
   }

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "cases/program/text.h"
 #include "mesh/cells/cell_kind.h"
 #include "mesh/import/foreign_mesh.h"
 

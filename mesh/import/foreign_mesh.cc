@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <cstdlib>
+
+#include "cases/program/text.h"
 
 namespace tiprub::mesh {
 
 namespace {
-
-constexpr std::string_view blanks = " \t\r";
 
 std::string quoted(std::string_view word) {
   constexpr std::size_t shown = 40;
@@ -49,21 +47,18 @@ double TextLines::number_in(std::string_view word, const char* meaning) const {
   for (std::size_t i = 1; i < text.size(); ++i)
     if ((text[i] == '+' || text[i] == '-') && text[i - 1] != 'E' && text[i - 1] != 'e') text.insert(i++, "E");
   if (const std::size_t plus = text.find('+'); plus != std::string::npos) text.erase(plus, 1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    refuse(quoted(word) + " stands for " + meaning + ", which must be a finite number");
-  return value;
+  const auto value = number_of<double>(text);
+  if (!value) refuse(quoted(word) + " stands for " + meaning + ", which must be a finite number");
+  return *value;
 }
 
 long TextLines::whole_in(std::string_view word, const char* meaning) const {
   constexpr long most = 2000000000;
   if (word.starts_with('+')) word.remove_prefix(1);
-  long value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || std::abs(value) > most)
+  const auto value = number_of<long>(word);
+  if (!value || std::abs(*value) > most)
     refuse(quoted(word) + " stands for " + meaning + ", which must be a whole number");
-  return value;
+  return *value;
 }
 
 void MeshReader::refuse_linear(int line, const std::string& what) const {
@@ -95,12 +90,6 @@ void MeshReader::add_node(int line, long number, const Eigen::Vector3d& at) {
     refuse_line(lines_.file(), line, node + " is there twice; does the file hold several parts? Write one");
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 std::string upper(std::string_view text) {
   std::string result(text);
   std::transform(result.begin(), result.end(), result.begin(),
@@ -114,16 +103,6 @@ std::vector<std::string_view> comma_fields(std::string_view line) {
     const std::size_t end = line.find(',');
     fields.push_back(trimmed(line.substr(0, end)));
     line.remove_prefix(end == std::string_view::npos ? line.size() : end + 1);
-  }
-  return fields;
-}
-
-std::vector<std::string_view> blank_fields(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
-    const std::size_t end = std::min(line.size(), line.find_first_of(blanks));
-    fields.push_back(line.substr(0, end));
-    line.remove_prefix(end);
   }
   return fields;
 }

@@ -96,13 +96,9 @@ class MeshReader {
   ForeignMesh mesh_;
 };
 
-/// The text without blanks at its ends.
-std::string_view trimmed(std::string_view text);
 std::string upper(std::string_view text);
 /// The fields between commas, trimmed. A comma at the end begins no further field.
 std::vector<std::string_view> comma_fields(std::string_view line);
-/// The words between blanks.
-std::vector<std::string_view> blank_fields(std::string_view line);
 /// The fields in columns of this width, trimmed; empty ones at the end are left out.
 std::vector<std::string_view> column_fields(std::string_view line, std::size_t width);
 

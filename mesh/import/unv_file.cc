@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "cases/program/text.h"
 #include "mesh/import/foreign_mesh.h"
 
 namespace tiprub::mesh {
@@ -46,7 +47,7 @@ class UnvReader : MeshReader {
   std::vector<std::string_view> words(std::size_t least, const char* what) {
     const auto line = lines_.next();
     std::vector<std::string_view> found;
-    if (line) found = blank_fields(*line);
+    if (line) found = words_of(*line);
     if (found.size() < least) lines_.refuse(std::string("must be ") + what);
     return found;
   }

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "cases/program/errors.h"
-#include "cases/program/printable.h"
+#include "cases/program/text.h"
 #include "cases/program/written_keys.h"
 #include "postprocess/analysis/critical_speeds.h"
 #include "postprocess/analysis/input_check.h"

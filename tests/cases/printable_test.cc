@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/program/printable.h"
+#include "cases/program/text.h"
 
 #include <gtest/gtest.h>
 

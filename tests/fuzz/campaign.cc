@@ -19,7 +19,7 @@
 #include <stdexcept>
 
 #include "cases/program/errors.h"
-#include "cases/program/printable.h"
+#include "cases/program/text.h"
 #include "tests/fuzz/inputs.h"
 
 namespace fs = std::filesystem;

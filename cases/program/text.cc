@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/program/printable.h"
+#include "cases/program/text.h"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +34,20 @@ std::string escaped(char byte) {
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
+  text.remove_prefix(std::min(text.size(), text.find_first_not_of(blanks)));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);  // npos + 1 is 0
+}
+
+std::vector<std::string_view> words_of(std::string_view text, std::string_view blanks) {
+  std::vector<std::string_view> words;
+  for (text = trimmed(text, blanks); !text.empty(); text = trimmed(text, blanks)) {
+    words.push_back(text.substr(0, text.find_first_of(blanks)));
+    text.remove_prefix(words.back().size());
+  }
+  return words;
+}
 
 int letter_length(std::string_view text) {
   struct Form {

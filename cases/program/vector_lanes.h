@@ -42,47 +42,22 @@ struct Avx {
 /// registers would go through memory (gcc 12), which takes twenty times as long.
 template <class Set>
 struct Eight {
-  typename Set::Register all;
+  typename Set::Register part[Set::registers];
 
   TIPRUB_INLINE Eight& operator+=(const Eight& more) {
-    all += more.all;
+    for (std::size_t k = 0; k < Set::registers; ++k) part[k] += more.part[k];
     return *this;
   }
   TIPRUB_INLINE Eight& operator-=(const Eight& less) {
-    all -= less.all;
+    for (std::size_t k = 0; k < Set::registers; ++k) part[k] -= less.part[k];
     return *this;
   }
   TIPRUB_INLINE Eight& operator*=(const Eight& factor) {
-    all *= factor.all;
+    for (std::size_t k = 0; k < Set::registers; ++k) part[k] *= factor.part[k];
     return *this;
   }
   TIPRUB_INLINE Eight& operator*=(double factor) {
-    all *= factor;
-    return *this;
-  }
-};
-template <>
-struct Eight<Avx> {
-  Lanes4 low, high;
-
-  TIPRUB_INLINE Eight& operator+=(const Eight& more) {
-    low += more.low;
-    high += more.high;
-    return *this;
-  }
-  TIPRUB_INLINE Eight& operator-=(const Eight& less) {
-    low -= less.low;
-    high -= less.high;
-    return *this;
-  }
-  TIPRUB_INLINE Eight& operator*=(const Eight& factor) {
-    low *= factor.low;
-    high *= factor.high;
-    return *this;
-  }
-  TIPRUB_INLINE Eight& operator*=(double factor) {
-    low *= factor;
-    high *= factor;
+    for (typename Set::Register& one : part) one *= factor;
     return *this;
   }
 };
@@ -127,12 +102,9 @@ TIPRUB_INLINE void read_once(const double* from, typename Set::Register& into) {
   into = *reinterpret_cast<const volatile typename Set::Register*>(from);
 }
 
-TIPRUB_INLINE void read_once(const double* from, Eight<Avx512>& into) {
-  read_once<Avx512>(from, into.all);
-}
-TIPRUB_INLINE void read_once(const double* from, Eight<Avx>& into) {
-  read_once<Avx>(from, into.low);
-  read_once<Avx>(from + 4, into.high);
+template <class Set>
+TIPRUB_INLINE void read_once(const double* from, Eight<Set>& into) {
+  for (std::size_t k = 0; k < Set::registers; ++k) read_once<Set>(from + 8 / Set::registers * k, into.part[k]);
 }
 
 template <class Kernel, class... Arguments>

@@ -19,16 +19,19 @@ struct ForeignCell {
   std::vector<long> nodes;
 };
 
+/// Numbers of nodes or of elements, by the name of their set; in the file's order.
+using Sets = std::map<std::string, std::vector<long>>;
+
 /// A mesh as every format gives it: nodes, solids and sets, under the numbers and names of the file.
 struct ForeignMesh {
   std::string file;                          ///< its name, for messages
   std::map<long, Eigen::Vector3d> nodes;     ///< in the file's unit of length, about the file's axis
   std::vector<ForeignCell> cells;            ///< in the file's order
   std::map<long, std::vector<long>> others;  ///< nodes of elements that aren't solids, as shells on a surface
-  std::map<std::string, std::vector<long>> node_sets;  ///< in the file's order
-  std::map<std::string, std::vector<long>> cell_sets;  ///< numbers of cells, or of others
-  /// Nodes of surfaces where these have names of their own, of which a set of nodes may have the same.
-  std::map<std::string, std::vector<long>> surfaces;
+  Sets node_sets;
+  Sets cell_sets;  ///< numbers of cells, or of others
+  Sets
+      surfaces;  ///< nodes of surfaces where these have names of their own, of which a set of nodes may have the same
   /// Masses, springs and constraints that are not read, by the format's name for the kind: how many there are.
   std::map<std::string, int> not_read;
   std::set<std::string> materials;  ///< of solids, by the file's names or numbers

@@ -222,7 +222,17 @@ class InpReader : MeshReader {
     for (long number = first; number <= last; number += step) set.push_back(number);
   }
 
-  void read_set(const Keyword& keyword, const std::string& name, std::map<std::string, std::vector<long>>& sets) {
+  static void append(const std::vector<long>& members, std::vector<long>& set) {
+    set.insert(set.end(), members.begin(), members.end());
+  }
+
+  /// Those of the set that the word names, or the number that it is.
+  std::vector<long> members(std::string_view word, const Sets& sets, const char* meaning) const {
+    const auto known = sets.find(name_in(word));
+    return known != sets.end() ? known->second : std::vector{lines_.whole_in(word, meaning)};
+  }
+
+  void read_set(const Keyword& keyword, const std::string& name, Sets& sets) {
     std::vector<long> set;
     if (keyword.name == "NSET" && keyword.has("ELSET")) add_nodes_of(keyword.value("ELSET"), set);
     while (const auto line = data()) {
@@ -231,16 +241,10 @@ class InpReader : MeshReader {
         add_range(fields, set);
         continue;
       }
-      for (const std::string_view field : fields) {
-        if (field.empty()) continue;
-        const auto known = sets.find(name_in(field));  // a set may name others
-        if (known != sets.end())
-          set.insert(set.end(), known->second.begin(), known->second.end());
-        else
-          set.push_back(lines_.whole_in(field, "a number, or a set that stands before"));
-      }
+      for (const std::string_view field : fields)
+        if (!field.empty()) append(members(field, sets, "a number, or a set that stands before"), set);
     }
-    sets[name].insert(sets[name].end(), set.begin(), set.end());
+    append(set, sets[name]);
   }
 
   void add_nodes_of(const std::string& cell_set, std::vector<long>& set) {
@@ -250,8 +254,8 @@ class InpReader : MeshReader {
     for (const long number : cells->second) {
       const ForeignCell* cell = cell_numbered(number);
       const auto other = mesh_.others.find(number);
-      if (cell != nullptr) set.insert(set.end(), cell->nodes.begin(), cell->nodes.end());
-      if (other != mesh_.others.end()) set.insert(set.end(), other->second.begin(), other->second.end());
+      if (cell != nullptr) append(cell->nodes, set);
+      if (other != mesh_.others.end()) append(other->second, set);
     }
   }
 
@@ -268,42 +272,31 @@ class InpReader : MeshReader {
     const bool nodes = upper(keyword.value("TYPE")) == "NODE";
     while (const auto line = data()) {
       const std::vector<std::string_view> fields = comma_fields(*line);
-      const std::string name = name_in(fields.front());
       if (nodes) {
-        if (mesh_.node_sets.contains(name))
-          set.insert(set.end(), mesh_.node_sets[name].begin(), mesh_.node_sets[name].end());
-        else
-          set.push_back(lines_.whole_in(name, "a node, or a set that stands before"));
+        append(members(fields.front(), mesh_.node_sets, "a node, or a set that stands before"), set);
         continue;
       }
       if (fields.size() < 2) lines_.refuse("a face of a surface is given as ELEMENT, S1 to S6");
       const std::string face = upper(fields[1]);
-      const auto known = mesh_.cell_sets.find(name);
-      const std::vector<long> cells =
-          known != mesh_.cell_sets.end() ? known->second : std::vector{lines_.whole_in(name, "an element, or a set")};
-      for (const long cell : cells) add_face(cell, face, set);
+      for (const long cell : members(fields.front(), mesh_.cell_sets, "an element, or a set"))
+        add_face(cell, face, set);
     }
   }
 
+  /// Faces S1, S2, ... of a tetrahedron and of a wedge are counted as those of our kinds of cells, a brick's are not.
   void add_face(long cell, const std::string& face, std::vector<long>& set) {
+    static constexpr std::array<std::size_t, 6> of_brick = {4, 5, 2, 1, 3, 0};
     const ForeignCell* known = cell_numbered(cell);
     if (known == nullptr) return;  // the face of a shell
     const std::vector<long>& nodes = known->nodes;
     const CellKind& kind = cell_kind(static_cast<int>(nodes.size()));
-    // The corners of faces 1, 2, ... of a tetrahedron, a wedge and a brick.
-    static const std::map<int, std::vector<std::vector<int>>> faces = {
-        {4, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}}},
-        {6, {{0, 1, 2}, {3, 4, 5}, {0, 1, 3, 4}, {1, 2, 4, 5}, {0, 2, 3, 5}}},
-        {8, {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 4, 5}, {1, 2, 5, 6}, {2, 3, 6, 7}, {0, 3, 4, 7}}}};
-    const std::vector<std::vector<int>>& known_faces = faces.at(kind.corners);
     const std::size_t at = face.size() == 2 && face[0] == 'S' ? static_cast<std::size_t>(face[1] - '1') : 99;
-    if (at >= known_faces.size()) lines_.refuse("\"" + face + "\" is no face of an element, S1 to S6");
-    const auto has = [&](int corner) {
-      return std::count(known_faces[at].begin(), known_faces[at].end(), corner) > 0;
-    };
-    for (const int corner : known_faces[at]) set.push_back(nodes[corner]);
-    for (std::size_t e = 0; e < kind.edges.size(); ++e)
-      if (has(kind.edges[e][0]) && has(kind.edges[e][1])) set.push_back(nodes[kind.corners + e]);
+    if (at >= kind.faces.size()) lines_.refuse("\"" + face + "\" is no face of an element, S1 to S6");
+    const std::vector<int>& corners = kind.faces[kind.corners == 8 ? of_brick.at(at) : at];
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      set.push_back(nodes[corners[k]]);
+      set.push_back(nodes[kind.middle_of(corners[k], corners[(k + 1) % corners.size()])]);
+    }
   }
 
   std::map<long, std::size_t> cell_of_;

@@ -31,9 +31,8 @@ std::string names_in(const std::map<std::string, std::vector<int>>& sets) {
   return names.empty() ? "none" : names;
 }
 
-template <class Sets>
-const std::vector<int>& set_of(const CellMesh& mesh, const Sets& sets, const std::string& key,
-                               const std::string& name, const std::string& what) {
+const std::vector<int>& set_of(const CellMesh& mesh, const std::map<std::string, std::vector<int>>& sets,
+                               const std::string& key, const std::string& name, const std::string& what) {
   const auto known = sets.find(name);
   if (known != sets.end() && !known->second.empty()) return known->second;
   refuse(mesh, key, "= \"" + name + "\": there is no set of this name " + what + "; there are: " + names_in(sets));

@@ -11,13 +11,11 @@
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
 #include "cases/program/text.h"
-#include "cases/program/written_keys.h"
 #include "mesh/cells/gmsh_file.h"
 #include "mesh/import/sector_import.h"
 #include "mesh/sector/sector_check.h"
 #include "mesh/sector/sector_file.h"
 #include "mesh/sector/sector_mesher.h"
-#include "mesh/sector/sector_picture.h"
 
 namespace tiprub::mesh {
 

@@ -14,11 +14,11 @@
 #include <system_error>
 #include <utility>
 
+#include "cases/program/case_file.h"
 #include "cases/program/output_file.h"
 #include "cases/program/process_group.h"
 #include "cases/program/text.h"
 #include "cases/program/units.h"
-#include "cases/program/written_keys.h"
 #include "mesh/cells/gmsh_file.h"
 #include "reduce/exports.h"
 #include "reduce/linear_results.h"

@@ -14,11 +14,11 @@
 #include <sstream>
 #include <system_error>
 
+#include "cases/program/case_file.h"
 #include "cases/program/errors.h"
 #include "cases/program/output_file.h"
 #include "cases/program/text.h"
 #include "cases/program/units.h"
-#include "cases/program/written_keys.h"
 #include "reduce/model/model_doubts.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/scene/friction_limit.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cases/program/written_keys.h"
+#include "cases/program/case_file.h"
 
 #include <toml++/toml.h>
 

@@ -32,4 +32,9 @@ void write_mesh(const NamedMesh& mesh, const std::filesystem::path& path);
 /// The sector with the named groups that mesh/format.md lists.
 NamedMesh named_groups(const MeshedSector& mesh);
 
+/// A drawing (SVG) of the surface of a mesh from two sides, which together show both cuts, the tip and a clamped
+/// bore: each face in the colour of its group, or else of its part, with its curved edges, and the lines of contact
+/// nodes. Faces are drawn from the farthest to the nearest, without those that look away.
+std::string picture_of(const NamedMesh& mesh);
+
 }  // namespace tiprub::mesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/sector/sector_picture.h"
+#include "mesh/sector/sector_file.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -6,9 +6,8 @@
 
 #include "cases/program/text.h"
 #include "cases/program/units.h"
+#include "mesh/blades/blade_files.h"
 #include "mesh/blades/blade_section.h"
-#include "mesh/blades/curve_files.h"
-#include "mesh/blades/section_files.h"
 #include "mesh/curves/smooth_table.h"
 #include "mesh/wheels/impeller.h"
 #include "mesh/wheels/wheel.h"

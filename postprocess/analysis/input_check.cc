@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "cases/program/case_file.h"
 #include "cases/program/errors.h"
-#include "cases/program/written_keys.h"
 #include "postprocess/tables/table.h"
 #include "postprocess/waves/wave_label.h"
 #include "reduce/model/reduced_model.h"

@@ -11,9 +11,9 @@
 #include <string>
 #include <utility>
 
+#include "cases/program/case_file.h"
 #include "cases/program/errors.h"
 #include "cases/program/text.h"
-#include "cases/program/written_keys.h"
 #include "postprocess/analysis/critical_speeds.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/waves/travelling_spectrum.h"

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "cases/program/case_file.h"
 #include "cases/program/errors.h"
-#include "cases/program/written_keys.h"
 #include "postprocess/analysis/input_check.h"
 #include "postprocess/figures/axes.h"
 #include "postprocess/records/speeds_to_avoid.h"

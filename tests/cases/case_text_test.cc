@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that are no case are refused with one line, before the TOML reader sees them.
 #include "cases/program/case_file.h"
-#include "cases/program/written_keys.h"
 
 #include <sys/stat.h>
 

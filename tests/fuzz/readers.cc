@@ -5,9 +5,8 @@
 #include <stdexcept>
 
 #include "cases/program/case_file.h"
+#include "mesh/blades/blade_files.h"
 #include "mesh/blades/blade_section.h"
-#include "mesh/blades/curve_files.h"
-#include "mesh/blades/section_files.h"
 #include "mesh/import/sector_import.h"
 #include "mesh/wheels/wheel.h"
 #include "postprocess/analysis/postprocess_parameters.h"

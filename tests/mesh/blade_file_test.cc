@@ -9,7 +9,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "mesh/blades/section_files.h"
+#include "mesh/blades/blade_files.h"
 #include "mesh/sector/sector_check.h"
 #include "tests/mesh/mesh_cases.h"
 #include "tests/mesh/sector_geometry.h"

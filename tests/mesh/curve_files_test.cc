@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/blades/curve_files.h"
+#include "mesh/blades/blade_files.h"
 
 #include <gtest/gtest.h>
 

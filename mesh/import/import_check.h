@@ -33,13 +33,8 @@ void require_one_line(const CellMesh& mesh, const std::vector<int>& nodes, const
 void require_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& faces_key,
                        const std::vector<int>& line, const std::string& line_key);
 
-/// What is doubtful about cuts that a search found in a mesh that goes round the axis: the flanks of a whole wheel's
-/// blades may be turned into each other. Empty if a quarter turn or more is free of nodes.
-std::string doubt_about_cuts(const CellMesh& mesh, const PeriodicCuts& cuts);
-
-/// What is doubtful about a mesh without cuts that does not go round the axis: a quarter turn or more is free of its
-/// nodes. Empty if nothing is.
-std::string doubt_about_one_body(const CellMesh& mesh);
+/// Whether no quarter of a turn about the axis is free of nodes: as of a whole wheel, and of no sector.
+bool goes_round(const CellMesh& mesh);
 
 /// How many free faces these are, and from which to which radius: "26 faces, r 0.178 to 0.18 m".
 std::string extent_of(const CellMesh& mesh, const std::vector<int>& faces);

@@ -144,11 +144,20 @@ PeriodicCuts found_cuts(const CellMesh& mesh, const ImportParameters& parameters
 /// Why a mesh whose number of sectors and cuts the case leaves open may be understood wrongly, or empty.
 std::string doubt_about(const CellMesh& mesh, const PeriodicCuts& cuts, const ImportParameters& parameters) {
   if (parameters.sector_count > 0 || !parameters.selection.at("cyclic_low").empty()) return "";
-  if (!cuts.low.empty()) return doubt_about_cuts(mesh, cuts);
-  const std::string other = where_found_cuts_pair(parameters);
-  if (other.empty()) return doubt_about_one_body(mesh);
-  return "no face, turned about the axis, is another one; " + other +
-         ": set these, or, if this is one body without neighbours, sector_count = 1";
+  if (!cuts.low.empty()) {  // these may be the flanks of a whole wheel's blades
+    if (!goes_round(mesh)) return "";
+    return "the mesh goes round the axis, and its faces that were taken for cuts may be the flanks of blades; set "
+           "[mesh] sector_count = 1 if it is a whole wheel, or " +
+           std::to_string(cuts.sector_count) + " if it is a sector";
+  }
+  const std::string other = where_found_cuts_pair(parameters),
+                    none = "no face, turned about the axis, is another one";
+  if (!other.empty())
+    return none + "; " + other + ": set these, or, if this is one body without neighbours, sector_count = 1";
+  if (goes_round(mesh)) return "";
+  return none +
+         ", so that this is one body without neighbours; if it is a sector, mesh both cuts alike (gmsh: Periodic "
+         "Surface), else set [mesh] sector_count = 1";
 }
 
 /// The cuts that the case names.

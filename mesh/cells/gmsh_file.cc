@@ -30,18 +30,13 @@ constexpr std::string_view comments_begin = "$Comments\n", comments_end = "$EndC
 class OpenFile {
  public:
   /// A file in memory, because gmsh reads files only.
-  explicit OpenFile(const NamedText& contents) : file_(memfd_create("mesh", MFD_CLOEXEC)) {
-    for (std::string_view rest = contents.text; file_ >= 0 && !rest.empty();) {
-      const ssize_t count = write(file_, rest.data(), rest.size());
-      if (count <= 0) {
-        close(file_);
-        file_ = -1;
-      } else {
-        rest.remove_prefix(static_cast<std::size_t>(count));
-      }
-    }
-    if (file_ < 0) throw RunError(contents.name + ": can't be copied for gmsh: " + std::strerror(errno));
-    size_ = static_cast<double>(contents.text.size());
+  explicit OpenFile(const NamedText& contents)
+      : file_(memfd_create("mesh", MFD_CLOEXEC)), size_(static_cast<double>(contents.text.size())) {
+    std::ofstream copy(name(), std::ios::binary);
+    if (copy.write(contents.text.data(), std::ssize(contents.text)).flush()) return;
+    const std::string reason = std::strerror(errno);
+    close(file_);
+    throw RunError(contents.name + ": can't be copied for gmsh: " + reason);
   }
   explicit OpenFile(const std::filesystem::path& path)
       : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {

@@ -30,8 +30,8 @@ struct ForeignMesh {
   std::map<long, std::vector<long>> others;  ///< nodes of elements that aren't solids, as shells on a surface
   Sets node_sets;
   Sets cell_sets;  ///< numbers of cells, or of others
-  Sets
-      surfaces;  ///< nodes of surfaces where these have names of their own, of which a set of nodes may have the same
+  /// Nodes of surfaces where these have names of their own, of which a set of nodes may have the same.
+  Sets surfaces;
   /// Masses, springs and constraints that are not read, by the format's name for the kind: how many there are.
   std::map<std::string, int> not_read;
   std::set<std::string> materials;  ///< of solids, by the file's names or numbers

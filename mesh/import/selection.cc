@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "cases/program/errors.h"
@@ -50,15 +52,14 @@ IsIn by_geometry(const CellMesh& mesh, const std::string& key, const std::string
   std::string kind, axis;
   words >> kind;
   const double reach = selection_tolerance * mesh.largest_radius();
-  const auto numbers = [&](Eigen::Ref<Eigen::VectorXd> values) {
-    for (double& value : values)
-      if (!(words >> value)) refuse(mesh, key, "= \"" + selection + "\" lacks a number");
-    if (std::string more; words >> more) refuse(mesh, key, "= \"" + selection + "\" goes on after its numbers");
+  const auto numbers = [&](std::size_t count) {
+    const std::vector<double> values(std::istream_iterator<double>(words), {});
+    if (values.size() < count) refuse(mesh, key, "= \"" + selection + "\" lacks a number");
+    if (values.size() > count || !words.eof()) refuse(mesh, key, "= \"" + selection + "\" goes on after its numbers");
+    return values;
   };
   if (kind == "cylinder") {
-    Eigen::VectorXd radius(1);
-    numbers(radius);
-    return every_corner([&mesh, reach, r = radius[0]](int node) {
+    return every_corner([&mesh, reach, r = numbers(1)[0]](int node) {
       return std::abs(mesh.nodes.col(node).head<2>().norm() - r) <= reach;
     });
   }
@@ -67,15 +68,12 @@ IsIn by_geometry(const CellMesh& mesh, const std::string& key, const std::string
     const std::size_t along = std::string("xyz").find(axis);
     if (axis.size() != 1 || along == std::string::npos)
       refuse(mesh, key, "= \"" + selection + "\" must be plane x, y or z and a place");
-    Eigen::VectorXd place(1);
-    numbers(place);
-    return every_corner([&mesh, reach, along, at = place[0]](int node) {
+    return every_corner([&mesh, reach, along, at = numbers(1)[0]](int node) {
       return std::abs(mesh.nodes(static_cast<Eigen::Index>(along), node) - at) <= reach;
     });
   }
   if (kind == "normal") {
-    Eigen::VectorXd normal(3);
-    numbers(normal);
+    const Eigen::Vector3d normal(numbers(3).data());
     if (normal.isZero(0))
       refuse(mesh, key, "= \"" + selection + "\" has no direction; give a vector that is not zero");
     const Eigen::Vector3d unit = normal.normalized();
@@ -186,10 +184,8 @@ std::vector<int> select_faces(const CellMesh& mesh, const std::string& key, cons
              "= \"" + selection +
                  "\" is a set of solids, not of faces; name the set of the faces or of their nodes, or select them "
                  "by cylinder, plane or normal");
-    std::vector<char> marked(static_cast<std::size_t>(mesh.nodes.cols()), 0);
-    for (const int node : is_surface ? surface->second : select_nodes(mesh, key, selection))
-      marked[static_cast<std::size_t>(node)] = 1;
-    is_in = every_corner([marked](int node) { return marked[static_cast<std::size_t>(node)] != 0; });
+    const std::vector<int>& nodes = is_surface ? surface->second : select_nodes(mesh, key, selection);
+    is_in = every_corner([set = std::set(nodes.begin(), nodes.end())](int node) { return set.contains(node); });
   }
   std::vector<int> faces;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)

@@ -13,7 +13,8 @@ namespace tiprub::mesh {
 namespace {
 
 /// A centrifugal impeller, by the dimensions that its designers use. The hub's leading edge is at z = 0, the flow
-/// turns from the axis to the radius, the back face lies on the side of larger z.
+/// turns from the axis to the radius, the back face lies on the side of larger z. The angle beta lies between the
+/// blade and the meridional plane, positive where the blade turns towards +theta on its way to the trailing edge.
 struct ImpellerParameters {
   double inlet_hub_radius;         ///< [m]
   double inlet_tip_radius;         ///< [m]
@@ -22,7 +23,9 @@ struct ImpellerParameters {
   double axial_length;             ///< of the hub, from leading edge to exit [m]
   std::array<double, 2> hub_arms;  ///< of the hub's Bezier curve, see MeridionalCurve
   std::array<double, 2> tip_arms;
-  BladeAngles angles;
+  SmoothTable hub_angle;       ///< beta over the fraction of the hub's length [rad]
+  SmoothTable tip_angle;       ///< beta over the fraction of the tip's length [rad]
+  double tip_lean;             ///< theta of the tip's leading edge minus the hub's [rad]
   SmoothTable thickness_root;  ///< over a blade's own chord [m]
   SmoothTable thickness_tip;
   double bore_radius;        ///< [m]
@@ -44,11 +47,6 @@ std::array<double, 2> read_arms(CaseTable& table, const char* key) {
 SmoothTable read_angles(CaseTable& table, const char* key) {
   return read_chord_table(table, key, std::nullopt, Range::between(-steepest_angle_deg, steepest_angle_deg), "deg",
                           radians_per_degree);
-}
-
-BladeAngles read_blade_angles(CaseTable& table) {
-  return {read_angles(table, "hub_angle_deg"), read_angles(table, "tip_angle_deg"),
-          radians_per_degree * table.number("tip_lean_deg", 0.0, Range::between(-45.0, 45.0), "deg")};
 }
 
 void read_splitter(CaseTable& table, SectorPlan& plan) {
@@ -80,6 +78,8 @@ RunningIntegral wrap(const MeridionalCurve& curve, const SmoothTable& angle) {
   return RunningIntegral([curve, angle](double fraction) { return wrap_rate(curve, angle, fraction); });
 }
 
+/// A blade's mid-thickness surface lies between two flow lines: theta along either is the integral of tan(beta)/r
+/// over the length; between hub and tip z, r and theta are linear in the span.
 class Impeller final : public WheelGeometry {
  public:
   Impeller(const ImpellerParameters& parameters, const SectorPlan& plan)
@@ -91,18 +91,23 @@ class Impeller final : public WheelGeometry {
              parameters.hub_arms),
         tip_({0.0, parameters.inlet_tip_radius},
              {parameters.axial_length - parameters.exit_tip_width, parameters.exit_radius}, parameters.tip_arms),
-        blade_(hub_, tip_, parameters.angles) {}
+        wrap_hub_(wrap(hub_, parameters.hub_angle)),
+        wrap_tip_(wrap(tip_, parameters.tip_angle)) {}
 
   MeridionalPoint disc_point(double station, double height) const override {
     return (1.0 - height) * back_.foot(station) + height * hub_.at(station);
   }
-  MeridionalPoint blade_point(double station, double span) const override { return blade_.point(station, span); }
-  double theta(double station, double span) const override { return blade_.theta(station, span); }
+  MeridionalPoint blade_point(double station, double span) const override {
+    return (1.0 - span) * hub_.at(station) + span * tip_.at(station);
+  }
+  double theta(double station, double span) const override {
+    return (1.0 - span) * wrap_hub_.at(station) + span * (wrap_tip_.at(station) + parameters_.tip_lean);
+  }
   double half_width(BladeKind blade, double station, double span) const override {
     const double chord = blade == BladeKind::main ? station : plan_.splitter_chord(station);
     const double thickness =
         (1.0 - span) * parameters_.thickness_root.at(chord) + span * parameters_.thickness_tip.at(chord);
-    return 0.5 * thickness / (blade_.point(station, span).r * blade_.cos_angle(station, span));
+    return 0.5 * thickness / (blade_point(station, span).r * cos_angle(station, span));
   }
   std::string keys_that_shape(Region region) const override {
     if (region == Region::disc) return "back_profile, elements_along_bore, hub_arms, hub_angle_deg, thickness_root";
@@ -110,35 +115,26 @@ class Impeller final : public WheelGeometry {
   }
 
  private:
+  /// cos(beta) of the flow line at this span: thickness over it is the width along the circumference.
+  double cos_angle(double station, double span) const {
+    const double theta_rate = (1.0 - span) * wrap_rate(hub_, parameters_.hub_angle, station) +
+                              span * wrap_rate(tip_, parameters_.tip_angle, station);
+    const MeridionalPoint along =
+        (1.0 - span) * hub_.length() * hub_.unit_tangent(station) + span * tip_.length() * tip_.unit_tangent(station);
+    const double meridional_rate = std::hypot(along.z, along.r);
+    return meridional_rate / std::hypot(meridional_rate, blade_point(station, span).r * theta_rate);
+  }
+
   ImpellerParameters parameters_;
   SectorPlan plan_;
   BackFace back_;
   MeridionalCurve hub_;
   MeridionalCurve tip_;
-  BladeSurface blade_;
+  RunningIntegral wrap_hub_;
+  RunningIntegral wrap_tip_;
 };
 
 }  // namespace
-
-BladeSurface::BladeSurface(const MeridionalCurve& hub, const MeridionalCurve& tip, const BladeAngles& angles)
-    : hub_(hub), tip_(tip), angles_(angles), wrap_hub_(wrap(hub, angles.hub)), wrap_tip_(wrap(tip, angles.tip)) {}
-
-MeridionalPoint BladeSurface::point(double chord, double span) const {
-  return (1.0 - span) * hub_.at(chord) + span * tip_.at(chord);
-}
-
-double BladeSurface::theta(double chord, double span) const {
-  return (1.0 - span) * wrap_hub_.at(chord) + span * (wrap_tip_.at(chord) + angles_.tip_lean);
-}
-
-double BladeSurface::cos_angle(double chord, double span) const {
-  const double theta_rate =
-      (1.0 - span) * wrap_rate(hub_, angles_.hub, chord) + span * wrap_rate(tip_, angles_.tip, chord);
-  const MeridionalPoint along =
-      (1.0 - span) * hub_.length() * hub_.unit_tangent(chord) + span * tip_.length() * tip_.unit_tangent(chord);
-  const double meridional_rate = std::hypot(along.z, along.r);
-  return meridional_rate / std::hypot(meridional_rate, point(chord, span).r * theta_rate);
-}
 
 MeridionalPoint BackFace::foot(double station) const {
   if (station <= bore_end) return {front_z + (profile.at(bore_radius) - front_z) * station / bore_end, bore_radius};
@@ -165,12 +161,13 @@ std::unique_ptr<WheelGeometry> read_impeller(CaseTable& table, SectorPlan& plan)
   const double inlet_hub = size("inlet_hub_radius"), inlet_tip = size("inlet_tip_radius");
   const double exit = size("exit_radius"), width = size("exit_tip_width"), length = size("axial_length");
   const auto hub_arms = read_arms(table, "hub_arms"), tip_arms = read_arms(table, "tip_arms");
-  const BladeAngles angles = read_blade_angles(table);
+  const SmoothTable hub_angle = read_angles(table, "hub_angle_deg"), tip_angle = read_angles(table, "tip_angle_deg");
+  const double lean = radians_per_degree * table.number("tip_lean_deg", 0.0, Range::between(-45.0, 45.0), "deg");
   const SmoothTable root = thickness("thickness_root"), tip = thickness("thickness_tip");
   const double bore = size("bore_radius");
   const SmoothTable back = read_back_profile(table);
-  const ImpellerParameters parameters{inlet_hub, inlet_tip, exit, width, length, hub_arms,
-                                      tip_arms,  angles,    root, tip,   bore,   back};
+  const ImpellerParameters parameters{inlet_hub, inlet_tip, exit, width, length, hub_arms, tip_arms,
+                                      hub_angle, tip_angle, lean, root,  tip,    bore,     back};
   check_channel(table, parameters);
   read_splitter(table, plan);
   read_common(table, plan, BackFace::fewest_stations);

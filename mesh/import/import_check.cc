@@ -51,6 +51,31 @@ int faces_beyond(const CellMesh& mesh, const std::vector<int>& faces, const std:
   }));
 }
 
+Eigen::Vector2d meridional(const Eigen::Vector3d& place) {
+  return {place.head<2>().norm(), place.z()};
+}
+
+/// The share of the area of a tip that lies beyond the ends of a line, in the meridional plane: of faces whose centre
+/// is beyond an end, where the line goes on straight.
+double share_beyond(const CellMesh& mesh, const std::vector<int>& faces, const std::vector<int>& line) {
+  constexpr double at_the_end = 1e-6;  // of the line's last step: a face with its centre there is not beyond
+  std::vector<Eigen::Vector2d> way;
+  for (const int node : line) way.push_back(meridional(mesh.nodes.col(node)));
+  double beyond = 0, all = 0;
+  for (const int number : faces) {
+    const Eigen::Vector2d at = meridional(centre(mesh, mesh.faces[number]));
+    const auto nearer = [&](const auto& a, const auto& b) { return (a - at).norm() < (b - at).norm(); };
+    const auto nearest = std::min_element(way.begin(), way.end(), nearer);
+    const auto is_beyond = [&](const Eigen::Vector2d& end, const Eigen::Vector2d& before) {
+      return *nearest == end && (at - end).dot(end - before) > at_the_end * (end - before).squaredNorm();
+    };
+    all += area(mesh, mesh.faces[number]);
+    if (is_beyond(way.front(), way[1]) || is_beyond(way.back(), way[way.size() - 2]))
+      beyond += area(mesh, mesh.faces[number]);
+  }
+  return beyond / all;
+}
+
 }  // namespace
 
 std::string extent_of(const CellMesh& mesh, const std::vector<int>& faces) {
@@ -152,6 +177,8 @@ void require_one_line(const CellMesh& mesh, const std::vector<int>& nodes, const
 
 void require_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& faces_key,
                        const std::vector<int>& line, const std::string& line_key) {
+  constexpr double most_beyond = 0.3;  // of the tip's area; tiprub-reduce has the same limit
+  const char* whole = "; the line must run from the leading to the trailing edge";
   std::set<int> nodes;
   for (const int face : faces) nodes.insert(mesh.faces[face].nodes.begin(), mesh.faces[face].nodes.end());
   const auto off = std::count_if(line.begin(), line.end(), [&](int node) { return !nodes.contains(node); });
@@ -163,8 +190,10 @@ void require_along_tip(const CellMesh& mesh, const std::vector<int>& faces, cons
   for (const std::vector<int>* way : {&line, &reversed})
     if (const int beyond = faces_beyond(mesh, faces, *way); beyond > 0)
       throw InputError(text_of(keys, " don't belong together: ", beyond, " faces of ", faces_key,
-                               " lie beyond the end of ", line_key, " at ", mesh.place_of(way->front()),
-                               "; the line must run from the leading to the trailing edge"));
+                               " lie beyond the end of ", line_key, " at ", mesh.place_of(way->front()), whole));
+  if (const double beyond = share_beyond(mesh, faces, line); beyond > most_beyond)
+    throw InputError(text_of(keys, " don't belong together: ", std::lround(100 * beyond), " % of the area of ",
+                             faces_key, " lies beyond the ends of ", line_key, whole));
 }
 
 }  // namespace tiprub::mesh

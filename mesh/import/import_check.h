@@ -28,8 +28,8 @@ void require_one_line(const CellMesh& mesh, const std::vector<int>& nodes, const
                       const std::string& key);
 
 /// Raises InputError, which names the keys, unless a given line runs along the whole tip: each of its nodes is one of
-/// the faces', and no face lies beyond an end of the line by more than one face (and 5 % of the line's length, for
-/// a round edge meshed with small faces).
+/// the faces', no face lies beyond an end of the line by more than one face (and 5 % of the line's length, for a
+/// round edge meshed with small faces), and at most 30 % of the tip's area lies beyond the ends.
 void require_along_tip(const CellMesh& mesh, const std::vector<int>& faces, const std::string& faces_key,
                        const std::vector<int>& line, const std::string& line_key);
 

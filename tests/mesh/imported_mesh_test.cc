@@ -231,6 +231,31 @@ TEST(ImportedMesh, RefusesALineThatIsNotAlongItsTip) {
             "contact at x y z = 2 0 0.4 m; the line must run from the leading to the trailing edge");
 }
 
+/// Symptom: a line along two of the three faces of a coarse tip passed, and tiprub-reduce refused the sector.
+TEST(ImportedMesh, RefusesALineThatLeavesOutMuchOfItsTip) {
+  const CellMesh mesh = in_metres(
+      bricks({3, 2, 1}, [](double i, double j, double k) { return Eigen::Vector3d(1 + k, 0.1 * j, 0.1 * i); }));
+  const std::vector<int> tip = select_faces(mesh, "blade_tip", "plane x 2");
+  const auto along = [&](double low, double high) {
+    std::vector<int> line;
+    for (int node = 0; node < mesh.nodes.cols(); ++node) {
+      const Eigen::Vector3d at = mesh.nodes.col(node);
+      if (at.x() > 1.99 && std::abs(at.y() - 0.1) < 0.01 && at.z() > low - 0.01 && at.z() < high + 0.01)
+        line.push_back(node);
+    }
+    line = ordered_line(mesh, line, LeadingEdge::low_z);
+    return complaint<InputError>([&] { require_along_tip(mesh, tip, "blade_tip", line, "contact"); });
+  };
+  EXPECT_EQ(along(0, 0.3), "");
+  EXPECT_EQ(along(0.05, 0.25), "") << "to the middle of the outer faces";
+  EXPECT_EQ(
+      along(0, 0.2),
+      "bricks: [mesh] contact and blade_tip don't belong together: 33 % of the area of blade_tip lies beyond the "
+      "ends of contact; the line must run from the leading to the trailing edge");
+  EXPECT_NE(along(0, 0.15).find("33 % of the area"), std::string::npos) << "to the middle of the tip";
+  EXPECT_NE(along(0.1, 0.2).find("67 % of the area"), std::string::npos) << along(0.1, 0.2);
+}
+
 /// Symptom: the nodes of the whole face of a tip became a line across it.
 TEST(ImportedMesh, RefusesNodesThatFormNoLine) {
   constexpr double slant = 0.02;  // no two nodes are at the same z

@@ -19,7 +19,7 @@
 namespace tiprub {
 
 /// Four doubles that are processed together, in a register of AVX; they may begin at any address.
-using Lanes4 [[gnu::vector_size(4 * sizeof(double)), gnu::aligned(8), gnu::may_alias]] = double;
+using Lanes4 = double __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
 
 TIPRUB_INLINE const Lanes4& lanes4(const double* from) {
   return *reinterpret_cast<const Lanes4*>(from);
@@ -30,7 +30,7 @@ TIPRUB_INLINE Lanes4& lanes4(double* from) {
 
 /// The instruction sets that kernels are written for.
 struct Avx512 {
-  using Register [[gnu::vector_size(8 * sizeof(double)), gnu::aligned(8), gnu::may_alias]] = double;
+  using Register = double __attribute__((vector_size(8 * sizeof(double)), aligned(8), may_alias));
   static constexpr std::size_t registers = 1;  ///< for eight doubles
 };
 struct Avx {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <type_traits>
 
+#include "cases/program/vector_lanes.h"
 #include "reduce/model/nodal_diameter.h"
-#include "reduce/operators/registers.h"
 
 namespace tiprub::reduce {
 
@@ -21,59 +21,46 @@ constexpr int node_dofs = 3;
 /// One strip of right sides, row by row, `strip_width` of them. The matrix couples nodes by full blocks of 3 x 3 (see
 /// SectorDofs): a block is used for its own rows and, turned, for its columns, while the strip's rows of the column
 /// node stay in registers.
-template <class Kind>
-__attribute__((always_inline)) inline void multiply_lanes(int columns, const int* starts, const int* rows,
-                                                          const double* values, const double* right,
-                                                          double* product) {
-  using Lanes = typename Kind::Lanes;
-  constexpr int lanes = Kind::lanes, parts = strip_width / lanes;
-  const auto row_of = [](auto* strip, int row) { return strip + static_cast<std::ptrdiff_t>(row) * strip_width; };
-  for (int node = 0; node < columns; node += node_dofs) {
-    // The first three entries of a node's column 0 couple the node with itself, and so do two of column 1 and one of
-    // column 2.
-    const double* column[node_dofs] = {values + starts[node], values + starts[node + 1], values + starts[node + 2]};
-    const int blocks = (starts[node + 1] - starts[node] - node_dofs) / node_dofs;
-    const int* row = rows + starts[node] + node_dofs;
-    for (int part = 0; part < parts; ++part) {
-      const auto* x = reinterpret_cast<const Lanes*>(row_of(right, node) + part * lanes);
-      auto* y = reinterpret_cast<Lanes*>(row_of(product, node) + part * lanes);
-      const Lanes x0 = x[0], x1 = x[parts], x2 = x[2 * parts];
-      Lanes y0 = column[0][0] * x0 + column[0][1] * x1 + column[0][2] * x2;
-      Lanes y1 = column[0][1] * x0 + column[1][0] * x1 + column[1][1] * x2;
-      Lanes y2 = column[0][2] * x0 + column[1][1] * x1 + column[2][0] * x2;
-      const double *a = column[0] + 3, *b = column[1] + 2, *c = column[2] + 1;
-      for (int block = 0; block < blocks; ++block, a += node_dofs, b += node_dofs, c += node_dofs) {
-        const int other = row[block * node_dofs];
-        const auto* z = reinterpret_cast<const Lanes*>(row_of(right, other) + part * lanes);
-        auto* w = reinterpret_cast<Lanes*>(row_of(product, other) + part * lanes);
-        const Lanes z0 = z[0], z1 = z[parts], z2 = z[2 * parts];
-        y0 += a[0] * z0 + a[1] * z1 + a[2] * z2;
-        y1 += b[0] * z0 + b[1] * z1 + b[2] * z2;
-        y2 += c[0] * z0 + c[1] * z1 + c[2] * z2;
-        w[0] += a[0] * x0 + b[0] * x1 + c[0] * x2;
-        w[parts] += a[1] * x0 + b[1] * x1 + c[1] * x2;
-        w[2 * parts] += a[2] * x0 + b[2] * x1 + c[2] * x2;
+struct MultiplyStrip {
+  template <class Set>
+  TIPRUB_INLINE static void run(int columns, const int* starts, const int* rows, const double* values,
+                                const double* right, double* product) {
+    using Lanes = typename Set::Register;
+    constexpr int lanes = sizeof(Lanes) / sizeof(double), parts = strip_width / lanes;
+    const auto row_of = [](auto* strip, int row) { return strip + static_cast<std::ptrdiff_t>(row) * strip_width; };
+    for (int node = 0; node < columns; node += node_dofs) {
+      // The first three entries of a node's column 0 couple the node with itself, and so do two of column 1 and one
+      // of column 2.
+      const double* column[node_dofs] = {values + starts[node], values + starts[node + 1], values + starts[node + 2]};
+      const int blocks = (starts[node + 1] - starts[node] - node_dofs) / node_dofs;
+      const int* row = rows + starts[node] + node_dofs;
+      for (int part = 0; part < parts; ++part) {
+        const auto* x = reinterpret_cast<const Lanes*>(row_of(right, node) + part * lanes);
+        auto* y = reinterpret_cast<Lanes*>(row_of(product, node) + part * lanes);
+        const Lanes x0 = x[0], x1 = x[parts], x2 = x[2 * parts];
+        Lanes y0 = column[0][0] * x0 + column[0][1] * x1 + column[0][2] * x2;
+        Lanes y1 = column[0][1] * x0 + column[1][0] * x1 + column[1][1] * x2;
+        Lanes y2 = column[0][2] * x0 + column[1][1] * x1 + column[2][0] * x2;
+        const double *a = column[0] + 3, *b = column[1] + 2, *c = column[2] + 1;
+        for (int block = 0; block < blocks; ++block, a += node_dofs, b += node_dofs, c += node_dofs) {
+          const int other = row[block * node_dofs];
+          const auto* z = reinterpret_cast<const Lanes*>(row_of(right, other) + part * lanes);
+          auto* w = reinterpret_cast<Lanes*>(row_of(product, other) + part * lanes);
+          const Lanes z0 = z[0], z1 = z[parts], z2 = z[2 * parts];
+          y0 += a[0] * z0 + a[1] * z1 + a[2] * z2;
+          y1 += b[0] * z0 + b[1] * z1 + b[2] * z2;
+          y2 += c[0] * z0 + c[1] * z1 + c[2] * z2;
+          w[0] += a[0] * x0 + b[0] * x1 + c[0] * x2;
+          w[parts] += a[1] * x0 + b[1] * x1 + c[1] * x2;
+          w[2 * parts] += a[2] * x0 + b[2] * x1 + c[2] * x2;
+        }
+        y[0] += y0;
+        y[parts] += y1;
+        y[2 * parts] += y2;
       }
-      y[0] += y0;
-      y[parts] += y1;
-      y[2 * parts] += y2;
     }
   }
-}
-
-// Compiled for what the processor has: the sum over a row is then the same on the same machine.
-__attribute__((target("avx512f"))) void multiply_strip(int columns, const int* starts, const int* rows,
-                                                       const double* values, const double* right, double* product) {
-  multiply_lanes<Registers64>(columns, starts, rows, values, right, product);
-}
-__attribute__((target("avx2,fma"))) void multiply_strip(int columns, const int* starts, const int* rows,
-                                                        const double* values, const double* right, double* product) {
-  multiply_lanes<Registers32>(columns, starts, rows, values, right, product);
-}
-__attribute__((target("default"))) void multiply_strip(int columns, const int* starts, const int* rows,
-                                                       const double* values, const double* right, double* product) {
-  multiply_lanes<Registers32>(columns, starts, rows, values, right, product);
-}
+};
 
 /// Complex columns side by side in a strip, real and imaginary part in turn; a standing wave has real ones only.
 template <class Scalar>
@@ -114,8 +101,9 @@ void multiply(const SymmetricMatrix& matrix, const SectorDofs& dofs, double low,
     low_face *= low;
     moved.block(high + dofs.face, 0, below, columns) = parts<Scalar>(x.bottomRows(below));
     product.setZero();
-    multiply_strip(static_cast<int>(matrix.cols()), matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
-                   reinterpret_cast<const double*>(moved.data()), reinterpret_cast<double*>(product.data()));
+    in_eights<MultiplyStrip>(static_cast<int>(matrix.cols()), matrix.outerIndexPtr(), matrix.innerIndexPtr(),
+                             matrix.valuePtr(), reinterpret_cast<const double*>(moved.data()),
+                             reinterpret_cast<double*>(product.data()));
     product.middleRows(dofs.interior, dofs.face) =  // T^H y
         low * product.middleRows(dofs.interior, dofs.face) +
         Eigen::numext::conj(phase) * product.middleRows(high, dofs.face);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "reduce/operators/registers.h"
+#include "cases/program/vector_lanes.h"
 
 namespace tiprub::reduce {
 
@@ -22,17 +22,16 @@ struct Panel {
   double operator()(int row, int column) const { return values[row + column * stride]; }
 };
 
-// Not a constructor: clang 14 doesn't emit one that only functions for one processor call.
 Panel panel(const Supernodes& factor, std::int64_t supernode, int column) {
   const std::ptrdiff_t stride = factor.row_start[supernode + 1] - factor.row_start[supernode];
   return {factor.values + factor.value_start[supernode] + column * (stride + 1), stride,
           factor.rows + factor.row_start[supernode] + column, static_cast<int>(stride) - column};
 }
 
-template <class Kind, int width, int strip_width>
-__attribute__((always_inline)) inline void eliminate(const Panel& L, double* strip) {
-  using Lanes = typename Kind::Lanes;
-  constexpr int parts = strip_width / Kind::lanes;
+template <class Set, int width, int strip_width>
+TIPRUB_INLINE void eliminate(const Panel& L, double* strip) {
+  using Lanes = typename Set::Register;
+  constexpr int parts = strip_width * sizeof(double) / sizeof(Lanes);
   const auto row_of = [&](std::int64_t row) { return reinterpret_cast<Lanes*>(strip + row * strip_width); };
   Lanes x[width][parts];
   for (int k = 0; k < width; ++k) {
@@ -54,10 +53,10 @@ __attribute__((always_inline)) inline void eliminate(const Panel& L, double* str
   }
 }
 
-template <class Kind, int width, int strip_width>
-__attribute__((always_inline)) inline void substitute(const Panel& L, double* strip) {
-  using Lanes = typename Kind::Lanes;
-  constexpr int parts = strip_width / Kind::lanes;
+template <class Set, int width, int strip_width>
+TIPRUB_INLINE void substitute(const Panel& L, double* strip) {
+  using Lanes = typename Set::Register;
+  constexpr int parts = strip_width * sizeof(double) / sizeof(Lanes);
   const auto row_of = [&](std::int64_t row) { return reinterpret_cast<Lanes*>(strip + row * strip_width); };
   Lanes x[width][parts];
   for (int k = 0; k < width; ++k)
@@ -85,45 +84,27 @@ int columns_within(const Supernodes& factor, std::int64_t supernode, std::int64_
 enum class Half { elimination, substitution };
 
 /// Supernodes from the first to the last or back, in panels of as many columns as the registers hold.
-template <class Kind, int width>
-__attribute__((always_inline)) inline void pass(Half half, const Supernodes& factor, std::int64_t all,
-                                                double* strip) {
-  for (std::int64_t k = 0; k < factor.count; ++k) {
-    if (half == Half::elimination) {
-      const int columns = columns_within(factor, k, all);
-      int at = 0;
-      for (; at + 8 <= columns; at += 8) eliminate<Kind, 8, width>(panel(factor, k, at), strip);
-      for (; at + 3 <= columns; at += 3) eliminate<Kind, 3, width>(panel(factor, k, at), strip);
-      for (; at < columns; ++at) eliminate<Kind, 1, width>(panel(factor, k, at), strip);
-    } else {
-      const std::int64_t b = factor.count - 1 - k;
-      int at = columns_within(factor, b, all);
-      for (; at >= 8; at -= 8) substitute<Kind, 8, width>(panel(factor, b, at - 8), strip);
-      for (; at >= 3; at -= 3) substitute<Kind, 3, width>(panel(factor, b, at - 3), strip);
-      for (; at >= 1; at -= 1) substitute<Kind, 1, width>(panel(factor, b, at - 1), strip);
+template <int width>
+struct Pass {
+  template <class Set>
+  TIPRUB_INLINE static void run(Half half, const Supernodes& factor, std::int64_t all, double* strip) {
+    for (std::int64_t k = 0; k < factor.count; ++k) {
+      if (half == Half::elimination) {
+        const int columns = columns_within(factor, k, all);
+        int at = 0;
+        for (; at + 8 <= columns; at += 8) eliminate<Set, 8, width>(panel(factor, k, at), strip);
+        for (; at + 3 <= columns; at += 3) eliminate<Set, 3, width>(panel(factor, k, at), strip);
+        for (; at < columns; ++at) eliminate<Set, 1, width>(panel(factor, k, at), strip);
+      } else {
+        const std::int64_t b = factor.count - 1 - k;
+        int at = columns_within(factor, b, all);
+        for (; at >= 8; at -= 8) substitute<Set, 8, width>(panel(factor, b, at - 8), strip);
+        for (; at >= 3; at -= 3) substitute<Set, 3, width>(panel(factor, b, at - 3), strip);
+        for (; at >= 1; at -= 1) substitute<Set, 1, width>(panel(factor, b, at - 1), strip);
+      }
     }
   }
-}
-
-template <class Kind>
-__attribute__((always_inline)) inline void pass(Half half, const Supernodes& factor, std::int64_t all, double* strip,
-                                                Eigen::Index width) {
-  width == wide ? pass<Kind, wide>(half, factor, all, strip) : pass<Kind, narrow>(half, factor, all, strip);
-}
-
-// Compiled for what the processor has: the sums are then the same on the same machine.
-__attribute__((target("avx512f"))) void pass_strip(Half half, const Supernodes& factor, std::int64_t all,
-                                                   double* strip, Eigen::Index width) {
-  pass<Registers64>(half, factor, all, strip, width);
-}
-__attribute__((target("avx2,fma"))) void pass_strip(Half half, const Supernodes& factor, std::int64_t all,
-                                                    double* strip, Eigen::Index width) {
-  pass<Registers32>(half, factor, all, strip, width);
-}
-__attribute__((target("default"))) void pass_strip(Half half, const Supernodes& factor, std::int64_t all,
-                                                   double* strip, Eigen::Index width) {
-  pass<Registers32>(half, factor, all, strip, width);
-}
+};
 
 /// Strip by strip: the last columns, if they are few, in a narrow one.
 void in_strips(Half half, const Supernodes& factor, std::int64_t all, Eigen::MatrixXd& right) {
@@ -138,7 +119,8 @@ void in_strips(Half half, const Supernodes& factor, std::int64_t all, Eigen::Mat
       const Eigen::Index rows = std::min(rows_at_once, right.rows() - row);
       strip.block(row, 0, rows, columns) = right.block(row, first, rows, columns);
     }
-    pass_strip(half, factor, all, strip.data(), strip.cols());
+    strip.cols() == wide ? in_eights<Pass<wide>>(half, factor, all, strip.data())
+                         : in_eights<Pass<narrow>>(half, factor, all, strip.data());
     for (Eigen::Index row = 0; row < right.rows(); row += rows_at_once) {
       const Eigen::Index rows = std::min(rows_at_once, right.rows() - row);
       right.block(row, first, rows, columns) = strip.block(row, 0, rows, columns);

@@ -104,7 +104,7 @@ class LinearAnalysis {
         factors_);
     const std::vector<double> speeds(results_.speeds.begin(), results_.speeds.end());
     static_ =
-        shapes_under_spin(elasticity_, mesh_, CyclicSolver(factor, transforms_[0]), speeds, parameters_.prestress);
+        shapes_under_spin({elasticity_, mesh_, CyclicSolver(factor, transforms_[0])}, speeds, parameters_.prestress);
     for (int row = 0; row < results_.speed_count() && speeds[row] == 0; ++row) solve_modes(row, factor);
   }
 

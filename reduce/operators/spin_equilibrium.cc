@@ -21,37 +21,35 @@ constexpr double coarsest_solution = 0.1;  // of a linear step, relative
 /// Equations of one speed on the independent dofs of nodal diameter 0, which are real.
 class Balance {
  public:
-  Balance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby, double speed)
-      : elasticity_(elasticity), mesh_(mesh), nearby_(nearby), speed_(speed) {}
+  Balance(const SpinProblem& problem, double speed) : problem_(problem), speed_(speed) {}
 
   /// r = f - f_int at a shape.
   Eigen::VectorXd residual(const Eigen::VectorXd& shape) const {
     const Eigen::Matrix3Xd moved = displacement(shape);
-    return gather(speed_ * speed_ * elasticity_.centrifugal_load(moved) - elasticity_.internal_force(moved));
+    return gather(speed_ * speed_ * problem_.elasticity.centrifugal_load(moved) -
+                  problem_.elasticity.internal_force(moved));
   }
   SymmetricMatrix tangent(const Eigen::VectorXd& shape) const {
-    return elasticity_.stiffness(speed_, displacement(shape), Prestress::nonlinear);
+    return problem_.elasticity.stiffness(speed_, displacement(shape), Prestress::nonlinear);
   }
   /// K_nearby^-1 r.
   Eigen::VectorXd precondition(const Eigen::VectorXd& force) const {
-    return nearby_.solve(force.cast<std::complex<double>>(), ContactNodes::free).real();
+    return problem_.nearby.solve(force.cast<std::complex<double>>(), ContactNodes::free).real();
   }
   double norm(const Eigen::VectorXd& force) const { return std::sqrt(force.dot(precondition(force))); }
-  double load_norm() const { return norm(gather(speed_ * speed_ * elasticity_.centrifugal_load())); }
+  double load_norm() const { return norm(gather(speed_ * speed_ * problem_.elasticity.centrifugal_load())); }
   /// K_T du = r by preconditioned conjugate gradients, to a relative residual.
   Eigen::VectorXd solve(const SymmetricMatrix& tangent, const Eigen::VectorXd& force, double accuracy) const;
 
  private:
   Eigen::Matrix3Xd displacement(const Eigen::VectorXd& shape) const {
-    return cartesian_displacement(mesh_, nearby_.transform().dofs(), shape);
+    return cartesian_displacement(problem_.mesh, problem_.nearby.transform().dofs(), shape);
   }
   Eigen::VectorXd gather(const Eigen::VectorXd& sector) const {
-    return nearby_.transform().gather(sector.cast<std::complex<double>>()).real();
+    return problem_.nearby.transform().gather(sector.cast<std::complex<double>>()).real();
   }
 
-  const RotatingElasticity& elasticity_;
-  const SectorMesh& mesh_;
-  const CyclicSolver& nearby_;
+  const SpinProblem& problem_;
   double speed_;
 };
 
@@ -60,7 +58,8 @@ Eigen::VectorXd Balance::solve(const SymmetricMatrix& tangent, const Eigen::Vect
   const double first = left.dot(z);
   double now = first;
   for (int k = 0; k < most_gradient_steps; ++k) {
-    const Eigen::VectorXd pushed = nearby_.transform().apply(tangent, direction.cast<std::complex<double>>()).real();
+    const Eigen::VectorXd pushed =
+        problem_.nearby.transform().apply(tangent, direction.cast<std::complex<double>>()).real();
     const double curvature = direction.dot(pushed);
     if (!(curvature > 0)) throw RunError("the loaded shape is not stable: its stiffness is not positive definite");
     step += now / curvature * direction;
@@ -77,11 +76,10 @@ Eigen::VectorXd Balance::solve(const SymmetricMatrix& tangent, const Eigen::Vect
 
 }  // namespace
 
-SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const SectorMesh& mesh,
-                                 const CyclicSolver& nearby, double speed, const Eigen::VectorXd& guess) {
+SpinEquilibrium spin_equilibrium(const SpinProblem& problem, double speed, const Eigen::VectorXd& guess) {
   SpinEquilibrium found{guess};
   if (speed == 0.0) return {Eigen::VectorXd::Zero(guess.size())};
-  const Balance balance(elasticity, mesh, nearby, speed);
+  const Balance balance(problem, speed);
   const double scale = balance.load_norm();
   Eigen::VectorXd force = balance.residual(found.displacement);
   found.residual = balance.norm(force) / scale;
@@ -91,7 +89,7 @@ SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const Sec
     const double accuracy = std::min(coarsest_solution, found.residual);
     const Eigen::VectorXcd step =
         balance.solve(balance.tangent(found.displacement), force, accuracy).cast<std::complex<double>>();
-    const Eigen::VectorXd whole = nearby.transform().expand(step).real();
+    const Eigen::VectorXd whole = problem.nearby.transform().expand(step).real();
     double fraction = 1.0, residual = 0.0;
     Eigen::VectorXd shape;
     for (int halving = 0; halving <= most_halvings; ++halving, fraction /= 2) {
@@ -110,44 +108,40 @@ SpinEquilibrium spin_equilibrium(const RotatingElasticity& elasticity, const Sec
                          "; lower speed_max_rpm, or take prestress = \"linear\""));
 }
 
-double spin_imbalance(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
-                      double speed, const Eigen::VectorXd& shape) {
-  const Balance balance(elasticity, mesh, nearby, speed);
+double spin_imbalance(const SpinProblem& problem, double speed, const Eigen::VectorXd& shape) {
+  const Balance balance(problem, speed);
   return balance.norm(balance.residual(shape)) / balance.load_norm();
 }
 
-SpinEquilibrium climb(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& nearby,
-                      const KnownShape& from, double speed, int halvings) {
+SpinEquilibrium climb(const SpinProblem& problem, const KnownShape& from, double speed, int halvings) {
   const double square = speed * speed;
   try {
-    return at_speed(speed,
-                    [&] { return spin_equilibrium(elasticity, mesh, nearby, speed, square * from.over_square); });
+    return at_speed(speed, [&] { return spin_equilibrium(problem, speed, square * from.over_square); });
   } catch (const RunError&) {
     if (halvings == 0) throw;
   }
   const double between = std::sqrt((from.speed * from.speed + square) / 2);
-  const SpinEquilibrium half = climb(elasticity, mesh, nearby, from, between, halvings - 1);
-  SpinEquilibrium found =
-      climb(elasticity, mesh, nearby, {between, half.displacement / (between * between)}, speed, halvings - 1);
+  const SpinEquilibrium half = climb(problem, from, between, halvings - 1);
+  SpinEquilibrium found = climb(problem, {between, half.displacement / (between * between)}, speed, halvings - 1);
   found.iterations = std::max(found.iterations, half.iterations);
   return found;
 }
 
-Eigen::VectorXd linear_shape(const RotatingElasticity& elasticity, const CyclicSolver& at_rest) {
-  const Eigen::VectorXcd load = elasticity.centrifugal_load().cast<std::complex<double>>();
-  return at_rest.transform().expand(at_rest.solve(at_rest.transform().gather(load), ContactNodes::free)).real();
+Eigen::VectorXd linear_shape(const SpinProblem& problem) {
+  const Eigen::VectorXcd load = problem.elasticity.centrifugal_load().cast<std::complex<double>>();
+  const CyclicTransformation& transform = problem.nearby.transform();
+  return transform.expand(problem.nearby.solve(transform.gather(load), ContactNodes::free)).real();
 }
 
-SpinShapes shapes_under_spin(const RotatingElasticity& elasticity, const SectorMesh& mesh,
-                             const CyclicSolver& at_rest, std::vector<double> speeds, Prestress prestress) {
-  KnownShape known{0.0, linear_shape(elasticity, at_rest)};
+SpinShapes shapes_under_spin(const SpinProblem& problem, std::vector<double> speeds, Prestress prestress) {
+  KnownShape known{0.0, linear_shape(problem)};
   std::sort(speeds.begin(), speeds.end());
   SpinShapes shapes;
   for (const double speed : speeds) {
     const double square = speed * speed;
     shapes.at[speed] = square * known.over_square;
     if (prestress != Prestress::nonlinear || speed == 0.0) continue;
-    SpinEquilibrium found = climb(elasticity, mesh, at_rest, known, speed);
+    SpinEquilibrium found = climb(problem, known, speed);
     shapes.newton_steps = std::max(shapes.newton_steps, found.iterations);
     shapes.newton_residual = std::max(shapes.newton_residual, found.residual);
     known = {speed, found.displacement / square};

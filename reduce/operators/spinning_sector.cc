@@ -16,12 +16,11 @@ constexpr int most_terms = 8;  // 16 would lose K's 33 terms to rounding
 
 class ShapeFit {
  public:
-  ShapeFit(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& at_rest,
-           const ReductionParameters& parameters)
-      : elasticity_(elasticity), mesh_(mesh), at_rest_(at_rest), parameters_(parameters) {
+  ShapeFit(const SpinProblem& problem, const ReductionParameters& parameters)
+      : problem_(problem), parameters_(parameters) {
     std::vector<double> speeds = speeds_at(parameters.verification_speeds, parameters.speed_max);
     speeds.insert(speeds.end(), {0.0, parameters.speed_max});
-    shape_.equilibria = shapes_under_spin(elasticity, mesh, at_rest, speeds, parameters.prestress);
+    shape_.equilibria = shapes_under_spin(problem, speeds, parameters.prestress);
   }
 
   SpinShape run() {
@@ -46,8 +45,8 @@ class ShapeFit {
     SpinShapes& known = shape_.equilibria;
     if (const auto at = known.at.find(speed); at != known.at.end()) return at->second;
     const auto& [below, shape] = *std::prev(known.at.upper_bound(speed));
-    const KnownShape from{below, below > 0 ? shape / (below * below) : linear_shape(elasticity_, at_rest_)};
-    const SpinEquilibrium found = climb(elasticity_, mesh_, at_rest_, from, speed);
+    const KnownShape from{below, below > 0 ? shape / (below * below) : linear_shape(problem_)};
+    const SpinEquilibrium found = climb(problem_, from, speed);
     known.newton_steps = std::max(known.newton_steps, found.iterations);
     known.newton_residual = std::max(known.newton_residual, found.residual);
     return known.at[speed] = found.displacement;
@@ -58,14 +57,11 @@ class ShapeFit {
     double largest = 0;
     const std::vector<double> finer = speeds_at(chebyshev_fractions(2 * terms), parameters_.speed_max);
     for (std::size_t k = 1; k < finer.size(); k += 2)
-      largest =
-          std::max(largest, spin_imbalance(elasticity_, mesh_, at_rest_, finer[k], shape_.displacement(finer[k])));
+      largest = std::max(largest, spin_imbalance(problem_, finer[k], shape_.displacement(finer[k])));
     return largest;
   }
 
-  const RotatingElasticity& elasticity_;
-  const SectorMesh& mesh_;
-  const CyclicSolver& at_rest_;
+  const SpinProblem& problem_;
   const ReductionParameters& parameters_;
   SpinShape shape_;
 };
@@ -78,10 +74,9 @@ std::optional<RotatingElasticity> elasticity_of(const SectorMesh& mesh, const Se
 
 }  // namespace
 
-SpinShape spin_shape(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& at_rest,
-                     const ReductionParameters& parameters) {
-  if (parameters.prestress == Prestress::nonlinear) return ShapeFit(elasticity, mesh, at_rest, parameters).run();
-  return {.displacement = {{linear_shape(elasticity, at_rest)}}, .imbalance = 0, .equilibria = {}};
+SpinShape spin_shape(const SpinProblem& problem, const ReductionParameters& parameters) {
+  if (parameters.prestress == Prestress::nonlinear) return ShapeFit(problem, parameters).run();
+  return {.displacement = {{linear_shape(problem)}}, .imbalance = 0, .equilibria = {}};
 }
 
 SpinningSector::SpinningSector(const SectorMesh& mesh, const SectorDofs& dofs, const ReductionParameters& parameters)
@@ -101,7 +96,7 @@ const SpeedSamples& SpinningSector::spin(const SectorFactor& factor_at_rest, con
     return samples_;
   }
   const CyclicSolver at_rest = at_speed(0.0, [&] { return CyclicSolver(factor_at_rest, transform); });
-  shape_ = spin_shape(*elasticity_, mesh_, at_rest, parameters_);
+  shape_ = spin_shape({*elasticity_, mesh_, at_rest}, parameters_);
   samples_ = SpeedSamples(parameters_, static_cast<int>(shape_.displacement.terms.size()));
   return samples_;
 }

@@ -32,9 +32,8 @@ struct SpinShape {
 /// Its number of terms follows from `polynomial_speeds`. If that is 0, it is the first of 1, 2, 4 and 8 that leaves
 /// less than `polynomial_tolerance` of the load out of balance, or 8. The polynomial goes through the equilibria at
 /// Chebyshev's points of Omega^2 on 0 .. Omega_max; each number of terms keeps the points of the one before.
-/// `at_rest` is K(0) of nodal diameter 0. Raises RunError, with the speed, where there is no equilibrium.
-SpinShape spin_shape(const RotatingElasticity& elasticity, const SectorMesh& mesh, const CyclicSolver& at_rest,
-                     const ReductionParameters& parameters);
+/// The nearby K must be that at rest. Raises RunError, with the speed, where there is no equilibrium.
+SpinShape spin_shape(const SpinProblem& problem, const ReductionParameters& parameters);
 
 /// A sector's M, its shape under spin, and K at any speed. K at rest is assembled at once; spin() and sample() need
 /// its factor. The shape under spin of a sector that is given by its matrices isn't known; it is taken to be zero.

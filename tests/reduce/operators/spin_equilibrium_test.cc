@@ -31,7 +31,7 @@ class Spinning : public ::testing::Test {
     return material;
   }
   SpinEquilibrium at(double speed) {
-    return spin_equilibrium(rotor_.elasticity(), rotor_.mesh(), at_rest_, speed,
+    return spin_equilibrium({rotor_.elasticity(), rotor_.mesh(), at_rest_}, speed,
                             Eigen::VectorXd::Zero(rotor_.dofs().sector()));
   }
   Eigen::Matrix3Xd displacement(const Eigen::VectorXd& u) const {
@@ -152,7 +152,7 @@ TEST(NonlinearReduction, ShiftsTheContactNodesAsTheEquilibriaDo) {
   const SectorFactor factor(rotor.at_rest(), rotor.dofs());
   const CyclicSolver at_rest(factor, CyclicTransformation(rotor.dofs(), sectors, 0));
   for (const double fraction : {0.2, 0.55, 0.9, 1.0}) {
-    const Eigen::VectorXd exact = spin_equilibrium(rotor.elasticity(), rotor.mesh(), at_rest, fraction * top,
+    const Eigen::VectorXd exact = spin_equilibrium({rotor.elasticity(), rotor.mesh(), at_rest}, fraction * top,
                                                    Eigen::VectorXd::Zero(rotor.dofs().sector()))
                                       .displacement;
     const Eigen::MatrixX3d shift = model.contact.static_shift(fraction * top);

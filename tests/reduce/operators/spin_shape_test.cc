@@ -35,7 +35,7 @@ class SpinningShape : public ::testing::Test {
         factor_(rotor_.at_rest(), rotor_.dofs()),
         at_rest_(factor_, CyclicTransformation(rotor_.dofs(), sectors, 0)) {}
   SpinShape shape(const ReductionParameters& p) {
-    return spin_shape(rotor_.elasticity(), rotor_.mesh(), at_rest_, p);
+    return spin_shape({rotor_.elasticity(), rotor_.mesh(), at_rest_}, p);
   }
   Eigen::MatrixXd tangent(const SpinShape& shape, double speed) {
     return dense(rotor_.elasticity().stiffness(
@@ -70,7 +70,7 @@ TEST_F(SpinningShape, IsInBalanceBetweenItsSpeeds) {
   EXPECT_GT(found.displacement.terms.size(), 1u);
   EXPECT_LE(found.imbalance, 1e-4);
   for (const double fraction : {0.1, 0.33, 0.52, 0.78, 0.97})
-    EXPECT_LT(spin_imbalance(rotor_.elasticity(), rotor_.mesh(), at_rest_, fraction * top,
+    EXPECT_LT(spin_imbalance({rotor_.elasticity(), rotor_.mesh(), at_rest_}, fraction * top,
                              found.displacement(fraction * top)),
               2e-4)
         << fraction;

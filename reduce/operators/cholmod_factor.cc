@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/operators/cholmod_factor.h"
-
 #include <cholmod.h>
 
 #include <Eigen/CholmodSupport>
@@ -13,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/program/errors.h"
+#include "reduce/operators/factor_engine.h"
 #include "reduce/operators/supernodal_solve.h"
 
 /// U U' of an upper triangular matrix in its own place, part of LAPACK.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/operators/mumps_factor.h"
-
 #define OMPI_SKIP_MPICXX 1
 #include <dmumps_c.h>
 #include <mpi.h>
@@ -13,9 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "cases/program/errors.h"
 #include "cases/program/process_group.h"
-#include "reduce/operators/scratch_folder.h"
+#include "reduce/operators/factor_engine.h"
 
 namespace tiprub::reduce {
 
@@ -51,8 +48,7 @@ std::mutex& one_at_a_time() {
 
 class MumpsFactor : public FactorEngine {
  public:
-  MumpsFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs, FactorPlace place,
-              const std::filesystem::path& scratch_folder);
+  MumpsFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs, const FactorChoice& choice);
   MumpsFactor(const MumpsFactor&) = delete;
   MumpsFactor& operator=(const MumpsFactor&) = delete;
   ~MumpsFactor() override {
@@ -83,11 +79,11 @@ class MumpsFactor : public FactorEngine {
   mutable DMUMPS_STRUC_C mumps_{};  ///< changes with each solve
 };
 
-MumpsFactor::MumpsFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs, FactorPlace place,
-                         const std::filesystem::path& scratch_folder)
+MumpsFactor::MumpsFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs, const FactorChoice& choice)
     : interior_(dofs.interior),
       interface_(dofs.interface()),
-      folder_(place == FactorPlace::disk ? std::make_unique<ScratchFolder>(scratch_folder) : nullptr),
+      folder_(choice.method == FactorMethod::mumps_on_disk ? std::make_unique<ScratchFolder>(choice.scratch_folder)
+                                                           : nullptr),
       schur_(folder_ != nullptr && interface_ > 0 ? StoredMatrix(interface_, interface_, folder_->path() / "schur")
                                                   : StoredMatrix(Eigen::MatrixXd::Zero(interface_, interface_))) {
   require_mpi();
@@ -236,8 +232,8 @@ void require_mumps(int error, int detail, Eigen::Index dofs) {
 }
 
 std::unique_ptr<FactorEngine> factorize_by_mumps(const SymmetricMatrix& stiffness, const SectorDofs& dofs,
-                                                 FactorPlace place, const std::filesystem::path& scratch_folder) {
-  return std::make_unique<MumpsFactor>(stiffness, dofs, place, scratch_folder);
+                                                 const FactorChoice& choice) {
+  return std::make_unique<MumpsFactor>(stiffness, dofs, choice);
 }
 
 }  // namespace tiprub::reduce

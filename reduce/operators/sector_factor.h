@@ -2,25 +2,12 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "reduce/operators/factor_engine.h"
-#include "reduce/sector/rotating_elasticity.h"
 
 namespace tiprub::reduce {
-
-/// The library that factorizes, and where its factor is.
-enum class FactorMethod {
-  cholmod,        ///< in memory, the fastest
-  mumps,          ///< in memory
-  mumps_on_disk,  ///< out of core, with S: the memory holds what the factorization is at work on
-};
-
-struct FactorChoice {
-  FactorMethod method = FactorMethod::cholmod;
-  std::filesystem::path scratch_folder;  ///< for files of a factor on disk; empty: the working folder
-};
 
 /// One real factorization of the sector's stiffness that serves all nodal diameters.
 ///
@@ -33,7 +20,10 @@ struct FactorChoice {
 class SectorFactor {
  public:
   /// Raises RunError if the interior is not positive definite, or if memory or disk don't suffice.
-  SectorFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs, const FactorChoice& choice = {});
+  SectorFactor(const SymmetricMatrix& stiffness, const SectorDofs& dofs, const FactorChoice& choice = {})
+      : engine_(choice.method == FactorMethod::cholmod ? factorize_by_cholmod(stiffness, dofs)
+                                                       : factorize_by_mumps(stiffness, dofs, choice)),
+        schur_(engine_->take_schur_complement()) {}
 
   /// S [N/m], symmetric; interface x interface, in the order of SectorDofs.
   const StoredMatrix& schur_complement() const { return schur_; }
@@ -46,7 +36,9 @@ class SectorFactor {
   Eliminated unloaded(Eigen::Index columns) const { return engine_->unloaded(columns); }
   /// Second half: the displacement of the sector when its interface moves by `interface` (interface x columns);
   /// sector x columns, in the order of SectorDofs.
-  Eigen::MatrixXd back_substitute(Eliminated&& eliminated, const Eigen::MatrixXd& interface) const;
+  Eigen::MatrixXd back_substitute(Eliminated&& eliminated, const Eigen::MatrixXd& interface) const {
+    return engine_->back_substitute(std::move(eliminated), interface);
+  }
 
  private:
   std::unique_ptr<FactorEngine> engine_;

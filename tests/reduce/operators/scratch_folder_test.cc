@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reduce/operators/scratch_folder.h"
+#include "reduce/operators/scratch_files.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>

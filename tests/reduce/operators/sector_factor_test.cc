@@ -7,9 +7,7 @@
 #include <fstream>
 #include <utility>
 
-#include "reduce/operators/cholmod_factor.h"
-#include "reduce/operators/mumps_factor.h"
-#include "reduce/operators/scratch_folder.h"
+#include "reduce/operators/scratch_files.h"
 #include "tests/cases/complaint.h"
 #include "tests/reduce/dense_algebra.h"
 #include "tests/reduce/test_rotor.h"

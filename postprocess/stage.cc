@@ -21,7 +21,6 @@
 #include "postprocess/records/study_records.h"
 #include "postprocess/report/report.h"
 #include "postprocess/report/verdict.h"
-#include "reduce/model/model_doubts.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/response/response_file.h"
 

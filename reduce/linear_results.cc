@@ -14,7 +14,7 @@
 #include "mesh/cells/cell_kind.h"
 #include "reduce/basis/cyclic_modes.h"
 #include "reduce/model/hdf5_file.h"
-#include "reduce/model/model_doubts.h"
+#include "reduce/model/reduced_model.h"
 #include "reduce/operators/memory_need.h"
 #include "reduce/operators/speed_samples.h"
 #include "reduce/operators/spin_equilibrium.h"
@@ -205,10 +205,6 @@ class LinearAnalysis {
 constexpr const char* schema = "tiprub-modes";
 constexpr int schema_version = 1;
 
-double rpm(double speed) {
-  return speed * rpm_per_rad_s;
-}
-
 void print_modes(std::ostream& out, const LinearResults& results) {
   out << "speed_rpm nodal_diameter mode frequency_hz branch mac";
   for (const std::string& part : results.parts) out << " energy_" << part;
@@ -217,7 +213,7 @@ void print_modes(std::ostream& out, const LinearResults& results) {
     for (std::size_t n = 0; n < results.nodal_diameters.size(); ++n) {
       const ModesOverSpeed& modes = results.nodal_diameters[n];
       for (Eigen::Index k = 0; k < modes.frequency.cols(); ++k) {
-        out << std::setprecision(8) << rpm(results.speeds[row]) << " " << n << " " << k + 1 << " "
+        out << std::setprecision(8) << results.speeds[row] * rpm_per_rad_s << " " << n << " " << k + 1 << " "
             << modes.frequency(row, k) << std::setprecision(4) << " " << modes.branch(row, k) + 1 << " "
             << modes.mac(row, k);
         for (const Eigen::MatrixXd& share : modes.energy_share) out << " " << share(row, k);
@@ -230,8 +226,8 @@ void print_static_state(std::ostream& out, const LinearResults& results) {
   out << "\nspeed_rpm part displacement_m von_mises_pa\n";
   for (int row = 0; row < results.speed_count(); ++row)
     for (std::size_t part = 0; part < results.parts.size(); ++part)
-      out << std::setprecision(8) << rpm(results.speeds[row]) << " " << results.parts[part] << std::setprecision(6)
-          << " " << results.displacement(row, static_cast<Eigen::Index>(part)) << " "
+      out << std::setprecision(8) << results.speeds[row] * rpm_per_rad_s << " " << results.parts[part]
+          << std::setprecision(6) << " " << results.displacement(row, static_cast<Eigen::Index>(part)) << " "
           << results.von_mises(row, static_cast<Eigen::Index>(part)) << "\n";
 }
 
@@ -239,7 +235,7 @@ void print_tip(std::ostream& out, const LinearResults& results) {
   out << "\nspeed_rpm tip_arc_length_m clearance_loss_m\n";
   for (int row = 0; row < results.speed_count(); ++row)
     for (Eigen::Index k = 0; k < results.tip_arc_length.size(); ++k)
-      out << std::setprecision(8) << rpm(results.speeds[row]) << std::setprecision(6) << " "
+      out << std::setprecision(8) << results.speeds[row] * rpm_per_rad_s << std::setprecision(6) << " "
           << results.tip_arc_length[k] << " " << results.clearance_loss(row, k) << "\n";
 }
 

@@ -23,7 +23,6 @@
 #include "reduce/exports.h"
 #include "reduce/linear_results.h"
 #include "reduce/matrices/matrix_sector.h"
-#include "reduce/model/model_doubts.h"
 #include "reduce/model/nodal_diameter.h"
 #include "reduce/model/reduced_model_file.h"
 #include "reduce/reduction.h"

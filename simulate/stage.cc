@@ -19,7 +19,6 @@
 #include "cases/program/output_file.h"
 #include "cases/program/text.h"
 #include "cases/program/units.h"
-#include "reduce/model/model_doubts.h"
 #include "reduce/model/reduced_model_file.h"
 #include "simulate/scene/friction_limit.h"
 #include "simulate/sweep/sweep.h"

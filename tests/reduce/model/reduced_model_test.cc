@@ -7,7 +7,6 @@
 #include <numbers>
 #include <ostream>
 
-#include "reduce/model/model_doubts.h"
 #include "tests/cases/complaint.h"
 #include "tests/reduce/model/some_model.h"
 

@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "cases/program/machine.h"
-#include "reduce/basis/diameter_reduction.h"
+#include "cases/program/text.h"
 #include "reduce/basis/second_order_gap.h"
 #include "reduce/model/condensation.h"
 #include "reduce/operators/memory_need.h"
 #include "reduce/operators/spinning_sector.h"
 #include "reduce/sector/contact_unknowns.h"
 #include "reduce/sector/parallel_for.h"
-#include "reduce/sector_fields.h"
 #include "reduce/shared_diameters.h"
 
 namespace tiprub::reduce {
@@ -64,12 +63,47 @@ bool is_known(const MeshError& error) {
   return (error.frequency.array() >= 0).all() && (error.compliance.array() >= 0).all();
 }
 
+/// Those of some nodes that the file has.
+std::vector<int> in_file(const SectorMesh& mesh, std::vector<int> nodes) {
+  std::erase_if(nodes, [&](int node) { return node >= mesh.file_node_count(); });
+  return nodes;
+}
+
+/// A sector as fields.h5 holds it, but for its shape under spin.
+SectorFields describe_sector(const SectorMesh& mesh, const std::vector<int>& contact, const Material& material) {
+  SectorFields sector;
+  sector.sector_count = mesh.sector_count;
+  sector.nodes = mesh.nodes.leftCols(mesh.file_node_count());
+  sector.cells = mesh.cells;
+  sector.node_sets = {{"clamped", in_file(mesh, mesh.clamped)},
+                      {"contact", contact},
+                      {"contact_line", mesh.contact_line},
+                      {"cyclic_low", in_file(mesh, mesh.cyclic_low)},
+                      {"cyclic_high", in_file(mesh, mesh.cyclic_high)}};
+  if (!mesh.splitter_line.empty()) sector.node_sets["contact_splitter"] = mesh.splitter_line;
+  sector.parts = mesh.parts;
+  sector.mesh_digest = digest(mesh);
+  sector.young = material.young;
+  sector.poisson = material.poisson;
+  sector.density = material.density;
+  return sector;
+}
+
+/// One vector of sector dofs on all nodes of the file: r, theta, z of node 0, then of node 1, ...; zero where
+/// clamped.
+Eigen::VectorXcd on_nodes(const SectorMesh& mesh, const SectorDofs& dofs, const Eigen::VectorXcd& sector_vector) {
+  Eigen::VectorXcd values = Eigen::VectorXcd::Zero(3 * mesh.file_node_count());
+  for (int node = 0; node < mesh.file_node_count(); ++node)
+    if (dofs.first[node] >= 0) values.segment<3>(3 * node) = sector_vector.segment<3>(dofs.first[node]);
+  return values;
+}
+
 /// The work of one reduction. Two factors, of rest and of full speed, serve all nodal diameters; these are reduced
 /// side by side, and the memory of each is released as soon as its model is made and verified.
 class Reducer {
  public:
   Reducer(const SectorMesh& mesh, const ReductionParameters& parameters, Progress& progress, FieldsWriter* fields,
-          ProcessGroup* group)
+          ProcessGroup& group)
       : mesh_(mesh),
         parameters_(parameters),
         progress_(progress),
@@ -80,15 +114,9 @@ class Reducer {
         factors_{FactorMethod::cholmod, parameters.scratch_folder} {
     for (int n = 0; n <= mesh.sector_count / 2; ++n) transforms_.emplace_back(dofs_, mesh.sector_count, n);
     std::vector<double> with_fields = {fields == nullptr ? 0.0 : 1.0};
-    if (group != nullptr) group->agree(nullptr);
-    if (group != nullptr) group->share(with_fields);
+    group.agree(nullptr);
+    group.share(with_fields);
     with_fields_ = with_fields.front() != 0;
-  }
-
-  /// Of the leader's share, or of all in a single process.
-  static int steps(const SectorMesh& mesh, int processes) {
-    constexpr int stages = 3;  // of a nodal diameter: modes at rest, the basis, its verification
-    return stages * (mesh.sector_count / 2 / processes + 1);
   }
 
   /// Only the leader's is whole.
@@ -107,7 +135,7 @@ class Reducer {
     report.newton_residual = sector.shape().equilibria.newton_residual;
     timed(report, "shape under spin");
     ReducedModel model = describe(sector.shape());
-    if (leads() && sector.elasticity() != nullptr)
+    if (group_.leads() && sector.elasticity() != nullptr)
       model.contact.second_order = second_order_gap(sector, at_rest, contact_);
     timed(report, "second order of the gap");
     sector.sample();
@@ -119,10 +147,12 @@ class Reducer {
     timed(report, "functions that the mesh lacks");
     write_sector_fields(sector.shape());
     const SampledStiffness stiffness = blaming_shape(sector.shape(), [&] {
-      return reduce_diameters({sector, at_rest, at_top, mesh_error ? &*mesh_error : nullptr}, model, report);
+      return reduce_diameters(
+          {parameters_, sector, at_rest, at_top, contact_, mesh_error ? &*mesh_error : nullptr, with_fields_}, model,
+          report);
     });
     timed(report, "modes, bases, verification");
-    if (!leads()) return model;
+    if (!group_.leads()) return model;
     fit_polynomial(stiffness, sector.samples(), parameters_, model);  // eq. 7
     find_reduced_frequencies(model);
     timed(report, "model");
@@ -130,16 +160,6 @@ class Reducer {
   }
 
  private:
-  bool leads() const { return group_ == nullptr || group_->leads(); }
-
-  /// The data that all nodal diameters share.
-  struct Shared {
-    const SpinningSector& sector;
-    const SectorFactor& at_rest;
-    const SectorFactor& at_top;
-    const MeshErrorEstimate* mesh_error;
-  };
-
   bool estimates_mesh_error() const { return parameters_.mesh_error && AddedFunctions::serve(mesh_); }
 
   MemoryNeed memory_need_of(const SpeedSamples& samples) const {
@@ -159,8 +179,7 @@ class Reducer {
     const MemoryNeed need = memory_need_of(samples);
     report.memory_available = available_at_start_;
     report.memory_by_cholmod = need.total(FactorMethod::cholmod);
-    report.factor_method = factors_.method =
-        choose_method(need, parameters_, group_ == nullptr ? 1 : group_->local_size());
+    report.factor_method = factors_.method = choose_method(need, parameters_, group_.local_size());
     start_threads(need, factors_.method, parameters_.threads);
     report.memory_needed = need.total(factors_.method);
   }
@@ -179,10 +198,10 @@ class Reducer {
       return body();
     } catch (const RunError& error) {
       if (shape.imbalance <= parameters_.polynomial_tolerance) throw;
-      throw RunError(std::string(error.what()) +
-                     ", or its shape changes too much for eq. 7: " + std::to_string(100 * shape.imbalance) +
-                     " % of the load is out of balance between its speeds; lower speed_max_rpm, or take prestress = "
-                     "\"linear\"");
+      throw RunError(
+          text_of(error.what(), ", or its shape changes too much for eq. 7: ", std::to_string(100 * shape.imbalance),
+                  " % of the load is out of balance between its speeds; lower speed_max_rpm, or take prestress = "
+                  "\"linear\""));
     }
   }
 
@@ -270,7 +289,7 @@ class Reducer {
   }
 
   /// Every nodal diameter's M, basis and unreduced frequencies; returns their K at the samples.
-  SampledStiffness reduce_diameters(const Shared& shared, ReducedModel& model, ReductionReport& report) {
+  SampledStiffness reduce_diameters(const SharedByDiameters& shared, ReducedModel& model, ReductionReport& report) {
     const std::size_t diameters = transforms_.size();
     make_room(model, report, shared.mesh_error != nullptr);
     CellErrors of_cells(model.mesh_error && fields_ != nullptr ? mesh_.cell_count() : 0, diameters);
@@ -287,46 +306,13 @@ class Reducer {
       if (model.mesh_error && n == 0) model.mesh_error->compliance = std::move(result.compliance_errors);
       of_cells.keep(n, result);
     };
-    const auto reduce = [&](int n) { return reduce_diameter(shared, n); };
-    if (group_ == nullptr || group_->size() == 1)
-      reduce_in_rounds(static_cast<int>(diameters), parameters_.threads, reduce, keep);
-    else
-      share_diameters(*group_, static_cast<int>(diameters), parameters_.threads, reduce, keep);
-    if (model.mesh_error && leads()) {
+    const auto reduce = [&](int n) { return reduce_diameter(shared, transforms_[n], n, progress_); };
+    share_diameters(group_, static_cast<int>(diameters), parameters_.threads, reduce, keep);
+    if (model.mesh_error && group_.leads()) {
       report.mesh_error_unknown = !is_known(*model.mesh_error);
       report.mesh_error_unknown ? model.mesh_error.reset() : of_cells.write(fields_);
     }
     return stiffness;
-  }
-
-  DiameterResult reduce_diameter(const Shared& shared, int n) {
-    const DiameterReduction diameter(shared.sector, shared.at_rest, shared.at_top, transforms_[n], parameters_);
-    DiameterResult result;
-    CraigBamptonBasis basis = diameter.start_basis();  // eq. 8, eq. 9
-    progress_.advance();
-    require_enough_modes(n, basis.size());
-    result.corrections = diameter.correct(basis);
-    progress_.advance();
-    result.generalized_dofs = static_cast<int>(basis.size() - basis.contact_dofs());
-    result.dropped = basis.dropped();
-    result.stiffness = diameter.sampled_stiffness(basis);
-    result.mass = basis.mass();
-    result.unreduced = diameter.unreduced_frequencies(basis);
-    if (shared.mesh_error != nullptr) estimate_errors(diameter, *shared.mesh_error, n, basis, result);
-    progress_.advance();
-    if (with_fields_) result.shapes = basis.shapes();
-    return result;
-  }
-
-  void estimate_errors(const DiameterReduction& diameter, const MeshErrorEstimate& mesh, int n,
-                       const CraigBamptonBasis& basis, DiameterResult& result) const {
-    MeshErrorEstimate::Errors frequency = diameter.frequency_errors(mesh, basis), compliance;
-    if (n == 0) compliance = diameter.compliance_errors(mesh, contact_);
-    result.frequency_errors = std::move(frequency.of_each);
-    result.compliance_errors = std::move(compliance.of_each);
-    if (!with_fields_) return;
-    result.frequency_cells = std::move(frequency.of_cells);
-    result.compliance_cells = std::move(compliance.of_cells);
   }
 
   /// The model's own frequencies beside the unreduced ones, with as many dofs as it has at any one speed.
@@ -343,18 +329,11 @@ class Reducer {
     });
   }
 
-  void require_enough_modes(int n, Eigen::Index dofs) const {
-    if (dofs >= parameters_.verification_modes) return;
-    throw InputError("[reduce] verification_modes = " + std::to_string(parameters_.verification_modes) +
-                     " is more than the " + std::to_string(dofs) + " dofs of the model at nodal diameter " +
-                     std::to_string(n) + "; ask for fewer, or raise fixed_interface_modes");
-  }
-
   const SectorMesh& mesh_;
   const ReductionParameters& parameters_;
   Progress& progress_;
   FieldsWriter* fields_;
-  ProcessGroup* group_;
+  ProcessGroup& group_;
   bool with_fields_ = false;  ///< the leader writes them
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::clock_t processor_ = std::clock();
@@ -369,10 +348,11 @@ class Reducer {
 }  // namespace
 
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown shown,
-                    ReductionReport& report, FieldsWriter* fields, ProcessGroup* group) {
-  Progress progress("reducing", Reducer::steps(mesh, group == nullptr ? 1 : group->size()), shown);
+                    ReductionReport& report, FieldsWriter* fields, ProcessGroup& group) {
+  const int own_diameters = mesh.sector_count / 2 / group.size() + 1;  // of the leader
+  Progress progress("reducing", steps_of_a_diameter * own_diameters, shown);
   ReducedModel model = Reducer(mesh, parameters, progress, fields, group).run(report);
-  if (group == nullptr || group->leads()) model.effects = effects_of(model);
+  if (group.leads()) model.effects = effects_of(model);
   return model;
 }
 

@@ -50,7 +50,7 @@ struct ReductionReport {
 /// The processes of a group each factorize and share the nodal diameters. All must call this; only the leader gets
 /// the model, and gives `fields`.
 ReducedModel reduce(const SectorMesh& mesh, const ReductionParameters& parameters, Progress::Shown progress,
-                    ReductionReport& report, FieldsWriter* fields = nullptr, ProcessGroup* group = nullptr);
+                    ReductionReport& report, FieldsWriter* fields, ProcessGroup& group);
 
 /// The size of a sector that can be reduced.
 struct CheckedSector {

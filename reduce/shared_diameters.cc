@@ -104,19 +104,6 @@ ShapeOfBasis pass_columns(ProcessGroup& group, int from, const Eigen::MatrixXcd&
 
 }  // namespace
 
-void reduce_in_rounds(int diameters, int threads, const std::function<DiameterResult(int n)>& reduce,
-                      const std::function<void(int n, DiameterResult, const ShapeOfBasis&)>& keep) {
-  for (int first = 0; first < diameters; first += threads) {
-    const int round = std::min(threads, diameters - first);
-    std::vector<DiameterResult> results(static_cast<std::size_t>(round));
-    parallel_for(round, round, [&](int k) { results[k] = reduce(first + k); });
-    for (int k = 0; k < round; ++k) {
-      const Eigen::MatrixXcd shapes = std::move(results[k].shapes);
-      keep(first + k, std::move(results[k]), [&](Eigen::Index column) { return shapes.col(column); });
-    }
-  }
-}
-
 void share_diameters(ProcessGroup& group, int diameters, int threads,
                      const std::function<DiameterResult(int n)>& reduce,
                      const std::function<void(int n, DiameterResult, const ShapeOfBasis&)>& keep) {

@@ -192,9 +192,9 @@ ReducedModel reduce_with_fields(const StageArguments& arguments, const Inputs& i
                                 ProcessGroup& group) {
   const auto shown =
       arguments.verbosity == Verbosity::quiet ? Progress::Shown::never : Progress::Shown::on_a_terminal;
-  if (!fields_file) return reduce(inputs.mesh, inputs.parameters, shown, report, nullptr, &group);
+  if (!fields_file) return reduce(inputs.mesh, inputs.parameters, shown, report, nullptr, group);
   FieldsWriter fields(fields_file->scratch(), program_version(program));
-  ReducedModel model = reduce(inputs.mesh, inputs.parameters, shown, report, &fields, &group);
+  ReducedModel model = reduce(inputs.mesh, inputs.parameters, shown, report, &fields, group);
   fields.close(digest(model));
   return model;
 }
@@ -341,7 +341,7 @@ void follow(StageArguments arguments, const ReduceOptions& options, ProcessGroup
   arguments.verbosity = Verbosity::quiet;
   const Inputs inputs = read(arguments, options);
   ReductionReport made;
-  reduce(inputs.mesh, inputs.parameters, Progress::Shown::never, made, nullptr, &group);
+  reduce(inputs.mesh, inputs.parameters, Progress::Shown::never, made, nullptr, group);
 }
 
 }  // namespace

@@ -5,7 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "cases/program/errors.h"
+#include "cases/program/text.h"
+#include "reduce/basis/craig_bampton.h"
 #include "reduce/basis/cyclic_modes.h"
+#include "reduce/basis/mode_following.h"
 #include "reduce/model/dense_eigen.h"
 #include "reduce/operators/speed_samples.h"
 
@@ -22,15 +26,36 @@ constexpr double nearer_to_rest = 0.7;
 constexpr int most_rounds = 10;        // of corrections
 constexpr double squared_away = 1e-3;  // error of omega^2 of which one round leaves about the square
 
-}  // namespace
+class DiameterReduction {
+ public:
+  DiameterReduction(const SharedByDiameters& shared, const CyclicTransformation& transform)
+      : shared_(shared),
+        sector_(shared.sector),
+        parameters_(shared.parameters),
+        at_rest_(at_speed(0.0, [&] { return CyclicSolver(shared.at_rest, transform); })),
+        at_top_(at_speed(parameters_.speed_max, [&] { return CyclicSolver(shared.at_top, transform); })) {}
 
-DiameterReduction::DiameterReduction(const SpinningSector& sector, const SectorFactor& factor_at_rest,
-                                     const SectorFactor& factor_at_top, const CyclicTransformation& transform,
-                                     const ReductionParameters& parameters)
-    : sector_(sector),
-      parameters_(parameters),
-      at_rest_(at_speed(0.0, [&] { return CyclicSolver(factor_at_rest, transform); })),
-      at_top_(at_speed(parameters.speed_max, [&] { return CyclicSolver(factor_at_top, transform); })) {}
+  /// Combines the modes and static shapes of both speeds (eq. 8) in one basis (eq. 9). At Omega_max only the span
+  /// of the fixed-interface modes is required, and one inverse iteration of the modes at rest gives it.
+  CraigBamptonBasis start_basis() const;
+  /// Estimates the errors of the modes at speeds between those of the basis. If an error exceeds [reduce]
+  /// frequency_tolerance, the missing shapes are added to the basis. Returns their number.
+  int correct(CraigBamptonBasis& basis) const;
+  /// Followed from the modes of the basis; n_s x n_f.
+  Eigen::MatrixXd unreduced_frequencies(const CraigBamptonBasis& basis) const;
+  void estimate_mesh_errors(const CraigBamptonBasis& basis, int nodal_diameter, DiameterResult& result) const;
+  /// The model's K at the samples (eq. 10).
+  std::vector<Eigen::MatrixXcd> sampled_stiffness(const CraigBamptonBasis& basis) const;
+
+ private:
+  ModeFollowing modes_between(const CraigBamptonBasis& basis, const std::vector<double>& fractions) const;
+
+  const SharedByDiameters& shared_;
+  const SpinningSector& sector_;
+  const ReductionParameters& parameters_;
+  CyclicSolver at_rest_;
+  CyclicSolver at_top_;
+};
 
 CraigBamptonBasis DiameterReduction::start_basis() const {
   const CyclicTransformation& transform = at_rest_.transform();
@@ -80,16 +105,20 @@ Eigen::MatrixXd DiameterReduction::unreduced_frequencies(const CraigBamptonBasis
   return table;
 }
 
-MeshErrorEstimate::Errors DiameterReduction::frequency_errors(const MeshErrorEstimate& mesh,
-                                                              const CraigBamptonBasis& basis) const {
+void DiameterReduction::estimate_mesh_errors(const CraigBamptonBasis& basis, int nodal_diameter,
+                                             DiameterResult& result) const {
+  const MeshErrorEstimate& mesh = *shared_.mesh_error;
   const auto [squares, vectors] = eigenpairs(basis.stiffness(0), basis.mass());
   const int count = parameters_.verification_modes;
-  return mesh.of_frequencies(at_rest_, squares.head(count), basis.combine(vectors.leftCols(count)));
-}
-
-MeshErrorEstimate::Errors DiameterReduction::compliance_errors(const MeshErrorEstimate& mesh,
-                                                               const ContactUnknowns& contact) const {
-  return mesh.of_compliances(at_rest_, contact);
+  MeshErrorEstimate::Errors frequency =
+      mesh.of_frequencies(at_rest_, squares.head(count), basis.combine(vectors.leftCols(count)));
+  MeshErrorEstimate::Errors compliance;
+  if (nodal_diameter == 0) compliance = mesh.of_compliances(at_rest_, shared_.contact);
+  result.frequency_errors = std::move(frequency.of_each);
+  result.compliance_errors = std::move(compliance.of_each);
+  if (!shared_.with_fields) return;
+  result.frequency_cells = std::move(frequency.of_cells);
+  result.compliance_cells = std::move(compliance.of_cells);
 }
 
 std::vector<Eigen::MatrixXcd> DiameterReduction::sampled_stiffness(const CraigBamptonBasis& basis) const {
@@ -107,6 +136,35 @@ ModeFollowing DiameterReduction::modes_between(const CraigBamptonBasis& basis,
                       sector_.samples().combine(samples, fraction),
                       fraction < nearer_to_rest ? &at_rest_ : &at_top_});
   return {basis, sector_.mass(), sector_.sampled_stiffness(), std::move(speeds), parameters_.verification_modes};
+}
+
+void require_enough_modes(const ReductionParameters& parameters, int nodal_diameter, Eigen::Index dofs) {
+  if (dofs >= parameters.verification_modes) return;
+  throw InputError(text_of("[reduce] verification_modes = ", parameters.verification_modes, " is more than the ",
+                           dofs, " dofs of the model at nodal diameter ", nodal_diameter,
+                           "; ask for fewer, or raise fixed_interface_modes"));
+}
+
+}  // namespace
+
+DiameterResult reduce_diameter(const SharedByDiameters& shared, const CyclicTransformation& transform,
+                               int nodal_diameter, Progress& progress) {
+  const DiameterReduction diameter(shared, transform);
+  DiameterResult result;
+  CraigBamptonBasis basis = diameter.start_basis();  // eq. 8, eq. 9
+  progress.advance();
+  require_enough_modes(shared.parameters, nodal_diameter, basis.size());
+  result.corrections = diameter.correct(basis);
+  progress.advance();
+  result.generalized_dofs = static_cast<int>(basis.size() - basis.contact_dofs());
+  result.dropped = basis.dropped();
+  result.stiffness = diameter.sampled_stiffness(basis);
+  result.mass = basis.mass();
+  result.unreduced = diameter.unreduced_frequencies(basis);
+  if (shared.mesh_error != nullptr) diameter.estimate_mesh_errors(basis, nodal_diameter, result);
+  progress.advance();
+  if (shared.with_fields) result.shapes = basis.shapes();
+  return result;
 }
 
 }  // namespace tiprub::reduce

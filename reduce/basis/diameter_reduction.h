@@ -1,50 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Dense>
 #include <vector>
 
-#include "reduce/basis/craig_bampton.h"
-#include "reduce/basis/mode_following.h"
-#include "reduce/operators/cyclic_solver.h"
+#include "cases/program/progress.h"
 #include "reduce/operators/mesh_error.h"
 #include "reduce/operators/spinning_sector.h"
 
 namespace tiprub::reduce {
 
-/// The reduction of one nodal diameter: a Craig-Bampton basis from two speeds, rest and Omega_max, its corrections at
-/// the speeds between, and the unreduced frequencies that verify it. It holds a dense factor for each of the two
-/// speeds, and a Lanczos or Davidson space while it looks for modes.
-class DiameterReduction {
- public:
-  /// The factors are those of K at rest and at Omega_max. All arguments must outlive the object. Raises RunError,
-  /// with the speed, if the rotor is unstable.
-  DiameterReduction(const SpinningSector& sector, const SectorFactor& factor_at_rest,
-                    const SectorFactor& factor_at_top, const CyclicTransformation& transform,
-                    const ReductionParameters& parameters);
-
-  /// Combines the modes and static shapes of both speeds (eq. 8) in one basis (eq. 9). At Omega_max only the span
-  /// of the fixed-interface modes is required, and one inverse iteration of the modes at rest gives it.
-  CraigBamptonBasis start_basis() const;
-  /// Estimates the errors of the modes at speeds between those of the basis. If an error exceeds [reduce]
-  /// frequency_tolerance, the missing shapes are added to the basis. Returns their number.
-  int correct(CraigBamptonBasis& basis) const;
-  /// [Hz] The unreduced sector's lowest frequencies at the verification speeds, followed from the modes of the basis;
-  /// n_s x n_f.
-  Eigen::MatrixXd unreduced_frequencies(const CraigBamptonBasis& basis) const;
-  /// By how much the mesh makes the frequencies at rest too high; as many as `verification_modes`.
-  MeshErrorEstimate::Errors frequency_errors(const MeshErrorEstimate& mesh, const CraigBamptonBasis& basis) const;
-  /// By how much the mesh makes the compliance at rest of each contact unknown along its normal too small.
-  MeshErrorEstimate::Errors compliance_errors(const MeshErrorEstimate& mesh, const ContactUnknowns& contact) const;
-  /// The model's K at the samples (eq. 10).
-  std::vector<Eigen::MatrixXcd> sampled_stiffness(const CraigBamptonBasis& basis) const;
-
- private:
-  ModeFollowing modes_between(const CraigBamptonBasis& basis, const std::vector<double>& fractions) const;
-
-  const SpinningSector& sector_;
-  const ReductionParameters& parameters_;
-  CyclicSolver at_rest_;
-  CyclicSolver at_top_;
+/// What the reductions of all nodal diameters share.
+struct SharedByDiameters {
+  const ReductionParameters& parameters;
+  const SpinningSector& sector;
+  const SectorFactor& at_rest;
+  const SectorFactor& at_top;  ///< at Omega_max
+  const ContactUnknowns& contact;
+  const MeshErrorEstimate* mesh_error;  ///< null: not estimated
+  bool with_fields;                     ///< whether there will be a fields.h5
 };
+
+/// What the reduction of one nodal diameter gives to the model, and to fields.h5.
+struct DiameterResult {
+  int generalized_dofs = 0;
+  int dropped = 0;                          ///< shapes
+  int corrections = 0;                      ///< shapes added for modes between the speeds
+  std::vector<Eigen::MatrixXcd> stiffness;  ///< the model's K at the samples (eq. 10)
+  Eigen::MatrixXcd mass;                    ///< eq. 10
+  Eigen::MatrixXd unreduced;                ///< [Hz] lowest frequencies at the verification speeds; n_s x n_f
+  Eigen::VectorXd frequency_errors;         ///< [1] of the mesh, at rest; n_f; empty: not estimated
+  Eigen::VectorXd compliance_errors;        ///< [1] of the mesh; of nodal diameter 0 only
+  Eigen::VectorXd frequency_cells;          ///< [1] see MeshErrorEstimate::Errors; empty without fields.h5
+  Eigen::VectorXd compliance_cells;         ///< [1] likewise
+  Eigen::MatrixXcd shapes;                  ///< of the basis, independent x model dofs; empty without fields.h5
+};
+
+/// What reduce_diameter() reports as progress: the modes at rest, the basis, its verification.
+inline constexpr int steps_of_a_diameter = 3;
+
+/// The reduction of one nodal diameter: a Craig-Bampton basis from two speeds, rest and Omega_max, its corrections at
+/// the speeds between, and the unreduced frequencies that verify it. Holds a dense factor for each of the two speeds,
+/// and a Lanczos or Davidson space while it looks for modes. Raises RunError, with the speed, if the rotor is
+/// unstable, and InputError if the model would have fewer dofs than frequencies that verify it.
+DiameterResult reduce_diameter(const SharedByDiameters& shared, const CyclicTransformation& transform,
+                               int nodal_diameter, Progress& progress);
 
 }  // namespace tiprub::reduce

@@ -70,10 +70,11 @@ TEST(FactorMethodsTogether, GiveTheSameModelOnThreads) {
   p.frequency_tolerance = 1e-3;
   p.threads = 2;
   ReductionReport report;
-  const ReducedModel by_cholmod = reduce(sector_of("hex20"), p, Progress::Shown::never, report);
+  const ReducedModel by_cholmod =
+      reduce(sector_of("hex20"), p, Progress::Shown::never, report, nullptr, test::alone());
   EXPECT_EQ(report.factor_method, FactorMethod::cholmod);
   p.factorization = Factorization::mumps;
-  const ReducedModel by_mumps = reduce(sector_of("hex20"), p, Progress::Shown::never, report);
+  const ReducedModel by_mumps = reduce(sector_of("hex20"), p, Progress::Shown::never, report, nullptr, test::alone());
   EXPECT_EQ(report.factor_method, FactorMethod::mumps);
   for (std::size_t n = 0; n < by_cholmod.nodal_diameters.size(); ++n)
     for (const double speed : {0.0, 3000.0})

@@ -35,7 +35,7 @@ ReductionParameters parameters() {
 }
 
 ReducedModel reduced(const ReductionParameters& of, ReductionReport& report) {
-  return reduce(test::skewed_annulus(sectors).sector(), of, Progress::Shown::never, report);
+  return reduce(test::skewed_annulus(sectors).sector(), of, Progress::Shown::never, report, nullptr, test::alone());
 }
 
 TEST(Reduction, MakesAModelThatPassesItsOwnCheck) {
@@ -65,7 +65,7 @@ TEST(Reduction, EstimatesTheErrorOfTheMeshOrSaysThatItCant) {
   ReductionParameters of = parameters();
   of.verification_modes = 8;
   const SectorMesh wedges = test::split(annulus.sector(), test::Split::wedge15);
-  EXPECT_FALSE(reduce(wedges, of, Progress::Shown::never, report).mesh_error.has_value());
+  EXPECT_FALSE(reduce(wedges, of, Progress::Shown::never, report, nullptr, test::alone()).mesh_error.has_value());
   EXPECT_TRUE(report.mesh_error_unknown);
 }
 
@@ -133,7 +133,7 @@ TEST(Reduction, HoldsBetweenItsSpeedsHoweverFarAThinSheetTurns) {
   p.verification_modes = 8;
   p.frequency_tolerance = 1e-4;
   ReductionReport report;
-  const ReducedModel model = reduce(thin_cone().sector(), p, Progress::Shown::never, report);
+  const ReducedModel model = reduce(thin_cone().sector(), p, Progress::Shown::never, report, nullptr, test::alone());
   EXPECT_LT(model_error(model, 40).error, 1e-3);
   EXPECT_LT(model.verification.polynomial_misfit.maxCoeff(), 1e-3);
 }
@@ -219,8 +219,8 @@ TEST(Reduction, NamesTheSpeedWhoseShapeItDoesNotFind) {
   p.speed_max = 5000.0;
   p.prestress = Prestress::nonlinear;
   ReductionReport report;
-  const std::string message =
-      complaint<RunError>([&] { reduce(thin_cone().sector(), p, Progress::Shown::never, report); });
+  const std::string message = complaint<RunError>(
+      [&] { reduce(thin_cone().sector(), p, Progress::Shown::never, report, nullptr, test::alone()); });
   EXPECT_EQ(message.rfind("at ", 0), 0u) << message;
   EXPECT_NE(message.find(" rpm: the shape under spin doesn't converge"), std::string::npos) << message;
 }
@@ -235,7 +235,8 @@ TEST(Reduction, BlamesAShapeThatItsTermsDoNotFollow) {
   p.polynomial_tolerance = 1e-4;
   p.verification_speeds = {0.1, 0.2, 0.3, 0.45, 0.55, 0.65, 0.8, 0.9};
   ReductionReport report;
-  const std::string message = complaint<RunError>([&] { reduce(cone.sector(), p, Progress::Shown::never, report); });
+  const std::string message =
+      complaint<RunError>([&] { reduce(cone.sector(), p, Progress::Shown::never, report, nullptr, test::alone()); });
   EXPECT_NE(message.find("or its shape changes too much for eq. 7: "), std::string::npos) << message;
 }
 

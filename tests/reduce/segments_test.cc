@@ -44,7 +44,7 @@ ReductionParameters parameters() {
 
 ReducedModel reduced(const ReductionParameters& of) {
   ReductionReport report;
-  return reduce(sector(), of, Progress::Shown::never, report);
+  return reduce(sector(), of, Progress::Shown::never, report, nullptr, test::alone());
 }
 
 /// The consistent loads of unit forces on segments; independent x contact dofs.
@@ -63,7 +63,7 @@ TEST(Segments, AreAsSoftAsTheUnreducedSector) {
   // Static displacement of every segment by a unit force on every segment, at rest: B' K^-1 B.
   for (const SectorMesh& mesh : {sector(), with_cubic_bricks(sector())}) {
     ReductionReport report;
-    const ReducedModel model = reduce(mesh, parameters(), Progress::Shown::never, report);
+    const ReducedModel model = reduce(mesh, parameters(), Progress::Shown::never, report, nullptr, test::alone());
     EXPECT_EQ(model.contact.kind, ContactKind::segments);
     test::TestRotor rotor(mesh, {});
     const Eigen::MatrixXcd loads = consistent_loads(mesh, rotor.dofs());
@@ -116,7 +116,7 @@ TEST(Segments, AreMeansOfTheFieldsThatAreRecovered) {
   const std::string path = testing::TempDir() + "segments_fields.h5";
   FieldsWriter writer(path, "test");
   ReductionReport report;
-  const ReducedModel model = reduce(sector(), parameters(), Progress::Shown::never, report, &writer);
+  const ReducedModel model = reduce(sector(), parameters(), Progress::Shown::never, report, &writer, test::alone());
   writer.close(digest(model));
   const FieldsReader reader(path);
   const ContactUnknowns contact = choose_contact(sector(), ContactKind::segments, 3);
@@ -173,7 +173,8 @@ TEST(Segments, StretchABarAsItsUniformPressureDoes) {
   p.contact_nodes = 1;
   p.speed_max = 1.0;
   ReductionReport report;
-  const ReducedModel model = reduce(mesh, p, Progress::Shown::never, report);  // no cut faces, no contact nodes
+  const ReducedModel model =
+      reduce(mesh, p, Progress::Shown::never, report, nullptr, test::alone());  // no cut faces, no contact nodes
   const Eigen::MatrixXcd& K0 = model.nodal_diameters[0].K[0];
   const Eigen::VectorXcd answer = test::solved(K0, Eigen::VectorXcd::Unit(K0.rows(), 0));
   EXPECT_NEAR(answer[0].real() * material.young * width * thickness / length, 1.0, 1e-8);

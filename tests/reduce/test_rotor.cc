@@ -72,6 +72,11 @@ SymmetricMatrix TestRotor::at_speed(double speed, Prestress prestress) {
   return elasticity_.stiffness(speed, static_displacement(speed), prestress);
 }
 
+ProcessGroup& alone() {
+  static ProcessGroup group;
+  return group;
+}
+
 TestRotor tip_rotor(const Annulus& annulus, const Material& material) {
   SectorMesh mesh = annulus.sector();
   const std::vector<int> contact = {mesh.contact_line.front(), mesh.contact_line.back()};

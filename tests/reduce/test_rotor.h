@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "cases/program/process_group.h"
 #include "reduce/sector/rotating_elasticity.h"
 #include "tests/reduce/brick_grid.h"
 
@@ -38,6 +39,9 @@ Annulus skewed_annulus(int sector_count);
 
 /// Steel, in SI.
 Material steel();
+
+/// This process, which shares its work with no other.
+ProcessGroup& alone();
 
 /// Matrices of a mesh, with the static displacement under spin by another solver than the program's.
 class TestRotor {

@@ -123,8 +123,8 @@ ReductionParameters nonlinear_parameters() {
 
 TEST(NonlinearReduction, StatesTheMisfitOfItsPolynomial) {
   ReductionReport report;
-  const ReducedModel model =
-      reduce(test::skewed_annulus(sectors).sector(), nonlinear_parameters(), Progress::Shown::never, report);
+  const ReducedModel model = reduce(test::skewed_annulus(sectors).sector(), nonlinear_parameters(),
+                                    Progress::Shown::never, report, nullptr, test::alone());
   EXPECT_EQ(model.prestress, Prestress::nonlinear);
   EXPECT_NO_THROW(check(model, "model"));
   const Eigen::MatrixXd& misfit = model.verification.polynomial_misfit;
@@ -145,7 +145,8 @@ TEST(NonlinearReduction, ShiftsTheContactNodesAsTheEquilibriaDo) {
   p.material.young /= 10;
   p.polynomial_tolerance = 1e-6;
   ReductionReport report;
-  const ReducedModel model = reduce(test::skewed_annulus(sectors).sector(), p, Progress::Shown::never, report);
+  const ReducedModel model =
+      reduce(test::skewed_annulus(sectors).sector(), p, Progress::Shown::never, report, nullptr, test::alone());
   EXPECT_GT(report.shape_terms, 2);
   EXPECT_EQ(model.contact.static_shift.terms.size(), report.shape_terms + 0u);
   TestRotor rotor = test::tip_rotor(test::skewed_annulus(sectors), p.material);
@@ -167,9 +168,9 @@ TEST(SpinSoftening, LowersFrequenciesAndCanBeLeftOut) {
   p.prestress = Prestress::linear;
   ReductionReport report;
   const SectorMesh mesh = test::skewed_annulus(sectors).sector();
-  const ReducedModel with = reduce(mesh, p, Progress::Shown::never, report);
+  const ReducedModel with = reduce(mesh, p, Progress::Shown::never, report, nullptr, test::alone());
   p.spin_softening = SpinSoftening::off;
-  const ReducedModel without = reduce(mesh, p, Progress::Shown::never, report);
+  const ReducedModel without = reduce(mesh, p, Progress::Shown::never, report, nullptr, test::alone());
   EXPECT_EQ(without.prestress, Prestress::linear);
   EXPECT_EQ(without.spin_softening, SpinSoftening::off);
   const double at_rest = with.verification.unreduced[0](0, 0);

@@ -103,16 +103,6 @@ TEST_P(CubicBricks, SpreadSegmentsOverTheWholeField) {
   EXPECT_NEAR(contact.line.position(0, 2), 0.1, 1e-12);
 }
 
-TEST(CubicBricksOfTwoKinds, Agree) {
-  // Beside a brick of 27 nodes one of 20 has the middle of their face for a node.
-  const test::BrickGrid grid({2, 1, 1}, 27, test::Around::open);
-  SectorMesh mesh = grid.place([](const Eigen::Vector3d& at) -> Eigen::Vector3d { return at; });
-  mesh.cells.col(0).tail(7).setConstant(-1);
-  const SectorMesh cubic = with_cubic_bricks(mesh);
-  // Six nodes of the lattice now belong to no cell: the centres of the first brick and of its five outer faces.
-  EXPECT_EQ(cubic.node_count() - 6, (3 * 2 + 1) * (3 + 1) * (3 + 1));
-}
-
 TEST(CubicWheel, HasTheFrequenciesOfItsSector) {
   // As in wheel_test.cc. One brick a sector: its edges go from one cut to the other.
   for (const int N : {4, 5}) {
@@ -206,7 +196,7 @@ TEST(CubicModel, HasContactAtMidSideNodesAndFieldsAtTheNodesOfTheFile) {
   const std::string path = testing::TempDir() + "cubic_fields.h5";
   FieldsWriter writer(path, "test");
   ReductionReport report;
-  const ReducedModel model = reduce(mesh, parameters, Progress::Shown::never, report, &writer);
+  const ReducedModel model = reduce(mesh, parameters, Progress::Shown::never, report, &writer, test::alone());
   writer.close(digest(model));
   TestRotor rotor(mesh, given.contact_line);
   EXPECT_EQ(report.sector_dofs, rotor.dofs().sector());

@@ -71,15 +71,13 @@ void write_mesh(std::ostream& out, const SectorMesh& mesh, const ReductionParame
 
 /// CalculiX stops Newton's method at 0.5 % of the load if it isn't told otherwise. The two numbers are its tolerances
 /// R_n of the residual force and C_n of the last correction.
-std::string calculix_controls() {
-  return "*CONTROLS, PARAMETERS=FIELD\n1e-10, 1e-10\n";
-}
+const std::string calculix_controls = "*CONTROLS, PARAMETERS=FIELD\n1e-10, 1e-10\n";
 
 void write_speed(std::ostream& out, double speed, const SectorMesh& mesh, const ReductionParameters& parameters) {
   out << std::scientific << std::setprecision(number_digits) << "*INCLUDE, INPUT=mesh.inp\n";
   const bool nonlinear = parameters.prestress == Prestress::nonlinear;
   if (speed > 0)
-    out << (nonlinear ? "*STEP, NLGEOM\n" + calculix_controls() + "*STATIC\n1, 1\n" : "*STEP\n*STATIC\n")
+    out << (nonlinear ? "*STEP, NLGEOM\n" + calculix_controls + "*STATIC\n1, 1\n" : "*STEP\n*STATIC\n")
         << "*DLOAD\nEall, CENTRIF, " << speed * speed << ", 0, 0, 0, 0, 0, 1\n*END STEP\n"
         << "*STEP, PERTURBATION\n";
   else
@@ -91,7 +89,7 @@ void write_speed(std::ostream& out, double speed, const SectorMesh& mesh, const 
   out << "*END STEP\n";
 }
 
-void write_deck(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
+void write_whole(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
   OutputFile output(path);
   write_file(output.scratch(), write);
   output.commit();
@@ -108,13 +106,6 @@ void write_matrix(std::ostream& out, const Eigen::MatrixXcd& matrix, bool real, 
       if (!real) out << " " << (row == column ? 0.0 : matrix(row, column).imag());
       out << "\n";
     }
-}
-
-void write_matrix(const std::filesystem::path& path, const Eigen::MatrixXcd& matrix, bool real,
-                  const std::string& comment) {
-  OutputFile output(path);
-  write_file(output.scratch(), [&](std::ostream& out) { write_matrix(out, matrix, real, comment); });
-  output.commit();
 }
 
 /// CalculiX's stiffness under spin is that of the displaced shape, with spin softening.
@@ -153,12 +144,12 @@ void write_calculix_decks(const SectorMesh& mesh, const ReductionParameters& par
       throw InputError(mesh.file + ": has cells of kind " + kind.name +
                        ", which CalculiX doesn't have; mesh it with hex20, wedge15 or tet10");
   std::filesystem::create_directories(folder);
-  write_deck(folder / "mesh.inp", [&](std::ostream& out) { write_mesh(out, mesh, parameters); });
+  write_whole(folder / "mesh.inp", [&](std::ostream& out) { write_mesh(out, mesh, parameters); });
   for (const double fraction : parameters.verification_speeds) {
     const double speed = fraction * parameters.speed_max;
     const long rpm = std::lround(speed * rpm_per_rad_s);
-    write_deck(folder / ("speed_" + std::to_string(rpm) + ".inp"),
-               [&](std::ostream& out) { write_speed(out, speed, mesh, parameters); });
+    write_whole(folder / ("speed_" + std::to_string(rpm) + ".inp"),
+                [&](std::ostream& out) { write_speed(out, speed, mesh, parameters); });
   }
 }
 
@@ -169,7 +160,7 @@ void write_matrix_market(const ReducedModel& model, const std::filesystem::path&
   std::set<std::filesystem::path> written;
   const auto write = [&](const std::string& name, const Eigen::MatrixXcd& matrix, bool standing,
                          const std::string& about) {
-    write_matrix(folder / name, matrix, standing, about);
+    write_whole(folder / name, [&](std::ostream& out) { write_matrix(out, matrix, standing, about); });
     written.insert(name);
   };
   for (std::size_t n = 0; n < model.nodal_diameters.size(); ++n) {

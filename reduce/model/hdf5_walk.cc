@@ -107,12 +107,9 @@ const char* touch_attribute(hid_t object, const char* name) {
   return nullptr;
 }
 
-herr_t note_link(hid_t, const char* name, const H5L_info_t*, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
-}
-
-herr_t note_attribute(hid_t, const char* name, const H5A_info_t*, void* names) {
+/// Notes the name of a link or of an attribute.
+template <class Info>
+herr_t note(hid_t, const char* name, const Info*, void* names) {
   static_cast<std::vector<std::string>*>(names)->emplace_back(name);
   return 0;
 }
@@ -125,11 +122,12 @@ class Walk {
     if (H5Oget_info2(object, &info, H5O_INFO_BASIC) < 0 || !seen_.insert(info.addr).second) return;
     hsize_t from = 0;
     std::vector<std::string> attributes, names;
-    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &from, note_attribute, &attributes);
+    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &from, note<H5A_info_t>, &attributes);
     for (const std::string& attribute : attributes)
       attempt(name, [&] { return touch_attribute(object, attribute.c_str()); });
     if (info.type == H5O_TYPE_DATASET) attempt(name, [&] { return touch_dataset(object); });
-    if (info.type == H5O_TYPE_GROUP) H5Literate(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_link, &names);
+    if (info.type == H5O_TYPE_GROUP)
+      H5Literate(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, note<H5L_info_t>, &names);
     for (const std::string& inside : names) touch(object, inside);
   } catch (const std::exception&) {  // the reader will say so, if it is something that it needs
   }

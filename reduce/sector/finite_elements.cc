@@ -311,7 +311,7 @@ void FiniteElements::integrate(const std::vector<int>& cells,
       [&](const std::vector<int>::const_iterator& cell, Space::Scratch& scratch, CellIntegral& result) {
         failure.guard([&] {
           const CellPoints& points = space_->evaluate(*cell, scratch);
-          result = {points.cell, points.nodes, integral(points)};
+          result = {points.nodes, integral(points)};
         });
       },
       [&](const CellIntegral& result) { failure.guard([&] { take(result); }); }, Space::Scratch(*space_),

@@ -22,7 +22,6 @@ struct CellPoints {
 
 /// An integral over one cell.
 struct CellIntegral {
-  int cell = 0;
   std::vector<int> nodes;
   Eigen::MatrixXd value;
 };
